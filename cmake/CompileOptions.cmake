@@ -1,0 +1,26 @@
+# Flags of every target of the project, and the stricter ones of kernels.
+
+add_library(murosimf_options INTERFACE)
+target_compile_options(murosimf_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wcast-qual -Wno-psabi
+  # products and sums are never fused: the same source gives the same bits on every processor
+  -ffp-contract=off)
+if(MUROSIMF_WARNINGS_AS_ERRORS)
+  target_compile_options(murosimf_options INTERFACE -Werror)
+endif()
+if(MUROSIMF_NATIVE)
+  target_compile_options(murosimf_options INTERFACE -march=native)
+endif()
+
+# Kernels (murosimf/multibody) step one robot or eight at once and must give the same bits either way: full
+# optimization, and with g++ no vectorizer, which changes last bits.
+function(murosimf_kernel_flags)
+  set(flags -ffp-contract=off)
+  if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    list(APPEND flags -O3)
+  endif()
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    list(APPEND flags -fno-tree-vectorize)
+  endif()
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${flags}")
+endfunction()

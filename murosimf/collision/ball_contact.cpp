@@ -1,0 +1,129 @@
+#include "murosimf/collision/ball_contact.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/collision/contact_parameters.h"
+#include "murosimf/collision/sphere_contact.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::collision {
+namespace {
+
+constexpr double fastest_walker = 3.0;  // [m/s] speed of an unpushable body's point that counts
+
+const PlacedShape& only_sphere(const Entity& ball) {
+  const Shapes* shapes = ball.model().find(properties::shapes, 0);
+  if (!shapes || shapes->size() != 1 || !std::holds_alternative<Sphere>(shapes->front().shape)) {
+    throw SetupError(fmt::format("'{}' cannot be a ball: its model is not one sphere", ball.name()));
+  }
+  return shapes->front();
+}
+
+/// Longest chain of offsets from the base plus the size of what sits there: holds in every posture.
+double farthest_reach(const Model& model, const std::vector<GroundShape>& shapes) {
+  double reach = 0;
+  for (const GroundShape& shape : shapes) {
+    double length = norm(shape.placed.position) + shape.reach;
+    for (int i = shape.object; i >= 0; i = model.objects()[i].parent) {
+      if (model.objects()[i].kind == Kind::translation) length += norm(model.objects()[i].vector);
+    }
+    reach = std::max(reach, length);
+  }
+  return reach;
+}
+
+}  // namespace
+
+BallContact::Partner::Partner(Setup setup, const MaterialTable& materials, const Model& ball,
+                              const Surface& ball_surface, double gravity, double dt)
+    : shapes(ground_shapes(setup.model())),
+      reach(farthest_reach(setup.model(), shapes)),
+      r(setup.read(properties::position)),
+      v(setup.read(properties::linear_velocity)),
+      w(setup.read(properties::angular_velocity)),
+      R(setup.read(properties::orientation)),
+      pushable(setup.read(properties::pushable)),
+      force(setup.write(properties::interaction_force)),
+      ledger(setup.write(properties::absorbed_impulse)) {
+  for (const GroundShape& shape : shapes) {
+    parameters.push_back(contact_parameters(ball, materials.find(ball_surface, shape.placed.surface), gravity, dt));
+  }
+  loaded.reserve(shapes.size());
+}
+
+BallContact::BallContact(Setup& setup, const std::vector<Entity*>& robots, const MaterialTable& materials,
+                         Duration period)
+    : r_(setup.read(properties::position)),
+      v_(setup.read(properties::linear_velocity)),
+      w_(setup.read(properties::angular_velocity)),
+      force_(setup.write(properties::interaction_force)) {
+  const PlacedShape& sphere = only_sphere(setup.entity());
+  radius_ = std::get<Sphere>(sphere.shape).radius;
+  for (Entity* robot : robots) {
+    partners_.emplace_back(setup.of(*robot), materials, setup.model(), sphere.surface, norm(setup.world().gravity),
+                           seconds(period));
+  }
+}
+
+void BallContact::initialize() {
+  std::fill(force_.begin(), force_.end(), Forced{});
+  for (Partner& partner : partners_) {
+    std::fill(partner.force.begin(), partner.force.end(), Forced{});
+    partner.ledger[0] = Forced{};
+  }
+}
+
+void BallContact::step(const Instant& instant) noexcept {
+  force_[0] = Forced{};
+  for (Partner& partner : partners_) {
+    for (const int object : partner.loaded) partner.force[object] = Forced{};
+    partner.loaded.clear();
+    const Vec3d away = r_[0] - partner.r[0];
+    const double near = partner.reach + radius_;
+    if (dot(away, away) < near * near) touch(partner, seconds(instant.period));
+  }
+}
+
+void BallContact::touch(Partner& partner, double dt) noexcept {
+  for (std::size_t i = 0; i < partner.shapes.size(); ++i) {
+    const GroundShape& shape = partner.shapes[i];
+    const Vec3d middle = partner.r[shape.object] + partner.R[shape.object] * shape.placed.position;
+    const double near = shape.reach + radius_;
+    if (dot(r_[0] - middle, r_[0] - middle) < near * near) push(partner, shape, partner.parameters[i], dt);
+  }
+}
+
+void BallContact::push(Partner& partner, const GroundShape& shape, const ContactParameters& p, double dt) noexcept {
+  const int o = shape.object;
+  const Mat3d R = partner.R[o] * shape.placed.orientation;
+  const Vec3d middle = partner.r[o] + partner.R[o] * shape.placed.position;
+  const auto touching = sphere_contact(transposed_times(R, r_[0] - middle), radius_, shape.placed.shape);
+  if (!touching) return;
+  const Vec3d point = middle + R * touching->point;
+  const Vec3d normal = R * touching->normal;  // from the robot to the ball
+
+  const bool pushable = partner.pushable[0] != 0;
+  Vec3d v_robot = partner.v[o] + cross(partner.w[o], point - partner.r[o]);
+  const double speed = norm(v_robot);
+  if (!pushable && speed > fastest_walker) v_robot = (fastest_walker / speed) * v_robot;
+  const Vec3d v = v_[0] + cross(w_[0], point - r_[0]) - v_robot;
+  const double v_n = dot(v, normal);
+  const Vec3d v_t = v - v_n * normal;
+  const double slide = norm(v_t);
+
+  const double f_n = std::max(0.0, p.stiffness * touching->depth - p.damping * v_n);
+  Vec3d f = f_n * normal;
+  if (slide > 0) f -= (std::min(p.friction * f_n, p.tangent_damping * slide) / slide) * v_t;
+
+  force_[0] += Forced{cross(point - r_[0], f), f};
+  if (pushable) {
+    partner.force[o] += Forced{cross(point - partner.r[o], -f), -f};
+    if (std::find(partner.loaded.begin(), partner.loaded.end(), o) == partner.loaded.end()) partner.loaded.push_back(o);
+  } else {
+    partner.ledger[0] += Forced{cross(point, -dt * f), -dt * f};
+  }
+}
+
+}  // namespace murosimf::collision

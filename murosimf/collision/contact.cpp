@@ -1,0 +1,41 @@
+#include "murosimf/collision/contact.h"
+
+namespace murosimf::collision {
+
+void append_hash(Hasher& hasher, const ContactPoint& point) {
+  hasher.add(std::uint64_t{point.feature});
+  hasher.add(std::uint64_t{static_cast<std::uint8_t>(point.state)});
+  append_hash(hasher, point.stretch);
+}
+
+void append_hash(Hasher& hasher, const ContactSet& set) {
+  hasher.add(static_cast<std::uint64_t>(set.points.size()));
+  for (const ContactPoint& point : set.points) append_hash(hasher, point);
+}
+
+namespace {
+
+/// b_n n n^T + b_t (1 - n n^T).
+SymMat3d damping_matrix(const ContactPoint& c) {
+  return diagonal(c.tangent_damping) + (c.normal_damping - c.tangent_damping) * outer(c.normal);
+}
+
+}  // namespace
+
+void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force,
+                 std::span<Sym6d> external_damping) noexcept {
+  for (const int object : set.loaded) {
+    external_force[object] = set.rest_force[object];
+    external_damping[object] = Sym6d{};
+  }
+  for (const ContactPoint& c : set.points) {
+    const Vec3d arm = c.point - r[c.object];
+    external_force[c.object] += Forced{c.moment + cross(arm, c.force), c.force};
+    if (c.normal_damping == 0 && c.tangent_damping == 0 && c.angular_damping == 0) continue;
+    Sym6d damping = at_point(damping_matrix(c), arm);
+    damping.J += diagonal(c.angular_damping);
+    external_damping[c.object] += damping;
+  }
+}
+
+}  // namespace murosimf::collision

@@ -1,0 +1,86 @@
+/// contact.h - points where a body touches something, and the set of them that one entity has.
+///
+/// The seam between contact and motion (design section 4): a law turns contacts into `external_force` and
+/// `external_damping` per body; a motion algorithm that integrates implicitly lets the law look at the velocities
+/// that its trial step would give, and repeats the step while the law asks for it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "murosimf/math/spatial.h"
+#include "murosimf/model/property.h"
+#include "murosimf/model/value.h"
+
+namespace murosimf::collision {
+
+/// What collision detection finds: geometry only.
+struct Contact {
+  int object = 0;             ///< body A, the one that feels +force
+  std::uint32_t feature = 0;  ///< which corner of which shape; stays the same from step to step
+  std::uint32_t surface = 0;  ///< index of the pair's constants (ContactSet::parameters)
+  Vec3d point;                ///< [m] world frame
+  Vec3d normal;               ///< [1] unit, world frame, from B to A
+  double depth = 0;           ///< [m] overlap along the normal, positive
+  double radius = 0;          ///< [m] of a round body at the point, 0 for corners: arm of the rolling resistance
+};
+
+/// Constants of a contact point, from the pair of surfaces and the weight of the robot (contact_parameters.h).
+struct ContactParameters {
+  double stiffness = 0;           ///< [N/m] k, normal
+  double damping = 0;             ///< [N s/m] d, normal
+  double tangent_stiffness = 0;   ///< [N/m] kt
+  double tangent_damping = 0;     ///< [N s/m] ct
+  double friction = 0;            ///< [1] mu
+  double rolling = 0;             ///< [1] rolling resistance
+  double theta = 1;               ///< [1] 1: depth after the step counts, 0: depth before it
+};
+
+enum class ContactState : std::uint8_t { open, stick, slip };
+
+/// A contact with the law's memory and its present linearisation: force on A for a velocity v+ after the step is
+///     f = force - (b_n n n^T + b_t (1 - n n^T)) (v+ - v),     moment = moment - b_w (w+ - w)
+struct ContactPoint : Contact {
+  Vec3d velocity;          ///< [m/s] v: A's point against B's, world frame, at the beginning of the step
+  Vec3d angular_velocity;  ///< [rad/s] w: A against B, world frame
+  Vec3d stretch;           ///< [m] memory: displacement of the tangential spring
+  ContactState state = ContactState::stick;
+  Vec3d force;             ///< [N] world frame
+  Vec3d moment;            ///< [N m] world frame, besides what the force does at the point
+  double normal_damping = 0, tangent_damping = 0;  ///< [N s/m] b_n, b_t
+  double angular_damping = 0;                      ///< [N m s] b_w
+  double last_normal_force = 0;  ///< [N] of the pass before: a sliding force follows it
+  Vec3d slip_direction;          ///< [1] last known direction of sliding
+};
+
+void append_hash(Hasher& hasher, const ContactPoint& point);
+
+class ContactLaw;
+
+/// All contacts of one entity with what does not move. One value per entity, kept in a column.
+struct ContactSet {
+  std::vector<ContactPoint> points;           ///< sorted by feature
+  std::vector<ContactParameters> parameters;  ///< by Contact::surface
+  const ContactLaw* law = nullptr;
+  double dt = 0;                              ///< [s] of the step that the forces are made for
+
+  // working memory, kept to avoid allocation
+  std::vector<ContactPoint> previous;
+  std::vector<Vec3d> next_velocity;  ///< [m/s] of every point after the trial step; motion fills it
+  std::vector<Forced> rest_force;    ///< [N m, N] external force of every object without these contacts
+  std::vector<int> loaded;           ///< objects that carry the force of these contacts
+};
+
+void append_hash(Hasher& hasher, const ContactSet& set);
+
+/// Contacts of an entity with static geometry. Contact detection writes it, motion takes the law's decisions in it.
+inline constexpr Property<ContactSet> contacts{
+    {"contacts", "-", "world", "points where the entity touches the ground, with the law's memory", Scope::base}};
+
+/// Writes the sum of all contacts to the columns: external_force = rest_force + contacts, external_damping =
+/// contacts. `r` [m] origins of the objects. Objects without contacts keep what they have.
+void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force,
+                 std::span<Sym6d> external_damping) noexcept;
+
+}  // namespace murosimf::collision

@@ -1,0 +1,30 @@
+/// contact_law.h - how hard a contact pushes: the exchangeable part between detection and motion.
+///
+/// Per step: `prepare` linearises every point at the present velocities; motion makes a trial step; `accept` looks at
+/// the velocities after it and either agrees or changes its mind about points (open, stick, slip) and asks for
+/// another trial; `commit` updates the memory. Laws have no state of their own: memory is in the points.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "murosimf/collision/contact.h"
+
+namespace murosimf::collision {
+
+class ContactLaw {
+ public:
+  virtual ~ContactLaw() = default;
+
+  /// May drop points (a law that wants one per pair of bodies).
+  virtual void prepare(ContactSet& set) const noexcept = 0;
+  /// True if all points agree with `set.next_velocity`; false if some changed and the step must be repeated.
+  [[nodiscard]] virtual bool accept(ContactSet& set) const noexcept = 0;
+  virtual void commit(ContactSet& set) const noexcept = 0;
+};
+
+/// Trial steps per step at most; the last one counts even if the law does not agree (dynamics: six suffice).
+inline constexpr int max_passes = 6;
+
+}  // namespace murosimf::collision

@@ -1,0 +1,52 @@
+/// ground_contact.h - algorithm: contact of one dynamic entity with the ground, by any contact law.
+///
+/// Finds the points of every shape below the ground plane, gives each the memory that its feature had in the step
+/// before, lets the law linearise them, and writes external_force (pushes, contacts with moving bodies, ground) and
+/// external_damping. The motion algorithm that comes after it settles the rest with the law (contact.h).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "murosimf/collision/contact_law.h"
+#include "murosimf/collision/ground_points.h"
+#include "murosimf/model/algorithm.h"
+#include "murosimf/model/material.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::collision {
+
+class GroundContact final : public Algorithm {
+ public:
+  /// `environment`: its plane shapes are the ground; null for none (free flight: pushes only).
+  GroundContact(Setup& setup, const Entity* environment, std::shared_ptr<const ContactLaw> law,
+                const MaterialTable& materials, Duration period);
+
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+ private:
+  void find_contacts();
+  void remember();
+
+  const Model& model_;
+  std::shared_ptr<const ContactLaw> law_;
+  std::vector<GroundShape> shapes_;
+  std::vector<GroundPlane> planes_;
+  std::vector<ContactParameters> parameters_;
+  std::span<const Vec3d> r_;                  // [m] origins, world
+  std::span<const Mat3d> R_;                  // orientations
+  std::span<const Vec3d> v_;                  // [m/s] of the origins, world
+  std::span<const Vec3d> w_;                  // [rad/s] world
+  std::span<const Forced> applied_force_;     // [N m, N] users' pushes
+  std::span<const Forced> interaction_force_; // [N m, N] contacts with moving bodies
+  std::span<Forced> external_force_;
+  std::span<Sym6d> external_damping_;
+  ContactSet& set_;
+};
+
+/// The ground planes among the shapes of an environment.
+[[nodiscard]] std::vector<GroundPlane> ground_planes(const Entity* environment);
+
+}  // namespace murosimf::collision

@@ -1,0 +1,42 @@
+/// ground_points.h - where the shapes of one model touch an infinite plane: exact, one to eight points per shape.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "murosimf/collision/contact.h"
+#include "murosimf/model/model.h"
+#include "murosimf/model/shape.h"
+
+namespace murosimf::collision {
+
+/// A static plane: all points x with normal . x < height are inside the ground.
+struct GroundPlane {
+  Vec3d normal{0, 0, 1};  ///< [1] unit, world frame
+  double height = 0;      ///< [m]
+  Surface surface;
+};
+
+/// The points of one shape that can touch a plane first.
+struct GroundShape {
+  int object = 0;
+  PlacedShape placed;
+  double reach = 0;                ///< [m] bounding radius about the shape's origin
+  std::uint32_t first_feature = 0;
+};
+
+/// Every shape of the model that collides, planes excluded.
+[[nodiscard]] std::vector<GroundShape> ground_shapes(const Model& model);
+
+/// Numbers that the features of one shape take.
+inline constexpr std::uint32_t features_per_shape = 8;
+
+/// Appends the contacts of `shape` with `plane`; r [m], R: pose of its object, world frame. The caller fills in what
+/// depends on the pair: `surface`, velocities and memory.
+void find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane,
+                          std::vector<ContactPoint>& found);
+
+/// Height [m] of the lowest point of `shape` above the plane.
+[[nodiscard]] double lowest_point(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane);
+
+}  // namespace murosimf::collision

@@ -1,0 +1,154 @@
+#include "murosimf/collision/implicit_stick.h"
+
+#include <algorithm>
+
+namespace murosimf::collision {
+namespace {
+
+constexpr double slow = 0.005;            // [m/s] below this the direction of sliding is not trusted
+constexpr double slow_turn = 0.5;         // [rad/s] below this rolling resistance falls linearly to zero
+constexpr double normal_tolerance = 0.05; // a sliding force is renewed if the normal force moved by more than this
+
+double normal_damping(const ContactParameters& p, double dt) { return p.damping + p.theta * dt * p.stiffness; }
+
+/// Normal force after a step that ends with normal velocity v_n.
+double normal_force(const ContactPoint& c, const ContactParameters& p, double dt, double v_n) {
+  return p.stiffness * c.depth - normal_damping(p, dt) * v_n;
+}
+
+Vec3d stick_force(const ContactPoint& c, const ContactParameters& p, double dt, const Vec3d& v_t) {
+  return -p.tangent_stiffness * c.stretch - (p.tangent_damping + dt * p.tangent_stiffness) * v_t;
+}
+
+void linearize_open(ContactPoint& c) {
+  c.force = {};
+  c.normal_damping = c.tangent_damping = 0;
+}
+
+void linearize_stick(ContactPoint& c, const ContactParameters& p, double dt) {
+  const double v_n = dot(c.velocity, c.normal);
+  const Vec3d v_t = c.velocity - v_n * c.normal;
+  c.normal_damping = normal_damping(p, dt);
+  c.tangent_damping = p.tangent_damping + dt * p.tangent_stiffness;
+  c.force = normal_force(c, p, dt, v_n) * c.normal + stick_force(c, p, dt, v_t);
+}
+
+/// Friction mu f_n against the sliding velocity; f_n is that of the pass before.
+void linearize_slip(ContactPoint& c, const ContactParameters& p, double dt) {
+  const double v_n = dot(c.velocity, c.normal);
+  const Vec3d v_t = c.velocity - v_n * c.normal;
+  const double speed = norm(v_t);
+  const double limit = p.friction * c.last_normal_force;
+  c.normal_damping = normal_damping(p, dt);
+  c.force = normal_force(c, p, dt, v_n) * c.normal;
+  if (speed > slow) {
+    c.tangent_damping = limit / speed;
+    c.force -= c.tangent_damping * v_t;
+  } else {
+    c.tangent_damping = 0;
+    c.force -= limit * c.slip_direction;
+  }
+}
+
+void linearize(ContactPoint& c, const ContactParameters& p, double dt) {
+  if (c.state == ContactState::open) return linearize_open(c);
+  if (c.state == ContactState::slip) return linearize_slip(c, p, dt);
+  linearize_stick(c, p, dt);
+}
+
+void add_rolling_resistance(ContactPoint& c, const ContactParameters& p) {
+  c.moment = {};
+  c.angular_damping = 0;
+  if (p.rolling == 0 || c.radius == 0) return;
+  const double turn = std::max(norm(c.angular_velocity), slow_turn);
+  c.angular_damping = p.rolling * c.radius * p.stiffness * c.depth / turn;
+  c.moment = -c.angular_damping * c.angular_velocity;
+}
+
+/// Friction that the present linearisation gives for the tangential velocity v_t after the step.
+Vec3d tangential_force(const ContactPoint& c, const Vec3d& v_t) {
+  const Vec3d at_start = tangential(c.force, c.normal);
+  return at_start - c.tangent_damping * (v_t - tangential(c.velocity, c.normal));
+}
+
+/// Decides about one point; true if it agrees with the trial step.
+bool accept_point(ContactPoint& c, const ContactParameters& p, double dt, const Vec3d& next) {
+  const double v_n = dot(next, c.normal);
+  const Vec3d v_t = next - v_n * c.normal;
+  const double f_n = normal_force(c, p, dt, v_n);
+  const ContactState before = c.state;
+
+  if (f_n < 0) {
+    c.state = ContactState::open;
+    return before == ContactState::open;
+  }
+  if (before == ContactState::open) {
+    c.state = ContactState::stick;
+    return false;
+  }
+  if (before == ContactState::stick) {
+    const Vec3d f_t = stick_force(c, p, dt, v_t);
+    const double size = norm(f_t);
+    if (size <= p.friction * f_n) return true;
+    c.state = ContactState::slip;
+    c.last_normal_force = f_n;
+    c.slip_direction = (-1.0 / size) * f_t;
+    return false;
+  }
+  // slipping: friction that would push along the motion means that the point has come to rest
+  if (dot(tangential_force(c, v_t), v_t) > 0) {
+    c.state = ContactState::stick;
+    return false;
+  }
+  const bool moved = std::abs(f_n - c.last_normal_force) > normal_tolerance * std::max(f_n, c.last_normal_force);
+  c.last_normal_force = f_n;
+  return !moved;
+}
+
+}  // namespace
+
+void ImplicitStick::prepare(ContactSet& set) const noexcept {
+  for (ContactPoint& c : set.points) {
+    const ContactParameters& p = set.parameters[c.surface];
+    c.stretch = tangential(c.stretch, c.normal);
+    if (c.state == ContactState::open) c.state = ContactState::stick;
+    if (c.last_normal_force == 0) c.last_normal_force = p.stiffness * c.depth;
+    linearize(c, p, set.dt);
+    add_rolling_resistance(c, p);
+  }
+}
+
+bool ImplicitStick::accept(ContactSet& set) const noexcept {
+  bool agreed = true;
+  for (std::size_t i = 0; i < set.points.size(); ++i) {
+    ContactPoint& c = set.points[i];
+    const ContactParameters& p = set.parameters[c.surface];
+    if (accept_point(c, p, set.dt, set.next_velocity[i])) continue;
+    linearize(c, p, set.dt);
+    agreed = false;
+  }
+  return agreed;
+}
+
+void ImplicitStick::commit(ContactSet& set) const noexcept {
+  for (std::size_t i = 0; i < set.points.size(); ++i) {
+    ContactPoint& c = set.points[i];
+    const ContactParameters& p = set.parameters[c.surface];
+    const double v_n = dot(set.next_velocity[i], c.normal);
+    const Vec3d v_t = set.next_velocity[i] - v_n * c.normal;
+    if (c.state == ContactState::open) {
+      c.stretch = {};
+      c.last_normal_force = 0;
+    } else if (c.state == ContactState::stick) {
+      c.stretch += set.dt * v_t;
+    } else {
+      const Vec3d f_t = tangential_force(c, v_t);
+      c.stretch = (-1.0 / p.tangent_stiffness) * (f_t + p.tangent_damping * v_t);
+      const double speed = norm(v_t);
+      if (speed > 0) c.slip_direction = (1.0 / speed) * v_t;
+    }
+    if (c.state != ContactState::open) c.last_normal_force = normal_force(c, p, set.dt, v_n);
+  }
+}
+
+}  // namespace murosimf::collision

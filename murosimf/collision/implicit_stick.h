@@ -1,0 +1,29 @@
+/// implicit_stick.h - the default law: compliant contact, implicit in the velocity after the step, with a
+/// tangential spring that really sticks.
+///
+/// With depth delta, unit normal n (out of the ground), point velocity v, spring displacement s and v+ after the step:
+///
+///     f_n = k (delta - theta dt v_n+) - d v_n+               pushes only: open if it would pull
+///     f_t = -kt (s + dt v_t+) - ct v_t+                      stick, while |f_t| <= mu f_n
+///     f_t = -mu f_n v_t+ / |v_t|                             slip (lagged direction and normal force)
+///     after the step: s += dt v_t+ (stick);  s = -(f_t + ct v_t+) / kt (slip: return to the cone)
+///
+/// so that f = f0 - B a with b_n = d + theta dt k, b_t = ct + dt kt. A robot on a slope does not creep, and steps up
+/// to 10 ms are stable. A round body also feels a rolling resistance  -rolling r f_n w / |w|.
+/// Source: shared project notes of the prototype, "model e"; elastoplastic friction as in Dupont, Hayward, Armstrong,
+/// Altpeter, IEEE Trans. Automatic Control 47(5), 2002, with a rigid-plastic cone.
+/// theta = 0 keeps a ball's bounce; theta = 1 damps stiff feet.
+#pragma once
+
+#include "murosimf/collision/contact_law.h"
+
+namespace murosimf::collision {
+
+class ImplicitStick final : public ContactLaw {
+ public:
+  void prepare(ContactSet& set) const noexcept override;
+  [[nodiscard]] bool accept(ContactSet& set) const noexcept override;
+  void commit(ContactSet& set) const noexcept override;
+};
+
+}  // namespace murosimf::collision

@@ -1,0 +1,37 @@
+#include "murosimf/collision/paper_law.h"
+
+#include <algorithm>
+
+namespace murosimf::collision {
+namespace {
+
+/// Keeps the deepest point of every body.
+void keep_deepest(std::vector<ContactPoint>& points) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto same_body = [&](const ContactPoint& other) { return other.object == points[i].object; };
+    const auto best = std::find_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(kept), same_body);
+    if (best == points.begin() + static_cast<std::ptrdiff_t>(kept)) {
+      points[kept++] = points[i];
+    } else if (points[i].depth > best->depth) {
+      *best = points[i];
+    }
+  }
+  points.resize(kept);
+}
+
+}  // namespace
+
+void PaperLaw::prepare(ContactSet& set) const noexcept {
+  keep_deepest(set.points);
+  for (ContactPoint& c : set.points) {
+    const double v_n = dot(c.velocity, c.normal);
+    const double gain = v_n < 0 ? 1.0 : options_.rebound;
+    const double f_n = gain * set.parameters[c.surface].stiffness * c.depth;
+    c.force = f_n * c.normal - (options_.friction * f_n) * tangential(c.velocity, c.normal);
+    c.moment = (-options_.spin_friction * f_n) * c.angular_velocity;
+    c.normal_damping = c.tangent_damping = c.angular_damping = 0;
+  }
+}
+
+}  // namespace murosimf::collision

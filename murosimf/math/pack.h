@@ -1,0 +1,116 @@
+/// pack.h - eight doubles that behave like one number, so that eight equal robots step through one kernel.
+///
+/// The lanes are kept in the widest vector registers that the target has (one of 64 bytes with AVX-512, two of 32
+/// with AVX, four of 16 otherwise), because g++ makes poor code of vectors wider than a register. Every lane goes
+/// through the same operations as a `double` would: a lane equals the scalar bit for bit if the kernel is compiled
+/// with -ffp-contract=off.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "murosimf/math/scalar.h"
+
+namespace murosimf {
+
+#if defined(__AVX512F__)
+inline constexpr int register_lanes = 8;
+#elif defined(__AVX__)
+inline constexpr int register_lanes = 4;
+#else
+inline constexpr int register_lanes = 2;
+#endif
+
+class Pack8 {
+ public:
+  static constexpr int lanes = 8;
+  static constexpr int registers = lanes / register_lanes;
+  using Register = double __attribute__((vector_size(register_lanes * sizeof(double))));
+  using MaskRegister = std::int64_t __attribute__((vector_size(register_lanes * sizeof(double))));
+
+  struct Mask {
+    MaskRegister part[registers];
+    friend Mask operator|(Mask a, const Mask& b) {
+      for (int i = 0; i < registers; ++i) a.part[i] |= b.part[i];
+      return a;
+    }
+    friend Mask operator&(Mask a, const Mask& b) {
+      for (int i = 0; i < registers; ++i) a.part[i] &= b.part[i];
+      return a;
+    }
+  };
+
+  Pack8() = default;
+  /// The same number in every lane.
+  Pack8(double number) {  // NOLINT(google-explicit-constructor): constants of a model mix with packs
+    for (auto& p : part_) p = Register{} + number;
+  }
+
+  [[nodiscard]] double lane(int i) const { return part_[i / register_lanes][i % register_lanes]; }
+  void set_lane(int i, double number) { part_[i / register_lanes][i % register_lanes] = number; }
+
+  friend Pack8 operator+(const Pack8& a, const Pack8& b) {
+    return each<Pack8>([&](int i) { return a.part_[i] + b.part_[i]; });
+  }
+  friend Pack8 operator-(const Pack8& a, const Pack8& b) {
+    return each<Pack8>([&](int i) { return a.part_[i] - b.part_[i]; });
+  }
+  friend Pack8 operator*(const Pack8& a, const Pack8& b) {
+    return each<Pack8>([&](int i) { return a.part_[i] * b.part_[i]; });
+  }
+  friend Pack8 operator/(const Pack8& a, const Pack8& b) {
+    return each<Pack8>([&](int i) { return a.part_[i] / b.part_[i]; });
+  }
+  friend Pack8 operator-(const Pack8& a) {
+    return each<Pack8>([&](int i) { return -a.part_[i]; });
+  }
+  friend Mask operator<(const Pack8& a, const Pack8& b) {
+    return each<Mask>([&](int i) { return MaskRegister(a.part_[i] < b.part_[i]); });
+  }
+  friend Mask operator>(const Pack8& a, const Pack8& b) { return b < a; }
+  friend Mask operator==(const Pack8& a, const Pack8& b) {
+    return each<Mask>([&](int i) { return MaskRegister(a.part_[i] == b.part_[i]); });
+  }
+  friend Pack8 select(const Mask& mask, const Pack8& yes, const Pack8& no) {
+    return each<Pack8>([&](int i) { return mask.part[i] ? yes.part_[i] : no.part_[i]; });
+  }
+  friend bool any(const Mask& mask) {
+    std::int64_t bits = 0;
+    for (const auto& p : mask.part) {
+      for (int i = 0; i < register_lanes; ++i) bits |= p[i];
+    }
+    return bits != 0;
+  }
+  friend Pack8 sqrt(const Pack8& a) {
+    return each<Pack8>([&](int i) {
+      Register root;
+      for (int k = 0; k < register_lanes; ++k) root[k] = std::sqrt(a.part_[i][k]);
+      return root;
+    });
+  }
+  friend Pack8 abs(const Pack8& a) {
+    return each<Pack8>([&](int i) {
+      const MaskRegister magnitude = MaskRegister{} + std::int64_t{0x7fffffffffffffff};
+      return reinterpret_cast<Register>(reinterpret_cast<MaskRegister>(a.part_[i]) & magnitude);
+    });
+  }
+
+ private:
+  template <class Result, class F>
+  static Result each(const F& f) {
+    Result result;
+    for (int i = 0; i < registers; ++i) {
+      if constexpr (std::is_same_v<Result, Mask>) {
+        result.part[i] = f(i);
+      } else {
+        result.part_[i] = f(i);
+      }
+    }
+    return result;
+  }
+
+  alignas(64) Register part_[registers]{};
+};
+
+}  // namespace murosimf

@@ -1,0 +1,37 @@
+#include "murosimf/math/random.h"
+
+#include "murosimf/math/hash.h"
+
+namespace murosimf {
+
+std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> c, std::array<std::uint32_t, 2> key) noexcept {
+  for (int round = 0; round < 10; ++round) {
+    const std::uint64_t a = std::uint64_t{0xD2511F53} * c[0];
+    const std::uint64_t b = std::uint64_t{0xCD9E8D57} * c[2];
+    c = {static_cast<std::uint32_t>(b >> 32) ^ c[1] ^ key[0], static_cast<std::uint32_t>(b),
+         static_cast<std::uint32_t>(a >> 32) ^ c[3] ^ key[1], static_cast<std::uint32_t>(a)};
+    key[0] += 0x9E3779B9;
+    key[1] += 0xBB67AE85;
+  }
+  return c;
+}
+
+RandomStream::RandomStream(std::uint64_t seed, std::string_view name) noexcept : seed_(seed) {
+  Hasher hasher;
+  hasher.add(name);
+  stream_ = hasher.value();
+}
+
+double RandomStream::uniform(std::uint64_t n) const noexcept {
+  const auto lo = [](std::uint64_t v) { return static_cast<std::uint32_t>(v); };
+  const auto hi = [](std::uint64_t v) { return static_cast<std::uint32_t>(v >> 32); };
+  const auto bits = philox({lo(n), hi(n), lo(stream_), hi(stream_)}, {lo(seed_), hi(seed_)});
+  const std::uint64_t wide = (std::uint64_t{bits[0]} << 32) | bits[1];
+  return static_cast<double>(wide >> 11) * 0x1.0p-53;
+}
+
+double RandomStream::uniform(std::uint64_t n, double low, double high) const noexcept {
+  return low + (high - low) * uniform(n);
+}
+
+}  // namespace murosimf

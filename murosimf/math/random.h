@@ -1,0 +1,31 @@
+/// random.h - counter-based random numbers: the n-th number of a stream is a pure function of (seed, stream, n).
+///
+/// Streams are addressed, not advanced, so adding a robot or a sensor never changes the numbers of another.
+/// Generator: Philox 4x32 with 10 rounds. Source: Salmon, Moraes, Dror, Shaw, "Parallel Random Numbers: As Easy as
+/// 1, 2, 3", SC 2011.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace murosimf {
+
+/// The bare generator: 128 random bits for a 128-bit counter and a 64-bit key.
+std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) noexcept;
+
+class RandomStream {
+ public:
+  /// `name` tells streams of one seed apart, for example "blue1/start".
+  RandomStream(std::uint64_t seed, std::string_view name) noexcept;
+
+  /// The n-th number, uniform in [0, 1).
+  [[nodiscard]] double uniform(std::uint64_t n) const noexcept;
+  /// The n-th number, uniform in [low, high).
+  [[nodiscard]] double uniform(std::uint64_t n, double low, double high) const noexcept;
+
+ private:
+  std::uint64_t seed_, stream_;
+};
+
+}  // namespace murosimf

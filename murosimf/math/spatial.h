@@ -1,0 +1,151 @@
+/// spatial.h - six-dimensional vectors and matrices of rigid-body mechanics.
+///
+/// Angular part first, as in Featherstone, Rigid Body Dynamics Algorithms (2008): a motion is [w; v], a force [n; f].
+/// Every use says in which axes they are written and at which point v and n are taken.
+#pragma once
+
+#include "murosimf/math/mat3.h"
+
+namespace murosimf {
+
+template <class S>
+struct Motion {
+  Vec3<S> w, v;  ///< angular [rad/s], linear [m/s] (or their rates)
+};
+
+template <class S>
+struct Force {
+  Vec3<S> n, f;  ///< moment [N m], force [N]
+};
+
+using Motiond = Motion<double>;
+using Forced = Force<double>;
+
+template <class S>
+Force<S> operator+(const Force<S>& a, const Force<S>& b) {
+  return {a.n + b.n, a.f + b.f};
+}
+template <class S>
+Force<S> operator-(const Force<S>& a, const Force<S>& b) {
+  return {a.n - b.n, a.f - b.f};
+}
+template <class S>
+Force<S>& operator+=(Force<S>& a, const Force<S>& b) {
+  return a = a + b;
+}
+
+/// The same force, its moment taken about a point that lies `offset` away from the old one.
+template <class S>
+Force<S> moved(const Force<S>& force, const Vec3<S>& offset) {
+  return {force.n - cross(offset, force.f), force.f};
+}
+
+/// Symmetric 6x6 matrix that maps a motion to a force: [n; f] = [J H; H^T M] [w; v].
+template <class S>
+struct Sym6 {
+  SymMat3<S> J;  ///< angular to moment
+  Mat3<S> H{Vec3<S>{}, Vec3<S>{}, Vec3<S>{}};  ///< linear to moment
+  SymMat3<S> M;  ///< linear to force
+};
+
+using Sym6d = Sym6<double>;
+
+template <class S>
+Force<S> operator*(const Sym6<S>& a, const Motion<S>& m) {
+  return {a.J * m.w + a.H * m.v, transposed_times(a.H, m.w) + a.M * m.v};
+}
+template <class S>
+Sym6<S>& operator+=(Sym6<S>& a, const Sym6<S>& b) {
+  a.J += b.J;
+  a.H = {a.H.x + b.H.x, a.H.y + b.H.y, a.H.z + b.H.z};
+  a.M += b.M;
+  return a;
+}
+template <class S>
+Sym6<S> operator*(double s, const Sym6<S>& a) {
+  return {s * a.J, {s * a.H.x, s * a.H.y, s * a.H.z}, s * a.M};
+}
+
+/// Matrix that a map `D` from point velocity to point force [N s/m] makes of itself when the point lies at `x`
+/// from the reference point: J^T D J with J = [-x^, 1].
+template <class S>
+Sym6<S> at_point(const SymMat3<S>& D, const Vec3<S>& x);
+
+/// The same map for a reference point that lies `offset` away from the old one.
+template <class S>
+Sym6<S> moved(const Sym6<S>& a, const Vec3<S>& offset);
+
+/// Solves A m = force for a symmetric positive definite A, by Cholesky.
+template <class S>
+Motion<S> solve(const Sym6<S>& A, const Force<S>& force);
+
+// ---- definitions ----
+
+/// x^ as a matrix: x^ y = x cross y.
+template <class S>
+Mat3<S> cross_matrix(const Vec3<S>& x) {
+  return {{S{}, x.z, -x.y}, {-x.z, S{}, x.x}, {x.y, -x.x, S{}}};
+}
+
+template <class S>
+Mat3<S> full(const SymMat3<S>& m) {
+  return {{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}};
+}
+
+template <class S>
+Sym6<S> at_point(const SymMat3<S>& D, const Vec3<S>& x) {
+  const Mat3<S> H = cross_matrix(x) * full(D);
+  // J = -x^ D x^ = -H x^; row by row, since (H x^)^T = -x^ H^T
+  const Vec3<S> a = cross(x, Vec3<S>{H.x.x, H.y.x, H.z.x});
+  const Vec3<S> b = cross(x, Vec3<S>{H.x.y, H.y.y, H.z.y});
+  const Vec3<S> c = cross(x, Vec3<S>{H.x.z, H.y.z, H.z.z});
+  return {{a.x, b.y, c.z, a.y, a.z, b.z}, H, D};
+}
+
+template <class S>
+Sym6<S> moved(const Sym6<S>& a, const Vec3<S>& offset) {
+  // twist at the old point: v_old = v_new - w x offset = v_new + offset x w, so with y = -offset
+  // J' = J + y^ H^T + (y^ H^T)^T + y^ M y^T, H' = H + y^ M
+  const Mat3<S> Y = cross_matrix(-offset);
+  const Mat3<S> YH = Y * transpose(a.H);
+  const Sym6<S> point = at_point(a.M, -offset);
+  const SymMat3<S> mixed{YH.x.x + YH.x.x, YH.y.y + YH.y.y, YH.z.z + YH.z.z,
+                         YH.y.x + YH.x.y, YH.z.x + YH.x.z, YH.z.y + YH.y.z};
+  return {a.J + mixed + point.J,
+          {a.H.x + point.H.x, a.H.y + point.H.y, a.H.z + point.H.z},
+          a.M};
+}
+
+template <class S>
+Motion<S> solve(const Sym6<S>& A, const Force<S>& force) {
+  S L[6][6] = {{A.J.xx, S{}, S{}, S{}, S{}, S{}},
+               {A.J.xy, A.J.yy, S{}, S{}, S{}, S{}},
+               {A.J.xz, A.J.yz, A.J.zz, S{}, S{}, S{}},
+               {A.H.x.x, A.H.x.y, A.H.x.z, A.M.xx, S{}, S{}},
+               {A.H.y.x, A.H.y.y, A.H.y.z, A.M.xy, A.M.yy, S{}},
+               {A.H.z.x, A.H.z.y, A.H.z.z, A.M.xz, A.M.yz, A.M.zz}};
+  S y[6] = {force.n.x, force.n.y, force.n.z, force.f.x, force.f.y, force.f.z};
+  S inverse[6];
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      S sum = L[i][j];
+      for (int k = 0; k < j; ++k) sum = sum - L[i][k] * L[j][k];
+      if (i == j) {
+        inverse[i] = 1.0 / sqrt(sum);
+      } else {
+        L[i][j] = sum * inverse[j];
+      }
+    }
+  }
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k < i; ++k) y[i] = y[i] - L[i][k] * y[k];
+    y[i] = y[i] * inverse[i];
+  }
+  for (int i = 5; i >= 0; --i) {
+    for (int k = i + 1; k < 6; ++k) y[i] = y[i] - L[k][i] * y[k];
+    y[i] = y[i] * inverse[i];
+  }
+  return {{y[0], y[1], y[2]}, {y[3], y[4], y[5]}};
+}
+
+}  // namespace murosimf

@@ -1,0 +1,70 @@
+#include "murosimf/model/access.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace murosimf {
+
+void AccessSet::add(const Access& access) {
+  const auto same = [&](const Access& other) { return other.column == access.column && other.mode == access.mode; };
+  if (std::none_of(all_.begin(), all_.end(), same)) all_.push_back(access);
+}
+
+bool AccessSet::writes(const ColumnBase* column) const {
+  return std::any_of(all_.begin(), all_.end(),
+                     [&](const Access& a) { return a.column == column && a.mode == AccessMode::write; });
+}
+
+bool AccessSet::touches(const ColumnBase* column) const {
+  return std::any_of(all_.begin(), all_.end(), [&](const Access& a) { return a.column == column; });
+}
+
+bool conflict(const AccessSet& a, const AccessSet& b) {
+  const auto writes_what_touches = [](const AccessSet& writer, const AccessSet& other) {
+    return std::any_of(writer.all().begin(), writer.all().end(), [&](const Access& access) {
+      return access.mode == AccessMode::write && other.touches(access.column);
+    });
+  };
+  return writes_what_touches(a, b) || writes_what_touches(b, a);
+}
+
+namespace {
+
+bool somebody_supplies(const std::vector<NamedAccess>& algorithms, const ColumnBase* column) {
+  return std::any_of(algorithms.begin(), algorithms.end(), [&](const NamedAccess& algorithm) {
+    const auto& all = algorithm.access->all();
+    return std::any_of(all.begin(), all.end(), [&](const Access& access) {
+      return access.column == column && access.mode != AccessMode::read;
+    });
+  });
+}
+
+/// The other side of the message: who writes to that entity at all.
+std::string writers_of(const std::vector<NamedAccess>& algorithms, const Entity* entity) {
+  std::vector<std::string> names;
+  for (const NamedAccess& algorithm : algorithms) {
+    const auto& all = algorithm.access->all();
+    const bool writes = std::any_of(all.begin(), all.end(), [&](const Access& access) {
+      return access.entity == entity && access.mode == AccessMode::write;
+    });
+    if (writes) names.push_back("'" + algorithm.algorithm + "'");
+  }
+  return names.empty() ? "no algorithm writes anything of it" : fmt::format("{} write{} other properties of it",
+                                                                             fmt::join(names, ", "), names.size() == 1 ? "s" : "");
+}
+
+}  // namespace
+
+void check_every_read_is_written(const std::vector<NamedAccess>& algorithms) {
+  for (const NamedAccess& reader : algorithms) {
+    for (const Access& access : reader.access->all()) {
+      if (access.mode != AccessMode::read || somebody_supplies(algorithms, access.column)) continue;
+      throw SetupError(fmt::format("'{}' reads '{}' of '{}', but nobody writes it: {}; attach an algorithm that does",
+                                   reader.algorithm, access.column->info().name, access.entity->name(),
+                                   writers_of(algorithms, access.entity)));
+    }
+  }
+}
+
+}  // namespace murosimf

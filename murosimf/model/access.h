@@ -1,0 +1,47 @@
+/// access.h - what an algorithm reads and writes, and when two of them must not run at the same time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "murosimf/model/entity.h"
+
+namespace murosimf {
+
+enum class AccessMode {
+  read,   ///< somebody must write it
+  input,  ///< read; has a start value, so that nobody needs to write it
+  write,  ///< written; may be read too
+};
+
+struct Access {
+  const Entity* entity = nullptr;
+  const ColumnBase* column = nullptr;
+  AccessMode mode = AccessMode::read;
+};
+
+class AccessSet {
+ public:
+  void add(const Access& access);
+  [[nodiscard]] const std::vector<Access>& all() const { return all_; }
+  [[nodiscard]] bool writes(const ColumnBase* column) const;
+  [[nodiscard]] bool touches(const ColumnBase* column) const;
+
+ private:
+  std::vector<Access> all_;
+};
+
+/// True if one writes what the other reads or writes. Reading the same column is no conflict.
+[[nodiscard]] bool conflict(const AccessSet& a, const AccessSet& b);
+
+/// An algorithm's name, for messages, and what it declared.
+struct NamedAccess {
+  std::string algorithm;
+  const AccessSet* access = nullptr;
+};
+
+/// Throws SetupError if a column is read but written by nobody; it names the reader, the property and the entity,
+/// and the algorithms that could have written it.
+void check_every_read_is_written(const std::vector<NamedAccess>& algorithms);
+
+}  // namespace murosimf

@@ -1,0 +1,75 @@
+/// column.h - the values of one property for all objects of one entity.
+#pragma once
+
+#include <limits>
+#include <typeindex>
+#include <vector>
+
+#include "murosimf/model/property.h"
+#include "murosimf/model/value.h"
+
+namespace murosimf {
+
+/// What people and protocols need: a column without its type. Never used inside a loop.
+class ColumnBase {
+ public:
+  ColumnBase(PropertyInfo info, std::type_index type) : info_(info), type_(type) {}
+  virtual ~ColumnBase() = default;
+  ColumnBase(const ColumnBase&) = delete;
+  ColumnBase& operator=(const ColumnBase&) = delete;
+
+  [[nodiscard]] const PropertyInfo& info() const { return info_; }
+  [[nodiscard]] std::type_index type() const { return type_; }
+
+  /// Numbers per row; 0 if the value is no row of numbers.
+  [[nodiscard]] virtual std::size_t numbers() const = 0;
+  [[nodiscard]] virtual std::size_t rows() const = 0;
+  [[nodiscard]] virtual double get(std::size_t row, std::size_t i) const = 0;
+  virtual void set(std::size_t row, std::size_t i, double number) = 0;
+  virtual void append_to(Hasher& hasher) const = 0;
+
+ private:
+  PropertyInfo info_;
+  std::type_index type_;
+};
+
+/// Debug builds start a column with NaN, so that what nobody writes is seen at once; release builds with zero.
+#ifdef NDEBUG
+inline constexpr bool fill_with_nan = false;
+#else
+inline constexpr bool fill_with_nan = true;
+#endif
+
+template <class T>
+class Column final : public ColumnBase {
+ public:
+  Column(const Property<T>& property, std::size_t rows)
+      : ColumnBase(property, typeid(T)), values(rows) {
+    if constexpr (NumericValue<T>) fill(fill_with_nan ? std::numeric_limits<double>::quiet_NaN() : 0.0);
+  }
+
+  [[nodiscard]] std::size_t numbers() const override { return ValueTraits<T>::numbers; }
+  [[nodiscard]] std::size_t rows() const override { return values.size(); }
+  [[nodiscard]] double get([[maybe_unused]] std::size_t row, [[maybe_unused]] std::size_t i) const override {
+    if constexpr (NumericValue<T>) return ValueTraits<T>::get(values[row], i);
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  void set([[maybe_unused]] std::size_t row, [[maybe_unused]] std::size_t i,
+           [[maybe_unused]] double number) override {
+    if constexpr (NumericValue<T>) ValueTraits<T>::set(values[row], i, number);
+  }
+  void append_to(Hasher& hasher) const override {
+    for (const T& value : values) append_hash(hasher, value);
+  }
+
+  std::vector<T> values;
+
+ private:
+  void fill(double number) {
+    for (T& value : values) {
+      for (std::size_t i = 0; i < ValueTraits<T>::numbers; ++i) ValueTraits<T>::set(value, i, number);
+    }
+  }
+};
+
+}  // namespace murosimf

@@ -1,0 +1,25 @@
+/// error.h - the one exception that users' mistakes throw, while a simulation is being set up.
+#pragma once
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace murosimf {
+
+/// A mistake in a file, a name or a set-up. `what()` is one line: where, what, and what to do.
+class SetupError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The candidate nearest to `name` (edit distance), empty if none is near.
+[[nodiscard]] std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates);
+
+/// "unknown level 'full'; did you mean 'full_dynamics'?" or, if nothing is near, "...; known: a, b, c".
+[[nodiscard]] std::string unknown_name(std::string_view kind, std::string_view name,
+                                       const std::vector<std::string_view>& candidates);
+
+}  // namespace murosimf

@@ -1,0 +1,36 @@
+/// material.h - what happens between two surfaces depends on the pair: a table of pairs, by material name.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "murosimf/model/shape.h"
+
+namespace murosimf {
+
+/// Constants of one pair of surfaces.
+struct PairSurface {
+  double friction = 0.8;     ///< [1] Coulomb coefficient
+  double rolling = 0.0;      ///< [1] rolling resistance: moment = rolling * radius * normal force
+  double restitution = 0.5;  ///< [1] speed kept by a round body that bounces, 0..1
+  double stiffness = 0.0;    ///< [N/m] per contact point; 0: chosen from the weight (contact_parameters.h)
+};
+
+class MaterialTable {
+ public:
+  /// The pairs that come with the program: "rubber", "plastic", "carpet", "grass", "ball" among each other.
+  [[nodiscard]] static MaterialTable standard();
+
+  /// Order of the two names does not matter. Throws SetupError if a number is negative, not finite or impossible.
+  void set(const std::string& a, const std::string& b, const PairSurface& pair);
+
+  /// The table's entry; for pairs that are not in it, the larger friction of the two surfaces (as in MuJoCo) and
+  /// the defaults above.
+  [[nodiscard]] PairSurface find(const Surface& a, const Surface& b) const;
+
+ private:
+  std::map<std::pair<std::string, std::string>, PairSurface> pairs_;
+};
+
+}  // namespace murosimf

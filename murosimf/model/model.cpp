@@ -1,0 +1,92 @@
+#include "murosimf/model/model.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/properties.h"
+
+namespace murosimf {
+
+Model::Model(std::string name, Chain chain)
+    : name_(std::move(name)), objects_(chain.objects()), constants_(chain.constants()) {
+  check_structure();
+  name_all_objects();
+  index_names(chain.aliases());
+  check_masses();
+  tree_ = Tree(objects_, constants_);
+  for (int i = 0; i < size(); ++i) {
+    if (objects_[i].is_joint()) joints_.push_back(i);
+    if (find(properties::mass, i) || find(properties::shapes, i)) bodies_.push_back(i);
+  }
+}
+
+int Model::object_index(std::string_view name) const {
+  if (const auto found = find_object(name)) return *found;
+  throw SetupError(fmt::format("model '{}': {}", name_, unknown_name("object", name, object_names())));
+}
+
+std::optional<int> Model::find_object(std::string_view name) const {
+  const auto found = index_.find(name);
+  return found == index_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<std::string_view> Model::object_names() const {
+  std::vector<std::string_view> names;
+  for (const auto& [name, object] : index_) names.push_back(name);
+  return names;
+}
+
+FixedObject Model::placement(int object) const {
+  for (const FixedObject& fixed : tree_.fixed) {
+    if (fixed.object == object) return fixed;
+  }
+  return {object, tree_.link_of[object], {}, {}, false};
+}
+
+void Model::check_structure() const {
+  if (objects_.empty() || objects_.front().kind != Kind::base) {
+    throw SetupError(fmt::format("model '{}' must begin with a base", name_));
+  }
+  for (int i = 1; i < size(); ++i) {
+    if (objects_[i].kind == Kind::base) {
+      throw SetupError(fmt::format("model '{}' has a second base, '{}'", name_, objects_[i].name));
+    }
+  }
+}
+
+void Model::name_all_objects() {
+  for (int i = 0; i < size(); ++i) {
+    if (objects_[i].name.empty()) objects_[i].name = fmt::format("{}_{}", kind_name(objects_[i].kind), i);
+  }
+}
+
+void Model::index_names(const std::vector<std::pair<std::string, int>>& aliases) {
+  const auto add = [this](const std::string& name, int object) {
+    const auto [place, fresh] = index_.emplace(name, object);
+    if (!fresh && place->second != object) {
+      throw SetupError(fmt::format("model '{}': two objects are called '{}'", name_, name));
+    }
+  };
+  for (int i = 0; i < size(); ++i) add(objects_[i].name, i);
+  for (const auto& [name, object] : aliases) add(name, object);
+}
+
+void Model::check_masses() const {
+  for (int i = 0; i < size(); ++i) {
+    const double* mass = find(properties::mass, i);
+    if (mass && !(*mass > 0 && std::isfinite(*mass))) {
+      throw SetupError(fmt::format("model '{}', object '{}': mass {} kg is not positive", name_, objects_[i].name, *mass));
+    }
+    const SymMat3d* I = find(properties::inertia, i);
+    if (!I) continue;
+    const double minor = I->xx * I->yy - I->xy * I->xy;
+    const double determinant = I->xx * (I->yy * I->zz - I->yz * I->yz) - I->xy * (I->xy * I->zz - I->yz * I->xz) +
+                               I->xz * (I->xy * I->yz - I->yy * I->xz);
+    if (!(I->xx > 0 && minor > 0 && determinant > 0 && std::isfinite(determinant))) {
+      throw SetupError(fmt::format("model '{}', object '{}': inertia is not positive definite", name_, objects_[i].name));
+    }
+  }
+}
+
+}  // namespace murosimf

@@ -1,0 +1,27 @@
+#include "murosimf/model/properties.h"
+
+#include <array>
+
+namespace murosimf::properties {
+namespace {
+
+constexpr CatalogEntry constant(const PropertyInfo& info) { return {info, true}; }
+constexpr CatalogEntry variable(const PropertyInfo& info) { return {info, false}; }
+
+constexpr std::array entries{
+    constant(mass),           constant(center_of_mass),   constant(inertia),        constant(shapes),
+    constant(joint_range),    constant(servo),            constant(joint_damping),  constant(joint_armature),
+    constant(joint_friction), constant(sole),             constant(markings),       variable(position),
+    variable(orientation),    variable(linear_velocity),  variable(angular_velocity), variable(joint_position),
+    variable(joint_rate),     variable(joint_target),     variable(cycle_target), variable(applied_force),  variable(interaction_force), variable(external_force),
+    variable(external_damping), variable(base_quaternion), variable(total_mass), variable(common_center_of_mass),
+    variable(common_center_of_mass_velocity), variable(common_inertia), variable(stance_pose), variable(stance_foot),
+    variable(pushable), variable(absorbed_impulse), variable(walk_command),   variable(gait_velocity),  variable(gait_phase),
+    variable(gait_amplitude), variable(distance_walked),  variable(falls), variable(lying), variable(distance_sample),
+};
+
+}  // namespace
+
+std::span<const CatalogEntry> catalog() { return entries; }
+
+}  // namespace murosimf::properties

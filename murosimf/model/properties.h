@@ -1,0 +1,76 @@
+/// properties.h - the catalogue: every property that the library knows, on one page.
+///
+/// "world" in the column `frame` means world axes; a moment or a linear velocity without further words is taken at
+/// the origin of its object. Properties whose value is no row of numbers (contact sets, sightings) are declared
+/// beside their type.
+#pragma once
+
+#include <span>
+
+#include "murosimf/model/property.h"
+#include "murosimf/model/servo.h"
+#include "murosimf/model/shape.h"
+#include "murosimf/model/value.h"
+
+namespace murosimf::properties {
+
+// clang-format off
+
+// ---- constant: set while modelling (paper, table 2) ----
+inline constexpr Property<double>   mass             {{"mass", "kg", "-", "mass of the object"}};
+inline constexpr Property<Vec3d>    center_of_mass   {{"center_of_mass", "m", "object", "from the object's origin"}};
+inline constexpr Property<SymMat3d> inertia          {{"inertia", "kg m^2", "object, at its center of mass", "xx yy zz xy xz yz"}};
+inline constexpr Property<Shapes>   shapes           {{"shapes", "m", "object", "geometry with surface and color"}};
+inline constexpr Property<Vec3d>    joint_range      {{"joint_range", "rad | m", "joint", "lowest, highest, 0"}};
+inline constexpr Property<Servo>    servo            {{"servo", "-", "joint", "motor and gear that move the joint"}};
+inline constexpr Property<double>   joint_damping    {{"joint_damping", "N m s/rad | N s/m", "joint", "viscous friction"}};
+inline constexpr Property<double>   joint_armature   {{"joint_armature", "kg m^2 | kg", "joint", "inertia of the rotor behind the gear"}};
+inline constexpr Property<double>   joint_friction   {{"joint_friction", "N m | N", "joint", "Coulomb friction"}};
+inline constexpr Property<Sole>     sole             {{"sole", "m", "object", "bottom of a foot, centered at the object"}};
+inline constexpr Property<Markings> markings         {{"markings", "m", "object", "lines painted on the ground"}};
+
+// ---- variable: added by the algorithms that need them (paper, table 3) ----
+inline constexpr Property<Vec3d>  position           {{"position", "m", "world", "origin of the object"}};
+inline constexpr Property<Mat3d>  orientation        {{"orientation", "1", "object axes to world axes", "rotation matrix, row by row"}};
+inline constexpr Property<Vec3d>  linear_velocity    {{"linear_velocity", "m/s", "world", "of the object's origin"}};
+inline constexpr Property<Vec3d>  angular_velocity   {{"angular_velocity", "rad/s", "world", "of the object"}};
+inline constexpr Property<double> joint_position     {{"joint_position", "rad | m", "joint", "angle or shift along the axis"}};
+inline constexpr Property<double> joint_rate         {{"joint_rate", "rad/s | m/s", "joint", "rate of joint_position"}};
+inline constexpr Property<double> joint_target       {{"joint_target", "rad | m", "joint", "desired position, set by control software"}};
+inline constexpr Property<double> cycle_target       {{"cycle_target", "rad | m", "joint", "target that the present control cycle runs to"}};
+inline constexpr Property<Forced> applied_force      {{"applied_force", "N m, N", "world, at the object's origin", "push that stays until it is changed: moment, force"}};
+inline constexpr Property<Forced> interaction_force  {{"interaction_force", "N m, N", "world, at the object's origin", "contacts with other moving bodies: moment, force"}};
+inline constexpr Property<Forced> external_force     {{"external_force", "N m, N", "world, at the object's origin", "sum of pushes and contacts: moment, force"}};
+inline constexpr Property<Sym6d>  external_damping   {{"external_damping", "N m s, N s, N s/m", "world, at the object's origin", "how fast external_force falls with the object's velocity"}};
+
+// ---- variable: one for the whole entity ----
+inline constexpr Property<Quaterniond> base_quaternion {{"base_quaternion", "1", "base axes to world axes", "w x y z", Scope::base}};
+inline constexpr Property<double> total_mass         {{"total_mass", "kg", "-", "mass of all objects", Scope::base}};
+inline constexpr Property<Vec3d>  common_center_of_mass {{"common_center_of_mass", "m", "world", "of all objects", Scope::base}};
+inline constexpr Property<Vec3d>  common_center_of_mass_velocity {{"common_center_of_mass_velocity", "m/s", "world", "of all objects", Scope::base}};
+inline constexpr Property<SymMat3d> common_inertia   {{"common_inertia", "kg m^2", "world, at the common center of mass", "xx yy zz xy xz yz", Scope::base}};
+inline constexpr Property<Vec3d>  stance_pose        {{"stance_pose", "m, m, rad", "world", "x, y and heading of the standing sole", Scope::base}};
+inline constexpr Property<double> stance_foot        {{"stance_foot", "1", "-", "0: first sole of the model stands, 1: second", Scope::base}};
+inline constexpr Property<double> pushable           {{"pushable", "1", "-", "1: forces move the entity, 0: it pushes and is never pushed", Scope::base}};
+inline constexpr Property<Forced> absorbed_impulse   {{"absorbed_impulse", "N m s, N s", "world, at the world's origin", "what contacts gave to a body that cannot be pushed", Scope::base}};
+inline constexpr Property<Vec3d>  walk_command       {{"walk_command", "m/s, m/s, rad/s", "robot, x forward", "desired walking velocity", Scope::base}};
+inline constexpr Property<Vec3d>  gait_velocity      {{"gait_velocity", "m/s, m/s, rad/s", "robot, x forward", "walking velocity after the slew limits", Scope::base}};
+inline constexpr Property<double> gait_phase         {{"gait_phase", "rad", "-", "0 to pi: left foot stands", Scope::base}};
+inline constexpr Property<double> gait_amplitude     {{"gait_amplitude", "1", "-", "0 stands, 1 walks", Scope::base}};
+inline constexpr Property<double> distance_walked    {{"distance_walked", "m", "world, horizontal", "length of the base's path, sampled twice a second", Scope::base}};
+inline constexpr Property<double> falls              {{"falls", "1", "-", "how often the base tilted over 60 degrees", Scope::base}};
+inline constexpr Property<double> lying              {{"lying", "1", "-", "1 while the base leans over after a fall", Scope::base}};
+inline constexpr Property<Vec3d>  distance_sample    {{"distance_sample", "m", "world", "place of the last sample of distance_walked", Scope::base}};
+
+// clang-format on
+
+/// Where a property lives, for the list that people read.
+struct CatalogEntry {
+  PropertyInfo info;
+  bool constant = false;
+};
+
+/// Every property of this page, constant ones first.
+[[nodiscard]] std::span<const CatalogEntry> catalog();
+
+}  // namespace murosimf::properties

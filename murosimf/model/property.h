@@ -1,0 +1,30 @@
+/// property.h - the descriptor of a property: what may be known about an object.
+///
+/// A property is a typed name with unit, frame and meaning. Constant properties are set while modelling and live in
+/// the Model; variable ones live in the columns of an Entity and exist only if an algorithm asks for them.
+#pragma once
+
+#include <string_view>
+
+namespace murosimf {
+
+enum class Scope {
+  object,  ///< every object of the entity has one
+  base,    ///< one for the whole entity; it belongs to the base
+};
+
+/// The part of a descriptor that does not depend on the type.
+struct PropertyInfo {
+  std::string_view name;     ///< as written in files and on the command line
+  std::string_view unit;     ///< SI; "1" for pure numbers
+  std::string_view frame;    ///< axes and reference point; "-" where there are none
+  std::string_view meaning;  ///< one line
+  Scope scope = Scope::object;
+};
+
+template <class T>
+struct Property : PropertyInfo {
+  using Value = T;
+};
+
+}  // namespace murosimf

@@ -1,0 +1,59 @@
+/// setup.h - how an algorithm obtains its columns, and thereby declares what it reads and writes.
+///
+/// An algorithm gets a Setup in its constructor and takes spans from it; taking a span is the declaration. There is
+/// no second list to forget. Spans stay valid for the life of the simulation.
+#pragma once
+
+#include <span>
+
+#include "murosimf/model/access.h"
+#include "murosimf/model/world.h"
+
+namespace murosimf {
+
+class Setup {
+ public:
+  /// All Setups that one algorithm uses share its access set.
+  Setup(World& world, Entity& entity, AccessSet& access) : world_(&world), entity_(&entity), access_(&access) {}
+
+  /// Columns to read; one row per object, or a single row for properties of the base. Another algorithm must write
+  /// them, or the simulation refuses to start.
+  template <class T>
+  [[nodiscard]] std::span<const T> read(const Property<T>& property) {
+    return take(property, AccessMode::read);
+  }
+  /// Columns to write (and read). Whoever writes a column also gives it its first value, in `initialize`.
+  template <class T>
+  [[nodiscard]] std::span<T> write(const Property<T>& property) {
+    return take(property, AccessMode::write);
+  }
+  /// Columns to read that users or control software may set at any time; `value` stands until they do.
+  template <class T>
+  [[nodiscard]] std::span<const T> input(const Property<T>& property, const std::type_identity_t<T>& value) {
+    const bool fresh = entity_->find(property.name) == nullptr;
+    const std::span<T> column = take(property, AccessMode::input);
+    if (fresh) std::fill(column.begin(), column.end(), value);
+    return column;
+  }
+
+  [[nodiscard]] const Model& model() const { return entity_->model(); }
+  [[nodiscard]] Entity& entity() const { return *entity_; }
+  [[nodiscard]] const World& world() const { return *world_; }
+
+  /// The same algorithm's access to another entity.
+  [[nodiscard]] Setup of(Entity& other) const { return {*world_, other, *access_}; }
+
+ private:
+  template <class T>
+  std::span<T> take(const Property<T>& property, AccessMode mode) {
+    Column<T>& column = entity_->column(property);
+    access_->add({entity_, &column, mode});
+    return column.values;
+  }
+
+  World* world_;
+  Entity* entity_;
+  AccessSet* access_;
+};
+
+}  // namespace murosimf

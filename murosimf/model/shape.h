@@ -1,0 +1,80 @@
+/// shape.h - geometry and surface of bodies: plain data, no algorithms.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "murosimf/math/mat3.h"
+
+namespace murosimf {
+
+// All lengths in metres. The shape's own frame: centre at the origin, long axis along z.
+struct Sphere {
+  double radius = 0;
+};
+struct Box {
+  Vec3d half_size;
+};
+struct Capsule {
+  double radius = 0;
+  double half_length = 0;  ///< of the straight part
+};
+struct Cylinder {
+  double radius = 0;
+  double half_length = 0;
+};
+struct Ellipsoid {
+  Vec3d semi_axes;
+};
+struct Plane {};  ///< infinite, z = 0, solid below
+
+using Shape = std::variant<Sphere, Box, Capsule, Cylinder, Ellipsoid, Plane>;
+
+/// "sphere", "box", ... as in MJCF.
+[[nodiscard]] const char* shape_name(const Shape& shape);
+
+/// Radius of the smallest sphere about the shape's origin that encloses it [m]; infinite for a plane.
+[[nodiscard]] double bounding_radius(const Shape& shape);
+
+struct Color {
+  double red = 0.5, green = 0.5, blue = 0.5;
+};
+
+/// What a surface is made of. The force between two surfaces depends on the pair (material.h).
+struct Surface {
+  std::string material;   ///< name in the pair table; empty: only the friction below counts
+  double friction = 0.8;  ///< [1] Coulomb coefficient used where the pair is not in the table
+};
+
+/// A shape at its place on an object.
+struct PlacedShape {
+  Shape shape;
+  Vec3d position;     ///< [m] of the shape's origin, object frame
+  Mat3d orientation;  ///< shape axes to object axes
+  Surface surface;
+  Color color;
+  bool collides = true;  ///< false: for the eye only
+};
+
+using Shapes = std::vector<PlacedShape>;
+
+/// The flat bottom of a foot; a property of the frame at its centre, x forward, z up.
+struct Sole {
+  double half_length = 0;  ///< [m] along x
+  double half_width = 0;   ///< [m] along y
+};
+
+/// A painted line on the ground.
+struct Stroke {
+  std::vector<Vec3d> points;  ///< [m] polygon, object frame
+  double width = 0.05;        ///< [m]
+};
+
+/// What is painted on the ground, and how far it reaches.
+struct Markings {
+  std::vector<Stroke> strokes;
+  double half_length = 0, half_width = 0;  ///< [m] ground to show, from the middle
+};
+
+}  // namespace murosimf

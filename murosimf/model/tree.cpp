@@ -1,0 +1,79 @@
+#include "murosimf/model/tree.h"
+
+#include "murosimf/model/properties.h"
+
+namespace murosimf {
+namespace {
+
+struct Placement {
+  Vec3d offset;
+  Mat3d turn;
+  bool turned = false;
+};
+
+/// Where an object stands in the frame of its link.
+Placement after(const Placement& parent, const Object& object) {
+  Placement result = parent;
+  if (object.kind == Kind::translation) result.offset += parent.turn * object.vector;
+  if (object.kind == Kind::rotation) {
+    result.turn = parent.turn * object.turn;
+    result.turned = true;
+  }
+  return result;
+}
+
+AxisKind axis_kind(const Vec3d& axis) {
+  if (axis.x == 1.0) return AxisKind::x;
+  if (axis.y == 1.0) return AxisKind::y;
+  if (axis.z == 1.0) return AxisKind::z;
+  return AxisKind::general;
+}
+
+/// Merges a mass into the link: center by weights, inertia by the parallel-axis theorem.
+void add_mass(Link& link, double mass, const Vec3d& com, const SymMat3d& inertia) {
+  const double sum = link.mass + mass;
+  const Vec3d center = (1.0 / sum) * (link.mass * link.com + mass * com);
+  link.inertia += link.mass * inertia_of_point(link.com - center);
+  link.inertia += inertia + mass * inertia_of_point(com - center);
+  link.com = center;
+  link.mass = sum;
+}
+
+}  // namespace
+
+Tree::Tree(const std::vector<Object>& objects, const ConstantTable& constants) : link_of(objects.size()) {
+  std::vector<Placement> placements(objects.size());
+  for (int i = 0; i < static_cast<int>(objects.size()); ++i) {
+    const Object& object = objects[i];
+    if (object.kind == Kind::base || object.is_joint()) {
+      Link link;
+      link.object = i;
+      if (object.is_joint()) {
+        const Placement& before = placements[object.parent];
+        link.parent = link_of[object.parent];
+        link.kind = object.kind == Kind::revolute ? LinkKind::revolute : LinkKind::prismatic;
+        link.axis = object.vector;
+        link.axis_kind = axis_kind(object.vector);
+        link.offset = before.offset;
+        link.turn = before.turn;
+        link.turned = before.turned;
+      }
+      link_of[i] = static_cast<int>(links.size());
+      links.push_back(link);
+    } else {
+      placements[i] = after(placements[object.parent], object);
+      link_of[i] = link_of[object.parent];
+      fixed.push_back({i, link_of[i], placements[i].offset, placements[i].turn, placements[i].turned});
+    }
+    if (const double* m = constants.find(properties::mass, i)) {
+      const Vec3d* com = constants.find(properties::center_of_mass, i);
+      const SymMat3d* inertia = constants.find(properties::inertia, i);
+      const Placement& place = placements[i];
+      add_mass(links[link_of[i]], *m, place.offset + place.turn * (com ? *com : Vec3d{}),
+               inertia ? rotated(place.turn, *inertia) : SymMat3d{});
+      mass += *m;
+    }
+  }
+}
+
+}  // namespace murosimf

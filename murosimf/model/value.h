@@ -1,0 +1,61 @@
+/// value.h - how a property's value is seen from outside as a row of numbers, and how it enters the state hash.
+///
+/// Specialise ValueTraits for a new value type: numeric types derive from `OfDoubles`; a type that is no row of
+/// numbers keeps `numbers = 0` and offers `void append_hash(Hasher&, const T&)` in its namespace.
+#pragma once
+
+#include <cstring>
+
+#include "murosimf/math/hash.h"
+#include "murosimf/math/quaternion.h"
+#include "murosimf/math/spatial.h"
+
+namespace murosimf {
+
+template <class T>
+struct ValueTraits {
+  static constexpr std::size_t numbers = 0;
+};
+
+/// For types that consist of doubles and nothing else.
+template <class T>
+struct OfDoubles {
+  static_assert(sizeof(T) % sizeof(double) == 0);
+  static constexpr std::size_t numbers = sizeof(T) / sizeof(double);
+
+  static double get(const T& value, std::size_t i) {
+    double number = 0;
+    std::memcpy(&number, reinterpret_cast<const unsigned char*>(&value) + i * sizeof(double), sizeof(double));
+    return number;
+  }
+  static void set(T& value, std::size_t i, double number) {
+    std::memcpy(reinterpret_cast<unsigned char*>(&value) + i * sizeof(double), &number, sizeof(double));
+  }
+};
+
+// clang-format off
+template <> struct ValueTraits<double>      : OfDoubles<double> {};
+template <> struct ValueTraits<Vec3d>       : OfDoubles<Vec3d> {};
+template <> struct ValueTraits<Quaterniond> : OfDoubles<Quaterniond> {};  ///< w, x, y, z
+template <> struct ValueTraits<Forced>      : OfDoubles<Forced> {};       ///< n, f
+template <> struct ValueTraits<Motiond>     : OfDoubles<Motiond> {};      ///< w, v
+template <> struct ValueTraits<SymMat3d>    : OfDoubles<SymMat3d> {};     ///< xx, yy, zz, xy, xz, yz
+template <> struct ValueTraits<Sym6d>       : OfDoubles<Sym6d> {};        ///< J, H by columns, M
+// clang-format on
+
+/// Rotations are shown row by row, as users write them.
+template <>
+struct ValueTraits<Mat3d> : OfDoubles<Mat3d> {
+  static double get(const Mat3d& m, std::size_t i) { return OfDoubles::get(m, 3 * (i % 3) + i / 3); }
+  static void set(Mat3d& m, std::size_t i, double number) { OfDoubles::set(m, 3 * (i % 3) + i / 3, number); }
+};
+
+template <class T>
+concept NumericValue = (ValueTraits<T>::numbers > 0);
+
+template <NumericValue T>
+void append_hash(Hasher& hasher, const T& value) {
+  for (std::size_t i = 0; i < ValueTraits<T>::numbers; ++i) hasher.add(ValueTraits<T>::get(value, i));
+}
+
+}  // namespace murosimf

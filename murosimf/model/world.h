@@ -1,0 +1,33 @@
+/// world.h - all entities of a simulation, by name, and what acts on all of them. Data only; time is runtime's.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/model/entity.h"
+
+namespace murosimf {
+
+class World {
+ public:
+  /// Throws SetupError if the name is taken.
+  Entity& add(std::string name, ModelPtr model, EntityOptions options = {});
+
+  [[nodiscard]] Entity& entity(std::string_view name) const;  ///< throws SetupError with the nearest name
+  [[nodiscard]] Entity* find(std::string_view name) const;    ///< null if there is none
+  [[nodiscard]] const std::vector<std::unique_ptr<Entity>>& entities() const { return entities_; }
+
+  void freeze_columns();
+  void thaw_columns();
+
+  /// Hash of every column of every entity: equal states give equal hashes.
+  [[nodiscard]] std::uint64_t state_hash() const;
+
+  Vec3d gravity{0, 0, -9.81};  ///< [m/s^2] world frame
+
+ private:
+  std::vector<std::unique_ptr<Entity>> entities_;
+};
+
+}  // namespace murosimf

@@ -1,0 +1,43 @@
+/// joint_reference.h - joint motion of the levels that do not simulate servos: how desired positions become
+/// positions and rates.
+///
+///     filter:  qdd = (wf^2 (target - q - dt qd) - 2 wf qd) / (1 + 2 wf dt + wf^2 dt^2)      implicit, critically damped
+///     linear:  q reaches the target at constant rate within one control cycle (paper 4.3)
+///
+/// wf = 120 rad/s lags 17 ms behind. Same state (q, qd) as a simulated servo, so levels can be exchanged.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "murosimf/motion/pose_columns.h"
+
+namespace murosimf::motion {
+
+enum class ReferenceKind { filter, linear };
+
+struct JointReferenceOptions {
+  ReferenceKind kind = ReferenceKind::filter;
+  double filter_frequency = 120.0;  ///< [rad/s] wf
+  double control_period = 0.01;     ///< [s] one control cycle, for `linear`
+};
+
+class JointReference {
+ public:
+  JointReference(Setup& setup, const JointReferenceOptions& options);
+
+  /// Joints start at their targets, at rest.
+  void initialize(PoseColumns& columns) noexcept;
+  /// Advances q and qd by dt [s]. False, and nothing changed, if a target is not a finite number.
+  [[nodiscard]] bool advance(PoseColumns& columns, double dt) noexcept;
+
+ private:
+  void filter(PoseColumns& columns, double dt) const noexcept;
+  void linear(PoseColumns& columns, double dt) noexcept;
+
+  JointReferenceOptions options_;
+  std::span<const double> target_;   // [rad | m] desired positions
+  std::span<double> cycle_target_;   // [rad | m] the target that the present cycle runs to (linear only)
+};
+
+}  // namespace murosimf::motion

@@ -1,0 +1,107 @@
+#include "murosimf/motion/kinematic_walking.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/multibody/kinematics.h"
+
+namespace murosimf::motion {
+namespace {
+
+constexpr double penetration = -1e-6;  // [m] rounding of a foot that just touches is no landing
+
+std::vector<int> two_soles(const Model& model) {
+  auto soles = model.having(properties::sole);
+  if (soles.size() != 2) {
+    throw SetupError(fmt::format("model '{}' cannot walk kinematically: it has {} sole{}, not 2 (name them in its "
+                                 "TOML file)", model.name(), soles.size(), soles.size() == 1 ? "" : "s"));
+  }
+  return soles;
+}
+
+}  // namespace
+
+KinematicWalking::KinematicWalking(Setup& setup, const JointReferenceOptions& reference)
+    : entity_(setup.entity()),
+      columns_(setup),
+      reference_(setup, reference),
+      stance_pose_(setup.write(properties::stance_pose)[0]),
+      stance_foot_(setup.write(properties::stance_foot)[0]),
+      pushable_(setup.write(properties::pushable)[0]) {
+  const auto soles = two_soles(setup.model());
+  feet_ = {foot(soles[0]), foot(soles[1])};
+}
+
+KinematicWalking::Foot KinematicWalking::foot(int object) const {
+  Foot foot;
+  foot.object = object;
+  foot.sole = *columns_.model.find(properties::sole, object);
+  foot.place = columns_.model.placement(object);
+  for (int link = foot.place.link; link > 0; link = columns_.model.tree().links[link].parent) {
+    foot.path.insert(foot.path.begin(), link);
+  }
+  return foot;
+}
+
+void KinematicWalking::initialize() {
+  reference_.initialize(columns_);
+  place_at_start(columns_, entity_);
+  pushable_ = 0;
+  const bool second_lower = lowest_corner(feet_[1]) < lowest_corner(feet_[0]) + penetration;
+  stand_on(second_lower ? 1 : 0);
+  pin();
+  set_base_twist();
+  columns_.update_velocities();
+}
+
+void KinematicWalking::step(const Instant& instant) noexcept {
+  if (!reference_.advance(columns_, seconds(instant.period))) {
+    columns_.stop();
+    return entity_.freeze("a joint target is not a finite number");
+  }
+  pin();
+  swap_if_other_foot_penetrates();
+  set_base_twist();
+  columns_.update_velocities();
+}
+
+void KinematicWalking::pin() noexcept {
+  const Foot& foot = feet_[static_cast<int>(stance_foot_)];
+  const Tree& tree = columns_.model.tree();
+  const auto sole = multibody::pose_in_base<double>(tree, foot.path, foot.place, columns_.q);
+  const Mat3d R = rotation_z(stance_pose_.z) * transpose(sole.R);
+  columns_.Q[0] = from_matrix(R);
+  columns_.R[0] = R;
+  columns_.r[0] = Vec3d{stance_pose_.x, stance_pose_.y, 0} - R * sole.r;
+  columns_.update_poses();
+}
+
+void KinematicWalking::stand_on(int foot) noexcept {
+  const int sole = feet_[foot].object;
+  stance_foot_ = foot;
+  stance_pose_ = {columns_.r[sole].x, columns_.r[sole].y, heading(columns_.R[sole])};
+}
+
+void KinematicWalking::swap_if_other_foot_penetrates() noexcept {
+  const int other = 1 - static_cast<int>(stance_foot_);
+  if (lowest_corner(feet_[other]) >= penetration) return;
+  stand_on(other);
+  pin();
+}
+
+double KinematicWalking::lowest_corner(const Foot& foot) const noexcept {
+  const Mat3d& R = columns_.R[foot.object];
+  return columns_.r[foot.object].z - foot.sole.half_length * std::abs(R.x.z) - foot.sole.half_width * std::abs(R.y.z);
+}
+
+void KinematicWalking::set_base_twist() noexcept {
+  const Foot& foot = feet_[static_cast<int>(stance_foot_)];
+  const Tree& tree = columns_.model.tree();
+  const Motiond sole =
+      multibody::twist_against_base<double>(tree, foot.path, columns_.r[foot.object], columns_.qd, columns_.r, columns_.R);
+  columns_.w[0] = -sole.w;
+  columns_.v[0] = -sole.v - cross(columns_.w[0], columns_.r[foot.object] - columns_.r[0]);
+}
+
+}  // namespace murosimf::motion

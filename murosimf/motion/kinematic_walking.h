@@ -1,0 +1,58 @@
+/// kinematic_walking.h - level `kinematic_walking`: the standing foot stays fixed on the plane.
+///
+/// Each step: joints follow their targets; the base is placed so that the standing sole lies flat at its fixed place
+/// (x, y, heading); if the other foot then penetrates the plane, the feet swap roles and the new one is fixed where
+/// it is. External forces are ignored; the robot cannot fall.
+///
+///     R_0 = Rz(psi) R_S^T      r_0 = x_S - R_0 r_S            S: sole in base axes
+///     w_0 = -w_S               v_0 = -v_S - w_0 x (r_S - r_0)      so that the standing sole is at rest
+///
+/// The twist is that of the present stance, analytic; it is never differentiated across a swap.
+/// Source:  paper 4.1.
+/// Differs: the paper leaves open the heading (here: that of the foot when it lands), the tested point (lowest corner
+///          of the other sole, below -1 um), and the first stance (the lower foot).
+/// Limits:  the plane is z = 0; both feet in the air cannot occur; a jump looks like standing.
+#pragma once
+
+#include <array>
+
+#include "murosimf/model/algorithm.h"
+#include "murosimf/motion/joint_reference.h"
+#include "murosimf/motion/pose_columns.h"
+
+namespace murosimf::motion {
+
+class KinematicWalking final : public Algorithm {
+ public:
+  /// Throws SetupError if the model does not have exactly two soles.
+  explicit KinematicWalking(Setup& setup, const JointReferenceOptions& reference = {});
+
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+ private:
+  /// A foot: its sole frame and the links between the base and it.
+  struct Foot {
+    int object = 0;
+    Sole sole;
+    FixedObject place;      // of the sole on its link
+    std::vector<int> path;  // links from the base outwards, base excluded
+  };
+
+  [[nodiscard]] Foot foot(int object) const;
+  void pin() noexcept;
+  void stand_on(int foot) noexcept;
+  void swap_if_other_foot_penetrates() noexcept;
+  [[nodiscard]] double lowest_corner(const Foot& foot) const noexcept;
+  void set_base_twist() noexcept;
+
+  Entity& entity_;
+  PoseColumns columns_;
+  JointReference reference_;
+  std::array<Foot, 2> feet_;
+  Vec3d& stance_pose_;     // [m, m, rad] x, y, heading of the standing sole
+  double& stance_foot_;    // 0 or 1
+  double& pushable_;
+};
+
+}  // namespace murosimf::motion

@@ -1,0 +1,50 @@
+#include "murosimf/motion/odometer.h"
+
+#include <cmath>
+
+namespace murosimf::motion {
+namespace {
+
+constexpr Duration sample_period = std::chrono::milliseconds(500);
+const double cos_fallen = std::cos(pi / 3);
+const double cos_upright = std::cos(pi / 6);
+
+}  // namespace
+
+Odometer::Odometer(Setup& setup)
+    : can_fall_(!setup.model().joints().empty()),
+      r_(setup.read(properties::position)),
+      R_(setup.read(properties::orientation)),
+      distance_(setup.write(properties::distance_walked)[0]),
+      sample_(setup.write(properties::distance_sample)[0]),
+      falls_(setup.write(properties::falls)[0]),
+      lying_(setup.write(properties::lying)[0]) {}
+
+void Odometer::initialize() {
+  distance_ = falls_ = lying_ = 0;
+  sample_ = r_[0];
+  up_at_start_ = transposed_times(R_[0], Vec3d{0, 0, 1});
+}
+
+void Odometer::step(const Instant& instant) noexcept {
+  if (instant.now % sample_period == Duration{}) measure_distance();
+  if (can_fall_) watch_falls();
+}
+
+void Odometer::measure_distance() noexcept {
+  const Vec3d moved = r_[0] - sample_;
+  distance_ += std::hypot(moved.x, moved.y);
+  sample_ = r_[0];
+}
+
+void Odometer::watch_falls() noexcept {
+  const double cos_lean = (R_[0] * up_at_start_).z;
+  if (lying_ == 0 && cos_lean < cos_fallen) {
+    lying_ = 1;
+    falls_ += 1;
+  } else if (lying_ == 1 && cos_lean > cos_upright) {
+    lying_ = 0;
+  }
+}
+
+}  // namespace murosimf::motion

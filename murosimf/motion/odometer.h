@@ -1,0 +1,37 @@
+/// odometer.h - algorithm: how far an entity has gone and how often it fell, for reports.
+///
+/// Distance: length of the base's horizontal path, sampled twice a second so that the swaying of a walk does not count.
+/// A fall: the base leans more than 60 degrees away from its attitude at the start; counted again only after it came
+/// back under 30 degrees.
+#pragma once
+
+#include "murosimf/model/algorithm.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::motion {
+
+class Odometer final : public Algorithm {
+ public:
+  explicit Odometer(Setup& setup);
+
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+  static constexpr double rate_hz = 10;
+
+ private:
+  void measure_distance() noexcept;
+  void watch_falls() noexcept;
+
+  const bool can_fall_;       // things without joints (balls) roll, they do not fall
+  Vec3d up_at_start_;         // [1] the base's axis that points up when it stands
+  std::span<const Vec3d> r_;
+  std::span<const Mat3d> R_;
+  double& distance_;          // [m]
+  Vec3d& sample_;             // [m] place of the last distance sample
+  double& falls_;             // [1]
+  double& lying_;             // 0 or 1
+};
+
+}  // namespace murosimf::motion

@@ -1,0 +1,55 @@
+#include "murosimf/motion/pose_columns.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "murosimf/collision/ground_points.h"
+#include "murosimf/multibody/kinematics.h"
+
+namespace murosimf::motion {
+
+PoseColumns::PoseColumns(Setup& setup)
+    : model(setup.model()),
+      r(setup.write(properties::position)),
+      R(setup.write(properties::orientation)),
+      v(setup.write(properties::linear_velocity)),
+      w(setup.write(properties::angular_velocity)),
+      q(setup.write(properties::joint_position)),
+      qd(setup.write(properties::joint_rate)),
+      Q(setup.write(properties::base_quaternion)) {}
+
+void PoseColumns::update_poses() noexcept { multibody::poses<double>(model.tree(), q, r, R); }
+
+void PoseColumns::update_velocities() noexcept { multibody::velocities<double>(model.tree(), qd, r, R, v, w); }
+
+void PoseColumns::stop() noexcept {
+  std::fill(v.begin(), v.end(), Vec3d{});
+  std::fill(w.begin(), w.end(), Vec3d{});
+  std::fill(qd.begin(), qd.end(), 0.0);
+}
+
+void place_at_start(PoseColumns& columns, const Entity& entity) noexcept {
+  const Model& model = columns.model;
+  const EntityOptions& options = entity.options();
+  columns.stop();
+  columns.r[0] = {};
+  columns.R[0] = Mat3d{};
+  columns.update_poses();
+  if (const auto soles = model.having(properties::sole); !soles.empty()) {
+    columns.R[0] = transpose(columns.R[soles.front()]);
+  }
+  columns.R[0] = rotation_z(options.heading) * columns.R[0];
+  columns.update_poses();
+
+  double lowest = 0;
+  const auto shapes = collision::ground_shapes(model);
+  if (!shapes.empty()) lowest = std::numeric_limits<double>::infinity();
+  for (const auto& shape : shapes) {
+    lowest = std::min(lowest, collision::lowest_point(shape, columns.r[shape.object], columns.R[shape.object], {}));
+  }
+  columns.r[0] = {options.position.x, options.position.y, options.position.z - lowest};
+  columns.Q[0] = from_matrix(columns.R[0]);
+  columns.update_poses();
+}
+
+}  // namespace murosimf::motion

@@ -1,0 +1,35 @@
+/// pose_columns.h - the columns that every level of detail writes: where the robot is and how it moves.
+#pragma once
+
+#include <span>
+
+#include "murosimf/model/properties.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::motion {
+
+struct PoseColumns {
+  explicit PoseColumns(Setup& setup);
+
+  /// Poses of all objects from row 0 and the joint positions.
+  void update_poses() noexcept;
+  /// Velocities of all objects from row 0, the poses and the joint rates.
+  void update_velocities() noexcept;
+  /// No motion at all: what a frozen entity shows to the others.
+  void stop() noexcept;
+
+  const Model& model;
+  std::span<Vec3d> r;        ///< [m] origin of each object, world
+  std::span<Mat3d> R;        ///< orientation of each object
+  std::span<Vec3d> v;        ///< [m/s] of each origin, world
+  std::span<Vec3d> w;        ///< [rad/s] of each object, world
+  std::span<double> q;       ///< [rad | m] joint positions
+  std::span<double> qd;      ///< [rad/s | m/s] joint rates
+  std::span<Quaterniond> Q;  ///< base orientation
+};
+
+/// Places the robot as its entity's options say: base above (x, y), first sole flat and heading as given (base upright
+/// if the model has no soles), lowest point of the robot at height z. Joint positions must be set; velocities become 0.
+void place_at_start(PoseColumns& columns, const Entity& entity) noexcept;
+
+}  // namespace murosimf::motion

@@ -1,0 +1,144 @@
+#include "murosimf/motion/simplified_dynamics.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/multibody/kinematics.h"
+
+namespace murosimf::motion {
+namespace {
+
+constexpr double fastest = 1e3;       // [m/s] beyond this the numbers have gone bad
+constexpr double fastest_turn = 1e4;  // [rad/s]
+
+bool sane(const multibody::FreeBody<double>& body) {
+  // written so that NaN is not sane either
+  return dot(body.velocity, body.velocity) < fastest * fastest && dot(body.rate, body.rate) < fastest_turn * fastest_turn;
+}
+
+}  // namespace
+
+SimplifiedDynamics::SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOptions& options)
+    : entity_(setup.entity()),
+      options_(options),
+      gravity_(setup.world().gravity),
+      columns_(setup),
+      reference_(setup, options.reference),
+      external_force_(setup.write(properties::external_force)),
+      external_damping_(setup.write(properties::external_damping)),
+      contacts_(setup.write(collision::contacts)[0]),
+      center_(setup.write(properties::common_center_of_mass)[0]),
+      velocity_(setup.write(properties::common_center_of_mass_velocity)[0]),
+      inertia_(setup.write(properties::common_inertia)[0]),
+      mass_(setup.write(properties::total_mass)[0]),
+      pushable_(setup.write(properties::pushable)[0]) {
+  if (!(setup.model().tree().mass > 0)) {
+    throw SetupError(fmt::format("model '{}' has no mass; simplified_dynamics needs it", setup.model().name()));
+  }
+}
+
+void SimplifiedDynamics::initialize() {
+  reference_.initialize(columns_);
+  place_at_start(columns_, entity_);
+  columns_.update_velocities();
+  store_common_body(multibody::common_body<double>(columns_.model.tree(), columns_.r, columns_.R, columns_.v, columns_.w));
+  velocity_ = {};
+  pushable_ = 1;
+}
+
+void SimplifiedDynamics::step(const Instant& instant) noexcept {
+  const double dt = seconds(instant.period);
+  const Motiond acceleration = solve_with_contacts(dt);
+  multibody::FreeBody<double> body{center_, velocity_, columns_.Q[0], columns_.w[0]};
+  multibody::advance(body, acceleration, dt);
+  if (!sane(body)) return halt("its velocity is not a finite, sensible number");
+  if (!reference_.advance(columns_, dt)) return halt("a joint target is not a finite number");
+  if (contacts_.law) contacts_.law->commit(contacts_);
+
+  const Mat3d R_before = columns_.R[0];
+  columns_.Q[0] = body.turn;
+  columns_.R[0] = to_matrix(body.turn);
+  columns_.w[0] = body.rate;
+  if (options_.base_rigid) {
+    follow_base(body, R_before);
+  } else {
+    follow_center(body);
+  }
+}
+
+Motiond SimplifiedDynamics::solve(double dt) const noexcept {
+  const Vec3d& w = columns_.w[0];
+  Forced force{-cross(w, inertia_ * w), mass_ * gravity_};
+  Sym6d matrix{inertia_, {Vec3d{}, Vec3d{}, Vec3d{}}, diagonal(mass_)};
+  for (const int object : columns_.model.bodies()) {
+    const Vec3d to_center = center_ - columns_.r[object];
+    force += moved(external_force_[object], to_center);
+    const Sym6d& damping = external_damping_[object];
+    // untouched bodies, by far the most, have no damping at all
+    if (damping.M.xx == 0 && damping.M.yy == 0 && damping.M.zz == 0 && damping.J.xx == 0) continue;
+    matrix += dt * moved(damping, to_center);
+  }
+  return murosimf::solve(matrix, force);
+}
+
+void SimplifiedDynamics::predict_contacts(const Motiond& acceleration, double dt) noexcept {
+  contacts_.next_velocity.clear();
+  for (const collision::ContactPoint& c : contacts_.points) {
+    contacts_.next_velocity.push_back(c.velocity +
+                                      dt * (acceleration.v + cross(acceleration.w, c.point - center_)));
+  }
+}
+
+Motiond SimplifiedDynamics::solve_with_contacts(double dt) noexcept {
+  Motiond acceleration = solve(dt);
+  if (!contacts_.law) return acceleration;
+  predict_contacts(acceleration, dt);
+  for (int pass = 1; pass < collision::max_passes && !contacts_.law->accept(contacts_); ++pass) {
+    collision::write_loads(contacts_, columns_.r, external_force_, external_damping_);
+    acceleration = solve(dt);
+    predict_contacts(acceleration, dt);
+  }
+  return acceleration;
+}
+
+void SimplifiedDynamics::follow_center(const multibody::FreeBody<double>& body) noexcept {
+  // everything relative to a base at rest at the origin; then the base goes where the center of mass wants it
+  columns_.r[0] = {};
+  columns_.v[0] = {};
+  columns_.update_poses();
+  columns_.update_velocities();
+  auto common = multibody::common_body<double>(columns_.model.tree(), columns_.r, columns_.R, columns_.v, columns_.w);
+  multibody::shift_all(columns_.r, body.position - common.center);
+  multibody::shift_all(columns_.v, body.velocity - common.velocity);
+  common.center = body.position;
+  common.velocity = body.velocity;
+  store_common_body(common);
+}
+
+void SimplifiedDynamics::follow_base(const multibody::FreeBody<double>& body, const Mat3d& R_before) noexcept {
+  const Vec3d arm = columns_.R[0] * transposed_times(R_before, columns_.r[0] - center_);
+  columns_.r[0] = body.position + arm;
+  columns_.v[0] = body.velocity + cross(body.rate, arm);
+  columns_.update_poses();
+  columns_.update_velocities();
+  auto common = multibody::common_body<double>(columns_.model.tree(), columns_.r, columns_.R, columns_.v, columns_.w);
+  // the rigid body's velocity at the new center: joint rates do not count
+  common.velocity = columns_.v[0] + cross(body.rate, common.center - columns_.r[0]);
+  store_common_body(common);
+}
+
+void SimplifiedDynamics::store_common_body(const multibody::CommonBody<double>& common) noexcept {
+  mass_ = common.mass;
+  center_ = common.center;
+  velocity_ = common.velocity;
+  inertia_ = common.inertia;
+}
+
+void SimplifiedDynamics::halt(const char* reason) noexcept {
+  columns_.stop();
+  velocity_ = {};
+  entity_.freeze(reason);
+}
+
+}  // namespace murosimf::motion

@@ -1,0 +1,65 @@
+/// simplified_dynamics.h - level `simplified_dynamics`: the robot moves as one rigid body with its common mass,
+/// center of mass and inertia; joints follow their targets.
+///
+///     m vc' = m g + sum f            I w' + w x I w = sum ((r - c) x f + n)
+///
+/// External forces enter implicitly through their damping D (contact.h): (diag(I, m) + dt D_c) a = forces at the
+/// beginning of the step, with D_c the damping of all bodies moved to the center of mass. A ball is the same thing
+/// with a single object.
+///
+/// What a joint motion does to the base:
+///  * center-continuous (default): c and vc are integrated, the base follows from them: r_0 = c - R c_B(q),
+///    v_0 = vc - w x R c_B - R c_B'. Limbs moving in free flight do not move the center of mass.
+///  * base-rigid (the paper's literal reading): the base is integrated as part of the rigid body, limbs then move the
+///    center of mass (55 mm in the project's flight test).
+/// Joint motion never turns the base: that is the simplification; `full_dynamics` has it.
+/// Source: paper 4.2.
+#pragma once
+
+#include "murosimf/collision/contact_law.h"
+#include "murosimf/model/algorithm.h"
+#include "murosimf/motion/joint_reference.h"
+#include "murosimf/motion/pose_columns.h"
+#include "murosimf/multibody/integrate.h"
+#include "murosimf/multibody/mass.h"
+
+namespace murosimf::motion {
+
+struct SimplifiedDynamicsOptions {
+  bool base_rigid = false;  ///< the paper's literal reading
+  JointReferenceOptions reference;
+};
+
+class SimplifiedDynamics final : public Algorithm {
+ public:
+  /// Throws SetupError if the model has no mass.
+  explicit SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOptions& options = {});
+
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+ private:
+  [[nodiscard]] Motiond solve(double dt) const noexcept;
+  void predict_contacts(const Motiond& acceleration, double dt) noexcept;
+  [[nodiscard]] Motiond solve_with_contacts(double dt) noexcept;
+  void follow_center(const multibody::FreeBody<double>& body) noexcept;
+  void follow_base(const multibody::FreeBody<double>& body, const Mat3d& R_before) noexcept;
+  void store_common_body(const multibody::CommonBody<double>& common) noexcept;
+  void halt(const char* reason) noexcept;
+
+  Entity& entity_;
+  SimplifiedDynamicsOptions options_;
+  Vec3d gravity_;
+  PoseColumns columns_;
+  JointReference reference_;
+  std::span<Forced> external_force_;
+  std::span<Sym6d> external_damping_;
+  collision::ContactSet& contacts_;
+  Vec3d& center_;      // [m] common center of mass, world
+  Vec3d& velocity_;    // [m/s] of the center of mass
+  SymMat3d& inertia_;  // [kg m^2] at the center of mass, world axes
+  double& mass_;       // [kg]
+  double& pushable_;
+};
+
+}  // namespace murosimf::motion
