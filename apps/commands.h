@@ -1,0 +1,36 @@
+/// commands.h - the subcommands of the program. Each returns the exit code and throws SetupError for users' mistakes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace murosimf::app {
+
+struct RunOptions {
+  std::string scene;
+  std::optional<double> duration;  ///< [s]
+  std::string speed = "max";       ///< "max", or simulated seconds per wall second
+  int threads = 1;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> overrides;
+  std::string json;     ///< file, "-" for standard output
+  std::string picture;  ///< PNG file
+  bool lenient = false;
+};
+
+int run(const RunOptions& options);
+
+struct CheckOptions {
+  std::string model;
+  bool json = false;
+  bool lenient = false;
+};
+
+int check(const CheckOptions& options);
+
+/// `what`: levels, contacts, controllers, sensors, properties.
+int list(const std::string& what);
+
+}  // namespace murosimf::app

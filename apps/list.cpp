@@ -1,0 +1,41 @@
+// `murosimf list`: names that scenes and --set may use.
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/output_file.h"
+#include "murosimf/io/registry.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::app {
+namespace {
+
+template <class Entry>
+std::string names_and_meanings(std::span<const Entry> entries) {
+  std::string text;
+  for (const Entry& entry : entries) text += fmt::format("{:<22} {}\n", entry.name, entry.meaning);
+  return text;
+}
+
+std::string properties_text() {
+  std::string text = fmt::format("{:<30} {:<9} {:<7} {:<22} {:<28} {}\n", "property", "kind", "of", "unit", "frame", "meaning");
+  for (const auto& [info, constant] : properties::catalog()) {
+    text += fmt::format("{:<30} {:<9} {:<7} {:<22} {:<28} {}\n", info.name, constant ? "constant" : "variable",
+                        info.scope == Scope::base ? "base" : "object", info.unit, info.frame, info.meaning);
+  }
+  return text;
+}
+
+}  // namespace
+
+int list(const std::string& what) {
+  std::string text;
+  if (what == "levels") text = names_and_meanings(io::levels());
+  if (what == "contacts") text = names_and_meanings(io::contacts());
+  if (what == "controllers") text = names_and_meanings(io::controllers());
+  if (what == "sensors") text = names_and_meanings(io::sensors());
+  if (what == "properties") text = properties_text();
+  write_standard_output(text);
+  return 0;
+}
+
+}  // namespace murosimf::app

@@ -1,0 +1,76 @@
+// The program `murosimf`: reads the command line and calls one of the commands.
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "murosimf/model/error.h"
+
+namespace {
+
+using namespace murosimf::app;
+
+void add_run(CLI::App& app, RunOptions& options, int& exit_code) {
+  CLI::App* run_command = app.add_subcommand("run", "Run a scene and say what happened");
+  run_command->add_option("scene", options.scene, "Scene file (TOML), or the name of one that comes with the program")
+      ->required();
+  run_command->add_option("--duration", options.duration, "Simulated seconds, instead of the scene's");
+  run_command->add_option("--speed", options.speed, "'max', or simulated seconds per second: 1 is real time")
+      ->capture_default_str();
+  run_command->add_option("--threads", options.threads, "Threads; results do not depend on their number")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  run_command->add_option("--seed", options.seed, "Seed of all random numbers, instead of the scene's");
+  run_command
+      ->add_option("--set", options.overrides, "PATH=VALUE: change the scene, for example 'blue.*.level=simplified_dynamics'")
+      ->allow_extra_args(false);
+  run_command->add_option("--json", options.json, "Write the report as JSON to this file, or to standard output with '-'");
+  run_command->add_option("--picture", options.picture, "Write a PNG picture of the field from above");
+  run_command->add_flag("--lenient", options.lenient, "Accept unknown elements in model files, with a warning");
+  run_command->callback([&] { exit_code = run(options); });
+}
+
+void add_check(CLI::App& app, CheckOptions& options, int& exit_code) {
+  CLI::App* check_command = app.add_subcommand("check", "Read a robot model and show what is in it");
+  check_command->add_option("model", options.model, "Model file (MJCF), or the name of one that comes with the program")
+      ->required();
+  check_command->add_flag("--json", options.json, "Write JSON to standard output");
+  check_command->add_flag("--lenient", options.lenient, "Accept unknown elements, with a warning");
+  check_command->callback([&] { exit_code = check(options); });
+}
+
+void add_list(CLI::App& app, std::string& what, int& exit_code) {
+  CLI::App* list_command = app.add_subcommand("list", "List names that scenes and --set may use");
+  list_command->add_option("what", what, "levels, contacts, controllers, sensors or properties")
+      ->required()
+      ->check(CLI::IsMember({"levels", "contacts", "controllers", "sensors", "properties"}));
+  list_command->callback([&] { exit_code = list(what); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("MuRoSimF: teams of humanoid robots at exchangeable levels of physical detail", "murosimf");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", MUROSIMF_VERSION);
+  RunOptions run_options;
+  CheckOptions check_options;
+  std::string what;
+  int exit_code = 0;
+  add_run(app, run_options, exit_code);
+  add_check(app, check_options, exit_code);
+  add_list(app, what, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  } catch (const murosimf::SetupError& error) {
+    fmt::print(stderr, "murosimf: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "murosimf: unexpected: {}\n", error.what());
+    return 3;
+  }
+  return exit_code;
+}

@@ -1,0 +1,94 @@
+// `murosimf run`: builds a scene, runs it, reports.
+#include <unistd.h>
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/output_file.h"
+#include "murosimf/io/scene.h"
+
+namespace murosimf::app {
+namespace {
+
+using WallClock = std::chrono::steady_clock;
+
+std::optional<double> speed_of(const std::string& text) {
+  if (text == "max") return std::nullopt;
+  double speed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), speed);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    throw SetupError(fmt::format("--speed '{}': write 'max' or a number (1 is real time)", text));
+  }
+  return speed;
+}
+
+Duration duration_of(double s) {
+  if (!(s >= 0) || !std::isfinite(s)) throw SetupError(fmt::format("--duration {}: must be a number from 0", s));
+  constexpr double century = 3e9;
+  if (s > century) throw SetupError(fmt::format("--duration {}: longer than simulated time can count", s));
+  return from_seconds(s);
+}
+
+/// One line on the terminal that grows; nothing if standard error is no terminal.
+class ProgressBar {
+ public:
+  explicit ProgressBar(Duration duration) : duration_(duration), shown_(isatty(STDERR_FILENO) != 0) {}
+  ~ProgressBar() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+  }
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  void show(Duration now) const {
+    if (!shown_) return;
+    constexpr int width = 40;
+    const double share = duration_ > Duration{} ? seconds(now) / seconds(duration_) : 1;
+    const int done = static_cast<int>(std::min(1.0, share) * width);
+    fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:.1f} of {:.1f} s", "", done, "", width - done, seconds(now), seconds(duration_));
+    std::fflush(stderr);
+  }
+
+ private:
+  Duration duration_;
+  bool shown_;
+};
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  Clock clock(speed_of(options.speed));
+  if (options.duration) duration_of(*options.duration);
+  // where results go is checked before anything is computed, so that no result is lost
+  if (!options.json.empty() && options.json != "-") check_writable(options.json);
+  if (!options.picture.empty()) check_writable(options.picture);
+
+  io::Scene scene(options.scene, {.threads = options.threads,
+                                  .seed = options.seed,
+                                  .overrides = options.overrides,
+                                  .lenient = options.lenient});
+  const Duration duration = duration_of(options.duration.value_or(scene.spec().duration));
+  Simulation& simulation = scene.simulation();
+  simulation.initialize();
+
+  const auto start = WallClock::now();
+  {
+    const ProgressBar bar(duration);
+    simulation.run(duration, clock, [&](Duration now) { bar.show(now); });
+  }
+  const io::RunReport report = scene.report(WallClock::now() - start, clock.lateness());
+
+  if (options.json == "-") {
+    write_standard_output(io::to_json(report));
+  } else {
+    write_standard_output(io::to_text(report));
+    if (!options.json.empty()) write_file(options.json, io::to_json(report));
+  }
+  if (!options.picture.empty()) scene.write_picture(options.picture);
+  return 0;
+}
+
+}  // namespace murosimf::app

@@ -1,0 +1,44 @@
+# `cmake --install`: program, library with headers and its CMake package `murosimf`, robots and scenes.
+
+include(CMakePackageConfigHelpers)
+
+set(murosimf_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/murosimf)
+
+install(TARGETS murosimf EXPORT murosimf
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET murosimf_app)
+  install(TARGETS murosimf_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/murosimf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/models ${PROJECT_SOURCE_DIR}/scenes
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/murosimf)
+
+install(EXPORT murosimf NAMESPACE murosimf:: FILE murosimfTargets.cmake DESTINATION ${murosimf_package_dir})
+
+# A static library passes its private libraries on to whoever links it; the package finds them in the same way.
+if(tomlplusplus_DIR)
+  set(murosimf_tomlplusplus_from_pkg_config OFF)
+else()
+  set(murosimf_tomlplusplus_from_pkg_config ON)
+endif()
+get_target_property(murosimf_libraries murosimf LINK_LIBRARIES)
+if("PkgConfig::cairo" IN_LIST murosimf_libraries)
+  set(murosimf_uses_cairo ON)
+else()
+  set(murosimf_uses_cairo OFF)
+endif()
+
+set(murosimf_data_dir ${CMAKE_INSTALL_DATADIR}/murosimf)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/murosimfConfig.cmake.in
+  ${CMAKE_CURRENT_BINARY_DIR}/murosimfConfig.cmake
+  INSTALL_DESTINATION ${murosimf_package_dir}
+  PATH_VARS murosimf_data_dir)
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/murosimfConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${CMAKE_CURRENT_BINARY_DIR}/murosimfConfig.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/murosimfConfigVersion.cmake
+  DESTINATION ${murosimf_package_dir})

@@ -1,0 +1,35 @@
+/// ball_chaser.h - algorithm: a small soccer player. Turns to the ball, walks behind it and pushes it to the goal.
+///
+/// Decides from ground truth (sensors/ground_truth.h) and writes `walk_command`. The robot of a team that is nearest to
+/// the ball goes for it; the others follow it at a distance. Robots steer around each other.
+#pragma once
+
+#include "murosimf/model/algorithm.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/model/setup.h"
+#include "murosimf/sensors/ground_truth.h"
+
+namespace murosimf::control {
+
+struct BallChaserOptions {
+  std::string ball = "ball";  ///< name of the entity to chase
+  Vec3d goal{3, 0, 0};        ///< [m] where to push it, world frame
+  double speed = 0.2;         ///< [m/s] forward
+};
+
+class BallChaser final : public Algorithm {
+ public:
+  explicit BallChaser(Setup& setup, const BallChaserOptions& options);
+
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+  static constexpr double rate_hz = 20;
+
+ private:
+  BallChaserOptions options_;
+  const sensors::GroundTruthData& seen_;
+  Vec3d& command_;  // [m/s, m/s, rad/s]
+};
+
+}  // namespace murosimf::control

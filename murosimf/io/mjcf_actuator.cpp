@@ -1,0 +1,90 @@
+#include "murosimf/io/mjcf_actuator.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "murosimf/io/mjcf_vocabulary.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+double largest(const std::vector<double>& range) { return std::max(std::abs(range[0]), std::abs(range[1])); }
+
+double read_stall_torque(const MjcfAttributes& attributes, double gear, const MjcfCompiler& compiler) {
+  if (is_limited(attributes, "forcelimited", "forcerange", compiler)) {
+    return gear * largest(attributes.numbers("forcerange", 2, 2));
+  }
+  // the control of a motor is its torque
+  const bool motor = attributes.element().tag() == "motor";
+  if (motor && is_limited(attributes, "ctrllimited", "ctrlrange", compiler)) {
+    return gear * largest(attributes.numbers("ctrlrange", 2, 2));
+  }
+  return 0;
+}
+
+double read_gain(const MjcfAttributes& attributes) {
+  if (attributes.element().tag() == "position") return attributes.number("kp", 1.0);
+  if (attributes.element().tag() == "general" && attributes.text("biastype") == "affine") {
+    // force = gainprm[0] u + biasprm . (1, length, velocity)
+    const auto bias = attributes.numbers("biasprm", 1, 10);
+    return bias.size() > 1 ? -bias[1] : 0.0;
+  }
+  return 0;
+}
+
+Servo read_actuator(const MjcfAttributes& attributes, const MjcfCompiler& compiler) {
+  const auto gears = attributes.numbers("gear", 1, 6);
+  const double gear = gears.empty() ? 1.0 : std::abs(gears[0]);
+  Servo servo;
+  servo.type = attributes.element().tag();
+  servo.stall_torque = read_stall_torque(attributes, gear, compiler);
+  servo.position_gain = gear * gear * read_gain(attributes);
+  if (servo.position_gain < 0) attributes.element().fail("the gain of this actuator is negative; correct it");
+  return servo;
+}
+
+void add(Servo& servo, const Servo& more) {
+  servo.stall_torque = std::max(servo.stall_torque, more.stall_torque);
+  servo.position_gain = std::max(servo.position_gain, more.position_gain);
+}
+
+std::string read_joint(const MjcfAttributes& attributes, const MjcfNames& names) {
+  const std::string joint = attributes.text("joint");
+  if (!names.is_joint(joint)) {
+    const std::vector<std::string_view> known(names.joints().begin(), names.joints().end());
+    attributes.source("joint").fail(unknown_name("joint", joint, known));
+  }
+  return joint;
+}
+
+}  // namespace
+
+std::map<std::string, Servo> read_actuators(const XmlElement& root, const MjcfDefaults& defaults,
+                                            const MjcfCompiler& compiler, const MjcfNames& names, bool lenient,
+                                            std::vector<std::string>& warnings) {
+  std::map<std::string, Servo> servos;
+  std::set<std::string> taken;
+  for (const XmlElement& section : root.children("actuator")) {
+    for (const XmlElement& element : section.children()) {
+      if (!is_actuator(element.tag())) continue;
+      const auto name = element.attribute("name");
+      if (name && !taken.insert(*name).second) element.fail(fmt::format("actuator '{}' appears twice; rename one", *name));
+      const MjcfAttributes attributes = defaults.resolve(element);
+      if (attributes.has("joint")) {
+        const Servo servo = read_actuator(attributes, compiler);
+        const auto [place, fresh] = servos.emplace(read_joint(attributes, names), servo);
+        if (!fresh) add(place->second, servo);
+      } else if (lenient) {
+        warnings.push_back(fmt::format("{}: actuator ignored: it moves no joint", element.where()));
+      } else {
+        element.fail("actuator without joint; add joint=\"...\"");
+      }
+    }
+  }
+  return servos;
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,40 @@
+/// mjcf_frame.h - settings of MJCF's `compiler` element, and orientations and angles that depend on them.
+///
+/// Orientations of MJCF take the axes of the element to those of its parent; five ways to write one:
+/// quat (w x y z), axisangle (x y z angle), euler (order of `eulerseq`; lower case: about the moving axes, upper case:
+/// about the fixed ones), xyaxes (x axis, then y axis made perpendicular to it), zaxis (shortest turn of z).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "murosimf/io/mjcf_defaults.h"
+#include "murosimf/math/mat3.h"
+
+namespace murosimf::io {
+
+enum class InertiaFromGeom { never, always, if_missing };
+
+struct MjcfCompiler {
+  double angle_unit = pi / 180.0;  ///< [rad] of one unit of the file
+  std::string euler_sequence = "xyz";
+  bool auto_limits = true;  ///< a range without `limited` counts
+  InertiaFromGeom inertia_from_geom = InertiaFromGeom::if_missing;
+};
+
+/// Throws SetupError where a setting has an impossible value.
+[[nodiscard]] MjcfCompiler read_compiler(const XmlElement& root);
+
+/// Element axes to parent axes; the identity if the element has no orientation.
+[[nodiscard]] Mat3d read_orientation(const MjcfAttributes& attributes, const MjcfCompiler& compiler);
+[[nodiscard]] bool is_identity(const Mat3d& turn);
+[[nodiscard]] bool is_zero(const Vec3d& v);
+
+/// The shortest turn that takes z to the direction of `axis` (any length but zero).
+[[nodiscard]] Mat3d turn_of_z(const Vec3d& axis);
+
+/// Whether a range or force range counts: `flag` is "true", "false" or "auto".
+[[nodiscard]] bool is_limited(const MjcfAttributes& attributes, std::string_view flag, std::string_view range,
+                              const MjcfCompiler& compiler);
+
+}  // namespace murosimf::io

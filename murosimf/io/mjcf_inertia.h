@@ -1,0 +1,20 @@
+/// mjcf_inertia.h - mass, center and inertia of a body: from its `inertial` element, or from its geoms.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "murosimf/io/mjcf_geom.h"
+
+namespace murosimf::io {
+
+/// Reads `inertial`. Throws SetupError for a mass or inertia that no body can have; an inertia that breaks the triangle
+/// inequality (the sum of two principal moments is less than the third) is a line in `warnings`.
+[[nodiscard]] MassProperties read_inertial(const XmlElement& element, const MjcfCompiler& compiler,
+                                           std::vector<std::string>& warnings);
+
+/// Mass of `body`: of its inertial or its solids, as the compiler settings say. Zero mass if it has neither.
+[[nodiscard]] MassProperties read_mass(const XmlElement& body, const std::vector<MassProperties>& solids,
+                                       const MjcfCompiler& compiler, std::vector<std::string>& warnings);
+
+}  // namespace murosimf::io

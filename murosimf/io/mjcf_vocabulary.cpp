@@ -1,0 +1,140 @@
+#include "murosimf/io/mjcf_vocabulary.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+struct ElementRule {
+  Words used;             // attributes that the reader acts on
+  Words unused;           // attributes that mean nothing here
+  Words unsupported;      // attributes that MuJoCo knows and that would change the robot
+  Words children;         // elements inside that are read
+  Words unused_children;  // elements inside that mean nothing here
+  Words unsupported_children;
+};
+
+const Words actuators{"position", "velocity", "motor", "general"};
+
+Words operator+(Words a, const Words& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+std::map<std::string_view, ElementRule> make_rules() {
+  const Words frame{"name", "class", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"};
+  const Words unsupported_bodies{"composite", "flexcomp", "frame", "replicate", "attach", "plugin", "include"};
+  const Words look{"group", "material", "user"};
+  std::map<std::string_view, ElementRule> rules;
+  rules["mujoco"] = {{"model"}, {}, {}, {"compiler", "default", "worldbody", "actuator"},
+                     {"option", "size", "visual", "statistic", "asset", "sensor", "keyframe", "custom"},
+                     {"contact", "equality", "tendon", "deformable", "extension", "include"}};
+  rules["compiler"] = {{"angle", "eulerseq", "autolimits", "inertiafromgeom", "coordinate"},
+                       {"meshdir", "texturedir", "assetdir", "strippath", "discardvisual", "fusestatic", "usethread",
+                        "convexhull", "exactmeshinertia", "saveinertial"},
+                       {"boundmass", "boundinertia", "settotalmass", "balanceinertia", "inertiagrouprange", "alignfree",
+                        "fitaabb"},
+                       {}, {"lengthrange"}, {}};
+  rules["default"] = {{"class"}, {}, {}, Words{"default", "geom", "joint", "site"} + actuators,
+                      {"mesh", "material", "camera", "light", "pair", "equality", "tendon"}, {"include"}};
+  rules["worldbody"] = {{"childclass"}, {}, {}, {"body", "geom", "site"}, {"light", "camera"}, unsupported_bodies};
+  rules["body"] = {Words{"childclass"} + frame, {"user"}, {"gravcomp", "mocap", "sleep"},
+                   {"body", "joint", "freejoint", "inertial", "geom", "site"}, {"light", "camera"}, unsupported_bodies};
+  rules["freejoint"] = {{"name"}, {"group"}, {"align"}, {}, {}, {}};
+  rules["joint"] = {{"name", "class", "type", "pos", "axis", "range", "limited", "armature", "damping", "frictionloss",
+                     "actuatorfrcrange", "actuatorfrclimited"},
+                    {"group", "user", "solreflimit", "solimplimit", "solreffriction", "solimpfriction", "margin"},
+                    {"ref", "stiffness", "springref", "springdamper", "actuatorgravcomp"}, {}, {}, {"plugin"}};
+  rules["inertial"] = {Words{"mass", "diaginertia", "fullinertia"} + frame, {}, {}, {}, {}, {}};
+  rules["geom"] = {Words{"type", "size", "fromto", "friction", "rgba", "mass", "density", "contype", "conaffinity",
+                         "mesh"} + frame,
+                   look + Words{"condim", "priority", "solmix", "solref", "solimp", "margin", "gap"},
+                   {"hfield", "fitscale", "shellinertia", "fluidshape", "fluidcoef"}, {}, {}, {"plugin"}};
+  rules["site"] = {Words{"type", "size"} + frame, look + Words{"rgba"}, {"fromto"}, {}, {}, {}};
+  for (const std::string_view actuator : actuators) {
+    rules[actuator] = {{"name", "class", "joint", "kp", "forcerange", "forcelimited", "ctrlrange", "ctrllimited", "gear",
+                        "gainprm", "biasprm", "gaintype", "biastype"},
+                       {"kv", "dampratio", "timeconst", "group", "user", "inheritrange", "lengthrange", "dyntype",
+                        "dynprm", "actlimited", "actrange", "actdim", "actearly"},
+                       {"tendon", "site", "body", "refsite", "jointinparent", "slidersite", "cranksite", "cranklength"},
+                       {}, {}, {}};
+  }
+  rules["actuator"] = {{}, {}, {}, actuators, {},
+                       {"intvelocity", "damper", "cylinder", "muscle", "adhesion", "dcmotor", "plugin"}};
+  return rules;
+}
+
+bool contains(const Words& words, std::string_view word) { return std::ranges::find(words, word) != words.end(); }
+
+class Checker {
+ public:
+  void check(const XmlElement& element) {
+    const ElementRule& rule = rules_.at(element.tag());
+    check_attributes(element, rule);
+    for (const XmlElement& child : element.children()) {
+      if (contains(rule.children, child.tag())) {
+        check(child);
+      } else if (contains(rule.unused_children, child.tag())) {
+        note(child, fmt::format("element '{}'", child.tag()));
+      } else {
+        refuse_child(child, element, rule);
+      }
+    }
+  }
+
+  VocabularyFindings findings;
+
+ private:
+  void check_attributes(const XmlElement& element, const ElementRule& rule) {
+    for (const auto& [name, value] : element.attributes()) {
+      if (contains(rule.used, name)) continue;
+      if (contains(rule.unused, name)) {
+        note(element, fmt::format("attribute '{}' of {}", name, element.tag()));
+      } else if (contains(rule.unsupported, name)) {
+        refuse(element, fmt::format("attribute '{}' of {} is not supported", name, element.tag()));
+      } else {
+        refuse(element, unknown_name(fmt::format("attribute of {}", element.tag()), name, rule.used + rule.unused));
+      }
+    }
+  }
+
+  void refuse_child(const XmlElement& child, const XmlElement& parent, const ElementRule& rule) {
+    if (contains(rule.unsupported_children, child.tag())) {
+      return refuse(child, fmt::format("element '{}' is not supported", child.tag()));
+    }
+    const auto kind = fmt::format("element in {}", parent.tag());
+    refuse(child, unknown_name(kind, child.tag(), rule.children + rule.unused_children));
+  }
+
+  void note(const XmlElement& at, const std::string& what) {
+    if (noted_.insert(what).second) findings.notes.push_back(fmt::format("{}: {} is not used", at.where(), what));
+  }
+
+  void refuse(const XmlElement& at, const std::string& what) {
+    findings.refused.push_back(one_line(fmt::format("{}: {}", at.where(), what)));
+  }
+
+  std::map<std::string_view, ElementRule> rules_ = make_rules();
+  std::set<std::string> noted_;
+};
+
+}  // namespace
+
+bool is_actuator(std::string_view tag) { return contains(actuators, tag); }
+
+VocabularyFindings check_vocabulary(const XmlElement& root) {
+  Checker checker;
+  checker.check(root);
+  return checker.findings;
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,182 @@
+#include "murosimf/io/model_report.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "murosimf/model/properties.h"
+
+namespace murosimf::io {
+namespace {
+
+/// Name of the body that an object carries: the alias of a joint, else the object's own name.
+std::vector<std::string> body_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const Object& object : model.objects()) names.push_back(object.name);
+  for (const std::string_view name : model.object_names()) {
+    const int object = *model.find_object(name);
+    if (model.objects()[object].is_joint() && name != model.objects()[object].name) names[object] = name;
+  }
+  return names;
+}
+
+ReportRow make_row(const Model& model, int object, const std::string& body) {
+  const Object& o = model.objects()[object];
+  const double* mass = model.find(properties::mass, object);
+  ReportRow row;
+  if (mass || model.find(properties::shapes, object) || !o.is_joint()) row.body = body;
+  row.mass_kg = mass ? *mass : 0;
+  if (!o.is_joint()) return row;
+  row.joint = o.name;
+  row.kind = kind_name(o.kind);
+  row.axis = o.vector;
+  if (const Vec3d* range = model.find(properties::joint_range, object)) row.range = *range;
+  if (const Servo* servo = model.find(properties::servo, object)) {
+    row.servo = servo->type;
+    row.stall_torque = servo->stall_torque;
+  }
+  return row;
+}
+
+std::vector<ReportRow> make_tree(const Model& model) {
+  const auto names = body_names(model);
+  std::vector<int> depth_behind(model.size());  // depth of a row that follows the object
+  std::vector<ReportRow> tree;
+  for (int i = 0; i < model.size(); ++i) {
+    const Object& object = model.objects()[i];
+    const int depth = object.parent < 0 ? 0 : depth_behind[object.parent];
+    const bool shown = object.parent < 0 || object.is_joint() || model.find(properties::mass, i) ||
+                       model.find(properties::shapes, i);
+    if (shown) {
+      tree.push_back(make_row(model, i, names[i]));
+      tree.back().depth = depth;
+    }
+    depth_behind[i] = depth + (shown ? 1 : 0);
+  }
+  return tree;
+}
+
+void add_findings(const Model& model, ModelReport& report) {
+  std::vector<std::string> idle;
+  for (const ReportRow& row : report.tree) {
+    if (!row.joint.empty() && row.servo.empty()) idle.push_back(row.joint);
+  }
+  if (!idle.empty()) {
+    report.warnings.push_back(fmt::format("model '{}': no servo moves {}; add actuators, or [servos] in the TOML file "
+                                          "beside the model", model.name(), fmt::join(idle, ", ")));
+  }
+  if (report.soles.size() != 2) {
+    report.warnings.push_back(fmt::format("model '{}': {} soles, a biped needs 2; add box sites and [soles] in the TOML "
+                                          "file beside the model", model.name(), report.soles.size()));
+  }
+}
+
+std::string range_text(const ReportRow& row) {
+  if (row.joint.empty()) return {};
+  if (!row.range) return "unlimited";
+  const bool hinge = row.kind == "revolute";
+  const double unit = hinge ? 180.0 / pi : 1.0;
+  return fmt::format("{:.4g} to {:.4g} {}", unit * row.range->x, unit * row.range->y, hinge ? "deg" : "m");
+}
+
+using Line = std::array<std::string, 6>;
+
+Line make_line(const ReportRow& row) {
+  Line line;
+  line[0] = std::string(2 * static_cast<std::size_t>(row.depth), ' ') + (row.body.empty() ? "-" : row.body);
+  line[1] = row.mass_kg > 0 ? fmt::format("{:.3f} kg", row.mass_kg) : "";
+  line[2] = row.joint;
+  // + 0.0: no "-0"
+  if (!row.joint.empty()) {
+    line[3] = fmt::format("{:.3g} {:.3g} {:.3g}", row.axis.x + 0.0, row.axis.y + 0.0, row.axis.z + 0.0);
+  }
+  line[4] = range_text(row);
+  if (!row.servo.empty()) {
+    line[5] = fmt::format("{} {:.3g} {}", row.servo, row.stall_torque, row.kind == "revolute" ? "N m" : "N");
+  }
+  return line;
+}
+
+std::string aligned(const std::vector<Line>& lines) {
+  std::array<std::size_t, 6> widths{};
+  for (const Line& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  }
+  std::string text;
+  for (const Line& line : lines) {
+    std::string row;
+    for (std::size_t i = 0; i < line.size(); ++i) row += fmt::format("{:<{}}  ", line[i], widths[i]);
+    row.erase(row.find_last_not_of(' ') + 1);
+    text += row + '\n';
+  }
+  return text;
+}
+
+toml::array list(const std::vector<std::string>& words) {
+  toml::array result;
+  for (const std::string& word : words) result.push_back(word);
+  return result;
+}
+
+toml::table row_table(const ReportRow& row) {
+  toml::table table{{"depth", row.depth}, {"mass_kg", row.mass_kg}};
+  if (!row.body.empty()) table.insert("body", row.body);
+  if (row.joint.empty()) return table;
+  table.insert("joint", row.joint);
+  table.insert("kind", row.kind);
+  table.insert("axis", toml::array{row.axis.x, row.axis.y, row.axis.z});
+  if (row.range) table.insert("range", toml::array{row.range->x, row.range->y});
+  if (!row.servo.empty()) {
+    table.insert("servo", row.servo);
+    table.insert("stall_torque", row.stall_torque);
+  }
+  return table;
+}
+
+}  // namespace
+
+ModelReport make_report(const Model& model, std::vector<std::string> warnings) {
+  ModelReport report;
+  report.name = model.name();
+  report.total_mass_kg = model.tree().mass;
+  report.joints = static_cast<int>(model.joints().size());
+  report.bodies = static_cast<int>(model.bodies().size());
+  report.objects = model.size();
+  for (const int object : model.having(properties::sole)) report.soles.push_back(model.objects()[object].name);
+  report.warnings = std::move(warnings);
+  report.tree = make_tree(model);
+  add_findings(model, report);
+  return report;
+}
+
+std::string to_text(const ModelReport& report) {
+  std::string text = fmt::format("{}: {:.3f} kg, {} joints, {} bodies, {} objects, soles: {}\n", report.name,
+                                 report.total_mass_kg, report.joints, report.bodies, report.objects,
+                                 report.soles.empty() ? "none" : fmt::format("{}", fmt::join(report.soles, ", ")));
+  std::vector<Line> lines{{"body", "mass", "joint", "axis", "range", "servo"}};
+  for (const ReportRow& row : report.tree) lines.push_back(make_line(row));
+  text += aligned(lines);
+  for (const std::string& warning : report.warnings) text += "warning: " + warning + '\n';
+  return text;
+}
+
+std::string to_json(const ModelReport& report) {
+  toml::array tree;
+  for (const ReportRow& row : report.tree) tree.push_back(row_table(row));
+  const toml::table table{{"name", report.name},
+                          {"total_mass_kg", report.total_mass_kg},
+                          {"joints", report.joints},
+                          {"bodies", report.bodies},
+                          {"objects", report.objects},
+                          {"soles", list(report.soles)},
+                          {"warnings", list(report.warnings)},
+                          {"tree", tree}};
+  std::ostringstream stream;
+  stream << toml::json_formatter(table) << '\n';
+  return stream.str();
+}
+
+}  // namespace murosimf::io

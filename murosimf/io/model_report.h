@@ -1,0 +1,40 @@
+/// model_report.h - what a model consists of, for people (`murosimf check`) and for programs (JSON).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/model/model.h"
+
+namespace murosimf::io {
+
+/// One line of the tree: the base, a joint, or a fixed object with mass or shape.
+struct ReportRow {
+  int depth = 0;                   ///< lines above it on the way to the base
+  std::string body;                ///< empty for a joint that carries nothing
+  double mass_kg = 0;
+  std::string joint, kind;         ///< empty where there is none
+  Vec3d axis;                      ///< unit vector, frame of the object before the joint
+  std::optional<Vec3d> range;      ///< [rad | m] lowest, highest, 0
+  std::string servo;               ///< type
+  double stall_torque = 0;         ///< [N m | N]
+};
+
+struct ModelReport {
+  std::string name;
+  double total_mass_kg = 0;
+  int joints = 0, bodies = 0, objects = 0;
+  std::vector<std::string> soles;
+  std::vector<std::string> warnings;  ///< of the reader, then what the model lacks to stand and move
+  std::vector<ReportRow> tree;
+};
+
+[[nodiscard]] ModelReport make_report(const Model& model, std::vector<std::string> warnings = {});
+
+/// A summary line, a table with one line per row of the tree, and the warnings; angles in degrees.
+[[nodiscard]] std::string to_text(const ModelReport& report);
+/// The same in SI units, angles in rad.
+[[nodiscard]] std::string to_json(const ModelReport& report);
+
+}  // namespace murosimf::io

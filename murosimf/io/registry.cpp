@@ -1,0 +1,75 @@
+#include "murosimf/io/registry.h"
+
+#include <array>
+
+#include "murosimf/collision/implicit_stick.h"
+#include "murosimf/collision/paper_law.h"
+#include "murosimf/control/ball_chaser.h"
+#include "murosimf/control/walk_engine.h"
+#include "murosimf/motion/kinematic_walking.h"
+#include "murosimf/sensors/ground_truth.h"
+
+namespace murosimf::io {
+namespace {
+
+void attach_kinematic_walking(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
+  simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, rate_hz, options.reference);
+}
+
+void attach_simplified_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
+  simulation.attach<motion::SimplifiedDynamics>(
+      "simplified_dynamics", robot, rate_hz,
+      motion::SimplifiedDynamicsOptions{.base_rigid = options.base_rigid, .reference = options.reference});
+}
+
+void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
+
+void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, options.command);
+}
+
+void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  using control::BallChaser;
+  simulation.attach<sensors::GroundTruth>("ground_truth", robot, BallChaser::rate_hz, options.everybody);
+  simulation.attach<BallChaser>("ball_chaser", robot, BallChaser::rate_hz, control::BallChaserOptions{.goal = options.goal});
+  simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz);
+}
+
+template <class Law>
+std::shared_ptr<const collision::ContactLaw> make_law() {
+  return std::make_shared<Law>();
+}
+
+constexpr std::array level_entries{
+    Level{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)", false,
+          attach_kinematic_walking},
+    Level{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)", true,
+          attach_simplified_dynamics},
+};
+
+constexpr std::array contact_entries{
+    Contact{"implicit_stick", "compliant, implicit, with a tangential spring that sticks; the default",
+            make_law<collision::ImplicitStick>},
+    Contact{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)",
+            make_law<collision::PaperLaw>},
+};
+
+constexpr std::array controller_entries{
+    Controller{"none", "joints stay where they are put", attach_none},
+    Controller{"walk", "walks with the velocity in walk_command", attach_walk},
+    Controller{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth",
+               attach_ball_chaser},
+};
+
+constexpr std::array sensor_entries{
+    Sensor{"ground_truth", "true poses and velocities of all robots and the ball (paper 6.3)"},
+};
+
+}  // namespace
+
+std::span<const Level> levels() { return level_entries; }
+std::span<const Contact> contacts() { return contact_entries; }
+std::span<const Controller> controllers() { return controller_entries; }
+std::span<const Sensor> sensors() { return sensor_entries; }
+
+}  // namespace murosimf::io

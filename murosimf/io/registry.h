@@ -1,0 +1,67 @@
+/// registry.h - names of algorithms, as files and the command line use them, and how to attach what they mean.
+///
+/// A new level, contact law, controller or sensor is one more line in registry.cpp.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/collision/contact_law.h"
+#include "murosimf/motion/simplified_dynamics.h"
+#include "murosimf/runtime/simulation.h"
+
+namespace murosimf::io {
+
+/// How a level moves a robot; all levels take the same options and use what concerns them.
+struct LevelOptions {
+  motion::JointReferenceOptions reference;
+  bool base_rigid = false;  ///< simplified_dynamics: the paper's literal reading
+};
+
+struct Level {
+  std::string_view name, meaning;
+  bool dynamic;  ///< forces move it: it needs contact with the ground
+  void (*attach)(Simulation&, Entity&, double rate_hz, const LevelOptions&);
+};
+
+struct Contact {
+  std::string_view name, meaning;
+  std::shared_ptr<const collision::ContactLaw> (*make)();
+};
+
+/// What a controller may want to know about its robot's place in the scene.
+struct ControllerOptions {
+  std::vector<Entity*> everybody;  ///< robots and ball
+  Vec3d goal{3, 0, 0};             ///< [m] where the robot's team pushes the ball
+  Vec3d command;                   ///< [m/s, m/s, rad/s] first walk_command
+};
+
+struct Controller {
+  std::string_view name, meaning;
+  void (*attach)(Simulation&, Entity&, const ControllerOptions&);
+};
+
+struct Sensor {
+  std::string_view name, meaning;
+};
+
+[[nodiscard]] std::span<const Level> levels();
+[[nodiscard]] std::span<const Contact> contacts();
+[[nodiscard]] std::span<const Controller> controllers();
+[[nodiscard]] std::span<const Sensor> sensors();
+
+/// The entry with this name, or SetupError with the nearest name. `kind` ("level") is for the message.
+template <class Entry>
+[[nodiscard]] const Entry& find_entry(std::span<const Entry> entries, std::string_view kind, std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const Entry& entry : entries) {
+    if (entry.name == name) return entry;
+    names.push_back(entry.name);
+  }
+  throw SetupError(unknown_name(kind, name, names));
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,178 @@
+#include "murosimf/io/robot_table.h"
+
+#include <algorithm>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+/// Reads one table; knows the file name for messages.
+class Reader {
+ public:
+  explicit Reader(std::string file) : file_(std::move(file)) {}
+
+  [[nodiscard]] RobotTable read(const toml::table& root) {
+    for (const auto& [key, value] : root) {
+      if (key == "soles") {
+        read_soles(table_of(key, value));
+      } else if (key == "surfaces") {
+        read_surfaces(table_of(key, value));
+      } else if (key == "servos") {
+        for (const auto& [type, servo] : table_of(key, value)) read_servo(type, table_of(type, servo));
+      } else {
+        unknown("table", key, {"soles", "surfaces", "servos"});
+      }
+    }
+    return table_;
+  }
+
+ private:
+  [[nodiscard]] std::string where(const toml::source_region& source) const {
+    return fmt::format("{}:{}:{}", file_, source.begin.line, source.begin.column);
+  }
+  [[noreturn]] void fail(const toml::source_region& source, std::string_view message) const {
+    throw SetupError(fmt::format("{}: {}", where(source), message));
+  }
+  [[noreturn]] void unknown(std::string_view kind, const toml::key& key, std::vector<std::string_view> known) const {
+    fail(key.source(), unknown_name(kind, key.str(), known));
+  }
+
+  const toml::table& table_of(const toml::key& key, const toml::node& node) const {
+    if (const auto* table = node.as_table()) return *table;
+    fail(key.source(), fmt::format("'{}' must be a table, like [{}]", key.str(), key.str()));
+  }
+  [[nodiscard]] TableName name_of(std::string_view key, const toml::node& node) const {
+    const auto text = node.value_exact<std::string>();
+    if (!text || text->empty()) fail(node.source(), fmt::format("'{}' must be a name in quotes", key));
+    return {*text, where(node.source())};
+  }
+  [[nodiscard]] double number_of(const toml::key& key, const toml::node& node) const {
+    const auto number = node.is_number() ? node.value<double>() : std::nullopt;
+    if (!number || !std::isfinite(*number) || *number < 0) {
+      fail(node.source(), fmt::format("'{}' must be a finite number, at least 0", key.str()));
+    }
+    return *number;
+  }
+
+  void read_soles(const toml::table& soles) {
+    for (const auto& [key, value] : soles) {
+      if (key == "left") {
+        table_.left_sole = name_of(key, value);
+      } else if (key == "right") {
+        table_.right_sole = name_of(key, value);
+      } else {
+        unknown("sole", key, {"left", "right"});
+      }
+    }
+  }
+
+  void read_surfaces(const toml::table& surfaces) {
+    for (const auto& [key, value] : surfaces) {
+      if (key == "default") {
+        table_.default_surface = name_of(key, value).name;
+      } else {
+        table_.surfaces[std::string(key.str())] = {name_of(key, value).name, where(key.source())};
+      }
+    }
+  }
+
+  void read_servo(const toml::key& type, const toml::table& table) {
+    Servo servo;
+    servo.type = type.str();
+    const std::map<std::string_view, double*> numbers{{"stall_torque", &servo.stall_torque},
+                                                      {"no_load_rate", &servo.no_load_rate},
+                                                      {"position_gain", &servo.position_gain},
+                                                      {"rotor_inertia", &servo.rotor_inertia},
+                                                      {"coulomb_friction", &servo.coulomb_friction}};
+    for (const auto& [key, value] : table) {
+      if (key == "joints") continue;
+      const auto found = numbers.find(key.str());
+      if (found == numbers.end()) {
+        unknown("key of a servo", key, {"stall_torque", "no_load_rate", "position_gain", "rotor_inertia",
+                                        "coulomb_friction", "joints"});
+      }
+      *found->second = number_of(key, value);
+    }
+    for (const auto& [name, number] : numbers) {
+      if (!table.contains(name)) fail(type.source(), fmt::format("servo '{}' needs {}", servo.type, name));
+    }
+    if (!(servo.stall_torque > 0 && servo.no_load_rate > 0)) {
+      fail(type.source(), fmt::format("servo '{}' cannot move: stall_torque and no_load_rate must be positive",
+                                      servo.type));
+    }
+    give_to_joints(servo, type, table);
+  }
+
+  void give_to_joints(const Servo& servo, const toml::key& type, const toml::table& table) {
+    const toml::array* joints = table["joints"].as_array();
+    if (!joints) fail(type.source(), fmt::format("servo '{}' needs joints = [\"...\"]", servo.type));
+    for (const toml::node& node : *joints) {
+      const auto [joint, place] = name_of("joints", node);
+      const auto [entry, fresh] = table_.servos.emplace(joint, TableServo{servo, place});
+      if (!fresh) {
+        fail(node.source(), fmt::format("joint '{}' has servo '{}' already ({}); keep one", joint,
+                                        entry->second.servo.type, entry->second.where));
+      }
+    }
+  }
+
+  std::string file_;
+  RobotTable table_;
+};
+
+void check_name(const TableName& entry, std::string_view kind, const std::vector<std::string>& names) {
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  if (std::ranges::find(names, entry.name) != names.end()) return;
+  throw SetupError(fmt::format("{}: {}", entry.where, unknown_name(kind, entry.name, known)));
+}
+
+}  // namespace
+
+const std::string& RobotTable::surface(const std::string& body) const {
+  const auto found = surfaces.find(body);
+  return found == surfaces.end() ? default_surface : found->second.name;
+}
+
+bool RobotTable::is_sole(const std::string& site) const {
+  return (left_sole && left_sole->name == site) || (right_sole && right_sole->name == site);
+}
+
+RobotTable read_robot_table(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file)) {
+    throw SetupError(fmt::format("{}: there is no such file", file.string()));
+  }
+  std::ostringstream text;
+  text << stream.rdbuf();
+  try {
+    return Reader(file.string()).read(toml::parse(text.str(), file.string()));
+  } catch (const toml::parse_error& error) {
+    const auto& begin = error.source().begin;
+    throw SetupError(fmt::format("{}:{}:{}: {}; correct the file there", file.string(), begin.line, begin.column,
+                                 error.description()));
+  }
+}
+
+RobotTable read_table_beside(const std::filesystem::path& model_file) {
+  auto file = model_file;
+  file.replace_extension(".toml");
+  return std::filesystem::exists(file) ? read_robot_table(file) : RobotTable{};
+}
+
+void check_names(const RobotTable& table, const std::vector<std::string>& joints,
+                 const std::vector<std::string>& bodies, const std::vector<std::string>& sites) {
+  for (const auto& [joint, servo] : table.servos) check_name({joint, servo.where}, "joint", joints);
+  for (const auto& [body, surface] : table.surfaces) check_name({body, surface.where}, "body", bodies);
+  if (table.left_sole) check_name(*table.left_sole, "site", sites);
+  if (table.right_sole) check_name(*table.right_sole, "site", sites);
+}
+
+}  // namespace murosimf::io

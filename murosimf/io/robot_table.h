@@ -1,0 +1,63 @@
+/// robot_table.h - what a robot file cannot say, from a TOML file of the same stem beside it.
+///
+///     [soles]                      # sites at the centers of the bottoms of the feet, type box
+///     left = "l_sole"
+///     right = "r_sole"
+///
+///     [surfaces]                   # materials of the pair table (model/material.h), by body
+///     default = "plastic"
+///     l_foot = "rubber"
+///
+///     [servos.mx64]                # SI units, on the output side of the gear; all five numbers are needed
+///     stall_torque = 6.0           # N m
+///     no_load_rate = 6.6           # rad/s
+///     position_gain = 30           # N m/rad
+///     rotor_inertia = 0.010        # kg m^2
+///     coulomb_friction = 0.08      # N m
+///     joints = ["j_l_thigh", "j_r_thigh"]
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/model/servo.h"
+
+namespace murosimf::io {
+
+/// A name in the table, and where it is written: "robot.toml:3:8".
+struct TableName {
+  std::string name;
+  std::string where;
+};
+
+struct TableServo {
+  Servo servo;
+  std::string where;
+};
+
+struct RobotTable {
+  std::optional<TableName> left_sole, right_sole;
+  std::string default_surface;                ///< empty: none
+  std::map<std::string, TableName> surfaces;  ///< material by body
+  std::map<std::string, TableServo> servos;   ///< by joint
+
+  /// Material of a body: its own or the default.
+  [[nodiscard]] const std::string& surface(const std::string& body) const;
+  [[nodiscard]] bool names_soles() const { return left_sole || right_sole; }
+  [[nodiscard]] bool is_sole(const std::string& site) const;
+};
+
+/// Throws SetupError with file:line:column for unknown keys, values of a wrong type and impossible numbers.
+[[nodiscard]] RobotTable read_robot_table(const std::filesystem::path& file);
+
+/// The table beside a model file; an empty one if there is none.
+[[nodiscard]] RobotTable read_table_beside(const std::filesystem::path& model_file);
+
+/// Throws SetupError if the table speaks of a joint, body or site that the robot does not have.
+void check_names(const RobotTable& table, const std::vector<std::string>& joints,
+                 const std::vector<std::string>& bodies, const std::vector<std::string>& sites);
+
+}  // namespace murosimf::io

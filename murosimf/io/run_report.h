@@ -1,0 +1,42 @@
+/// run_report.h - what a run has shown: for people as a table, for programs as JSON.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "murosimf/math/vec3.h"
+#include "murosimf/runtime/simulation.h"
+
+namespace murosimf::io {
+
+struct EntityReport {
+  std::string name, model, level, contact, controller, team;
+  Vec3d position;       ///< [m] of the base, world frame
+  double distance = 0;  ///< [m]
+  int falls = 0;
+  bool frozen = false;
+};
+
+struct RunReport {
+  std::string scene;
+  double simulated = 0;  ///< [s]
+  double wall = 0;       ///< [s]
+  double real_time_factor = 0;
+  int threads = 1;
+  std::uint64_t seed = 0;
+  std::uint64_t state_hash = 0;
+  std::vector<EntityReport> entities;
+  std::vector<AlgorithmStatistics> algorithms;
+  std::vector<std::string> warnings;
+};
+
+/// Aligned columns with a line of sums.
+[[nodiscard]] std::string to_text(const RunReport& report);
+
+/// One JSON object: simulated_s, wall_s, real_time_factor, threads, seed, state_hash (hexadecimal text),
+/// entities [{name, model, level, contact, controller, team, position, distance_m, falls, frozen}],
+/// algorithms [{name, rate_hz, calls, us_per_call}], warnings [].
+[[nodiscard]] std::string to_json(const RunReport& report);
+
+}  // namespace murosimf::io

@@ -1,0 +1,201 @@
+#include "murosimf/io/scene.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "murosimf/collision/ball_contact.h"
+#include "murosimf/collision/ground_contact.h"
+#include "murosimf/io/data_path.h"
+#include "murosimf/io/field.h"
+#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/registry.h"
+#include "murosimf/math/random.h"
+#include "murosimf/motion/odometer.h"
+#include "murosimf/render/field_picture.h"
+
+namespace murosimf::io {
+namespace {
+
+/// "3" of "blue3"; -1 if the name ends in no number.
+int trailing_number(const std::string& name) {
+  std::size_t begin = name.size();
+  while (begin > 0 && std::isdigit(static_cast<unsigned char>(name[begin - 1])) != 0) --begin;
+  return begin == name.size() || name.size() - begin > 3 ? -1 : std::stoi(name.substr(begin));
+}
+
+}  // namespace
+
+Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
+    : spec_(read_scene(find_data_file(name.string(), "scenes", ".toml"), options.overrides)),
+      options_(options),
+      simulation_(std::make_unique<Simulation>(options.threads)) {
+  if (options.seed) spec_.seed = *options.seed;
+  simulation_->world().gravity = spec_.gravity;
+  add_entities();
+  attach_controllers();
+  attach_ball_contact();
+  attach_motion();
+  attach_observers();
+  simulation_->after_initialize([this] { apply_settings(); });
+}
+
+void Scene::add_entities() {
+  World& world = simulation_->world();
+  field_ = &world.add("field", field_model(field_size(spec_.field.size), spec_.field.surface));
+  if (spec_.ball) {
+    EntityOptions options;
+    options.position = spec_.ball->position;
+    options.color = {1.0, 0.55, 0.1};
+    ball_ = &world.add("ball", ball_model(spec_.ball->options), options);
+    ball_->level = "simplified_dynamics";
+    ball_->contact = spec_.ball->contact;
+    movers_.push_back(ball_);
+  }
+  for (const RobotSpec& robot : spec_.robots) add_robot(robot);
+}
+
+void Scene::add_robot(const RobotSpec& robot) {
+  EntityOptions options;
+  const RandomStream random(spec_.seed, robot.name + "/start");
+  const double j = spec_.jitter_position;
+  options.position = robot.position + Vec3d{random.uniform(0, -j, j), random.uniform(1, -j, j), 0};
+  options.heading = robot.heading + random.uniform(2, -spec_.jitter_heading, spec_.jitter_heading);
+  options.team = robot.team;
+  for (const TeamSpec& team : spec_.teams) {
+    if (team.name == robot.team) options.color = team.color;
+  }
+  Entity& entity = simulation_->world().add(robot.name, model(robot.model, robot.where), options);
+  entity.level = robot.level;
+  entity.controller = robot.controller;
+  robots_.push_back(&entity);
+  movers_.push_back(&entity);
+}
+
+ModelPtr Scene::model(const std::string& name, const std::string& where) {
+  ModelPtr& known = models_[name];
+  if (known) return known;
+  try {
+    const auto file = find_data_file(name, "models", ".xml", spec_.file.parent_path());
+    MjcfResult result = read_mjcf(file, {.lenient = options_.lenient});
+    if (options_.lenient) warnings_.insert(warnings_.end(), result.warnings.begin(), result.warnings.end());
+    return known = result.model;
+  } catch (const SetupError& error) {
+    // a mistake in the model file says where it is itself; one about its name needs the scene's line
+    const std::string what = error.what();
+    throw SetupError(what.starts_with("no file") ? fmt::format("{}: model: {}", where, what) : what);
+  }
+}
+
+void Scene::attach_controllers() {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const RobotSpec& robot = spec_.robots[i];
+    ControllerOptions options;
+    options.everybody = movers_;
+    options.command = robot.command;
+    double attacks = 1;
+    for (const TeamSpec& team : spec_.teams) {
+      if (team.name == robot.team) attacks = team.attacks;
+    }
+    options.goal = {attacks * 0.5 * field_size(spec_.field.size).length, 0, 0};
+    find_entry(controllers(), "controller", robot.controller).attach(*simulation_, *robots_[i], options);
+  }
+}
+
+void Scene::attach_ball_contact() {
+  if (!ball_ || robots_.empty()) return;
+  simulation_->attach<collision::BallContact>("ball_contact", *ball_, spec_.rate, robots_, spec_.materials,
+                                              from_seconds(1 / spec_.rate));
+}
+
+void Scene::attach_motion() {
+  const auto attach = [&](Entity& entity, const std::string& level_name, const std::string& contact,
+                          const LevelOptions& options) {
+    const Level& level = find_entry(levels(), "level", level_name);
+    if (level.dynamic) {
+      entity.contact = contact;
+      simulation_->attach<collision::GroundContact>("ground_contact", entity, spec_.rate, field_,
+                                                    find_entry(contacts(), "contact law", contact).make(),
+                                                    spec_.materials, from_seconds(1 / spec_.rate));
+    }
+    level.attach(*simulation_, entity, spec_.rate, options);
+  };
+  if (ball_) attach(*ball_, ball_->level, spec_.ball->contact, {});
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const RobotSpec& robot = spec_.robots[i];
+    LevelOptions options;
+    options.base_rigid = robot.base_rigid;
+    if (robot.joint_reference == "linear") options.reference.kind = motion::ReferenceKind::linear;
+    attach(*robots_[i], robot.level, robot.contact, options);
+  }
+}
+
+void Scene::attach_observers() {
+  for (Entity* entity : movers_) simulation_->attach<motion::Odometer>("odometer", *entity, motion::Odometer::rate_hz);
+  recorder_ = &simulation_->attach<PathRecorder>("path_recorder", *field_, PathRecorder::rate_hz, movers_);
+}
+
+void Scene::apply_settings() {
+  if (ball_) {
+    ball_->base().set(properties::linear_velocity, spec_.ball->velocity);
+    ball_->base().set(properties::common_center_of_mass_velocity, spec_.ball->velocity);
+  }
+  for (const PropertySetting& setting : spec_.settings) {
+    for (const std::string& name : setting.entities) {
+      try {
+        simulation_->world().entity(name).object(setting.object).set(setting.property, setting.numbers);
+      } catch (const SetupError& error) {
+        throw SetupError(fmt::format("{}: {}", setting.where, error.what()));
+      }
+    }
+  }
+}
+
+RunReport Scene::report(Duration wall, const Lateness& lateness) const {
+  RunReport report;
+  report.scene = spec_.name;
+  report.simulated = seconds(simulation_->now());
+  report.wall = seconds(wall);
+  report.real_time_factor = wall > Duration{} ? report.simulated / report.wall : 0;
+  report.threads = simulation_->threads();
+  report.seed = spec_.seed;
+  report.state_hash = simulation_->state_hash();
+  for (Entity* mover : movers_) {
+    const auto base = mover->base();
+    EntityReport e{mover->name(), mover->model().name(), mover->level, mover->contact, mover->controller,
+                   mover->options().team, base.get(properties::position), base.get(properties::distance_walked),
+                   static_cast<int>(base.get(properties::falls)), mover->frozen()};
+    report.entities.push_back(std::move(e));
+  }
+  report.algorithms = simulation_->statistics();
+  report.warnings = warnings_;
+  const auto& frozen = simulation_->warnings();
+  report.warnings.insert(report.warnings.end(), frozen.begin(), frozen.end());
+  if (lateness.late_steps > 0) {
+    report.warnings.push_back(fmt::format("late: {} of {} steps ended behind schedule, the worst {:.1f} ms",
+                                          lateness.late_steps, lateness.steps, 1e3 * seconds(lateness.worst)));
+  }
+  return report;
+}
+
+void Scene::write_picture(const std::filesystem::path& file) const {
+  std::vector<render::Path> paths;
+  for (const PathRecorder::Path& recorded : recorder_->paths()) {
+    Entity& entity = *recorded.entity;
+    render::Path path;
+    path.name = entity.name();
+    path.color = entity.options().color;
+    path.points = recorded.points;
+    path.heading = heading(entity.base().get(properties::orientation));
+    path.is_ball = &entity == ball_;
+    path.number = trailing_number(entity.name());
+    if (path.is_ball) path.size = spec_.ball->options.radius;
+    paths.push_back(std::move(path));
+  }
+  const Markings* markings = field_->model().find(properties::markings, 0);
+  render::write_field_picture(file, *markings, paths,
+                              {.title = fmt::format("{}: {:.0f} s", spec_.name, seconds(simulation_->now()))});
+}
+
+}  // namespace murosimf::io

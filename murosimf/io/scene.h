@@ -1,0 +1,63 @@
+/// scene.h - a scene file, built and ready to run.
+///
+///     io::Scene scene("three_on_three");
+///     scene.simulation().run(30s);
+///     fmt::print("{}", io::to_text(scene.report()));
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "murosimf/io/run_report.h"
+#include "murosimf/io/scene_spec.h"
+#include "murosimf/runtime/path_recorder.h"
+#include "murosimf/runtime/simulation.h"
+
+namespace murosimf::io {
+
+struct SceneOptions {
+  int threads = 1;
+  std::optional<std::uint64_t> seed;     ///< instead of the scene's
+  std::vector<std::string> overrides;    ///< PATH=VALUE, as for --set
+  bool lenient = false;                  ///< accept unknown elements in model files
+};
+
+class Scene {
+ public:
+  /// `name`: a file, or the name of a scene that comes with the program. Throws SetupError.
+  explicit Scene(const std::filesystem::path& name, const SceneOptions& options = {});
+
+  [[nodiscard]] const SceneSpec& spec() const { return spec_; }
+  [[nodiscard]] Simulation& simulation() { return *simulation_; }
+
+  /// What has happened so far. `wall` is the wall time that it took.
+  [[nodiscard]] RunReport report(Duration wall, const Lateness& lateness = {}) const;
+
+  /// Draws the field from above with everybody's path so far. Throws SetupError if the file cannot be written.
+  void write_picture(const std::filesystem::path& file) const;
+
+ private:
+  void add_entities();
+  void add_robot(const RobotSpec& robot);
+  void attach_controllers();
+  void attach_ball_contact();
+  void attach_motion();
+  void attach_observers();
+  void apply_settings();
+  [[nodiscard]] ModelPtr model(const std::string& name, const std::string& where);
+
+  SceneSpec spec_;
+  SceneOptions options_;
+  std::unique_ptr<Simulation> simulation_;
+  std::map<std::string, ModelPtr> models_;  // equal robots share one
+  std::vector<std::string> warnings_;       // from reading models
+  Entity* field_ = nullptr;
+  Entity* ball_ = nullptr;
+  std::vector<Entity*> robots_;             // in the order of the spec
+  std::vector<Entity*> movers_;             // robots and ball
+  const PathRecorder* recorder_ = nullptr;
+};
+
+}  // namespace murosimf::io

@@ -1,0 +1,186 @@
+#include "murosimf/io/scene_spec.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/io/field.h"
+#include "murosimf/io/registry.h"
+#include "murosimf/io/scene_overrides.h"
+#include "murosimf/io/toml_reader.h"
+
+namespace murosimf::io {
+namespace {
+
+constexpr double degree = pi / 180;
+
+/// Turns a SetupError about a value into one that says where the value stands.
+template <class F>
+auto at(const std::string& where, const F& f) {
+  try {
+    return f();
+  } catch (const SetupError& error) {
+    throw SetupError(fmt::format("{}: {}", where, error.what()));
+  }
+}
+
+void require(bool condition, const TomlTable& table, std::string_view key, std::string_view message) {
+  if (!condition) throw SetupError(fmt::format("{}: '{}' {}", table.where(key), key, message));
+}
+
+Color read_color(const TomlTable& table, const Color& otherwise) {
+  Vec3d rgb{otherwise.red, otherwise.green, otherwise.blue};
+  table.read("color", rgb);
+  const auto fits = [](double x) { return x >= 0 && x <= 1; };
+  require(fits(rgb.x) && fits(rgb.y) && fits(rgb.z), table, "color", "must be three numbers from 0 to 1: red, green, blue");
+  return {rgb.x, rgb.y, rgb.z};
+}
+
+void read_start(const TomlTable& scene, SceneSpec& spec) {
+  const toml::table* node = scene.table("start");
+  if (!node) return;
+  const TomlTable start(*node, {"jitter_position", "jitter_heading_deg"});
+  double heading_deg = 0;
+  start.read("jitter_position", spec.jitter_position);
+  start.read("jitter_heading_deg", heading_deg);
+  require(spec.jitter_position >= 0, start, "jitter_position", "must not be negative");
+  require(heading_deg >= 0, start, "jitter_heading_deg", "must not be negative");
+  spec.jitter_heading = heading_deg * degree;
+}
+
+void read_field(const TomlTable& scene, SceneSpec& spec) {
+  const toml::table* node = scene.table("field");
+  if (!node) return;
+  const TomlTable field(*node, {"size", "surface"});
+  field.read("size", spec.field.size);
+  field.read("surface", spec.field.surface);
+  at(field.where("size"), [&] { return field_size(spec.field.size); });
+}
+
+void read_ball(const TomlTable& scene, SceneSpec& spec) {
+  const toml::table* node = scene.table("ball");
+  if (!node) return;
+  const TomlTable table(*node, {"position", "velocity", "radius", "mass", "hollow", "material", "contact"});
+  BallSpec ball;
+  table.read("position", ball.position);
+  table.read("velocity", ball.velocity);
+  table.read("radius", ball.options.radius);
+  table.read("mass", ball.options.mass);
+  table.read("hollow", ball.options.hollow);
+  table.read("material", ball.options.material);
+  table.read("contact", ball.contact);
+  at(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", ball.contact); });
+  require(ball.options.radius > 0, table, "radius", "must be positive");
+  require(ball.options.mass > 0, table, "mass", "must be positive");
+  spec.ball = ball;
+}
+
+void read_teams(const TomlTable& scene, SceneSpec& spec) {
+  for (const toml::table* node : scene.tables("teams")) {
+    const TomlTable table(*node, {"name", "color", "attacks"});
+    TeamSpec team;
+    table.read("name", team.name);
+    require(!team.name.empty(), table, "name", "of the team is missing");
+    team.color = read_color(table, spec.teams.empty() ? Color{0.1, 0.3, 0.9} : Color{0.9, 0.15, 0.1});
+    std::string attacks = spec.teams.empty() ? "right" : "left";
+    table.read("attacks", attacks);
+    require(attacks == "right" || attacks == "left", table, "attacks", "must be \"right\" (the goal at positive x) or \"left\"");
+    team.attacks = attacks == "right" ? 1 : -1;
+    spec.teams.push_back(team);
+  }
+}
+
+void read_robot(const TomlTable& table, RobotSpec& robot) {
+  robot.where = table.where();
+  table.read("name", robot.name);
+  table.read("team", robot.team);
+  table.read("model", robot.model);
+  table.read("level", robot.level);
+  table.read("contact", robot.contact);
+  table.read("controller", robot.controller);
+  table.read("joint_reference", robot.joint_reference);
+  table.read("base_rigid", robot.base_rigid);
+  table.read("position", robot.position);
+  table.read("command", robot.command);
+  double heading_deg = robot.heading / degree;
+  table.read("heading_deg", heading_deg);
+  robot.heading = heading_deg * degree;
+  at(table.where("level"), [&] { return &find_entry(levels(), "level", robot.level); });
+  at(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", robot.contact); });
+  at(table.where("controller"), [&] { return &find_entry(controllers(), "controller", robot.controller); });
+  require(robot.joint_reference == "filter" || robot.joint_reference == "linear", table, "joint_reference",
+          "must be \"filter\" or \"linear\"");
+}
+
+void read_robots(const TomlTable& scene, SceneSpec& spec) {
+  RobotSpec defaults;
+  if (const toml::table* node = scene.table("defaults")) {
+    auto keys = robot_keys();
+    std::erase(keys, "name");
+    read_robot(TomlTable(*node, keys), defaults);
+  }
+  for (const toml::table* node : scene.tables("robots")) {
+    const TomlTable table(*node, robot_keys());
+    RobotSpec robot = defaults;
+    read_robot(table, robot);
+    require(!robot.name.empty(), table, "name", "of the robot is missing");
+    require(!robot.model.empty(), table, "model", "of the robot is missing");
+    const auto same_name = [&](const RobotSpec& other) { return other.name == robot.name; };
+    const bool taken = robot.name == "ball" || robot.name == "field" ||
+                       std::any_of(spec.robots.begin(), spec.robots.end(), same_name);
+    if (taken) fail_at(*table.find("name"), fmt::format("two entities are called '{}'", robot.name));
+    const auto is_team = [&](const TeamSpec& team) { return team.name == robot.team; };
+    if (!robot.team.empty() && std::none_of(spec.teams.begin(), spec.teams.end(), is_team)) {
+      std::vector<std::string_view> names;
+      for (const TeamSpec& team : spec.teams) names.push_back(team.name);
+      throw SetupError(fmt::format("{}: {}", table.where("team"), unknown_name("team", robot.team, names)));
+    }
+    spec.robots.push_back(robot);
+  }
+}
+
+void read_materials(const TomlTable& scene, SceneSpec& spec) {
+  for (const toml::table* node : scene.tables("materials")) {
+    const TomlTable table(*node, {"pair", "friction", "rolling", "restitution", "stiffness"});
+    const toml::array* names = (*node)["pair"].as_array();
+    const bool pair_of_texts = names && names->size() == 2 && (*names)[0].is_string() && (*names)[1].is_string();
+    require(pair_of_texts, table, "pair", "must be two material names");
+    PairSurface pair;
+    table.read("friction", pair.friction);
+    table.read("rolling", pair.rolling);
+    table.read("restitution", pair.restitution);
+    table.read("stiffness", pair.stiffness);
+    at(table.where(), [&] {
+      spec.materials.set((*names)[0].value_or(std::string{}), (*names)[1].value_or(std::string{}), pair);
+      return 0;
+    });
+  }
+}
+
+}  // namespace
+
+SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  SceneSpec spec;
+  toml::table document = parse_toml_file(file);
+  for (const std::string& text : overrides) apply_override(document, text, spec.settings);
+
+  const TomlTable scene(document, scene_keys());
+  spec.file = file;
+  spec.name = file.stem().string();
+  scene.read("name", spec.name);
+  scene.read("duration", spec.duration);
+  scene.read("seed", spec.seed);
+  scene.read("rate", spec.rate);
+  scene.read("gravity", spec.gravity);
+  require(spec.duration >= 0, scene, "duration", "must not be negative");
+  require(spec.rate > 0, scene, "rate", "must be positive");
+  read_start(scene, spec);
+  read_field(scene, spec);
+  read_ball(scene, spec);
+  read_teams(scene, spec);
+  read_robots(scene, spec);
+  read_materials(scene, spec);
+  return spec;
+}
+
+}  // namespace murosimf::io

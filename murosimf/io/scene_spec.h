@@ -1,0 +1,79 @@
+/// scene_spec.h - what a scene file says: plain data, checked one by one, before anything is built.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/io/ball.h"
+#include "murosimf/math/vec3.h"
+#include "murosimf/model/material.h"
+
+namespace murosimf::io {
+
+struct FieldSpec {
+  std::string size = "kid_size_2008";
+  std::string surface = "carpet";
+};
+
+struct BallSpec {
+  BallOptions options;
+  Vec3d position;   ///< [m] z: height of its lowest point
+  Vec3d velocity;   ///< [m/s]
+  std::string contact = "implicit_stick";
+};
+
+struct TeamSpec {
+  std::string name;
+  Color color;
+  double attacks = 1;  ///< +1: the goal at positive x, -1: the other one
+};
+
+struct RobotSpec {
+  std::string name;
+  std::string team;
+  std::string model;
+  std::string where;  ///< place in the scene file, for messages
+  std::string level = "kinematic_walking";
+  std::string contact = "implicit_stick";
+  std::string controller = "ball_chaser";
+  std::string joint_reference = "filter";
+  bool base_rigid = false;
+  Vec3d position;      ///< [m]
+  double heading = 0;  ///< [rad]
+  Vec3d command;       ///< [m/s, m/s, rad/s]
+};
+
+/// A property to set before the first step: --set 'blue1.pelvis.applied_force=[0,0,0,5,0,0]'.
+struct PropertySetting {
+  std::string where;
+  std::vector<std::string> entities;
+  std::string object, property;
+  std::vector<double> numbers;
+};
+
+struct SceneSpec {
+  std::filesystem::path file;
+  std::string name;
+  double duration = 10;          ///< [s]
+  std::uint64_t seed = 1;
+  double rate = 1000;            ///< [Hz] of motion and contact
+  Vec3d gravity{0, 0, -9.81};    ///< [m/s^2]
+  double jitter_position = 0;    ///< [m] start places vary by up to this, in x and y
+  double jitter_heading = 0;     ///< [rad]
+  FieldSpec field;
+  std::optional<BallSpec> ball;
+  std::vector<TeamSpec> teams;
+  std::vector<RobotSpec> robots;
+  MaterialTable materials = MaterialTable::standard();
+  std::vector<PropertySetting> settings;
+};
+
+/// Reads a scene file (docs/scenes.md). `overrides` are PATH=VALUE as for --set: a key of the file ("duration=5",
+/// "field.surface=grass"), a key of robots ("blue1.level=...", "blue.*.level=..."), or a property
+/// ("blue1.pelvis.applied_force=[0,0,0,5,0,0]"). Throws SetupError with file:line:column.
+[[nodiscard]] SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+}  // namespace murosimf::io

@@ -1,0 +1,55 @@
+/// toml_reader.h - typed reading of a TOML table: every mistake becomes one line with file:line:column.
+///
+/// Only for .cpp files: it brings toml++ in.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "murosimf/math/vec3.h"
+
+namespace murosimf::io {
+
+/// Parses a file. Throws SetupError if it is missing, empty, or not TOML.
+[[nodiscard]] toml::table parse_toml_file(const std::filesystem::path& file);
+
+/// "scenes/a.toml:3:7", or the text of a --set that the node came from.
+[[nodiscard]] std::string where(const toml::node& node);
+
+/// Throws SetupError: where(node): message.
+[[noreturn]] void fail_at(const toml::node& node, std::string_view message);
+
+/// One table of a file, whose keys must be among `known`.
+class TomlTable {
+ public:
+  /// Throws SetupError at the first key that is not known, with the nearest one.
+  TomlTable(const toml::table& table, const std::vector<std::string_view>& known);
+
+  // Each sets `value` if the key is there, and throws SetupError if its type or value is wrong.
+  void read(std::string_view key, std::string& value) const;
+  void read(std::string_view key, double& value) const;  ///< finite
+  void read(std::string_view key, bool& value) const;
+  void read(std::string_view key, std::uint64_t& value) const;
+  /// Two or three numbers; the third is 0 if missing.
+  void read(std::string_view key, Vec3d& value) const;
+
+  [[nodiscard]] const toml::node* find(std::string_view key) const { return table_.get(key); }
+  [[nodiscard]] const toml::table* table(std::string_view key) const;                 ///< null if missing
+  [[nodiscard]] std::vector<const toml::table*> tables(std::string_view key) const;  ///< of [[key]]
+  [[nodiscard]] std::string where() const { return io::where(table_); }
+  /// Where the key stands, or the table if it is missing.
+  [[nodiscard]] std::string where(std::string_view key) const;
+
+ private:
+  const toml::table& table_;
+};
+
+/// All numbers of a number or an array of numbers; nothing if it is anything else.
+[[nodiscard]] std::optional<std::vector<double>> numbers_of(const toml::node& node);
+
+}  // namespace murosimf::io

@@ -1,0 +1,70 @@
+/// xml_element.h - elements of an XML file that know where they stand, so that every complaint has a file and a line.
+///
+/// A thin view of tinyxml2, which stays out of the headers. Elements are valid as long as their XmlFile lives.
+/// Numbers are plain decimals, whatever the locale; NaN and infinity are mistakes here.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tinyxml2 {
+class XMLDocument;
+class XMLElement;
+}  // namespace tinyxml2
+
+namespace murosimf::io {
+
+struct XmlAttribute {
+  std::string name, value;
+};
+
+class XmlElement {
+ public:
+  XmlElement(const tinyxml2::XMLElement* element, const std::string* file) : element_(element), file_(file) {}
+
+  [[nodiscard]] std::string tag() const;
+  [[nodiscard]] int line() const;
+  /// "robot.xml:12"
+  [[nodiscard]] std::string where() const;
+  /// Value of an attribute; nothing if it is not there.
+  [[nodiscard]] std::optional<std::string> attribute(const char* name) const;
+  [[nodiscard]] std::vector<XmlAttribute> attributes() const;
+  [[nodiscard]] std::vector<XmlElement> children() const;
+  [[nodiscard]] std::vector<XmlElement> children(std::string_view tag) const;
+  /// Throws a SetupError of one line: where, then `message`.
+  [[noreturn]] void fail(std::string_view message) const;
+
+  /// Tells elements apart, for tables by element.
+  [[nodiscard]] const void* id() const { return element_; }
+
+ private:
+  const tinyxml2::XMLElement* element_;
+  const std::string* file_;
+};
+
+class XmlFile {
+ public:
+  /// Throws SetupError if the file is missing or is not XML.
+  explicit XmlFile(const std::filesystem::path& file);
+  ~XmlFile();
+  XmlFile(const XmlFile&) = delete;
+  XmlFile& operator=(const XmlFile&) = delete;
+
+  [[nodiscard]] XmlElement root() const;
+
+ private:
+  std::string name_;
+  std::unique_ptr<tinyxml2::XMLDocument> document_;
+};
+
+/// `text` with line breaks and other control characters replaced by spaces: fit for a message of one line.
+[[nodiscard]] std::string one_line(std::string_view text);
+
+/// The numbers of a list like "1 -2.5 3e-4"; nothing if a part is no finite number.
+[[nodiscard]] std::optional<std::vector<double>> parse_numbers(std::string_view text);
+
+}  // namespace murosimf::io

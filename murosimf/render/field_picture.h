@@ -1,0 +1,36 @@
+/// field_picture.h - a picture of a match, seen from above: the field, and where robots and ball went.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "murosimf/math/vec3.h"
+#include "murosimf/model/shape.h"
+
+namespace murosimf::render {
+
+/// Where a robot or a ball went.
+struct Path {
+  std::string name;           ///< without the number at its end it names the team in the legend
+  Color color;                ///< of the team, or of the ball
+  std::vector<Vec3d> points;  ///< [m] world, oldest first; a point that is not finite leaves a gap
+  double size = 0.12;         ///< [m] radius of the symbol at the end: half the breadth of the shoulders
+  double heading = 0;         ///< [rad] at the end; 0 looks along x
+  bool is_ball = false;
+  int number = -1;  ///< on the robot's head; negative: none
+};
+
+struct FieldPictureOptions {
+  int pixels_per_meter = 160;
+  std::string title;  ///< UTF-8, one line
+};
+
+/// Writes a PNG of 2 half_length by 2 half_width of ground, x to the right and y up. An open stroke that reaches
+/// beyond all closed ones is drawn as a goal. Title and legend stand in the strip around the closed strokes, if it is
+/// wide enough for letters. Throws SetupError if the picture cannot be drawn or written; a file that was there before
+/// then stays as it was.
+void write_field_picture(const std::filesystem::path& file, const Markings& markings, const std::vector<Path>& paths,
+                         const FieldPictureOptions& options = {});
+
+}  // namespace murosimf::render

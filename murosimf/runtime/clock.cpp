@@ -1,0 +1,51 @@
+#include "murosimf/runtime/clock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf {
+namespace {
+
+constexpr Duration patience = std::chrono::milliseconds(100);
+
+class SteadyTime final : public WallTime {
+ public:
+  Duration now() override { return std::chrono::steady_clock::now().time_since_epoch(); }
+  void sleep_until(Duration time) override {
+    std::this_thread::sleep_until(std::chrono::steady_clock::time_point(time));
+  }
+};
+
+}  // namespace
+
+Clock::Clock(std::optional<double> speed, std::unique_ptr<WallTime> wall) : speed_(speed), wall_(std::move(wall)) {
+  if (speed_ && !(*speed_ > 0 && std::isfinite(*speed_))) {
+    throw SetupError(fmt::format("speed {} is not a positive number (1 is real time)", *speed_));
+  }
+  if (!wall_) wall_ = std::make_unique<SteadyTime>();
+}
+
+void Clock::start(Duration simulated) {
+  simulated_start_ = simulated;
+  wall_start_ = wall_->now();
+}
+
+void Clock::wait_until(Duration simulated) {
+  if (!speed_) return;
+  ++lateness_.steps;
+  const Duration due = wall_start_ + from_seconds(seconds(simulated - simulated_start_) / *speed_);
+  const Duration behind = wall_->now() - due;
+  if (behind <= Duration{}) return wall_->sleep_until(due);
+  if (behind > tolerance) {
+    ++lateness_.late_steps;
+    lateness_.worst = std::max(lateness_.worst, behind);
+  }
+  if (behind > patience) wall_start_ += behind;
+}
+
+}  // namespace murosimf

@@ -1,0 +1,52 @@
+/// clock.h - how simulated time follows the wall clock: in real time, slower, faster, or as fast as possible.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "murosimf/model/time.h"
+
+namespace murosimf {
+
+/// Where wall time comes from; tests bring their own.
+class WallTime {
+ public:
+  virtual ~WallTime() = default;
+  [[nodiscard]] virtual Duration now() = 0;
+  virtual void sleep_until(Duration time) = 0;
+};
+
+/// How late a simulation was, in wall time.
+struct Lateness {
+  std::int64_t late_steps = 0;  ///< steps that ended more than the tolerance behind schedule
+  std::int64_t steps = 0;       ///< all steps
+  Duration worst{};             ///< largest overrun
+};
+
+class Clock {
+ public:
+  /// `speed`: simulated seconds per wall second (1: real time); nothing: as fast as possible. Throws SetupError if it
+  /// is not positive and finite.
+  explicit Clock(std::optional<double> speed = std::nullopt, std::unique_ptr<WallTime> wall = nullptr);
+
+  /// The schedule begins now: simulated time `simulated` is due at once.
+  void start(Duration simulated);
+
+  /// Returns when `simulated` is due. Does not wait if the simulation is late; after more than 100 ms of delay the
+  /// schedule is moved instead of being caught up with in a rush.
+  void wait_until(Duration simulated);
+
+  [[nodiscard]] const Lateness& lateness() const { return lateness_; }
+  [[nodiscard]] std::optional<double> speed() const { return speed_; }
+
+  static constexpr Duration tolerance = std::chrono::milliseconds(2);
+
+ private:
+  std::optional<double> speed_;
+  std::unique_ptr<WallTime> wall_;
+  Duration wall_start_{};
+  Duration simulated_start_{};
+  Lateness lateness_;
+};
+
+}  // namespace murosimf

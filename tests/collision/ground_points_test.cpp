@@ -1,0 +1,223 @@
+#include "murosimf/collision/ground_points.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "tests/fixtures.h"
+#include "tests/surface_samples.h"
+
+namespace murosimf::collision {
+namespace {
+
+using fixtures::Dice;
+using fixtures::difference;
+using fixtures::outside;
+using fixtures::shapes_of_all_kinds;
+using fixtures::surface_samples;
+
+GroundShape ground_shape(const Shape& shape, Dice& dice) {
+  GroundShape g;
+  g.object = 3;
+  g.placed = fixtures::placed(shape, dice.vector(0.2), dice.turn());
+  g.reach = bounding_radius(shape);
+  g.first_feature = 16;
+  return g;
+}
+
+/// A place near the plane, so that about half of all poses touch.
+GroundPlane plane_near(const Vec3d& normal, const GroundShape& g, const Vec3d& r, const Mat3d& R, Dice& dice) {
+  return {normal, dot(normal, r + R * g.placed.position) + g.reach * dice.uniform(-1.2, 1.2), {}};
+}
+
+Vec3d to_shape(const GroundShape& g, const Vec3d& r, const Mat3d& R, const Vec3d& point) {
+  return transposed_times(R * g.placed.orientation, point - (r + R * g.placed.position));
+}
+
+// Law: no point of the shape's surface is below lowest_point, and one point of the surface is there. Both sides are
+// exact (the samples lie on the surface), so the tolerance is rounding: 1e-14 of lengths below 1 m.
+TEST(GroundPoints, LowestPointAgainstSamples) {
+  Dice dice("lowest point");
+  for (const Shape& shape : shapes_of_all_kinds()) {
+    const std::vector<Vec3d> samples = surface_samples(shape);
+    for (int i = 0; i < 40; ++i) {
+      const GroundShape g = ground_shape(shape, dice);
+      const Vec3d r = dice.vector(0.5);
+      const Mat3d R = dice.turn();
+      const GroundPlane plane = plane_near(dice.unit(), g, r, R, dice);
+      const double lowest = lowest_point(g, r, R, plane);
+      double sampled = 1e9;
+      for (const Vec3d& p : samples) {
+        const Vec3d world = r + R * (g.placed.position + g.placed.orientation * p);
+        sampled = std::fmin(sampled, dot(plane.normal, world) - plane.height);
+      }
+      EXPECT_GE(sampled, lowest - 1e-14) << shape_name(shape);
+      // the grid of samples is 2 degrees and 1/40 of a length wide
+      EXPECT_LE(sampled, lowest + 0.02 * g.reach) << shape_name(shape);
+    }
+  }
+}
+
+// Law: the deepest contact is the shape's lowest point and lies on its surface; every contact is inside the ground by
+// its depth and not outside of the shape; there are none if the shape is clear of the ground. Tolerance: rounding.
+TEST(GroundPoints, ContactsAreWhereTheyShouldBe) {
+  Dice dice("ground contacts");
+  for (const Shape& shape : shapes_of_all_kinds()) {
+    int touching = 0, clear = 0;
+    for (int i = 0; i < 200; ++i) {
+      const GroundShape g = ground_shape(shape, dice);
+      const Vec3d r = dice.vector(0.5);
+      const Mat3d R = dice.turn();
+      const GroundPlane plane = plane_near(dice.unit(), g, r, R, dice);
+      std::vector<ContactPoint> found;
+      find_ground_contacts(g, r, R, plane, found);
+      const double lowest = lowest_point(g, r, R, plane);
+      if (lowest >= 0) {
+        EXPECT_TRUE(found.empty()) << shape_name(shape);
+        ++clear;
+        continue;
+      }
+      ++touching;
+      ASSERT_FALSE(found.empty()) << shape_name(shape);
+      double deepest = 0;
+      for (const ContactPoint& c : found) {
+        EXPECT_EQ(c.object, 3);
+        EXPECT_EQ(difference(c.normal, plane.normal), 0);
+        EXPECT_GT(c.depth, 0);
+        EXPECT_NEAR(c.depth, plane.height - dot(plane.normal, c.point), 1e-15);
+        EXPECT_LT(outside(shape, to_shape(g, r, R, c.point)), 1e-14) << shape_name(shape);
+        if (c.depth > deepest) {
+          deepest = c.depth;
+          EXPECT_GE(c.depth, -lowest - 1e9);
+        }
+      }
+      EXPECT_NEAR(deepest, -lowest, 1e-15) << shape_name(shape);
+      for (const ContactPoint& c : found) {
+        if (c.depth == deepest) {
+          EXPECT_NEAR(outside(shape, to_shape(g, r, R, c.point)), 0, 1e-14) << shape_name(shape);
+        }
+      }
+    }
+    EXPECT_GT(touching, 40) << shape_name(shape);
+    EXPECT_GT(clear, 20) << shape_name(shape);
+  }
+}
+
+std::vector<ContactPoint> standing(const Shape& shape, double sink) {
+  GroundShape g{0, fixtures::placed(shape), bounding_radius(shape), 0};
+  GroundPlane plane;
+  std::vector<ContactPoint> found;
+  const double lowest = lowest_point(g, {}, {}, plane);
+  find_ground_contacts(g, {0, 0, -lowest - sink}, {}, plane, found);
+  return found;
+}
+
+// Law: what stands flat stands on its corners, all equally deep: a box on four, a cylinder on four of the rim, a
+// standing capsule, a ball and an ellipsoid on one. Tolerance: rounding.
+TEST(GroundPoints, StandingShapes) {
+  const std::pair<Shape, std::size_t> table[] = {{Box{{0.1, 0.2, 0.3}}, 4},
+                                                 {Cylinder{0.1, 0.3}, 4},
+                                                 {Capsule{0.1, 0.3}, 1},
+                                                 {Sphere{0.1}, 1},
+                                                 {Ellipsoid{{0.1, 0.2, 0.3}}, 1}};
+  for (const auto& [shape, count] : table) {
+    const auto found = standing(shape, 1e-3);
+    ASSERT_EQ(found.size(), count) << shape_name(shape);
+    Vec3d sum;
+    for (const ContactPoint& c : found) {
+      EXPECT_NEAR(c.depth, 1e-3, 1e-15);
+      sum += c.point;
+    }
+    EXPECT_NEAR(sum.x, 0, 1e-15);  // the corners surround the middle
+    EXPECT_NEAR(sum.y, 0, 1e-15);
+  }
+}
+
+// Law: a lying capsule and a lying cylinder touch with both ends and roll on their radius; a box has corners.
+// Tolerance: rounding.
+TEST(GroundPoints, LyingShapes) {
+  for (const Shape& shape : {Shape(Capsule{0.1, 0.3}), Shape(Cylinder{0.1, 0.3})}) {
+    GroundShape g{0, fixtures::placed(shape), bounding_radius(shape), 0};
+    std::vector<ContactPoint> found;
+    find_ground_contacts(g, {0, 0, 0.1 - 1e-3}, rotation_y(pi / 2), GroundPlane{}, found);
+    ASSERT_EQ(found.size(), 2u) << shape_name(shape);
+    for (const ContactPoint& c : found) {
+      EXPECT_NEAR(c.depth, 1e-3, 1e-15);
+      EXPECT_EQ(c.radius, 0.1);
+      EXPECT_NEAR(std::fabs(c.point.x), 0.3, 1e-15);
+    }
+  }
+  EXPECT_EQ(standing(Sphere{0.07}, 1e-3)[0].radius, 0.07);
+  EXPECT_EQ(standing(Box{{0.1, 0.2, 0.3}}, 1e-3)[0].radius, 0);
+}
+
+// Rule: features are numbers of corners: each once, rising, within the eight of the shape, and the same corner keeps
+// its number when the pose changes a little, so that the law's memory finds it again.
+TEST(GroundPoints, FeaturesAreStable) {
+  Dice dice("features");
+  for (const Shape& shape : shapes_of_all_kinds()) {
+    for (int i = 0; i < 100; ++i) {
+      const GroundShape g = ground_shape(shape, dice);
+      const Vec3d r = dice.vector(0.5);
+      const Mat3d R = dice.turn();
+      // deep: everything touches, so that the two poses have the same points
+      const Vec3d n = dice.unit();
+      const GroundPlane plane{n, dot(n, r + R * g.placed.position) + 0.99 * g.reach, {}};
+      const Mat3d R_next = to_matrix(exponential(dice.vector(1e-6))) * R;
+      std::vector<ContactPoint> now, next;
+      find_ground_contacts(g, r, R, plane, now);
+      find_ground_contacts(g, r + dice.vector(1e-6), R_next, plane, next);
+      for (std::size_t k = 0; k < now.size(); ++k) {
+        EXPECT_GE(now[k].feature, 16u);
+        EXPECT_LT(now[k].feature, 16u + features_per_shape);
+        if (k > 0) {
+          EXPECT_GT(now[k].feature, now[k - 1].feature);
+        }
+      }
+      for (const ContactPoint& a : now) {
+        for (const ContactPoint& b : next) {
+          // a rim point goes round faster than the pose turns when the axis stands nearly upright
+          if (a.feature == b.feature) {
+            EXPECT_LT(difference(a.point, b.point), 1e-4) << shape_name(shape);
+          }
+        }
+      }
+    }
+  }
+}
+
+// Rule: contacts are appended; what was found before stays.
+TEST(GroundPoints, Appends) {
+  const GroundShape g{0, fixtures::placed(Sphere{0.1}), 0.1, 0};
+  std::vector<ContactPoint> found(2);
+  found[0].depth = 5;
+  find_ground_contacts(g, {0, 0, 0.05}, {}, GroundPlane{}, found);
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].depth, 5);
+  EXPECT_NEAR(found[2].depth, 0.05, 1e-16);
+}
+
+// Rule: shapes of a model: those that collide, planes excluded, eight features each, with their object and reach.
+TEST(GroundPoints, ShapesOfAModel) {
+  using namespace properties;
+  PlacedShape ghost = fixtures::placed(Sphere{0.3});
+  ghost.collides = false;
+  const Model model("m", Chain{}
+                             .base()
+                             .with(shapes, {fixtures::placed(Plane{}), fixtures::placed(Sphere{0.1}), ghost})
+                             .translation({1, 0, 0})
+                             .with(mass, 1)
+                             .translation({1, 0, 0})
+                             .with(shapes, {fixtures::placed(Box{{3, 4, 12}}), fixtures::placed(Capsule{1, 2})}));
+  const auto found = ground_shapes(model);
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].object, 0);
+  EXPECT_EQ(found[0].reach, 0.1);
+  EXPECT_EQ(found[1].object, 2);
+  EXPECT_EQ(found[1].reach, 13);
+  EXPECT_EQ(found[2].reach, 3);
+  for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(found[i].first_feature, i * features_per_shape);
+}
+
+}  // namespace
+}  // namespace murosimf::collision

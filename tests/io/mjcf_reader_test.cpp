@@ -1,0 +1,474 @@
+/// mjcf_reader_test - a robot file becomes the right model, and every mistake in it is named with file and line.
+#include "murosimf/io/mjcf_reader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "murosimf/io/mjcf_geom.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/multibody/kinematics.h"
+
+namespace murosimf::io {
+namespace {
+
+const std::filesystem::path kid21 = std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml";
+
+/// A file of its own for every test, so that tests can run at the same time.
+std::filesystem::path test_file(const std::string& ending) {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  return std::filesystem::path(testing::TempDir()) / (std::string("mjcf_") + test->name() + ending);
+}
+
+std::filesystem::path write(const std::string& text, const std::string& ending = ".xml") {
+  const auto file = test_file(ending);
+  std::ofstream(file) << text;
+  return file;
+}
+
+MjcfResult read(const std::string& text, bool lenient = false) { return read_mjcf(write(text), {lenient}); }
+
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return "no SetupError";
+}
+
+std::string message(const std::string& text, bool lenient = false) {
+  return message_of([&] { (void)read(text, lenient); });
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+bool any_contains(const std::vector<std::string>& texts, const std::string& part) {
+  return std::ranges::any_of(texts, [&](const std::string& text) { return contains(text, part); });
+}
+
+/// One line that begins with the file, names the line and contains `part`.
+void expect_complaint(const std::string& what, int line, const std::string& part) {
+  EXPECT_TRUE(contains(what, test_file(".xml").string() + ":" + std::to_string(line) + ": ")) << what;
+  EXPECT_TRUE(contains(what, part)) << what;
+  EXPECT_FALSE(contains(what, "\n")) << what;
+}
+
+/// A base of 1 kg in lines 2 to 4; `inside` begins in line 5.
+std::string robot(const std::string& inside, const std::string& before = "") {
+  return "<mujoco model='r'>" + before + "\n<worldbody>\n<body name='b' pos='0 0 1'><freejoint name='root'/>\n" +
+         "<inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>\n" + inside + "\n</body></worldbody>\n";
+}
+std::string closed(const std::string& text) { return text + "</mujoco>"; }
+std::string closed_robot(const std::string& inside, const std::string& before = "") {
+  return closed(robot(inside, before));
+}
+
+/// A limb with one joint; its body is 'limb', its joint 'j'.
+std::string limb(const std::string& joint, const std::string& rest = "<inertial mass='1' diaginertia='1 1 1'/>") {
+  return "<body name='limb'>" + joint + rest + "</body>";
+}
+
+void expect_near(const Vec3d& a, const Vec3d& b) { EXPECT_LT(norm(a - b), 1e-12) << a.x << ' ' << a.y << ' ' << a.z; }
+
+void expect_near(const Mat3d& a, const Mat3d& b) {
+  expect_near(a.x, b.x);
+  expect_near(a.y, b.y);
+  expect_near(a.z, b.z);
+}
+
+/// Pose of an object in world axes, base at the origin, all joints at `angle`.
+multibody::Pose<double> pose(const Model& model, const std::string& object, double angle = 0) {
+  const auto size = static_cast<std::size_t>(model.size());
+  std::vector<double> q(size, angle);
+  std::vector<Vec3d> r(size);
+  std::vector<Mat3d> R(size);
+  multibody::poses<double>(model.tree(), q, r, R);
+  const int i = model.object_index(object);
+  return {r[i], R[i]};
+}
+
+// ---- kid21 ----
+
+TEST(MjcfReader, Kid21HasItsMassAndParts) {
+  const auto [model, warnings] = read_mjcf(kid21);
+  EXPECT_EQ(model->name(), "kid21");
+  EXPECT_NEAR(model->tree().mass, 4.30, 1e-12);
+  EXPECT_EQ(model->joints().size(), 21u);
+  EXPECT_EQ(model->having(properties::mass).size(), 22u);
+  EXPECT_EQ(model->bodies().size(), 22u);
+  EXPECT_EQ(*model->find(properties::mass, model->object_index("torso")), 1.1);
+  EXPECT_EQ(*model->find(properties::mass, model->object_index("l_foot")), 0.15);
+  expect_near(*model->find(properties::center_of_mass, model->object_index("r_hip_roll")), {-0.01, 0, 0});
+}
+
+TEST(MjcfReader, Kid21HasTheNamesOfTheFile) {
+  const auto [model, warnings] = read_mjcf(kid21);
+  EXPECT_EQ(model->object_index("pelvis"), 0);
+  EXPECT_EQ(model->object_index("l_foot"), model->object_index("j_l_foot"));
+  EXPECT_EQ(model->objects()[model->object_index("l_foot")].name, "j_l_foot");
+  EXPECT_EQ(model->objects()[model->object_index("torso.offset")].kind, Kind::translation);
+  EXPECT_EQ(model->objects()[model->object_index("l_sole")].kind, Kind::endpoint);
+  // bodies that sit at their parent's origin have no translation
+  EXPECT_FALSE(model->find_object("l_thigh.offset"));
+}
+
+TEST(MjcfReader, Kid21HasSolesInTheRightPlace) {
+  const auto [model, warnings] = read_mjcf(kid21);
+  const auto soles = model->having(properties::sole);
+  ASSERT_EQ(soles.size(), 2u);
+  EXPECT_EQ(model->objects()[soles[0]].name, "l_sole");
+  EXPECT_EQ(model->find(properties::sole, soles[0])->half_length, 0.075);
+  EXPECT_EQ(model->find(properties::sole, soles[0])->half_width, 0.045);
+  // 0.29 m above the ground, the pelvis stands; 0.02 + 2 * 0.12 + 0.04 = 0.30 with straight legs
+  expect_near(pose(*model, "l_sole").r, {0.015, 0.055, -0.30});
+  expect_near(pose(*model, "r_sole").r, {0.015, -0.055, -0.30});
+}
+
+TEST(MjcfReader, Kid21HasServosOfItsTable) {
+  const auto [model, warnings] = read_mjcf(kid21);
+  EXPECT_EQ(model->having(properties::servo).size(), 21u);
+  const Servo& knee = *model->find(properties::servo, model->object_index("j_l_shin"));
+  EXPECT_EQ(knee.type, "mx64");
+  EXPECT_EQ(knee.stall_torque, 6.0);
+  EXPECT_EQ(knee.position_gain, 30);
+  EXPECT_EQ(model->find(properties::servo, model->object_index("j_head"))->type, "mx28");
+  EXPECT_EQ(*model->find(properties::joint_armature, model->object_index("j_l_shin")), 0.01);
+  EXPECT_EQ(*model->find(properties::joint_friction, model->object_index("j_head")), 0.04);
+}
+
+TEST(MjcfReader, Kid21HasSurfacesOfItsTable) {
+  const auto [model, warnings] = read_mjcf(kid21);
+  const Shapes& foot = *model->find(properties::shapes, model->object_index("l_foot"));
+  ASSERT_EQ(foot.size(), 1u);
+  EXPECT_EQ(foot[0].surface.material, "rubber");
+  EXPECT_EQ(foot[0].surface.friction, 0.8);
+  expect_near(std::get<Box>(foot[0].shape).half_size, {0.075, 0.045, 0.01});
+  EXPECT_EQ(model->find(properties::shapes, model->object_index("torso"))->front().surface.material, "plastic");
+}
+
+TEST(MjcfReader, Kid21IgnoresTheFloorWithANote) {
+  const auto [model, warnings] = read_mjcf(kid21);
+  EXPECT_TRUE(any_contains(warnings, "world geom 'floor' ignored: the scene brings its own ground"));
+  EXPECT_TRUE(any_contains(warnings, "element 'option' is not used"));
+  for (const std::string& warning : warnings) EXPECT_TRUE(contains(warning, "kid21.xml:")) << warning;
+}
+
+// ---- frames and joints ----
+
+TEST(MjcfReader, AllWaysToWriteAnOrientationAgree) {
+  // 90 deg about x
+  const Mat3d turn = rotation_x(0.5 * pi);
+  for (const char* text : {"quat='1 1 0 0'", "euler='90 0 0'", "axisangle='2 0 0 90'", "xyaxes='1 0 0 1 0 1'",
+                           "zaxis='0 -3 0'"}) {
+    const auto model = read(closed_robot(std::string("<body name='c' ") + text + "/>")).model;
+    expect_near(pose(*model, "c").R, turn);
+  }
+}
+
+TEST(MjcfReader, EulerAnglesFollowTheSequence) {
+  const std::string body = "<body name='c' euler='0.3 0.2 0.1'/>";
+  const auto turn = [&](const std::string& sequence) {
+    const auto compiler = "<compiler angle='radian' eulerseq='" + sequence + "'/>";
+    return pose(*read(closed_robot(body, compiler)).model, "c").R;
+  };
+  expect_near(turn("xyz"), rotation_x(0.3) * rotation_y(0.2) * rotation_z(0.1));
+  expect_near(turn("zyx"), rotation_z(0.3) * rotation_y(0.2) * rotation_x(0.1));
+  expect_near(turn("XYZ"), rotation_z(0.1) * rotation_y(0.2) * rotation_x(0.3));
+}
+
+TEST(MjcfReader, AJointAwayFromTheOriginTurnsTheBodyAboutItself) {
+  const auto model = read(closed_robot("<body name='c' pos='1 0 0'><joint name='j' pos='0 0 1' axis='0 1 0'/>"
+                                       "<inertial mass='1' diaginertia='1 1 1'/></body>")).model;
+  // 90 deg about y through (1 0 1): the origin, 1 below, goes to -x
+  const auto turned = pose(*model, "c", 0.5 * pi);
+  expect_near(turned.r, {0, 0, 1});
+  expect_near(turned.R, rotation_y(0.5 * pi));
+  EXPECT_NE(model->object_index("c"), model->object_index("j"));
+  EXPECT_TRUE(model->find(properties::mass, model->object_index("c")));
+}
+
+TEST(MjcfReader, RangesAreInRadiansAndOfHingesOnly) {
+  const std::string hinge = limb("<joint name='j' axis='0 0 2' range='-90 45'/>");
+  const auto range = [](const std::string& text) {
+    const auto model = read(text).model;
+    const Vec3d* found = model->find(properties::joint_range, model->object_index("j"));
+    return found ? *found : Vec3d{};
+  };
+  expect_near(range(closed_robot(hinge)), {-0.5 * pi, 0.25 * pi, 0});
+  expect_near(range(closed_robot(hinge, "<compiler angle='radian'/>")), {-90, 45, 0});
+  expect_near(range(closed_robot(hinge, "<compiler autolimits='false'/>")), {});
+  expect_near(range(closed_robot(limb("<joint name='j' type='slide' axis='1 0 0' range='-1 2'/>"))), {-1, 2, 0});
+  expect_near(range(closed_robot(limb("<joint name='j' axis='1 0 0' range='-1 2' limited='false'/>"))), {});
+}
+
+TEST(MjcfReader, BodiesWithoutJointOrNameAreFine) {
+  const auto model = read(closed_robot("<body pos='1 0 0'><body quat='0 1 0 0'/><body><joint axis='1 0 0'/>"
+                                       "<joint axis='0 1 0'/><inertial mass='2' diaginertia='1 1 1'/></body></body>"))
+                         .model;
+  EXPECT_EQ(model->joints().size(), 2u);
+  EXPECT_EQ(model->objects()[model->object_index("body_2")].kind, Kind::translation);
+  EXPECT_EQ(model->objects()[model->object_index("body_3")].kind, Kind::rotation);
+  EXPECT_EQ(model->object_index("body_4"), model->object_index("body_4.joint2"));
+  EXPECT_EQ(model->objects()[model->object_index("body_4.joint2")].parent, model->object_index("body_4.joint"));
+  EXPECT_EQ(model->object_index("root"), 0);
+}
+
+TEST(MjcfReader, ABodyMayShareItsNameWithAJoint) {
+  const auto own = read(closed_robot("<body name='a'><joint name='a' axis='1 0 0'/>"
+                                     "<inertial mass='1' diaginertia='1 1 1'/></body>"));
+  EXPECT_EQ(own.model->objects()[own.model->object_index("a")].kind, Kind::revolute);
+  EXPECT_TRUE(own.warnings.empty());
+  const auto other = read(closed_robot("<body name='a'><joint name='c' axis='1 0 0'/><inertial mass='1' "
+                                       "diaginertia='1 1 1'/><body name='c' pos='0 0 1'><site name='a'/></body></body>"));
+  EXPECT_EQ(other.model->objects()[other.model->object_index("c.body")].kind, Kind::translation);
+  EXPECT_EQ(other.model->objects()[other.model->object_index("a.site")].kind, Kind::endpoint);
+  EXPECT_EQ(other.warnings.size(), 2u);
+}
+
+TEST(MjcfReader, SitesNamedSoleAreSolesWithoutATable) {
+  const auto model = read(closed_robot("<site name='left_sole' type='box' size='0.1 0.05 0.01' pos='0 1 0' "
+                                       "euler='0 0 90'/><site name='imu'/><site name='round_sole' size='1'/>")).model;
+  EXPECT_EQ(model->having(properties::sole), std::vector{model->object_index("left_sole")});
+  expect_near(pose(*model, "left_sole").r, {0, 1, 0});
+  expect_near(pose(*model, "left_sole").R, rotation_z(0.5 * pi));
+  EXPECT_EQ(model->objects()[model->object_index("imu")].kind, Kind::endpoint);
+}
+
+// ---- classes ----
+
+TEST(MjcfReader, DefaultsReachElementsThroughClasses) {
+  const std::string defaults =
+      "<default><geom density='0' rgba='1 0 0 1'/><default class='leg'><joint axis='0 1 0' damping='2'/>"
+      "<geom type='box' size='1 2 3'/><default class='knee'><joint damping='3'/></default></default></default>";
+  const auto model = read(closed_robot("<body name='c' childclass='leg'><joint name='j1'/><joint name='j2' class='knee'/>"
+                                       "<geom/><geom class='main' size='4'/>"
+                                       "<inertial mass='1' diaginertia='1 1 1'/></body>", defaults)).model;
+  const int j1 = model->object_index("j1"), j2 = model->object_index("j2");
+  expect_near(model->objects()[j2].vector, {0, 1, 0});
+  EXPECT_EQ(*model->find(properties::joint_damping, j1), 2);
+  EXPECT_EQ(*model->find(properties::joint_damping, j2), 3);
+  const Shapes& shapes = *model->find(properties::shapes, j2);
+  expect_near(std::get<Box>(shapes[0].shape).half_size, {1, 2, 3});
+  EXPECT_EQ(std::get<Sphere>(shapes[1].shape).radius, 4);
+  EXPECT_EQ(shapes[0].color.red, 1);
+}
+
+// ---- mass and shape ----
+
+TEST(MjcfReader, SolidsHaveTheInertiaOfTheirShape) {
+  expect_near({unit_inertia(Sphere{2}).xx, unit_inertia(Sphere{2}).zz, 0}, {1.6, 1.6, 0});
+  const SymMat3d box = unit_inertia(Box{{1, 2, 3}});
+  expect_near({box.xx, box.yy, box.zz}, {13.0 / 3, 10.0 / 3, 5.0 / 3});
+  const SymMat3d ellipsoid = unit_inertia(Ellipsoid{{1, 2, 3}});
+  expect_near({ellipsoid.xx, ellipsoid.yy, ellipsoid.zz}, {2.6, 2.0, 1.0});
+  const SymMat3d cylinder = unit_inertia(Cylinder{2, 3});
+  expect_near({cylinder.xx, cylinder.yy, cylinder.zz}, {4, 4, 2});
+  EXPECT_NEAR(volume(Capsule{1, 1}), 4.0 / 3 * pi + 2 * pi, 1e-12);
+}
+
+/// Sum over thin discs, of a solid of unit mass: I_zz = int r^2/2 dm, I_xx = int (r^2/4 + z^2) dm.
+TEST(MjcfReader, ACapsuleHasTheInertiaOfItsDiscs) {
+  const double radius = 0.3, half = 0.5, top = half + radius;
+  constexpr int discs = 200000;
+  double mass = 0, xx = 0, zz = 0;
+  for (int i = 0; i < discs; ++i) {
+    const double z = top * (2.0 * (i + 0.5) / discs - 1.0);
+    const double beyond = std::max(0.0, std::abs(z) - half);
+    const double rr = radius * radius - beyond * beyond;
+    mass += rr;
+    xx += rr * (0.25 * rr + z * z);
+    zz += rr * 0.5 * rr;
+  }
+  const SymMat3d inertia = unit_inertia(Capsule{radius, half});
+  // the sum of discs errs by about 1/discs^2
+  EXPECT_NEAR(inertia.xx, xx / mass, 1e-9);
+  EXPECT_NEAR(inertia.zz, zz / mass, 1e-9);
+}
+
+TEST(MjcfReader, MassComesFromGeomsWhereThereIsNoInertial) {
+  const std::string geoms = "<geom type='box' size='0.1 0.1 0.1' pos='1 0 0'/><geom size='0.1' pos='-1 0 0' mass='8'/>";
+  const auto model = read(closed_robot(limb("<joint name='j' axis='0 0 1'/>", geoms))).model;
+  const int j = model->object_index("j");
+  EXPECT_NEAR(*model->find(properties::mass, j), 16, 1e-12);  // 0.008 m^3 of 1000 kg/m^3, and 8 kg
+  expect_near(*model->find(properties::center_of_mass, j), {});
+  const SymMat3d& inertia = *model->find(properties::inertia, j);
+  EXPECT_NEAR(inertia.xx, 8 * 0.02 / 3 + 8 * 0.004, 1e-12);
+  EXPECT_NEAR(inertia.zz, 8 * 0.02 / 3 + 8 * 0.004 + 16, 1e-12);
+}
+
+TEST(MjcfReader, InertialsMayBeTurnedOrFull) {
+  const auto inertia = [](const std::string& inertial) {
+    const auto model = read(closed_robot(limb("<joint name='j' axis='0 0 1'/>", inertial))).model;
+    return *model->find(properties::inertia, model->object_index("j"));
+  };
+  const SymMat3d turned = inertia("<inertial mass='1' diaginertia='3 4 5' euler='0 0 90'/>");
+  expect_near({turned.xx, turned.yy, turned.zz}, {4, 3, 5});
+  const SymMat3d full = inertia("<inertial mass='1' fullinertia='3 4 5 .1 .2 .3'/>");
+  expect_near({full.xy, full.xz, full.yz}, {.1, .2, .3});
+}
+
+TEST(MjcfReader, AnImpossibleInertiaIsAWarning) {
+  const auto result = read(closed_robot(limb("<joint axis='0 0 1'/>", "<inertial mass='1' diaginertia='1 1 3'/>")));
+  EXPECT_TRUE(any_contains(result.warnings, ":5: no solid body has the principal moments 1 1 3"));
+}
+
+TEST(MjcfReader, FromToPlacesLongShapes) {
+  const auto model = read(closed_robot("<geom type='capsule' size='0.1' fromto='0 1 2 0 1 6'/>"
+                                       "<geom type='cylinder' size='0.1' fromto='0 0 0 2 0 0' friction='0.3 0 0' "
+                                       "rgba='.1 .2 .3 1' contype='0' conaffinity='0'/>")).model;
+  const Shapes& shapes = *model->find(properties::shapes, 0);
+  EXPECT_EQ(std::get<Capsule>(shapes[0].shape).half_length, 2);
+  expect_near(shapes[0].position, {0, 1, 4});
+  EXPECT_TRUE(shapes[0].collides);
+  EXPECT_EQ(shapes[0].surface.friction, 1.0);
+  EXPECT_EQ(std::get<Cylinder>(shapes[1].shape).half_length, 1);
+  EXPECT_NEAR(std::abs(shapes[1].orientation.z.x), 1, 1e-12);
+  EXPECT_EQ(shapes[1].surface.friction, 0.3);
+  EXPECT_EQ(shapes[1].color.blue, 0.3);
+  EXPECT_FALSE(shapes[1].collides);
+}
+
+// ---- servos ----
+
+TEST(MjcfReader, ActuatorsBecomeServos) {
+  const std::string joint = limb("<joint name='j' axis='0 0 1' armature='0.1' frictionloss='0.2'/>");
+  const auto servo = [&](const std::string& actuator) {
+    const auto model = read(closed(robot(joint) + "<actuator>" + actuator + "</actuator>")).model;
+    return *model->find(properties::servo, model->object_index("j"));
+  };
+  const Servo position = servo("<position joint='j' kp='20' forcerange='-3 4' kv='1'/>");
+  EXPECT_EQ(position.position_gain, 20);
+  EXPECT_EQ(position.stall_torque, 4);
+  EXPECT_EQ(position.rotor_inertia, 0.1);
+  EXPECT_EQ(position.coulomb_friction, 0.2);
+  EXPECT_EQ(servo("<motor joint='j' gear='10' ctrlrange='-1 1'/>").stall_torque, 10);
+  EXPECT_EQ(servo("<general joint='j' gainprm='7' biastype='affine' biasprm='0 -7 -1'/>").position_gain, 7);
+  EXPECT_EQ(servo("<position joint='j' kp='5' gear='2'/>").position_gain, 20);
+}
+
+TEST(MjcfReader, TheTableBesideWinsOverActuators) {
+  write("[servos.big]\nstall_torque = 9\nno_load_rate = 8\nposition_gain = 7\nrotor_inertia = 0\n"
+        "coulomb_friction = 0\njoints = ['j']\n", ".toml");
+  const auto model = read(closed(robot(limb("<joint name='j' axis='0 0 1'/>")) +
+                                 "<actuator><position joint='j' kp='20'/></actuator>")).model;
+  std::filesystem::remove(test_file(".toml"));
+  EXPECT_EQ(model->find(properties::servo, model->object_index("j"))->type, "big");
+}
+
+TEST(MjcfReader, TheTableBesideMustSpeakOfTheRobot) {
+  const auto complaint = [](const std::string& table) {
+    write(table, ".toml");
+    const auto text = message(closed_robot("<site name='foot' size='1'/>" + limb("<joint name='j' axis='0 0 1'/>")));
+    std::filesystem::remove(test_file(".toml"));
+    return text;
+  };
+  EXPECT_TRUE(contains(complaint("[soles]\nleft = 'fot'\n"), ".toml:2:8: unknown site 'fot'; did you mean 'foot'?"));
+  EXPECT_TRUE(contains(complaint("[surfaces]\nlimp = 'rubber'\n"), ".toml:2:1: unknown body 'limp'"));
+  expect_complaint(complaint("[soles]\nleft = 'foot'\n"), 5, "a sole needs type=\"box\"");
+}
+
+// ---- mistakes ----
+
+TEST(MjcfReader, NamesMissingAndBrokenFiles) {
+  EXPECT_TRUE(contains(message_of([] { (void)read_mjcf("nowhere.xml"); }), "nowhere.xml: there is no such file"));
+  EXPECT_TRUE(contains(message_of([] { (void)read_mjcf(testing::TempDir()); }), "there is no such file"));
+  expect_complaint(message("<mujoco>\n<worldbody>\n</mujoco>"), 2, "not well-formed XML");
+  expect_complaint(message(""), 1, "not well-formed XML");
+  expect_complaint(message("just text"), 1, "not well-formed XML");
+  expect_complaint(message("<!-- -->\n<robot/>"), 2, "the root is <robot>, not <mujoco>");
+}
+
+TEST(MjcfReader, NamesUnknownWords) {
+  expect_complaint(message(closed_robot("<body nmae='c'/>")), 5, "unknown attribute of body 'nmae'; did you mean 'name'?");
+  expect_complaint(message(closed_robot("<bdy/>")), 5, "unknown element in body 'bdy'; did you mean 'body'?");
+  expect_complaint(message(closed_robot("<body foo='1'><bar/></body>\n<baz/>")), 5, "(and 2 more like this)");
+  expect_complaint(message(closed_robot(limb("<joint axis='0 0 1' stiffness='3'/>"))), 5, "'stiffness' of joint is not supp");
+  expect_complaint(message(closed(robot("") + "<tendon/>")), 7, "element 'tendon' is not supported");
+}
+
+TEST(MjcfReader, LenientReadingWarnsOfUnknownWords) {
+  const auto result = read(closed_robot("<body foo='1'><bar/></body>\n<baz/><geom type='mesh' mesh='m'/>"), true);
+  EXPECT_TRUE(any_contains(result.warnings, ":5: unknown attribute of body 'foo'"));
+  EXPECT_TRUE(any_contains(result.warnings, ":5: unknown element in body 'bar'"));
+  EXPECT_TRUE(any_contains(result.warnings, ":6: unknown element in body 'baz'"));
+  EXPECT_TRUE(any_contains(result.warnings, ":6: mesh 'm' ignored"));
+}
+
+TEST(MjcfReader, NamesWhatIsWrongWithTheBase) {
+  expect_complaint(message("<mujoco>\n<worldbody>\n<body name='b'/></worldbody></mujoco>"), 3, "'b' has no free joint");
+  expect_complaint(message("<mujoco>\n<worldbody/></mujoco>"), 1, "no body in worldbody");
+  const std::string two = "<mujoco>\n<worldbody>\n<body name='table'/>\n<body name='b'><freejoint/>"
+                          "<inertial mass='1' diaginertia='1 1 1'/></body></worldbody></mujoco>";
+  expect_complaint(message(two), 4, "second body in worldbody, 'b'");
+  EXPECT_EQ(read(two, true).model->objects()[0].name, "b");
+  expect_complaint(message(closed_robot("\n<joint axis='0 0 1'/>")), 6, "second joint");
+  EXPECT_EQ(read("<mujoco><worldbody><body name='b'><joint type='free'/></body></worldbody></mujoco>").model->size(), 2);
+}
+
+TEST(MjcfReader, NamesWhatIsWrongWithJoints) {
+  expect_complaint(message(closed_robot(limb("<joint name='j'/>"))), 5, "joint 'j' has no axis");
+  EXPECT_TRUE(any_contains(read(closed_robot(limb("<joint name='j'/>")), true).warnings, "z is taken"));
+  expect_complaint(message(closed_robot(limb("<joint name='j' axis='0 0 0'/>"))), 5, "axis of joint 'j' has no direction");
+  expect_complaint(message(closed_robot(limb("<joint name='j' type='ball'/>"))), 5, "ball joint 'j' is not supported");
+  expect_complaint(message(closed_robot(limb("<joint type='hing' axis='0 0 1'/>"))), 5, "did you mean 'hinge'?");
+  expect_complaint(message(closed_robot(limb("<joint type='free'/>"))), 5, "only its base may be free");
+  expect_complaint(message(closed_robot(limb("<joint axis='1 0 0' range='2 1'/>"))), 5, "must go from lower to higher");
+  expect_complaint(message(closed_robot(limb("<joint axis='1 0 0' damping='-1'/>"))), 5, "damping of joint is negative");
+  expect_complaint(message(closed_robot(limb("<joint axis='1 0 0' limited='true'/>"))), 5, "there is no range");
+  expect_complaint(message(closed_robot(limb("<joint axis='1 0 0' class='leg'/>"))), 5, "unknown default class 'leg'");
+  expect_complaint(message(closed(robot(limb("<joint name='knee' axis='1 0 0'/>")) +
+                                  "<actuator>\n<motor joint='kne'/></actuator>")), 8,
+                   "unknown joint 'kne'; did you mean 'knee'?");
+}
+
+TEST(MjcfReader, NamesBadNumbers) {
+  expect_complaint(message(closed_robot("<body pos='0 nan 0'/>")), 5, "pos of body is '0 nan 0'; write finite numbers");
+  expect_complaint(message(closed_robot("<body pos='0 1e999 0'/>")), 5, "write finite numbers");
+  expect_complaint(message(closed_robot("<body pos='0 1,5 0'/>")), 5, "write finite numbers");
+  expect_complaint(message(closed_robot("<body pos='0 1'/>")), 5, "pos of body needs 3 numbers, '0 1' has 2");
+  expect_complaint(message(closed_robot("<body quat='0 0 0 0'/>")), 5, "quat of length zero");
+  expect_complaint(message(closed_robot("<body quat='1 0 0 0' euler='0 0 0'/>")), 5, "two orientations");
+  expect_complaint(message(closed_robot("<geom/>", "\n<default><geom size='x'/></default>")), 2, "size of geom is 'x'");
+}
+
+TEST(MjcfReader, NamesImpossibleMasses) {
+  const auto mass = [](const std::string& attributes) {
+    return message(closed_robot("\n" + limb("<joint axis='1 0 0'/>", "<inertial " + attributes + "/>")));
+  };
+  expect_complaint(mass("mass='-1' diaginertia='1 1 1'"), 6, "mass -1 kg is not positive");
+  expect_complaint(mass("diaginertia='1 1 1'"), 6, "inertial without mass");
+  expect_complaint(mass("mass='1'"), 6, "either diaginertia or fullinertia");
+  expect_complaint(mass("mass='1' diaginertia='1 -1 1'"), 6, "inertia is not positive definite");
+  expect_complaint(mass("mass='1' fullinertia='1 1 1 2 0 0'"), 6, "inertia is not positive definite");
+  expect_complaint(message(closed_robot("<geom size='1' mass='-2'/>")), 5, "mass of geom is negative");
+}
+
+TEST(MjcfReader, NamesImpossibleGeoms) {
+  expect_complaint(message(closed_robot("<geom type='box' size='1 2'/>")), 5, "size of a box needs 3 numbers");
+  expect_complaint(message(closed_robot("<geom size='0'/>")), 5, "must be positive");
+  expect_complaint(message(closed_robot("<geom type='mesh' mesh='m'/>")), 5, "meshes are not supported yet");
+  expect_complaint(message(closed_robot("<geom type='capsule' size='1' fromto='0 0 0 0 0 0'/>")), 5, "two different points");
+  expect_complaint(message(closed_robot("<geom type='plane' size='1 1 1'/>")), 5, "a plane cannot be part of a robot");
+}
+
+TEST(MjcfReader, NamesDuplicates) {
+  expect_complaint(message(closed_robot("<body name='c'/>\n<body name='c'/>")), 6, "body 'c' appears twice, first in line 5");
+  expect_complaint(message(closed_robot(limb("<joint name='j' axis='1 0 0'/>\n<joint name='j' axis='1 0 0'/>"))), 6,
+                   "joint 'j' appears twice, first in line 5");
+  expect_complaint(message(closed_robot("<site name='s'/><site name='s'/>")), 5, "site 's' appears twice");
+  expect_complaint(message(closed_robot("", "<default>\n<default class='a'/><default class='a'/></default>")), 2,
+                   "default class 'a' is already there");
+  // a name that the reader itself gives
+  expect_complaint(message(closed_robot("<body name='c' pos='1 0 0'>" + limb("<joint axis='1 0 0'/>") + "</body>"
+                                        "<body name='limb.offset' pos='1 0 0'/><body name='c.offset' quat='0 1 0 0' "
+                                        "pos='0 0 1'/><body name='c.offset.offset' pos='1 1 1'/>")), 3,
+                   "two objects are called 'c.offset.offset'");
+}
+
+}  // namespace
+}  // namespace murosimf::io

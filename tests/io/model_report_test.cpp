@@ -1,0 +1,78 @@
+/// model_report_test - the report of `murosimf check` counts right and shows every joint.
+#include "murosimf/io/model_report.h"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::io {
+namespace {
+
+ModelReport kid21_report() {
+  const auto [model, warnings] = read_mjcf(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml");
+  return make_report(*model, warnings);
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// One joint of each kind, without servo and sole.
+Model arm() {
+  return Model("arm", Chain{}.base("shoulder").with(properties::mass, 1)
+                          .revolute("elbow", {0, 1, 0}).alias("forearm").with(properties::mass, 2)
+                          .with(properties::joint_range, {-0.5 * pi, pi, 0})
+                          .translation({1, 0, 0}).prismatic("slider", {1, 0, 0})
+                          .with(properties::joint_range, {0, 0.2, 0}).endpoint("hand"));
+}
+
+TEST(ModelReport, CountsKid21) {
+  const ModelReport report = kid21_report();
+  EXPECT_EQ(report.name, "kid21");
+  EXPECT_NEAR(report.total_mass_kg, 4.30, 1e-12);
+  EXPECT_EQ(report.joints, 21);
+  EXPECT_EQ(report.bodies, 22);
+  EXPECT_EQ(report.tree.size(), 22u);
+  EXPECT_EQ(report.soles, (std::vector<std::string>{"l_sole", "r_sole"}));
+  double mass = 0;
+  for (const ReportRow& row : report.tree) mass += row.mass_kg;
+  EXPECT_NEAR(mass, 4.30, 1e-12);
+}
+
+TEST(ModelReport, ShowsTheTreeOfKid21) {
+  const std::string text = to_text(kid21_report());
+  EXPECT_TRUE(contains(text, "kid21: 4.300 kg, 21 joints, 22 bodies"));
+  EXPECT_TRUE(contains(text, "soles: l_sole, r_sole"));
+  EXPECT_TRUE(contains(text, "\n    l_hip_roll "));
+  EXPECT_TRUE(contains(text, "mx64 6 N m"));
+  EXPECT_FALSE(contains(text, "no servo moves"));
+}
+
+TEST(ModelReport, ShowsRangesInDegreesAndMetres) {
+  const std::string text = to_text(make_report(arm()));
+  EXPECT_TRUE(contains(text, "forearm"));
+  EXPECT_TRUE(contains(text, "-90 to 180 deg"));
+  EXPECT_TRUE(contains(text, "0 to 0.2 m"));
+}
+
+TEST(ModelReport, FindsWhatIsMissing) {
+  const ModelReport report = make_report(arm(), {"a.xml:1: odd"});
+  ASSERT_EQ(report.warnings.size(), 3u);
+  EXPECT_EQ(report.warnings[0], "a.xml:1: odd");
+  EXPECT_TRUE(contains(report.warnings[1], "no servo moves elbow, slider"));
+  EXPECT_TRUE(contains(report.warnings[2], "0 soles, a biped needs 2"));
+  EXPECT_TRUE(contains(to_text(report), "warning: a.xml:1: odd\n"));
+}
+
+TEST(ModelReport, IsWrittenAsJson) {
+  const std::string json = to_json(make_report(arm(), {"say \"hello\""}));
+  EXPECT_TRUE(contains(json, "\"name\" : \"arm\""));
+  EXPECT_TRUE(contains(json, "\"joints\" : 2"));
+  EXPECT_TRUE(contains(json, "\"total_mass_kg\" : 3.0"));
+  EXPECT_TRUE(contains(json, "\"kind\" : \"prismatic\""));
+  EXPECT_TRUE(contains(json, "say \\\"hello\\\""));
+}
+
+}  // namespace
+}  // namespace murosimf::io

@@ -1,0 +1,206 @@
+// Rule of all tests here (design section 7): eight robots stepped in lanes equal the same robots stepped alone, bit for
+// bit, in any order of lanes, and a robot whose numbers went bad does not touch its neighbors. No tolerance.
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "murosimf/math/pack.h"
+#include "murosimf/multibody/integrate.h"
+#include "murosimf/multibody/kinematics.h"
+#include "murosimf/multibody/mass.h"
+#include "tests/fixtures.h"
+
+namespace murosimf::multibody {
+namespace {
+
+using fixtures::Dice;
+using fixtures::State;
+
+// ---- numbers of a value, in a fixed order: for moving robots into lanes and for comparing them ----
+
+template <class S, class Visit>
+void numbers(S& x, const Visit& visit) {
+  visit(x);
+}
+template <class S, class Visit>
+void numbers(Vec3<S>& a, const Visit& visit) {
+  visit(a.x), visit(a.y), visit(a.z);
+}
+template <class S, class Visit>
+void numbers(Mat3<S>& m, const Visit& visit) {
+  numbers(m.x, visit), numbers(m.y, visit), numbers(m.z, visit);
+}
+template <class S, class Visit>
+void numbers(SymMat3<S>& m, const Visit& visit) {
+  visit(m.xx), visit(m.yy), visit(m.zz), visit(m.xy), visit(m.xz), visit(m.yz);
+}
+template <class S, class Visit>
+void numbers(Motion<S>& m, const Visit& visit) {
+  numbers(m.w, visit), numbers(m.v, visit);
+}
+template <class S, class Visit>
+void numbers(Pose<S>& p, const Visit& visit) {
+  numbers(p.r, visit), numbers(p.R, visit);
+}
+template <class S, class Visit>
+void numbers(CommonBody<S>& b, const Visit& visit) {
+  numbers(b.center, visit), numbers(b.velocity, visit), numbers(b.inertia, visit);
+}
+template <class S, class Visit>
+void numbers(FreeBody<S>& b, const Visit& visit) {
+  numbers(b.position, visit), numbers(b.velocity, visit), numbers(b.rate, visit);
+  visit(b.turn.w), visit(b.turn.x), visit(b.turn.y), visit(b.turn.z);
+}
+
+/// Everything that the kernels take and give.
+template <class S>
+struct Robot {
+  explicit Robot(const Model& model)
+      : state(model.size()), in_base(state.q.size()), twist(state.q.size()), shifted(state.r) {}
+
+  State<S> state;
+  FreeBody<S> body;
+  Motion<S> acceleration;
+  Vec3<S> shift;
+  // results
+  std::vector<Pose<S>> in_base;
+  std::vector<Motion<S>> twist;
+  std::vector<Vec3<S>> shifted;
+  CommonBody<S> common;
+
+  template <class Visit>
+  void all(const Visit& visit) {
+    for (auto& x : state.q) numbers(x, visit);
+    for (auto& x : state.qd) numbers(x, visit);
+    for (auto& x : state.r) numbers(x, visit);
+    for (auto& x : state.R) numbers(x, visit);
+    for (auto& x : state.v) numbers(x, visit);
+    for (auto& x : state.w) numbers(x, visit);
+    for (auto& x : in_base) numbers(x, visit);
+    for (auto& x : twist) numbers(x, visit);
+    for (auto& x : shifted) numbers(x, visit);
+    numbers(body, visit), numbers(acceleration, visit), numbers(shift, visit), numbers(common, visit);
+  }
+};
+
+std::vector<double> row_of_numbers(Robot<double>& robot) {
+  std::vector<double> row;
+  robot.all([&](double& x) { row.push_back(x); });
+  return row;
+}
+
+Robot<double> random_robot(const Model& model, Dice& dice) {
+  Robot<double> robot(model);
+  robot.state = fixtures::random_state(model, dice);
+  robot.body = {dice.vector(1), dice.vector(1), dice.quaternion(), dice.vector(5)};
+  robot.acceleration = {dice.vector(20), dice.vector(20)};
+  robot.shift = dice.vector(1);
+  return robot;
+}
+
+std::vector<int> path_to(const Tree& tree, int link) {
+  std::vector<int> path;
+  for (int l = link; l > 0; l = tree.links[l].parent) path.insert(path.begin(), l);
+  return path;
+}
+
+/// Every kernel of the folder once, the free body for a hundred steps.
+template <class S>
+void run_kernels(const Model& model, Robot<S>& robot) {
+  const Tree& tree = model.tree();
+  State<S>& s = robot.state;
+  const std::span<const S> q(s.q), qd(s.qd);
+  const std::span<const Vec3<S>> r(s.r), v(s.v), w(s.w);
+  const std::span<const Mat3<S>> R(s.R);
+  poses<S>(tree, q, s.r, s.R);
+  velocities<S>(tree, qd, r, R, s.v, s.w);
+  for (int i = 0; i < model.size(); ++i) {
+    const std::vector<int> path = path_to(tree, tree.link_of[i]);
+    robot.in_base[i] = pose_in_base<S>(tree, path, model.placement(i), q);
+    robot.twist[i] = twist_against_base<S>(tree, path, r[0], qd, r, R);
+  }
+  robot.common = common_body<S>(tree, r, R, v, w);
+  robot.shifted = s.r;
+  shift_all<S>(robot.shifted, robot.shift);
+  for (int i = 0; i < 100; ++i) advance<S>(robot.body, robot.acceleration, 1e-3);
+}
+
+/// Moves eight robots into lanes; robot i goes to lane order[i].
+Robot<Pack8> packed(const Model& model, std::vector<Robot<double>>& robots, const std::array<int, 8>& order) {
+  Robot<Pack8> pack(model);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const std::vector<double> row = row_of_numbers(robots[i]);
+    std::size_t n = 0;
+    pack.all([&](Pack8& x) { x.set_lane(order[i], row[n++]); });
+  }
+  return pack;
+}
+
+/// 0 if lane and robot have the same bits everywhere; else the number of differences.
+int differences(Robot<Pack8>& pack, int lane, Robot<double>& robot) {
+  const std::vector<double> row = row_of_numbers(robot);
+  std::size_t n = 0;
+  int count = 0;
+  pack.all([&](Pack8& x) { count += fixtures::same_bits(x.lane(lane), row[n++]) ? 0 : 1; });
+  return count;
+}
+
+class LanesOf : public ::testing::TestWithParam<std::uint64_t> {
+ protected:
+  LanesOf() : model_(GetParam() == 0 ? fixtures::two_legged() : fixtures::random_model(GetParam())) {
+    Dice dice("lanes", GetParam());
+    for (int i = 0; i < 8; ++i) start_.push_back(random_robot(model_, dice));
+    alone_ = start_;
+    for (Robot<double>& robot : alone_) run_kernels(model_, robot);
+  }
+
+  Model model_;
+  std::vector<Robot<double>> start_, alone_;  // before and after the kernels
+};
+
+constexpr std::array<int, 8> in_order{0, 1, 2, 3, 4, 5, 6, 7};
+constexpr std::array<int, 8> reversed{7, 6, 5, 4, 3, 2, 1, 0};
+
+TEST_P(LanesOf, EqualRobotsAlone) {
+  Robot<Pack8> pack = packed(model_, start_, in_order);
+  run_kernels(model_, pack);
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(differences(pack, i, alone_[i]), 0) << "lane " << i;
+}
+
+TEST_P(LanesOf, EqualRobotsAloneInReversedOrder) {
+  Robot<Pack8> pack = packed(model_, start_, reversed);
+  run_kernels(model_, pack);
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(differences(pack, 7 - i, alone_[i]), 0) << "robot " << i;
+}
+
+TEST_P(LanesOf, BadNumbersStayInTheirLane) {
+  for (const int bad : {0, 3, 7}) {
+    std::vector<Robot<double>> start = start_;
+    for (double& q : start[bad].state.q) q = std::nan("");
+    start[bad].state.r[0].y = std::nan("");
+    start[bad].state.w[0].x = std::numeric_limits<double>::infinity();
+    start[bad].body.rate.z = std::nan("");
+    Robot<Pack8> pack = packed(model_, start, in_order);
+    run_kernels(model_, pack);
+    for (int i = 0; i < 8; ++i) {
+      if (i != bad) EXPECT_EQ(differences(pack, i, alone_[i]), 0) << "lane " << i << ", NaN in " << bad;
+    }
+    EXPECT_TRUE(std::isnan(pack.common.center.y.lane(bad)));
+    EXPECT_TRUE(std::isnan(pack.body.turn.w.lane(bad)));
+  }
+}
+
+// The check sees the last bit: a robot that starts one bit beside the other does not equal it afterwards.
+TEST_P(LanesOf, OneBitIsSeen) {
+  std::vector<Robot<double>> start = start_;
+  start[2].state.r[0].x = std::nextafter(start[2].state.r[0].x, 10);
+  Robot<Pack8> pack = packed(model_, start, in_order);
+  run_kernels(model_, pack);
+  EXPECT_GT(differences(pack, 2, alone_[2]), 0);
+  EXPECT_EQ(differences(pack, 1, alone_[1]), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Trees, LanesOf, ::testing::Range<std::uint64_t>(0, 8));
+
+}  // namespace
+}  // namespace murosimf::multibody
