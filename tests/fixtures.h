@@ -167,6 +167,118 @@ inline Model ball_model(double radius, double ball_mass) {
                            .with(shapes, {placed(Sphere{radius})}));
 }
 
+/// One of each kind but the plane, of different sizes in all directions.
+inline std::vector<Shape> shapes_of_all_kinds() {
+  return {Sphere{0.1}, Box{{0.06, 0.1, 0.15}}, Capsule{0.05, 0.12}, Cylinder{0.08, 0.1}, Ellipsoid{{0.05, 0.09, 0.14}}};
+}
+
+namespace detail {
+
+/// Distance [m] of a point of the shape's frame from its surface, negative inside.
+struct Outside {
+  Vec3d p;
+
+  [[nodiscard]] static double rounded(const Vec3d& gap, double inside) {
+    const Vec3d out{std::fmax(gap.x, 0), std::fmax(gap.y, 0), std::fmax(gap.z, 0)};
+    return norm(out) + std::fmin(inside, 0);
+  }
+  double operator()(const Sphere& s) const { return norm(p) - s.radius; }
+  double operator()(const Box& s) const {
+    const Vec3d gap{std::fabs(p.x) - s.half_size.x, std::fabs(p.y) - s.half_size.y, std::fabs(p.z) - s.half_size.z};
+    return rounded(gap, std::fmax(gap.x, std::fmax(gap.y, gap.z)));
+  }
+  double operator()(const Capsule& s) const {
+    const double beyond = std::fmax(std::fabs(p.z) - s.half_length, 0);
+    return std::sqrt(p.x * p.x + p.y * p.y + beyond * beyond) - s.radius;
+  }
+  double operator()(const Cylinder& s) const {
+    const Vec3d gap{std::hypot(p.x, p.y) - s.radius, std::fabs(p.z) - s.half_length, -1};
+    return rounded(gap, std::fmax(gap.x, gap.y));
+  }
+  /// To first order in the distance; its sign and its zero are exact.
+  double operator()(const Ellipsoid& s) const {
+    const Vec3d a{p.x / s.semi_axes.x, p.y / s.semi_axes.y, p.z / s.semi_axes.z};
+    const Vec3d slope{a.x / s.semi_axes.x, a.y / s.semi_axes.y, a.z / s.semi_axes.z};
+    return (dot(a, a) - 1) / (2 * std::fmax(norm(slope), 1e-9));
+  }
+  double operator()(const Plane&) const { return p.z; }
+};
+
+/// Calls add(angle) all round the z axis.
+template <class Add>
+void around(const Add& add) {
+  for (int i = 0; i < 180; ++i) add(i * pi / 90);
+}
+
+struct SurfaceSamples {
+  std::vector<Vec3d> points;
+
+  void globe(const Vec3d& size, const Vec3d& center) {
+    for (int i = 0; i <= 90; ++i) {
+      const double s = std::sin(i * pi / 90), c = std::cos(i * pi / 90);
+      around([&](double a) {
+        points.push_back(center + Vec3d{size.x * s * std::cos(a), size.y * s * std::sin(a), size.z * c});
+      });
+    }
+  }
+  void tube(double radius, double half_length) {
+    for (int i = -40; i <= 40; ++i) {
+      around([&](double a) { points.push_back({radius * std::cos(a), radius * std::sin(a), half_length * i / 40.0}); });
+    }
+  }
+  void operator()(const Sphere& s) { globe({s.radius, s.radius, s.radius}, {}); }
+  void operator()(const Ellipsoid& s) { globe(s.semi_axes, {}); }
+  void operator()(const Capsule& s) {
+    tube(s.radius, s.half_length);
+    // two globes, of which the halves inside the capsule do not count
+    SurfaceSamples ends;
+    for (const double end : {-s.half_length, s.half_length}) ends.globe({s.radius, s.radius, s.radius}, {0, 0, end});
+    for (const Vec3d& p : ends.points) {
+      if (std::fabs(p.z) >= s.half_length) points.push_back(p);
+    }
+  }
+  void operator()(const Cylinder& s) {
+    tube(s.radius, s.half_length);
+    for (int i = 0; i <= 40; ++i) {
+      for (const double end : {-s.half_length, s.half_length}) {
+        around([&](double a) {
+          points.push_back({s.radius * i / 40.0 * std::cos(a), s.radius * i / 40.0 * std::sin(a), end});
+        });
+      }
+    }
+  }
+  void operator()(const Box& s) {
+    const Vec3d& h = s.half_size;
+    for (int i = -20; i <= 20; ++i) {
+      for (int j = -20; j <= 20; ++j) {
+        for (const double side : {-1.0, 1.0}) {
+          points.push_back({side * h.x, h.y * i / 20.0, h.z * j / 20.0});
+          points.push_back({h.x * i / 20.0, side * h.y, h.z * j / 20.0});
+          points.push_back({h.x * i / 20.0, h.y * j / 20.0, side * h.z});
+        }
+      }
+    }
+  }
+  /// Of the infinite plane a square that reaches 1 m.
+  void operator()(const Plane&) {
+    for (int i = -100; i <= 100; ++i) {
+      for (int j = -100; j <= 100; ++j) points.push_back({i / 100.0, j / 100.0, 0});
+    }
+  }
+};
+
+}  // namespace detail
+
+/// Distance [m] of a point of the shape's frame from its surface, negative inside (ellipsoid: to first order).
+inline double outside(const Shape& shape, const Vec3d& point) { return std::visit(detail::Outside{point}, shape); }
+
+/// Points of the surface, in the shape's frame, about two degrees or a fortieth of a length apart.
+inline std::vector<Vec3d> surface_samples(const Shape& shape) {
+  detail::SurfaceSamples samples;
+  std::visit(samples, shape);
+  return samples.points;
+}
+
 /// One row per object, as kernels want it.
 template <class S>
 struct State {

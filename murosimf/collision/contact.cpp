@@ -15,9 +15,10 @@ void append_hash(Hasher& hasher, const ContactSet& set) {
 
 namespace {
 
-/// b_n n n^T + b_t (1 - n n^T).
+/// b_n n n^T + b_t (1 - n n^T - d d^T).
 SymMat3d damping_matrix(const ContactPoint& c) {
-  return diagonal(c.tangent_damping) + (c.normal_damping - c.tangent_damping) * outer(c.normal);
+  const SymMat3d isotropic = diagonal(c.tangent_damping) + (c.normal_damping - c.tangent_damping) * outer(c.normal);
+  return c.state == ContactState::slip ? isotropic - c.tangent_damping * outer(c.slip_direction) : isotropic;
 }
 
 }  // namespace

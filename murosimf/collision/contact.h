@@ -39,8 +39,9 @@ struct ContactParameters {
 
 enum class ContactState : std::uint8_t { open, stick, slip };
 
-/// A contact with the law's memory and its present linearisation: force on A for a velocity v+ after the step is
-///     f = force - (b_n n n^T + b_t (1 - n n^T)) (v+ - v),     moment = moment - b_w (w+ - w)
+/// A contact with the law's memory and its present linearization: force on A for a velocity v+ after the step is
+///     f = force - (b_n n n^T + b_t (1 - n n^T - d d^T)) (v+ - v),     moment = moment - b_w (w+ - w)
+/// with d the direction of sliding, along which friction does not depend on the speed; zero while sticking.
 struct ContactPoint : Contact {
   Vec3d velocity;          ///< [m/s] v: A's point against B's, world frame, at the beginning of the step
   Vec3d angular_velocity;  ///< [rad/s] w: A against B, world frame
@@ -51,7 +52,7 @@ struct ContactPoint : Contact {
   double normal_damping = 0, tangent_damping = 0;  ///< [N s/m] b_n, b_t
   double angular_damping = 0;                      ///< [N m s] b_w
   double last_normal_force = 0;  ///< [N] of the pass before: a sliding force follows it
-  Vec3d slip_direction;          ///< [1] last known direction of sliding
+  Vec3d slip_direction;          ///< [1] d, unit or zero
 };
 
 void append_hash(Hasher& hasher, const ContactPoint& point);

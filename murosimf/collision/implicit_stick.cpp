@@ -33,21 +33,18 @@ void linearize_stick(ContactPoint& c, const ContactParameters& p, double dt) {
   c.force = normal_force(c, p, dt, v_n) * c.normal + stick_force(c, p, dt, v_t);
 }
 
-/// Friction mu f_n against the sliding velocity; f_n is that of the pass before.
+/// Friction mu f_n against the sliding velocity; f_n is that of the pass before. Its derivative is zero along the
+/// direction of sliding and -mu f_n / |v_t| across it.
 void linearize_slip(ContactPoint& c, const ContactParameters& p, double dt) {
   const double v_n = dot(c.velocity, c.normal);
   const Vec3d v_t = c.velocity - v_n * c.normal;
   const double speed = norm(v_t);
   const double limit = p.friction * c.last_normal_force;
+  if (speed > slow) c.slip_direction = (1.0 / speed) * v_t;
   c.normal_damping = normal_damping(p, dt);
-  c.force = normal_force(c, p, dt, v_n) * c.normal;
-  if (speed > slow) {
-    c.tangent_damping = limit / speed;
-    c.force -= c.tangent_damping * v_t;
-  } else {
-    c.tangent_damping = 0;
-    c.force -= limit * c.slip_direction;
-  }
+  c.tangent_damping = limit / std::max(speed, slow);
+  const Vec3d across = v_t - dot(v_t, c.slip_direction) * c.slip_direction;
+  c.force = normal_force(c, p, dt, v_n) * c.normal - limit * c.slip_direction - c.tangent_damping * across;
 }
 
 void linearize(ContactPoint& c, const ContactParameters& p, double dt) {
@@ -67,8 +64,9 @@ void add_rolling_resistance(ContactPoint& c, const ContactParameters& p) {
 
 /// Friction that the present linearisation gives for the tangential velocity v_t after the step.
 Vec3d tangential_force(const ContactPoint& c, const Vec3d& v_t) {
-  const Vec3d at_start = tangential(c.force, c.normal);
-  return at_start - c.tangent_damping * (v_t - tangential(c.velocity, c.normal));
+  Vec3d change = v_t - tangential(c.velocity, c.normal);
+  if (c.state == ContactState::slip) change -= dot(change, c.slip_direction) * c.slip_direction;
+  return tangential(c.force, c.normal) - c.tangent_damping * change;
 }
 
 /// Decides about one point; true if it agrees with the trial step.
@@ -144,8 +142,6 @@ void ImplicitStick::commit(ContactSet& set) const noexcept {
     } else {
       const Vec3d f_t = tangential_force(c, v_t);
       c.stretch = (-1.0 / p.tangent_stiffness) * (f_t + p.tangent_damping * v_t);
-      const double speed = norm(v_t);
-      if (speed > 0) c.slip_direction = (1.0 / speed) * v_t;
     }
     if (c.state != ContactState::open) c.last_normal_force = normal_force(c, p, set.dt, v_n);
   }

@@ -5,7 +5,7 @@
 ///
 ///     f_n = k (delta - theta dt v_n+) - d v_n+               pushes only: open if it would pull
 ///     f_t = -kt (s + dt v_t+) - ct v_t+                      stick, while |f_t| <= mu f_n
-///     f_t = -mu f_n v_t+ / |v_t|                             slip (lagged direction and normal force)
+///     f_t = -mu f_n v_t+ / |v_t+|                            slip (linearized; normal force of the pass before)
 ///     after the step: s += dt v_t+ (stick);  s = -(f_t + ct v_t+) / kt (slip: return to the cone)
 ///
 /// so that f = f0 - B a with b_n = d + theta dt k, b_t = ct + dt kt. A robot on a slope does not creep, and steps up

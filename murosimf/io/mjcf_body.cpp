@@ -140,8 +140,9 @@ class BodyBuilder {
   }
 
   [[nodiscard]] static Sole read_sole(const MjcfAttributes& site) {
-    const auto size = site.numbers("size", 2, 3);
-    if (site.text("type") != "box" || size.empty() || !(size[0] > 0 && size[1] > 0)) {
+    const bool box = site.text("type") == "box" && site.has("size");
+    const auto size = box ? site.numbers("size", 2, 3) : std::vector<double>(2);
+    if (!(size[0] > 0 && size[1] > 0)) {
       site.element().fail("a sole needs type=\"box\" and size=\"half_length half_width half_height\"");
     }
     return {size[0], size[1]};

@@ -75,7 +75,7 @@ std::string limb(const std::string& joint, const std::string& rest = "<inertial 
 
 void expect_near(const Vec3d& a, const Vec3d& b) { EXPECT_LT(norm(a - b), 1e-12) << a.x << ' ' << a.y << ' ' << a.z; }
 
-void expect_near(const Mat3d& a, const Mat3d& b) {
+void expect_same_turn(const Mat3d& a, const Mat3d& b) {
   expect_near(a.x, b.x);
   expect_near(a.y, b.y);
   expect_near(a.z, b.z);
@@ -166,7 +166,7 @@ TEST(MjcfReader, AllWaysToWriteAnOrientationAgree) {
   for (const char* text : {"quat='1 1 0 0'", "euler='90 0 0'", "axisangle='2 0 0 90'", "xyaxes='1 0 0 1 0 1'",
                            "zaxis='0 -3 0'"}) {
     const auto model = read(closed_robot(std::string("<body name='c' ") + text + "/>")).model;
-    expect_near(pose(*model, "c").R, turn);
+    expect_same_turn(pose(*model, "c").R, turn);
   }
 }
 
@@ -176,9 +176,9 @@ TEST(MjcfReader, EulerAnglesFollowTheSequence) {
     const auto compiler = "<compiler angle='radian' eulerseq='" + sequence + "'/>";
     return pose(*read(closed_robot(body, compiler)).model, "c").R;
   };
-  expect_near(turn("xyz"), rotation_x(0.3) * rotation_y(0.2) * rotation_z(0.1));
-  expect_near(turn("zyx"), rotation_z(0.3) * rotation_y(0.2) * rotation_x(0.1));
-  expect_near(turn("XYZ"), rotation_z(0.1) * rotation_y(0.2) * rotation_x(0.3));
+  expect_same_turn(turn("xyz"), rotation_x(0.3) * rotation_y(0.2) * rotation_z(0.1));
+  expect_same_turn(turn("zyx"), rotation_z(0.3) * rotation_y(0.2) * rotation_x(0.1));
+  expect_same_turn(turn("XYZ"), rotation_z(0.1) * rotation_y(0.2) * rotation_x(0.3));
 }
 
 TEST(MjcfReader, AJointAwayFromTheOriginTurnsTheBodyAboutItself) {
@@ -187,7 +187,7 @@ TEST(MjcfReader, AJointAwayFromTheOriginTurnsTheBodyAboutItself) {
   // 90 deg about y through (1 0 1): the origin, 1 below, goes to -x
   const auto turned = pose(*model, "c", 0.5 * pi);
   expect_near(turned.r, {0, 0, 1});
-  expect_near(turned.R, rotation_y(0.5 * pi));
+  expect_same_turn(turned.R, rotation_y(0.5 * pi));
   EXPECT_NE(model->object_index("c"), model->object_index("j"));
   EXPECT_TRUE(model->find(properties::mass, model->object_index("c")));
 }
@@ -235,7 +235,7 @@ TEST(MjcfReader, SitesNamedSoleAreSolesWithoutATable) {
                                        "euler='0 0 90'/><site name='imu'/><site name='round_sole' size='1'/>")).model;
   EXPECT_EQ(model->having(properties::sole), std::vector{model->object_index("left_sole")});
   expect_near(pose(*model, "left_sole").r, {0, 1, 0});
-  expect_near(pose(*model, "left_sole").R, rotation_z(0.5 * pi));
+  expect_same_turn(pose(*model, "left_sole").R, rotation_z(0.5 * pi));
   EXPECT_EQ(model->objects()[model->object_index("imu")].kind, Kind::endpoint);
 }
 

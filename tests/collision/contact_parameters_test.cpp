@@ -1,0 +1,128 @@
+#include "murosimf/collision/contact_parameters.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/fixtures.h"
+
+namespace murosimf::collision {
+namespace {
+
+/// Speed kept by a mass that meets a damped spring which cannot pull: m = k = 1, d = 2 z, by Runge-Kutta; the last
+/// step is cut where the force vanishes (regula falsi on the force, which is smooth).
+double bounce(double z) {
+  struct State {
+    double x, v;  // compression and its rate
+  };
+  const auto rate = [z](const State& s) { return State{s.v, -s.x - 2 * z * s.v}; };
+  const auto step = [&](const State& s, double h) {
+    const auto moved = [&](const State& k, double t) { return State{s.x + t * k.x, s.v + t * k.v}; };
+    const State a = rate(s), b = rate(moved(a, h / 2)), c = rate(moved(b, h / 2)), d = rate(moved(c, h));
+    return State{s.x + h / 6 * (a.x + 2 * b.x + 2 * c.x + d.x), s.v + h / 6 * (a.v + 2 * b.v + 2 * c.v + d.v)};
+  };
+  const auto force = [z](const State& s) { return s.x + 2 * z * s.v; };
+  const double h = 1e-3;
+  State s{0, 1};
+  while (force(step(s, h)) > 0) s = step(s, h);
+  double low = 0, high = h;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (force(step(s, middle)) > 0 ? low : high) = middle;
+  }
+  return -step(s, low).v;
+}
+
+// Law: restitution(z) is the bounce of a damped spring that cannot pull, integrated numerically. Tolerance: Runge-Kutta
+// with h = 1e-3 over pi seconds errs by h^4 = 1e-12; bisection by 1e-18.
+TEST(ContactParametersTest, RestitutionAgainstIntegration) {
+  for (const double z : {0.0, 0.01, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.7072, 0.8, 0.9, 0.95}) {
+    EXPECT_NEAR(restitution(z), bounce(z), 1e-11) << z;
+  }
+}
+
+// Law: damping_ratio inverts restitution, which falls steadily. Tolerance: 60 halvings of 0.95, over the slope of the
+// restitution, which is -1.6 at most and -0.3 at least.
+TEST(ContactParametersTest, DampingRatioInvertsRestitution) {
+  double last = 1.1;
+  for (int i = 0; i <= 950; ++i) {
+    const double z = i * 1e-3;
+    const double e = restitution(z);
+    ASSERT_LT(e, last) << z;
+    last = e;
+    ASSERT_NEAR(damping_ratio(e), z, 1e-14) << z;
+  }
+}
+
+// Rule: a perfect bounce has no damping; what the largest ratio does not reach gets the largest ratio, 0.95.
+TEST(ContactParametersTest, EndsOfTheRange) {
+  EXPECT_EQ(restitution(0), 1);
+  EXPECT_NEAR(damping_ratio(1), 0, 1e-15);
+  EXPECT_NEAR(damping_ratio(0), 0.95, 1e-15);
+  EXPECT_NEAR(damping_ratio(0.14), 0.95, 1e-15);
+  EXPECT_LT(damping_ratio(0.16), 0.95);
+}
+
+// Law: a robot stands on four points per sole and sinks 0.4 mm under its weight: n k (0.4 mm) = m g; damping is half
+// of critical for the mass that half of the points carry. Tolerance: rounding.
+TEST(ContactParametersTest, Robot) {
+  const Model robot = fixtures::two_legged();
+  const ContactParameters p = contact_parameters(robot, {.friction = 0.7, .rolling = 0.02}, 9.81, 1e-3);
+  EXPECT_NEAR(8 * p.stiffness * 0.4e-3, 3 * 9.81, 1e-12);
+  EXPECT_NEAR(p.damping / (2 * std::sqrt(p.stiffness * 3 / 4)), 0.5, 1e-15);
+  EXPECT_EQ(p.tangent_stiffness, p.stiffness);
+  EXPECT_EQ(p.tangent_damping, 0.5 * p.damping);
+  EXPECT_EQ(p.friction, 0.7);
+  EXPECT_EQ(p.rolling, 0.02);
+  EXPECT_EQ(p.theta, 1);
+}
+
+// Law: the same for a thing without soles: four points carry it. And with the gravity of the Moon.
+TEST(ContactParametersTest, ThingWithoutSoles) {
+  using namespace properties;
+  const Model crate("crate", Chain{}.base().with(mass, 2).with(shapes, {fixtures::placed(Box{{0.1, 0.1, 0.1}})}));
+  const ContactParameters p = contact_parameters(crate, {}, 1.62, 1e-3);
+  EXPECT_NEAR(4 * p.stiffness * 0.4e-3, 2 * 1.62, 1e-13);
+  EXPECT_NEAR(p.damping / (2 * std::sqrt(p.stiffness * 2 / 2)), 0.5, 1e-15);
+}
+
+// Law: a ball stands on one point, and its damping gives the restitution of the pair. Tolerance: that of the inverse.
+TEST(ContactParametersTest, Ball) {
+  const Model ball = fixtures::ball_model(0.05, 0.1);
+  const ContactParameters p = contact_parameters(ball, {.restitution = 0.6}, 9.81, 1e-3);
+  EXPECT_NEAR(p.stiffness * 0.4e-3, 0.1 * 9.81, 1e-13);
+  EXPECT_NEAR(restitution(p.damping / (2 * std::sqrt(p.stiffness * 0.1))), 0.6, 1e-13);
+}
+
+// Rule: without gravity the weight on Earth gives the stiffness; a stiffness of the pair overrides both.
+TEST(ContactParametersTest, WhereTheStiffnessComesFrom) {
+  const Model robot = fixtures::two_legged();
+  EXPECT_EQ(contact_parameters(robot, {}, 0, 1e-3).stiffness, contact_parameters(robot, {}, 9.81, 1e-3).stiffness);
+  const ContactParameters p = contact_parameters(robot, {.stiffness = 5000}, 9.81, 1e-3);
+  EXPECT_EQ(p.stiffness, 5000);
+  EXPECT_NEAR(p.damping, std::sqrt(5000 * 3 / 4.0), 1e-11);
+}
+
+// Rule: a bounce stays explicit in the depth (theta 0) as long as the step resolves it, dt^2 k / m < 1/4; robots and
+// too stiff balls are implicit (theta 1).
+TEST(ContactParametersTest, Theta) {
+  const Model ball = fixtures::ball_model(0.05, 0.1);
+  const double k = 4000;  // dt^2 k / m = 0.04 (1 ms), 0.2496 (2.498 ms), 0.2504 (2.502 ms)
+  EXPECT_EQ(contact_parameters(ball, {.stiffness = k}, 9.81, 1e-3).theta, 0);
+  EXPECT_EQ(contact_parameters(ball, {.stiffness = k}, 9.81, 2.498e-3).theta, 0);
+  EXPECT_EQ(contact_parameters(ball, {.stiffness = k}, 9.81, 2.502e-3).theta, 1);
+  EXPECT_EQ(contact_parameters(fixtures::two_legged(), {.stiffness = 10}, 9.81, 1e-3).theta, 1);
+}
+
+// Rule: only a single sphere is round; a ball with a box on it is not.
+TEST(ContactParametersTest, WhatIsRound) {
+  using namespace properties;
+  const PairSurface pair{.restitution = 0.9, .stiffness = 1000};
+  const Model pill("pill", Chain{}.base().with(mass, 0.1).with(shapes, {fixtures::placed(Capsule{0.05, 0.1})}));
+  const Model pair_of_balls(
+      "pair", Chain{}.base().with(mass, 0.1).with(shapes, {fixtures::placed(Sphere{0.05}), fixtures::placed(Sphere{0.05})}));
+  EXPECT_EQ(contact_parameters(pill, pair, 9.81, 1e-3).theta, 1);
+  EXPECT_EQ(contact_parameters(pair_of_balls, pair, 9.81, 1e-3).theta, 1);
+  EXPECT_EQ(contact_parameters(fixtures::ball_model(0.05, 0.1), pair, 9.81, 1e-3).theta, 0);
+}
+
+}  // namespace
+}  // namespace murosimf::collision

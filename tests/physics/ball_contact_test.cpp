@@ -1,0 +1,79 @@
+// Ball against robots: what one gains the other loses, or its ledger shows.
+#include <gtest/gtest.h>
+
+#include "murosimf/collision/ball_contact.h"
+#include "tests/physics/rig.h"
+
+namespace murosimf::test {
+namespace {
+
+/// A ball of 0.1 kg flies with 1 m/s along -x at the shin of a robot, without gravity.
+struct Kick {
+  explicit Kick(bool kinematic) {
+    rig.simulation.world().gravity = {};
+    robot = &rig.add("robot", kid21(), {.position = {0, 0, kinematic ? 0.0 : 1.0}});
+    ball = &rig.add("ball", io::ball_model(), {.position = {0.25, 0.05, kinematic ? 0.05 : 1.05}});
+    rig.simulation.attach<collision::BallContact>("ball_contact", *ball, 1000, std::vector<Entity*>{robot},
+                                                  MaterialTable::standard(), rig.period());
+    rig.attach_dynamics(*ball, {}, false);
+    if (kinematic) {
+      rig.simulation.attach<control::WalkEngine>("walk_engine", *robot, 100, Vec3d{0.2, 0, 0});
+      rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", *robot, 1000);
+    } else {
+      rig.attach_dynamics(*robot, {}, false);
+    }
+    rig.simulation.initialize();
+    Rig::launch(*ball, {-1, 0, 0}, {0, 3, 2});
+  }
+
+  static Vec3d momentum(Entity& e) { return e.base().get(properties::total_mass) * Rig::velocity(e); }
+  /// About the world's origin.
+  static Vec3d angular_momentum(Entity& e) {
+    return cross(e.base().get(properties::common_center_of_mass), momentum(e)) +
+           e.base().get(properties::common_inertia) * e.base().get(properties::angular_velocity);
+  }
+
+  Rig rig;
+  Entity* robot = nullptr;
+  Entity* ball = nullptr;
+};
+
+// Law: forces between two dynamic bodies are equal and opposite, so momentum is kept to rounding.
+TEST(BallContact, KeepsTheMomentumOfADynamicPair) {
+  Kick kick(false);
+  const Vec3d P = Kick::momentum(*kick.ball) + Kick::momentum(*kick.robot);
+  kick.rig.run(0.5);
+  EXPECT_GT(Rig::velocity(*kick.ball).x, 0.1) << "the ball did not bounce";
+  EXPECT_LT(norm(Kick::momentum(*kick.ball) + Kick::momentum(*kick.robot) - P), 1e-12);
+}
+
+// Law: a kinematic robot feels nothing; ball and ledger together keep momentum and angular momentum (1e-10; the
+// angular one is exact only up to the ball's way within a step times its force, hence 1e-4).
+TEST(BallContact, LedgerClosesTheBalanceOfAKinematicRobot) {
+  Kick kick(true);
+  const Vec3d P = Kick::momentum(*kick.ball);
+  kick.rig.run(0.5);
+  const Forced ledger = kick.robot->base().get(properties::absorbed_impulse);
+  EXPECT_GT(Rig::velocity(*kick.ball).x, 0.1) << "the ball did not bounce";
+  EXPECT_GT(norm(ledger.f), 0.1);
+  EXPECT_LT(norm(Kick::momentum(*kick.ball) + ledger.f - P), 1e-10);
+}
+
+// A kinematic robot that walks into a resting ball pushes it forward, and is not slowed down itself.
+TEST(BallContact, KinematicRobotPushesTheBall) {
+  Rig rig;
+  Entity& robot = rig.add("robot", kid21());
+  Entity& ball = rig.add("ball", io::ball_model(), {.position = {0.4, 0.05, 0}});
+  rig.simulation.attach<collision::BallContact>("ball_contact", ball, 1000, std::vector<Entity*>{&robot},
+                                                MaterialTable::standard(), rig.period());
+  rig.attach_dynamics(ball);
+  rig.simulation.attach<control::WalkEngine>("walk_engine", robot, 100, Vec3d{0.2, 0, 0});
+  rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
+  rig.run(5.0);
+  EXPECT_GT(Rig::place(ball).x, 0.6);
+  EXPECT_GT(Rig::place(robot).x, 0.8);
+  EXPECT_LT(norm(Rig::velocity(ball)), 3.0);
+}
+
+}  // namespace
+}  // namespace murosimf::test

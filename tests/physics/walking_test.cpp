@@ -1,0 +1,133 @@
+// The same walk at both levels: how far it gets, and what must hold on the way.
+#include <gtest/gtest.h>
+
+#include "tests/physics/rig.h"
+
+namespace murosimf::test {
+namespace {
+
+struct Walk {
+  Vec3d moved;            // [m] of the base
+  double turned = 0;      // [rad] of the base, summed
+  double lean = 0;        // [rad] largest lean of the pelvis
+  double center_range = 0;// [m] highest minus lowest center of the base
+  double slip = 0;        // [m] largest motion of a standing sole between two swaps (kinematic walking)
+};
+
+/// 18 s of walking with `command` from standing.
+Walk walk(const std::string& level, const Vec3d& command) {
+  Rig rig;
+  Entity& robot = rig.add("robot", kid21());
+  rig.simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, command);
+  const bool kinematic = level == "kinematic_walking";
+  if (kinematic) {
+    rig.simulation.attach<motion::KinematicWalking>(level, robot, 1000);
+  } else {
+    rig.attach_dynamics(robot);
+  }
+  rig.simulation.initialize();
+
+  Walk result;
+  const Vec3d start = Rig::place(robot);
+  double direction = heading(robot.base().get(properties::orientation));
+  double low = 1, high = 0, foot = -1;
+  Vec3d standing;
+  const auto soles = robot.model().having(properties::sole);
+  for (int i = 0; i < 18000; ++i) {
+    rig.simulation.step();
+    const Mat3d R = robot.base().get(properties::orientation);
+    result.turned += std::remainder(heading(R) - direction, 2 * pi);
+    direction = heading(R);
+    result.lean = std::max(result.lean, std::acos(std::min(1.0, R.z.z)));
+    if (i > 2000) {
+      low = std::min(low, Rig::place(robot).z);
+      high = std::max(high, Rig::place(robot).z);
+    }
+    if (!kinematic) continue;
+    const double now_on = robot.base().get(properties::stance_foot);
+    const Vec3d sole = robot.find(properties::position)->values[soles[static_cast<std::size_t>(now_on)]];
+    if (now_on == foot) result.slip = std::max(result.slip, norm(sole - standing));
+    if (now_on != foot) standing = sole;
+    foot = now_on;
+  }
+  result.moved = Rig::place(robot) - start;
+  result.center_range = high - low;
+  return result;
+}
+
+// Figures of the project's prototype for the same robot and walk parameters (18 s, with the ramp at the start): both
+// levels must come within 5 % of them, and no walk may fall.
+struct Expected {
+  Vec3d command;
+  double kinematic, simplified;  // [m] along the command, or [rad]
+};
+
+class WalkTable : public testing::TestWithParam<Expected> {};
+
+double progress(const Walk& walk, const Vec3d& command) {
+  return command.x != 0 ? walk.moved.x : command.y != 0 ? walk.moved.y : walk.turned;
+}
+
+TEST_P(WalkTable, GetsAsFarAsThePrototype) {
+  const Expected& expected = GetParam();
+  const Walk kinematic = walk("kinematic_walking", expected.command);
+  const Walk simplified = walk("simplified_dynamics", expected.command);
+  EXPECT_NEAR(progress(kinematic, expected.command), expected.kinematic, 0.05 * std::abs(expected.kinematic));
+  EXPECT_NEAR(progress(simplified, expected.command), expected.simplified, 0.05 * std::abs(expected.simplified));
+  EXPECT_LT(kinematic.lean, 6 * pi / 180);
+  EXPECT_LT(simplified.lean, 8 * pi / 180);
+}
+
+constexpr double degree = pi / 180;
+INSTANTIATE_TEST_SUITE_P(Commands, WalkTable,
+                         testing::Values(Expected{{0.10, 0, 0}, 1.69, 1.65}, Expected{{0.20, 0, 0}, 3.36, 3.27},
+                                         Expected{{0.25, 0, 0}, 4.18, 4.07}, Expected{{-0.10, 0, 0}, -1.69, -1.64},
+                                         Expected{{0, 0.06, 0}, 1.01, 0.92},
+                                         Expected{{0, 0, 0.5}, 485 * degree, 455 * degree}));
+
+// Law: the standing sole does not move between two swaps (1e-9 m: rounding), and the path is the commanded one within
+// 8 % (ramp at the start, attenuation by the joint filter).
+TEST(KinematicWalking, StandingSoleIsFixed) {
+  const Walk result = walk("kinematic_walking", {0.2, 0, 0.2});
+  EXPECT_LT(result.slip, 1e-9);
+}
+TEST(KinematicWalking, WalksTheCommandedDistance) {
+  const Walk result = walk("kinematic_walking", {0.2, 0, 0});
+  EXPECT_NEAR(result.moved.x, 0.2 * 18, 0.08 * 0.2 * 18);
+}
+
+// Law: levels agree on the same motion: path within 5 %, height of the pelvis moves by a few millimetres at both.
+TEST(Levels, AgreeOnASlowWalk) {
+  const Walk kinematic = walk("kinematic_walking", {0.1, 0, 0});
+  const Walk simplified = walk("simplified_dynamics", {0.1, 0, 0});
+  EXPECT_NEAR(simplified.moved.x, kinematic.moved.x, 0.05 * kinematic.moved.x);
+  EXPECT_LT(kinematic.center_range, 0.008);
+  EXPECT_LT(simplified.center_range, 0.010);
+}
+
+// Law: the reported twist is the time derivative of the pose while the same foot stands (central differences at 1 kHz
+// of a motion with frequencies up to 120 rad/s: 1e-2 of the speed).
+TEST(KinematicWalking, TwistIsTheRateOfThePose) {
+  Rig rig;
+  Entity& robot = rig.add("robot", kid21());
+  rig.simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, Vec3d{0.2, 0, 0.3});
+  rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
+  rig.run(3.0);
+  auto head = robot.object("head");
+  int compared = 0;
+  for (int i = 0; i < 500; ++i) {
+    const double foot = robot.base().get(properties::stance_foot);
+    const Vec3d before = head.get(properties::position);
+    rig.simulation.step();
+    const Vec3d v = head.get(properties::linear_velocity);
+    const Vec3d difference = 1000.0 * (head.get(properties::position) - before);
+    if (robot.base().get(properties::stance_foot) != foot) continue;
+    // joints move by dt * the new rate, so the backward difference belongs to half a step earlier
+    EXPECT_NEAR(norm(v - difference), 0, 0.02);
+    ++compared;
+  }
+  EXPECT_GT(compared, 450);
+}
+
+}  // namespace
+}  // namespace murosimf::test
