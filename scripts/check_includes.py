@@ -50,13 +50,13 @@ def check_include(root, file, folder, path, quoted):
             return None
         return f'"{path}": write <{path}> for other libraries and "murosimf/..." for our own headers'
     if not quoted:
-        return f'<{path}>: our own headers stand in quotes'
+        return f"<{path}>: our own headers stand in quotes"
     if not (root / path).is_file():
         return f'"{path}" does not exist'
     target = path.split("/")[1]
     if folder is None or target == folder or target in allowed.get(folder, set()):
         return None
-    known = ", ".join(name for name in allowed if name in allowed[folder]) or "no other folder"
+    known = ", ".join(["itself"] + [name for name in allowed if name in allowed[folder]])
     return f"murosimf/{folder} may not include murosimf/{target} (only {known})"
 
 

@@ -19,7 +19,7 @@ LegAngles leg_angles(double thigh, double shin, const Vec3d& ankle, const Mat3d&
 
   const double cos_knee = (length * length - thigh * thigh - shin * shin) / (2 * thigh * shin);
   const double knee = std::acos(std::clamp(cos_knee, -1.0, 1.0));
-  const double shin_to_line = std::asin(std::clamp(thigh / length * std::sin(knee), -1.0, 1.0));
+  const double shin_to_line = std::atan2(thigh * std::sin(knee), shin + thigh * std::cos(knee));
 
   double ankle_roll = std::atan2(r.y, r.z);
   if (ankle_roll > pi / 2) ankle_roll -= pi;

@@ -2,9 +2,11 @@
 ///
 /// With the ankle at a (from the hip center, base axes) and the foot turned by R_f:
 ///     r = R_f^T (-a)      C = |r|      knee = acos((C^2 - l1^2 - l2^2) / (2 l1 l2))
-///     ankle roll = atan2(r_y, r_z)     ankle pitch = -atan2(r_x, sign(r_z) |(r_y, r_z)|) - asin(l1/C sin(pi - knee))
+///     alpha = atan2(l1 sin(knee), l2 + l1 cos(knee))           between the shin and the line to the hip
+///     ankle roll = atan2(r_y, r_z)     ankle pitch = -atan2(r_x, sign(r_z) |(r_y, r_z)|) - alpha
 ///     hip yaw, roll, pitch from R_f Rx(-ankle roll) Ry(-ankle pitch - knee)
-/// Source: Kajita, Hirukawa, Harada, Yokoi, Introduction to Humanoid Robotics (2014), section 2.5.
+/// Source:  Kajita, Hirukawa, Harada, Yokoi, Introduction to Humanoid Robotics (2014), section 2.5.
+/// Differs: alpha there is asin(l1/C sin(pi - knee)), which is wrong where a long thigh folds it beyond 90 degrees.
 #pragma once
 
 #include <array>

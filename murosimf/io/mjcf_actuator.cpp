@@ -71,7 +71,8 @@ std::map<std::string, Servo> read_actuators(const XmlElement& root, const MjcfDe
     for (const XmlElement& element : section.children()) {
       if (!is_actuator(element.tag())) continue;
       const auto name = element.attribute("name");
-      if (name && !taken.insert(*name).second) element.fail(fmt::format("actuator '{}' appears twice; rename one", *name));
+      if (name && !taken.insert(*name).second)
+        element.fail(fmt::format("actuator '{}' appears twice; rename one", *name));
       const MjcfAttributes attributes = defaults.resolve(element);
       if (attributes.has("joint")) {
         const Servo servo = read_actuator(attributes, compiler);

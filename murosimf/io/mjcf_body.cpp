@@ -90,9 +90,9 @@ class BodyBuilder {
     const std::string& name = context_.names.of(element);
     const bool site = element.tag() == "site";
     if (!context_.names.is_joint(name) && !(site && context_.names.is_body(name))) return name;
-    context_.warnings.push_back(one_line(fmt::format("{}: {} '{}' is called '{}{}' here, since a {} has the same name",
-                                                     element.where(), element.tag(), name, name, suffix,
-                                                     context_.names.is_joint(name) ? "joint" : "body")));
+    context_.warnings.push_back(
+        one_line(fmt::format("{}: {} '{}' is called '{}{}' here, since a {} has the same name", element.where(),
+                             element.tag(), name, name, suffix, context_.names.is_joint(name) ? "joint" : "body")));
     return name + suffix;
   }
 
@@ -103,7 +103,8 @@ class BodyBuilder {
       auto geom = read_geom(context_.defaults.resolve(element, child_class), context_.compiler, context_.lenient,
                             context_.warnings);
       if (!geom) continue;
-      if (std::holds_alternative<Plane>(geom->placed.shape)) element.fail("a plane cannot be part of a robot; use a box");
+      if (std::holds_alternative<Plane>(geom->placed.shape))
+        element.fail("a plane cannot be part of a robot; use a box");
       geom->placed.surface.material = context_.table.surface(context_.names.of(body));
       shapes.push_back(geom->placed);
       solids.push_back(geom->solid);
@@ -115,8 +116,8 @@ class BodyBuilder {
       chain.with(properties::center_of_mass, total.center);
       chain.with(properties::inertia, total.inertia);
     } else if (chain.objects().back().is_joint() || chain.objects().back().kind == Kind::base) {
-      context_.warnings.push_back(one_line(fmt::format("{}: body '{}' moves but has no mass; add an inertial",
-                                                       body.where(), context_.names.of(body))));
+      context_.warnings.push_back(one_line(
+          fmt::format("{}: body '{}' moves but has no mass; add an inertial", body.where(), context_.names.of(body))));
     }
   }
 

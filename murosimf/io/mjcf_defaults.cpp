@@ -17,7 +17,9 @@ constexpr std::array orientations{"quat", "axisangle", "xyaxes", "zaxis", "euler
 void MjcfAttributes::overlay(const XmlElement& element) {
   const auto attributes = element.attributes();
   // an orientation replaces one of another kind
-  const auto is_orientation = [](const XmlAttribute& a) { return std::ranges::find(orientations, a.name) != orientations.end(); };
+  const auto is_orientation = [](const XmlAttribute& a) {
+    return std::ranges::find(orientations, a.name) != orientations.end();
+  };
   if (std::ranges::any_of(attributes, is_orientation)) {
     for (const char* name : orientations) values_.erase(name);
   }

@@ -73,7 +73,8 @@ MjcfCompiler read_compiler(const XmlElement& root) {
     if (!is_euler_sequence(compiler.euler_sequence)) {
       element.fail(fmt::format("eulerseq '{}' must be three letters out of x y z X Y Z", compiler.euler_sequence));
     }
-    if (attributes.has("autolimits")) compiler.auto_limits = attributes.choice("autolimits", {"true", "false"}) == "true";
+    if (attributes.has("autolimits"))
+      compiler.auto_limits = attributes.choice("autolimits", {"true", "false"}) == "true";
     if (attributes.has("inertiafromgeom")) {
       const auto choice = attributes.choice("inertiafromgeom", {"auto", "true", "false"});
       compiler.inertia_from_geom = choice == "auto"   ? InertiaFromGeom::if_missing

@@ -50,7 +50,8 @@ std::vector<double> sizes(const MjcfAttributes& attributes, std::size_t needed) 
   const auto size = attributes.numbers("size", 1, 3);
   const auto type = attributes.text("type", "sphere");
   if (size.size() < needed) {
-    attributes.source("size").fail(fmt::format("size of a {} needs {} numbers, there are {}", type, needed, size.size()));
+    attributes.source("size").fail(
+        fmt::format("size of a {} needs {} numbers, there are {}", type, needed, size.size()));
   }
   for (std::size_t i = 0; i < needed; ++i) {
     if (!(size[i] > 0)) {
@@ -104,7 +105,8 @@ void read_surface(const MjcfAttributes& attributes, PlacedShape& placed) {
     if (friction[0] < 0) attributes.source("friction").fail("friction is negative; it must be at least 0");
     placed.surface.friction = friction[0];
   }
-  if (const auto color = attributes.numbers("rgba", 4, 4); !color.empty()) placed.color = {color[0], color[1], color[2]};
+  if (const auto color = attributes.numbers("rgba", 4, 4); !color.empty())
+    placed.color = {color[0], color[1], color[2]};
   placed.collides = attributes.number("contype", 1) != 0 || attributes.number("conaffinity", 1) != 0;
 }
 
@@ -130,13 +132,15 @@ MassProperties combined(const std::vector<MassProperties>& parts) {
 std::optional<MjcfGeom> read_geom(const MjcfAttributes& attributes, const MjcfCompiler& compiler, bool lenient,
                                   std::vector<std::string>& warnings) {
   const XmlElement& element = attributes.element();
-  const auto type = attributes.has("mesh") ? std::string("mesh")
-                                           : attributes.choice("type", {"sphere", "box", "capsule", "cylinder", "ellipsoid",
-                                                                        "plane", "mesh"});
+  const auto type =
+      attributes.has("mesh")
+          ? std::string("mesh")
+          : attributes.choice("type", {"sphere", "box", "capsule", "cylinder", "ellipsoid", "plane", "mesh"});
   if (type == "mesh") {
     const auto what = "meshes are not supported yet; use sphere, box, capsule, cylinder or ellipsoid";
     if (!lenient) element.fail(what);
-    warnings.push_back(fmt::format("{}: mesh '{}' ignored: {}", element.where(), one_line(attributes.text("mesh")), what));
+    warnings.push_back(
+        fmt::format("{}: mesh '{}' ignored: {}", element.where(), one_line(attributes.text("mesh")), what));
     return std::nullopt;
   }
   MjcfGeom geom;

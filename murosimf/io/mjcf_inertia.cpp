@@ -31,9 +31,10 @@ void check_tensor(const XmlElement& element, const SymMat3d& tensor, std::vector
   }
   // files carry about six digits
   if (moments[0] + moments[1] < moments[2] * (1.0 - 1e-5)) {
-    warnings.push_back(fmt::format("{}: no solid body has the principal moments {:.4g} {:.4g} {:.4g} kg m^2: two of "
-                                   "them must not be less than the third", element.where(), moments[0], moments[1],
-                                   moments[2]));
+    warnings.push_back(
+        fmt::format("{}: no solid body has the principal moments {:.4g} {:.4g} {:.4g} kg m^2: two of "
+                    "them must not be less than the third",
+                    element.where(), moments[0], moments[1], moments[2]));
   }
 }
 

@@ -20,8 +20,8 @@ Vec3d read_axis(const MjcfAttributes& attributes, const std::string& name, const
     if (!context.lenient) {
       attributes.element().fail(fmt::format("joint '{}' has no axis; add axis=\"x y z\", here or in its class", name));
     }
-    context.warnings.push_back(one_line(fmt::format("{}: joint '{}' has no axis; z is taken",
-                                                    attributes.element().where(), name)));
+    context.warnings.push_back(
+        one_line(fmt::format("{}: joint '{}' has no axis; z is taken", attributes.element().where(), name)));
   }
   const Vec3d axis = attributes.vector("axis", {0, 0, 1});
   if (!(norm(axis) > 1e-9)) attributes.source("axis").fail(fmt::format("axis of joint '{}' has no direction", name));

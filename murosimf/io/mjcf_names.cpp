@@ -31,7 +31,8 @@ void MjcfNames::add(const XmlElement& element, Names& names, const std::string& 
   if (name.empty()) element.fail(fmt::format("the name of this {} is empty; give it one", element.tag()));
   const auto [first, fresh] = names.lines.emplace(name, element.line());
   if (!fresh) {
-    element.fail(fmt::format("{} '{}' appears twice, first in line {}; rename one", element.tag(), name, first->second));
+    element.fail(
+        fmt::format("{} '{}' appears twice, first in line {}; rename one", element.tag(), name, first->second));
   }
   names.names.push_back(name);
   names_.emplace(element.id(), name);

@@ -31,9 +31,9 @@ void note_world(const XmlElement& world, std::vector<std::string>& warnings) {
   for (const char* tag : {"geom", "site"}) {
     for (const XmlElement& element : world.children(tag)) {
       const bool plane = element.attribute("type").value_or("") == "plane";
-      warnings.push_back(one_line(fmt::format("{}: world {} '{}' ignored: {}", element.where(), tag,
-                                              element.attribute("name").value_or(""),
-                                              plane ? "the scene brings its own ground" : "it is no part of the robot")));
+      warnings.push_back(one_line(
+          fmt::format("{}: world {} '{}' ignored: {}", element.where(), tag, element.attribute("name").value_or(""),
+                      plane ? "the scene brings its own ground" : "it is no part of the robot")));
     }
   }
 }
@@ -58,7 +58,8 @@ Base find_base(const XmlElement& root, const MjcfDefaults& defaults, bool lenien
   for (const Base& base : bodies) {
     const std::string child_class = defaults.child_class(base.body, base.child_class);
     const auto joints = base.body.children();
-    if (std::ranges::any_of(joints, [&](const auto& j) { return is_free_joint(j, child_class, defaults); })) return base;
+    if (std::ranges::any_of(joints, [&](const auto& j) { return is_free_joint(j, child_class, defaults); }))
+      return base;
   }
   bodies[0].body.fail(fmt::format("body '{}' has no free joint; add <freejoint/> to it",
                                   bodies[0].body.attribute("name").value_or("")));
@@ -77,7 +78,8 @@ ModelPtr make_model(const std::string& name, const Chain& chain, const XmlElemen
 MjcfResult read_mjcf(const std::filesystem::path& file, const MjcfOptions& options) {
   const XmlFile xml(file);
   const XmlElement root = xml.root();
-  if (root.tag() != "mujoco") root.fail(fmt::format("the root is <{}>, not <mujoco>; this is no MJCF file", root.tag()));
+  if (root.tag() != "mujoco")
+    root.fail(fmt::format("the root is <{}>, not <mujoco>; this is no MJCF file", root.tag()));
   MjcfResult result;
   check_words(root, options.lenient, result.warnings);
   for (const XmlElement& world : root.children("worldbody")) note_world(world, result.warnings);

@@ -15,12 +15,12 @@ namespace {
 using Words = std::vector<std::string_view>;
 
 struct ElementRule {
-  Words used;             // attributes that the reader acts on
-  Words unused;           // attributes that mean nothing here
-  Words unsupported;      // attributes that MuJoCo knows and that would change the robot
-  Words children;         // elements inside that are read
-  Words unused_children;  // elements inside that mean nothing here
-  Words unsupported_children;
+  Words used{};         // attributes that the reader acts on
+  Words unused{};       // attributes that mean nothing here
+  Words unsupported{};  // attributes that MuJoCo knows and that would change the robot
+  Words children{};     // the same three, of elements inside
+  Words unused_children{};
+  Words unsupported_children{};
 };
 
 const Words actuators{"position", "velocity", "motor", "general"};
@@ -35,41 +35,57 @@ std::map<std::string_view, ElementRule> make_rules() {
   const Words unsupported_bodies{"composite", "flexcomp", "frame", "replicate", "attach", "plugin", "include"};
   const Words look{"group", "material", "user"};
   std::map<std::string_view, ElementRule> rules;
-  rules["mujoco"] = {{"model"}, {}, {}, {"compiler", "default", "worldbody", "actuator"},
-                     {"option", "size", "visual", "statistic", "asset", "sensor", "keyframe", "custom"},
-                     {"contact", "equality", "tendon", "deformable", "extension", "include"}};
-  rules["compiler"] = {{"angle", "eulerseq", "autolimits", "inertiafromgeom", "coordinate"},
-                       {"meshdir", "texturedir", "assetdir", "strippath", "discardvisual", "fusestatic", "usethread",
-                        "convexhull", "exactmeshinertia", "saveinertial"},
-                       {"boundmass", "boundinertia", "settotalmass", "balanceinertia", "inertiagrouprange", "alignfree",
-                        "fitaabb"},
-                       {}, {"lengthrange"}, {}};
-  rules["default"] = {{"class"}, {}, {}, Words{"default", "geom", "joint", "site"} + actuators,
-                      {"mesh", "material", "camera", "light", "pair", "equality", "tendon"}, {"include"}};
-  rules["worldbody"] = {{"childclass"}, {}, {}, {"body", "geom", "site"}, {"light", "camera"}, unsupported_bodies};
-  rules["body"] = {Words{"childclass"} + frame, {"user"}, {"gravcomp", "mocap", "sleep"},
-                   {"body", "joint", "freejoint", "inertial", "geom", "site"}, {"light", "camera"}, unsupported_bodies};
-  rules["freejoint"] = {{"name"}, {"group"}, {"align"}, {}, {}, {}};
-  rules["joint"] = {{"name", "class", "type", "pos", "axis", "range", "limited", "armature", "damping", "frictionloss",
-                     "actuatorfrcrange", "actuatorfrclimited"},
-                    {"group", "user", "solreflimit", "solimplimit", "solreffriction", "solimpfriction", "margin"},
-                    {"ref", "stiffness", "springref", "springdamper", "actuatorgravcomp"}, {}, {}, {"plugin"}};
-  rules["inertial"] = {Words{"mass", "diaginertia", "fullinertia"} + frame, {}, {}, {}, {}, {}};
-  rules["geom"] = {Words{"type", "size", "fromto", "friction", "rgba", "mass", "density", "contype", "conaffinity",
-                         "mesh"} + frame,
-                   look + Words{"condim", "priority", "solmix", "solref", "solimp", "margin", "gap"},
-                   {"hfield", "fitscale", "shellinertia", "fluidshape", "fluidcoef"}, {}, {}, {"plugin"}};
-  rules["site"] = {Words{"type", "size"} + frame, look + Words{"rgba"}, {"fromto"}, {}, {}, {}};
+  rules["mujoco"] = {.used = {"model"},
+                     .children = {"compiler", "default", "worldbody", "actuator"},
+                     .unused_children = {"option", "size", "visual", "statistic", "asset", "sensor", "keyframe",
+                                         "custom"},
+                     .unsupported_children = {"contact", "equality", "tendon", "deformable", "extension", "include"}};
+  rules["compiler"] = {.used = {"angle", "eulerseq", "autolimits", "inertiafromgeom", "coordinate"},
+                       .unused = {"meshdir", "texturedir", "assetdir", "strippath", "discardvisual", "fusestatic",
+                                  "usethread", "convexhull", "exactmeshinertia", "saveinertial", "fitaabb"},
+                       .unsupported = {"boundmass", "boundinertia", "settotalmass", "balanceinertia",
+                                       "inertiagrouprange", "alignfree"},
+                       .unused_children = {"lengthrange"}};
+  rules["default"] = {.used = {"class"},
+                      .children = Words{"default", "geom", "joint", "site"} + actuators,
+                      .unused_children = {"mesh", "material", "camera", "light", "pair", "equality", "tendon"},
+                      .unsupported_children = {"include"}};
+  rules["worldbody"] = {.used = {"childclass"},
+                        .children = {"body", "geom", "site"},
+                        .unused_children = {"light", "camera"},
+                        .unsupported_children = unsupported_bodies};
+  rules["body"] = {.used = Words{"childclass"} + frame,
+                   .unused = {"user"},
+                   .unsupported = {"gravcomp", "mocap", "sleep"},
+                   .children = {"body", "joint", "freejoint", "inertial", "geom", "site"},
+                   .unused_children = {"light", "camera"},
+                   .unsupported_children = unsupported_bodies};
+  rules["freejoint"] = {.used = {"name"}, .unused = {"group"}, .unsupported = {"align"}};
+  rules["joint"] = {.used = {"name", "class", "type", "pos", "axis", "range", "limited", "armature", "damping",
+                             "frictionloss", "actuatorfrcrange", "actuatorfrclimited"},
+                    .unused = {"group", "user", "solreflimit", "solimplimit", "solreffriction", "solimpfriction",
+                               "margin"},
+                    .unsupported = {"ref", "stiffness", "springref", "springdamper", "actuatorgravcomp"},
+                    .unsupported_children = {"plugin"}};
+  rules["inertial"] = {.used = Words{"mass", "diaginertia", "fullinertia"} + frame};
+  rules["geom"] = {.used = Words{"type", "size", "fromto", "friction", "rgba", "mass", "density", "contype",
+                                 "conaffinity", "mesh"} +
+                           frame,
+                   .unused = look + Words{"condim", "priority", "solmix", "solref", "solimp", "margin", "gap"},
+                   .unsupported = {"hfield", "fitscale", "shellinertia", "fluidshape", "fluidcoef"},
+                   .unsupported_children = {"plugin"}};
+  rules["site"] = {.used = Words{"type", "size"} + frame, .unused = look + Words{"rgba"}, .unsupported = {"fromto"}};
   for (const std::string_view actuator : actuators) {
-    rules[actuator] = {{"name", "class", "joint", "kp", "forcerange", "forcelimited", "ctrlrange", "ctrllimited", "gear",
-                        "gainprm", "biasprm", "gaintype", "biastype"},
-                       {"kv", "dampratio", "timeconst", "group", "user", "inheritrange", "lengthrange", "dyntype",
-                        "dynprm", "actlimited", "actrange", "actdim", "actearly"},
-                       {"tendon", "site", "body", "refsite", "jointinparent", "slidersite", "cranksite", "cranklength"},
-                       {}, {}, {}};
+    rules[actuator] = {.used = {"name", "class", "joint", "kp", "forcerange", "forcelimited", "ctrlrange",
+                                "ctrllimited", "gear", "gainprm", "biasprm", "gaintype", "biastype"},
+                       .unused = {"kv", "dampratio", "timeconst", "group", "user", "inheritrange", "lengthrange",
+                                  "dyntype", "dynprm", "actlimited", "actrange", "actdim", "actearly"},
+                       .unsupported = {"tendon", "site", "body", "refsite", "jointinparent", "slidersite", "cranksite",
+                                       "cranklength"}};
   }
-  rules["actuator"] = {{}, {}, {}, actuators, {},
-                       {"intvelocity", "damper", "cylinder", "muscle", "adhesion", "dcmotor", "plugin"}};
+  rules["actuator"] = {.children = actuators,
+                       .unsupported_children = {"intvelocity", "damper", "cylinder", "muscle", "adhesion", "dcmotor",
+                                                "plugin"}};
   return rules;
 }
 

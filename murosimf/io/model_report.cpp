@@ -48,8 +48,8 @@ std::vector<ReportRow> make_tree(const Model& model) {
   for (int i = 0; i < model.size(); ++i) {
     const Object& object = model.objects()[i];
     const int depth = object.parent < 0 ? 0 : depth_behind[object.parent];
-    const bool shown = object.parent < 0 || object.is_joint() || model.find(properties::mass, i) ||
-                       model.find(properties::shapes, i);
+    const bool shown =
+        object.parent < 0 || object.is_joint() || model.find(properties::mass, i) || model.find(properties::shapes, i);
     if (shown) {
       tree.push_back(make_row(model, i, names[i]));
       tree.back().depth = depth;
@@ -65,12 +65,16 @@ void add_findings(const Model& model, ModelReport& report) {
     if (!row.joint.empty() && row.servo.empty()) idle.push_back(row.joint);
   }
   if (!idle.empty()) {
-    report.warnings.push_back(fmt::format("model '{}': no servo moves {}; add actuators, or [servos] in the TOML file "
-                                          "beside the model", model.name(), fmt::join(idle, ", ")));
+    report.warnings.push_back(
+        fmt::format("model '{}': no servo moves {}; add actuators, or [servos] in the TOML file "
+                    "beside the model",
+                    model.name(), fmt::join(idle, ", ")));
   }
   if (report.soles.size() != 2) {
-    report.warnings.push_back(fmt::format("model '{}': {} soles, a biped needs 2; add box sites and [soles] in the TOML "
-                                          "file beside the model", model.name(), report.soles.size()));
+    report.warnings.push_back(
+        fmt::format("model '{}': {} soles, a biped needs 2; add box sites and [soles] in the TOML "
+                    "file beside the model",
+                    model.name(), report.soles.size()));
   }
 }
 

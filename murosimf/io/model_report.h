@@ -11,14 +11,14 @@ namespace murosimf::io {
 
 /// One line of the tree: the base, a joint, or a fixed object with mass or shape.
 struct ReportRow {
-  int depth = 0;                   ///< lines above it on the way to the base
-  std::string body;                ///< empty for a joint that carries nothing
+  int depth = 0;     ///< lines above it on the way to the base
+  std::string body;  ///< empty for a joint that carries nothing
   double mass_kg = 0;
-  std::string joint, kind;         ///< empty where there is none
-  Vec3d axis;                      ///< unit vector, frame of the object before the joint
-  std::optional<Vec3d> range;      ///< [rad | m] lowest, highest, 0
-  std::string servo;               ///< type
-  double stall_torque = 0;         ///< [N m | N]
+  std::string joint, kind;     ///< empty where there is none
+  Vec3d axis;                  ///< unit vector, frame of the object before the joint
+  std::optional<Vec3d> range;  ///< [rad | m] lowest, highest, 0
+  std::string servo;           ///< type
+  double stall_torque = 0;     ///< [N m | N]
 };
 
 struct ModelReport {

@@ -1,7 +1,6 @@
 #include "murosimf/io/robot_table.h"
 
 #include <algorithm>
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -96,8 +95,8 @@ class Reader {
       if (key == "joints") continue;
       const auto found = numbers.find(key.str());
       if (found == numbers.end()) {
-        unknown("key of a servo", key, {"stall_torque", "no_load_rate", "position_gain", "rotor_inertia",
-                                        "coulomb_friction", "joints"});
+        unknown("key of a servo", key,
+                {"stall_torque", "no_load_rate", "position_gain", "rotor_inertia", "coulomb_friction", "joints"});
       }
       *found->second = number_of(key, value);
     }
@@ -105,8 +104,8 @@ class Reader {
       if (!table.contains(name)) fail(type.source(), fmt::format("servo '{}' needs {}", servo.type, name));
     }
     if (!(servo.stall_torque > 0 && servo.no_load_rate > 0)) {
-      fail(type.source(), fmt::format("servo '{}' cannot move: stall_torque and no_load_rate must be positive",
-                                      servo.type));
+      fail(type.source(),
+           fmt::format("servo '{}' cannot move: stall_torque and no_load_rate must be positive", servo.type));
     }
     give_to_joints(servo, type, table);
   }

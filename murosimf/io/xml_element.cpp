@@ -79,8 +79,8 @@ XmlFile::XmlFile(const std::filesystem::path& file)
   }
   if (error != tinyxml2::XML_SUCCESS || !document_->RootElement()) {
     const int line = std::max(1, document_->ErrorLineNum());
-    throw SetupError(one_line(fmt::format("{}:{}: not well-formed XML ({}); correct the file there", name_, line,
-                                          document_->ErrorName())));
+    throw SetupError(one_line(
+        fmt::format("{}:{}: not well-formed XML ({}); correct the file there", name_, line, document_->ErrorName())));
   }
 }
 

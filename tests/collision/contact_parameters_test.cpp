@@ -117,8 +117,8 @@ TEST(ContactParametersTest, WhatIsRound) {
   using namespace properties;
   const PairSurface pair{.restitution = 0.9, .stiffness = 1000};
   const Model pill("pill", Chain{}.base().with(mass, 0.1).with(shapes, {fixtures::placed(Capsule{0.05, 0.1})}));
-  const Model pair_of_balls(
-      "pair", Chain{}.base().with(mass, 0.1).with(shapes, {fixtures::placed(Sphere{0.05}), fixtures::placed(Sphere{0.05})}));
+  const PlacedShape sphere = fixtures::placed(Sphere{0.05});
+  const Model pair_of_balls("pair", Chain{}.base().with(mass, 0.1).with(shapes, {sphere, sphere}));
   EXPECT_EQ(contact_parameters(pill, pair, 9.81, 1e-3).theta, 1);
   EXPECT_EQ(contact_parameters(pair_of_balls, pair, 9.81, 1e-3).theta, 1);
   EXPECT_EQ(contact_parameters(fixtures::ball_model(0.05, 0.1), pair, 9.81, 1e-3).theta, 0);

@@ -79,7 +79,8 @@ TEST(SphereContactTest, ByHand) {
   }
 }
 
-// Law: at the edge of a box and the rim of a cylinder the normal points from the edge to the center. Tolerance: rounding.
+// Law: at the edge of a box and the rim of a cylinder the normal points from the edge to the center. Tolerance:
+// rounding.
 TEST(SphereContactTest, EdgesAndRims) {
   const auto box = sphere_contact({1.03, 1.04, 0.2}, 0.1, Box{{1, 1, 1}});
   ASSERT_TRUE(box);

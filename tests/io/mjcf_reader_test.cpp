@@ -124,7 +124,7 @@ TEST(MjcfReader, Kid21HasSolesInTheRightPlace) {
   EXPECT_EQ(model->objects()[soles[0]].name, "l_sole");
   EXPECT_EQ(model->find(properties::sole, soles[0])->half_length, 0.075);
   EXPECT_EQ(model->find(properties::sole, soles[0])->half_width, 0.045);
-  // 0.29 m above the ground, the pelvis stands; 0.02 + 2 * 0.12 + 0.04 = 0.30 with straight legs
+  // hip 0.02 below the pelvis, two limbs of 0.12, and 0.04 from the ankle to the ground
   expect_near(pose(*model, "l_sole").r, {0.015, 0.055, -0.30});
   expect_near(pose(*model, "r_sole").r, {0.015, -0.055, -0.30});
 }
@@ -163,8 +163,8 @@ TEST(MjcfReader, Kid21IgnoresTheFloorWithANote) {
 TEST(MjcfReader, AllWaysToWriteAnOrientationAgree) {
   // 90 deg about x
   const Mat3d turn = rotation_x(0.5 * pi);
-  for (const char* text : {"quat='1 1 0 0'", "euler='90 0 0'", "axisangle='2 0 0 90'", "xyaxes='1 0 0 1 0 1'",
-                           "zaxis='0 -3 0'"}) {
+  for (const char* text :
+       {"quat='1 1 0 0'", "euler='90 0 0'", "axisangle='2 0 0 90'", "xyaxes='1 0 0 1 0 1'", "zaxis='0 -3 0'"}) {
     const auto model = read(closed_robot(std::string("<body name='c' ") + text + "/>")).model;
     expect_same_turn(pose(*model, "c").R, turn);
   }
@@ -183,7 +183,8 @@ TEST(MjcfReader, EulerAnglesFollowTheSequence) {
 
 TEST(MjcfReader, AJointAwayFromTheOriginTurnsTheBodyAboutItself) {
   const auto model = read(closed_robot("<body name='c' pos='1 0 0'><joint name='j' pos='0 0 1' axis='0 1 0'/>"
-                                       "<inertial mass='1' diaginertia='1 1 1'/></body>")).model;
+                                       "<inertial mass='1' diaginertia='1 1 1'/></body>"))
+                         .model;
   // 90 deg about y through (1 0 1): the origin, 1 below, goes to -x
   const auto turned = pose(*model, "c", 0.5 * pi);
   expect_near(turned.r, {0, 0, 1});
@@ -219,12 +220,14 @@ TEST(MjcfReader, BodiesWithoutJointOrNameAreFine) {
 }
 
 TEST(MjcfReader, ABodyMayShareItsNameWithAJoint) {
-  const auto own = read(closed_robot("<body name='a'><joint name='a' axis='1 0 0'/>"
-                                     "<inertial mass='1' diaginertia='1 1 1'/></body>"));
+  const auto own =
+      read(closed_robot("<body name='a'><joint name='a' axis='1 0 0'/>"
+                        "<inertial mass='1' diaginertia='1 1 1'/></body>"));
   EXPECT_EQ(own.model->objects()[own.model->object_index("a")].kind, Kind::revolute);
   EXPECT_TRUE(own.warnings.empty());
-  const auto other = read(closed_robot("<body name='a'><joint name='c' axis='1 0 0'/><inertial mass='1' "
-                                       "diaginertia='1 1 1'/><body name='c' pos='0 0 1'><site name='a'/></body></body>"));
+  const auto other =
+      read(closed_robot("<body name='a'><joint name='c' axis='1 0 0'/><inertial mass='1' "
+                        "diaginertia='1 1 1'/><body name='c' pos='0 0 1'><site name='a'/></body></body>"));
   EXPECT_EQ(other.model->objects()[other.model->object_index("c.body")].kind, Kind::translation);
   EXPECT_EQ(other.model->objects()[other.model->object_index("a.site")].kind, Kind::endpoint);
   EXPECT_EQ(other.warnings.size(), 2u);
@@ -232,7 +235,8 @@ TEST(MjcfReader, ABodyMayShareItsNameWithAJoint) {
 
 TEST(MjcfReader, SitesNamedSoleAreSolesWithoutATable) {
   const auto model = read(closed_robot("<site name='left_sole' type='box' size='0.1 0.05 0.01' pos='0 1 0' "
-                                       "euler='0 0 90'/><site name='imu'/><site name='round_sole' size='1'/>")).model;
+                                       "euler='0 0 90'/><site name='imu'/><site name='round_sole' size='1'/>"))
+                         .model;
   EXPECT_EQ(model->having(properties::sole), std::vector{model->object_index("left_sole")});
   expect_near(pose(*model, "left_sole").r, {0, 1, 0});
   expect_same_turn(pose(*model, "left_sole").R, rotation_z(0.5 * pi));
@@ -245,9 +249,12 @@ TEST(MjcfReader, DefaultsReachElementsThroughClasses) {
   const std::string defaults =
       "<default><geom density='0' rgba='1 0 0 1'/><default class='leg'><joint axis='0 1 0' damping='2'/>"
       "<geom type='box' size='1 2 3'/><default class='knee'><joint damping='3'/></default></default></default>";
-  const auto model = read(closed_robot("<body name='c' childclass='leg'><joint name='j1'/><joint name='j2' class='knee'/>"
-                                       "<geom/><geom class='main' size='4'/>"
-                                       "<inertial mass='1' diaginertia='1 1 1'/></body>", defaults)).model;
+  const auto model =
+      read(closed_robot("<body name='c' childclass='leg'><joint name='j1'/><joint name='j2' class='knee'/>"
+                        "<geom/><geom class='main' size='4'/>"
+                        "<inertial mass='1' diaginertia='1 1 1'/></body>",
+                        defaults))
+          .model;
   const int j1 = model->object_index("j1"), j2 = model->object_index("j2");
   expect_near(model->objects()[j2].vector, {0, 1, 0});
   EXPECT_EQ(*model->find(properties::joint_damping, j1), 2);
@@ -320,7 +327,8 @@ TEST(MjcfReader, AnImpossibleInertiaIsAWarning) {
 TEST(MjcfReader, FromToPlacesLongShapes) {
   const auto model = read(closed_robot("<geom type='capsule' size='0.1' fromto='0 1 2 0 1 6'/>"
                                        "<geom type='cylinder' size='0.1' fromto='0 0 0 2 0 0' friction='0.3 0 0' "
-                                       "rgba='.1 .2 .3 1' contype='0' conaffinity='0'/>")).model;
+                                       "rgba='.1 .2 .3 1' contype='0' conaffinity='0'/>"))
+                         .model;
   const Shapes& shapes = *model->find(properties::shapes, 0);
   EXPECT_EQ(std::get<Capsule>(shapes[0].shape).half_length, 2);
   expect_near(shapes[0].position, {0, 1, 4});
@@ -352,10 +360,13 @@ TEST(MjcfReader, ActuatorsBecomeServos) {
 }
 
 TEST(MjcfReader, TheTableBesideWinsOverActuators) {
-  write("[servos.big]\nstall_torque = 9\nno_load_rate = 8\nposition_gain = 7\nrotor_inertia = 0\n"
-        "coulomb_friction = 0\njoints = ['j']\n", ".toml");
-  const auto model = read(closed(robot(limb("<joint name='j' axis='0 0 1'/>")) +
-                                 "<actuator><position joint='j' kp='20'/></actuator>")).model;
+  write(
+      "[servos.big]\nstall_torque = 9\nno_load_rate = 8\nposition_gain = 7\nrotor_inertia = 0\n"
+      "coulomb_friction = 0\njoints = ['j']\n",
+      ".toml");
+  const auto model =
+      read(closed(robot(limb("<joint name='j' axis='0 0 1'/>")) + "<actuator><position joint='j' kp='20'/></actuator>"))
+          .model;
   std::filesystem::remove(test_file(".toml"));
   EXPECT_EQ(model->find(properties::servo, model->object_index("j"))->type, "big");
 }
@@ -384,10 +395,12 @@ TEST(MjcfReader, NamesMissingAndBrokenFiles) {
 }
 
 TEST(MjcfReader, NamesUnknownWords) {
-  expect_complaint(message(closed_robot("<body nmae='c'/>")), 5, "unknown attribute of body 'nmae'; did you mean 'name'?");
+  expect_complaint(message(closed_robot("<body nmae='c'/>")), 5,
+                   "unknown attribute of body 'nmae'; did you mean 'name'?");
   expect_complaint(message(closed_robot("<bdy/>")), 5, "unknown element in body 'bdy'; did you mean 'body'?");
   expect_complaint(message(closed_robot("<body foo='1'><bar/></body>\n<baz/>")), 5, "(and 2 more like this)");
-  expect_complaint(message(closed_robot(limb("<joint axis='0 0 1' stiffness='3'/>"))), 5, "'stiffness' of joint is not supp");
+  expect_complaint(message(closed_robot(limb("<joint axis='0 0 1' stiffness='3'/>"))), 5,
+                   "'stiffness' of joint is not supp");
   expect_complaint(message(closed(robot("") + "<tendon/>")), 7, "element 'tendon' is not supported");
 }
 
@@ -402,28 +415,32 @@ TEST(MjcfReader, LenientReadingWarnsOfUnknownWords) {
 TEST(MjcfReader, NamesWhatIsWrongWithTheBase) {
   expect_complaint(message("<mujoco>\n<worldbody>\n<body name='b'/></worldbody></mujoco>"), 3, "'b' has no free joint");
   expect_complaint(message("<mujoco>\n<worldbody/></mujoco>"), 1, "no body in worldbody");
-  const std::string two = "<mujoco>\n<worldbody>\n<body name='table'/>\n<body name='b'><freejoint/>"
-                          "<inertial mass='1' diaginertia='1 1 1'/></body></worldbody></mujoco>";
+  const std::string two =
+      "<mujoco>\n<worldbody>\n<body name='table'/>\n<body name='b'><freejoint/>"
+      "<inertial mass='1' diaginertia='1 1 1'/></body></worldbody></mujoco>";
   expect_complaint(message(two), 4, "second body in worldbody, 'b'");
   EXPECT_EQ(read(two, true).model->objects()[0].name, "b");
   expect_complaint(message(closed_robot("\n<joint axis='0 0 1'/>")), 6, "second joint");
-  EXPECT_EQ(read("<mujoco><worldbody><body name='b'><joint type='free'/></body></worldbody></mujoco>").model->size(), 2);
+  EXPECT_EQ(read("<mujoco><worldbody><body name='b'><joint type='free'/></body></worldbody></mujoco>").model->size(),
+            2);
 }
 
 TEST(MjcfReader, NamesWhatIsWrongWithJoints) {
   expect_complaint(message(closed_robot(limb("<joint name='j'/>"))), 5, "joint 'j' has no axis");
   EXPECT_TRUE(any_contains(read(closed_robot(limb("<joint name='j'/>")), true).warnings, "z is taken"));
-  expect_complaint(message(closed_robot(limb("<joint name='j' axis='0 0 0'/>"))), 5, "axis of joint 'j' has no direction");
+  expect_complaint(message(closed_robot(limb("<joint name='j' axis='0 0 0'/>"))), 5,
+                   "axis of joint 'j' has no direction");
   expect_complaint(message(closed_robot(limb("<joint name='j' type='ball'/>"))), 5, "ball joint 'j' is not supported");
   expect_complaint(message(closed_robot(limb("<joint type='hing' axis='0 0 1'/>"))), 5, "did you mean 'hinge'?");
   expect_complaint(message(closed_robot(limb("<joint type='free'/>"))), 5, "only its base may be free");
   expect_complaint(message(closed_robot(limb("<joint axis='1 0 0' range='2 1'/>"))), 5, "must go from lower to higher");
-  expect_complaint(message(closed_robot(limb("<joint axis='1 0 0' damping='-1'/>"))), 5, "damping of joint is negative");
+  expect_complaint(message(closed_robot(limb("<joint axis='1 0 0' damping='-1'/>"))), 5,
+                   "damping of joint is negative");
   expect_complaint(message(closed_robot(limb("<joint axis='1 0 0' limited='true'/>"))), 5, "there is no range");
   expect_complaint(message(closed_robot(limb("<joint axis='1 0 0' class='leg'/>"))), 5, "unknown default class 'leg'");
   expect_complaint(message(closed(robot(limb("<joint name='knee' axis='1 0 0'/>")) +
-                                  "<actuator>\n<motor joint='kne'/></actuator>")), 8,
-                   "unknown joint 'kne'; did you mean 'knee'?");
+                                  "<actuator>\n<motor joint='kne'/></actuator>")),
+                   8, "unknown joint 'kne'; did you mean 'knee'?");
 }
 
 TEST(MjcfReader, NamesBadNumbers) {
@@ -452,22 +469,25 @@ TEST(MjcfReader, NamesImpossibleGeoms) {
   expect_complaint(message(closed_robot("<geom type='box' size='1 2'/>")), 5, "size of a box needs 3 numbers");
   expect_complaint(message(closed_robot("<geom size='0'/>")), 5, "must be positive");
   expect_complaint(message(closed_robot("<geom type='mesh' mesh='m'/>")), 5, "meshes are not supported yet");
-  expect_complaint(message(closed_robot("<geom type='capsule' size='1' fromto='0 0 0 0 0 0'/>")), 5, "two different points");
+  expect_complaint(message(closed_robot("<geom type='capsule' size='1' fromto='0 0 0 0 0 0'/>")), 5,
+                   "two different points");
   expect_complaint(message(closed_robot("<geom type='plane' size='1 1 1'/>")), 5, "a plane cannot be part of a robot");
 }
 
 TEST(MjcfReader, NamesDuplicates) {
-  expect_complaint(message(closed_robot("<body name='c'/>\n<body name='c'/>")), 6, "body 'c' appears twice, first in line 5");
+  expect_complaint(message(closed_robot("<body name='c'/>\n<body name='c'/>")), 6,
+                   "body 'c' appears twice, first in line 5");
   expect_complaint(message(closed_robot(limb("<joint name='j' axis='1 0 0'/>\n<joint name='j' axis='1 0 0'/>"))), 6,
                    "joint 'j' appears twice, first in line 5");
   expect_complaint(message(closed_robot("<site name='s'/><site name='s'/>")), 5, "site 's' appears twice");
   expect_complaint(message(closed_robot("", "<default>\n<default class='a'/><default class='a'/></default>")), 2,
                    "default class 'a' is already there");
   // a name that the reader itself gives
-  expect_complaint(message(closed_robot("<body name='c' pos='1 0 0'>" + limb("<joint axis='1 0 0'/>") + "</body>"
+  expect_complaint(message(closed_robot("<body name='c' pos='1 0 0'>" + limb("<joint axis='1 0 0'/>") +
+                                        "</body>"
                                         "<body name='limb.offset' pos='1 0 0'/><body name='c.offset' quat='0 1 0 0' "
-                                        "pos='0 0 1'/><body name='c.offset.offset' pos='1 1 1'/>")), 3,
-                   "two objects are called 'c.offset.offset'");
+                                        "pos='0 0 1'/><body name='c.offset.offset' pos='1 1 1'/>")),
+                   3, "two objects are called 'c.offset.offset'");
 }
 
 }  // namespace

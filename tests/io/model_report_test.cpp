@@ -20,11 +20,17 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 /// One joint of each kind, without servo and sole.
 Model arm() {
-  return Model("arm", Chain{}.base("shoulder").with(properties::mass, 1)
-                          .revolute("elbow", {0, 1, 0}).alias("forearm").with(properties::mass, 2)
+  return Model("arm", Chain{}
+                          .base("shoulder")
+                          .with(properties::mass, 1)
+                          .revolute("elbow", {0, 1, 0})
+                          .alias("forearm")
+                          .with(properties::mass, 2)
                           .with(properties::joint_range, {-0.5 * pi, pi, 0})
-                          .translation({1, 0, 0}).prismatic("slider", {1, 0, 0})
-                          .with(properties::joint_range, {0, 0.2, 0}).endpoint("hand"));
+                          .translation({1, 0, 0})
+                          .prismatic("slider", {1, 0, 0})
+                          .with(properties::joint_range, {0, 0.2, 0})
+                          .endpoint("hand"));
 }
 
 TEST(ModelReport, CountsKid21) {

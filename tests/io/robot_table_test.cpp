@@ -39,8 +39,8 @@ std::string servo(const std::string& joints = "joints = ['a', 'b']", const std::
 }
 
 TEST(RobotTable, ReadsWhatIsThere) {
-  const RobotTable table = read("[soles]\nleft = 'l'\nright = 'r'\n[surfaces]\ndefault = 'plastic'\nfoot = 'rubber'\n" +
-                                servo());
+  const RobotTable table =
+      read("[soles]\nleft = 'l'\nright = 'r'\n[surfaces]\ndefault = 'plastic'\nfoot = 'rubber'\n" + servo());
   EXPECT_TRUE(table.is_sole("l"));
   EXPECT_TRUE(table.is_sole("r"));
   EXPECT_FALSE(table.is_sole("x"));
@@ -71,7 +71,8 @@ TEST(RobotTable, Kid21NamesAServoForEachJoint) {
 TEST(RobotTable, NamesUnknownKeys) {
   EXPECT_EQ(complaint("\n[sols]\n"), ":2:2: unknown table 'sols'; did you mean 'soles'?");
   EXPECT_EQ(complaint("[soles]\nlet = 'l'\n"), ":2:1: unknown sole 'let'; did you mean 'left'?");
-  EXPECT_EQ(complaint(servo("stall_torqe = 1")), ":7:1: unknown key of a servo 'stall_torqe'; did you mean 'stall_torque'?");
+  EXPECT_EQ(complaint(servo("stall_torqe = 1")),
+            ":7:1: unknown key of a servo 'stall_torqe'; did you mean 'stall_torque'?");
 }
 
 TEST(RobotTable, NamesBadValues) {

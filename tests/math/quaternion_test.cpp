@@ -101,7 +101,7 @@ TEST(Quaternion, HalfTurns) {
   EXPECT_EQ(distance(from_matrix(Mat3d{}), {1, 0, 0, 0}), 0);
 }
 
-// Law: the product of quaternions is the product of rotations, in the same order. Tolerance: rounding of 4 + 6 products.
+// Law: the product of quaternions is the product of rotations, in the same order. Tolerance: rounding of ten products.
 TEST(Quaternion, ProductComposes) {
   Dice dice("product");
   for (int i = 0; i < 300; ++i) {

@@ -145,7 +145,7 @@ TEST(Spatial, SolveAgainstEigen) {
   }
 }
 
-// Law: the inertia of a body, [I 0; 0 m 1] at its center, inverts to force / mass and I^-1 moment. Exact up to rounding.
+// Law: the inertia of a body, [I 0; 0 m 1] at its center, inverts to force / mass and I^-1 moment. Tolerance: rounding.
 TEST(Spatial, SolveFreeBody) {
   const Sym6d body{{2, 4, 5, 0, 0, 0}, {Vec3d{}, Vec3d{}, Vec3d{}}, diagonal(8.0)};
   const Motiond m = solve(body, Forced{{2, 2, 2}, {4, 8, -8}});

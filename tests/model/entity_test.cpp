@@ -159,8 +159,10 @@ TEST(EntityTest, RefusedValues) {
   EXPECT_TRUE(says(set("walk_command", {}), {"takes 3 numbers, not 0"}));
   entity.column(gait_phase);
   EXPECT_TRUE(says(set("gait_phase", {1, 2}), {"takes 1 number, not 2"}));
-  EXPECT_TRUE(says(set("walk_command", {7, 8, std::numeric_limits<double>::quiet_NaN()}), {"'walk_command' cannot be"}));
-  EXPECT_TRUE(says(set("walk_command", {7, std::numeric_limits<double>::infinity(), 9}), {"cannot be inf"}));
+  const double nan_value = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(says(set("walk_command", {7, 8, nan_value}), {"'walk_command' cannot be"}));
+  EXPECT_TRUE(says(set("walk_command", {7, infinity, 9}), {"cannot be inf"}));
   EXPECT_TRUE(says(set("mass", {2}), {"'mass' is a constant of the model"}));
   EXPECT_EQ(difference(entity.base().get(walk_command), {1, 2, 3}), 0);
 }
@@ -187,7 +189,8 @@ TEST(EntityTest, BaseScope) {
   entity.column(gait_phase).values[0] = 0;
   ObjectAccess knee = entity.object("left_knee");
   const std::vector<double> one{1};
-  EXPECT_TRUE(says(error_of([&] { (void)knee.get(gait_phase); }), {"'left_knee'", "'gait_phase'", "only the base 'trunk'"}));
+  EXPECT_TRUE(says(error_of([&] { (void)knee.get(gait_phase); }),
+                   {"'left_knee'", "'gait_phase'", "only the base 'trunk'"}));
   EXPECT_TRUE(says(error_of([&] { knee.set(gait_phase, 1); }), {"only the base 'trunk'"}));
   EXPECT_TRUE(says(error_of([&] { (void)knee.get("gait_phase"); }), {"only the base 'trunk'"}));
   EXPECT_TRUE(says(error_of([&] { knee.set("gait_phase", one); }), {"only the base 'trunk'"}));
@@ -238,7 +241,8 @@ TEST(EntityTest, World) {
   EXPECT_EQ(&world.entity("blue1"), &blue);
   EXPECT_EQ(world.find("green"), nullptr);
   EXPECT_TRUE(says(error_of([&] { world.add("blue1", robot()); }), {"two entities", "'blue1'"}));
-  EXPECT_TRUE(says(error_of([&] { (void)world.entity("blue2"); }), {"unknown entity 'blue2'", "did you mean 'blue1'?"}));
+  EXPECT_TRUE(says(error_of([&] { (void)world.entity("blue2"); }),
+                   {"unknown entity 'blue2'", "did you mean 'blue1'?"}));
   EXPECT_EQ(world.entities().size(), 2u);
   world.freeze_columns();
   EXPECT_NE(error_of([&] { blue.column(position); }), "no error");
@@ -303,14 +307,12 @@ TEST(EntityTest, StateHashSeesEveryBit) {
   EXPECT_NE(world.state_hash(), frozen);
 }
 
-// Rule: two entities that change places have another state.
+// Rule: it matters which entity has a number.
 TEST(EntityTest, StateHashTellsEntitiesApart) {
-  World world;
+  World world, other;
   fill(world, false);
-  std::swap(world.entity("blue1").column(joint_position).values[3], world.entity("blue2").column(joint_position).values[3]);
-  World other;
   fill(other, false);
-  EXPECT_EQ(world.state_hash(), other.state_hash());  // equal numbers: nothing changed
+  EXPECT_EQ(world.state_hash(), other.state_hash());
   world.entity("blue1").column(joint_position).values[3] = 1;
   other.entity("blue2").column(joint_position).values[3] = 1;
   EXPECT_NE(world.state_hash(), other.state_hash());

@@ -54,7 +54,8 @@ TEST(ModelTest, ExactlyOneBase) {
   EXPECT_TRUE(says(refusal(Chain{}), {"model 'robot'", "must begin with a base"}));
   EXPECT_TRUE(says(refusal(Chain{}.translation({1, 0, 0}).base()), {"must begin with a base"}));
   EXPECT_TRUE(says(refusal(Chain{}.base().base("again")), {"model 'robot'", "second base", "'again'"}));
-  EXPECT_TRUE(says(refusal(Chain{}.base().fork(Chain{}.endpoint(), Chain{}.base("hidden"))), {"second base", "'hidden'"}));
+  const Chain hidden = Chain{}.base("hidden");
+  EXPECT_TRUE(says(refusal(Chain{}.base().fork(Chain{}.endpoint(), hidden)), {"second base", "'hidden'"}));
   EXPECT_EQ(refusal(Chain{}.base()), "no error");
 }
 

@@ -171,7 +171,8 @@ TEST_F(SetupAccess, EveryReadIsWritten) {
                    {"'encoder' reads 'joint_position' of 'blue'", "nobody writes it", "no algorithm writes anything"}));
   EXPECT_TRUE(says(check({{"encoder", &reader}, {"poses", &other}}),
                    {"'encoder' reads 'joint_position' of 'blue'", "'poses' writes other properties"}));
-  EXPECT_TRUE(says(check({{"encoder", &reader}, {"poses", &other}, {"more", &other}}), {"'poses', 'more' write other"}));
+  EXPECT_TRUE(says(check({{"encoder", &reader}, {"poses", &other}, {"more", &other}}),
+                   {"'poses', 'more' write other"}));
   // the writer of another robot does not help, and is not named
   const std::string message = check({{"encoder", &reader}, {"red_servo", &red_writer}});
   EXPECT_TRUE(says(message, {"'encoder'", "no algorithm writes anything"}));

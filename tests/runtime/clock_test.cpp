@@ -1,0 +1,84 @@
+// Pacing against a wall clock that the test owns.
+#include "murosimf/runtime/clock.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A wall clock that moves only when told to, or when somebody sleeps.
+class FakeTime final : public WallTime {
+ public:
+  explicit FakeTime(Duration& now) : now_(now) {}
+  Duration now() override { return now_; }
+  void sleep_until(Duration time) override { now_ = time; }
+
+ private:
+  Duration& now_;
+};
+
+struct Paced {
+  explicit Paced(std::optional<double> speed) : clock(speed, std::make_unique<FakeTime>(wall)) { clock.start(0ms); }
+  Duration wall{5s};
+  Clock clock;
+};
+
+TEST(Clock, RealTimeEndsEveryStepWhenItIsDue) {
+  Paced p(1.0);
+  for (int i = 1; i <= 100; ++i) {
+    p.wall += 300us;  // the step's own work
+    p.clock.wait_until(i * 1ms);
+    EXPECT_EQ(p.wall, 5s + i * 1ms);
+  }
+  EXPECT_EQ(p.clock.lateness().late_steps, 0);
+}
+
+TEST(Clock, SpeedStretchesTheSchedule) {
+  Paced slow(0.5);
+  slow.clock.wait_until(10ms);
+  EXPECT_EQ(slow.wall, 5s + 20ms);
+  Paced fast(4.0);
+  fast.clock.wait_until(10ms);
+  EXPECT_EQ(fast.wall, 5s + 2500us);
+}
+
+TEST(Clock, AsFastAsPossibleNeverWaits) {
+  Paced p(std::nullopt);
+  p.clock.wait_until(10s);
+  EXPECT_EQ(p.wall, 5s);
+}
+
+TEST(Clock, LateStepsAreCountedAndMeasured) {
+  Paced p(1.0);
+  p.wall += 9ms;  // the first step took 9 ms
+  p.clock.wait_until(1ms);
+  EXPECT_EQ(p.wall, 5s + 9ms);
+  EXPECT_EQ(p.clock.lateness().late_steps, 1);
+  EXPECT_EQ(p.clock.lateness().worst, 8ms);
+  for (int i = 2; i <= 20; ++i) p.clock.wait_until(i * 1ms);  // quick steps catch up
+  EXPECT_EQ(p.wall, 5s + 20ms);
+}
+
+TEST(Clock, LongDelaysMoveTheScheduleInsteadOfRacing) {
+  Paced p(1.0);
+  p.wall += 2s;  // the machine slept
+  p.clock.wait_until(1ms);
+  p.clock.wait_until(2ms);
+  EXPECT_EQ(p.wall, 7s + 1ms);
+  EXPECT_EQ(p.clock.lateness().late_steps, 1);
+}
+
+TEST(Clock, ImpossibleSpeedsAreRefused) {
+  for (const double speed : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(Clock{speed}, SetupError) << speed;
+  }
+}
+
+}  // namespace
+}  // namespace murosimf

@@ -1,0 +1,134 @@
+// Waves: deterministic, conflict-free, no later than needed; rates that fit each other.
+#include "murosimf/runtime/plan.h"
+
+#include <gtest/gtest.h>
+
+#include "murosimf/model/properties.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf {
+namespace {
+
+using namespace std::chrono_literals;
+
+class PlanTest : public testing::Test {
+ protected:
+  Entity& entity(const std::string& name) {
+    return world_.add(name, std::make_shared<const Model>("dot", Chain{}.base("base")));
+  }
+  murosimf::Setup setup(Entity& entity, AccessSet& access) { return {world_, entity, access}; }
+
+  World world_;
+};
+
+std::vector<Wave> waves_of(const std::vector<const AccessSet*>& access) {
+  std::vector<std::size_t> due(access.size());
+  for (std::size_t i = 0; i < due.size(); ++i) due[i] = i;
+  return make_waves(due, access);
+}
+
+TEST_F(PlanTest, DifferentEntitiesShareAWave) {
+  Entity& a = entity("a");
+  Entity& b = entity("b");
+  AccessSet writes_a, writes_b, reads_both;
+  (void)setup(a, writes_a).write(properties::position);
+  (void)setup(b, writes_b).write(properties::position);
+  (void)setup(a, reads_both).read(properties::position);
+  (void)setup(b, reads_both).read(properties::position);
+  EXPECT_EQ(waves_of({&writes_a, &writes_b, &reads_both}), (std::vector<Wave>{{0, 1}, {2}}));
+}
+
+TEST_F(PlanTest, ReadersOfTheSameColumnShareAWave) {
+  Entity& a = entity("a");
+  AccessSet first, second;
+  (void)setup(a, first).read(properties::position);
+  (void)setup(a, second).read(properties::position);
+  EXPECT_EQ(waves_of({&first, &second}), (std::vector<Wave>{{0, 1}}));
+}
+
+TEST_F(PlanTest, OrderOfAttachingDecidesBetweenWriters) {
+  Entity& a = entity("a");
+  AccessSet writer, reader, second_writer, unrelated;
+  (void)setup(a, writer).write(properties::joint_target);
+  (void)setup(a, reader).read(properties::joint_target);
+  (void)setup(a, second_writer).write(properties::joint_target);
+  (void)setup(a, unrelated).write(properties::falls);
+  EXPECT_EQ(waves_of({&writer, &reader, &second_writer, &unrelated}), (std::vector<Wave>{{0, 3}, {1}, {2}}));
+  EXPECT_EQ(waves_of({&reader, &writer, &second_writer, &unrelated}), (std::vector<Wave>{{0, 3}, {1}, {2}}));
+}
+
+TEST_F(PlanTest, InputsAreOrderedLikeReads) {
+  Entity& a = entity("a");
+  AccessSet engine, chaser;
+  (void)setup(a, chaser).write(properties::walk_command);
+  (void)setup(a, engine).input(properties::walk_command, {});
+  EXPECT_EQ(waves_of({&chaser, &engine}), (std::vector<Wave>{{0}, {1}}));
+}
+
+// Rule: an algorithm stands in the first wave behind every earlier one that it conflicts with. Brute force over many
+// random access patterns.
+TEST_F(PlanTest, EveryWaveIsFreeOfConflictsAndAsEarlyAsPossible) {
+  std::vector<Entity*> entities{&entity("a"), &entity("b"), &entity("c")};
+  std::uint32_t state = 1;
+  const auto roll = [&](std::uint32_t n) {
+    state = state * 1664525u + 1013904223u;
+    return (state >> 16) % n;
+  };
+  for (int round = 0; round < 200; ++round) {
+    std::vector<AccessSet> access(8);
+    std::vector<const AccessSet*> pointers;
+    for (AccessSet& set : access) {
+      for (int k = 0; k < 2; ++k) {
+        murosimf::Setup s = setup(*entities[roll(3)], set);
+        switch (roll(4)) {
+          case 0: (void)s.write(properties::position); break;
+          case 1: (void)s.read(properties::position); break;
+          case 2: (void)s.write(properties::joint_target); break;
+          default: (void)s.read(properties::joint_target); break;
+        }
+      }
+      pointers.push_back(&set);
+    }
+    const auto waves = waves_of(pointers);
+    std::vector<std::size_t> wave_of(access.size());
+    for (std::size_t w = 0; w < waves.size(); ++w) {
+      for (const std::size_t i : waves[w]) wave_of[i] = w;
+    }
+    for (std::size_t i = 0; i < access.size(); ++i) {
+      std::size_t earliest = 0;
+      for (std::size_t j = 0; j < i; ++j) {
+        if (conflict(access[i], access[j])) earliest = std::max(earliest, wave_of[j] + 1);
+      }
+      EXPECT_EQ(wave_of[i], earliest);
+    }
+  }
+}
+
+TEST_F(PlanTest, DueFollowsThePeriods) {
+  AccessSet none;
+  const std::vector<Duration> periods{1ms, 10ms, 4ms};
+  const std::vector<std::string> names{"motion", "walk", "sensor"};
+  Plan plan({&none, &none, &none}, periods, names);
+  EXPECT_EQ(plan.tick(), 1ms);
+  EXPECT_EQ(plan.due(0), (std::vector<Wave>{{0, 1, 2}}));
+  EXPECT_EQ(plan.due(1), (std::vector<Wave>{{0}}));
+  EXPECT_EQ(plan.due(4), (std::vector<Wave>{{0, 2}}));
+  EXPECT_EQ(plan.due(10), (std::vector<Wave>{{0, 1}}));
+  EXPECT_EQ(plan.due(20), (std::vector<Wave>{{0, 1, 2}}));
+}
+
+TEST_F(PlanTest, RatesThatDoNotFitAreRefusedWithTheNearestThatDoes) {
+  AccessSet none;
+  const std::vector<Duration> periods{1ms, from_seconds(1.0 / 30)};
+  const std::vector<std::string> names{"motion", "camera"};
+  try {
+    Plan plan({&none, &none}, periods, names);
+    FAIL() << "30 Hz does not fit 1 ms";
+  } catch (const SetupError& error) {
+    EXPECT_NE(std::string(error.what()).find("'camera'"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("30.303 Hz"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace murosimf

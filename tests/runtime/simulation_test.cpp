@@ -1,0 +1,134 @@
+// The scheduler with small algorithms: rates, order, checks at the first step, statistics.
+#include "murosimf/runtime/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include "murosimf/model/properties.h"
+#include "murosimf/runtime/path_recorder.h"
+
+namespace murosimf {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Property<double> counter{{"counter", "1", "-", "calls so far", Scope::base}};
+
+class Count final : public Algorithm {
+ public:
+  explicit Count(Setup& setup) : counter_(setup.write(counter)[0]) {}
+  void initialize() override { counter_ = 0; }
+  void step(const Instant& instant) noexcept override {
+    counter_ += 1;
+    last = instant;
+  }
+  Instant last;
+
+ private:
+  double& counter_;
+};
+
+class Look final : public Algorithm {
+ public:
+  explicit Look(Setup& setup) : counter_(setup.read(counter)[0]) {}
+  void step(const Instant&) noexcept override { seen.push_back(counter_); }
+  std::vector<double> seen;
+
+ private:
+  const double& counter_;
+};
+
+ModelPtr dot() { return std::make_shared<const Model>("dot", Chain{}.base("base")); }
+
+TEST(Simulation, ExecutesEveryAlgorithmAtItsRate) {
+  Simulation simulation;
+  Entity& a = simulation.world().add("a", dot());
+  Entity& b = simulation.world().add("b", dot());
+  auto& fast = simulation.attach<Count>("count", a, 1000);
+  auto& slow = simulation.attach<Count>("count", b, 40);
+  simulation.run(100ms);
+  EXPECT_EQ(a.base().get(counter), 100);
+  EXPECT_EQ(b.base().get(counter), 4);
+  EXPECT_EQ(simulation.now(), Duration(100ms));
+  EXPECT_EQ(fast.last.now, Duration(99ms));
+  EXPECT_EQ(fast.last.period, Duration(1ms));
+  EXPECT_EQ(slow.last.now, Duration(75ms));
+  EXPECT_EQ(slow.last.period, Duration(25ms));
+}
+
+TEST(Simulation, ConflictsRunInTheOrderOfAttaching) {
+  for (const int threads : {1, 2}) {
+    Simulation simulation(threads);
+    Entity& a = simulation.world().add("a", dot());
+    auto& before = simulation.attach<Look>("before", a, 1000);
+    simulation.attach<Count>("count", a, 1000);
+    auto& after = simulation.attach<Look>("after", a, 1000);
+    simulation.run(3ms);
+    EXPECT_EQ(before.seen, (std::vector<double>{0, 1, 2}));
+    EXPECT_EQ(after.seen, (std::vector<double>{1, 2, 3}));
+  }
+}
+
+TEST(Simulation, RefusesToStartIfAReadIsNeverWritten) {
+  Simulation simulation;
+  Entity& a = simulation.world().add("a", dot());
+  simulation.attach<Look>("look", a, 10);
+  try {
+    simulation.run(1s);
+    FAIL();
+  } catch (const SetupError& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("look"), std::string::npos) << what;
+    EXPECT_NE(what.find("'counter' of 'a'"), std::string::npos) << what;
+  }
+}
+
+TEST(Simulation, RefusesImpossibleRatesAndDurations) {
+  Simulation simulation;
+  Entity& a = simulation.world().add("a", dot());
+  EXPECT_THROW(simulation.attach<Count>("count", a, 0), SetupError);
+  EXPECT_THROW(simulation.attach<Count>("count", a, -5), SetupError);
+  EXPECT_THROW(simulation.attach<Count>("count", a, std::nan("")), SetupError);
+  EXPECT_THROW(simulation.run(-1ms), SetupError);
+  simulation.attach<Count>("count", a, 100);
+  simulation.step();
+  EXPECT_THROW(simulation.attach<Count>("late", a, 100), SetupError);
+}
+
+TEST(Simulation, StatisticsCountCallsByNameAndRate) {
+  Simulation simulation;
+  simulation.attach<Count>("count", simulation.world().add("a", dot()), 100);
+  simulation.attach<Count>("count", simulation.world().add("b", dot()), 100);
+  simulation.attach<Count>("count", simulation.world().add("c", dot()), 50);
+  simulation.run(1s);
+  const auto rows = simulation.statistics();
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].calls, 200);
+  EXPECT_DOUBLE_EQ(rows[0].rate_hz, 100);
+  EXPECT_GT(rows[0].us_per_call, 0);
+  EXPECT_EQ(rows[1].calls, 50);
+}
+
+TEST(Simulation, FrozenEntitiesAreSkippedAndReportedOnce) {
+  Simulation simulation;
+  Entity& a = simulation.world().add("a", dot());
+  simulation.attach<Count>("count", a, 1000);
+  simulation.run(5ms);
+  a.freeze("a test wants it");
+  simulation.run(5ms);
+  EXPECT_EQ(a.base().get(counter), 5);
+  EXPECT_EQ(simulation.warnings(), (std::vector<std::string>{"'a' was frozen at 0.006 s: a test wants it"}));
+}
+
+TEST(Simulation, PropertiesCanBeChangedByNameWhileItRuns) {
+  Simulation simulation;
+  Entity& a = simulation.world().add("a", dot());
+  simulation.attach<Count>("count", a, 1000);
+  simulation.run(5ms);
+  const std::vector<double> value{100};
+  simulation.world().entity("a").object("base").set("counter", value);
+  simulation.run(5ms);
+  EXPECT_EQ(simulation.world().entity("a").object("base").get("counter").numbers, (std::vector<double>{105}));
+}
+
+}  // namespace
+}  // namespace murosimf
