@@ -1,4 +1,5 @@
 // The program `murosimf`: reads the command line and calls one of the commands.
+#include <algorithm>
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
@@ -48,6 +49,15 @@ void add_list(CLI::App& app, std::string& what, int& exit_code) {
   list_command->callback([&] { exit_code = list(what); });
 }
 
+/// The parser would only say that a command is required.
+void refuse_unknown_command(int argc, char** argv) {
+  const std::vector<std::string_view> commands{"run", "check", "list"};
+  if (argc < 2 || argv[1][0] == '-') return;
+  if (std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
+    throw murosimf::SetupError(murosimf::unknown_name("command", argv[1], commands));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -62,6 +72,7 @@ int main(int argc, char** argv) {
   add_check(app, check_options, exit_code);
   add_list(app, what, exit_code);
   try {
+    refuse_unknown_command(argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error);

@@ -1,0 +1,14 @@
+/// robots.h - the robot that all benchmarks use.
+#pragma once
+
+#include "murosimf/io/data_path.h"
+#include "murosimf/io/mjcf_reader.h"
+
+namespace murosimf::benchmarks {
+
+inline ModelPtr kid21() {
+  static const ModelPtr model = io::read_mjcf(io::find_data_file("kid21", "models", ".xml")).model;
+  return model;
+}
+
+}  // namespace murosimf::benchmarks

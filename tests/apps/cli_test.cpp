@@ -1,0 +1,156 @@
+// The program as a user meets it: exit codes, one clear line for every mistake, JSON, pictures.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Result {
+  int exit_code = 0;
+  std::string output, errors;
+};
+
+std::string read_file(const fs::path& file) {
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+fs::path scratch(const std::string& name) {
+  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+  return fs::path(testing::TempDir()) / (std::string("cli_") + info->name() + "_" + name);
+}
+
+Result murosimf(const std::string& arguments) {
+  const fs::path out = scratch("out"), err = scratch("err");
+  const std::string command = std::string(MUROSIMF_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
+}
+
+/// One line on standard error that has all the parts; non-zero exit, no crash, no output.
+void expect_mistake(const std::string& arguments, const std::vector<std::string>& parts) {
+  const Result result = murosimf(arguments);
+  EXPECT_GT(result.exit_code, 0) << arguments;
+  EXPECT_LT(result.exit_code, 128) << "crashed: " << arguments;
+  EXPECT_EQ(result.output, "") << arguments;
+  for (const std::string& part : parts) EXPECT_NE(result.errors.find(part), std::string::npos) << arguments << " said: " << result.errors;
+}
+void expect_one_line_mistake(const std::string& arguments, const std::vector<std::string>& parts) {
+  expect_mistake(arguments, parts);
+  const std::string errors = murosimf(arguments).errors;
+  EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+}
+
+fs::path write(const std::string& name, const std::string& text) {
+  const fs::path file = scratch(name);
+  std::ofstream(file) << text;
+  return file;
+}
+
+const std::string robot_scene = "[[robots]]\nname = \"r\"\nmodel = \"MODEL\"\ncontroller = \"none\"\n";
+
+fs::path scene_with_model(const fs::path& model) {
+  std::string text = robot_scene;
+  text.replace(text.find("MODEL"), 5, model.string());
+  return write("scene.toml", text);
+}
+
+TEST(Cli, RunsAScene) {
+  const Result result = murosimf("run walk --duration 1");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.errors, "") << "no progress bar where there is no terminal";
+  EXPECT_NE(result.output.find("times real time"), std::string::npos);
+  EXPECT_NE(result.output.find("state hash"), std::string::npos);
+}
+
+TEST(Cli, JsonGoesToStandardOutputOrAFile) {
+  const Result result = murosimf("run walk --duration 1 --json -");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.output.front(), '{');
+  const fs::path file = scratch("report.json");
+  EXPECT_EQ(murosimf("run walk --duration 1 --json " + file.string()).exit_code, 0);
+  EXPECT_NE(read_file(file).find("\"simulated_s\""), std::string::npos);
+}
+
+TEST(Cli, RealTimeTakesTheTimeItSays) {
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(murosimf("run walk --duration 1 --speed 4").exit_code, 0);
+  // only the lower bound: a busy machine may be slower
+  EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(250));
+}
+
+TEST(Cli, RunsFromAnyWorkingDirectory) {
+  const fs::path before = fs::current_path();
+  fs::current_path("/");
+  EXPECT_EQ(murosimf("run three_on_three --duration 0.1").exit_code, 0);
+  fs::current_path(before);
+}
+
+TEST(Cli, ListsNames) {
+  EXPECT_NE(murosimf("list levels").output.find("kinematic_walking"), std::string::npos);
+  EXPECT_NE(murosimf("list contacts").output.find("implicit_stick"), std::string::npos);
+  EXPECT_NE(murosimf("list sensors").output.find("ground_truth"), std::string::npos);
+  EXPECT_NE(murosimf("list properties").output.find("joint_position"), std::string::npos);
+}
+
+TEST(Cli, ChecksAModel) {
+  const Result result = murosimf("check kid21");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.output.find("4.3"), std::string::npos);
+  EXPECT_EQ(murosimf("check kid21 --json").output.front(), '{');
+}
+
+TEST(CliMistakes, InTheCommandLine) {
+  expect_mistake("", {"subcommand"});
+  expect_one_line_mistake("fly", {"unknown command 'fly'"});
+  expect_mistake("run", {"scene"});
+  expect_mistake("run walk --threads 0", {"--threads"});
+  expect_mistake("list robots", {"robots"});
+  expect_one_line_mistake("run walk --duration -1", {"--duration -1"});
+  expect_one_line_mistake("run walk --duration nan", {"--duration nan"});
+  expect_one_line_mistake("run walk --duration 1e300", {"--duration"});
+  expect_one_line_mistake("run walk --speed fast", {"--speed 'fast'"});
+  expect_one_line_mistake("run walk --speed 0", {"speed 0"});
+  expect_one_line_mistake("run walk --set walker.levl=x", {"did you mean 'level'?"});
+}
+
+TEST(CliMistakes, InFiles) {
+  expect_one_line_mistake("run no_such_scene", {"no file 'no_such_scene'"});
+  expect_one_line_mistake("run " + write("empty.toml", "").string(), {"empty"});
+  expect_one_line_mistake("run " + write("broken.toml", "a = 1\nb = [1,\n").string(), {"broken.toml:"});
+  expect_one_line_mistake("run " + scene_with_model("/no/such/model.xml").string(), {"scene.toml:1:1", "/no/such/model.xml"});
+  expect_one_line_mistake("run " + scene_with_model(write("text.xml", "not xml at all")).string(), {"text.xml"});
+  expect_one_line_mistake("check " + write("text.xml", "not xml at all").string(), {"text.xml"});
+  const std::string head = "<mujoco><worldbody>\n<body name='b'><freejoint/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>\n";
+  const std::string tail = "</body></worldbody></mujoco>\n";
+  expect_one_line_mistake("check " + write("axis.xml", head + "<body><joint name='j'/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/></body>" + tail).string(),
+                          {"axis.xml:3", "axis"});
+  expect_one_line_mistake("check " + write("mass.xml", head + "<body><joint name='j' axis='0 0 1'/><inertial pos='0 0 0' mass='-1' diaginertia='1 1 1'/></body>" + tail).string(),
+                          {"mass.xml:3", "mass"});
+}
+
+TEST(CliMistakes, OutputsThatCannotBeWrittenAreRefusedBeforeTheRun) {
+  expect_one_line_mistake("run walk --duration 1 --json /no/such/folder/report.json", {"cannot write '/no/such/folder/report.json'"});
+  expect_one_line_mistake("run walk --duration 1 --picture /no/such/folder/field.png", {"/no/such/folder/field.png"});
+  expect_one_line_mistake("run walk --duration 1 --json /tmp", {"cannot write '/tmp'"});
+}
+
+TEST(CliMistakes, AFullDiskIsReported) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const fs::path err = scratch("err");
+  const int status = std::system((std::string(MUROSIMF_PROGRAM) + " run walk --duration 0.1 >/dev/full 2>" + err.string()).c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  EXPECT_NE(read_file(err).find("cannot write to standard output"), std::string::npos);
+}
+
+}  // namespace
