@@ -69,7 +69,8 @@ std::vector<GroundShape> ground_shapes(const Model& model) {
     if (!shapes) continue;
     for (const PlacedShape& placed : *shapes) {
       if (!placed.collides || std::holds_alternative<Plane>(placed.shape)) continue;
-      result.push_back({object, placed, bounding_radius(placed.shape), feature});
+      const double reach = bounding_radius(placed.shape);
+      result.push_back({object, placed, reach, norm(placed.position) + reach, feature});
       feature += features_per_shape;
     }
   }
@@ -78,6 +79,7 @@ std::vector<GroundShape> ground_shapes(const Model& model) {
 
 void find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane,
                           std::vector<ContactPoint>& found) {
+  if (dot(plane.normal, r) - plane.height > shape.object_reach) return;
   const Vec3d center = r + R * shape.placed.position;
   if (dot(plane.normal, center) - plane.height > shape.reach) return;
   const LowPoints points{center, R * shape.placed.orientation, plane.normal};

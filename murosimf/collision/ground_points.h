@@ -22,6 +22,7 @@ struct GroundShape {
   int object = 0;
   PlacedShape placed;
   double reach = 0;                ///< [m] bounding radius about the shape's origin
+  double object_reach = 0;         ///< [m] bounding radius about the object's origin: cheap to test, in any attitude
   std::uint32_t first_feature = 0;
 };
 

@@ -103,7 +103,7 @@ SymMat3<S> inertia_of_point(const Vec3<S>& v) {
 }
 /// R m R^T: the symmetric tensor `m` of the inner frame seen in the outer one.
 template <class S, class A>
-SymMat3<S> rotated(const Mat3<S>& R, const SymMat3<A>& m) {
+[[gnu::always_inline]] inline SymMat3<S> rotated(const Mat3<S>& R, const SymMat3<A>& m) {
   const Vec3<S> a = m.xx * R.x + m.xy * R.y + m.xz * R.z;  // columns of R m
   const Vec3<S> b = m.xy * R.x + m.yy * R.y + m.yz * R.z;
   const Vec3<S> c = m.xz * R.x + m.yz * R.y + m.zz * R.z;

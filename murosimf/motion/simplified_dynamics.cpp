@@ -17,6 +17,13 @@ bool sane(const multibody::FreeBody<double>& body) {
   return dot(body.velocity, body.velocity) < fastest * fastest && dot(body.rate, body.rate) < fastest_turn * fastest_turn;
 }
 
+bool is_zero(const Vec3d& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+bool is_zero(const Forced& force) { return is_zero(force.n) && is_zero(force.f); }
+/// A positive semidefinite matrix without diagonal is zero.
+bool is_zero(const Sym6d& m) {
+  return m.J.xx == 0 && m.J.yy == 0 && m.J.zz == 0 && m.M.xx == 0 && m.M.yy == 0 && m.M.zz == 0;
+}
+
 }  // namespace
 
 SimplifiedDynamics::SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOptions& options)
@@ -72,12 +79,9 @@ Motiond SimplifiedDynamics::solve(double dt) const noexcept {
   Forced force{-cross(w, inertia_ * w), mass_ * gravity_};
   Sym6d matrix{inertia_, {Vec3d{}, Vec3d{}, Vec3d{}}, diagonal(mass_)};
   for (const int object : columns_.model.bodies()) {
-    const Vec3d to_center = center_ - columns_.r[object];
-    force += moved(external_force_[object], to_center);
-    const Sym6d& damping = external_damping_[object];
-    // untouched bodies, by far the most, have no damping at all
-    if (damping.M.xx == 0 && damping.M.yy == 0 && damping.M.zz == 0 && damping.J.xx == 0) continue;
-    matrix += dt * moved(damping, to_center);
+    // untouched bodies, by far the most, cost a look
+    if (!is_zero(external_force_[object])) force += moved(external_force_[object], center_ - columns_.r[object]);
+    if (!is_zero(external_damping_[object])) matrix += dt * moved(external_damping_[object], center_ - columns_.r[object]);
   }
   return murosimf::solve(matrix, force);
 }

@@ -33,7 +33,7 @@ Vec3<S> world_axis(const Mat3<S>& R, const Link& link) {
 
 /// Pose (r, R) of a joint's frame from its parent link's pose.
 template <class S>
-void place_joint(const Link& link, const S& q, const Vec3<S>& r_parent, const Mat3<S>& R_parent, Vec3<S>& r, Mat3<S>& R) {
+[[gnu::always_inline]] inline void place_joint(const Link& link, const S& q, const Vec3<S>& r_parent, const Mat3<S>& R_parent, Vec3<S>& r, Mat3<S>& R) {
   const Mat3<S> at_zero = link.turned ? R_parent * link.turn : R_parent;
   r = r_parent + R_parent * link.offset;
   if (link.kind == LinkKind::revolute) {
