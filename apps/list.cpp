@@ -17,7 +17,8 @@ std::string names_and_meanings(std::span<const Entry> entries) {
 }
 
 std::string properties_text() {
-  std::string text = fmt::format("{:<30} {:<9} {:<7} {:<22} {:<28} {}\n", "property", "kind", "of", "unit", "frame", "meaning");
+  std::string text =
+      fmt::format("{:<30} {:<9} {:<7} {:<22} {:<28} {}\n", "property", "kind", "of", "unit", "frame", "meaning");
   for (const auto& [info, constant] : properties::catalog()) {
     text += fmt::format("{:<30} {:<9} {:<7} {:<22} {:<28} {}\n", info.name, constant ? "constant" : "variable",
                         info.scope == Scope::base ? "base" : "object", info.unit, info.frame, info.meaning);

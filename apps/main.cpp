@@ -24,9 +24,11 @@ void add_run(CLI::App& app, RunOptions& options, int& exit_code) {
       ->capture_default_str();
   run_command->add_option("--seed", options.seed, "Seed of all random numbers, instead of the scene's");
   run_command
-      ->add_option("--set", options.overrides, "PATH=VALUE: change the scene, for example 'blue.*.level=simplified_dynamics'")
+      ->add_option("--set", options.overrides,
+                   "PATH=VALUE: change the scene, for example 'blue.*.level=simplified_dynamics'")
       ->allow_extra_args(false);
-  run_command->add_option("--json", options.json, "Write the report as JSON to this file, or to standard output with '-'");
+  run_command->add_option("--json", options.json,
+                          "Write the report as JSON to this file, or to standard output with '-'");
   run_command->add_option("--picture", options.picture, "Write a PNG picture of the field from above");
   run_command->add_flag("--lenient", options.lenient, "Accept unknown elements in model files, with a warning");
   run_command->callback([&] { exit_code = run(options); });

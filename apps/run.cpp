@@ -48,7 +48,8 @@ class ProgressBar {
     constexpr int width = 40;
     const double share = duration_ > Duration{} ? seconds(now) / seconds(duration_) : 1;
     const int done = static_cast<int>(std::min(1.0, share) * width);
-    fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:.1f} of {:.1f} s", "", done, "", width - done, seconds(now), seconds(duration_));
+    fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:.1f} of {:.1f} s", "", done, "", width - done, seconds(now),
+               seconds(duration_));
     std::fflush(stderr);
   }
 

@@ -49,7 +49,7 @@ def check_include(root, file, folder, path, quoted):
         if folder is None or not quoted:
             return None
         return f'"{path}": write <{path}> for other libraries and "murosimf/..." for our own headers'
-    if not quoted:
+    if not quoted and not file.is_relative_to(root / "examples"):  # examples are written as users write
         return f"<{path}>: our own headers stand in quotes"
     if not (root / path).is_file():
         return f'"{path}" does not exist'

@@ -5,8 +5,8 @@
 ///
 ///     f_n = max(0, k depth - d v_n)       f_t = -min(mu f_n, ct |v_t|) v_t / |v_t|
 ///
-/// An entity that cannot be pushed (`pushable` 0: kinematic walking) feels nothing; what it should have felt is added to
-/// its ledger `absorbed_impulse`, so that the momentum of ball and ledger together is constant. The speed of such a
+/// An entity that cannot be pushed (`pushable` 0: kinematic walking) feels nothing; what it should have felt is added
+/// to its ledger `absorbed_impulse`, so that the momentum of ball and ledger together is constant. The speed of such a
 /// partner's point counts up to 3 m/s only, so that a change of its standing foot cannot shoot the ball.
 /// General collision detection between all bodies takes this file's place when it comes.
 #pragma once

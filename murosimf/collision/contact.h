@@ -28,13 +28,13 @@ struct Contact {
 
 /// Constants of a contact point, from the pair of surfaces and the weight of the robot (contact_parameters.h).
 struct ContactParameters {
-  double stiffness = 0;           ///< [N/m] k, normal
-  double damping = 0;             ///< [N s/m] d, normal
-  double tangent_stiffness = 0;   ///< [N/m] kt
-  double tangent_damping = 0;     ///< [N s/m] ct
-  double friction = 0;            ///< [1] mu
-  double rolling = 0;             ///< [1] rolling resistance
-  double theta = 1;               ///< [1] 1: depth after the step counts, 0: depth before it
+  double stiffness = 0;          ///< [N/m] k, normal
+  double damping = 0;            ///< [N s/m] d, normal
+  double tangent_stiffness = 0;  ///< [N/m] kt
+  double tangent_damping = 0;    ///< [N s/m] ct
+  double friction = 0;           ///< [1] mu
+  double rolling = 0;            ///< [1] rolling resistance
+  double theta = 1;              ///< [1] 1: depth after the step counts, 0: depth before it
 };
 
 enum class ContactState : std::uint8_t { open, stick, slip };
@@ -47,12 +47,12 @@ struct ContactPoint : Contact {
   Vec3d angular_velocity;  ///< [rad/s] w: A against B, world frame
   Vec3d stretch;           ///< [m] memory: displacement of the tangential spring
   ContactState state = ContactState::stick;
-  Vec3d force;             ///< [N] world frame
-  Vec3d moment;            ///< [N m] world frame, besides what the force does at the point
+  Vec3d force;                                     ///< [N] world frame
+  Vec3d moment;                                    ///< [N m] world frame, besides what the force does at the point
   double normal_damping = 0, tangent_damping = 0;  ///< [N s/m] b_n, b_t
   double angular_damping = 0;                      ///< [N m s] b_w
-  double last_normal_force = 0;  ///< [N] of the pass before: a sliding force follows it
-  Vec3d slip_direction;          ///< [1] d, unit or zero
+  double last_normal_force = 0;                    ///< [N] of the pass before: a sliding force follows it
+  Vec3d slip_direction;                            ///< [1] d, unit or zero
 };
 
 void append_hash(Hasher& hasher, const ContactPoint& point);
@@ -64,7 +64,7 @@ struct ContactSet {
   std::vector<ContactPoint> points;           ///< sorted by feature
   std::vector<ContactParameters> parameters;  ///< by Contact::surface
   const ContactLaw* law = nullptr;
-  double dt = 0;                              ///< [s] of the step that the forces are made for
+  double dt = 0;  ///< [s] of the step that the forces are made for
 
   // working memory, kept to avoid allocation
   std::vector<ContactPoint> previous;

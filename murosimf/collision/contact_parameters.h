@@ -25,6 +25,7 @@ namespace murosimf::collision {
 [[nodiscard]] double damping_ratio(double restitution);
 
 /// Constants for contacts of `model` with a surface. `gravity` [m/s^2] magnitude; `dt` [s] of the motion step.
-[[nodiscard]] ContactParameters contact_parameters(const Model& model, const PairSurface& pair, double gravity, double dt);
+[[nodiscard]] ContactParameters contact_parameters(const Model& model, const PairSurface& pair, double gravity,
+                                                   double dt);
 
 }  // namespace murosimf::collision

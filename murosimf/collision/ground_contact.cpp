@@ -72,7 +72,8 @@ void GroundContact::step(const Instant& instant) noexcept {
   set_.law->prepare(set_);
   set_.loaded.clear();
   for (const ContactPoint& c : set_.points) {
-    if (std::find(set_.loaded.begin(), set_.loaded.end(), c.object) == set_.loaded.end()) set_.loaded.push_back(c.object);
+    if (std::find(set_.loaded.begin(), set_.loaded.end(), c.object) == set_.loaded.end())
+      set_.loaded.push_back(c.object);
   }
   write_loads(set_, r_, external_force_, external_damping_);
 }

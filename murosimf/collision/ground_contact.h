@@ -35,12 +35,12 @@ class GroundContact final : public Algorithm {
   std::vector<GroundShape> shapes_;
   std::vector<GroundPlane> planes_;
   std::vector<ContactParameters> parameters_;
-  std::span<const Vec3d> r_;                  // [m] origins, world
-  std::span<const Mat3d> R_;                  // orientations
-  std::span<const Vec3d> v_;                  // [m/s] of the origins, world
-  std::span<const Vec3d> w_;                  // [rad/s] world
-  std::span<const Forced> applied_force_;     // [N m, N] users' pushes
-  std::span<const Forced> interaction_force_; // [N m, N] contacts with moving bodies
+  std::span<const Vec3d> r_;                   // [m] origins, world
+  std::span<const Mat3d> R_;                   // orientations
+  std::span<const Vec3d> v_;                   // [m/s] of the origins, world
+  std::span<const Vec3d> w_;                   // [rad/s] world
+  std::span<const Forced> applied_force_;      // [N m, N] users' pushes
+  std::span<const Forced> interaction_force_;  // [N m, N] contacts with moving bodies
   std::span<Forced> external_force_;
   std::span<Sym6d> external_damping_;
   ContactSet& set_;

@@ -61,6 +61,11 @@ struct LowPoints {
 
 }  // namespace
 
+GroundShape ground_shape(int object, const PlacedShape& placed, std::uint32_t first_feature) {
+  const double reach = bounding_radius(placed.shape);
+  return {object, placed, reach, norm(placed.position) + reach, first_feature};
+}
+
 std::vector<GroundShape> ground_shapes(const Model& model) {
   std::vector<GroundShape> result;
   std::uint32_t feature = 0;
@@ -69,8 +74,7 @@ std::vector<GroundShape> ground_shapes(const Model& model) {
     if (!shapes) continue;
     for (const PlacedShape& placed : *shapes) {
       if (!placed.collides || std::holds_alternative<Plane>(placed.shape)) continue;
-      const double reach = bounding_radius(placed.shape);
-      result.push_back({object, placed, reach, norm(placed.position) + reach, feature});
+      result.push_back(ground_shape(object, placed, feature));
       feature += features_per_shape;
     }
   }

@@ -21,10 +21,12 @@ struct GroundPlane {
 struct GroundShape {
   int object = 0;
   PlacedShape placed;
-  double reach = 0;                ///< [m] bounding radius about the shape's origin
-  double object_reach = 0;         ///< [m] bounding radius about the object's origin: cheap to test, in any attitude
+  double reach = 0;         ///< [m] bounding radius about the shape's origin
+  double object_reach = 0;  ///< [m] bounding radius about the object's origin: cheap to test, in any attitude
   std::uint32_t first_feature = 0;
 };
+
+[[nodiscard]] GroundShape ground_shape(int object, const PlacedShape& placed, std::uint32_t first_feature);
 
 /// Every shape of the model that collides, planes excluded.
 [[nodiscard]] std::vector<GroundShape> ground_shapes(const Model& model);

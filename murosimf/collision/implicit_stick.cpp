@@ -5,9 +5,9 @@
 namespace murosimf::collision {
 namespace {
 
-constexpr double slow = 0.005;            // [m/s] below this the direction of sliding is not trusted
-constexpr double slow_turn = 0.5;         // [rad/s] below this rolling resistance falls linearly to zero
-constexpr double normal_tolerance = 0.05; // a sliding force is renewed if the normal force moved by more than this
+constexpr double slow = 0.005;             // [m/s] below this the direction of sliding is not trusted
+constexpr double slow_turn = 0.5;          // [rad/s] below this rolling resistance falls linearly to zero
+constexpr double normal_tolerance = 0.05;  // a sliding force is renewed if the normal force moved by more than this
 
 double normal_damping(const ContactParameters& p, double dt) { return p.damping + p.theta * dt * p.stiffness; }
 
@@ -21,8 +21,8 @@ Vec3d stick_force(const ContactPoint& c, const ContactParameters& p, double dt, 
 }
 
 void linearize_open(ContactPoint& c) {
-  c.force = {};
-  c.normal_damping = c.tangent_damping = 0;
+  c.force = c.moment = {};
+  c.normal_damping = c.tangent_damping = c.angular_damping = 0;
 }
 
 void linearize_stick(ContactPoint& c, const ContactParameters& p, double dt) {
@@ -47,12 +47,6 @@ void linearize_slip(ContactPoint& c, const ContactParameters& p, double dt) {
   c.force = normal_force(c, p, dt, v_n) * c.normal - limit * c.slip_direction - c.tangent_damping * across;
 }
 
-void linearize(ContactPoint& c, const ContactParameters& p, double dt) {
-  if (c.state == ContactState::open) return linearize_open(c);
-  if (c.state == ContactState::slip) return linearize_slip(c, p, dt);
-  linearize_stick(c, p, dt);
-}
-
 void add_rolling_resistance(ContactPoint& c, const ContactParameters& p) {
   c.moment = {};
   c.angular_damping = 0;
@@ -62,7 +56,17 @@ void add_rolling_resistance(ContactPoint& c, const ContactParameters& p) {
   c.moment = -c.angular_damping * c.angular_velocity;
 }
 
-/// Friction that the present linearisation gives for the tangential velocity v_t after the step.
+void linearize(ContactPoint& c, const ContactParameters& p, double dt) {
+  if (c.state == ContactState::open) return linearize_open(c);
+  if (c.state == ContactState::slip) {
+    linearize_slip(c, p, dt);
+  } else {
+    linearize_stick(c, p, dt);
+  }
+  add_rolling_resistance(c, p);
+}
+
+/// Friction that the present linearization gives for the tangential velocity v_t after the step.
 Vec3d tangential_force(const ContactPoint& c, const Vec3d& v_t) {
   Vec3d change = v_t - tangential(c.velocity, c.normal);
   if (c.state == ContactState::slip) change -= dot(change, c.slip_direction) * c.slip_direction;
@@ -112,7 +116,6 @@ void ImplicitStick::prepare(ContactSet& set) const noexcept {
     if (c.state == ContactState::open) c.state = ContactState::stick;
     if (c.last_normal_force == 0) c.last_normal_force = p.stiffness * c.depth;
     linearize(c, p, set.dt);
-    add_rolling_resistance(c, p);
   }
 }
 

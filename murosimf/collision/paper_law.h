@@ -17,9 +17,9 @@
 namespace murosimf::collision {
 
 struct PaperLawOptions {
-  double rebound = 0.4;        ///< [1] s_b
-  double friction = 5.0;       ///< [s/m] s_mu
-  double spin_friction = 0.01; ///< [m s] s_nu
+  double rebound = 0.4;         ///< [1] s_b
+  double friction = 5.0;        ///< [s/m] s_mu
+  double spin_friction = 0.01;  ///< [m s] s_nu
 };
 
 class PaperLaw final : public ContactLaw {

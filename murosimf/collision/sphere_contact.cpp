@@ -13,23 +13,24 @@ struct AgainstShape {
 
   using Result = std::optional<SphereContact>;
 
-  /// Sphere of `other_radius` about `other`.
-  [[nodiscard]] Result ball(const Vec3d& other, double other_radius) const {
+  /// Sphere of `other_radius` about `other`; `sideways`: way out if the centers coincide.
+  [[nodiscard]] Result ball(const Vec3d& other, double other_radius, const Vec3d& sideways = {0, 0, 1}) const {
     const Vec3d d = center - other;
     const double distance = norm(d);
     const double depth = radius + other_radius - distance;
     if (depth <= 0) return std::nullopt;
-    const Vec3d n = distance > 1e-12 ? (1.0 / distance) * d : Vec3d{0, 0, 1};
+    const Vec3d n = distance > 0 ? (1.0 / distance) * d : sideways;
     return SphereContact{other + other_radius * n, n, depth};
   }
 
   Result operator()(const Sphere& s) const { return ball({}, s.radius); }
   Result operator()(const Capsule& s) const {
-    return ball({0, 0, std::clamp(center.z, -s.half_length, s.half_length)}, s.radius);
+    return ball({0, 0, std::clamp(center.z, -s.half_length, s.half_length)}, s.radius, {1, 0, 0});
   }
   Result operator()(const Box& s) const {
     const Vec3d& h = s.half_size;
-    const Vec3d nearest{std::clamp(center.x, -h.x, h.x), std::clamp(center.y, -h.y, h.y), std::clamp(center.z, -h.z, h.z)};
+    const Vec3d nearest{std::clamp(center.x, -h.x, h.x), std::clamp(center.y, -h.y, h.y),
+                        std::clamp(center.z, -h.z, h.z)};
     const Vec3d gap = center - nearest;
     if (dot(gap, gap) > 0) return ball(nearest, 0.0);
     // the center is inside: out through the nearest face

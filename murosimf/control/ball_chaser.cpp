@@ -7,13 +7,13 @@ namespace murosimf::control {
 namespace {
 
 // All lengths in metres, on the ground plane.
-constexpr double behind_ball = 0.22;     // where a push begins
-constexpr double in_front = 0.30;        // the ball is at the feet
-constexpr double beside_feet = 0.09;     // ... and not beside them
-constexpr double detour = 0.40;          // sideways, to get around the ball
-constexpr double support_behind = 0.8;   // the others' distance to the ball
+constexpr double behind_ball = 0.22;    // where a push begins
+constexpr double in_front = 0.30;       // the ball is at the feet
+constexpr double beside_feet = 0.09;    // ... and not beside them
+constexpr double detour = 0.40;         // sideways, to get around the ball
+constexpr double support_behind = 0.8;  // the others' distance to the ball
 constexpr double support_aside = 0.7;
-constexpr double keep_clear = 0.55;      // of other robots
+constexpr double keep_clear = 0.55;  // of other robots
 constexpr double arrived = 0.10;
 
 using sensors::Sighting;
@@ -30,9 +30,9 @@ double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 struct Situation {
   const Sighting* self = nullptr;
   const Sighting* ball = nullptr;
-  int rank = 0;        ///< how many of the team are nearer to the ball
-  Vec3d to_goal;       ///< unit, from the ball to the goal
-  Vec3d avoidance;     ///< push away from robots that are too near
+  int rank = 0;     ///< how many of the team are nearer to the ball
+  Vec3d to_goal;    ///< unit, from the ball to the goal
+  Vec3d avoidance;  ///< push away from robots that are too near
 };
 
 Situation assess(const std::vector<Sighting>& sightings, const BallChaserOptions& options) {

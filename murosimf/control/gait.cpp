@@ -28,9 +28,9 @@ Stride stride(double p, double d) {
 }  // namespace
 
 WalkParameters seeded_parameters(const std::array<Leg, 2>& legs) {
-  constexpr double kid21_leg = 0.24;            // [m] thigh and shin
-  constexpr double kid21_half_hip_width = 0.05; // [m]
-  constexpr double gravity = 9.81;              // [m/s^2]
+  constexpr double kid21_leg = 0.24;             // [m] thigh and shin
+  constexpr double kid21_half_hip_width = 0.05;  // [m]
+  constexpr double gravity = 9.81;               // [m/s^2]
   WalkParameters p;
   const double scale = (legs[0].thigh + legs[0].shin) / kid21_leg;
   const double half_hip_width = 0.5 * (legs[0].hip.y - legs[1].hip.y);

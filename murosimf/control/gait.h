@@ -1,10 +1,12 @@
 /// gait.h - an omnidirectional open-loop walk: where both feet are at every phase.
 ///
-/// Phase ph in [0, 2 pi); the left foot stands during (0, pi). With p = ph - pi (left) or ph (right), d = double * pi/2:
+/// Phase ph in [0, 2 pi); the left foot stands during (0, pi). With p = ph - pi (left) or ph (right), d = double *
+/// pi/2:
 ///     swing (d < p < pi - d), u = (p - d)/(pi - 2 d):   xi = -cos(pi u)/2      lift = hz (1 - cos 2 pi u)/2
 ///     stance:                                           xi runs linearly from +1/2 to -1/2, lift = 0
 /// Ankle in the level frame of the pelvis, x and z from the hip center, y from the middle:
-///     x = xi vx Ts - x0      y = +-fy + xi vy Ts - ay sin(ph + lead)      z = -h + ankle height + lift      yaw = xi wz Ts
+///     x = xi vx Ts - x0      y = +-fy + xi vy Ts - ay sin(ph + lead)      z = -h + ankle height + lift      yaw = xi
+///     wz Ts
 /// with Ts = T (pi + 2 d)/(2 pi); the pelvis leans forward by `pitch`, and the standing leg's hip roll lifts the
 /// swinging side by `hip_roll` sin(ph) against the droop of its servos.
 /// Source: the project's walk study (parameters found by random search in MuJoCo on the kid21 robot).
@@ -17,17 +19,17 @@
 namespace murosimf::control {
 
 struct WalkParameters {
-  double period = 0.452;       ///< [s] T, two steps
-  double sway = 0.0094;        ///< [m] ay, sideways
-  double lift = 0.0445;        ///< [m] hz, height of the swinging foot
-  double hip_height = 0.2612;  ///< [m] h, hip center above the sole
-  double setback = 0.0128;     ///< [m] x0, feet behind the hips
-  double pitch = 0.031;        ///< [rad] forward lean of the pelvis
-  double double_support = 0.003;  ///< [1] share of the period with both feet down
-  double half_width = 0.0557;  ///< [m] fy, ankle from the middle
-  double lead = -0.128;        ///< [rad] of the sway
-  double hip_roll = 0.055;     ///< [rad] against droop
-  Vec3d slew{0.375, 0.25, 2};  ///< [m/s^2, m/s^2, rad/s^2] of the walking velocity
+  double period = 0.452;           ///< [s] T, two steps
+  double sway = 0.0094;            ///< [m] ay, sideways
+  double lift = 0.0445;            ///< [m] hz, height of the swinging foot
+  double hip_height = 0.2612;      ///< [m] h, hip center above the sole
+  double setback = 0.0128;         ///< [m] x0, feet behind the hips
+  double pitch = 0.031;            ///< [rad] forward lean of the pelvis
+  double double_support = 0.003;   ///< [1] share of the period with both feet down
+  double half_width = 0.0557;      ///< [m] fy, ankle from the middle
+  double lead = -0.128;            ///< [rad] of the sway
+  double hip_roll = 0.055;         ///< [rad] against droop
+  Vec3d slew{0.375, 0.25, 2};      ///< [m/s^2, m/s^2, rad/s^2] of the walking velocity
   Vec3d fastest{0.25, 0.10, 0.8};  ///< [m/s, m/s, rad/s] commands beyond are clipped
 };
 

@@ -12,12 +12,12 @@
 namespace murosimf::control {
 
 struct Leg {
-  std::array<int, 6> joints{};     ///< objects: hip yaw, roll, pitch, knee, ankle pitch, roll
-  std::array<double, 6> signs{};   ///< -1 where the model's axis points against the positive direction used here
-  Vec3d hip;                       ///< [m] hip center in the base frame
-  double thigh = 0, shin = 0;      ///< [m]
-  double ankle_height = 0;         ///< [m] ankle above the sole
-  Vec3d sole;                      ///< [m] sole center in the foot's frame (at the ankle)
+  std::array<int, 6> joints{};    ///< objects: hip yaw, roll, pitch, knee, ankle pitch, roll
+  std::array<double, 6> signs{};  ///< -1 where the model's axis points against the positive direction used here
+  Vec3d hip;                      ///< [m] hip center in the base frame
+  double thigh = 0, shin = 0;     ///< [m]
+  double ankle_height = 0;        ///< [m] ankle above the sole
+  Vec3d sole;                     ///< [m] sole center in the foot's frame (at the ankle)
 };
 
 /// Throws SetupError, naming the joint that does not fit, if the chain to `sole` is no leg as described.

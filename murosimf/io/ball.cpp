@@ -11,7 +11,8 @@ namespace murosimf::io {
 ModelPtr ball_model(const BallOptions& options) {
   const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
   if (!positive(options.radius) || !positive(options.mass)) {
-    throw SetupError(fmt::format("a ball of radius {} m and mass {} kg: both must be positive", options.radius, options.mass));
+    throw SetupError(
+        fmt::format("a ball of radius {} m and mass {} kg: both must be positive", options.radius, options.mass));
   }
   const double inertia = (options.hollow ? 2.0 / 3.0 : 2.0 / 5.0) * options.mass * options.radius * options.radius;
   PlacedShape sphere;

@@ -8,10 +8,10 @@
 namespace murosimf::io {
 
 struct BallOptions {
-  double radius = 0.05;            ///< [m]
-  double mass = 0.1;               ///< [kg]
-  bool hollow = false;             ///< inertia 2/3 m r^2 instead of 2/5 m r^2
-  std::string material = "ball";   ///< surface, for the pair table
+  double radius = 0.05;           ///< [m]
+  double mass = 0.1;              ///< [kg]
+  bool hollow = false;            ///< inertia 2/3 m r^2 instead of 2/5 m r^2
+  std::string material = "ball";  ///< surface, for the pair table
 };
 
 /// Throws SetupError if radius or mass are not positive.

@@ -17,9 +17,9 @@ void attach_kinematic_walking(Simulation& simulation, Entity& robot, double rate
 }
 
 void attach_simplified_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
-  simulation.attach<motion::SimplifiedDynamics>(
-      "simplified_dynamics", robot, rate_hz,
-      motion::SimplifiedDynamicsOptions{.base_rigid = options.base_rigid, .reference = options.reference});
+  simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", robot, rate_hz,
+                                                motion::SimplifiedDynamicsOptions{.base_rigid = options.base_rigid,
+                                                                                  .reference = options.reference});
 }
 
 void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
@@ -31,7 +31,8 @@ void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions&
 void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   using control::BallChaser;
   simulation.attach<sensors::GroundTruth>("ground_truth", robot, BallChaser::rate_hz, options.everybody);
-  simulation.attach<BallChaser>("ball_chaser", robot, BallChaser::rate_hz, control::BallChaserOptions{.goal = options.goal});
+  simulation.attach<BallChaser>("ball_chaser", robot, BallChaser::rate_hz,
+                                control::BallChaserOptions{.goal = options.goal});
   simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz);
 }
 
@@ -41,8 +42,8 @@ std::shared_ptr<const collision::ContactLaw> make_law() {
 }
 
 constexpr std::array level_entries{
-    Level{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)", false,
-          attach_kinematic_walking},
+    Level{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
+          false, attach_kinematic_walking},
     Level{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)", true,
           attach_simplified_dynamics},
 };

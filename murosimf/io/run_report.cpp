@@ -10,15 +10,15 @@ namespace {
 
 toml::table entity_table(const EntityReport& e) {
   return toml::table{{"name", e.name},
-          {"model", e.model},
-          {"level", e.level},
-          {"contact", e.contact},
-          {"controller", e.controller},
-          {"team", e.team},
-          {"position", toml::array{e.position.x, e.position.y, e.position.z}},
-          {"distance_m", e.distance},
-          {"falls", e.falls},
-          {"frozen", e.frozen}};
+                     {"model", e.model},
+                     {"level", e.level},
+                     {"contact", e.contact},
+                     {"controller", e.controller},
+                     {"team", e.team},
+                     {"position", toml::array{e.position.x, e.position.y, e.position.z}},
+                     {"distance_m", e.distance},
+                     {"falls", e.falls},
+                     {"frozen", e.frozen}};
 }
 
 toml::table algorithm_table(const AlgorithmStatistics& a) {

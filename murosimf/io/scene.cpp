@@ -163,9 +163,16 @@ RunReport Scene::report(Duration wall, const Lateness& lateness) const {
   report.state_hash = simulation_->state_hash();
   for (Entity* mover : movers_) {
     const auto base = mover->base();
-    EntityReport e{mover->name(), mover->model().name(), mover->level, mover->contact, mover->controller,
-                   mover->options().team, base.get(properties::position), base.get(properties::distance_walked),
-                   static_cast<int>(base.get(properties::falls)), mover->frozen()};
+    EntityReport e{mover->name(),
+                   mover->model().name(),
+                   mover->level,
+                   mover->contact,
+                   mover->controller,
+                   mover->options().team,
+                   base.get(properties::position),
+                   base.get(properties::distance_walked),
+                   static_cast<int>(base.get(properties::falls)),
+                   mover->frozen()};
     report.entities.push_back(std::move(e));
   }
   report.algorithms = simulation_->statistics();

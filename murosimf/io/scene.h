@@ -19,9 +19,9 @@ namespace murosimf::io {
 
 struct SceneOptions {
   int threads = 1;
-  std::optional<std::uint64_t> seed;     ///< instead of the scene's
-  std::vector<std::string> overrides;    ///< PATH=VALUE, as for --set
-  bool lenient = false;                  ///< accept unknown elements in model files
+  std::optional<std::uint64_t> seed;   ///< instead of the scene's
+  std::vector<std::string> overrides;  ///< PATH=VALUE, as for --set
+  bool lenient = false;                ///< accept unknown elements in model files
 };
 
 class Scene {
@@ -55,8 +55,8 @@ class Scene {
   std::vector<std::string> warnings_;       // from reading models
   Entity* field_ = nullptr;
   Entity* ball_ = nullptr;
-  std::vector<Entity*> robots_;             // in the order of the spec
-  std::vector<Entity*> movers_;             // robots and ball
+  std::vector<Entity*> robots_;  // in the order of the spec
+  std::vector<Entity*> movers_;  // robots and ball
   const PathRecorder* recorder_ = nullptr;
 };
 

@@ -13,13 +13,15 @@ namespace murosimf::io {
 namespace {
 
 struct Override {
-  std::string text;                // as the user wrote it
-  std::string where;               // for messages
+  std::string text;   // as the user wrote it
+  std::string where;  // for messages
   std::vector<std::string> path;
   std::string value;
 };
 
-bool matches(const std::string& pattern, const std::string& name) { return fnmatch(pattern.c_str(), name.c_str(), 0) == 0; }
+bool matches(const std::string& pattern, const std::string& name) {
+  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
 
 Override split(const std::string& text) {
   Override o{text, fmt::format("--set '{}'", text), {}, {}};
@@ -103,21 +105,23 @@ void add_setting(const Override& o, std::vector<std::string> entities, const std
   if (scene.contains("ball")) names.emplace_back("ball");
   std::vector<std::string_view> candidates(names.begin(), names.end());
   if (o.path.size() == 1) candidates = scene_keys();
-  throw SetupError(fmt::format("{}: {}", o.where, unknown_name(o.path.size() == 1 ? "setting" : "entity or table",
-                                                               o.path[0], candidates)));
+  throw SetupError(
+      fmt::format("{}: {}", o.where,
+                  unknown_name(o.path.size() == 1 ? "setting" : "entity or table", o.path[0], candidates)));
 }
 
 }  // namespace
 
 const std::vector<std::string_view>& scene_keys() {
-  static const std::vector<std::string_view> keys{"name", "duration", "seed",  "rate",     "gravity", "start",
-                                                  "field", "ball",    "teams", "defaults", "robots",  "materials"};
+  static const std::vector<std::string_view> keys{"name",  "duration", "seed",  "rate",     "gravity", "start",
+                                                  "field", "ball",     "teams", "defaults", "robots",  "materials"};
   return keys;
 }
 
 const std::vector<std::string_view>& robot_keys() {
-  static const std::vector<std::string_view> keys{"name",       "team",     "model",       "level",   "contact",         "controller",
-                                                  "position",   "command",  "heading_deg", "base_rigid", "joint_reference"};
+  static const std::vector<std::string_view> keys{"name",        "team",       "model",          "level",
+                                                  "contact",     "controller", "position",       "command",
+                                                  "heading_deg", "base_rigid", "joint_reference"};
   return keys;
 }
 

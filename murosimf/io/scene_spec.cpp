@@ -32,7 +32,8 @@ Color read_color(const TomlTable& table, const Color& otherwise) {
   Vec3d rgb{otherwise.red, otherwise.green, otherwise.blue};
   table.read("color", rgb);
   const auto fits = [](double x) { return x >= 0 && x <= 1; };
-  require(fits(rgb.x) && fits(rgb.y) && fits(rgb.z), table, "color", "must be three numbers from 0 to 1: red, green, blue");
+  require(fits(rgb.x) && fits(rgb.y) && fits(rgb.z), table, "color",
+          "must be three numbers from 0 to 1: red, green, blue");
   return {rgb.x, rgb.y, rgb.z};
 }
 
@@ -84,7 +85,8 @@ void read_teams(const TomlTable& scene, SceneSpec& spec) {
     team.color = read_color(table, spec.teams.empty() ? Color{0.1, 0.3, 0.9} : Color{0.9, 0.15, 0.1});
     std::string attacks = spec.teams.empty() ? "right" : "left";
     table.read("attacks", attacks);
-    require(attacks == "right" || attacks == "left", table, "attacks", "must be \"right\" (the goal at positive x) or \"left\"");
+    require(attacks == "right" || attacks == "left", table, "attacks",
+            "must be \"right\" (the goal at positive x) or \"left\"");
     team.attacks = attacks == "right" ? 1 : -1;
     spec.teams.push_back(team);
   }
@@ -126,8 +128,8 @@ void read_robots(const TomlTable& scene, SceneSpec& spec) {
     require(!robot.name.empty(), table, "name", "of the robot is missing");
     require(!robot.model.empty(), table, "model", "of the robot is missing");
     const auto same_name = [&](const RobotSpec& other) { return other.name == robot.name; };
-    const bool taken = robot.name == "ball" || robot.name == "field" ||
-                       std::any_of(spec.robots.begin(), spec.robots.end(), same_name);
+    const bool taken =
+        robot.name == "ball" || robot.name == "field" || std::any_of(spec.robots.begin(), spec.robots.end(), same_name);
     if (taken) fail_at(*table.find("name"), fmt::format("two entities are called '{}'", robot.name));
     const auto is_team = [&](const TeamSpec& team) { return team.name == robot.team; };
     if (!robot.team.empty() && std::none_of(spec.teams.begin(), spec.teams.end(), is_team)) {

@@ -20,8 +20,8 @@ struct FieldSpec {
 
 struct BallSpec {
   BallOptions options;
-  Vec3d position;   ///< [m] z: height of its lowest point
-  Vec3d velocity;   ///< [m/s]
+  Vec3d position;  ///< [m] z: height of its lowest point
+  Vec3d velocity;  ///< [m/s]
   std::string contact = "implicit_stick";
 };
 
@@ -57,12 +57,12 @@ struct PropertySetting {
 struct SceneSpec {
   std::filesystem::path file;
   std::string name;
-  double duration = 10;          ///< [s]
+  double duration = 10;  ///< [s]
   std::uint64_t seed = 1;
-  double rate = 1000;            ///< [Hz] of motion and contact
-  Vec3d gravity{0, 0, -9.81};    ///< [m/s^2]
-  double jitter_position = 0;    ///< [m] start places vary by up to this, in x and y
-  double jitter_heading = 0;     ///< [rad]
+  double rate = 1000;          ///< [Hz] of motion and contact
+  Vec3d gravity{0, 0, -9.81};  ///< [m/s^2]
+  double jitter_position = 0;  ///< [m] start places vary by up to this, in x and y
+  double jitter_heading = 0;   ///< [rad]
   FieldSpec field;
   std::optional<BallSpec> ball;
   std::vector<TeamSpec> teams;

@@ -70,7 +70,8 @@ void TomlTable::read(std::string_view key, bool& value) const {
 void TomlTable::read(std::string_view key, std::uint64_t& value) const {
   const toml::node* node = find(key);
   if (!node) return;
-  if (!node->is_integer() || **node->as_integer() < 0) fail_at(*node, fmt::format("'{}' must be a whole number from 0", key));
+  if (!node->is_integer() || **node->as_integer() < 0)
+    fail_at(*node, fmt::format("'{}' must be a whole number from 0", key));
   value = static_cast<std::uint64_t>(**node->as_integer());
 }
 

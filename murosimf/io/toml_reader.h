@@ -39,7 +39,7 @@ class TomlTable {
   void read(std::string_view key, Vec3d& value) const;
 
   [[nodiscard]] const toml::node* find(std::string_view key) const { return table_.get(key); }
-  [[nodiscard]] const toml::table* table(std::string_view key) const;                 ///< null if missing
+  [[nodiscard]] const toml::table* table(std::string_view key) const;                ///< null if missing
   [[nodiscard]] std::vector<const toml::table*> tables(std::string_view key) const;  ///< of [[key]]
   [[nodiscard]] std::string where() const { return io::where(table_); }
   /// Where the key stands, or the table if it is missing.

@@ -43,9 +43,9 @@ Force<S> moved(const Force<S>& force, const Vec3<S>& offset) {
 /// Symmetric 6x6 matrix that maps a motion to a force: [n; f] = [J H; H^T M] [w; v].
 template <class S>
 struct Sym6 {
-  SymMat3<S> J;  ///< angular to moment
+  SymMat3<S> J;                                ///< angular to moment
   Mat3<S> H{Vec3<S>{}, Vec3<S>{}, Vec3<S>{}};  ///< linear to moment
-  SymMat3<S> M;  ///< linear to force
+  SymMat3<S> M;                                ///< linear to force
 };
 
 using Sym6d = Sym6<double>;
@@ -111,9 +111,7 @@ Sym6<S> moved(const Sym6<S>& a, const Vec3<S>& offset) {
   const Sym6<S> point = at_point(a.M, -offset);
   const SymMat3<S> mixed{YH.x.x + YH.x.x, YH.y.y + YH.y.y, YH.z.z + YH.z.z,
                          YH.y.x + YH.x.y, YH.z.x + YH.x.z, YH.z.y + YH.y.z};
-  return {a.J + mixed + point.J,
-          {a.H.x + point.H.x, a.H.y + point.H.y, a.H.z + point.H.z},
-          a.M};
+  return {a.J + mixed + point.J, {a.H.x + point.H.x, a.H.y + point.H.y, a.H.z + point.H.z}, a.M};
 }
 
 template <class S>

@@ -50,8 +50,9 @@ std::string writers_of(const std::vector<NamedAccess>& algorithms, const Entity*
     });
     if (writes) names.push_back("'" + algorithm.algorithm + "'");
   }
-  return names.empty() ? "no algorithm writes anything of it" : fmt::format("{} write{} other properties of it",
-                                                                             fmt::join(names, ", "), names.size() == 1 ? "s" : "");
+  return names.empty()
+             ? "no algorithm writes anything of it"
+             : fmt::format("{} write{} other properties of it", fmt::join(names, ", "), names.size() == 1 ? "s" : "");
 }
 
 }  // namespace

@@ -21,6 +21,9 @@ class ColumnBase {
   [[nodiscard]] const PropertyInfo& info() const { return info_; }
   [[nodiscard]] std::type_index type() const { return type_; }
 
+  /// True once an algorithm that takes the column as input has given it its start value.
+  bool has_start_value = false;
+
   /// Numbers per row; 0 if the value is no row of numbers.
   [[nodiscard]] virtual std::size_t numbers() const = 0;
   [[nodiscard]] virtual std::size_t rows() const = 0;
@@ -43,8 +46,7 @@ inline constexpr bool fill_with_nan = true;
 template <class T>
 class Column final : public ColumnBase {
  public:
-  Column(const Property<T>& property, std::size_t rows)
-      : ColumnBase(property, typeid(T)), values(rows) {
+  Column(const Property<T>& property, std::size_t rows) : ColumnBase(property, typeid(T)), values(rows) {
     if constexpr (NumericValue<T>) fill(fill_with_nan ? std::numeric_limits<double>::quiet_NaN() : 0.0);
   }
 
@@ -54,8 +56,7 @@ class Column final : public ColumnBase {
     if constexpr (NumericValue<T>) return ValueTraits<T>::get(values[row], i);
     return std::numeric_limits<double>::quiet_NaN();
   }
-  void set([[maybe_unused]] std::size_t row, [[maybe_unused]] std::size_t i,
-           [[maybe_unused]] double number) override {
+  void set([[maybe_unused]] std::size_t row, [[maybe_unused]] std::size_t i, [[maybe_unused]] double number) override {
     if constexpr (NumericValue<T>) ValueTraits<T>::set(values[row], i, number);
   }
   void append_to(Hasher& hasher) const override {

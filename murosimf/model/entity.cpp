@@ -27,7 +27,8 @@ ColumnBase* Entity::find(std::string_view property) const {
 
 ObjectAccess Entity::object(std::string_view name) {
   const auto found = model_->find_object(name);
-  if (!found) throw SetupError(fmt::format("entity '{}': {}", name_, unknown_name("object", name, model_->object_names())));
+  if (!found)
+    throw SetupError(fmt::format("entity '{}': {}", name_, unknown_name("object", name, model_->object_names())));
   return {*this, *found};
 }
 
@@ -45,8 +46,9 @@ void Entity::append_to(Hasher& hasher) const {
 }
 
 void Entity::refuse_column(const PropertyInfo& info) const {
-  throw SetupError(fmt::format("entity '{}': property '{}' is asked for after the columns were frozen; ask while setting up",
-                               name_, info.name));
+  throw SetupError(
+      fmt::format("entity '{}': property '{}' is asked for after the columns were frozen; ask while setting up", name_,
+                  info.name));
 }
 
 void Entity::refuse_type(const PropertyInfo& info) const {

@@ -52,10 +52,10 @@ class ObjectAccess {
 
 /// How an entity is placed and shown; the scene decides.
 struct EntityOptions {
-  Vec3d position;           ///< [m] of the base on the ground plane: z is added to what the level finds
-  double heading = 0;       ///< [rad] about the vertical
-  std::string team;         ///< empty for none
-  Color color;              ///< of the team or of the thing
+  Vec3d position;      ///< [m] of the base on the ground plane: z is added to what the level finds
+  double heading = 0;  ///< [rad] about the vertical
+  std::string team;    ///< empty for none
+  Color color;         ///< of the team or of the thing
 };
 
 class Entity {

@@ -33,11 +33,12 @@ MaterialTable MaterialTable::standard() {
 
 void MaterialTable::set(const std::string& a, const std::string& b, const PairSurface& pair) {
   const bool possible = pair.friction >= 0 && pair.rolling >= 0 && pair.restitution >= 0 && pair.restitution <= 1 &&
-                        pair.stiffness >= 0 &&
-                        std::isfinite(pair.friction + pair.rolling + pair.stiffness);
+                        pair.stiffness >= 0 && std::isfinite(pair.friction + pair.rolling + pair.stiffness);
   if (!possible) {
-    throw SetupError(fmt::format("materials '{}' and '{}': friction, rolling and stiffness must be at least 0, "
-                                 "restitution 0 to 1", a, b));
+    throw SetupError(
+        fmt::format("materials '{}' and '{}': friction, rolling and stiffness must be at least 0, "
+                    "restitution 0 to 1",
+                    a, b));
   }
   pairs_[key(a, b)] = pair;
 }

@@ -76,7 +76,8 @@ void Model::check_masses() const {
   for (int i = 0; i < size(); ++i) {
     const double* mass = find(properties::mass, i);
     if (mass && !(*mass > 0 && std::isfinite(*mass))) {
-      throw SetupError(fmt::format("model '{}', object '{}': mass {} kg is not positive", name_, objects_[i].name, *mass));
+      throw SetupError(
+          fmt::format("model '{}', object '{}': mass {} kg is not positive", name_, objects_[i].name, *mass));
     }
     const SymMat3d* I = find(properties::inertia, i);
     if (!I) continue;
@@ -84,7 +85,8 @@ void Model::check_masses() const {
     const double determinant = I->xx * (I->yy * I->zz - I->yz * I->yz) - I->xy * (I->xy * I->zz - I->yz * I->xz) +
                                I->xz * (I->xy * I->yz - I->yy * I->xz);
     if (!(I->xx > 0 && minor > 0 && determinant > 0 && std::isfinite(determinant))) {
-      throw SetupError(fmt::format("model '{}', object '{}': inertia is not positive definite", name_, objects_[i].name));
+      throw SetupError(
+          fmt::format("model '{}', object '{}': inertia is not positive definite", name_, objects_[i].name));
     }
   }
 }

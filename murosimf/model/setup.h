@@ -4,6 +4,7 @@
 /// no second list to forget. Spans stay valid for the life of the simulation.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "murosimf/model/access.h"
@@ -20,20 +21,20 @@ class Setup {
   /// them, or the simulation refuses to start.
   template <class T>
   [[nodiscard]] std::span<const T> read(const Property<T>& property) {
-    return take(property, AccessMode::read);
+    return take(property, AccessMode::read).values;
   }
   /// Columns to write (and read). Whoever writes a column also gives it its first value, in `initialize`.
   template <class T>
   [[nodiscard]] std::span<T> write(const Property<T>& property) {
-    return take(property, AccessMode::write);
+    return take(property, AccessMode::write).values;
   }
   /// Columns to read that users or control software may set at any time; `value` stands until they do.
   template <class T>
   [[nodiscard]] std::span<const T> input(const Property<T>& property, const std::type_identity_t<T>& value) {
-    const bool fresh = entity_->find(property.name) == nullptr;
-    const std::span<T> column = take(property, AccessMode::input);
-    if (fresh) std::fill(column.begin(), column.end(), value);
-    return column;
+    Column<T>& column = take(property, AccessMode::input);
+    if (!column.has_start_value) std::fill(column.values.begin(), column.values.end(), value);
+    column.has_start_value = true;
+    return column.values;
   }
 
   [[nodiscard]] const Model& model() const { return entity_->model(); }
@@ -45,10 +46,10 @@ class Setup {
 
  private:
   template <class T>
-  std::span<T> take(const Property<T>& property, AccessMode mode) {
+  Column<T>& take(const Property<T>& property, AccessMode mode) {
     Column<T>& column = entity_->column(property);
     access_->add({entity_, &column, mode});
-    return column.values;
+    return column;
   }
 
   World* world_;

@@ -18,17 +18,17 @@ enum class LinkKind { base, revolute, prismatic };
 enum class AxisKind { x, y, z, general };
 
 struct Link {
-  int object = 0;    ///< index of the base or joint object: its frame is the link's frame
-  int parent = -1;   ///< index of the parent link
+  int object = 0;   ///< index of the base or joint object: its frame is the link's frame
+  int parent = -1;  ///< index of the parent link
   LinkKind kind = LinkKind::base;
   AxisKind axis_kind = AxisKind::general;
-  Vec3d axis;          ///< unit joint axis, link frame
-  Vec3d offset;        ///< [m] joint origin in the parent link's frame
-  Mat3d turn;          ///< joint axes at joint position zero to the parent link's axes
-  bool turned = false; ///< turn is not the identity
-  double mass = 0;     ///< [kg]
-  Vec3d com;           ///< [m] center of mass, link frame
-  SymMat3d inertia;    ///< [kg m^2] at the center of mass, link frame
+  Vec3d axis;           ///< unit joint axis, link frame
+  Vec3d offset;         ///< [m] joint origin in the parent link's frame
+  Mat3d turn;           ///< joint axes at joint position zero to the parent link's axes
+  bool turned = false;  ///< turn is not the identity
+  double mass = 0;      ///< [kg]
+  Vec3d com;            ///< [m] center of mass, link frame
+  SymMat3d inertia;     ///< [kg m^2] at the center of mass, link frame
 };
 
 /// An object that does not move against its link.

@@ -1,8 +1,8 @@
 /// joint_reference.h - joint motion of the levels that do not simulate servos: how desired positions become
 /// positions and rates.
 ///
-///     filter:  qdd = (wf^2 (target - q - dt qd) - 2 wf qd) / (1 + 2 wf dt + wf^2 dt^2)      implicit, critically damped
-///     linear:  q reaches the target at constant rate within one control cycle (paper 4.3)
+///     filter:  qdd = (wf^2 (target - q - dt qd) - 2 wf qd) / (1 + 2 wf dt + wf^2 dt^2)      implicit, critically
+///     damped linear:  q reaches the target at constant rate within one control cycle (paper 4.3)
 ///
 /// wf = 120 rad/s lags 17 ms behind. Same state (q, qd) as a simulated servo, so levels can be exchanged.
 #pragma once
@@ -36,8 +36,8 @@ class JointReference {
   void linear(PoseColumns& columns, double dt) noexcept;
 
   JointReferenceOptions options_;
-  std::span<const double> target_;   // [rad | m] desired positions
-  std::span<double> cycle_target_;   // [rad | m] the target that the present cycle runs to (linear only)
+  std::span<const double> target_;  // [rad | m] desired positions
+  std::span<double> cycle_target_;  // [rad | m] the target that the present cycle runs to (linear only)
 };
 
 }  // namespace murosimf::motion

@@ -14,8 +14,10 @@ constexpr double penetration = -1e-6;  // [m] rounding of a foot that just touch
 std::vector<int> two_soles(const Model& model) {
   auto soles = model.having(properties::sole);
   if (soles.size() != 2) {
-    throw SetupError(fmt::format("model '{}' cannot walk kinematically: it has {} sole{}, not 2 (name them in its "
-                                 "TOML file)", model.name(), soles.size(), soles.size() == 1 ? "" : "s"));
+    throw SetupError(
+        fmt::format("model '{}' cannot walk kinematically: it has {} sole{}, not 2 (name them in its "
+                    "TOML file)",
+                    model.name(), soles.size(), soles.size() == 1 ? "" : "s"));
   }
   return soles;
 }
@@ -98,8 +100,8 @@ double KinematicWalking::lowest_corner(const Foot& foot) const noexcept {
 void KinematicWalking::set_base_twist() noexcept {
   const Foot& foot = feet_[static_cast<int>(stance_foot_)];
   const Tree& tree = columns_.model.tree();
-  const Motiond sole =
-      multibody::twist_against_base<double>(tree, foot.path, columns_.r[foot.object], columns_.qd, columns_.r, columns_.R);
+  const Motiond sole = multibody::twist_against_base<double>(tree, foot.path, columns_.r[foot.object], columns_.qd,
+                                                             columns_.r, columns_.R);
   columns_.w[0] = -sole.w;
   columns_.v[0] = -sole.v - cross(columns_.w[0], columns_.r[foot.object] - columns_.r[0]);
 }

@@ -50,8 +50,8 @@ class KinematicWalking final : public Algorithm {
   PoseColumns columns_;
   JointReference reference_;
   std::array<Foot, 2> feet_;
-  Vec3d& stance_pose_;     // [m, m, rad] x, y, heading of the standing sole
-  double& stance_foot_;    // 0 or 1
+  Vec3d& stance_pose_;   // [m, m, rad] x, y, heading of the standing sole
+  double& stance_foot_;  // 0 or 1
   double& pushable_;
 };
 

@@ -14,7 +14,8 @@ constexpr double fastest_turn = 1e4;  // [rad/s]
 
 bool sane(const multibody::FreeBody<double>& body) {
   // written so that NaN is not sane either
-  return dot(body.velocity, body.velocity) < fastest * fastest && dot(body.rate, body.rate) < fastest_turn * fastest_turn;
+  return dot(body.velocity, body.velocity) < fastest * fastest &&
+         dot(body.rate, body.rate) < fastest_turn * fastest_turn;
 }
 
 bool is_zero(const Vec3d& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
@@ -49,7 +50,8 @@ void SimplifiedDynamics::initialize() {
   reference_.initialize(columns_);
   place_at_start(columns_, entity_);
   columns_.update_velocities();
-  store_common_body(multibody::common_body<double>(columns_.model.tree(), columns_.r, columns_.R, columns_.v, columns_.w));
+  store_common_body(
+      multibody::common_body<double>(columns_.model.tree(), columns_.r, columns_.R, columns_.v, columns_.w));
   velocity_ = {};
   pushable_ = 1;
 }
@@ -81,7 +83,8 @@ Motiond SimplifiedDynamics::solve(double dt) const noexcept {
   for (const int object : columns_.model.bodies()) {
     // untouched bodies, by far the most, cost a look
     if (!is_zero(external_force_[object])) force += moved(external_force_[object], center_ - columns_.r[object]);
-    if (!is_zero(external_damping_[object])) matrix += dt * moved(external_damping_[object], center_ - columns_.r[object]);
+    if (!is_zero(external_damping_[object]))
+      matrix += dt * moved(external_damping_[object], center_ - columns_.r[object]);
   }
   return murosimf::solve(matrix, force);
 }
@@ -89,8 +92,7 @@ Motiond SimplifiedDynamics::solve(double dt) const noexcept {
 void SimplifiedDynamics::predict_contacts(const Motiond& acceleration, double dt) noexcept {
   contacts_.next_velocity.clear();
   for (const collision::ContactPoint& c : contacts_.points) {
-    contacts_.next_velocity.push_back(c.velocity +
-                                      dt * (acceleration.v + cross(acceleration.w, c.point - center_)));
+    contacts_.next_velocity.push_back(c.velocity + dt * (acceleration.v + cross(acceleration.w, c.point - center_)));
   }
 }
 

@@ -14,10 +14,10 @@ namespace murosimf::multibody {
 
 template <class S>
 struct FreeBody {
-  Vec3<S> position;     ///< [m] world, of the point that is integrated: here the center of mass
-  Vec3<S> velocity;     ///< [m/s] world, of the same point
-  Quaternion<S> turn;   ///< body axes to world axes
-  Vec3<S> rate;         ///< [rad/s] angular velocity, world axes
+  Vec3<S> position;    ///< [m] world, of the point that is integrated: here the center of mass
+  Vec3<S> velocity;    ///< [m/s] world, of the same point
+  Quaternion<S> turn;  ///< body axes to world axes
+  Vec3<S> rate;        ///< [rad/s] angular velocity, world axes
 };
 
 /// Advances `body` by dt [s] under `acceleration` = [alpha; a], world axes, of the same point.

@@ -33,7 +33,8 @@ Vec3<S> world_axis(const Mat3<S>& R, const Link& link) {
 
 /// Pose (r, R) of a joint's frame from its parent link's pose.
 template <class S>
-[[gnu::always_inline]] inline void place_joint(const Link& link, const S& q, const Vec3<S>& r_parent, const Mat3<S>& R_parent, Vec3<S>& r, Mat3<S>& R) {
+[[gnu::always_inline]] inline void place_joint(const Link& link, const S& q, const Vec3<S>& r_parent,
+                                               const Mat3<S>& R_parent, Vec3<S>& r, Mat3<S>& R) {
   const Mat3<S> at_zero = link.turned ? R_parent * link.turn : R_parent;
   r = r_parent + R_parent * link.offset;
   if (link.kind == LinkKind::revolute) {
@@ -120,13 +121,14 @@ void shift_all(std::span<Vec3<S>> rows, const Vec3<S>& shift) noexcept {
   for (Vec3<S>& row : rows) row += shift;
 }
 
-#define MUROSIMF_INSTANTIATE(S)                                                                                      \
-  template void poses<S>(const Tree&, std::span<const S>, std::span<Vec3<S>>, std::span<Mat3<S>>) noexcept;          \
-  template void velocities<S>(const Tree&, std::span<const S>, std::span<const Vec3<S>>, std::span<const Mat3<S>>,   \
-                              std::span<Vec3<S>>, std::span<Vec3<S>>) noexcept;                                      \
-  template Pose<S> pose_in_base<S>(const Tree&, std::span<const int>, const FixedObject&, std::span<const S>) noexcept; \
-  template Motion<S> twist_against_base<S>(const Tree&, std::span<const int>, const Vec3<S>&, std::span<const S>,    \
-                                           std::span<const Vec3<S>>, std::span<const Mat3<S>>) noexcept;             \
+#define MUROSIMF_INSTANTIATE(S)                                                                                    \
+  template void poses<S>(const Tree&, std::span<const S>, std::span<Vec3<S>>, std::span<Mat3<S>>) noexcept;        \
+  template void velocities<S>(const Tree&, std::span<const S>, std::span<const Vec3<S>>, std::span<const Mat3<S>>, \
+                              std::span<Vec3<S>>, std::span<Vec3<S>>) noexcept;                                    \
+  template Pose<S> pose_in_base<S>(const Tree&, std::span<const int>, const FixedObject&,                          \
+                                   std::span<const S>) noexcept;                                                   \
+  template Motion<S> twist_against_base<S>(const Tree&, std::span<const int>, const Vec3<S>&, std::span<const S>,  \
+                                           std::span<const Vec3<S>>, std::span<const Mat3<S>>) noexcept;           \
   template void shift_all<S>(std::span<Vec3<S>>, const Vec3<S>&) noexcept;
 MUROSIMF_INSTANTIATE(double)
 MUROSIMF_INSTANTIATE(Pack8)

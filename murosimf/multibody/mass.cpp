@@ -30,8 +30,8 @@ CommonBody<S> common_body(const Tree& tree, std::span<const Vec3<S>> r, std::spa
   return body;
 }
 
-#define MUROSIMF_INSTANTIATE(S)                                                                            \
-  template CommonBody<S> common_body<S>(const Tree&, std::span<const Vec3<S>>, std::span<const Mat3<S>>,   \
+#define MUROSIMF_INSTANTIATE(S)                                                                          \
+  template CommonBody<S> common_body<S>(const Tree&, std::span<const Vec3<S>>, std::span<const Mat3<S>>, \
                                         std::span<const Vec3<S>>, std::span<const Vec3<S>>) noexcept;
 MUROSIMF_INSTANTIATE(double)
 MUROSIMF_INSTANTIATE(Pack8)

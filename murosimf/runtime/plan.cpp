@@ -18,9 +18,8 @@ std::vector<Wave> make_waves(std::span<const std::size_t> due, std::span<const A
   for (const std::size_t algorithm : due) {
     std::size_t wave = 0;
     for (std::size_t earlier = waves.size(); earlier-- > 0 && wave == 0;) {
-      const bool clash = std::any_of(waves[earlier].begin(), waves[earlier].end(), [&](std::size_t other) {
-        return conflict(*access[algorithm], *access[other]);
-      });
+      const bool clash = std::any_of(waves[earlier].begin(), waves[earlier].end(),
+                                     [&](std::size_t other) { return conflict(*access[algorithm], *access[other]); });
       if (clash) wave = earlier + 1;
     }
     if (wave == waves.size()) waves.emplace_back();
@@ -37,8 +36,10 @@ Plan::Plan(std::vector<const AccessSet*> access, std::span<const Duration> perio
     if (common < shortest_tick.count()) {
       const auto whole = std::max<std::int64_t>(1, (periods[i].count() + tick / 2) / std::max<std::int64_t>(tick, 1));
       const double nearest = tick > 0 ? 1e9 / static_cast<double>(whole * tick) : 1e5;
-      throw SetupError(fmt::format("the rate of '{}', {:.6g} Hz, does not fit the rates of the others; the nearest that "
-                                   "does is {:.6g} Hz", names[i], 1e9 / static_cast<double>(periods[i].count()), nearest));
+      throw SetupError(
+          fmt::format("the rate of '{}', {:.6g} Hz, does not fit the rates of the others; the nearest that "
+                      "does is {:.6g} Hz",
+                      names[i], 1e9 / static_cast<double>(periods[i].count()), nearest));
     }
     tick = common;
   }

@@ -29,7 +29,8 @@ class ThreadPool {
       for (std::size_t i = 0; i < count; ++i) run(i);
       return;
     }
-    dispatch(count, [](void* context, std::size_t i) { (*static_cast<Run*>(context))(i); }, &run);
+    dispatch(
+        count, [](void* context, std::size_t i) { (*static_cast<Run*>(context))(i); }, &run);
   }
 
  private:

@@ -15,11 +15,11 @@ namespace murosimf::sensors {
 /// One entity as ground truth shows it.
 struct Sighting {
   std::string name;
-  std::string team;      ///< empty for things that play in no team
-  bool self = false;     ///< the robot that carries the sensor
-  Vec3d position;        ///< [m] of the base, world frame
-  double heading = 0;    ///< [rad] of the base about the vertical, world frame
-  Vec3d velocity;        ///< [m/s] of the base, world frame
+  std::string team;    ///< empty for things that play in no team
+  bool self = false;   ///< the robot that carries the sensor
+  Vec3d position;      ///< [m] of the base, world frame
+  double heading = 0;  ///< [rad] of the base about the vertical, world frame
+  Vec3d velocity;      ///< [m/s] of the base, world frame
 };
 
 struct GroundTruthData {

@@ -32,7 +32,8 @@ fs::path scratch(const std::string& name) {
 
 Result murosimf(const std::string& arguments) {
   const fs::path out = scratch("out"), err = scratch("err");
-  const std::string command = std::string(MUROSIMF_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
+  const std::string command =
+      std::string(MUROSIMF_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
 }
@@ -43,7 +44,8 @@ void expect_mistake(const std::string& arguments, const std::vector<std::string>
   EXPECT_GT(result.exit_code, 0) << arguments;
   EXPECT_LT(result.exit_code, 128) << "crashed: " << arguments;
   EXPECT_EQ(result.output, "") << arguments;
-  for (const std::string& part : parts) EXPECT_NE(result.errors.find(part), std::string::npos) << arguments << " said: " << result.errors;
+  for (const std::string& part : parts)
+    EXPECT_NE(result.errors.find(part), std::string::npos) << arguments << " said: " << result.errors;
 }
 void expect_one_line_mistake(const std::string& arguments, const std::vector<std::string>& parts) {
   expect_mistake(arguments, parts);
@@ -128,19 +130,32 @@ TEST(CliMistakes, InFiles) {
   expect_one_line_mistake("run no_such_scene", {"no file 'no_such_scene'"});
   expect_one_line_mistake("run " + write("empty.toml", "").string(), {"empty"});
   expect_one_line_mistake("run " + write("broken.toml", "a = 1\nb = [1,\n").string(), {"broken.toml:"});
-  expect_one_line_mistake("run " + scene_with_model("/no/such/model.xml").string(), {"scene.toml:1:1", "/no/such/model.xml"});
+  expect_one_line_mistake("run " + scene_with_model("/no/such/model.xml").string(),
+                          {"scene.toml:1:1", "/no/such/model.xml"});
   expect_one_line_mistake("run " + scene_with_model(write("text.xml", "not xml at all")).string(), {"text.xml"});
   expect_one_line_mistake("check " + write("text.xml", "not xml at all").string(), {"text.xml"});
-  const std::string head = "<mujoco><worldbody>\n<body name='b'><freejoint/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>\n";
+  const std::string head =
+      "<mujoco><worldbody>\n<body name='b'><freejoint/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>\n";
   const std::string tail = "</body></worldbody></mujoco>\n";
-  expect_one_line_mistake("check " + write("axis.xml", head + "<body><joint name='j'/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/></body>" + tail).string(),
-                          {"axis.xml:3", "axis"});
-  expect_one_line_mistake("check " + write("mass.xml", head + "<body><joint name='j' axis='0 0 1'/><inertial pos='0 0 0' mass='-1' diaginertia='1 1 1'/></body>" + tail).string(),
-                          {"mass.xml:3", "mass"});
+  expect_one_line_mistake(
+      "check " +
+          write("axis.xml",
+                head + "<body><joint name='j'/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/></body>" + tail)
+              .string(),
+      {"axis.xml:3", "axis"});
+  expect_one_line_mistake(
+      "check " +
+          write("mass.xml",
+                head +
+                    "<body><joint name='j' axis='0 0 1'/><inertial pos='0 0 0' mass='-1' diaginertia='1 1 1'/></body>" +
+                    tail)
+              .string(),
+      {"mass.xml:3", "mass"});
 }
 
 TEST(CliMistakes, OutputsThatCannotBeWrittenAreRefusedBeforeTheRun) {
-  expect_one_line_mistake("run walk --duration 1 --json /no/such/folder/report.json", {"cannot write '/no/such/folder/report.json'"});
+  expect_one_line_mistake("run walk --duration 1 --json /no/such/folder/report.json",
+                          {"cannot write '/no/such/folder/report.json'"});
   expect_one_line_mistake("run walk --duration 1 --picture /no/such/folder/field.png", {"/no/such/folder/field.png"});
   expect_one_line_mistake("run walk --duration 1 --json /tmp", {"cannot write '/tmp'"});
 }
@@ -148,7 +163,8 @@ TEST(CliMistakes, OutputsThatCannotBeWrittenAreRefusedBeforeTheRun) {
 TEST(CliMistakes, AFullDiskIsReported) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const fs::path err = scratch("err");
-  const int status = std::system((std::string(MUROSIMF_PROGRAM) + " run walk --duration 0.1 >/dev/full 2>" + err.string()).c_str());
+  const int status =
+      std::system((std::string(MUROSIMF_PROGRAM) + " run walk --duration 0.1 >/dev/full 2>" + err.string()).c_str());
   EXPECT_EQ(WEXITSTATUS(status), 2);
   EXPECT_NE(read_file(err).find("cannot write to standard output"), std::string::npos);
 }

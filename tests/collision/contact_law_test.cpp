@@ -230,7 +230,7 @@ TEST(ImplicitStickTest, OpensWhereItWouldPull) {
 }
 
 // Rule: an open point feels no rolling resistance either: there is no normal force that could cause it.
-TEST(ImplicitStickTest, DISABLED_OpenPointDoesNotRoll) {
+TEST(ImplicitStickTest, OpenPointDoesNotRoll) {
   const ImplicitStick law;
   ContactParameters p = parameters();
   p.rolling = 0.03;

@@ -13,13 +13,9 @@ using fixtures::outside;
 using fixtures::shapes_of_all_kinds;
 using fixtures::surface_samples;
 
-GroundShape ground_shape(const Shape& shape, Dice& dice) {
-  GroundShape g;
-  g.object = 3;
-  g.placed = fixtures::placed(shape, dice.vector(0.2), dice.turn());
-  g.reach = bounding_radius(shape);
-  g.first_feature = 16;
-  return g;
+GroundShape random_shape(const Shape& shape, Dice& dice) {
+  const Vec3d place = dice.vector(0.2);
+  return collision::ground_shape(3, fixtures::placed(shape, place, dice.turn()), 16);
 }
 
 /// A place near the plane, so that about half of all poses touch.
@@ -38,7 +34,7 @@ TEST(GroundPoints, LowestPointAgainstSamples) {
   for (const Shape& shape : shapes_of_all_kinds()) {
     const std::vector<Vec3d> samples = surface_samples(shape);
     for (int i = 0; i < 40; ++i) {
-      const GroundShape g = ground_shape(shape, dice);
+      const GroundShape g = random_shape(shape, dice);
       const Vec3d r = dice.vector(0.5);
       const Mat3d R = dice.turn();
       const GroundPlane plane = plane_near(dice.unit(), g, r, R, dice);
@@ -62,7 +58,7 @@ TEST(GroundPoints, ContactsAreWhereTheyShouldBe) {
   for (const Shape& shape : shapes_of_all_kinds()) {
     int touching = 0, clear = 0;
     for (int i = 0; i < 200; ++i) {
-      const GroundShape g = ground_shape(shape, dice);
+      const GroundShape g = random_shape(shape, dice);
       const Vec3d r = dice.vector(0.5);
       const Mat3d R = dice.turn();
       const GroundPlane plane = plane_near(dice.unit(), g, r, R, dice);
@@ -98,7 +94,7 @@ TEST(GroundPoints, ContactsAreWhereTheyShouldBe) {
 }
 
 std::vector<ContactPoint> standing(const Shape& shape, double sink) {
-  GroundShape g{0, fixtures::placed(shape), bounding_radius(shape), 0};
+  GroundShape g = collision::ground_shape(0, fixtures::placed(shape), 0);
   GroundPlane plane;
   std::vector<ContactPoint> found;
   const double lowest = lowest_point(g, {}, {}, plane);
@@ -131,7 +127,7 @@ TEST(GroundPoints, StandingShapes) {
 // Tolerance: rounding.
 TEST(GroundPoints, LyingShapes) {
   for (const Shape& shape : {Shape(Capsule{0.1, 0.3}), Shape(Cylinder{0.1, 0.3})}) {
-    GroundShape g{0, fixtures::placed(shape), bounding_radius(shape), 0};
+    GroundShape g = collision::ground_shape(0, fixtures::placed(shape), 0);
     std::vector<ContactPoint> found;
     find_ground_contacts(g, {0, 0, 0.1 - 1e-3}, rotation_y(pi / 2), GroundPlane{}, found);
     ASSERT_EQ(found.size(), 2u) << shape_name(shape);
@@ -151,7 +147,7 @@ TEST(GroundPoints, FeaturesAreStable) {
   Dice dice("features");
   for (const Shape& shape : shapes_of_all_kinds()) {
     for (int i = 0; i < 100; ++i) {
-      const GroundShape g = ground_shape(shape, dice);
+      const GroundShape g = random_shape(shape, dice);
       const Vec3d r = dice.vector(0.5);
       const Mat3d R = dice.turn();
       // deep: everything touches, so that the two poses have the same points
@@ -182,7 +178,7 @@ TEST(GroundPoints, FeaturesAreStable) {
 
 // Rule: contacts are appended; what was found before stays.
 TEST(GroundPoints, Appends) {
-  const GroundShape g{0, fixtures::placed(Sphere{0.1}), 0.1, 0};
+  const GroundShape g = collision::ground_shape(0, fixtures::placed(Sphere{0.1}), 0);
   std::vector<ContactPoint> found(2);
   found[0].depth = 5;
   find_ground_contacts(g, {0, 0, 0.05}, {}, GroundPlane{}, found);

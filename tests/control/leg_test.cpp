@@ -28,7 +28,8 @@ TEST(LegIk, InvertsDirectKinematics) {
   const auto draw = [&](double low, double high) { return random.uniform(n++, low, high); };
   for (int i = 0; i < 10000; ++i) {
     const double thigh = draw(0.08, 0.4), shin = draw(0.08, 0.4);
-    const std::array<double, 6> q{draw(-0.8, 0.8), draw(-0.6, 0.6), draw(-1.2, 0.6), draw(0.1, 2.2), draw(-0.9, 0.9), draw(-0.6, 0.6)};
+    const std::array<double, 6> q{draw(-0.8, 0.8), draw(-0.6, 0.6), draw(-1.2, 0.6),
+                                  draw(0.1, 2.2),  draw(-0.9, 0.9), draw(-0.6, 0.6)};
     const LegAngles found = leg_angles(thigh, shin, ankle_place(q, thigh, shin), foot_turn(q));
     EXPECT_TRUE(found.reachable);
     for (std::size_t k = 0; k < 6; ++k) ASSERT_NEAR(found.q[k], q[k], 1e-9) << "joint " << k << ", posture " << i;
@@ -73,7 +74,9 @@ Chain leg_chain(double side, const Vec3d& knee_axis) {
 
 // Every sole of the gait's pose is where the gait wants it, on a robot with other lengths and mirrored axes.
 TEST(Gait, FeetAreLevelOnARobotWithMirroredAxes) {
-  const Model model("other", Chain{}.base("pelvis").with(properties::mass, 3.0).fork(leg_chain(1, {0, -1, 0}), leg_chain(-1, {0, -1, 0})));
+  const Model model(
+      "other",
+      Chain{}.base("pelvis").with(properties::mass, 3.0).fork(leg_chain(1, {0, -1, 0}), leg_chain(-1, {0, -1, 0})));
   const auto legs = find_legs(model);
   EXPECT_EQ(legs[0].signs[0], -1);
   EXPECT_EQ(legs[0].signs[3], -1);
@@ -97,12 +100,15 @@ TEST(Gait, FeetAreLevelOnARobotWithMirroredAxes) {
 }
 
 TEST(Leg, WhatIsNoLegIsRefusedWithTheReason) {
-  const Model model("crooked", Chain{}.base("pelvis").with(properties::mass, 3.0).fork(leg_chain(1, {1, 0, 0}), leg_chain(-1, {0, 1, 0})));
+  const Model model(
+      "crooked",
+      Chain{}.base("pelvis").with(properties::mass, 3.0).fork(leg_chain(1, {1, 0, 0}), leg_chain(-1, {0, 1, 0})));
   try {
     (void)find_legs(model);
     FAIL();
   } catch (const SetupError& error) {
-    EXPECT_NE(std::string(error.what()).find("'l_knee' is not a hinge about (0 1 0)"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("'l_knee' is not a hinge about (0 1 0)"), std::string::npos)
+        << error.what();
   }
 }
 

@@ -60,7 +60,8 @@ std::string mistake(const std::string& text, const std::vector<std::string>& ove
 
 void expect_mistake(const std::string& message, const std::vector<std::string>& parts) {
   EXPECT_EQ(message.find('\n'), std::string::npos) << "more than one line: " << message;
-  for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
 }
 
 std::string with(const std::string& from, const std::string& to) {
@@ -99,7 +100,8 @@ TEST(SceneSpec, OverridesReachTheirTargets) {
 }
 
 TEST(Scene, OverridesSetPropertiesByName) {
-  Scene scene(write_scene(small_scene), {.overrides = {"blue2.pelvis.applied_force=[0,0,0,1,2,3]", "*.pelvis.walk_command=[0.1,0,0]"}});
+  Scene scene(write_scene(small_scene),
+              {.overrides = {"blue2.pelvis.applied_force=[0,0,0,1,2,3]", "*.pelvis.walk_command=[0.1,0,0]"}});
   scene.simulation().initialize();
   World& world = scene.simulation().world();
   EXPECT_EQ(world.entity("blue2").base().get(properties::applied_force).f.z, 3);
@@ -129,8 +131,9 @@ TEST(Scene, ReportNamesEverybodyAndEveryAlgorithm) {
   EXPECT_EQ(report.entities[0].name, "ball");
   EXPECT_DOUBLE_EQ(report.real_time_factor, 2);
   const std::string json = to_json(report);
-  for (const char* key : {"simulated_s", "wall_s", "real_time_factor", "threads", "state_hash", "entities", "distance_m",
-                          "falls", "frozen", "algorithms", "rate_hz", "calls", "us_per_call", "warnings"}) {
+  for (const char* key :
+       {"simulated_s", "wall_s", "real_time_factor", "threads", "state_hash", "entities", "distance_m", "falls",
+        "frozen", "algorithms", "rate_hz", "calls", "us_per_call", "warnings"}) {
     EXPECT_NE(json.find("\"" + std::string(key) + "\""), std::string::npos) << key;
   }
 }
@@ -140,13 +143,16 @@ TEST(SceneMistakes, AreNamedWithTheirPlace) {
   expect_mistake(mistake("duration = \n"), {".toml:1:"});
   expect_mistake(mistake(with("level = \"simplified_dynamics\"", "level = \"simplified\"")),
                  {".toml:20:9", "unknown level 'simplified'; did you mean 'simplified_dynamics'?"});
-  expect_mistake(mistake(with("controller = \"walk\"", "controler = \"walk\"")), {".toml:11:", "unknown key 'controler'; did you mean 'controller'?"});
+  expect_mistake(mistake(with("controller = \"walk\"", "controler = \"walk\"")),
+                 {".toml:11:", "unknown key 'controler'; did you mean 'controller'?"});
   expect_mistake(mistake(with("model = \"kid21\"", "model = \"kid22\"")), {".toml:", "no file 'kid22'"});
-  expect_mistake(mistake(with("name = \"red1\"", "name = \"blue1\"")), {".toml:22:", "two entities are called 'blue1'"});
+  expect_mistake(mistake(with("name = \"red1\"", "name = \"blue1\"")),
+                 {".toml:22:", "two entities are called 'blue1'"});
   expect_mistake(mistake(with("name = \"red1\"", "name = \"ball\"")), {"two entities are called 'ball'"});
   expect_mistake(mistake(with("name = \"red1\"", "name = \"red 1\"")), {"entity name 'red 1'"});
   expect_mistake(mistake(with("team = \"red\"", "team = \"rad\"")), {".toml:23:", "unknown team 'rad'"});
-  expect_mistake(mistake(with("position = [1.0, 0.0]", "position = [nan, 0.0]")), {".toml:24:", "'position' must be finite"});
+  expect_mistake(mistake(with("position = [1.0, 0.0]", "position = [nan, 0.0]")),
+                 {".toml:24:", "'position' must be finite"});
   expect_mistake(mistake(with("position = [1.0, 0.0]", "position = [1.0]")), {"two or three numbers"});
   expect_mistake(mistake(with("duration = 2.0", "duration = -2.0")), {".toml:1:", "'duration' must not be negative"});
   expect_mistake(mistake(with("duration = 2.0", "duration = nan")), {".toml:1:", "'duration' must be a finite number"});
@@ -162,7 +168,8 @@ TEST(SceneMistakes, InOverridesNameTheOverride) {
   expect_mistake(set("blue1.lvel=x"), {"--set 'blue1.lvel=x'", "did you mean 'level'?"});
   expect_mistake(set("blu1.level=x"), {"--set 'blu1.level=x'", "did you mean 'blue1'?"});
   expect_mistake(set("duraton=3"), {"did you mean 'duration'?"});
-  expect_mistake(set("blue1.pelvis.joint_positon=1"), {"entity 'blue1', object 'pelvis'", "did you mean 'joint_position'?"});
+  expect_mistake(set("blue1.pelvis.joint_positon=1"),
+                 {"entity 'blue1', object 'pelvis'", "did you mean 'joint_position'?"});
   expect_mistake(set("blue1.pelvs.joint_position=1"), {"unknown object 'pelvs'; did you mean 'pelvis'?"});
   expect_mistake(set("blue1.pelvis.walk_command=[1]"), {"'walk_command' takes 3 numbers, not 1"});
   expect_mistake(set("blue1.pelvis.walk_command=[nan,0,0]"), {"cannot be nan"});

@@ -130,10 +130,14 @@ TEST(Chain, AxisWithoutDirection) {
 
 // Rule: nothing follows an endpoint or a fork; the message names what was to follow.
 TEST(Chain, NothingFollowsTheEnd) {
-  EXPECT_TRUE(says(error_of([] { Chain{}.base().endpoint().translation({1, 0, 0}, "late"); }),
+  EXPECT_TRUE(says(error_of([] {
+                     Chain{}.base().endpoint().translation({1, 0, 0}, "late");
+                   }),
                    {"translation 'late'", "cannot follow"}));
   const Chain tip = Chain{}.endpoint();
-  EXPECT_TRUE(says(error_of([&] { Chain{}.base().fork(tip, tip).revolute("late", {1, 0, 0}); }),
+  EXPECT_TRUE(says(error_of([&] {
+                     Chain{}.base().fork(tip, tip).revolute("late", {1, 0, 0});
+                   }),
                    {"revolute 'late'", "cannot follow"}));
   EXPECT_TRUE(says(error_of([&] { Chain{}.base().fork(tip, tip).fork(tip, tip); }), {"cannot follow"}));
   EXPECT_TRUE(says(error_of([&] { Chain{}.base().fork(tip, tip).endpoint("end"); }), {"endpoint 'end'"}));
@@ -153,7 +157,9 @@ TEST(Chain, EmptyPieces) {
 // Rule: one name, one type.
 TEST(Chain, ConstantOfTwoTypes) {
   constexpr Property<Vec3d> other_mass{{"mass", "kg", "-", "not a number"}};
-  EXPECT_TRUE(says(error_of([&] { Chain{}.base().with(properties::mass, 1).with(other_mass, {1, 2, 3}); }),
+  EXPECT_TRUE(says(error_of([&] {
+                     Chain{}.base().with(properties::mass, 1).with(other_mass, {1, 2, 3});
+                   }),
                    {"'mass'", "two types"}));
 }
 

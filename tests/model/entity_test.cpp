@@ -189,8 +189,8 @@ TEST(EntityTest, BaseScope) {
   entity.column(gait_phase).values[0] = 0;
   ObjectAccess knee = entity.object("left_knee");
   const std::vector<double> one{1};
-  EXPECT_TRUE(says(error_of([&] { (void)knee.get(gait_phase); }),
-                   {"'left_knee'", "'gait_phase'", "only the base 'trunk'"}));
+  EXPECT_TRUE(
+      says(error_of([&] { (void)knee.get(gait_phase); }), {"'left_knee'", "'gait_phase'", "only the base 'trunk'"}));
   EXPECT_TRUE(says(error_of([&] { knee.set(gait_phase, 1); }), {"only the base 'trunk'"}));
   EXPECT_TRUE(says(error_of([&] { (void)knee.get("gait_phase"); }), {"only the base 'trunk'"}));
   EXPECT_TRUE(says(error_of([&] { knee.set("gait_phase", one); }), {"only the base 'trunk'"}));
@@ -241,8 +241,8 @@ TEST(EntityTest, World) {
   EXPECT_EQ(&world.entity("blue1"), &blue);
   EXPECT_EQ(world.find("green"), nullptr);
   EXPECT_TRUE(says(error_of([&] { world.add("blue1", robot()); }), {"two entities", "'blue1'"}));
-  EXPECT_TRUE(says(error_of([&] { (void)world.entity("blue2"); }),
-                   {"unknown entity 'blue2'", "did you mean 'blue1'?"}));
+  EXPECT_TRUE(
+      says(error_of([&] { (void)world.entity("blue2"); }), {"unknown entity 'blue2'", "did you mean 'blue1'?"}));
   EXPECT_EQ(world.entities().size(), 2u);
   world.freeze_columns();
   EXPECT_NE(error_of([&] { blue.column(position); }), "no error");

@@ -21,12 +21,17 @@ std::string refusal(const Chain& chain) {
 // Rule: joints are all revolute and prismatic objects; bodies all with mass or shape, on whatever object they sit.
 TEST(ModelTest, JointsAndBodies) {
   const Model model("m", Chain{}
-                             .base("b")                                                   // 0
-                             .revolute("hinge", {1, 0, 0})                                // 1
-                             .translation({1, 0, 0}).with(mass, 1)                        // 2
-                             .prismatic("slider", {1, 0, 0}).with(shapes, {})             // 3
-                             .rotation({1, 0, 0}, 1).with(center_of_mass, {1, 0, 0})      // 4
-                             .endpoint("tip").with(mass, 1).with(shapes, {}));            // 5
+                             .base("b")                     // 0
+                             .revolute("hinge", {1, 0, 0})  // 1
+                             .translation({1, 0, 0})
+                             .with(mass, 1)  // 2
+                             .prismatic("slider", {1, 0, 0})
+                             .with(shapes, {})  // 3
+                             .rotation({1, 0, 0}, 1)
+                             .with(center_of_mass, {1, 0, 0})  // 4
+                             .endpoint("tip")
+                             .with(mass, 1)
+                             .with(shapes, {}));  // 5
   EXPECT_EQ(std::vector<int>(model.joints().begin(), model.joints().end()), (std::vector<int>{1, 3}));
   EXPECT_EQ(std::vector<int>(model.bodies().begin(), model.bodies().end()), (std::vector<int>{2, 3, 5}));
   EXPECT_EQ(model.having(mass), (std::vector<int>{2, 5}));

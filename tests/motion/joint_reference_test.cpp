@@ -10,8 +10,12 @@ namespace murosimf::motion {
 namespace {
 
 ModelPtr arm() {
-  return std::make_shared<const Model>(
-      "arm", Chain{}.base("base").with(properties::mass, 1.0).with(properties::inertia, diagonal(0.1)).revolute("hinge", {0, 1, 0}).endpoint("hand"));
+  return std::make_shared<const Model>("arm", Chain{}
+                                                  .base("base")
+                                                  .with(properties::mass, 1.0)
+                                                  .with(properties::inertia, diagonal(0.1))
+                                                  .revolute("hinge", {0, 1, 0})
+                                                  .endpoint("hand"));
 }
 
 struct Arm {

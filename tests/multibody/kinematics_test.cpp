@@ -28,11 +28,11 @@ Eigen::Matrix4d transformation(const Object& object, double q) {
   switch (object.kind) {
     case Kind::translation: T.topRightCorner<3, 1>() = dense(object.vector); break;
     case Kind::rotation: T.topLeftCorner<3, 3>() = dense(object.turn); break;
-    case Kind::revolute:
-      T.topLeftCorner<3, 3>() = Eigen::AngleAxisd(q, dense(object.vector)).toRotationMatrix();
-      break;
+    case Kind::revolute: T.topLeftCorner<3, 3>() = Eigen::AngleAxisd(q, dense(object.vector)).toRotationMatrix(); break;
     case Kind::prismatic: T.topRightCorner<3, 1>() = q * dense(object.vector); break;
-    case Kind::base: case Kind::fork: case Kind::endpoint: break;
+    case Kind::base:
+    case Kind::fork:
+    case Kind::endpoint: break;
   }
   return T;
 }

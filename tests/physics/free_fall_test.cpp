@@ -25,7 +25,8 @@ class LimbSwinger final : public Algorithm {
   void initialize() override { std::fill(target_.begin(), target_.end(), 0.0); }
   void step(const Instant& instant) noexcept override {
     const double angle = 0.6 * std::sin(2 * pi * seconds(instant.now));
-    for (const char* name : {"l_sh_pitch", "r_sh_pitch", "l_thigh", "r_thigh"}) target_[model_.object_index(name)] = angle;
+    for (const char* name : {"l_sh_pitch", "r_sh_pitch", "l_thigh", "r_thigh"})
+      target_[model_.object_index(name)] = angle;
   }
 
  private:
@@ -61,7 +62,8 @@ TEST(Flight, MiddleAxisRotationFlipsAndKeepsItsAngularMomentum) {
   Rig rig;
   rig.simulation.world().gravity = {};
   auto model = std::make_shared<const Model>(
-      "wingnut", Chain{}.base("wingnut").with(properties::mass, 1.0).with(properties::inertia, SymMat3d{0.1, 0.2, 0.3, 0, 0, 0}));
+      "wingnut",
+      Chain{}.base("wingnut").with(properties::mass, 1.0).with(properties::inertia, SymMat3d{0.1, 0.2, 0.3, 0, 0, 0}));
   Entity& body = rig.add("body", model, {.position = {0, 0, 1}});
   rig.attach_dynamics(body, {}, false);
   rig.simulation.initialize();

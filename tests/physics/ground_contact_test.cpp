@@ -37,7 +37,8 @@ TEST(Incline, SlidesJustAboveTheFrictionAngle) {
   }
 }
 
-/// How far a box of 1 m/s slides on friction mu until it turns back (its springs relax by a few tenths of a millimetre).
+/// How far a box of 1 m/s slides on friction mu until it turns back (its springs relax by a few tenths of a
+/// millimetre).
 double sliding_distance(double mu, double rate_hz) {
   Rig rig(mu, 0, rate_hz);
   Entity& box = rig.add("box", box_model(mu));
@@ -74,10 +75,14 @@ TEST(PaperLaw, CreepsDownTheSlope) {
     // a ball that cannot roll: one contact point, huge inertia, so that only sliding is left
     PlacedShape foot;
     foot.shape = Sphere{0.05};
-    auto model = std::make_shared<const Model>(
-        "slider", Chain{}.base("slider").with(properties::mass, 4.3).with(properties::inertia, diagonal(1e6)).with(properties::shapes, Shapes{foot}));
+    auto model = std::make_shared<const Model>("slider", Chain{}
+                                                             .base("slider")
+                                                             .with(properties::mass, 4.3)
+                                                             .with(properties::inertia, diagonal(1e6))
+                                                             .with(properties::shapes, Shapes{foot}));
     Entity& slider = rig.add("slider", model);
-    rig.attach_dynamics(slider, {}, true, std::make_shared<collision::PaperLaw>(collision::PaperLawOptions{.friction = s_mu}));
+    rig.attach_dynamics(slider, {}, true,
+                        std::make_shared<collision::PaperLaw>(collision::PaperLawOptions{.friction = s_mu}));
     rig.run(4.0);
     const double before = Rig::place(slider).x;
     rig.run(6.0);

@@ -30,7 +30,8 @@ struct Rig {
     PlacedShape plane;
     plane.shape = Plane{};
     plane.surface.friction = friction;
-    auto model = std::make_shared<const Model>("ground", Chain{}.base("ground").with(properties::shapes, Shapes{plane}));
+    auto model =
+        std::make_shared<const Model>("ground", Chain{}.base("ground").with(properties::shapes, Shapes{plane}));
     ground = &simulation.world().add("ground", model);
   }
 
@@ -71,8 +72,8 @@ inline ModelPtr box_model(double friction = 0.8) {
   PlacedShape box;
   box.shape = Box{h};
   box.surface.friction = friction;
-  const SymMat3d inertia{m / 3 * (h.y * h.y + h.z * h.z), m / 3 * (h.x * h.x + h.z * h.z),
-                         m / 3 * (h.x * h.x + h.y * h.y), 0, 0, 0};
+  const SymMat3d inertia{
+      m / 3 * (h.y * h.y + h.z * h.z), m / 3 * (h.x * h.x + h.z * h.z), m / 3 * (h.x * h.x + h.y * h.y), 0, 0, 0};
   return std::make_shared<const Model>("box", Chain{}
                                                   .base("box")
                                                   .with(properties::mass, m)

@@ -38,7 +38,8 @@ TEST(Freezing, BadTargetsFreezeOneRobotOnly) {
   EXPECT_FALSE(good.frozen());
   EXPECT_GT(Rig::place(good).x, 1.3);
   ASSERT_EQ(rig.simulation.warnings().size(), 1u);
-  EXPECT_NE(rig.simulation.warnings()[0].find("'bad' was frozen at 0.50"), std::string::npos) << rig.simulation.warnings()[0];
+  EXPECT_NE(rig.simulation.warnings()[0].find("'bad' was frozen at 0.50"), std::string::npos)
+      << rig.simulation.warnings()[0];
 }
 
 TEST(Freezing, BadForcesFreezeTheEntityThatFeelsThem) {

@@ -33,11 +33,11 @@ class ArmSwinger final : public Algorithm {
 };
 
 struct Standing {
-  double drift = 0;   // [m/s] of the left foot over the last 10 s
-  double turn = 0;    // [rad/s] of the left foot over the last 10 s
-  double noise = 0;   // [1] rms deviation of the ground force from the weight
-  double mean = 0;    // [N] mean ground force along the ground's normal
-  double zmp = 0;     // [m] largest distance between the zero moment point and the center of mass on the ground
+  double drift = 0;  // [m/s] of the left foot over the last 10 s
+  double turn = 0;   // [rad/s] of the left foot over the last 10 s
+  double noise = 0;  // [1] rms deviation of the ground force from the weight
+  double mean = 0;   // [N] mean ground force along the ground's normal
+  double zmp = 0;    // [m] largest distance between the zero moment point and the center of mass on the ground
 };
 
 Standing stand(double slope, double amplitude) {

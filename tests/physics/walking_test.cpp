@@ -7,11 +7,11 @@ namespace murosimf::test {
 namespace {
 
 struct Walk {
-  Vec3d moved;            // [m] of the base
-  double turned = 0;      // [rad] of the base, summed
-  double lean = 0;        // [rad] largest lean of the pelvis
-  double center_range = 0;// [m] highest minus lowest center of the base
-  double slip = 0;        // [m] largest motion of a standing sole between two swaps (kinematic walking)
+  Vec3d moved;              // [m] of the base
+  double turned = 0;        // [rad] of the base, summed
+  double lean = 0;          // [rad] largest lean of the pelvis
+  double center_range = 0;  // [m] highest minus lowest center of the base
+  double slip = 0;          // [m] largest motion of a standing sole between two swaps (kinematic walking)
 };
 
 /// 18 s of walking with `command` from standing.

@@ -75,7 +75,8 @@ TEST(Clock, LongDelaysMoveTheScheduleInsteadOfRacing) {
 }
 
 TEST(Clock, ImpossibleSpeedsAreRefused) {
-  for (const double speed : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double speed :
+       {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW(Clock{speed}, SetupError) << speed;
   }
 }

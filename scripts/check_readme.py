@@ -1,0 +1,29 @@
+#!/usr/bin/env python3
+"""Checks that the program in README.md is examples/minimal.cpp, letter by letter, and that files it names exist."""
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(__file__).resolve().parent.parent
+readme = (root / "README.md").read_text()
+example = (root / "examples" / "minimal.cpp").read_text()
+mistakes = []
+
+blocks = re.findall(r"```cpp\n(.*?)```", readme, re.DOTALL)
+if blocks != [example]:
+    mistakes.append("README.md: its C++ program is not examples/minimal.cpp")
+main_lines = example[example.index("int main"):].count("\n")
+if main_lines >= 15:
+    mistakes.append(f"examples/minimal.cpp: main has {main_lines} lines, not under 15")
+
+for page in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
+    text = page.read_text()
+    names = set(re.findall(r"`((?:docs|murosimf|examples|scripts|models|scenes|tests|benchmarks|apps)/[\w./]+)`", text))
+    names |= set(re.findall(r"\]\(([\w./]+)\)", text))
+    for name in sorted(names):
+        if not (root / name).exists():
+            mistakes.append(f"{page.name}: names '{name}', which is not there")
+
+for mistake in mistakes:
+    print(mistake)
+sys.exit(1 if mistakes else 0)
