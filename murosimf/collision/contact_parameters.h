@@ -21,8 +21,8 @@ namespace murosimf::collision {
 
 /// Restitution of a damped spring with damping ratio z in [0, 1).
 [[nodiscard]] double restitution(double z);
-/// Damping ratio in [0, 1) with the given restitution; restitutions below 0.15 give the largest ratio, 0.95.
-[[nodiscard]] double damping_ratio(double restitution);
+/// Damping ratio in [0, 1) with restitution `e`; restitutions below 0.15 give the largest ratio, 0.95.
+[[nodiscard]] double damping_ratio(double e);
 
 /// Constants for contacts of `model` with a surface. `gravity` [m/s^2] magnitude; `dt` [s] of the motion step.
 [[nodiscard]] ContactParameters contact_parameters(const Model& model, const PairSurface& pair, double gravity,

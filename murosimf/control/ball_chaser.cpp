@@ -89,10 +89,12 @@ Vec3d attack(const Situation& s, double speed) {
   return walk_to(s, ball - behind_ball * s.to_goal, s.to_goal, speed);
 }
 
-Vec3d support(const Situation& s, double speed) {
+Vec3d support(const Situation& s, const Vec3d& half_field, double speed) {
   const double side = s.rank % 2 == 1 ? 1 : -1;
   const Vec3d ball = flat(s.ball->position);
-  const Vec3d place = ball - support_behind * s.to_goal + (side * support_aside) * left_of(s.to_goal);
+  Vec3d place = ball - support_behind * s.to_goal + (side * support_aside) * left_of(s.to_goal);
+  place.x = std::clamp(place.x, -half_field.x, half_field.x);
+  place.y = std::clamp(place.y, -half_field.y, half_field.y);
   const Vec3d to_ball = unit(ball - flat(s.self->position));
   const double facing_error = wrapped(std::atan2(to_ball.y, to_ball.x) - s.self->heading);
   if (norm(flat(place - s.self->position)) < arrived && std::abs(facing_error) < 0.2) return {};
@@ -114,7 +116,7 @@ void BallChaser::step(const Instant&) noexcept {
     command_ = {};
     return;
   }
-  command_ = s.rank == 0 ? attack(s, options_.speed) : support(s, options_.speed);
+  command_ = s.rank == 0 ? attack(s, options_.speed) : support(s, options_.half_field, options_.speed);
   const Vec3d avoid = to_robot_frame(s.avoidance, s.self->heading);
   command_ += Vec3d{0.15 * avoid.x, 0.10 * avoid.y, 0};
 }

@@ -14,6 +14,7 @@ namespace murosimf::control {
 struct BallChaserOptions {
   std::string ball = "ball";  ///< name of the entity to chase
   Vec3d goal{3, 0, 0};        ///< [m] where to push it, world frame
+  Vec3d half_field{3, 2, 0};  ///< [m] the others do not wait outside of this
   double speed = 0.2;         ///< [m/s] forward
 };
 

@@ -30,9 +30,10 @@ void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions&
 
 void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   using control::BallChaser;
+  const control::BallChaserOptions chaser{.goal = {options.attacks * options.half_field.x, 0, 0},
+                                          .half_field = options.half_field};
   simulation.attach<sensors::GroundTruth>("ground_truth", robot, BallChaser::rate_hz, options.everybody);
-  simulation.attach<BallChaser>("ball_chaser", robot, BallChaser::rate_hz,
-                                control::BallChaserOptions{.goal = options.goal});
+  simulation.attach<BallChaser>("ball_chaser", robot, BallChaser::rate_hz, chaser);
   simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz);
 }
 

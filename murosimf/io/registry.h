@@ -35,7 +35,8 @@ struct Contact {
 /// What a controller may want to know about its robot's place in the scene.
 struct ControllerOptions {
   std::vector<Entity*> everybody;  ///< robots and ball
-  Vec3d goal{3, 0, 0};             ///< [m] where the robot's team pushes the ball
+  Vec3d half_field{3, 2, 0};       ///< [m] from the middle to the touch and goal lines
+  double attacks = 1;              ///< +1: the robot's team plays towards positive x, -1: the other way
   Vec3d command;                   ///< [m/s, m/s, rad/s] first walk_command
 };
 

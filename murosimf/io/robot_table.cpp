@@ -2,22 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
+#include "murosimf/io/toml_reader.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
 namespace {
 
-/// Reads one table; knows the file name for messages.
+/// Fills a RobotTable from the tables of one file.
 class Reader {
  public:
-  explicit Reader(std::string file) : file_(std::move(file)) {}
-
   [[nodiscard]] RobotTable read(const toml::table& root) {
     for (const auto& [key, value] : root) {
       if (key == "soles") {
@@ -34,29 +30,24 @@ class Reader {
   }
 
  private:
-  [[nodiscard]] std::string where(const toml::source_region& source) const {
-    return fmt::format("{}:{}:{}", file_, source.begin.line, source.begin.column);
-  }
-  [[noreturn]] void fail(const toml::source_region& source, std::string_view message) const {
-    throw SetupError(fmt::format("{}: {}", where(source), message));
-  }
-  [[noreturn]] void unknown(std::string_view kind, const toml::key& key, std::vector<std::string_view> known) const {
-    fail(key.source(), unknown_name(kind, key.str(), known));
+  [[noreturn]] void unknown(std::string_view kind, const toml::key& key,
+                            const std::vector<std::string_view>& known) const {
+    fail_at(key.source(), unknown_name(kind, key.str(), known));
   }
 
   const toml::table& table_of(const toml::key& key, const toml::node& node) const {
     if (const auto* table = node.as_table()) return *table;
-    fail(key.source(), fmt::format("'{}' must be a table, like [{}]", key.str(), key.str()));
+    fail_at(key.source(), fmt::format("'{}' must be a table, like [{}]", key.str(), key.str()));
   }
   [[nodiscard]] TableName name_of(std::string_view key, const toml::node& node) const {
     const auto text = node.value_exact<std::string>();
-    if (!text || text->empty()) fail(node.source(), fmt::format("'{}' must be a name in quotes", key));
+    if (!text || text->empty()) fail_at(node.source(), fmt::format("'{}' must be a name in quotes", key));
     return {*text, where(node.source())};
   }
   [[nodiscard]] double number_of(const toml::key& key, const toml::node& node) const {
     const auto number = node.is_number() ? node.value<double>() : std::nullopt;
     if (!number || !std::isfinite(*number) || *number < 0) {
-      fail(node.source(), fmt::format("'{}' must be a finite number, at least 0", key.str()));
+      fail_at(node.source(), fmt::format("'{}' must be a finite number, at least 0", key.str()));
     }
     return *number;
   }
@@ -101,29 +92,28 @@ class Reader {
       *found->second = number_of(key, value);
     }
     for (const auto& [name, number] : numbers) {
-      if (!table.contains(name)) fail(type.source(), fmt::format("servo '{}' needs {}", servo.type, name));
+      if (!table.contains(name)) fail_at(type.source(), fmt::format("servo '{}' needs {}", servo.type, name));
     }
     if (!(servo.stall_torque > 0 && servo.no_load_rate > 0)) {
-      fail(type.source(),
-           fmt::format("servo '{}' cannot move: stall_torque and no_load_rate must be positive", servo.type));
+      fail_at(type.source(),
+              fmt::format("servo '{}' cannot move: stall_torque and no_load_rate must be positive", servo.type));
     }
     give_to_joints(servo, type, table);
   }
 
   void give_to_joints(const Servo& servo, const toml::key& type, const toml::table& table) {
     const toml::array* joints = table["joints"].as_array();
-    if (!joints) fail(type.source(), fmt::format("servo '{}' needs joints = [\"...\"]", servo.type));
+    if (!joints) fail_at(type.source(), fmt::format("servo '{}' needs joints = [\"...\"]", servo.type));
     for (const toml::node& node : *joints) {
       const auto [joint, place] = name_of("joints", node);
       const auto [entry, fresh] = table_.servos.emplace(joint, TableServo{servo, place});
       if (!fresh) {
-        fail(node.source(), fmt::format("joint '{}' has servo '{}' already ({}); keep one", joint,
-                                        entry->second.servo.type, entry->second.where));
+        fail_at(node.source(), fmt::format("joint '{}' has servo '{}' already ({}); keep one", joint,
+                                           entry->second.servo.type, entry->second.where));
       }
     }
   }
 
-  std::string file_;
   RobotTable table_;
 };
 
@@ -144,21 +134,7 @@ bool RobotTable::is_sole(const std::string& site) const {
   return (left_sole && left_sole->name == site) || (right_sole && right_sole->name == site);
 }
 
-RobotTable read_robot_table(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw SetupError(fmt::format("{}: there is no such file", file.string()));
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  try {
-    return Reader(file.string()).read(toml::parse(text.str(), file.string()));
-  } catch (const toml::parse_error& error) {
-    const auto& begin = error.source().begin;
-    throw SetupError(fmt::format("{}:{}:{}: {}; correct the file there", file.string(), begin.line, begin.column,
-                                 error.description()));
-  }
-}
+RobotTable read_robot_table(const std::filesystem::path& file) { return Reader().read(parse_toml_file(file)); }
 
 RobotTable read_table_beside(const std::filesystem::path& model_file) {
   auto file = model_file;

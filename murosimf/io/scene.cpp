@@ -94,11 +94,11 @@ void Scene::attach_controllers() {
     ControllerOptions options;
     options.everybody = movers_;
     options.command = robot.command;
-    double attacks = 1;
+    const FieldSize& field = field_size(spec_.field.size);
+    options.half_field = {0.5 * field.length, 0.5 * field.width, 0};
     for (const TeamSpec& team : spec_.teams) {
-      if (team.name == robot.team) attacks = team.attacks;
+      if (team.name == robot.team) options.attacks = team.attacks;
     }
-    options.goal = {attacks * 0.5 * field_size(spec_.field.size).length, 0, 0};
     find_entry(controllers(), "controller", robot.controller).attach(*simulation_, *robots_[i], options);
   }
 }

@@ -130,7 +130,7 @@ void read_robots(const TomlTable& scene, SceneSpec& spec) {
     const auto same_name = [&](const RobotSpec& other) { return other.name == robot.name; };
     const bool taken =
         robot.name == "ball" || robot.name == "field" || std::any_of(spec.robots.begin(), spec.robots.end(), same_name);
-    if (taken) fail_at(*table.find("name"), fmt::format("two entities are called '{}'", robot.name));
+    if (taken) fail_at(table.find("name")->source(), fmt::format("two entities are called '{}'", robot.name));
     const auto is_team = [&](const TeamSpec& team) { return team.name == robot.team; };
     if (!robot.team.empty() && std::none_of(spec.teams.begin(), spec.teams.end(), is_team)) {
       std::vector<std::string_view> names;
@@ -164,6 +164,7 @@ void read_materials(const TomlTable& scene, SceneSpec& spec) {
 SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   SceneSpec spec;
   toml::table document = parse_toml_file(file);
+  if (document.empty()) throw SetupError(fmt::format("{}: the file is empty", file.string()));
   for (const std::string& text : overrides) apply_override(document, text, spec.settings);
 
   const TomlTable scene(document, scene_keys());

@@ -17,30 +17,27 @@ toml::table parse_toml_file(const std::filesystem::path& file) {
   text << stream.rdbuf();
   if (!stream) throw SetupError(fmt::format("cannot read '{}'", file.string()));
   try {
-    toml::table table = toml::parse(text.str(), file.string());
-    if (table.empty()) throw SetupError(fmt::format("{}: the file is empty", file.string()));
-    return table;
+    return toml::parse(text.str(), file.string());
   } catch (const toml::parse_error& error) {
     const auto& begin = error.source().begin;
     throw SetupError(fmt::format("{}:{}:{}: {}", file.string(), begin.line, begin.column, error.description()));
   }
 }
 
-std::string where(const toml::node& node) {
-  const toml::source_region& source = node.source();
+std::string where(const toml::source_region& source) {
   const std::string path = source.path ? *source.path : std::string("scene");
   if (path.starts_with("--set")) return path;
   return fmt::format("{}:{}:{}", path, source.begin.line, source.begin.column);
 }
 
-void fail_at(const toml::node& node, std::string_view message) {
-  throw SetupError(fmt::format("{}: {}", where(node), message));
+void fail_at(const toml::source_region& source, std::string_view message) {
+  throw SetupError(fmt::format("{}: {}", where(source), message));
 }
 
 TomlTable::TomlTable(const toml::table& table, const std::vector<std::string_view>& known) : table_(table) {
   for (const auto& [key, node] : table) {
     if (std::find(known.begin(), known.end(), key.str()) == known.end()) {
-      fail_at(node, unknown_name("key", key.str(), known));
+      fail_at(key.source(), unknown_name("key", key.str(), known));
     }
   }
 }
@@ -48,7 +45,7 @@ TomlTable::TomlTable(const toml::table& table, const std::vector<std::string_vie
 void TomlTable::read(std::string_view key, std::string& value) const {
   const toml::node* node = find(key);
   if (!node) return;
-  if (!node->is_string()) fail_at(*node, fmt::format("'{}' must be a text in quotes", key));
+  if (!node->is_string()) fail_at(node->source(), fmt::format("'{}' must be a text in quotes", key));
   value = **node->as_string();
 }
 
@@ -56,14 +53,15 @@ void TomlTable::read(std::string_view key, double& value) const {
   const toml::node* node = find(key);
   if (!node) return;
   const auto numbers = node->is_array() ? std::nullopt : numbers_of(*node);
-  if (!numbers || !std::isfinite(numbers->front())) fail_at(*node, fmt::format("'{}' must be a finite number", key));
+  if (!numbers || !std::isfinite(numbers->front()))
+    fail_at(node->source(), fmt::format("'{}' must be a finite number", key));
   value = numbers->front();
 }
 
 void TomlTable::read(std::string_view key, bool& value) const {
   const toml::node* node = find(key);
   if (!node) return;
-  if (!node->is_boolean()) fail_at(*node, fmt::format("'{}' must be true or false", key));
+  if (!node->is_boolean()) fail_at(node->source(), fmt::format("'{}' must be true or false", key));
   value = **node->as_boolean();
 }
 
@@ -71,7 +69,7 @@ void TomlTable::read(std::string_view key, std::uint64_t& value) const {
   const toml::node* node = find(key);
   if (!node) return;
   if (!node->is_integer() || **node->as_integer() < 0)
-    fail_at(*node, fmt::format("'{}' must be a whole number from 0", key));
+    fail_at(node->source(), fmt::format("'{}' must be a whole number from 0", key));
   value = static_cast<std::uint64_t>(**node->as_integer());
 }
 
@@ -80,10 +78,10 @@ void TomlTable::read(std::string_view key, Vec3d& value) const {
   if (!node) return;
   const auto numbers = node->is_array() ? numbers_of(*node) : std::nullopt;
   if (!numbers || numbers->size() < 2 || numbers->size() > 3) {
-    fail_at(*node, fmt::format("'{}' must be two or three numbers in brackets", key));
+    fail_at(node->source(), fmt::format("'{}' must be two or three numbers in brackets", key));
   }
   for (const double number : *numbers) {
-    if (!std::isfinite(number)) fail_at(*node, fmt::format("'{}' must be finite numbers", key));
+    if (!std::isfinite(number)) fail_at(node->source(), fmt::format("'{}' must be finite numbers", key));
   }
   value = {(*numbers)[0], (*numbers)[1], numbers->size() == 3 ? (*numbers)[2] : 0};
 }
@@ -91,7 +89,7 @@ void TomlTable::read(std::string_view key, Vec3d& value) const {
 const toml::table* TomlTable::table(std::string_view key) const {
   const toml::node* node = find(key);
   if (!node) return nullptr;
-  if (!node->is_table()) fail_at(*node, fmt::format("'{}' must be a table: [{}]", key, key));
+  if (!node->is_table()) fail_at(node->source(), fmt::format("'{}' must be a table: [{}]", key, key));
   return node->as_table();
 }
 
@@ -99,9 +97,9 @@ std::vector<const toml::table*> TomlTable::tables(std::string_view key) const {
   std::vector<const toml::table*> result;
   const toml::node* node = find(key);
   if (!node) return result;
-  if (!node->is_array()) fail_at(*node, fmt::format("'{}' must be a list of tables: [[{}]]", key, key));
+  if (!node->is_array()) fail_at(node->source(), fmt::format("'{}' must be a list of tables: [[{}]]", key, key));
   for (const toml::node& element : *node->as_array()) {
-    if (!element.is_table()) fail_at(element, fmt::format("'{}' must be a list of tables: [[{}]]", key, key));
+    if (!element.is_table()) fail_at(element.source(), fmt::format("'{}' must be a list of tables: [[{}]]", key, key));
     result.push_back(element.as_table());
   }
   return result;
@@ -109,7 +107,7 @@ std::vector<const toml::table*> TomlTable::tables(std::string_view key) const {
 
 std::string TomlTable::where(std::string_view key) const {
   const toml::node* node = find(key);
-  return node ? io::where(*node) : where();
+  return node ? io::where(node->source()) : where();
 }
 
 std::optional<std::vector<double>> numbers_of(const toml::node& node) {

@@ -15,14 +15,14 @@
 
 namespace murosimf::io {
 
-/// Parses a file. Throws SetupError if it is missing, empty, or not TOML.
+/// Parses a file. Throws SetupError if it is missing or not TOML.
 [[nodiscard]] toml::table parse_toml_file(const std::filesystem::path& file);
 
 /// "scenes/a.toml:3:7", or the text of a --set that the node came from.
-[[nodiscard]] std::string where(const toml::node& node);
+[[nodiscard]] std::string where(const toml::source_region& source);
 
-/// Throws SetupError: where(node): message.
-[[noreturn]] void fail_at(const toml::node& node, std::string_view message);
+/// Throws SetupError: where(source): message.
+[[noreturn]] void fail_at(const toml::source_region& source, std::string_view message);
 
 /// One table of a file, whose keys must be among `known`.
 class TomlTable {
@@ -41,7 +41,7 @@ class TomlTable {
   [[nodiscard]] const toml::node* find(std::string_view key) const { return table_.get(key); }
   [[nodiscard]] const toml::table* table(std::string_view key) const;                ///< null if missing
   [[nodiscard]] std::vector<const toml::table*> tables(std::string_view key) const;  ///< of [[key]]
-  [[nodiscard]] std::string where() const { return io::where(table_); }
+  [[nodiscard]] std::string where() const { return io::where(table_.source()); }
   /// Where the key stands, or the table if it is missing.
   [[nodiscard]] std::string where(std::string_view key) const;
 

@@ -62,6 +62,16 @@ struct Expected {
   double kinematic, simplified;  // [m] along the command, or [rad]
 };
 
+/// Names tests by their command: Forward20 is vx = 0.20 m/s.
+std::string name_of(const testing::TestParamInfo<Expected>& info) {
+  const Vec3d& c = info.param.command;
+  const char* way = c.x > 0 ? "Forward" : c.x < 0 ? "Back" : c.y != 0 ? "Sideways" : "Turn";
+  return way + std::to_string(std::lround(100 * std::abs(c.x + c.y + c.z)));
+}
+void PrintTo(const Expected& expected, std::ostream* stream) {
+  *stream << expected.command.x << ' ' << expected.command.y << ' ' << expected.command.z;
+}
+
 class WalkTable : public testing::TestWithParam<Expected> {};
 
 double progress(const Walk& walk, const Vec3d& command) {
@@ -83,7 +93,8 @@ INSTANTIATE_TEST_SUITE_P(Commands, WalkTable,
                          testing::Values(Expected{{0.10, 0, 0}, 1.69, 1.65}, Expected{{0.20, 0, 0}, 3.36, 3.27},
                                          Expected{{0.25, 0, 0}, 4.18, 4.07}, Expected{{-0.10, 0, 0}, -1.69, -1.64},
                                          Expected{{0, 0.06, 0}, 1.01, 0.92},
-                                         Expected{{0, 0, 0.5}, 485 * degree, 455 * degree}));
+                                         Expected{{0, 0, 0.5}, 485 * degree, 455 * degree}),
+                         name_of);
 
 // Law: the standing sole does not move between two swaps (1e-9 m: rounding), and the path is the commanded one within
 // 8 % (ramp at the start, attenuation by the joint filter).
