@@ -159,6 +159,12 @@ TEST(ImplicitStickTest, SlipsAtTheCone) {
   const Vec3d force = force_after(set.points[0], {0.6, 0.8, 0});
   EXPECT_LT(difference(force, {-3, -4, 10}), 1e-14);
   EXPECT_TRUE(law.accept(set));  // the normal force did not move
+  // pressed harder by the trial step, 10 N + 60 N s/m * 0.05 m/s, it slides on that force at once
+  set = one_point(1e-3, {0.6, 0.8, 0});
+  law.prepare(set);
+  set.next_velocity[0] = {0.6, 0.8, -0.05};
+  EXPECT_FALSE(law.accept(set));
+  EXPECT_LT(difference(force_after(set.points[0], {0.6, 0.8, -0.05}), {-3.9, -5.2, 13}), 1e-14);
 }
 
 /// A point that slides with `velocity`, pressed with 10 N, and slid along x before.

@@ -91,6 +91,7 @@ TEST(ModelTest, ImpossibleInertias) {
   EXPECT_TRUE(says(with_inertia({-1, 1, 1, 0, 0, 0}), {"model 'robot'", "object 'foot'", "not positive definite"}));
   EXPECT_NE(with_inertia({1, -1, 1, 0, 0, 0}), "no error");
   EXPECT_NE(with_inertia({1, 1, -1, 0, 0, 0}), "no error");
+  EXPECT_NE(with_inertia({1, -1, -1, 0, 0, 0}), "no error");  // determinant 1
   EXPECT_NE(with_inertia({1, 1, 1, 1.1, 0, 0}), "no error");
   EXPECT_NE(with_inertia({1, 1, 1, 0, 1.1, 0}), "no error");
   EXPECT_NE(with_inertia({1, 1, 1, 0, 0, 1.1}), "no error");
