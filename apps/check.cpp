@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "apps/output_file.h"
+#include "apps/standard_output.h"
 #include "murosimf/io/data_path.h"
 #include "murosimf/io/mjcf_reader.h"
 #include "murosimf/io/model_report.h"
@@ -12,7 +12,7 @@ namespace murosimf::app {
 int check(const CheckOptions& options) {
   const auto file = io::find_data_file(options.model, "models", ".xml");
   const io::MjcfResult result = io::read_mjcf(file, {.lenient = options.lenient});
-  const io::ModelReport report = io::make_report(*result.model, result.warnings);
+  const io::ModelReport report = io::make_report(*result.model, result.warnings, result.notes);
   write_standard_output(options.json ? io::to_json(report) : io::to_text(report));
   return 0;
 }

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "apps/output_file.h"
+#include "apps/standard_output.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/model/properties.h"
 

@@ -8,7 +8,8 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "apps/output_file.h"
+#include "apps/standard_output.h"
+#include "murosimf/io/output_file.h"
 #include "murosimf/io/scene.h"
 
 namespace murosimf::app {
@@ -64,8 +65,8 @@ int run(const RunOptions& options) {
   Clock clock(speed_of(options.speed));
   if (options.duration) duration_of(*options.duration);
   // where results go is checked before anything is computed, so that no result is lost
-  if (!options.json.empty() && options.json != "-") check_writable(options.json);
-  if (!options.picture.empty()) check_writable(options.picture);
+  if (!options.json.empty() && options.json != "-") io::check_writable(options.json);
+  if (!options.picture.empty()) io::check_writable(options.picture);
 
   io::Scene scene(options.scene, {.threads = options.threads,
                                   .seed = options.seed,
@@ -86,7 +87,7 @@ int run(const RunOptions& options) {
     write_standard_output(io::to_json(report));
   } else {
     write_standard_output(io::to_text(report));
-    if (!options.json.empty()) write_file(options.json, io::to_json(report));
+    if (!options.json.empty()) io::write_file(options.json, io::to_json(report));
   }
   if (!options.picture.empty()) scene.write_picture(options.picture);
   return 0;

@@ -17,23 +17,23 @@ struct Base {
   std::string child_class;
 };
 
-void check_words(const XmlElement& root, bool lenient, std::vector<std::string>& warnings) {
+void check_words(const XmlElement& root, bool lenient, MjcfResult& result) {
   const VocabularyFindings found = check_vocabulary(root);
   if (!found.refused.empty() && !lenient) {
     const std::size_t more = found.refused.size() - 1;
     throw SetupError(found.refused.front() + (more > 0 ? fmt::format(" (and {} more like this)", more) : ""));
   }
-  warnings.insert(warnings.end(), found.notes.begin(), found.notes.end());
-  warnings.insert(warnings.end(), found.refused.begin(), found.refused.end());
+  result.notes = found.notes;
+  result.warnings = found.refused;
 }
 
-void note_world(const XmlElement& world, std::vector<std::string>& warnings) {
+void note_world(const XmlElement& world, std::vector<std::string>& notes) {
   for (const char* tag : {"geom", "site"}) {
     for (const XmlElement& element : world.children(tag)) {
       const bool plane = element.attribute("type").value_or("") == "plane";
-      warnings.push_back(one_line(
-          fmt::format("{}: world {} '{}' ignored: {}", element.where(), tag, element.attribute("name").value_or(""),
-                      plane ? "the scene brings its own ground" : "it is no part of the robot")));
+      notes.push_back(one_line(fmt::format("{}: world {} '{}' ignored: {}", element.where(), tag,
+                                           element.attribute("name").value_or(""),
+                                           plane ? "the scene brings its own ground" : "it is no part of the robot")));
     }
   }
 }
@@ -81,8 +81,8 @@ MjcfResult read_mjcf(const std::filesystem::path& file, const MjcfOptions& optio
   if (root.tag() != "mujoco")
     root.fail(fmt::format("the root is <{}>, not <mujoco>; this is no MJCF file", root.tag()));
   MjcfResult result;
-  check_words(root, options.lenient, result.warnings);
-  for (const XmlElement& world : root.children("worldbody")) note_world(world, result.warnings);
+  check_words(root, options.lenient, result);
+  for (const XmlElement& world : root.children("worldbody")) note_world(world, result.notes);
 
   const MjcfDefaults defaults(root);
   const MjcfCompiler compiler = read_compiler(root);

@@ -22,7 +22,9 @@ struct MjcfOptions {
 
 struct MjcfResult {
   ModelPtr model;
-  std::vector<std::string> warnings;  ///< one line each: file:line: what is ignored or looks wrong
+  std::vector<std::string>
+      warnings;                    ///< one line each: file:line: what looks wrong, or is dropped because of `lenient`
+  std::vector<std::string> notes;  ///< one line each: file:line: what means nothing here
 };
 
 /// Throws SetupError: file, line, what is wrong, what to do.

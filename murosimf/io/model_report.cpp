@@ -142,7 +142,7 @@ toml::table row_table(const ReportRow& row) {
 
 }  // namespace
 
-ModelReport make_report(const Model& model, std::vector<std::string> warnings) {
+ModelReport make_report(const Model& model, std::vector<std::string> warnings, std::vector<std::string> notes) {
   ModelReport report;
   report.name = model.name();
   report.total_mass_kg = model.tree().mass;
@@ -151,6 +151,7 @@ ModelReport make_report(const Model& model, std::vector<std::string> warnings) {
   report.objects = model.size();
   for (const int object : model.having(properties::sole)) report.soles.push_back(model.objects()[object].name);
   report.warnings = std::move(warnings);
+  report.notes = std::move(notes);
   report.tree = make_tree(model);
   add_findings(model, report);
   return report;
@@ -163,6 +164,7 @@ std::string to_text(const ModelReport& report) {
   std::vector<Line> lines{{"body", "mass", "joint", "axis", "range", "servo"}};
   for (const ReportRow& row : report.tree) lines.push_back(make_line(row));
   text += aligned(lines);
+  for (const std::string& note : report.notes) text += "note: " + note + '\n';
   for (const std::string& warning : report.warnings) text += "warning: " + warning + '\n';
   return text;
 }
@@ -176,6 +178,7 @@ std::string to_json(const ModelReport& report) {
                           {"bodies", report.bodies},
                           {"objects", report.objects},
                           {"soles", list(report.soles)},
+                          {"notes", list(report.notes)},
                           {"warnings", list(report.warnings)},
                           {"tree", tree}};
   std::ostringstream stream;

@@ -27,10 +27,12 @@ struct ModelReport {
   int joints = 0, bodies = 0, objects = 0;
   std::vector<std::string> soles;
   std::vector<std::string> warnings;  ///< of the reader, then what the model lacks to stand and move
+  std::vector<std::string> notes;     ///< of the reader: what means nothing here
   std::vector<ReportRow> tree;
 };
 
-[[nodiscard]] ModelReport make_report(const Model& model, std::vector<std::string> warnings = {});
+[[nodiscard]] ModelReport make_report(const Model& model, std::vector<std::string> warnings = {},
+                                      std::vector<std::string> notes = {});
 
 /// A summary line, a table with one line per row of the tree, and the warnings; angles in degrees.
 [[nodiscard]] std::string to_text(const ModelReport& report);

@@ -10,6 +10,7 @@
 #include "murosimf/io/data_path.h"
 #include "murosimf/io/field.h"
 #include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/output_file.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/math/random.h"
 #include "murosimf/motion/odometer.h"
@@ -79,7 +80,7 @@ ModelPtr Scene::model(const std::string& name, const std::string& where) {
   try {
     const auto file = find_data_file(name, "models", ".xml", spec_.file.parent_path());
     MjcfResult result = read_mjcf(file, {.lenient = options_.lenient});
-    if (options_.lenient) warnings_.insert(warnings_.end(), result.warnings.begin(), result.warnings.end());
+    warnings_.insert(warnings_.end(), result.warnings.begin(), result.warnings.end());
     return known = result.model;
   } catch (const SetupError& error) {
     // a mistake in the model file says where it is itself; one about its name needs the scene's line
@@ -201,8 +202,9 @@ void Scene::write_picture(const std::filesystem::path& file) const {
     paths.push_back(std::move(path));
   }
   const Markings* markings = field_->model().find(properties::markings, 0);
-  render::write_field_picture(file, *markings, paths,
-                              {.title = fmt::format("{}: {:.0f} s", spec_.name, seconds(simulation_->now()))});
+  write_file(file, render::field_picture_png(*markings, paths,
+                                             {.title = fmt::format("{}: {:.0f} s", spec_.name,
+                                                                   seconds(simulation_->now()))}));
 }
 
 }  // namespace murosimf::io

@@ -1,7 +1,6 @@
 /// field_picture.h - a picture of a match, seen from above: the field, and where robots and ball went.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,11 +25,10 @@ struct FieldPictureOptions {
   std::string title;  ///< UTF-8, one line
 };
 
-/// Writes a PNG of 2 half_length by 2 half_width of ground, x to the right and y up. An open stroke that reaches
-/// beyond all closed ones is drawn as a goal. Title and legend stand in the strip around the closed strokes, if it is
-/// wide enough for letters. Throws SetupError if the picture cannot be drawn or written; a file that was there before
-/// then stays as it was.
-void write_field_picture(const std::filesystem::path& file, const Markings& markings, const std::vector<Path>& paths,
-                         const FieldPictureOptions& options = {});
+/// A PNG file, as bytes, of 2 half_length by 2 half_width of ground, x to the right and y up. An open stroke that
+/// reaches beyond all closed ones is drawn as a goal. Throws SetupError if the picture cannot be drawn, or if this
+/// build has no pictures.
+[[nodiscard]] std::string field_picture_png(const Markings& markings, const std::vector<Path>& paths,
+                                            const FieldPictureOptions& options = {});
 
 }  // namespace murosimf::render

@@ -4,8 +4,8 @@
 
 namespace murosimf::render {
 
-void write_field_picture(const std::filesystem::path& /*file*/, const Markings& /*markings*/,
-                         const std::vector<Path>& /*paths*/, const FieldPictureOptions& /*options*/) {
+std::string field_picture_png(const Markings& /*markings*/, const std::vector<Path>& /*paths*/,
+                              const FieldPictureOptions& /*options*/) {
   throw SetupError("pictures are off in this build: cairo was missing (Debian and Ubuntu: libcairo2-dev)");
 }
 

@@ -12,8 +12,8 @@ namespace murosimf::io {
 namespace {
 
 ModelReport kid21_report() {
-  const auto [model, warnings] = read_mjcf(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml");
-  return make_report(*model, warnings);
+  const auto [model, warnings, notes] = read_mjcf(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml");
+  return make_report(*model, warnings, notes);
 }
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -1,0 +1,16 @@
+/// path_drawing.h - where robots and ball went, and where they are.
+///
+/// Only for the .cpp files of this folder: it brings cairo in.
+#pragma once
+
+#include <vector>
+
+#include "murosimf/render/field_drawing.h"
+#include "murosimf/render/field_picture.h"
+
+namespace murosimf::render {
+
+/// The canvas is in metres, x to the right and y up, the middle of the field at the origin.
+void draw_paths(cairo_t* canvas, const std::vector<Path>& paths, const Frame& frame);
+
+}  // namespace murosimf::render
