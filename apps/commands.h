@@ -24,7 +24,7 @@ int run(const RunOptions& options);
 
 struct CheckOptions {
   std::string model;
-  bool json = false;
+  std::string json;  ///< file, "-" for standard output
   bool lenient = false;
 };
 

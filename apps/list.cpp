@@ -1,4 +1,4 @@
-// `murosimf list`: names that scenes and --set may use.
+// `murosimf list`: names of levels, laws, controllers, sensors and properties.
 #include <fmt/format.h>
 
 #include "apps/commands.h"

@@ -38,13 +38,13 @@ void add_check(CLI::App& app, CheckOptions& options, int& exit_code) {
   CLI::App* check_command = app.add_subcommand("check", "Read a robot model and show what is in it");
   check_command->add_option("model", options.model, "Model file (MJCF), or the name of one that comes with the program")
       ->required();
-  check_command->add_flag("--json", options.json, "Write JSON to standard output");
+  check_command->add_option("--json", options.json, "Write JSON to this file, or to standard output with '-'");
   check_command->add_flag("--lenient", options.lenient, "Accept unknown elements, with a warning");
   check_command->callback([&] { exit_code = check(options); });
 }
 
 void add_list(CLI::App& app, std::string& what, int& exit_code) {
-  CLI::App* list_command = app.add_subcommand("list", "List names that scenes and --set may use");
+  CLI::App* list_command = app.add_subcommand("list", "List the names that there are");
   list_command->add_option("what", what, "levels, contacts, controllers, sensors or properties")
       ->required()
       ->check(CLI::IsMember({"levels", "contacts", "controllers", "sensors", "properties"}));

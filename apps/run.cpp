@@ -29,8 +29,7 @@ std::optional<double> speed_of(const std::string& text) {
 
 Duration duration_of(double s) {
   if (!(s >= 0) || !std::isfinite(s)) throw SetupError(fmt::format("--duration {}: must be a number from 0", s));
-  constexpr double century = 3e9;
-  if (s > century) throw SetupError(fmt::format("--duration {}: longer than simulated time can count", s));
+  if (s > io::longest_duration) throw SetupError(fmt::format("--duration {}: longer than simulated time can count", s));
   return from_seconds(s);
 }
 

@@ -47,8 +47,7 @@ int main() {
   Entity& floor = simulation.world().add("floor", ground);
   Entity& robot = simulation.world().add("robot", model);
   simulation.attach<collision::GroundContact>("ground_contact", robot, 1000, &floor,
-                                              std::make_shared<collision::ImplicitStick>(), MaterialTable::standard(),
-                                              std::chrono::milliseconds(1));
+                                              std::make_shared<collision::ImplicitStick>(), MaterialTable::standard());
   simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", robot, 1000);
   simulation.initialize();
 

@@ -1,6 +1,7 @@
 #include "murosimf/collision/ball_contact.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -15,10 +16,17 @@ constexpr double fastest_walker = 3.0;  // [m/s] speed of an unpushable body's p
 
 const PlacedShape& only_sphere(const Entity& ball) {
   const Shapes* shapes = ball.model().find(properties::shapes, 0);
-  if (!shapes || shapes->size() != 1 || !std::holds_alternative<Sphere>(shapes->front().shape)) {
-    throw SetupError(fmt::format("'{}' cannot be a ball: its model is not one sphere", ball.name()));
+  const bool one = ball.model().bodies().size() == 1 && shapes && shapes->size() == 1;
+  if (!one || !std::holds_alternative<Sphere>(shapes->front().shape) || norm(shapes->front().position) > 0) {
+    throw SetupError(fmt::format("'{}' cannot be a ball: its model is not one sphere about its base", ball.name()));
   }
   return shapes->front();
+}
+
+/// How far a slider can go; without limits, anywhere.
+double longest_travel(const Model& model, int joint) {
+  const Vec3d* range = model.find(properties::joint_range, joint);
+  return range ? std::max(std::abs(range->x), std::abs(range->y)) : std::numeric_limits<double>::infinity();
 }
 
 /// Longest chain of offsets from the base plus the size of what sits there: holds in every posture.
@@ -28,10 +36,19 @@ double farthest_reach(const Model& model, const std::vector<GroundShape>& shapes
     double length = norm(shape.placed.position) + shape.reach;
     for (int i = shape.object; i >= 0; i = model.objects()[i].parent) {
       if (model.objects()[i].kind == Kind::translation) length += norm(model.objects()[i].vector);
+      if (model.objects()[i].kind == Kind::prismatic) length += longest_travel(model, i);
     }
     reach = std::max(reach, length);
   }
   return reach;
+}
+
+/// The force is explicit: the step must resolve the impact.
+void check_steps(const Entity& ball, const ContactParameters& p, double dt) {
+  const double mass = ball.model().tree().mass;
+  if (dt * dt * p.stiffness / mass < 0.25) return;
+  throw SetupError(fmt::format("'{}' is too stiff for steps of {:.2g} ms; use a rate of at least {:.0f} Hz",
+                               ball.name(), 1e3 * dt, std::ceil(2 * std::sqrt(p.stiffness / mass))));
 }
 
 }  // namespace
@@ -53,17 +70,19 @@ BallContact::Partner::Partner(Setup setup, const MaterialTable& materials, const
   loaded.reserve(shapes.size());
 }
 
-BallContact::BallContact(Setup& setup, const std::vector<Entity*>& robots, const MaterialTable& materials,
-                         Duration period)
-    : r_(setup.read(properties::position)),
-      v_(setup.read(properties::linear_velocity)),
-      w_(setup.read(properties::angular_velocity)),
-      force_(setup.write(properties::interaction_force)) {
-  const PlacedShape& sphere = only_sphere(setup.entity());
+BallContact::BallContact(Setup& setup, Entity& ball, const std::vector<Entity*>& robots, const MaterialTable& materials)
+    : ball_(ball) {
+  Setup of_ball = setup.of(ball);
+  const PlacedShape& sphere = only_sphere(ball);
   radius_ = std::get<Sphere>(sphere.shape).radius;
+  r_ = of_ball.read(properties::position);
+  v_ = of_ball.read(properties::linear_velocity);
+  w_ = of_ball.read(properties::angular_velocity);
+  force_ = of_ball.write(properties::interaction_force);
+  const double dt = seconds(setup.period());
   for (Entity* robot : robots) {
-    partners_.emplace_back(setup.of(*robot), materials, setup.model(), sphere.surface, norm(setup.world().gravity),
-                           seconds(period));
+    partners_.emplace_back(setup.of(*robot), materials, ball.model(), sphere.surface, norm(setup.world().gravity), dt);
+    for (const ContactParameters& p : partners_.back().parameters) check_steps(ball, p, dt);
   }
 }
 
@@ -80,6 +99,7 @@ void BallContact::step(const Instant& instant) noexcept {
   for (Partner& partner : partners_) {
     for (const int object : partner.loaded) partner.force[object] = Forced{};
     partner.loaded.clear();
+    if (ball_.frozen()) continue;
     const Vec3d away = r_[0] - partner.r[0];
     const double near = partner.reach + radius_;
     if (dot(away, away) < near * near) touch(partner, seconds(instant.period));

@@ -5,6 +5,7 @@
 ///
 ///     f_n = max(0, k depth - d v_n)       f_t = -min(mu f_n, ct |v_t|) v_t / |v_t|
 ///
+/// Source: a damped spring that cannot pull (contact_parameters.h) and Coulomb friction, regularized by ct.
 /// An entity that cannot be pushed (`pushable` 0: kinematic walking) feels nothing; what it should have felt is added
 /// to its ledger `absorbed_impulse`, so that the momentum of ball and ledger together is constant. The speed of such a
 /// partner's point counts up to 3 m/s only, so that a change of its standing foot cannot shoot the ball.
@@ -24,8 +25,9 @@ namespace murosimf::collision {
 
 class BallContact final : public Algorithm {
  public:
-  /// `setup` is the ball's; its model is one sphere. Throws SetupError if it is not.
-  BallContact(Setup& setup, const std::vector<Entity*>& robots, const MaterialTable& materials, Duration period);
+  /// `setup` is that of an entity that never freezes (the field), so that a frozen ball stops pushing. Throws SetupError
+  /// if the ball's model is not one sphere, or if the steps are too long for its stiffness.
+  BallContact(Setup& setup, Entity& ball, const std::vector<Entity*>& robots, const MaterialTable& materials);
 
   void initialize() override;
   void step(const Instant& instant) noexcept override;
@@ -50,6 +52,7 @@ class BallContact final : public Algorithm {
   void touch(Partner& partner, double dt) noexcept;
   void push(Partner& partner, const GroundShape& shape, const ContactParameters& parameters, double dt) noexcept;
 
+  const Entity& ball_;
   double radius_ = 0;
   std::span<const Vec3d> r_, v_, w_;  // of the ball, world frame; row 0 is its base
   std::span<Forced> force_;

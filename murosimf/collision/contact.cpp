@@ -5,7 +5,9 @@ namespace murosimf::collision {
 void append_hash(Hasher& hasher, const ContactPoint& point) {
   hasher.add(std::uint64_t{point.feature});
   hasher.add(std::uint64_t{static_cast<std::uint8_t>(point.state)});
+  hasher.add(point.last_normal_force);
   append_hash(hasher, point.stretch);
+  append_hash(hasher, point.slip_direction);
 }
 
 void append_hash(Hasher& hasher, const ContactSet& set) {
@@ -36,6 +38,13 @@ void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> ex
     Sym6d damping = at_point(damping_matrix(c), arm);
     damping.J += diagonal(c.angular_damping);
     external_damping[c.object] += damping;
+  }
+}
+
+void write_final_forces(const ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force) noexcept {
+  for (const int object : set.loaded) external_force[object] = set.rest_force[object];
+  for (const ContactPoint& c : set.points) {
+    external_force[c.object] += Forced{c.moment + cross(c.point - r[c.object], c.force), c.force};
   }
 }
 

@@ -84,4 +84,8 @@ inline constexpr Property<ContactSet> contacts{
 void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force,
                  std::span<Sym6d> external_damping) noexcept;
 
+/// After the law has committed: external_force = rest_force + the forces that acted in the step (for reports and
+/// sensors; the linearization before was about the velocities at its beginning).
+void write_final_forces(const ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force) noexcept;
+
 }  // namespace murosimf::collision

@@ -21,6 +21,7 @@ class ContactLaw {
   virtual void prepare(ContactSet& set) const noexcept = 0;
   /// True if all points agree with `set.next_velocity`; false if some changed and the step must be repeated.
   [[nodiscard]] virtual bool accept(ContactSet& set) const noexcept = 0;
+  /// Updates the memory, and `force` of every point to what acted in the step.
   virtual void commit(ContactSet& set) const noexcept = 0;
 };
 

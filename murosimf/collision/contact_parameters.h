@@ -4,7 +4,8 @@
 ///     d = 2 zeta sqrt(k m_p)         m_p = m / (n_c / 2): a landing robot meets the ground with half of its points
 ///     kt = k,  ct = d / 2
 ///
-/// zeta = 0.5 for robots. For a round body zeta follows from the restitution e of the pair, from the closed form of a
+/// Source of this rule and of 0.4 mm: the project's prototype, which stood and walked with it on a robot of 4.3 kg
+/// (k = 13 kN/m, d = 120 N s/m). zeta = 0.5 for robots. For a round body zeta follows from the restitution e of the pair, from the closed form of a
 /// damped spring that cannot pull (first zero of its force):
 ///
 ///     e = exp(-(z/w) (pi - atan2(2 z w, w^2 - z^2))),   w = sqrt(1 - z^2)

@@ -24,7 +24,7 @@ std::vector<GroundPlane> ground_planes(const Entity* environment) {
 }
 
 GroundContact::GroundContact(Setup& setup, const Entity* environment, std::shared_ptr<const ContactLaw> law,
-                             const MaterialTable& materials, Duration period)
+                             const MaterialTable& materials)
     : model_(setup.model()),
       law_(std::move(law)),
       shapes_(ground_shapes(setup.model())),
@@ -42,7 +42,7 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
   for (const GroundPlane& plane : planes_) {
     for (const GroundShape& shape : shapes_) {
       const PairSurface pair = materials.find(shape.placed.surface, plane.surface);
-      parameters_.push_back(contact_parameters(model_, pair, norm(setup.world().gravity), seconds(period)));
+      parameters_.push_back(contact_parameters(model_, pair, norm(setup.world().gravity), seconds(setup.period())));
     }
   }
 }

@@ -21,7 +21,7 @@ class GroundContact final : public Algorithm {
  public:
   /// `environment`: its plane shapes are the ground; null for none (free flight: pushes only).
   GroundContact(Setup& setup, const Entity* environment, std::shared_ptr<const ContactLaw> law,
-                const MaterialTable& materials, Duration period);
+                const MaterialTable& materials);
 
   void initialize() override;
   void step(const Instant& instant) noexcept override;

@@ -39,12 +39,13 @@ struct LowPoints {
     const double size = norm(down);
     const Vec3d first = size > 1e-9 ? (1.0 / size) * down : R.x;
     const Vec3d second = cross(R.z, first);
+    const double arm = std::abs(dot(R.z, n)) < 0.5 ? s.radius : 0.0;  // lying it rolls, standing it does not
     for (std::uint32_t cap = 0; cap < 2; ++cap) {
       const Vec3d middle = center + (cap == 0 ? -s.half_length : s.half_length) * R.z;
-      emit(4 * cap + 0, middle + s.radius * first, s.radius);
-      emit(4 * cap + 1, middle + s.radius * second, s.radius);
-      emit(4 * cap + 2, middle - s.radius * second, s.radius);
-      emit(4 * cap + 3, middle - s.radius * first, s.radius);
+      emit(4 * cap + 0, middle + s.radius * first, arm);
+      emit(4 * cap + 1, middle + s.radius * second, arm);
+      emit(4 * cap + 2, middle - s.radius * second, arm);
+      emit(4 * cap + 3, middle - s.radius * first, arm);
     }
   }
   template <class Emit>

@@ -1,6 +1,7 @@
 #include "murosimf/collision/implicit_stick.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace murosimf::collision {
 namespace {
@@ -120,6 +121,7 @@ void ImplicitStick::prepare(ContactSet& set) const noexcept {
 }
 
 bool ImplicitStick::accept(ContactSet& set) const noexcept {
+  assert(set.next_velocity.size() == set.points.size());
   bool agreed = true;
   for (std::size_t i = 0; i < set.points.size(); ++i) {
     ContactPoint& c = set.points[i];
@@ -137,16 +139,23 @@ void ImplicitStick::commit(ContactSet& set) const noexcept {
     const ContactParameters& p = set.parameters[c.surface];
     const double v_n = dot(set.next_velocity[i], c.normal);
     const Vec3d v_t = set.next_velocity[i] - v_n * c.normal;
-    if (c.state == ContactState::open) {
+    const double f_n = normal_force(c, p, set.dt, v_n);
+    // passes may have run out before the law agreed: nothing ever pulls
+    if (c.state == ContactState::open || f_n < 0) {
+      c.state = ContactState::open;
       c.stretch = {};
       c.last_normal_force = 0;
-    } else if (c.state == ContactState::stick) {
+      linearize_open(c);
+      continue;
+    }
+    const Vec3d f_t = tangential_force(c, v_t);
+    if (c.state == ContactState::stick) {
       c.stretch += set.dt * v_t;
     } else {
-      const Vec3d f_t = tangential_force(c, v_t);
       c.stretch = (-1.0 / p.tangent_stiffness) * (f_t + p.tangent_damping * v_t);
     }
-    if (c.state != ContactState::open) c.last_normal_force = normal_force(c, p, set.dt, v_n);
+    c.last_normal_force = f_n;
+    c.force = f_n * c.normal + f_t;
   }
 }
 

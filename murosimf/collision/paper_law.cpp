@@ -18,6 +18,8 @@ void keep_deepest(std::vector<ContactPoint>& points) {
     }
   }
   points.resize(kept);
+  std::sort(points.begin(), points.end(),
+            [](const ContactPoint& a, const ContactPoint& b) { return a.feature < b.feature; });
 }
 
 }  // namespace

@@ -62,8 +62,7 @@ Leg find_leg(const Model& model, int sole) {
   leg.hip = links[0]->offset;
   leg.thigh = -links[3]->offset.z;
   leg.shin = -links[4]->offset.z;
-  leg.sole = model.placement(sole).offset;
-  leg.ankle_height = -leg.sole.z;
+  leg.ankle_height = -model.placement(sole).offset.z;
   return leg;
 }
 

@@ -17,7 +17,6 @@ struct Leg {
   Vec3d hip;                      ///< [m] hip center in the base frame
   double thigh = 0, shin = 0;     ///< [m]
   double ankle_height = 0;        ///< [m] ankle above the sole
-  Vec3d sole;                     ///< [m] sole center in the foot's frame (at the ankle)
 };
 
 /// Throws SetupError, naming the joint that does not fit, if the chain to `sole` is no leg as described.

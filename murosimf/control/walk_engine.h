@@ -1,7 +1,7 @@
 /// walk_engine.h - algorithm: turns a walking velocity into joint targets, one control cycle after the other.
 ///
 /// Reads `walk_command`; keeps its state in gait_phase, gait_amplitude and gait_velocity, so that it can be watched,
-/// saved and restored; writes `joint_target` of all joints (arms and head stay where `posture` puts them).
+/// saved and restored; writes `joint_target` of all joints (arms and head stay at zero).
 #pragma once
 
 #include "murosimf/control/gait.h"

@@ -31,7 +31,7 @@ struct RunReport {
   std::vector<std::string> warnings;
 };
 
-/// Aligned columns with a line of sums.
+/// Tables with aligned columns: entities, algorithms, sums, warnings.
 [[nodiscard]] std::string to_text(const RunReport& report);
 
 /// One JSON object: simulated_s, wall_s, real_time_factor, threads, seed, state_hash (hexadecimal text),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -45,11 +46,14 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
 void Scene::add_entities() {
   World& world = simulation_->world();
   field_ = &world.add("field", field_model(field_size(spec_.field.size), spec_.field.surface));
+  check_materials(field_->model());
   if (spec_.ball) {
     EntityOptions options;
     options.position = spec_.ball->position;
-    options.color = {1.0, 0.55, 0.1};
-    ball_ = &world.add("ball", ball_model(spec_.ball->options), options);
+    const ModelPtr model = ball_model(spec_.ball->options);
+    check_materials(*model);
+    options.color = model->find(properties::shapes, 0)->front().color;
+    ball_ = &world.add("ball", model, options);
     ball_->level = "simplified_dynamics";
     ball_->contact = spec_.ball->contact;
     movers_.push_back(ball_);
@@ -67,7 +71,9 @@ void Scene::add_robot(const RobotSpec& robot) {
   for (const TeamSpec& team : spec_.teams) {
     if (team.name == robot.team) options.color = team.color;
   }
-  Entity& entity = simulation_->world().add(robot.name, model(robot.model, robot.where), options);
+  const ModelPtr robot_model = model(robot.model, robot.where);
+  Entity& entity =
+      at(robot.where, [&]() -> Entity& { return simulation_->world().add(robot.name, robot_model, options); });
   entity.level = robot.level;
   entity.controller = robot.controller;
   robots_.push_back(&entity);
@@ -77,15 +83,22 @@ void Scene::add_robot(const RobotSpec& robot) {
 ModelPtr Scene::model(const std::string& name, const std::string& where) {
   ModelPtr& known = models_[name];
   if (known) return known;
-  try {
-    const auto file = find_data_file(name, "models", ".xml", spec_.file.parent_path());
-    MjcfResult result = read_mjcf(file, {.lenient = options_.lenient});
-    warnings_.insert(warnings_.end(), result.warnings.begin(), result.warnings.end());
-    return known = result.model;
-  } catch (const SetupError& error) {
-    // a mistake in the model file says where it is itself; one about its name needs the scene's line
-    const std::string what = error.what();
-    throw SetupError(what.starts_with("no file") ? fmt::format("{}: model: {}", where, what) : what);
+  const auto file = at(where, [&] { return find_data_file(name, "models", ".xml", spec_.file.parent_path()); });
+  MjcfResult result = read_mjcf(file, {.lenient = options_.lenient});
+  warnings_.insert(warnings_.end(), result.warnings.begin(), result.warnings.end());
+  check_materials(*result.model);
+  return known = result.model;
+}
+
+void Scene::check_materials(const Model& model) const {
+  for (const int body : model.bodies()) {
+    const Shapes* shapes = model.find(properties::shapes, body);
+    if (!shapes) continue;
+    for (const PlacedShape& placed : *shapes) {
+      if (placed.surface.material.empty() || spec_.materials.knows(placed.surface.material)) continue;
+      throw SetupError(fmt::format("model '{}', object '{}': {}", model.name(), model.objects()[body].name,
+                                   unknown_name("material", placed.surface.material, spec_.materials.names())));
+    }
   }
 }
 
@@ -100,14 +113,14 @@ void Scene::attach_controllers() {
     for (const TeamSpec& team : spec_.teams) {
       if (team.name == robot.team) options.attacks = team.attacks;
     }
-    find_entry(controllers(), "controller", robot.controller).attach(*simulation_, *robots_[i], options);
+    const Controller& controller = find_entry(controllers(), "controller", robot.controller);
+    at(robot.where, [&] { controller.attach(*simulation_, *robots_[i], options); });
   }
 }
 
 void Scene::attach_ball_contact() {
   if (!ball_ || robots_.empty()) return;
-  simulation_->attach<collision::BallContact>("ball_contact", *ball_, spec_.rate, robots_, spec_.materials,
-                                              from_seconds(1 / spec_.rate));
+  simulation_->attach<collision::BallContact>("ball_contact", *field_, spec_.rate, *ball_, robots_, spec_.materials);
 }
 
 void Scene::attach_motion() {
@@ -118,7 +131,7 @@ void Scene::attach_motion() {
       entity.contact = contact;
       simulation_->attach<collision::GroundContact>("ground_contact", entity, spec_.rate, field_,
                                                     find_entry(contacts(), "contact law", contact).make(),
-                                                    spec_.materials, from_seconds(1 / spec_.rate));
+                                                    spec_.materials);
     }
     level.attach(*simulation_, entity, spec_.rate, options);
   };
@@ -128,7 +141,7 @@ void Scene::attach_motion() {
     LevelOptions options;
     options.base_rigid = robot.base_rigid;
     if (robot.joint_reference == "linear") options.reference.kind = motion::ReferenceKind::linear;
-    attach(*robots_[i], robot.level, robot.contact, options);
+    at(robot.where, [&] { attach(*robots_[i], robot.level, robot.contact, options); });
   }
 }
 
@@ -140,15 +153,11 @@ void Scene::attach_observers() {
 void Scene::apply_settings() {
   if (ball_) {
     ball_->base().set(properties::linear_velocity, spec_.ball->velocity);
-    ball_->base().set(properties::common_center_of_mass_velocity, spec_.ball->velocity);
   }
   for (const PropertySetting& setting : spec_.settings) {
     for (const std::string& name : setting.entities) {
-      try {
-        simulation_->world().entity(name).object(setting.object).set(setting.property, setting.numbers);
-      } catch (const SetupError& error) {
-        throw SetupError(fmt::format("{}: {}", setting.where, error.what()));
-      }
+      at(setting.where,
+         [&] { simulation_->world().entity(name).object(setting.object).set(setting.property, setting.numbers); });
     }
   }
 }
@@ -164,6 +173,7 @@ RunReport Scene::report(Duration wall, const Lateness& lateness) const {
   report.state_hash = simulation_->state_hash();
   for (Entity* mover : movers_) {
     const auto base = mover->base();
+    const Vec3d since_sample = base.get(properties::position) - base.get(properties::distance_sample);
     EntityReport e{mover->name(),
                    mover->model().name(),
                    mover->level,
@@ -171,7 +181,7 @@ RunReport Scene::report(Duration wall, const Lateness& lateness) const {
                    mover->controller,
                    mover->options().team,
                    base.get(properties::position),
-                   base.get(properties::distance_walked),
+                   base.get(properties::distance_walked) + std::hypot(since_sample.x, since_sample.y),
                    static_cast<int>(base.get(properties::falls)),
                    mover->frozen()};
     report.entities.push_back(std::move(e));

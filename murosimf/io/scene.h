@@ -28,6 +28,8 @@ class Scene {
  public:
   /// `name`: a file, or the name of a scene that comes with the program. Throws SetupError.
   explicit Scene(const std::filesystem::path& name, const SceneOptions& options = {});
+  Scene(const Scene&) = delete;  // the simulation calls back into the scene
+  Scene& operator=(const Scene&) = delete;
 
   [[nodiscard]] const SceneSpec& spec() const { return spec_; }
   [[nodiscard]] Simulation& simulation() { return *simulation_; }
@@ -46,6 +48,7 @@ class Scene {
   void attach_motion();
   void attach_observers();
   void apply_settings();
+  void check_materials(const Model& model) const;
   [[nodiscard]] ModelPtr model(const std::string& name, const std::string& where);
 
   SceneSpec spec_;

@@ -95,6 +95,11 @@ void add_setting(const Override& o, std::vector<std::string> entities, const std
   settings.push_back({o.where, std::move(entities), object, property, *numbers});
 }
 
+/// The parts between the entity and the property: names of objects may have dots ("l_foot.offset").
+std::string object_of(const Override& o, std::size_t begin) {
+  return fmt::format("{}", fmt::join(o.path.begin() + static_cast<std::ptrdiff_t>(begin), o.path.end() - 1, "."));
+}
+
 [[noreturn]] void refuse_unknown(const toml::table& scene, const Override& o) {
   std::vector<std::string> names;
   if (const toml::array* all = scene["robots"].as_array()) {
@@ -118,6 +123,18 @@ const std::vector<std::string_view>& scene_keys() {
   return keys;
 }
 
+std::vector<std::string_view> table_keys(std::string_view table) {
+  if (table == "start") return {"jitter_position", "jitter_heading_deg"};
+  if (table == "field") return {"size", "surface"};
+  if (table == "ball") return {"position", "velocity", "radius", "mass", "hollow", "material", "contact"};
+  if (table == "defaults") {
+    auto keys = robot_keys();
+    std::erase(keys, "name");
+    return keys;
+  }
+  return {};
+}
+
 const std::vector<std::string_view>& robot_keys() {
   static const std::vector<std::string_view> keys{"name",        "team",       "model",          "level",
                                                   "contact",     "controller", "position",       "command",
@@ -132,17 +149,19 @@ void apply_override(toml::table& scene, const std::string& override_text, std::v
   if (!robots.empty() && rest == 1) {
     check_key(o, o.path.back(), robot_keys());
     for (toml::table* robot : robots) assign(*robot, o.path.back(), o);
-  } else if (!robots.empty() && rest == 2) {
+  } else if (!robots.empty() && rest >= 2) {
     std::vector<std::string> names;
     for (const toml::table* robot : robots) names.push_back(text_of(*robot, "name"));
-    add_setting(o, names, o.path[used], o.path[used + 1], settings);
+    add_setting(o, names, object_of(o, used), o.path.back(), settings);
   } else if (o.path.size() == 1) {
     check_key(o, o.path[0], scene_keys());
     assign(scene, o.path[0], o);
-  } else if (toml::table* table = scene[o.path[0]].as_table(); table && o.path.size() == 2) {
-    assign(*table, o.path[1], o);
-  } else if (o.path.size() == 3 && o.path[0] == "ball" && scene.contains("ball")) {
-    add_setting(o, {"ball"}, o.path[1], o.path[2], settings);
+  } else if (const auto keys = table_keys(o.path[0]); !keys.empty() && o.path.size() == 2) {
+    check_key(o, o.path[1], keys);
+    if (!scene.contains(o.path[0])) scene.insert(o.path[0], toml::table{});
+    if (toml::table* table = scene[o.path[0]].as_table()) assign(*table, o.path[1], o);
+  } else if (o.path.size() >= 3 && o.path[0] == "ball" && scene.contains("ball")) {
+    add_setting(o, {"ball"}, object_of(o, 1), o.path.back(), settings);
   } else {
     refuse_unknown(scene, o);
   }

@@ -14,16 +14,6 @@ namespace {
 
 constexpr double degree = pi / 180;
 
-/// Turns a SetupError about a value into one that says where the value stands.
-template <class F>
-auto at(const std::string& where, const F& f) {
-  try {
-    return f();
-  } catch (const SetupError& error) {
-    throw SetupError(fmt::format("{}: {}", where, error.what()));
-  }
-}
-
 void require(bool condition, const TomlTable& table, std::string_view key, std::string_view message) {
   if (!condition) throw SetupError(fmt::format("{}: '{}' {}", table.where(key), key, message));
 }
@@ -40,7 +30,7 @@ Color read_color(const TomlTable& table, const Color& otherwise) {
 void read_start(const TomlTable& scene, SceneSpec& spec) {
   const toml::table* node = scene.table("start");
   if (!node) return;
-  const TomlTable start(*node, {"jitter_position", "jitter_heading_deg"});
+  const TomlTable start(*node, table_keys("start"));
   double heading_deg = 0;
   start.read("jitter_position", spec.jitter_position);
   start.read("jitter_heading_deg", heading_deg);
@@ -52,7 +42,7 @@ void read_start(const TomlTable& scene, SceneSpec& spec) {
 void read_field(const TomlTable& scene, SceneSpec& spec) {
   const toml::table* node = scene.table("field");
   if (!node) return;
-  const TomlTable field(*node, {"size", "surface"});
+  const TomlTable field(*node, table_keys("field"));
   field.read("size", spec.field.size);
   field.read("surface", spec.field.surface);
   at(field.where("size"), [&] { return field_size(spec.field.size); });
@@ -61,7 +51,7 @@ void read_field(const TomlTable& scene, SceneSpec& spec) {
 void read_ball(const TomlTable& scene, SceneSpec& spec) {
   const toml::table* node = scene.table("ball");
   if (!node) return;
-  const TomlTable table(*node, {"position", "velocity", "radius", "mass", "hollow", "material", "contact"});
+  const TomlTable table(*node, table_keys("ball"));
   BallSpec ball;
   table.read("position", ball.position);
   table.read("velocity", ball.velocity);
@@ -82,6 +72,8 @@ void read_teams(const TomlTable& scene, SceneSpec& spec) {
     TeamSpec team;
     table.read("name", team.name);
     require(!team.name.empty(), table, "name", "of the team is missing");
+    const auto same = [&](const TeamSpec& other) { return other.name == team.name; };
+    require(std::none_of(spec.teams.begin(), spec.teams.end(), same), table, "name", "is the name of two teams");
     team.color = read_color(table, spec.teams.empty() ? Color{0.1, 0.3, 0.9} : Color{0.9, 0.15, 0.1});
     std::string attacks = spec.teams.empty() ? "right" : "left";
     table.read("attacks", attacks);
@@ -117,9 +109,7 @@ void read_robot(const TomlTable& table, RobotSpec& robot) {
 void read_robots(const TomlTable& scene, SceneSpec& spec) {
   RobotSpec defaults;
   if (const toml::table* node = scene.table("defaults")) {
-    auto keys = robot_keys();
-    std::erase(keys, "name");
-    read_robot(TomlTable(*node, keys), defaults);
+    read_robot(TomlTable(*node, table_keys("defaults")), defaults);
   }
   for (const toml::table* node : scene.tables("robots")) {
     const TomlTable table(*node, robot_keys());
@@ -137,6 +127,8 @@ void read_robots(const TomlTable& scene, SceneSpec& spec) {
       for (const TeamSpec& team : spec.teams) names.push_back(team.name);
       throw SetupError(fmt::format("{}: {}", table.where("team"), unknown_name("team", robot.team, names)));
     }
+    require(robot.controller != "ball_chaser" || spec.ball, table, "controller",
+            "ball_chaser needs a [ball] in the scene");
     spec.robots.push_back(robot);
   }
 }
@@ -176,6 +168,7 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   scene.read("rate", spec.rate);
   scene.read("gravity", spec.gravity);
   require(spec.duration >= 0, scene, "duration", "must not be negative");
+  require(spec.duration <= longest_duration, scene, "duration", "is longer than simulated time can count");
   require(spec.rate > 0, scene, "rate", "must be positive");
   read_start(scene, spec);
   read_field(scene, spec);

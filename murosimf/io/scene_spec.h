@@ -13,6 +13,8 @@
 
 namespace murosimf::io {
 
+inline constexpr double longest_duration = 3e9;  ///< [s] a century; nanoseconds in 64 bits end after three
+
 struct FieldSpec {
   std::string size = "kid_size_2008";
   std::string surface = "carpet";
@@ -38,7 +40,7 @@ struct RobotSpec {
   std::string where;  ///< place in the scene file, for messages
   std::string level = "kinematic_walking";
   std::string contact = "implicit_stick";
-  std::string controller = "ball_chaser";
+  std::string controller = "walk";
   std::string joint_reference = "filter";
   bool base_rigid = false;
   Vec3d position;      ///< [m]

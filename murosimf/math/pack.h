@@ -44,8 +44,7 @@ class Pack8 {
   Pack8() = default;
   /// The same number in every lane.
   Pack8(double number) {  // NOLINT(google-explicit-constructor): constants of a model mix with packs
-    // lane by lane: a sum with zero would lose the sign of -0
-    for (int i = 0; i < lanes; ++i) set_lane(i, number);
+    for (auto& p : part_) p = number - Register{};  // a sum with zero would lose the sign of -0
   }
 
   [[nodiscard]] double lane(int i) const { return part_[i / register_lanes][i % register_lanes]; }

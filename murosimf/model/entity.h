@@ -80,7 +80,6 @@ class Entity {
 
   /// From now on no column can be added; spans stay valid for good.
   void freeze_columns() { columns_frozen_ = true; }
-  void thaw_columns() { columns_frozen_ = false; }
 
   [[nodiscard]] ObjectAccess object(std::string_view name);
   /// The first object; it carries the properties that the whole entity has once.

@@ -15,6 +15,16 @@ class SetupError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Calls `f`; a SetupError that it throws gets `where` in front: "scenes/a.toml:3:7: ...".
+template <class F>
+decltype(auto) at(std::string_view where, const F& f) {
+  try {
+    return f();
+  } catch (const SetupError& error) {
+    throw SetupError(std::string(where) + ": " + error.what());
+  }
+}
+
 /// The candidate nearest to `name` (edit distance), empty if none is near.
 [[nodiscard]] std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates);
 

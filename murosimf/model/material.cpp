@@ -43,6 +43,23 @@ void MaterialTable::set(const std::string& a, const std::string& b, const PairSu
   pairs_[key(a, b)] = pair;
 }
 
+bool MaterialTable::knows(const std::string& material) const {
+  return std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& entry) {
+    return entry.first.first == material || entry.first.second == material;
+  });
+}
+
+std::vector<std::string_view> MaterialTable::names() const {
+  std::vector<std::string_view> names;
+  for (const auto& [pair, surface] : pairs_) {
+    names.push_back(pair.first);
+    names.push_back(pair.second);
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
 PairSurface MaterialTable::find(const Surface& a, const Surface& b) const {
   const auto found = pairs_.find(key(a.material, b.material));
   if (found != pairs_.end()) return found->second;

@@ -3,7 +3,9 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "murosimf/model/shape.h"
 
@@ -24,6 +26,10 @@ class MaterialTable {
 
   /// Order of the two names does not matter. Throws SetupError if a number is negative, not finite or impossible.
   void set(const std::string& a, const std::string& b, const PairSurface& pair);
+
+  /// True if some pair of the table has this material.
+  [[nodiscard]] bool knows(const std::string& material) const;
+  [[nodiscard]] std::vector<std::string_view> names() const;
 
   /// The table's entry; for pairs that are not in it, the larger friction of the two surfaces (as in MuJoCo) and
   /// the defaults above.

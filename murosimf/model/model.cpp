@@ -48,6 +48,13 @@ void Model::check_structure() const {
   if (objects_.empty() || objects_.front().kind != Kind::base) {
     throw SetupError(fmt::format("model '{}' must begin with a base", name_));
   }
+  for (int i = 0; i < size(); ++i) {
+    const Vec3d& v = objects_[i].vector;
+    const Mat3d& R = objects_[i].turn;
+    if (!std::isfinite(v.x + v.y + v.z + norm(R.x) + norm(R.y) + norm(R.z))) {
+      throw SetupError(fmt::format("model '{}', object '{}': its place is not finite", name_, objects_[i].name));
+    }
+  }
   for (int i = 1; i < size(); ++i) {
     if (objects_[i].kind == Kind::base) {
       throw SetupError(fmt::format("model '{}' has a second base, '{}'", name_, objects_[i].name));
@@ -78,6 +85,14 @@ void Model::check_masses() const {
     if (mass && !(*mass > 0 && std::isfinite(*mass))) {
       throw SetupError(
           fmt::format("model '{}', object '{}': mass {} kg is not positive", name_, objects_[i].name, *mass));
+    }
+    const Vec3d* center = find(properties::center_of_mass, i);
+    if (center && !std::isfinite(center->x + center->y + center->z)) {
+      throw SetupError(fmt::format("model '{}', object '{}': center of mass is not finite", name_, objects_[i].name));
+    }
+    if (!mass && (center || find(properties::inertia, i))) {
+      throw SetupError(fmt::format("model '{}', object '{}' has a center of mass or an inertia but no mass", name_,
+                                   objects_[i].name));
     }
     const SymMat3d* I = find(properties::inertia, i);
     if (!I) continue;

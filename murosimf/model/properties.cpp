@@ -19,7 +19,8 @@ constexpr std::array entries{
     variable(common_center_of_mass_velocity), variable(common_inertia), variable(stance_pose),
     variable(stance_foot), variable(pushable), variable(absorbed_impulse), variable(walk_command),
     variable(gait_velocity), variable(gait_phase), variable(gait_amplitude), variable(distance_walked),
-    variable(falls), variable(lying), variable(distance_sample),
+    variable(falls), variable(lying), variable(distance_sample), variable(up_at_start),
+    variable(written_position), variable(written_velocity),
 };
 // clang-format on
 

@@ -38,7 +38,7 @@ inline constexpr Property<double> joint_position     {{"joint_position", "rad | 
 inline constexpr Property<double> joint_rate         {{"joint_rate", "rad/s | m/s", "joint", "rate of joint_position"}};
 inline constexpr Property<double> joint_target       {{"joint_target", "rad | m", "joint", "desired position, set by control software"}};
 inline constexpr Property<double> cycle_target       {{"cycle_target", "rad | m", "joint", "target that the present control cycle runs to"}};
-inline constexpr Property<Forced> applied_force      {{"applied_force", "N m, N", "world, at the object's origin", "push that stays until it is changed: moment, force"}};
+inline constexpr Property<Forced> applied_force      {{"applied_force", "N m, N", "world, at the object's origin", "push on a body that stays until it is changed: moment, force"}};
 inline constexpr Property<Forced> interaction_force  {{"interaction_force", "N m, N", "world, at the object's origin", "contacts with other moving bodies: moment, force"}};
 inline constexpr Property<Forced> external_force     {{"external_force", "N m, N", "world, at the object's origin", "sum of pushes and contacts: moment, force"}};
 inline constexpr Property<Sym6d>  external_damping   {{"external_damping", "N m s, N s, N s/m", "world, at the object's origin", "how fast external_force falls with the object's velocity"}};
@@ -61,6 +61,9 @@ inline constexpr Property<double> distance_walked    {{"distance_walked", "m", "
 inline constexpr Property<double> falls              {{"falls", "1", "-", "how often the base tilted over 60 degrees", Scope::base}};
 inline constexpr Property<double> lying              {{"lying", "1", "-", "1 while the base leans over after a fall", Scope::base}};
 inline constexpr Property<Vec3d>  distance_sample    {{"distance_sample", "m", "world", "place of the last sample of distance_walked", Scope::base}};
+inline constexpr Property<Vec3d>  up_at_start        {{"up_at_start", "1", "base", "axis of the base that pointed up at the start", Scope::base}};
+inline constexpr Property<Vec3d>  written_position   {{"written_position", "m", "world", "base position as its level left it", Scope::base}};
+inline constexpr Property<Vec3d>  written_velocity   {{"written_velocity", "m/s", "world", "base velocity as its level left it", Scope::base}};
 
 // clang-format on
 

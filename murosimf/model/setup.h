@@ -8,14 +8,16 @@
 #include <span>
 
 #include "murosimf/model/access.h"
+#include "murosimf/model/time.h"
 #include "murosimf/model/world.h"
 
 namespace murosimf {
 
 class Setup {
  public:
-  /// All Setups that one algorithm uses share its access set.
-  Setup(World& world, Entity& entity, AccessSet& access) : world_(&world), entity_(&entity), access_(&access) {}
+  /// All Setups that one algorithm uses share its access set. `period` is the time between two of its steps.
+  Setup(World& world, Entity& entity, AccessSet& access, Duration period = std::chrono::milliseconds(1))
+      : world_(&world), entity_(&entity), access_(&access), period_(period) {}
 
   /// Columns to read; one row per object, or a single row for properties of the base. Another algorithm must write
   /// them, or the simulation refuses to start.
@@ -40,9 +42,10 @@ class Setup {
   [[nodiscard]] const Model& model() const { return entity_->model(); }
   [[nodiscard]] Entity& entity() const { return *entity_; }
   [[nodiscard]] const World& world() const { return *world_; }
+  [[nodiscard]] Duration period() const { return period_; }
 
   /// The same algorithm's access to another entity.
-  [[nodiscard]] Setup of(Entity& other) const { return {*world_, other, *access_}; }
+  [[nodiscard]] Setup of(Entity& other) const { return {*world_, other, *access_, period_}; }
 
  private:
   template <class T>
@@ -55,6 +58,7 @@ class Setup {
   World* world_;
   Entity* entity_;
   AccessSet* access_;
+  Duration period_;
 };
 
 }  // namespace murosimf

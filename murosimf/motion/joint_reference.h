@@ -1,10 +1,11 @@
 /// joint_reference.h - joint motion of the levels that do not simulate servos: how desired positions become
 /// positions and rates.
 ///
-///     filter:  qdd = (wf^2 (target - q - dt qd) - 2 wf qd) / (1 + 2 wf dt + wf^2 dt^2)      implicit, critically
-///     damped linear:  q reaches the target at constant rate within one control cycle (paper 4.3)
+///     filter:  qdd = (wf^2 (target - q - dt qd) - 2 wf qd) / (1 + 2 wf dt + wf^2 dt^2)
+///     linear:  q reaches the target at constant rate within one control cycle
 ///
-/// wf = 120 rad/s lags 17 ms behind. Same state (q, qd) as a simulated servo, so levels can be exchanged.
+/// The filter is implicit Euler of the critically damped q'' = wf^2 (target - q) - 2 wf q'; wf = 120 rad/s lags 17 ms
+/// behind. `linear` is the paper's assumption (4.3). Same state (q, qd) as a simulated servo, so levels can be exchanged.
 #pragma once
 
 #include <span>
@@ -28,7 +29,7 @@ class JointReference {
 
   /// Joints start at their targets, at rest.
   void initialize(PoseColumns& columns) noexcept;
-  /// Advances q and qd by dt [s]. False, and nothing changed, if a target is not a finite number.
+  /// Advances q and qd by dt [s]. False, and nothing changed, if a position or target is no sensible number.
   [[nodiscard]] bool advance(PoseColumns& columns, double dt) noexcept;
 
  private:

@@ -55,21 +55,29 @@ void KinematicWalking::initialize() {
   pin();
   set_base_twist();
   columns_.update_velocities();
+  columns_.remember_base();
 }
 
 void KinematicWalking::step(const Instant& instant) noexcept {
   if (!reference_.advance(columns_, seconds(instant.period))) {
     columns_.stop();
-    return entity_.freeze("a joint target is not a finite number");
+    return entity_.freeze("a joint position or target is no sensible number");
   }
+  const Vec3d moved = columns_.take_displacement();  // somebody moved the base: the standing foot goes with it
+  stance_pose_ += Vec3d{moved.x, moved.y, 0};
   pin();
   swap_if_other_foot_penetrates();
   set_base_twist();
   columns_.update_velocities();
+  columns_.remember_base();
+}
+
+const KinematicWalking::Foot& KinematicWalking::standing_foot() const noexcept {
+  return feet_[stance_foot_ != 0 ? 1 : 0];
 }
 
 void KinematicWalking::pin() noexcept {
-  const Foot& foot = feet_[static_cast<int>(stance_foot_)];
+  const Foot& foot = standing_foot();
   const Tree& tree = columns_.model.tree();
   const auto sole = multibody::pose_in_base<double>(tree, foot.path, foot.place, columns_.q);
   const Mat3d R = rotation_z(stance_pose_.z) * transpose(sole.R);
@@ -86,7 +94,7 @@ void KinematicWalking::stand_on(int foot) noexcept {
 }
 
 void KinematicWalking::swap_if_other_foot_penetrates() noexcept {
-  const int other = 1 - static_cast<int>(stance_foot_);
+  const int other = stance_foot_ != 0 ? 0 : 1;
   if (lowest_corner(feet_[other]) >= penetration) return;
   stand_on(other);
   pin();
@@ -98,7 +106,7 @@ double KinematicWalking::lowest_corner(const Foot& foot) const noexcept {
 }
 
 void KinematicWalking::set_base_twist() noexcept {
-  const Foot& foot = feet_[static_cast<int>(stance_foot_)];
+  const Foot& foot = standing_foot();
   const Tree& tree = columns_.model.tree();
   const Motiond sole = multibody::twist_against_base<double>(tree, foot.path, columns_.r[foot.object], columns_.qd,
                                                              columns_.r, columns_.R);

@@ -40,6 +40,7 @@ class KinematicWalking final : public Algorithm {
   };
 
   [[nodiscard]] Foot foot(int object) const;
+  [[nodiscard]] const Foot& standing_foot() const noexcept;
   void pin() noexcept;
   void stand_on(int foot) noexcept;
   void swap_if_other_foot_penetrates() noexcept;

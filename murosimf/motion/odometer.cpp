@@ -18,7 +18,8 @@ Odometer::Odometer(Setup& setup)
       distance_(setup.write(properties::distance_walked)[0]),
       sample_(setup.write(properties::distance_sample)[0]),
       falls_(setup.write(properties::falls)[0]),
-      lying_(setup.write(properties::lying)[0]) {}
+      lying_(setup.write(properties::lying)[0]),
+      up_at_start_(setup.write(properties::up_at_start)[0]) {}
 
 void Odometer::initialize() {
   distance_ = falls_ = lying_ = 0;

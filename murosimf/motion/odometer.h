@@ -25,13 +25,13 @@ class Odometer final : public Algorithm {
   void watch_falls() noexcept;
 
   const bool can_fall_;  // things without joints (balls) roll, they do not fall
-  Vec3d up_at_start_;    // [1] the base's axis that points up when it stands
   std::span<const Vec3d> r_;
   std::span<const Mat3d> R_;
-  double& distance_;  // [m]
-  Vec3d& sample_;     // [m] place of the last distance sample
-  double& falls_;     // [1]
-  double& lying_;     // 0 or 1
+  double& distance_;    // [m]
+  Vec3d& sample_;       // [m] place of the last distance sample
+  double& falls_;       // [1]
+  double& lying_;       // 0 or 1
+  Vec3d& up_at_start_;  // [1] the base's axis that pointed up
 };
 
 }  // namespace murosimf::motion

@@ -16,7 +16,9 @@ PoseColumns::PoseColumns(Setup& setup)
       w(setup.write(properties::angular_velocity)),
       q(setup.write(properties::joint_position)),
       qd(setup.write(properties::joint_rate)),
-      Q(setup.write(properties::base_quaternion)) {}
+      Q(setup.write(properties::base_quaternion)),
+      written_r(setup.write(properties::written_position)[0]),
+      written_v(setup.write(properties::written_velocity)[0]) {}
 
 void PoseColumns::update_poses() noexcept { multibody::poses<double>(model.tree(), q, r, R); }
 
@@ -26,6 +28,23 @@ void PoseColumns::stop() noexcept {
   std::fill(v.begin(), v.end(), Vec3d{});
   std::fill(w.begin(), w.end(), Vec3d{});
   std::fill(qd.begin(), qd.end(), 0.0);
+}
+
+void PoseColumns::remember_base() noexcept {
+  written_r = r[0];
+  written_v = v[0];
+}
+
+Vec3d PoseColumns::take_displacement() noexcept {
+  const Vec3d change = r[0] - written_r;
+  written_r = r[0];
+  return change;
+}
+
+Vec3d PoseColumns::take_velocity_change() noexcept {
+  const Vec3d change = v[0] - written_v;
+  written_v = v[0];
+  return change;
 }
 
 void place_at_start(PoseColumns& columns, const Entity& entity) noexcept {

@@ -18,6 +18,12 @@ struct PoseColumns {
   /// No motion at all: what a frozen entity shows to the others.
   void stop() noexcept;
 
+  // Levels derive the base's position and velocity from other state. So that users can change them by name all the
+  // same, a level remembers what it wrote and takes over the difference at its next step; no change gives exactly 0.
+  void remember_base() noexcept;
+  [[nodiscard]] Vec3d take_displacement() noexcept;     ///< [m]
+  [[nodiscard]] Vec3d take_velocity_change() noexcept;  ///< [m/s]
+
   const Model& model;
   std::span<Vec3d> r;        ///< [m] origin of each object, world
   std::span<Mat3d> R;        ///< orientation of each object
@@ -26,6 +32,8 @@ struct PoseColumns {
   std::span<double> q;       ///< [rad | m] joint positions
   std::span<double> qd;      ///< [rad/s | m/s] joint rates
   std::span<Quaterniond> Q;  ///< base orientation
+  Vec3d& written_r;          ///< [m] base position as the level left it
+  Vec3d& written_v;          ///< [m/s] base velocity as the level left it
 };
 
 /// Places the robot as its entity's options say: base above (x, y), first sole flat and heading as given (base upright

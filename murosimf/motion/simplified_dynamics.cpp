@@ -1,5 +1,7 @@
 #include "murosimf/motion/simplified_dynamics.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,11 +13,21 @@ namespace {
 
 constexpr double fastest = 1e3;       // [m/s] beyond this the numbers have gone bad
 constexpr double fastest_turn = 1e4;  // [rad/s]
+constexpr double farthest = 1e6;      // [m]
 
+/// Written so that NaN is not sane either.
 bool sane(const multibody::FreeBody<double>& body) {
-  // written so that NaN is not sane either
+  const Quaterniond& q = body.turn;
   return dot(body.velocity, body.velocity) < fastest * fastest &&
-         dot(body.rate, body.rate) < fastest_turn * fastest_turn;
+         dot(body.rate, body.rate) < fastest_turn * fastest_turn &&
+         dot(body.position, body.position) < farthest * farthest &&
+         std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
+}
+
+bool positive_definite(const SymMat3d& m) {
+  const double determinant =
+      m.xx * (m.yy * m.zz - m.yz * m.yz) - m.xy * (m.xy * m.zz - m.yz * m.xz) + m.xz * (m.xy * m.yz - m.yy * m.xz);
+  return m.xx > 0 && m.xx * m.yy - m.xy * m.xy > 0 && determinant > 0;
 }
 
 bool is_zero(const Vec3d& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
@@ -54,16 +66,29 @@ void SimplifiedDynamics::initialize() {
       multibody::common_body<double>(columns_.model.tree(), columns_.r, columns_.R, columns_.v, columns_.w));
   velocity_ = {};
   pushable_ = 1;
+  columns_.remember_base();
+  std::fill(external_force_.begin(), external_force_.end(), Forced{});
+  std::fill(external_damping_.begin(), external_damping_.end(), Sym6d{});
+  if (!positive_definite(inertia_)) {
+    throw SetupError(
+        fmt::format("model '{}' has no inertia about some axis; give its masses an inertia", columns_.model.name()));
+  }
 }
 
 void SimplifiedDynamics::step(const Instant& instant) noexcept {
   const double dt = seconds(instant.period);
+  assert(!contacts_.law || contacts_.dt == dt);  // contact and motion must run at the same rate
+  center_ += columns_.take_displacement();
+  velocity_ += columns_.take_velocity_change();
   const Motiond acceleration = solve_with_contacts(dt);
   multibody::FreeBody<double> body{center_, velocity_, columns_.Q[0], columns_.w[0]};
   multibody::advance(body, acceleration, dt);
-  if (!sane(body)) return halt("its velocity is not a finite, sensible number");
-  if (!reference_.advance(columns_, dt)) return halt("a joint target is not a finite number");
-  if (contacts_.law) contacts_.law->commit(contacts_);
+  if (!sane(body)) return halt("its motion is no sensible number");
+  if (!reference_.advance(columns_, dt)) return halt("a joint position or target is no sensible number");
+  if (contacts_.law) {
+    contacts_.law->commit(contacts_);
+    collision::write_final_forces(contacts_, columns_.r, external_force_);
+  }
 
   const Mat3d R_before = columns_.R[0];
   columns_.Q[0] = body.turn;
@@ -74,6 +99,7 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
   } else {
     follow_center(body);
   }
+  columns_.remember_base();
 }
 
 Motiond SimplifiedDynamics::solve(double dt) const noexcept {
@@ -144,6 +170,7 @@ void SimplifiedDynamics::store_common_body(const multibody::CommonBody<double>& 
 void SimplifiedDynamics::halt(const char* reason) noexcept {
   columns_.stop();
   velocity_ = {};
+  pushable_ = 0;
   entity_.freeze(reason);
 }
 

@@ -1,5 +1,7 @@
 #include "murosimf/multibody/kinematics.h"
 
+#include <cassert>
+
 #include "murosimf/math/pack.h"
 
 namespace murosimf::multibody {
@@ -55,6 +57,7 @@ void place_fixed(const FixedObject& fixed, const Vec3<S>& r_link, const Mat3<S>&
 
 template <class S>
 void poses(const Tree& tree, std::span<const S> q, std::span<Vec3<S>> r, std::span<Mat3<S>> R) noexcept {
+  assert(q.size() == tree.link_of.size() && r.size() == q.size() && R.size() == q.size());
   for (std::size_t l = 1; l < tree.links.size(); ++l) {
     const Link& link = tree.links[l];
     const int p = tree.links[link.parent].object;

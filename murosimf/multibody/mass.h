@@ -2,6 +2,8 @@
 ///
 ///     m = sum m_i     c = sum m_i c_i / m     vc = sum m_i (v_i + w_i x (c_i - r_i)) / m
 ///     I = sum (R_i I_i R_i^T + m_i (|d_i|^2 1 - d_i d_i^T)),   d_i = c_i - c        (parallel-axis theorem)
+///
+/// Source: textbook mechanics; the tree must have mass.
 #pragma once
 
 #include <span>

@@ -24,8 +24,10 @@ class SteadyTime final : public WallTime {
 }  // namespace
 
 Clock::Clock(std::optional<double> speed, std::unique_ptr<WallTime> wall) : speed_(speed), wall_(std::move(wall)) {
-  if (speed_ && !(*speed_ > 0 && std::isfinite(*speed_))) {
-    throw SetupError(fmt::format("speed {} is not a positive number (1 is real time)", *speed_));
+  constexpr double slowest = 1e-6, fastest = 1e9;
+  if (speed_ && !(*speed_ >= slowest && *speed_ <= fastest)) {
+    throw SetupError(
+        fmt::format("speed {} is not a number between {} and {} (1 is real time)", *speed_, slowest, fastest));
   }
   if (!wall_) wall_ = std::make_unique<SteadyTime>();
 }

@@ -11,6 +11,15 @@ namespace {
 constexpr Duration shortest_tick = std::chrono::microseconds(10);
 constexpr std::size_t most_groups = 64;
 
+/// The rate [Hz] nearest to a period [ns] whose common divisor with `tick` [ns] is long enough: multiples of the
+/// smallest divisor of the tick that is.
+double nearest_rate(std::int64_t period, std::int64_t tick) {
+  std::int64_t divisor = shortest_tick.count();
+  while (tick > 0 && tick % divisor != 0) ++divisor;
+  const std::int64_t multiples = std::max<std::int64_t>(1, (period + divisor / 2) / divisor);
+  return 1e9 / static_cast<double>(multiples * divisor);
+}
+
 }  // namespace
 
 std::vector<Wave> make_waves(std::span<const std::size_t> due, std::span<const AccessSet* const> access) {
@@ -34,12 +43,10 @@ Plan::Plan(std::vector<const AccessSet*> access, std::span<const Duration> perio
   for (std::size_t i = 0; i < periods.size(); ++i) {
     const std::int64_t common = std::gcd(tick, static_cast<std::int64_t>(periods[i].count()));
     if (common < shortest_tick.count()) {
-      const auto whole = std::max<std::int64_t>(1, (periods[i].count() + tick / 2) / std::max<std::int64_t>(tick, 1));
-      const double nearest = tick > 0 ? 1e9 / static_cast<double>(whole * tick) : 1e5;
       throw SetupError(
           fmt::format("the rate of '{}', {:.6g} Hz, does not fit the rates of the others; the nearest that "
                       "does is {:.6g} Hz",
-                      names[i], 1e9 / static_cast<double>(periods[i].count()), nearest));
+                      names[i], 1e9 / static_cast<double>(periods[i].count()), nearest_rate(periods[i].count(), tick)));
     }
     tick = common;
   }

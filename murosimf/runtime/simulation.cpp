@@ -11,6 +11,8 @@ namespace {
 using WallClock = std::chrono::steady_clock;
 
 constexpr std::int64_t timed_every = 8;
+constexpr double slowest_rate = 1e-3;  // [Hz]
+constexpr double fastest_rate = 1e5;   // [Hz]
 
 }  // namespace
 
@@ -40,12 +42,13 @@ void Simulation::run(Duration duration) {
 
 void Simulation::step() {
   initialize();
+  take_over_frozen();
   for (const Wave& wave : plan_.due(ticks_)) {
     pool_.for_each(wave.size(), [&](std::size_t i) { execute(*tasks_[wave[i]]); });
   }
   now_ += plan_.tick();
   ++ticks_;
-  report_frozen();
+  take_over_frozen();
 }
 
 void Simulation::initialize() {
@@ -68,21 +71,21 @@ void Simulation::initialize() {
   for (const auto& call : after_initialize_) call();
 }
 
-Simulation::Task& Simulation::new_task(std::string name, Entity& entity, double rate_hz) {
+std::unique_ptr<Simulation::Task> Simulation::new_task(std::string name, const Entity& entity, double rate_hz) const {
   if (initialized_) throw SetupError(fmt::format("'{}' is attached after the first step", name));
-  if (!(rate_hz > 0 && std::isfinite(rate_hz))) {
-    throw SetupError(fmt::format("the rate of '{}', {} Hz, is not a positive number", name, rate_hz));
+  if (!(rate_hz >= slowest_rate && rate_hz <= fastest_rate)) {
+    throw SetupError(
+        fmt::format("the rate of '{}', {} Hz, is not between {} and {} Hz", name, rate_hz, slowest_rate, fastest_rate));
   }
   auto task = std::make_unique<Task>();
   task->name = std::move(name);
   task->entity = &entity;
   task->period = from_seconds(1.0 / rate_hz);
-  tasks_.push_back(std::move(task));
-  return *tasks_.back();
+  return task;
 }
 
 void Simulation::execute(Task& task) noexcept {
-  if (task.entity->frozen()) return;
+  if (task.frozen) return;
   const Instant instant{now_, task.period};
   if (task.calls++ % timed_every != 0) return task.algorithm->step(instant);
   const auto start = WallClock::now();
@@ -91,12 +94,13 @@ void Simulation::execute(Task& task) noexcept {
   ++task.timed_calls;
 }
 
-void Simulation::report_frozen() {
+void Simulation::take_over_frozen() {
   const auto& entities = world_->entities();
   const auto frozen = [](const auto& entity) { return entity->frozen(); };
   const auto count = static_cast<std::size_t>(std::count_if(entities.begin(), entities.end(), frozen));
   if (count == frozen_reported_) return;
   frozen_reported_ = count;
+  for (const auto& task : tasks_) task->frozen = task->entity->frozen();
   for (const auto& entity : entities) {
     const std::string beginning = fmt::format("'{}' was frozen", entity->name());
     const auto said = [&](const std::string& warning) { return warning.starts_with(beginning); };

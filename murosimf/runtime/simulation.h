@@ -46,11 +46,12 @@ class Simulation {
   /// the order of attaching. Throws SetupError if the rate is not positive and finite, or after the first step.
   template <class A, class... Arguments>
   A& attach(std::string name, Entity& entity, double rate_hz, Arguments&&... arguments) {
-    Task& task = new_task(std::move(name), entity, rate_hz);
-    Setup setup(*world_, entity, task.access);
+    auto task = new_task(std::move(name), entity, rate_hz);
+    Setup setup(*world_, entity, task->access, task->period);
     auto algorithm = std::make_unique<A>(setup, std::forward<Arguments>(arguments)...);
     A& reference = *algorithm;
-    task.algorithm = std::move(algorithm);
+    task->algorithm = std::move(algorithm);
+    tasks_.push_back(std::move(task));  // last: a constructor that throws leaves nothing behind
     return reference;
   }
 
@@ -85,14 +86,15 @@ class Simulation {
     Duration period{};
     std::unique_ptr<Algorithm> algorithm;
     AccessSet access;
+    bool frozen = false;  ///< of the entity, taken over between ticks so that it cannot change during one
     std::int64_t calls = 0;
     std::int64_t timed_calls = 0;
     Duration time{};
   };
 
-  Task& new_task(std::string name, Entity& entity, double rate_hz);
+  [[nodiscard]] std::unique_ptr<Task> new_task(std::string name, const Entity& entity, double rate_hz) const;
   void execute(Task& task) noexcept;
-  void report_frozen();
+  void take_over_frozen();
 
   std::unique_ptr<World> world_;  // outlives the tasks, which point into it
   std::vector<std::unique_ptr<Task>> tasks_;

@@ -109,7 +109,7 @@ TEST(Cli, ChecksAModel) {
   const Result result = murosimf("check kid21");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_NE(result.output.find("4.3"), std::string::npos);
-  EXPECT_EQ(murosimf("check kid21 --json").output.front(), '{');
+  EXPECT_EQ(murosimf("check kid21 --json -").output.front(), '{');
 }
 
 TEST(CliMistakes, InTheCommandLine) {

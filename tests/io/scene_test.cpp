@@ -88,7 +88,8 @@ TEST(SceneSpec, ReadsWhatTheFileSays) {
 
 TEST(SceneSpec, OverridesReachTheirTargets) {
   const SceneSpec spec = spec_of(small_scene, {"duration=5", "blue.*.level=simplified_dynamics", "red1.contact=paper",
-                                               "blue2.position=[0.1, 0.2]", "ball.mass=0.3", "blue.1.heading_deg=0"});
+                                               "field.surface=grass", "blue2.position=[0.1, 0.2]", "ball.mass=0.3",
+                                               "blue.1.heading_deg=0"});
   EXPECT_EQ(spec.duration, 5);
   EXPECT_EQ(spec.robots[0].level, "simplified_dynamics");
   EXPECT_EQ(spec.robots[0].heading, 0);
@@ -97,6 +98,7 @@ TEST(SceneSpec, OverridesReachTheirTargets) {
   EXPECT_EQ(spec.robots[2].level, "kinematic_walking");
   EXPECT_EQ(spec.robots[2].contact, "paper");
   EXPECT_EQ(spec.ball->options.mass, 0.3);
+  EXPECT_EQ(spec.field.surface, "grass");
 }
 
 TEST(Scene, OverridesSetPropertiesByName) {
@@ -159,6 +161,7 @@ TEST(SceneMistakes, AreNamedWithTheirPlace) {
   expect_mistake(mistake(with("duration = 2.0", "duration = \"long\"")), {"'duration' must be a finite number"});
   expect_mistake(mistake(with("seed = 3", "rate = 0")), {"'rate' must be positive"});
   expect_mistake(mistake(with("seed = 3", "rate = 333")), {"does not fit"});
+  expect_mistake(mistake(with("name = \"red\"", "name = \"blue\"")), {".toml:8:", "two teams"});
   expect_mistake(mistake(with("[ball]\n", "[ball]\nradius = -1\n")), {"'radius' must be positive"});
 }
 
@@ -174,6 +177,9 @@ TEST(SceneMistakes, InOverridesNameTheOverride) {
   expect_mistake(set("blue1.pelvis.walk_command=[1]"), {"'walk_command' takes 3 numbers, not 1"});
   expect_mistake(set("blue1.pelvis.walk_command=[nan,0,0]"), {"cannot be nan"});
   expect_mistake(set("blue1.l_shin.mass=1"), {"'mass' is a constant of the model"});
+  expect_mistake(set("ball.radus=1"), {"--set 'ball.radus=1'", "did you mean 'radius'?"});
+  expect_mistake(set("field.surface=gras"), {"unknown material 'gras'; did you mean 'grass'?"});
+  expect_mistake(set("blue1.controller=ball_chser"), {"did you mean 'ball_chaser'?"});
   expect_mistake(set("level"), {"write PATH=VALUE"});
   expect_mistake(set("blue1..level=x"), {"empty part"});
 }

@@ -28,17 +28,25 @@ TEST(ModelTest, JointsAndBodies) {
                              .prismatic("slider", {1, 0, 0})
                              .with(shapes, {})  // 3
                              .rotation({1, 0, 0}, 1)
-                             .with(center_of_mass, {1, 0, 0})  // 4
+                             .with(joint_damping, 0.1)  // 4
                              .endpoint("tip")
                              .with(mass, 1)
                              .with(shapes, {}));  // 5
   EXPECT_EQ(std::vector<int>(model.joints().begin(), model.joints().end()), (std::vector<int>{1, 3}));
   EXPECT_EQ(std::vector<int>(model.bodies().begin(), model.bodies().end()), (std::vector<int>{2, 3, 5}));
   EXPECT_EQ(model.having(mass), (std::vector<int>{2, 5}));
-  EXPECT_EQ(model.having(center_of_mass), (std::vector<int>{4}));
+  EXPECT_EQ(model.having(joint_damping), (std::vector<int>{4}));
   EXPECT_TRUE(model.having(servo).empty());
   EXPECT_EQ(model.size(), 6);
   EXPECT_EQ(model.name(), "m");
+}
+
+// Rule: a center of mass or an inertia means nothing without a mass, and places must be numbers.
+TEST(ModelTest, WhatMeansNothingIsRefused) {
+  EXPECT_THROW(Model("m", Chain{}.base("b").with(center_of_mass, {1, 0, 0})), SetupError);
+  EXPECT_THROW(Model("m", Chain{}.base("b").with(inertia, diagonal(1.0))), SetupError);
+  EXPECT_THROW(Model("m", Chain{}.base("b").with(mass, 1).with(center_of_mass, {std::nan(""), 0, 0})), SetupError);
+  EXPECT_THROW(Model("m", Chain{}.base("b").translation({std::nan(""), 0, 0})), SetupError);
 }
 
 // Rule: objects without a name get one from kind and index; aliases find the same object as the name.

@@ -72,7 +72,7 @@ TEST(JointReference, LinearReachesTheTargetWithinOneCycle) {
   EXPECT_EQ(arm.qd(), 0);
 }
 
-TEST(Odometer, CountsAFallOnceUntilTheRobotIsUpAgain) {
+TEST(Odometer, CountsAFallOnce) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21());
   rig.attach_dynamics(robot);

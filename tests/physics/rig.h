@@ -43,17 +43,16 @@ struct Rig {
   void attach_dynamics(Entity& entity, const motion::SimplifiedDynamicsOptions& options = {}, bool on_ground = true,
                        std::shared_ptr<const collision::ContactLaw> law = std::make_shared<Law>()) {
     simulation.attach<collision::GroundContact>("ground_contact", entity, rate, on_ground ? ground : nullptr,
-                                                std::move(law), materials, period());
+                                                std::move(law), materials);
     simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", entity, rate, options);
   }
 
-  [[nodiscard]] Duration period() const { return from_seconds(1 / rate); }
   void run(double s) { simulation.run(from_seconds(s)); }
 
   /// Sets the velocity [m/s] of the center of mass and the angular velocity [rad/s], world frame.
   static void launch(Entity& entity, const Vec3d& v, const Vec3d& w = {}) {
-    entity.base().set(properties::common_center_of_mass_velocity, v);
-    entity.base().set(properties::linear_velocity, v);
+    const Vec3d change = v - entity.base().get(properties::common_center_of_mass_velocity);
+    entity.base().set(properties::linear_velocity, entity.base().get(properties::linear_velocity) + change);
     entity.base().set(properties::angular_velocity, w);
   }
   static Vec3d place(Entity& entity) { return entity.base().get(properties::position); }

@@ -126,7 +126,20 @@ TEST_F(PlanTest, RatesThatDoNotFitAreRefusedWithTheNearestThatDoes) {
     FAIL() << "30 Hz does not fit 1 ms";
   } catch (const SetupError& error) {
     EXPECT_NE(std::string(error.what()).find("'camera'"), std::string::npos) << error.what();
-    EXPECT_NE(std::string(error.what()).find("30.303 Hz"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("30.003 Hz"), std::string::npos) << error.what();
+  }
+}
+
+// A faster rate than the tick so far is refused with a fast one, not with the tick.
+TEST_F(PlanTest, TheNearestRateMayBeFasterThanTheTick) {
+  AccessSet none;
+  const std::vector<Duration> periods{10ms, from_seconds(1.0 / 333)};
+  const std::vector<std::string> names{"walk", "motion"};
+  try {
+    Plan plan({&none, &none}, periods, names);
+    FAIL() << "333 Hz does not fit 10 ms";
+  } catch (const SetupError& error) {
+    EXPECT_NE(std::string(error.what()).find("333.333 Hz"), std::string::npos) << error.what();
   }
 }
 

@@ -116,7 +116,7 @@ TEST(Simulation, FrozenEntitiesAreSkippedAndReportedOnce) {
   a.freeze("a test wants it");
   simulation.run(5ms);
   EXPECT_EQ(a.base().get(counter), 5);
-  EXPECT_EQ(simulation.warnings(), (std::vector<std::string>{"'a' was frozen at 0.006 s: a test wants it"}));
+  EXPECT_EQ(simulation.warnings(), (std::vector<std::string>{"'a' was frozen at 0.005 s: a test wants it"}));
 }
 
 TEST(Simulation, PropertiesCanBeChangedByNameWhileItRuns) {
