@@ -140,5 +140,68 @@ TEST(KinematicWalking, TwistIsTheRateOfThePose) {
   EXPECT_GT(compared, 450);
 }
 
+/// A leg of another robot: longer, with mirrored yaw and knee axes; side +1 is left.
+Chain long_leg(double side) {
+  const std::string name = side > 0 ? "left" : "right";
+  PlacedShape foot;
+  foot.shape = Box{{0.11, 0.06, 0.015}};
+  foot.position = {0.02, 0, -0.04};
+  const auto inertia = [](double mass, double length) { return diagonal(mass * length * length / 12); };
+  return Chain{}
+      .translation({0, side * 0.07, -0.03})
+      .revolute(name + "_yaw", {0, 0, -1})
+      .revolute(name + "_roll", {1, 0, 0})
+      .revolute(name + "_pitch", {0, 1, 0})
+      .with(properties::mass, 0.9)
+      .with(properties::center_of_mass, {0, 0, -0.1})
+      .with(properties::inertia, inertia(0.9, 0.2))
+      .translation({0, 0, -0.20})
+      .revolute(name + "_knee", {0, -1, 0})
+      .with(properties::mass, 0.6)
+      .with(properties::center_of_mass, {0, 0, -0.08})
+      .with(properties::inertia, inertia(0.6, 0.18))
+      .translation({0, 0, -0.18})
+      .revolute(name + "_ankle", {0, 1, 0})
+      .revolute(name + "_foot", {1, 0, 0})
+      .with(properties::mass, 0.4)
+      .with(properties::center_of_mass, {0.02, 0, -0.03})
+      .with(properties::inertia, inertia(0.4, 0.22))
+      .with(properties::shapes, Shapes{foot})
+      .translation({0.02, 0, -0.055})
+      .endpoint(name + "_sole")
+      .with(properties::sole, {0.11, 0.06});
+}
+
+// The walk is seeded from the legs' lengths: a robot of 8 kg with legs of 0.38 m, that nobody tuned, walks 15 s at both
+// levels without falling and gets within 15 % of the commanded way.
+TEST(Levels, AnotherBipedWalksWithSeededParameters) {
+  const auto model =
+      std::make_shared<const Model>("other", Chain{}
+                                                 .base("pelvis")
+                                                 .with(properties::mass, 4.2)
+                                                 .with(properties::center_of_mass, {0, 0, 0.14})
+                                                 .with(properties::inertia, SymMat3d{0.05, 0.04, 0.03, 0, 0, 0})
+                                                 .fork(long_leg(1), long_leg(-1)));
+  for (const bool kinematic : {true, false}) {
+    Rig rig;
+    Entity& robot = rig.add("robot", model);
+    rig.simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, Vec3d{0.2, 0, 0});
+    if (kinematic) {
+      rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
+    } else {
+      rig.attach_dynamics(robot);
+    }
+    rig.simulation.initialize();
+    const double start = Rig::place(robot).x;
+    double lean = 0;
+    for (int i = 0; i < 15000; ++i) {
+      rig.simulation.step();
+      lean = std::max(lean, std::acos(std::min(1.0, robot.base().get(properties::orientation).z.z)));
+    }
+    EXPECT_NEAR(Rig::place(robot).x - start, 3.0, 0.45) << (kinematic ? "kinematic" : "simplified");
+    EXPECT_LT(lean, 10 * degree) << (kinematic ? "kinematic" : "simplified");
+  }
+}
+
 }  // namespace
 }  // namespace murosimf::test
