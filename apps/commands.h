@@ -13,7 +13,7 @@ struct RunOptions {
   std::optional<double> duration;  ///< [s]
   std::string speed = "max";       ///< "max", or simulated seconds per wall second
   int threads = 1;
-  std::optional<std::uint64_t> seed;
+  std::optional<std::int64_t> seed;  ///< from 0
   std::vector<std::string> overrides;
   std::string json;     ///< file, "-" for standard output
   std::string picture;  ///< PNG file

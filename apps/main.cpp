@@ -1,6 +1,8 @@
 // The program `murosimf`: reads the command line and calls one of the commands.
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -22,7 +24,8 @@ void add_run(CLI::App& app, RunOptions& options, int& exit_code) {
   run_command->add_option("--threads", options.threads, "Threads; results do not depend on their number")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  run_command->add_option("--seed", options.seed, "Seed of all random numbers, instead of the scene's");
+  run_command->add_option("--seed", options.seed, "Seed of all random numbers, instead of the scene's")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
   run_command
       ->add_option("--set", options.overrides,
                    "PATH=VALUE: change the scene, for example 'blue.*.level=simplified_dynamics'")
@@ -77,7 +80,9 @@ int main(int argc, char** argv) {
     refuse_unknown_command(argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error);
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    fmt::print(stderr, "murosimf: {}; --help shows what there is\n", error.what());
+    return 2;
   } catch (const murosimf::SetupError& error) {
     fmt::print(stderr, "murosimf: {}\n", error.what());
     return 2;

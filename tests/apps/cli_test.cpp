@@ -113,11 +113,12 @@ TEST(Cli, ChecksAModel) {
 }
 
 TEST(CliMistakes, InTheCommandLine) {
-  expect_mistake("", {"subcommand"});
+  expect_one_line_mistake("", {"subcommand"});
   expect_one_line_mistake("fly", {"unknown command 'fly'"});
-  expect_mistake("run", {"scene"});
-  expect_mistake("run walk --threads 0", {"--threads"});
-  expect_mistake("list robots", {"robots"});
+  expect_one_line_mistake("run", {"scene"});
+  expect_one_line_mistake("run walk --threads 0", {"--threads"});
+  expect_one_line_mistake("run walk --seed -1", {"--seed"});
+  expect_one_line_mistake("list robots", {"robots"});
   expect_one_line_mistake("run walk --duration -1", {"--duration -1"});
   expect_one_line_mistake("run walk --duration nan", {"--duration nan"});
   expect_one_line_mistake("run walk --duration 1e300", {"--duration"});
