@@ -10,7 +10,7 @@
 ///
 /// so that f = f0 - B a with b_n = d + theta dt k, b_t = ct + dt kt. A robot on a slope does not creep, and steps up
 /// to 10 ms are stable. A round body also feels a rolling resistance  -rolling r f_n w / |w|.
-/// Source: shared project notes of the prototype, "model e"; elastoplastic friction as in Dupont, Hayward, Armstrong,
+/// Source: measured with the project's prototype; elastoplastic friction as in Dupont, Hayward, Armstrong,
 /// Altpeter, IEEE Trans. Automatic Control 47(5), 2002, with a rigid-plastic cone.
 /// theta = 0 keeps a ball's bounce; theta = 1 damps stiff feet.
 #pragma once
