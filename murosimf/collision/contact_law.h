@@ -1,6 +1,6 @@
 /// contact_law.h - how hard a contact pushes: the exchangeable part between detection and motion.
 ///
-/// Per step: `prepare` linearises every point at the present velocities; motion makes a trial step; `accept` looks at
+/// Per step: `prepare` linearizes every point at the present velocities; motion makes a trial step; `accept` looks at
 /// the velocities after it and either agrees or changes its mind about points (open, stick, slip) and asks for
 /// another trial; `commit` updates the memory. Laws have no state of their own: memory is in the points.
 #pragma once

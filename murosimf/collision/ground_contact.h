@@ -1,7 +1,7 @@
 /// ground_contact.h - algorithm: contact of one dynamic entity with the ground, by any contact law.
 ///
 /// Finds the points of every shape below the ground plane, gives each the memory that its feature had in the step
-/// before, lets the law linearise them, and writes external_force (pushes, contacts with moving bodies, ground) and
+/// before, lets the law linearize them, and writes external_force (pushes, contacts with moving bodies, ground) and
 /// external_damping. The motion algorithm that comes after it settles the rest with the law (contact.h).
 #pragma once
 

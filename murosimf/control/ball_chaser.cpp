@@ -6,7 +6,7 @@
 namespace murosimf::control {
 namespace {
 
-// All lengths in metres, on the ground plane.
+// All lengths in meters, on the ground plane.
 constexpr double behind_ball = 0.22;    // where a push begins
 constexpr double in_front = 0.30;       // the ball is at the feet
 constexpr double beside_feet = 0.09;    // ... and not beside them

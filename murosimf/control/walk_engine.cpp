@@ -14,8 +14,6 @@ Vec3d clipped(const Vec3d& v, const Vec3d& limit) {
   return {std::clamp(v.x, -limit.x, limit.x), std::clamp(v.y, -limit.y, limit.y), std::clamp(v.z, -limit.z, limit.z)};
 }
 
-bool is_zero(const Vec3d& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-
 }  // namespace
 
 WalkEngine::WalkEngine(Setup& setup, const Vec3d& command)

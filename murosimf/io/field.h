@@ -14,7 +14,7 @@
 
 namespace murosimf::io {
 
-/// All in metres.
+/// All in meters.
 struct FieldSize {
   std::string_view name;
   double length = 0, width = 0;

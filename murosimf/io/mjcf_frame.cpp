@@ -99,8 +99,6 @@ Mat3d read_orientation(const MjcfAttributes& attributes, const MjcfCompiler& com
   return {};
 }
 
-bool is_zero(const Vec3d& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-
 bool is_identity(const Mat3d& turn) {
   return is_zero(turn.x - Vec3d{1, 0, 0}) && is_zero(turn.y - Vec3d{0, 1, 0}) && is_zero(turn.z - Vec3d{0, 0, 1});
 }

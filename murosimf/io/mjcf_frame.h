@@ -28,7 +28,6 @@ struct MjcfCompiler {
 /// Element axes to parent axes; the identity if the element has no orientation.
 [[nodiscard]] Mat3d read_orientation(const MjcfAttributes& attributes, const MjcfCompiler& compiler);
 [[nodiscard]] bool is_identity(const Mat3d& turn);
-[[nodiscard]] bool is_zero(const Vec3d& v);
 
 /// The shortest turn that takes z to the direction of `axis` (any length but zero).
 [[nodiscard]] Mat3d turn_of_z(const Vec3d& axis);

@@ -101,6 +101,14 @@ SymMat3<S> inertia_of_point(const Vec3<S>& v) {
   const S xx = v.x * v.x, yy = v.y * v.y, zz = v.z * v.z;
   return {yy + zz, xx + zz, xx + yy, -(v.x * v.y), -(v.x * v.z), -(v.y * v.z)};
 }
+/// Leading minors are positive (Sylvester's criterion) and finite; false for NaN.
+inline bool is_positive_definite(const SymMat3d& m) {
+  const double minor = m.xx * m.yy - m.xy * m.xy;
+  const double determinant =
+      m.xx * (m.yy * m.zz - m.yz * m.yz) - m.xy * (m.xy * m.zz - m.yz * m.xz) + m.xz * (m.xy * m.yz - m.yy * m.xz);
+  return m.xx > 0 && minor > 0 && determinant > 0 && std::isfinite(determinant);
+}
+
 /// R m R^T: the symmetric tensor `m` of the inner frame seen in the outer one.
 template <class S, class A>
 [[gnu::always_inline]] inline SymMat3<S> rotated(const Mat3<S>& R, const SymMat3<A>& m) {

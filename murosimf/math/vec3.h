@@ -50,6 +50,9 @@ S norm(const Vec3<S>& a) {
   return sqrt(dot(a, a));
 }
 
+/// True if all components are exactly zero.
+inline bool is_zero(const Vec3d& a) { return a.x == 0 && a.y == 0 && a.z == 0; }
+
 /// `a` without its component along the unit vector `n`.
 template <class A, class B>
 auto tangential(const Vec3<A>& a, const Vec3<B>& n) -> Vec3<Product<A, B>> {

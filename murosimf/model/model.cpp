@@ -96,10 +96,7 @@ void Model::check_masses() const {
     }
     const SymMat3d* I = find(properties::inertia, i);
     if (!I) continue;
-    const double minor = I->xx * I->yy - I->xy * I->xy;
-    const double determinant = I->xx * (I->yy * I->zz - I->yz * I->yz) - I->xy * (I->xy * I->zz - I->yz * I->xz) +
-                               I->xz * (I->xy * I->yz - I->yy * I->xz);
-    if (!(I->xx > 0 && minor > 0 && determinant > 0 && std::isfinite(determinant))) {
+    if (!is_positive_definite(*I)) {
       throw SetupError(
           fmt::format("model '{}', object '{}': inertia is not positive definite", name_, objects_[i].name));
     }

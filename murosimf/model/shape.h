@@ -9,7 +9,7 @@
 
 namespace murosimf {
 
-// All lengths in metres. The shape's own frame: centre at the origin, long axis along z.
+// All lengths in meters. The shape's own frame: center at the origin, long axis along z.
 struct Sphere {
   double radius = 0;
 };
@@ -59,7 +59,7 @@ struct PlacedShape {
 
 using Shapes = std::vector<PlacedShape>;
 
-/// The flat bottom of a foot; a property of the frame at its centre, x forward, z up.
+/// The flat bottom of a foot; a property of the frame at its center, x forward, z up.
 struct Sole {
   double half_length = 0;  ///< [m] along x
   double half_width = 0;   ///< [m] along y

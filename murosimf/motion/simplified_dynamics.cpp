@@ -24,13 +24,6 @@ bool sane(const multibody::FreeBody<double>& body) {
          std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
 }
 
-bool positive_definite(const SymMat3d& m) {
-  const double determinant =
-      m.xx * (m.yy * m.zz - m.yz * m.yz) - m.xy * (m.xy * m.zz - m.yz * m.xz) + m.xz * (m.xy * m.yz - m.yy * m.xz);
-  return m.xx > 0 && m.xx * m.yy - m.xy * m.xy > 0 && determinant > 0;
-}
-
-bool is_zero(const Vec3d& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 bool is_zero(const Forced& force) { return is_zero(force.n) && is_zero(force.f); }
 /// A positive semidefinite matrix without diagonal is zero.
 bool is_zero(const Sym6d& m) {
@@ -69,7 +62,7 @@ void SimplifiedDynamics::initialize() {
   columns_.remember_base();
   std::fill(external_force_.begin(), external_force_.end(), Forced{});
   std::fill(external_damping_.begin(), external_damping_.end(), Sym6d{});
-  if (!positive_definite(inertia_)) {
+  if (!is_positive_definite(inertia_)) {
     throw SetupError(
         fmt::format("model '{}' has no inertia about some axis; give its masses an inertia", columns_.model.name()));
   }

@@ -21,7 +21,7 @@ struct Frame {
 
 [[nodiscard]] Frame frame_of(const Markings& markings, double pixels_per_meter);
 
-/// The canvas is in metres, x to the right and y up, the middle of the field at the origin.
+/// The canvas is in meters, x to the right and y up, the middle of the field at the origin.
 void draw_field(cairo_t* canvas, const Markings& markings, const Frame& frame);
 
 }  // namespace murosimf::render

@@ -10,7 +10,7 @@
 
 namespace murosimf::render {
 
-/// The canvas is in metres, x to the right and y up, the middle of the field at the origin.
+/// The canvas is in meters, x to the right and y up, the middle of the field at the origin.
 void draw_paths(cairo_t* canvas, const std::vector<Path>& paths, const Frame& frame);
 
 }  // namespace murosimf::render

@@ -37,7 +37,6 @@ class Clock {
   void wait_until(Duration simulated);
 
   [[nodiscard]] const Lateness& lateness() const { return lateness_; }
-  [[nodiscard]] std::optional<double> speed() const { return speed_; }
 
   static constexpr Duration tolerance = std::chrono::milliseconds(2);
 

@@ -1,4 +1,4 @@
-/// ground_truth.h - sensor: where everybody really is (paper 6.3), for behaviour tests without perception.
+/// ground_truth.h - sensor: where everybody really is (paper 6.3), for behavior tests without perception.
 ///
 /// No sensing at all: true poses and velocities of all robots and the ball, at the sensor's rate.
 #pragma once
