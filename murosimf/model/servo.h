@@ -1,4 +1,6 @@
 /// servo.h - data of a servo motor, on the output side of its gear. What moves with it is motion's business.
+///
+/// Stall torque, no-load rate and gain hold at `voltage`; a servo law (motion/servo_law.h) makes torque of them.
 #pragma once
 
 #include <string>
@@ -6,12 +8,19 @@
 namespace murosimf {
 
 struct Servo {
-  std::string type;             ///< name of the table it came from, for example "mx64"
-  double stall_torque = 0;      ///< [N m]
-  double no_load_rate = 0;      ///< [rad/s]
-  double position_gain = 0;     ///< [N m/rad]
-  double rotor_inertia = 0;     ///< [kg m^2]
-  double coulomb_friction = 0;  ///< [N m]
+  std::string type;              ///< name of the table it came from, for example "mx64"
+  std::string law = "dc_motor";  ///< name of the servo law
+  double voltage = 0;            ///< [V] supply; 0: not known
+  double stall_torque = 0;       ///< [N m] at rest and full duty; 0: unlimited (ideal_pd only)
+  double no_load_rate = 0;       ///< [rad/s] at full duty, without friction; 0: not known (ideal_pd only)
+  double position_gain = 0;      ///< [N m/rad] torque at rest per angle between target and position
+  double velocity_gain = 0;      ///< [N m s/rad] of the controller (ideal_pd only)
+  double duty_limit = 1;         ///< [1] largest duty cycle that the firmware gives
+  double torque_limit = 0;       ///< [N m] of the motor, from its current limit; 0: none
+  double rotor_inertia = 0;      ///< [kg m^2]
+  double coulomb_friction = 0;   ///< [N m]
+  double viscous_friction = 0;   ///< [N m s/rad]
+  double command_delay = 0;      ///< [s] from the controller's target to the motor
 };
 
 }  // namespace murosimf
