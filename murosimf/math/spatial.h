@@ -34,6 +34,40 @@ Force<S>& operator+=(Force<S>& a, const Force<S>& b) {
   return a = a + b;
 }
 
+template <class S>
+Force<S>& operator-=(Force<S>& a, const Force<S>& b) {
+  return a = a - b;
+}
+template <class A, class S>
+Force<S> operator*(const A& s, const Force<S>& a) {
+  return {s * a.n, s * a.f};
+}
+
+template <class S>
+Motion<S> operator+(const Motion<S>& a, const Motion<S>& b) {
+  return {a.w + b.w, a.v + b.v};
+}
+template <class S>
+Motion<S>& operator+=(Motion<S>& a, const Motion<S>& b) {
+  return a = a + b;
+}
+template <class A, class S>
+Motion<S> operator*(const A& s, const Motion<S>& a) {
+  return {s * a.w, s * a.v};
+}
+
+/// Power [W] of a force on a motion, both at the same point.
+template <class S>
+S dot(const Motion<S>& m, const Force<S>& f) {
+  return dot(m.w, f.n) + dot(m.v, f.f);
+}
+
+/// Rate of the motion `m` that is carried along with the motion `v`: v x m (Featherstone 2008, eq. 2.31).
+template <class S>
+Motion<S> cross(const Motion<S>& v, const Motion<S>& m) {
+  return {cross(v.w, m.w), cross(v.w, m.v) + cross(v.v, m.w)};
+}
+
 /// The same force, its moment taken about a point that lies `offset` away from the old one.
 template <class S>
 Force<S> moved(const Force<S>& force, const Vec3<S>& offset) {
@@ -75,6 +109,10 @@ Sym6<S> at_point(const SymMat3<S>& D, const Vec3<S>& x);
 template <class S>
 Sym6<S> moved(const Sym6<S>& a, const Vec3<S>& offset);
 
+/// A - s F F^T.
+template <class S>
+void subtract_outer(Sym6<S>& A, const S& s, const Force<S>& F);
+
 /// Solves A m = force for a symmetric positive definite A, by Cholesky.
 template <class S>
 Motion<S> solve(const Sym6<S>& A, const Force<S>& force);
@@ -112,6 +150,14 @@ Sym6<S> moved(const Sym6<S>& a, const Vec3<S>& offset) {
   const SymMat3<S> mixed{YH.x.x + YH.x.x, YH.y.y + YH.y.y, YH.z.z + YH.z.z,
                          YH.y.x + YH.x.y, YH.z.x + YH.x.z, YH.z.y + YH.y.z};
   return {a.J + mixed + point.J, {a.H.x + point.H.x, a.H.y + point.H.y, a.H.z + point.H.z}, a.M};
+}
+
+template <class S>
+void subtract_outer(Sym6<S>& A, const S& s, const Force<S>& F) {
+  const Vec3<S> n = s * F.n, f = s * F.f;
+  A.J = A.J - SymMat3<S>{n.x * F.n.x, n.y * F.n.y, n.z * F.n.z, n.x * F.n.y, n.x * F.n.z, n.y * F.n.z};
+  A.H = {A.H.x - f.x * F.n, A.H.y - f.y * F.n, A.H.z - f.z * F.n};
+  A.M = A.M - SymMat3<S>{f.x * F.f.x, f.y * F.f.y, f.z * F.f.z, f.x * F.f.y, f.x * F.f.z, f.y * F.f.z};
 }
 
 template <class S>

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "murosimf/math/pack.h"
+#include "murosimf/multibody/joint_axis.h"
 
 namespace murosimf::multibody {
 namespace {
@@ -21,18 +22,6 @@ Mat3<S> turned(const Mat3<S>& R, const Link& link, S q) {
   return R * rotation(link.axis, a);
 }
 
-/// The joint axis in world axes.
-template <class S>
-Vec3<S> world_axis(const Mat3<S>& R, const Link& link) {
-  switch (link.axis_kind) {
-    case AxisKind::x: return R.x;
-    case AxisKind::y: return R.y;
-    case AxisKind::z: return R.z;
-    case AxisKind::general: break;
-  }
-  return R * link.axis;
-}
-
 /// Pose (r, R) of a joint's frame from its parent link's pose.
 template <class S>
 [[gnu::always_inline]] inline void place_joint(const Link& link, const S& q, const Vec3<S>& r_parent,
@@ -43,7 +32,7 @@ template <class S>
     R = turned(at_zero, link, q);
   } else {
     R = at_zero;
-    r += q * world_axis(at_zero, link);
+    r += q * joint_axis(at_zero, link);
   }
 }
 
@@ -89,7 +78,7 @@ Motion<S> twist_against_base(const Tree& tree, std::span<const int> path, const 
   Motion<S> twist;
   for (const int l : path) {
     const Link& link = tree.links[l];
-    const Vec3<S> joint = qd[link.object] * world_axis(R[link.object], link);
+    const Vec3<S> joint = qd[link.object] * joint_axis(R[link.object], link);
     if (link.kind == LinkKind::revolute) {
       twist.w += joint;
       twist.v += cross(joint, at - r[link.object]);
@@ -107,7 +96,7 @@ void velocities(const Tree& tree, std::span<const S> qd, std::span<const Vec3<S>
     const Link& link = tree.links[l];
     const int i = link.object;
     const int p = tree.links[link.parent].object;
-    const Vec3<S> joint = qd[i] * world_axis(R[i], link);
+    const Vec3<S> joint = qd[i] * joint_axis(R[i], link);
     w[i] = w[p];
     v[i] = v[p] + cross(w[p], r[i] - r[p]);
     (link.kind == LinkKind::revolute ? w[i] : v[i]) += joint;

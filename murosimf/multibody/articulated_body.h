@@ -1,0 +1,52 @@
+/// articulated_body.h - forward dynamics of a tree with a free base: the articulated-body algorithm.
+///
+/// Everything about one point (link_motion.h), so the sweeps carry nothing from frame to frame. From leaves to base:
+///
+///     U_i = IA_i s_i        D_i = s_i . U_i + A_i        u_i = tau_i - s_i . pA_i
+///     IA_p += IA_i - U_i U_i^T / D_i                     pA_p += pA_i + U_i u_i / D_i
+///
+/// and back, with a'_0 from the base (free: -IA_0^-1 pA_0):
+///
+///     qdd_i = (u_i - U_i . a'_p) / D_i                   a'_i = a'_p + s_i qdd_i
+///
+/// a' counts from the accelerations that velocities and gravity make by themselves (b_i + [0; g]); what remains is
+/// linear, and no velocity product appears in the sweeps.
+/// Extension points: A_i is any inertia that belongs to the joint alone (rotor, h b + h^2 k of an implicit spring and
+/// damper); a body's force f - h B a_x, linear in its acceleration, is added to IA_i and pA_i before the sweep.
+/// Source: Featherstone 2008, sec. 7.3; rotor inertia ibid. sec. 9.6.
+#pragma once
+
+#include <span>
+
+#include "murosimf/multibody/link_motion.h"
+
+namespace murosimf::multibody {
+
+template <class S>
+struct ArticulatedLink {
+  Sym6<S> inertia;         ///< IA; in: the link's own (`start_sweep`) plus what is added
+  Force<S> force;          ///< pA [N m; N]; in: the same
+  S torque{};              ///< tau [N m | N]; in
+  S added_inertia{};       ///< A [kg m^2 | kg]; in
+  Force<S> U;              ///< out
+  S inverse_D{};           ///< 1/D; out
+  S u{};                   ///< [N m | N] out
+  Motion<S> acceleration;  ///< a'; out of `accelerate`
+  S joint_acceleration{};  ///< qdd [rad/s^2 | m/s^2]; out of `accelerate`
+};
+
+/// IA_i = I_i, pA_i = p_i for all links.
+template <class S>
+void start_sweep(std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies) noexcept;
+
+/// Leaves to base.
+template <class S>
+void sweep_to_base(const Tree& tree, std::span<const LinkMotion<S>> links,
+                   std::span<ArticulatedLink<S>> bodies) noexcept;
+
+/// Base to leaves; `base` is a'_0 [rad/s^2; m/s^2].
+template <class S>
+void accelerate(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies,
+                const Motion<S>& base) noexcept;
+
+}  // namespace murosimf::multibody
