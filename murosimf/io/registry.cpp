@@ -6,6 +6,8 @@
 #include "murosimf/collision/paper_law.h"
 #include "murosimf/control/ball_chaser.h"
 #include "murosimf/control/walk_engine.h"
+#include "murosimf/motion/articulated_dynamics.h"
+#include "murosimf/motion/full_dynamics.h"
 #include "murosimf/motion/kinematic_walking.h"
 #include "murosimf/sensors/ground_truth.h"
 
@@ -20,6 +22,15 @@ void attach_simplified_dynamics(Simulation& simulation, Entity& robot, double ra
   simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", robot, rate_hz,
                                                 motion::SimplifiedDynamicsOptions{.base_rigid = options.base_rigid,
                                                                                   .reference = options.reference});
+}
+
+void attach_full_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
+  simulation.attach<motion::FullDynamics>("full_dynamics", robot, rate_hz,
+                                          motion::FullDynamicsOptions{.reference = options.reference});
+}
+
+void attach_articulated_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions&) {
+  simulation.attach<motion::ArticulatedDynamics>("articulated_dynamics", robot, rate_hz);
 }
 
 void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
@@ -47,6 +58,10 @@ constexpr std::array level_entries{
           false, attach_kinematic_walking},
     Level{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)", true,
           attach_simplified_dynamics},
+    Level{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)", true,
+          attach_full_dynamics},
+    Level{"articulated_dynamics", "servos make torque, the whole tree moves as it must", true,
+          attach_articulated_dynamics},
 };
 
 constexpr std::array contact_entries{

@@ -15,6 +15,7 @@
 #include "murosimf/io/registry.h"
 #include "murosimf/math/random.h"
 #include "murosimf/motion/odometer.h"
+#include "murosimf/motion/torque_watch.h"
 #include "murosimf/render/field_picture.h"
 
 namespace murosimf::io {
@@ -190,6 +191,10 @@ RunReport Scene::report(Duration wall, const Lateness& lateness) const {
   report.warnings = warnings_;
   const auto& frozen = simulation_->warnings();
   report.warnings.insert(report.warnings.end(), frozen.begin(), frozen.end());
+  for (const Entity* mover : movers_) {
+    const auto overloads = motion::overload_messages(*mover);
+    report.warnings.insert(report.warnings.end(), overloads.begin(), overloads.end());
+  }
   if (lateness.late_steps > 0) {
     report.warnings.push_back(fmt::format("late: {} of {} steps ended behind schedule, the worst {:.1f} ms",
                                           lateness.late_steps, lateness.steps, 1e3 * seconds(lateness.worst)));

@@ -1,19 +1,40 @@
 #include "murosimf/motion/joint_reference.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace murosimf::motion {
 
 JointReference::JointReference(Setup& setup, const JointReferenceOptions& options)
     : options_(options), target_(setup.input(properties::joint_target, 0.0)) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  range_.assign(target_.size(), {-infinity, infinity});
+  for (const int i : setup.model().having(properties::joint_range)) {
+    const Vec3d& range = *setup.model().find(properties::joint_range, i);
+    range_[i] = {range.x, range.y};
+  }
   if (options_.kind == ReferenceKind::linear) cycle_target_ = setup.write(properties::cycle_target);
 }
 
 void JointReference::initialize(PoseColumns& columns) noexcept {
   for (std::size_t i = 0; i < target_.size(); ++i) {
-    columns.q[i] = target_[i];
+    columns.q[i] = target(static_cast<int>(i));
     columns.qd[i] = 0;
     if (!cycle_target_.empty()) cycle_target_[i] = target_[i];
+  }
+}
+
+double JointReference::target(int joint) const noexcept {
+  return std::clamp(target_[joint], range_[joint].lowest, range_[joint].highest);
+}
+
+void JointReference::stop_at_limits(PoseColumns& columns) const noexcept {
+  for (const int i : columns.model.joints()) {
+    const auto& [lowest, highest] = range_[i];
+    if (columns.q[i] >= lowest && columns.q[i] <= highest) continue;
+    columns.q[i] = std::clamp(columns.q[i], lowest, highest);
+    columns.qd[i] = 0;
   }
 }
 
@@ -27,6 +48,7 @@ bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
   } else {
     linear(columns, dt);
   }
+  stop_at_limits(columns);
   return true;
 }
 
@@ -36,7 +58,7 @@ void JointReference::filter(PoseColumns& columns, double dt) const noexcept {
   for (const int i : columns.model.joints()) {
     double& q = columns.q[i];
     double& qd = columns.qd[i];
-    qd += dt * (wf * wf * (target_[i] - q - dt * qd) - 2 * wf * qd) * inverse;
+    qd += dt * (wf * wf * (target(i) - q - dt * qd) - 2 * wf * qd) * inverse;
     q += dt * qd;
   }
 }
@@ -45,14 +67,15 @@ void JointReference::linear(PoseColumns& columns, double dt) noexcept {
   for (const int i : columns.model.joints()) {
     double& q = columns.q[i];
     double& qd = columns.qd[i];
-    if (target_[i] != cycle_target_[i]) {
-      cycle_target_[i] = target_[i];
-      qd = (target_[i] - q) / options_.control_period;
-    } else if (q == target_[i]) {
+    const double goal = target(i);
+    if (goal != cycle_target_[i]) {
+      cycle_target_[i] = goal;
+      qd = (goal - q) / options_.control_period;
+    } else if (q == goal) {
       qd = 0;
     }
-    const double rest = target_[i] - q;
-    q = std::abs(rest) <= std::abs(qd) * dt * (1 + 1e-9) ? target_[i] : q + dt * qd;
+    const double rest = goal - q;
+    q = std::abs(rest) <= std::abs(qd) * dt * (1 + 1e-9) ? goal : q + dt * qd;
   }
 }
 

@@ -5,7 +5,8 @@
 ///     linear:  q reaches the target at constant rate within one control cycle
 ///
 /// The filter is implicit Euler of the critically damped q'' = wf^2 (target - q) - 2 wf q'; wf = 120 rad/s lags 17 ms
-/// behind. `linear` is the paper's assumption (4.3). Same state (q, qd) as a simulated servo, so levels can be exchanged.
+/// behind. `linear` is the paper's assumption (4.3): the target is reached within one control cycle.
+/// Joints stop at the ends of their range (joint_range), at rest. Same state (q, qd) as a simulated servo, so levels can be exchanged.
 #pragma once
 
 #include <span>
@@ -33,11 +34,18 @@ class JointReference {
   [[nodiscard]] bool advance(PoseColumns& columns, double dt) noexcept;
 
  private:
+  /// Range of a joint, or all numbers.
+  struct Range {
+    double lowest, highest;
+  };
+  [[nodiscard]] double target(int joint) const noexcept;
   void filter(PoseColumns& columns, double dt) const noexcept;
   void linear(PoseColumns& columns, double dt) noexcept;
+  void stop_at_limits(PoseColumns& columns) const noexcept;
 
   JointReferenceOptions options_;
   std::span<const double> target_;  // [rad | m] desired positions
+  std::vector<Range> range_;        // [rad | m] by object
   std::span<double> cycle_target_;  // [rad | m] the target that the present cycle runs to (linear only)
 };
 

@@ -2,35 +2,14 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include <fmt/format.h>
 
+#include "murosimf/motion/contact_trials.h"
+#include "murosimf/motion/sanity.h"
 #include "murosimf/multibody/kinematics.h"
 
 namespace murosimf::motion {
-namespace {
-
-constexpr double fastest = 1e3;       // [m/s] beyond this the numbers have gone bad
-constexpr double fastest_turn = 1e4;  // [rad/s]
-constexpr double farthest = 1e6;      // [m]
-
-/// Written so that NaN is not sane either.
-bool sane(const multibody::FreeBody<double>& body) {
-  const Quaterniond& q = body.turn;
-  return dot(body.velocity, body.velocity) < fastest * fastest &&
-         dot(body.rate, body.rate) < fastest_turn * fastest_turn &&
-         dot(body.position, body.position) < farthest * farthest &&
-         std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
-}
-
-bool is_zero(const Forced& force) { return is_zero(force.n) && is_zero(force.f); }
-/// A positive semidefinite matrix without diagonal is zero.
-bool is_zero(const Sym6d& m) {
-  return m.J.xx == 0 && m.J.yy == 0 && m.J.zz == 0 && m.M.xx == 0 && m.M.yy == 0 && m.M.zz == 0;
-}
-
-}  // namespace
 
 SimplifiedDynamics::SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOptions& options)
     : entity_(setup.entity()),
@@ -76,7 +55,7 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
   const Motiond acceleration = solve_with_contacts(dt);
   multibody::FreeBody<double> body{center_, velocity_, columns_.Q[0], columns_.w[0]};
   multibody::advance(body, acceleration, dt);
-  if (!sane(body)) return halt("its motion is no sensible number");
+  if (!is_sane(body)) return halt("its motion is no sensible number");
   if (!reference_.advance(columns_, dt)) return halt("a joint position or target is no sensible number");
   if (contacts_.law) {
     contacts_.law->commit(contacts_);
@@ -116,14 +95,11 @@ void SimplifiedDynamics::predict_contacts(const Motiond& acceleration, double dt
 }
 
 Motiond SimplifiedDynamics::solve_with_contacts(double dt) noexcept {
-  Motiond acceleration = solve(dt);
-  if (!contacts_.law) return acceleration;
-  predict_contacts(acceleration, dt);
-  for (int pass = 1; pass < collision::max_passes && !contacts_.law->accept(contacts_); ++pass) {
-    collision::write_loads(contacts_, columns_.r, external_force_, external_damping_);
+  Motiond acceleration;
+  settle_contacts(contacts_, columns_.r, external_force_, external_damping_, [&] {
     acceleration = solve(dt);
     predict_contacts(acceleration, dt);
-  }
+  });
   return acceleration;
 }
 

@@ -69,6 +69,14 @@ Force<S> momentum(std::span<const LinkMotion<S>> links) noexcept {
 }
 
 template <class S>
+Vec3<S> linear_momentum(std::span<const LinkMotion<S>> links) noexcept {
+  Vec3<S> sum;
+  for (const auto& link : links)
+    sum += link.inertia.mass * link.velocity.v - cross(link.inertia.first, link.velocity.w);
+  return sum;
+}
+
+template <class S>
 S kinetic_energy(std::span<const LinkMotion<S>> links, const Vec3<S>& v0) noexcept {
   S twice{};
   for (const auto& link : links) {
@@ -89,6 +97,7 @@ S potential_energy(std::span<const LinkMotion<S>> links, const Vec3<S>& r0, cons
                                 std::span<const S>, std::span<LinkMotion<S>>) noexcept;                          \
   template RigidInertia<S> composite_inertia<S>(std::span<const LinkMotion<S>>) noexcept;                        \
   template Force<S> momentum<S>(std::span<const LinkMotion<S>>) noexcept;                                        \
+  template Vec3<S> linear_momentum<S>(std::span<const LinkMotion<S>>) noexcept;                                  \
   template S kinetic_energy<S>(std::span<const LinkMotion<S>>, const Vec3<S>&) noexcept;                         \
   template S potential_energy<S>(std::span<const LinkMotion<S>>, const Vec3<S>&, const Vec3d&) noexcept;
 MUROSIMF_INSTANTIATE(double)

@@ -46,6 +46,10 @@ RigidInertia<S> composite_inertia(std::span<const LinkMotion<S>> links) noexcept
 template <class S>
 Force<S> momentum(std::span<const LinkMotion<S>> links) noexcept;
 
+/// Its linear part alone [N s].
+template <class S>
+Vec3<S> linear_momentum(std::span<const LinkMotion<S>> links) noexcept;
+
 /// Kinetic energy [J] for a base whose origin moves with v0 [m/s], without rotors.
 template <class S>
 S kinetic_energy(std::span<const LinkMotion<S>> links, const Vec3<S>& v0) noexcept;

@@ -1,0 +1,35 @@
+/// articulated_dynamics.h - level `articulated_dynamics`: servos make torque, and the whole tree moves as it must.
+///
+/// Forward dynamics by the articulated-body algorithm (multibody/articulated_body.h); servos, stops and contacts
+/// enter linearly implicit, as inertia of the joint or of the body. Joints: qd += h qdd, q += h qd.
+/// Source: paper, outlook (7); Featherstone 2008, ch. 7.
+#pragma once
+
+#include "murosimf/model/algorithm.h"
+#include "murosimf/motion/joint_drives.h"
+#include "murosimf/motion/moving_tree.h"
+#include "murosimf/multibody/articulated_body.h"
+
+namespace murosimf::motion {
+
+class ArticulatedDynamics final : public Algorithm {
+ public:
+  /// Throws SetupError if the model has no mass, a servo is impossible, or a joint moves no inertia at all.
+  explicit ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options = {});
+
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+ private:
+  void drive_joints(double dt) noexcept;
+  void solve(double dt) noexcept;
+  [[nodiscard]] bool advance_joints(double dt) noexcept;
+  void check_inertias() const;
+
+  MovingTree tree_;
+  JointDrives drives_;
+  std::span<double> joint_torque_;
+  std::vector<multibody::ArticulatedLink<double>> bodies_;
+};
+
+}  // namespace murosimf::motion

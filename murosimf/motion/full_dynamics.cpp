@@ -1,0 +1,86 @@
+#include "murosimf/motion/full_dynamics.h"
+
+#include <algorithm>
+
+#include "murosimf/motion/contact_trials.h"
+#include "murosimf/multibody/inverse_dynamics.h"
+
+namespace murosimf::motion {
+
+FullDynamics::FullDynamics(Setup& setup, const FullDynamicsOptions& options)
+    : tree_(setup, options.tree, "full_dynamics"),
+      reference_(setup, options.reference),
+      watch_(setup),
+      joint_torque_(setup.write(properties::joint_torque)),
+      old_rate_(static_cast<std::size_t>(setup.model().size())),
+      joint_acceleration_(tree_.links.size()),
+      joint_motion_(tree_.links.size()),
+      link_force_(tree_.links.size()) {
+  for (const Link& link : setup.model().tree().links) rotor_.push_back(rotor_inertia(setup.model(), link.object));
+}
+
+void FullDynamics::initialize() {
+  reference_.initialize(tree_.columns);
+  tree_.start();
+  watch_.initialize();
+  std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
+}
+
+void FullDynamics::step(const Instant& instant) noexcept {
+  const double dt = seconds(instant.period);
+  tree_.take_changes();
+  if (!advance_joints(dt)) return tree_.halt("a joint position or target is no sensible number");
+  prepare_base();
+  settle_contacts(tree_.contacts, tree_.columns.r, tree_.external_force, tree_.external_damping, [&] {
+    solve_base(dt);
+    tree_.predict_contacts(dt, [&](int link) { return base_ + joint_motion_[link]; });
+  });
+  find_torques(instant);
+  if (!tree_.advance_base(base_, dt)) return tree_.halt("its motion is no sensible number");
+  tree_.finish_step();
+}
+
+bool FullDynamics::advance_joints(double dt) noexcept {
+  PoseColumns& columns = tree_.columns;
+  std::copy(columns.qd.begin(), columns.qd.end(), old_rate_.begin());
+  if (!reference_.advance(columns, dt)) return false;
+  const auto& links = columns.model.tree().links;
+  for (std::size_t l = 1; l < links.size(); ++l) {
+    const int i = links[l].object;
+    joint_acceleration_[l] = (columns.qd[i] - old_rate_[i]) / dt;
+  }
+  return true;
+}
+
+void FullDynamics::prepare_base() noexcept {
+  inertia_ = multibody::composite_inertia<double>(tree_.links);
+  bias_ = multibody::base_bias<double>(tree_.columns.model.tree(), tree_.links, joint_acceleration_, joint_motion_);
+}
+
+void FullDynamics::solve_base(double dt) noexcept {
+  Sym6d inertia = to_sym6(inertia_);
+  Forced force = -1.0 * bias_;
+  tree_.for_loads(dt, [&](int link, const Forced& load, const Sym6d& damping) {
+    inertia += damping;
+    force += load - damping * joint_motion_[link];
+  });
+  base_ = tree_.base_acceleration(inertia, force);
+}
+
+void FullDynamics::find_torques(const Instant& instant) noexcept {
+  const auto& links = tree_.columns.model.tree().links;
+  for (std::size_t l = 0; l < links.size(); ++l) {
+    link_force_[l] = tree_.links[l].inertia * (base_ + joint_motion_[l]) + tree_.links[l].bias_force;
+  }
+  tree_.for_loads(seconds(instant.period), [&](int link, const Forced& load, const Sym6d& damping) {
+    link_force_[link] += damping * (base_ + joint_motion_[link]) - load;
+  });
+  for (std::size_t l = links.size() - 1; l > 0; --l) {
+    const int i = links[l].object;
+    joint_torque_[i] = dot(tree_.links[l].axis, link_force_[l]) + rotor_[l] * joint_acceleration_[l];
+    link_force_[links[l].parent] += link_force_[l];
+  }
+  watch_.look(instant, joint_torque_, old_rate_);
+}
+
+}  // namespace murosimf::motion

@@ -1,0 +1,54 @@
+/// full_dynamics.h - level `full_dynamics`: every link has its mass, joints move exactly as their reference says.
+///
+/// With the joint accelerations qdd of the reference (joint_reference.h), a'_0 of the base follows from the first six
+/// rows of the equations of motion; external damping (contacts) adds to the inertia:
+///
+///     (sum I_i + h D) a'_0 = F_ext - sum (I_i J_i qdd + p_i + h D J_i qdd)
+///
+/// The torques that this motion takes, tau_i = s_i . sum over the links behind joint i of (I a' + p - F_ext + h D a')
+/// plus rotor inertia times qdd, are the property `joint_torque`; what exceeds the servo is counted (torque_watch.h).
+/// Source: paper 4.3, eq. (3); joint torques by the recursive Newton-Euler algorithm (multibody/inverse_dynamics.h).
+/// Differs: joint motion is smoothed by the filter unless asked for the paper's `linear`.
+#pragma once
+
+#include "murosimf/model/algorithm.h"
+#include "murosimf/motion/joint_reference.h"
+#include "murosimf/motion/moving_tree.h"
+#include "murosimf/motion/torque_watch.h"
+
+namespace murosimf::motion {
+
+struct FullDynamicsOptions {
+  JointReferenceOptions reference;
+  MovingTreeOptions tree;
+};
+
+class FullDynamics final : public Algorithm {
+ public:
+  /// Throws SetupError if the model has no mass.
+  explicit FullDynamics(Setup& setup, const FullDynamicsOptions& options = {});
+
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+ private:
+  [[nodiscard]] bool advance_joints(double dt) noexcept;
+  void prepare_base() noexcept;
+  void solve_base(double dt) noexcept;
+  void find_torques(const Instant& instant) noexcept;
+
+  MovingTree tree_;
+  JointReference reference_;
+  TorqueWatch watch_;
+  std::span<double> joint_torque_;
+  std::vector<double> rotor_;               // [kg m^2 | kg] by link
+  std::vector<double> old_rate_;            // [rad/s | m/s] by object
+  std::vector<double> joint_acceleration_;  // [rad/s^2 | m/s^2] by link
+  std::vector<Motiond> joint_motion_;       // J_i qdd by link: a' that the joints alone make
+  std::vector<Forced> link_force_;          // [N m, N] about O, by link
+  RigidInertia<double> inertia_;            // of all links
+  Forced bias_;                             // [N m, N] force that the joints take of the base
+  Motiond base_;                            // a'_0
+};
+
+}  // namespace murosimf::motion

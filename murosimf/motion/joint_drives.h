@@ -1,0 +1,56 @@
+/// joint_drives.h - everything that acts on the joints of a robot from inside: servos, passive damping and friction,
+/// the ends of their range.
+///
+/// A joint without servo is free. At an end of its range a joint meets a spring and a damper, implicit as the servo is,
+///
+///     torque = k (end - q - h qd) - d qd,   k = T / 0.5 degree (T / 0.5 mm),  d = k * 5 ms
+///
+/// with T the larger of the servo's stall torque and the robot's weight times 0.1 m (its weight, for a slider): a fallen
+/// robot bends its stops by less than a degree.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "murosimf/model/properties.h"
+#include "murosimf/model/setup.h"
+#include "murosimf/motion/delay_line.h"
+#include "murosimf/motion/servo_law.h"
+
+namespace murosimf::motion {
+
+class JointDrives {
+ public:
+  /// Throws SetupError if a servo is impossible.
+  explicit JointDrives(Setup& setup);
+
+  /// Joints stand where their targets are, at rest.
+  void initialize(std::span<double> q, std::span<double> qd) noexcept;
+  /// To be called once per step: takes the targets on their way to the motors. False if one is no sensible number.
+  [[nodiscard]] bool take_targets() noexcept;
+  /// Torque and added inertia of joint `i` (an object of the model), rotor included, for a step of `dt` [s].
+  [[nodiscard]] JointDrive drive(int i, double q, double qd, double dt) const noexcept;
+  /// The share of the servo in it.
+  [[nodiscard]] JointDrive servo(int i, double q, double qd, double dt) const noexcept;
+
+ private:
+  struct Joint {
+    std::unique_ptr<ServoLaw> law;
+    double rotor = 0;                // [kg m^2 | kg]
+    double damping = 0;              // [N m s/rad | N s/m]
+    double friction = 0;             // [N m | N]
+    double lowest = 0, highest = 0;  // [rad | m]
+    double stop_stiffness = 0;       // [N m/rad | N/m]; 0: no ends
+    double command_delay = 0;        // [s]
+  };
+  [[nodiscard]] static Joint make_joint(const Model& model, int i, double weight);
+
+  std::vector<Joint> joints_;  // by object
+  std::span<const int> objects_;
+  std::span<const double> target_;
+  std::span<DelayLine> delayed_;
+  std::vector<double> present_;  // [rad | m] by object: the target that the motor knows
+};
+
+}  // namespace murosimf::motion

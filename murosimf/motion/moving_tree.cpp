@@ -1,0 +1,156 @@
+#include "murosimf/motion/moving_tree.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include <fmt/format.h>
+
+#include "murosimf/multibody/integrate.h"
+
+namespace murosimf::motion {
+
+MovingTree::MovingTree(Setup& setup, const MovingTreeOptions& options, std::string_view level)
+    : columns(setup),
+      links(setup.model().tree().links.size()),
+      external_force(setup.write(properties::external_force)),
+      external_damping(setup.write(properties::external_damping)),
+      contacts(setup.write(collision::contacts)[0]),
+      gravity(setup.world().gravity),
+      entity_(setup.entity()),
+      options_(options),
+      center_(setup.write(properties::common_center_of_mass)[0]),
+      center_velocity_(setup.write(properties::common_center_of_mass_velocity)[0]),
+      common_inertia_(setup.write(properties::common_inertia)[0]),
+      total_mass_(setup.write(properties::total_mass)[0]),
+      pushable_(setup.write(properties::pushable)[0]) {
+  if (!(setup.model().tree().mass > 0)) {
+    throw SetupError(fmt::format("model '{}' has no mass; {} needs it", setup.model().name(), level));
+  }
+}
+
+void MovingTree::start() {
+  place_at_start(columns, entity_);
+  refresh();
+  pushable_ = 1;
+  std::fill(external_force.begin(), external_force.end(), Forced{});
+  std::fill(external_damping.begin(), external_damping.end(), Sym6d{});
+  if (!options_.fixed_base && !is_positive_definite(common_inertia_)) {
+    throw SetupError(
+        fmt::format("model '{}' has no inertia about some axis; give its masses an inertia", columns.model.name()));
+  }
+}
+
+namespace {
+
+/// Calls visit(number) for everything that users may change between steps.
+template <class Visit>
+void for_state(PoseColumns& columns, const Visit& visit) {
+  const auto vector = [&](Vec3d& v) { visit(v.x), visit(v.y), visit(v.z); };
+  vector(columns.r[0]), vector(columns.v[0]), vector(columns.w[0]);
+  Quaterniond& Q = columns.Q[0];
+  visit(Q.w), visit(Q.x), visit(Q.y), visit(Q.z);
+  for (const int i : columns.model.joints()) visit(columns.q[i]), visit(columns.qd[i]);
+}
+
+}  // namespace
+
+void MovingTree::remember() noexcept {
+  written_.clear();
+  for_state(columns, [&](double& x) { written_.push_back(x); });
+}
+
+void MovingTree::take_changes() noexcept {
+  bool same = true;
+  const double* written = written_.data();
+  for_state(columns, [&](double& x) { same &= x == *written++; });
+  if (same) return;
+  columns.R[0] = to_matrix(columns.Q[0]);
+  refresh();
+}
+
+void MovingTree::refresh() noexcept {
+  columns.update_poses();
+  columns.update_velocities();
+  update_links();
+  remember();
+}
+
+void MovingTree::update_links() noexcept {
+  multibody::link_motions<double>(columns.model.tree(), columns.r, columns.R, columns.w[0], columns.qd, links);
+  const auto whole = multibody::composite_inertia<double>(links);
+  const Vec3d c = (1 / whole.mass) * whole.first;
+  total_mass_ = whole.mass;
+  center_ = columns.r[0] + c;
+  common_inertia_ = whole.second - whole.mass * inertia_of_point(c);
+  center_velocity_ = columns.v[0] + (1 / whole.mass) * multibody::linear_momentum<double>(links);
+}
+
+Motiond MovingTree::base_acceleration(const Sym6d& inertia, const Forced& force) const noexcept {
+  return options_.fixed_base ? Motiond{{}, -gravity} : solve(inertia, force);
+}
+
+bool MovingTree::advance_base(const Motiond& acceleration, double dt) noexcept {
+  wanted_momentum_.reset();
+  if (options_.fixed_base) return true;
+  if (options_.momentum_correction && in_flight()) wanted_momentum_ = momentum_after(dt);
+  multibody::FreeBody<double> base{columns.r[0], columns.v[0], columns.Q[0], columns.w[0]};
+  multibody::advance(base, {acceleration.w, acceleration.v + gravity}, dt);
+  if (!is_sane(base)) return false;
+  columns.r[0] = base.position;
+  columns.v[0] = base.velocity;
+  columns.Q[0] = base.turn;
+  columns.w[0] = base.rate;
+  columns.R[0] = to_matrix(base.turn);
+  return true;
+}
+
+bool MovingTree::in_flight() const noexcept { return contacts.points.empty(); }
+
+MovingTree::Momentum MovingTree::momentum() const noexcept {
+  const Forced about_base = multibody::momentum<double>(links);
+  const Vec3d c = center_ - columns.r[0];
+  return {about_base.f + total_mass_ * columns.v[0], about_base.n - cross(c, about_base.f)};
+}
+
+MovingTree::Momentum MovingTree::momentum_after(double dt) const noexcept {
+  Momentum after = momentum();
+  after.linear += (dt * total_mass_) * gravity;
+  for (const int object : columns.model.bodies()) {
+    const Forced push = moved(external_force[object], center_ - columns.r[object]);
+    after.linear += dt * push.f;
+    after.angular += dt * push.n;
+  }
+  return after;
+}
+
+void MovingTree::correct_momentum(const Momentum& wanted) noexcept {
+  const Momentum now = momentum();
+  const Vec3d linear = wanted.linear - now.linear;
+  const Vec3d angular = wanted.angular - now.angular;
+  const Vec3d c = center_ - columns.r[0];
+  const Motiond change =
+      solve(to_sym6(multibody::composite_inertia<double>(links)), {angular + cross(c, linear), linear});
+  columns.w[0] += change.w;
+  columns.v[0] += change.v;
+  columns.update_velocities();
+  update_links();
+  remember();
+}
+
+void MovingTree::finish_step() noexcept {
+  if (contacts.law) {
+    contacts.law->commit(contacts);
+    collision::write_final_forces(contacts, columns.r, external_force);
+  }
+  refresh();
+  if (wanted_momentum_) correct_momentum(*wanted_momentum_);
+}
+
+void MovingTree::halt(const char* reason) noexcept {
+  columns.stop();
+  center_velocity_ = {};
+  pushable_ = 0;
+  entity_.freeze(reason);
+}
+
+}  // namespace murosimf::motion

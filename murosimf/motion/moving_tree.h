@@ -1,0 +1,135 @@
+/// moving_tree.h - what the levels that simulate every link share: state, forces on links, contacts, the base's motion.
+///
+/// Accelerations are those of link_motion.h: of a link, about the origin O of the base, b + [0; g] + a' with a' the part
+/// that the level solves for. A body k at d from O on link l, with external force F and external damping D at its
+/// origin (contact.h), feels
+///
+///     F - h D [alpha; a_k],   alpha = w',   a_k = v' + w' x d + w x v_k       [w'; v'] = b + [0; g] + a'
+///
+/// so a constant force about O and a matrix h D about O that goes with a'. a_k is the acceleration of the body's
+/// material origin; the velocity of a contact point x after the step is v_x + h (a_k + alpha x (x - r_k)).
+/// The base: v_0 += h a_0 in world axes, r_0 += h v_0, w += h alpha, Q = exp(h w) Q (multibody/integrate.h).
+///
+/// Momentum correction: semi-implicit Euler keeps momentum to first order only. In a step without any contact, the base's
+/// velocity is afterwards set so that momentum and moment of momentum about the center of mass are exactly those
+/// before plus what gravity and pushes gave.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/collision/contact_law.h"
+#include "murosimf/motion/pose_columns.h"
+#include "murosimf/motion/sanity.h"
+#include "murosimf/multibody/link_motion.h"
+
+namespace murosimf::motion {
+
+struct MovingTreeOptions {
+  bool fixed_base = false;          ///< the base is bolted to the world
+  bool momentum_correction = true;  ///< in flight
+};
+
+class MovingTree {
+ public:
+  /// Throws SetupError if the model has no mass; `level` is for the message.
+  MovingTree(Setup& setup, const MovingTreeOptions& options, std::string_view level);
+
+  /// Places the robot; joint positions must be set. Throws SetupError if some axis has no inertia.
+  void start();
+  /// To be called first in a step: takes over what users have changed since the last one.
+  void take_changes() noexcept;
+
+  /// Calls add(link, force, damping) for every body that feels anything: Forced [N m, N] at a' = 0 and Sym6d h D, both
+  /// about O.
+  template <class Add>
+  void for_loads(double dt, const Add& add) const noexcept;
+
+  /// Velocities of the contact points after the step; acceleration_of(link) is a' of a link.
+  template <class Acceleration>
+  void predict_contacts(double dt, const Acceleration& acceleration_of) noexcept;
+
+  /// a'_0 of the base for the force [N m, N] about O that is left for `inertia`; zero acceleration if it is fixed.
+  [[nodiscard]] Motiond base_acceleration(const Sym6d& inertia, const Forced& force) const noexcept;
+
+  /// The base after the step, by its a'. False, and nothing changed, if that is no sensible number.
+  [[nodiscard]] bool advance_base(const Motiond& acceleration, double dt) noexcept;
+  /// To be called last in a step: memory of contacts, poses, velocities, links, common mass.
+  void finish_step() noexcept;
+  void halt(const char* reason) noexcept;
+
+  PoseColumns columns;
+  std::vector<multibody::LinkMotion<double>> links;
+  std::span<Forced> external_force;
+  std::span<Sym6d> external_damping;
+  collision::ContactSet& contacts;
+  const Vec3d gravity;  // [m/s^2]
+
+ private:
+  struct Momentum {
+    Vec3d linear;   // [N s]
+    Vec3d angular;  // [N m s] about the center of mass
+  };
+  [[nodiscard]] Vec3d reference_acceleration(int object, const Motiond& extra, Vec3d& alpha) const noexcept;
+  [[nodiscard]] bool in_flight() const noexcept;
+  [[nodiscard]] Momentum momentum() const noexcept;
+  [[nodiscard]] Momentum momentum_after(double dt) const noexcept;
+  void correct_momentum(const Momentum& wanted) noexcept;
+  void refresh() noexcept;
+  void update_links() noexcept;
+  void remember() noexcept;
+
+  Entity& entity_;
+  MovingTreeOptions options_;
+  Vec3d& center_;
+  Vec3d& center_velocity_;
+  SymMat3d& common_inertia_;
+  double& total_mass_;
+  double& pushable_;
+  std::vector<double> written_;              // what the level left in the columns that users may change
+  std::optional<Momentum> wanted_momentum_;  // after the present step, in flight
+};
+
+// ---- definitions ----
+
+/// Acceleration [m/s^2] of a body's origin and its angular acceleration for a' = `extra` of its link.
+inline Vec3d MovingTree::reference_acceleration(int object, const Motiond& extra, Vec3d& alpha) const noexcept {
+  const auto& link = links[columns.model.tree().link_of[object]];
+  const Vec3d d = columns.r[object] - columns.r[0];
+  const auto& [w, v] = link.velocity;
+  alpha = link.bias.w + extra.w;
+  return link.bias.v + gravity + extra.v + cross(alpha, d) + cross(w, v + cross(w, d));
+}
+
+template <class Add>
+void MovingTree::for_loads(double dt, const Add& add) const noexcept {
+  for (const int object : columns.model.bodies()) {
+    const bool damped = !is_zero(external_damping[object]);
+    if (!damped && is_zero(external_force[object])) continue;
+    const Vec3d to_base = columns.r[0] - columns.r[object];
+    Forced force = external_force[object];
+    Sym6d damping;
+    if (damped) {
+      damping = dt * external_damping[object];
+      Motiond a;
+      a.v = reference_acceleration(object, {}, a.w);
+      force -= damping * a;
+      damping = moved(damping, to_base);
+    }
+    add(columns.model.tree().link_of[object], moved(force, to_base), damping);
+  }
+}
+
+template <class Acceleration>
+void MovingTree::predict_contacts(double dt, const Acceleration& acceleration_of) noexcept {
+  contacts.next_velocity.clear();
+  for (const collision::ContactPoint& c : contacts.points) {
+    Vec3d alpha;
+    const Vec3d a = reference_acceleration(c.object, acceleration_of(columns.model.tree().link_of[c.object]), alpha);
+    contacts.next_velocity.push_back(c.velocity + dt * (a + cross(alpha, c.point - columns.r[c.object])));
+  }
+}
+
+}  // namespace murosimf::motion

@@ -1,0 +1,54 @@
+/// servo_law.h - how a servo makes torque of its target: the exchangeable part of articulated dynamics.
+///
+/// Everything on the output side of the gear. A law answers linearly implicit in the joint's acceleration of this step,
+///
+///     tau = torque - inertia qdd
+///
+/// that is, implicit Euler of the linearized servo: with e = target - q - h qd the error that would remain at the end of
+/// the step without acceleration, a spring kp and a damper b give torque = kp e - b qd, inertia = h b + h^2 kp.
+/// With h = 0 the answer is the plain torque of this instant.
+///
+/// ideal_pd:   tau = kp (target - q) - kd qd, at most stall_torque if that is given.
+/// dc_motor:   duty u = clamp(kp/stall (target - q), +-duty_limit)          firmware, P only
+///             tau_m = stall u - (stall/no_load) qd                         back-EMF: the speed-torque line
+///             |tau_m| <= torque_limit, as far as the duty allows           current limit
+/// both:       friction -(F_c / max(|qd|, 0.05 rad/s) + F_v) qd             Coulomb (regularized) and viscous
+///
+/// Source: textbook permanent-magnet DC motor (stall = k_t V/R, stall/no_load = k_t^2/R); order of the two limits as
+/// firmware has it: it can only move the duty. The regularized Coulomb friction lets a loaded joint creep.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "murosimf/model/servo.h"
+
+namespace murosimf::motion {
+
+struct JointDrive {
+  double torque = 0;   ///< [N m]
+  double inertia = 0;  ///< [kg m^2] how fast the torque falls with the joint's acceleration
+};
+
+class ServoLaw {
+ public:
+  virtual ~ServoLaw() = default;
+
+  /// `target`, `q` [rad], `qd` [rad/s] at the beginning of the step of `dt` [s]. Rotor inertia is not in the answer.
+  [[nodiscard]] virtual JointDrive drive(double target, double q, double qd, double dt) const noexcept = 0;
+  /// Largest torque [N m] that the servo can give in the direction of `direction` (+1 or -1) at rate `qd` [rad/s].
+  [[nodiscard]] virtual double available(double qd, double direction) const noexcept = 0;
+};
+
+struct ServoLawEntry {
+  std::string_view name, meaning;
+  std::unique_ptr<ServoLaw> (*make)(const Servo&);
+};
+
+[[nodiscard]] std::span<const ServoLawEntry> servo_laws();
+
+/// The law that the servo names. Throws SetupError if there is none, or if it misses a number.
+[[nodiscard]] std::unique_ptr<ServoLaw> make_servo_law(const Servo& servo);
+
+}  // namespace murosimf::motion

@@ -1,0 +1,44 @@
+/// torque_watch.h - whether servos could give the torques that a prescribed motion takes.
+///
+/// The need is smoothed by a first-order filter of 20 ms (peaks of a single step, when a foot lands, overload no servo)
+/// and compared with what the servo can give at that rate; the largest excess of every joint is kept.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "murosimf/model/algorithm.h"
+#include "murosimf/model/entity.h"
+#include "murosimf/model/setup.h"
+#include "murosimf/motion/servo_law.h"
+
+namespace murosimf::motion {
+
+class TorqueWatch {
+ public:
+  explicit TorqueWatch(Setup& setup);
+
+  void initialize() noexcept;
+  /// torque [N m | N], rate [rad/s | m/s] by object.
+  void look(const Instant& instant, std::span<const double> torque, std::span<const double> rate) noexcept;
+
+ private:
+  struct Joint {
+    int object = 0;
+    std::unique_ptr<ServoLaw> law;
+  };
+  std::vector<Joint> joints_;  // those with a servo
+  std::span<double> need_;
+  std::span<Vec3d> overload_;
+};
+
+/// One line per joint whose servo was too weak, worst first: "not feasible: l_knee needs 9.1 Nm, servo gives 6.0
+/// (at 3.21 s)". Empty at levels that do not watch.
+[[nodiscard]] std::vector<std::string> overload_messages(const Entity& entity);
+
+/// Inertia [kg m^2 | kg] of the parts that turn behind a joint's gear: of its servo and of the joint itself.
+[[nodiscard]] double rotor_inertia(const Model& model, int joint);
+
+}  // namespace murosimf::motion
