@@ -18,7 +18,7 @@ if main_lines >= 15:
 
 for page in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
     text = page.read_text()
-    names = set(re.findall(r"`((?:docs|murosimf|examples|scripts|models|scenes|tests|benchmarks|apps)/[\w./]+)`", text))
+    names = set(re.findall(r"`((?:docs|murosimf|examples|scripts|models|scenes|servos|tests|benchmarks|apps)/[\w./]+)`", text))
     names |= set(re.findall(r"\]\(([\w./]+)\)", text))
     for name in sorted(names):
         if not (root / name).exists():

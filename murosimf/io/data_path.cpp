@@ -1,8 +1,7 @@
 #include "murosimf/io/data_path.h"
 
 #include <cstdlib>
-#include <string>
-#include <vector>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -29,6 +28,14 @@ std::vector<fs::path> data_roots() {
 
 std::filesystem::path find_data_file(std::string_view name, std::string_view kind, std::string_view extension,
                                      const std::filesystem::path& beside) {
+  if (const auto file = look_for_data_file(name, kind, extension, beside)) return *file;
+  throw SetupError(fmt::format("no file '{}' or '{}{}' here or among the {} that come with the program", name, name,
+                               extension, kind));
+}
+
+std::optional<std::filesystem::path> look_for_data_file(std::string_view name, std::string_view kind,
+                                                        std::string_view extension,
+                                                        const std::filesystem::path& beside) {
   std::vector<fs::path> places{fs::path(name)};
   if (!beside.empty()) places.push_back(beside / name);
   for (const fs::path& root : data_roots()) {
@@ -41,8 +48,18 @@ std::filesystem::path find_data_file(std::string_view name, std::string_view kin
       if (fs::is_regular_file(candidate, error)) return candidate;
     }
   }
-  throw SetupError(fmt::format("no file '{}' or '{}{}' here or among the {} that come with the program", name, name,
-                               extension, kind));
+  return std::nullopt;
+}
+
+std::vector<std::string> data_file_names(std::string_view kind, std::string_view extension) {
+  std::set<std::string> names;
+  for (const fs::path& root : data_roots()) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(root / kind, error)) {
+      if (entry.path().extension() == extension) names.insert(entry.path().stem().string());
+    }
+  }
+  return {names.begin(), names.end()};
 }
 
 }  // namespace murosimf::io

@@ -1,16 +1,27 @@
-/// data_path.h - finding scenes and models from any working directory.
+/// data_path.h - finding scenes, models and servos from any working directory.
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace murosimf::io {
 
 /// The file that `name` means. Tried in this order: the name as it is; the name in `beside`; the name, alone and in
-/// the folder `kind` ("models", "scenes"), in the folder that MUROSIMF_DATA names, in share/murosimf of the
+/// the folder `kind` ("models", "scenes", "servos"), in the folder that MUROSIMF_DATA names, in share/murosimf of the
 /// installation, and in the source tree. Every place is tried with `extension` appended too. Throws SetupError.
 [[nodiscard]] std::filesystem::path find_data_file(std::string_view name, std::string_view kind,
                                                    std::string_view extension,
                                                    const std::filesystem::path& beside = {});
+
+/// The same; nothing if there is no such file.
+[[nodiscard]] std::optional<std::filesystem::path> look_for_data_file(std::string_view name, std::string_view kind,
+                                                                      std::string_view extension,
+                                                                      const std::filesystem::path& beside = {});
+
+/// What can be named without a path: the files of a kind in the folders above, without extension, in alphabetical order.
+[[nodiscard]] std::vector<std::string> data_file_names(std::string_view kind, std::string_view extension);
 
 }  // namespace murosimf::io

@@ -25,30 +25,41 @@ double read_stall_torque(const MjcfAttributes& attributes, double gear, const Mj
   return 0;
 }
 
-double read_gain(const MjcfAttributes& attributes) {
-  if (attributes.element().tag() == "position") return attributes.number("kp", 1.0);
-  if (attributes.element().tag() == "general" && attributes.text("biastype") == "affine") {
-    // force = gainprm[0] u + biasprm . (1, length, velocity)
-    const auto bias = attributes.numbers("biasprm", 1, 10);
-    return bias.size() > 1 ? -bias[1] : 0.0;
+/// Torque per angle and per rate; force = gainprm[0] u + biasprm . (1, length, velocity) for general actuators.
+struct Gains {
+  double position = 0, velocity = 0;
+};
+
+Gains read_gains(const MjcfAttributes& attributes) {
+  const std::string& tag = attributes.element().tag();
+  if (tag == "position") return {attributes.number("kp", 1.0), attributes.number("kv", 0.0)};
+  if (tag == "velocity") return {0, attributes.number("kv", 1.0)};
+  if (tag == "general" && attributes.text("biastype") == "affine") {
+    auto bias = attributes.numbers("biasprm", 1, 10);
+    bias.resize(3);
+    return {0 - bias[1], 0 - bias[2]};  // no -0
   }
-  return 0;
+  return {};
 }
 
 Servo read_actuator(const MjcfAttributes& attributes, const MjcfCompiler& compiler) {
   const auto gears = attributes.numbers("gear", 1, 6);
   const double gear = gears.empty() ? 1.0 : std::abs(gears[0]);
+  const auto [position, velocity] = read_gains(attributes);
+  if (position < 0 || velocity < 0) attributes.element().fail("a gain of this actuator is negative; correct it");
   Servo servo;
   servo.type = attributes.element().tag();
+  servo.law = "ideal_pd";
   servo.stall_torque = read_stall_torque(attributes, gear, compiler);
-  servo.position_gain = gear * gear * read_gain(attributes);
-  if (servo.position_gain < 0) attributes.element().fail("the gain of this actuator is negative; correct it");
+  servo.position_gain = gear * gear * position;
+  servo.velocity_gain = gear * gear * velocity;
   return servo;
 }
 
 void add(Servo& servo, const Servo& more) {
   servo.stall_torque = std::max(servo.stall_torque, more.stall_torque);
   servo.position_gain = std::max(servo.position_gain, more.position_gain);
+  servo.velocity_gain = std::max(servo.velocity_gain, more.velocity_gain);
 }
 
 std::string read_joint(const MjcfAttributes& attributes, const MjcfNames& names) {

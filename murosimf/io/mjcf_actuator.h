@@ -1,7 +1,9 @@
 /// mjcf_actuator.h - actuators of an MJCF file as servos.
 ///
-/// A position actuator with gain kp and gear g at joint angle q pulls with g kp (u - g q), so its gain about the
-/// joint is g^2 kp and its limits are g times `forcerange`. MJCF has no speed limit: no_load_rate stays 0, "unknown".
+/// A position actuator with gains kp, kv and gear g at joint angle q pulls with g (kp (u - g q) - kv g q'), so its gains
+/// about the joint are g^2 kp and g^2 kv and its limits are g times `forcerange`: servo law ideal_pd. A velocity
+/// actuator is the damper that it is at target 0, a motor has no gains. MJCF knows neither speed limit nor supply.
+/// Rotor inertia and friction are those of the joint (joint_armature, joint_damping, joint_friction), not repeated here.
 /// Source: MuJoCo documentation, "Actuation model" and "Actuator shortcuts".
 #pragma once
 

@@ -35,17 +35,11 @@ void add_range(Chain& chain, const MjcfJoint& joint, const MjcfCompiler& compile
   chain.with(properties::joint_range, {unit * range[0], unit * range[1], 0});
 }
 
-/// The servo of the table beside the model, else that of the actuator; nothing if the joint has neither.
-void add_servo(Chain& chain, const MjcfJoint& joint, double armature, double friction, const MjcfContext& context) {
-  if (const auto found = context.table.servos.find(joint.name); found != context.table.servos.end()) {
-    chain.with(properties::servo, found->second.servo);
-    return;
-  }
+/// The servo of the joint's actuators; nothing if there are none.
+void add_actuated_servo(Chain& chain, const MjcfJoint& joint, const MjcfContext& context) {
   const auto found = context.servos.find(joint.name);
   if (found == context.servos.end()) return;
   Servo servo = found->second;
-  servo.rotor_inertia = armature;
-  servo.coulomb_friction = friction;
   if (is_limited(joint.attributes, "actuatorfrclimited", "actuatorfrcrange", context.compiler)) {
     const auto range = joint.attributes.numbers("actuatorfrcrange", 2, 2);
     const double limit = std::max(std::abs(range[0]), std::abs(range[1]));
@@ -71,10 +65,15 @@ void add_joint_constants(Chain& chain, const MjcfJoint& joint, const MjcfContext
   const double damping = at_least_zero(joint.attributes, "damping");
   const double friction = at_least_zero(joint.attributes, "frictionloss");
   add_range(chain, joint, context.compiler);
+  if (const auto found = context.table.servos.find(joint.name); found != context.table.servos.end()) {
+    // it has rotor, friction and speed-torque line of its own: the file's describe the same part
+    chain.with(properties::servo, found->second.servo);
+    return;
+  }
   if (armature > 0) chain.with(properties::joint_armature, armature);
   if (damping > 0) chain.with(properties::joint_damping, damping);
   if (friction > 0) chain.with(properties::joint_friction, friction);
-  add_servo(chain, joint, armature, friction, context);
+  add_actuated_servo(chain, joint, context);
 }
 
 }  // namespace murosimf::io

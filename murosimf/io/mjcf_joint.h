@@ -17,7 +17,8 @@ struct MjcfJoint {
 [[nodiscard]] MjcfJoint read_joint(const XmlElement& element, const std::string& child_class,
                                    const MjcfContext& context);
 
-/// Gives the last object of `chain` the joint's range, damping, armature, friction and servo.
+/// Gives the last object of `chain` the joint's range, then either the servo of the table beside the file, which stands
+/// for the joint's armature, damping, friction and actuators alike, or these.
 void add_joint_constants(Chain& chain, const MjcfJoint& joint, const MjcfContext& context);
 
 }  // namespace murosimf::io

@@ -76,10 +76,10 @@ std::map<std::string_view, ElementRule> make_rules() {
                    .unsupported_children = {"plugin"}};
   rules["site"] = {.used = Words{"type", "size"} + frame, .unused = look + Words{"rgba"}, .unsupported = {"fromto"}};
   for (const std::string_view actuator : actuators) {
-    rules[actuator] = {.used = {"name", "class", "joint", "kp", "forcerange", "forcelimited", "ctrlrange",
+    rules[actuator] = {.used = {"name", "class", "joint", "kp", "kv", "forcerange", "forcelimited", "ctrlrange",
                                 "ctrllimited", "gear", "gainprm", "biasprm", "gaintype", "biastype"},
-                       .unused = {"kv", "dampratio", "timeconst", "group", "user", "inheritrange", "lengthrange",
-                                  "dyntype", "dynprm", "actlimited", "actrange", "actdim", "actearly"},
+                       .unused = {"dampratio", "timeconst", "group", "user", "inheritrange", "lengthrange", "dyntype",
+                                  "dynprm", "actlimited", "actrange", "actdim", "actearly"},
                        .unsupported = {"tendon", "site", "body", "refsite", "jointinparent", "slidersite", "cranksite",
                                        "cranklength"}};
   }

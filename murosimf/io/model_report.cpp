@@ -36,7 +36,10 @@ ReportRow make_row(const Model& model, int object, const std::string& body) {
   if (const Vec3d* range = model.find(properties::joint_range, object)) row.range = *range;
   if (const Servo* servo = model.find(properties::servo, object)) {
     row.servo = servo->type;
+    row.servo_law = servo->law;
     row.stall_torque = servo->stall_torque;
+    row.torque_limit = servo->torque_limit;
+    row.no_load_rate = servo->no_load_rate;
   }
   return row;
 }
@@ -86,6 +89,18 @@ std::string range_text(const ReportRow& row) {
   return fmt::format("{:.4g} to {:.4g} {}", unit * row.range->x, unit * row.range->y, hinge ? "deg" : "m");
 }
 
+/// "mx64 dc_motor 4.93 N m, 7.4 rad/s", with "at most 3 N m" if the current is limited.
+std::string servo_text(const ReportRow& row) {
+  if (row.servo.empty()) return {};
+  const bool hinge = row.kind == "revolute";
+  const char* torque = hinge ? "N m" : "N";
+  std::string text = fmt::format("{} {} ", row.servo, row.servo_law);
+  text += row.stall_torque > 0 ? fmt::format("{:.3g} {}", row.stall_torque, torque) : "unlimited";
+  if (row.no_load_rate > 0) text += fmt::format(", {:.3g} {}", row.no_load_rate, hinge ? "rad/s" : "m/s");
+  if (row.torque_limit > 0) text += fmt::format(", at most {:.3g} {}", row.torque_limit, torque);
+  return text;
+}
+
 using Line = std::array<std::string, 6>;
 
 Line make_line(const ReportRow& row) {
@@ -98,9 +113,7 @@ Line make_line(const ReportRow& row) {
     line[3] = fmt::format("{:.3g} {:.3g} {:.3g}", row.axis.x + 0.0, row.axis.y + 0.0, row.axis.z + 0.0);
   }
   line[4] = range_text(row);
-  if (!row.servo.empty()) {
-    line[5] = fmt::format("{} {:.3g} {}", row.servo, row.stall_torque, row.kind == "revolute" ? "N m" : "N");
-  }
+  line[5] = servo_text(row);
   return line;
 }
 
@@ -135,7 +148,10 @@ toml::table row_table(const ReportRow& row) {
   if (row.range) table.insert("range", toml::array{row.range->x, row.range->y});
   if (!row.servo.empty()) {
     table.insert("servo", row.servo);
+    table.insert("servo_law", row.servo_law);
     table.insert("stall_torque", row.stall_torque);
+    table.insert("torque_limit", row.torque_limit);
+    table.insert("no_load_rate", row.no_load_rate);
   }
   return table;
 }

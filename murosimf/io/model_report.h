@@ -17,8 +17,11 @@ struct ReportRow {
   std::string joint, kind;     ///< empty where there is none
   Vec3d axis;                  ///< unit vector, frame of the object before the joint
   std::optional<Vec3d> range;  ///< [rad | m] lowest, highest, 0
-  std::string servo;           ///< type
-  double stall_torque = 0;     ///< [N m | N]
+  std::string servo;           ///< type; empty: none
+  std::string servo_law;       ///< name
+  double stall_torque = 0;     ///< [N m | N] 0: unlimited
+  double torque_limit = 0;     ///< [N m | N] from the current limit; 0: none
+  double no_load_rate = 0;     ///< [rad/s | m/s] 0: not known
 };
 
 struct ModelReport {

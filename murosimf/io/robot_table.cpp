@@ -1,11 +1,10 @@
 #include "murosimf/io/robot_table.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
-#include "murosimf/io/toml_reader.h"
+#include "murosimf/io/servo_draft.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
@@ -14,6 +13,8 @@ namespace {
 /// Fills a RobotTable from the tables of one file.
 class Reader {
  public:
+  explicit Reader(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
   [[nodiscard]] RobotTable read(const toml::table& root) {
     for (const auto& [key, value] : root) {
       if (key == "soles") {
@@ -21,7 +22,7 @@ class Reader {
       } else if (key == "surfaces") {
         read_surfaces(table_of(key, value));
       } else if (key == "servos") {
-        for (const auto& [type, servo] : table_of(key, value)) read_servo(type, table_of(type, servo));
+        for (const auto& [name, servo] : table_of(key, value)) read_servo(name, table_of(name, servo));
       } else {
         unknown("table", key, {"soles", "surfaces", "servos"});
       }
@@ -43,13 +44,6 @@ class Reader {
     const auto text = node.value_exact<std::string>();
     if (!text || text->empty()) fail_at(node.source(), fmt::format("'{}' must be a name in quotes", key));
     return {*text, where(node.source())};
-  }
-  [[nodiscard]] double number_of(const toml::key& key, const toml::node& node) const {
-    const auto number = node.is_number() ? node.value<double>() : std::nullopt;
-    if (!number || !std::isfinite(*number) || *number < 0) {
-      fail_at(node.source(), fmt::format("'{}' must be a finite number, at least 0", key.str()));
-    }
-    return *number;
   }
 
   void read_soles(const toml::table& soles) {
@@ -74,36 +68,19 @@ class Reader {
     }
   }
 
-  void read_servo(const toml::key& type, const toml::table& table) {
-    Servo servo;
-    servo.type = type.str();
-    const std::map<std::string_view, double*> numbers{{"stall_torque", &servo.stall_torque},
-                                                      {"no_load_rate", &servo.no_load_rate},
-                                                      {"position_gain", &servo.position_gain},
-                                                      {"rotor_inertia", &servo.rotor_inertia},
-                                                      {"coulomb_friction", &servo.coulomb_friction}};
-    for (const auto& [key, value] : table) {
-      if (key == "joints") continue;
-      const auto found = numbers.find(key.str());
-      if (found == numbers.end()) {
-        unknown("key of a servo", key,
-                {"stall_torque", "no_load_rate", "position_gain", "rotor_inertia", "coulomb_friction", "joints"});
-      }
-      *found->second = number_of(key, value);
+  void read_servo(const toml::key& name, const toml::table& table) {
+    ServoDraft draft{std::string(name.str())};
+    if (const toml::node* type = table.get("type")) {
+      const TableName ready_made = name_of("type", *type);
+      draft = at(ready_made.where, [&] { return read_servo_draft(ready_made.name, folder_); });
     }
-    for (const auto& [name, number] : numbers) {
-      if (!table.contains(name)) fail_at(type.source(), fmt::format("servo '{}' needs {}", servo.type, name));
-    }
-    if (!(servo.stall_torque > 0 && servo.no_load_rate > 0)) {
-      fail_at(type.source(),
-              fmt::format("servo '{}' cannot move: stall_torque and no_load_rate must be positive", servo.type));
-    }
-    give_to_joints(servo, type, table);
+    draft.take(table, {"type", "joints"});
+    give_to_joints(draft.finish(name.str(), name.source()), name, table);
   }
 
-  void give_to_joints(const Servo& servo, const toml::key& type, const toml::table& table) {
+  void give_to_joints(const Servo& servo, const toml::key& name, const toml::table& table) {
     const toml::array* joints = table["joints"].as_array();
-    if (!joints) fail_at(type.source(), fmt::format("servo '{}' needs joints = [\"...\"]", servo.type));
+    if (!joints) fail_at(name.source(), fmt::format("servo '{}' needs joints = [\"...\"]", name.str()));
     for (const toml::node& node : *joints) {
       const auto [joint, place] = name_of("joints", node);
       const auto [entry, fresh] = table_.servos.emplace(joint, TableServo{servo, place});
@@ -114,6 +91,7 @@ class Reader {
     }
   }
 
+  std::filesystem::path folder_;  ///< of the file
   RobotTable table_;
 };
 
@@ -134,7 +112,9 @@ bool RobotTable::is_sole(const std::string& site) const {
   return (left_sole && left_sole->name == site) || (right_sole && right_sole->name == site);
 }
 
-RobotTable read_robot_table(const std::filesystem::path& file) { return Reader().read(parse_toml_file(file)); }
+RobotTable read_robot_table(const std::filesystem::path& file) {
+  return Reader(file.parent_path()).read(parse_toml_file(file));
+}
 
 RobotTable read_table_beside(const std::filesystem::path& model_file) {
   auto file = model_file;

@@ -8,12 +8,9 @@
 ///     default = "plastic"
 ///     l_foot = "rubber"
 ///
-///     [servos.mx64]                # SI units, on the output side of the gear; all five numbers are needed
-///     stall_torque = 6.0           # N m
-///     no_load_rate = 6.6           # rad/s
-///     position_gain = 30           # N m/rad
-///     rotor_inertia = 0.010        # kg m^2
-///     coulomb_friction = 0.08      # N m
+///     [servos.legs]                # SI units, on the output side of the gear (docs/robots.md, "Servos")
+///     type = "mx64"                # a ready-made servo to start from: servos/mx64.toml, or a file beside this one
+///     voltage = 14.8               # any number of it may be replaced; without a type, the law's needs must be there
 ///     joints = ["j_l_thigh", "j_r_thigh"]
 #pragma once
 

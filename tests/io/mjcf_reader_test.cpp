@@ -137,8 +137,12 @@ TEST(MjcfReader, Kid21HasServosOfItsTable) {
   EXPECT_EQ(knee.stall_torque, 6.0);
   EXPECT_EQ(knee.position_gain, 30);
   EXPECT_EQ(model->find(properties::servo, model->object_index("j_head"))->type, "mx28");
-  EXPECT_EQ(*model->find(properties::joint_armature, model->object_index("j_l_shin")), 0.01);
-  EXPECT_EQ(*model->find(properties::joint_friction, model->object_index("j_head")), 0.04);
+  EXPECT_EQ(knee.law, "dc_motor");
+  EXPECT_EQ(knee.rotor_inertia, 0.01);
+  // kid21.xml says the same of the same part; both would count it twice
+  EXPECT_TRUE(model->having(properties::joint_armature).empty());
+  EXPECT_TRUE(model->having(properties::joint_damping).empty());
+  EXPECT_TRUE(model->having(properties::joint_friction).empty());
 }
 
 TEST(MjcfReader, Kid21HasSurfacesOfItsTable) {
@@ -344,32 +348,75 @@ TEST(MjcfReader, FromToPlacesLongShapes) {
 
 // ---- servos ----
 
-TEST(MjcfReader, ActuatorsBecomeServos) {
-  const std::string joint = limb("<joint name='j' axis='0 0 1' armature='0.1' frictionloss='0.2'/>");
-  const auto servo = [&](const std::string& actuator) {
-    const auto model = read(closed(robot(joint) + "<actuator>" + actuator + "</actuator>")).model;
-    return *model->find(properties::servo, model->object_index("j"));
-  };
-  const Servo position = servo("<position joint='j' kp='20' forcerange='-3 4' kv='1'/>");
-  EXPECT_EQ(position.position_gain, 20);
-  EXPECT_EQ(position.stall_torque, 4);
-  EXPECT_EQ(position.rotor_inertia, 0.1);
-  EXPECT_EQ(position.coulomb_friction, 0.2);
-  EXPECT_EQ(servo("<motor joint='j' gear='10' ctrlrange='-1 1'/>").stall_torque, 10);
-  EXPECT_EQ(servo("<general joint='j' gainprm='7' biastype='affine' biasprm='0 -7 -1'/>").position_gain, 7);
-  EXPECT_EQ(servo("<position joint='j' kp='5' gear='2'/>").position_gain, 20);
+const std::string rough_joint = limb("<joint name='j' axis='0 0 1' armature='0.1' damping='0.3' frictionloss='0.2'/>");
+
+ModelPtr actuated(const std::string& actuators, const std::string& joint = rough_joint) {
+  return read(closed(robot(joint) + "<actuator>\n" + actuators + "</actuator>")).model;
+}
+Servo servo(const std::string& actuators, const std::string& joint = rough_joint) {
+  const auto model = actuated(actuators, joint);
+  return *model->find(properties::servo, model->object_index("j"));
 }
 
-TEST(MjcfReader, TheTableBesideWinsOverActuators) {
-  write(
-      "[servos.big]\nstall_torque = 9\nno_load_rate = 8\nposition_gain = 7\nrotor_inertia = 0\n"
-      "coulomb_friction = 0\njoints = ['j']\n",
-      ".toml");
-  const auto model =
-      read(closed(robot(limb("<joint name='j' axis='0 0 1'/>")) + "<actuator><position joint='j' kp='20'/></actuator>"))
-          .model;
+TEST(MjcfReader, ActuatorsBecomeServos) {
+  const Servo position = servo("<position joint='j' kp='20' forcerange='-3 4' kv='1'/>");
+  EXPECT_EQ(position.type, "position");
+  EXPECT_EQ(position.law, "ideal_pd");
+  EXPECT_EQ(position.position_gain, 20);
+  EXPECT_EQ(position.velocity_gain, 1);
+  EXPECT_EQ(position.stall_torque, 4);
+  EXPECT_EQ(servo("<motor joint='j' gear='10' ctrlrange='-1 1'/>").stall_torque, 10);
+  EXPECT_EQ(servo("<motor joint='j'/>").position_gain, 0);
+  const Servo general = servo("<general joint='j' gainprm='7' biastype='affine' biasprm='0 -7 -2'/>");
+  EXPECT_EQ(general.position_gain, 7);
+  EXPECT_EQ(general.velocity_gain, 2);
+  const Servo geared = servo("<position joint='j' kp='5' kv='3' gear='2'/>");
+  EXPECT_EQ(geared.position_gain, 20);
+  EXPECT_EQ(geared.velocity_gain, 12);
+  // the usual pair before position actuators had kv
+  const Servo pair = servo("<position joint='j' kp='5'/><velocity joint='j' kv='3'/>");
+  EXPECT_EQ(pair.position_gain, 5);
+  EXPECT_EQ(pair.velocity_gain, 3);
+}
+
+TEST(MjcfReader, RotorAndFrictionOfTheFileStayWithTheJoint) {
+  const auto model = actuated("<position joint='j' kp='20'/>");
+  const int j = model->object_index("j");
+  EXPECT_EQ(*model->find(properties::joint_armature, j), 0.1);
+  EXPECT_EQ(*model->find(properties::joint_damping, j), 0.3);
+  EXPECT_EQ(*model->find(properties::joint_friction, j), 0.2);
+  const Servo& servo = *model->find(properties::servo, j);
+  EXPECT_EQ(servo.rotor_inertia, 0);
+  EXPECT_EQ(servo.coulomb_friction, 0);
+  EXPECT_EQ(servo.viscous_friction, 0);
+}
+
+TEST(MjcfReader, TheForceRangeOfAJointLimitsItsServo) {
+  const std::string joint = limb("<joint name='j' axis='0 0 1' actuatorfrcrange='-2 2'/>");
+  EXPECT_EQ(servo("<position joint='j'/>", joint).stall_torque, 2);
+  EXPECT_EQ(servo("<position joint='j' forcerange='-1 1'/>", joint).stall_torque, 1);
+}
+
+TEST(MjcfReader, NegativeGainsAreNamed) {
+  const auto complaint = [](const std::string& actuator) { return message_of([&] { (void)actuated(actuator); }); };
+  expect_complaint(complaint("<position joint='j' kp='-1'/>"), 8, "a gain of this actuator is negative");
+  expect_complaint(complaint("<position joint='j' kv='-1'/>"), 8, "a gain of this actuator is negative");
+  expect_complaint(complaint("<general joint='j' biastype='affine' biasprm='0 -1 1'/>"), 8, "is negative");
+}
+
+TEST(MjcfReader, AServoOfTheTableReplacesJointAndActuator) {
+  write("[servos.big]\ntype = 'mx64'\nstall_torque = 9\njoints = ['j']\n", ".toml");
+  const auto model = actuated("<position joint='j' kp='20' forcerange='-3 3'/>");
   std::filesystem::remove(test_file(".toml"));
-  EXPECT_EQ(model->find(properties::servo, model->object_index("j"))->type, "big");
+  const int j = model->object_index("j");
+  const Servo& servo = *model->find(properties::servo, j);
+  EXPECT_EQ(servo.type, "mx64");
+  EXPECT_EQ(servo.law, "dc_motor");
+  EXPECT_EQ(servo.stall_torque, 9);
+  EXPECT_EQ(servo.velocity_gain, 0);
+  EXPECT_FALSE(model->find(properties::joint_armature, j));
+  EXPECT_FALSE(model->find(properties::joint_damping, j));
+  EXPECT_FALSE(model->find(properties::joint_friction, j));
 }
 
 TEST(MjcfReader, TheTableBesideMustSpeakOfTheRobot) {

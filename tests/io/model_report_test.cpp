@@ -51,7 +51,7 @@ TEST(ModelReport, ShowsTheTreeOfKid21) {
   EXPECT_TRUE(contains(text, "kid21: 4.300 kg, 21 joints, 22 bodies"));
   EXPECT_TRUE(contains(text, "soles: l_sole, r_sole"));
   EXPECT_TRUE(contains(text, "\n    l_hip_roll "));
-  EXPECT_TRUE(contains(text, "mx64 6 N m"));
+  EXPECT_TRUE(contains(text, "mx64 dc_motor 6 N m, 6.6 rad/s\n"));
   EXPECT_FALSE(contains(text, "no servo moves"));
 }
 
@@ -60,6 +60,30 @@ TEST(ModelReport, ShowsRangesInDegreesAndMetres) {
   EXPECT_TRUE(contains(text, "forearm"));
   EXPECT_TRUE(contains(text, "-90 to 180 deg"));
   EXPECT_TRUE(contains(text, "0 to 0.2 m"));
+}
+
+TEST(ModelReport, ShowsTheLimitsOfServos) {
+  Servo limited, ideal;
+  limited.type = "mx106";
+  limited.stall_torque = 8;
+  limited.no_load_rate = 5;
+  limited.torque_limit = 3;
+  ideal.type = "position";
+  ideal.law = "ideal_pd";
+  const Model model("arm", Chain{}
+                               .base("b")
+                               .with(properties::mass, 1)
+                               .revolute("elbow", {0, 1, 0})
+                               .with(properties::servo, limited)
+                               .prismatic("slider", {1, 0, 0})
+                               .with(properties::servo, ideal));
+  const std::string text = to_text(make_report(model));
+  EXPECT_TRUE(contains(text, "mx106 dc_motor 8 N m, 5 rad/s, at most 3 N m\n")) << text;
+  EXPECT_TRUE(contains(text, "position ideal_pd unlimited\n")) << text;
+  const std::string json = to_json(make_report(model));
+  EXPECT_TRUE(contains(json, "\"servo_law\" : \"ideal_pd\"")) << json;
+  EXPECT_TRUE(contains(json, "\"torque_limit\" : 3.0")) << json;
+  EXPECT_TRUE(contains(json, "\"no_load_rate\" : 5.0")) << json;
 }
 
 TEST(ModelReport, FindsWhatIsMissing) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/io/servo_table.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
@@ -54,6 +55,103 @@ TEST(RobotTable, ReadsWhatIsThere) {
   EXPECT_EQ(b.position_gain, 4);
   EXPECT_EQ(b.rotor_inertia, 0.1);
   EXPECT_EQ(b.coulomb_friction, 0.2);
+  EXPECT_EQ(b.law, "dc_motor");
+  EXPECT_EQ(b.duty_limit, 1);
+  EXPECT_EQ(b.torque_limit, 0);
+}
+
+/// The servo of joint 'a' in a section [servos.x] with `lines` from line 2 on.
+std::string section(const std::string& lines) { return "[servos.x]\n" + lines + "\njoints = ['a']\n"; }
+Servo servo_of(const std::string& lines) { return read(section(lines)).servos.at("a").servo; }
+
+TEST(RobotTable, ReadsWhatAServoMayHaveToo) {
+  const Servo a = read(servo("joints = ['a']\nlaw = 'dc_motor'\nvoltage = 12\nduty_limit = 0.9\ntorque_limit = 3\n"
+                             "viscous_friction = 0.3\ncommand_delay = 0.01"))
+                      .servos.at("a")
+                      .servo;
+  EXPECT_EQ(a.voltage, 12);
+  EXPECT_EQ(a.duty_limit, 0.9);
+  EXPECT_EQ(a.torque_limit, 3);
+  EXPECT_EQ(a.viscous_friction, 0.3);
+  EXPECT_EQ(a.command_delay, 0.01);
+}
+
+TEST(RobotTable, StartsFromAReadyMadeServo) {
+  const Servo mx64 = read_servo("mx64");
+  const Servo a = servo_of("type = 'mx64'\ncoulomb_friction = 0.2");
+  EXPECT_EQ(a.type, "mx64");
+  EXPECT_EQ(a.coulomb_friction, 0.2);
+  EXPECT_EQ(a.viscous_friction, mx64.viscous_friction);
+  EXPECT_EQ(a.stall_torque, mx64.stall_torque);
+  EXPECT_EQ(a.position_gain, mx64.position_gain);
+}
+
+TEST(RobotTable, AnotherVoltageScalesAReadyMadeServo) {
+  const Servo mx64 = read_servo("mx64");
+  const Servo a = servo_of("type = 'mx64'\nvoltage = 18\nposition_gain = 7");
+  EXPECT_EQ(a.voltage, 18);
+  EXPECT_DOUBLE_EQ(a.stall_torque, 1.5 * mx64.stall_torque);
+  EXPECT_DOUBLE_EQ(a.no_load_rate, 1.5 * mx64.no_load_rate);
+  EXPECT_EQ(a.position_gain, 7);  // said for the new voltage
+  EXPECT_EQ(a.coulomb_friction, mx64.coulomb_friction);
+  EXPECT_DOUBLE_EQ(servo_of("type = 'mx64'\nvoltage = 6").position_gain, 0.5 * mx64.position_gain);
+}
+
+TEST(RobotTable, ACurrentLimitBecomesATorque) {
+  // k_t = voltage / no_load_rate = 12 V / (5 rad/s) = 2.4 N m/A, at any voltage
+  const std::string numbers = servo("joints = ['a']\nvoltage = 12\ncurrent_limit = 2");
+  EXPECT_DOUBLE_EQ(read(numbers).servos.at("a").servo.torque_limit, 4.8);
+  const double torque = servo_of("type = 'mx64'\ncurrent_limit = 2").torque_limit;
+  EXPECT_NEAR(torque, 2 * 1.622, 1e-3);
+  EXPECT_NEAR(servo_of("type = 'mx64'\nvoltage = 15\ncurrent_limit = 2").torque_limit, torque, 1e-12);
+}
+
+TEST(RobotTable, ReadsAnIdealServo) {
+  const Servo a = servo_of("law = 'ideal_pd'\nposition_gain = 30\nrotor_inertia = 0.01\nvelocity_gain = 2");
+  EXPECT_EQ(a.law, "ideal_pd");
+  EXPECT_EQ(a.position_gain, 30);
+  EXPECT_EQ(a.velocity_gain, 2);
+  EXPECT_EQ(a.stall_torque, 0);
+  EXPECT_EQ(servo_of("law = 'ideal_pd'\nposition_gain = 1\nrotor_inertia = 0\nstall_torque = 5").stall_torque, 5);
+  EXPECT_EQ(servo_of("type = 'mx64'\nlaw = 'ideal_pd'\nvelocity_gain = 1").position_gain,
+            read_servo("mx64").position_gain);
+}
+
+/// Writes a servo file beside the table of this test and gives its type.
+std::string servo_file(const std::string& text) {
+  const auto file = std::filesystem::path(testing::TempDir()) /
+                    (std::string("servo_") + testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml");
+  std::ofstream(file) << text;
+  return file.stem().string();
+}
+const std::string own_servo =
+    "stall_torque = 6\nno_load_rate = 5\nposition_gain = 4\nrotor_inertia = 0.1\ncoulomb_friction = 0.2\n";
+
+TEST(RobotTable, FindsServoFilesBesideIt) {
+  const std::string type = servo_file(own_servo);
+  const Servo a = servo_of("type = '" + type + "'\nno_load_rate = 8");
+  EXPECT_EQ(a.type, type);
+  EXPECT_EQ(a.stall_torque, 6);
+  EXPECT_EQ(a.no_load_rate, 8);
+}
+
+TEST(RobotTable, NamesMistakesInServoFiles) {
+  const auto complaint_of = [](const std::string& text, const std::string& more = "") {
+    return complaint(section("type = '" + servo_file(text) + "'\n" + more));
+  };
+  const std::string file =
+      (std::filesystem::path(testing::TempDir()) / "servo_NamesMistakesInServoFiles.toml").string();
+  EXPECT_EQ(complaint_of("law = 'dc_motor'\nstall_torque = -1\n"),
+            ":2:8: " + file + ":2:16: 'stall_torque' must be a finite number, at least 0");
+  EXPECT_EQ(complaint_of("stall = 1\n"),
+            ":2:8: " + file + ":1:1: unknown key of a servo 'stall'; did you mean 'stall_torque'?");
+  EXPECT_EQ(complaint_of(own_servo + "joints = ['a']\n").substr(0, 6), ":2:8: ");
+  EXPECT_EQ(complaint_of("stall_torque = 1\nno_load_rate = 2\n"),
+            ":2:8: " + file +
+                ":1:1: servo 'servo_NamesMistakesInServoFiles' needs position_gain, rotor_inertia, coulomb_friction");
+  EXPECT_TRUE(complaint_of(own_servo, "voltage = 12")
+                  .starts_with(":3:11: servo type 'servo_NamesMistakesInServoFiles' "
+                               "does not say at which voltage its numbers hold"));
 }
 
 TEST(RobotTable, MayBeEmptyOrMissing) {
@@ -84,8 +182,42 @@ TEST(RobotTable, NamesBadValues) {
   EXPECT_EQ(complaint("[surfaces]\nfoot = 3\n"), ":2:8: 'foot' must be a name in quotes");
 }
 
+TEST(RobotTable, NamesBadNumbersOfServos) {
+  const std::string infinite = "'viscous_friction' must be a finite number, at least 0";
+  EXPECT_EQ(complaint(section("type = 'mx64'\nviscous_friction = inf")), ":3:20: " + infinite);
+  EXPECT_EQ(complaint(section("type = 'mx64'\nviscous_friction = -0.1")), ":3:20: " + infinite);
+  EXPECT_EQ(complaint(section("type = 'mx64'\nviscous_friction = true")), ":3:20: " + infinite);
+  const std::string duty = ":3:14: 'duty_limit' must be a number above 0, at most 1";
+  for (const char* number : {"0", "1.01", "nan", "'1'"}) {
+    EXPECT_EQ(complaint(section(std::string("type = 'mx64'\nduty_limit = ") + number)), duty);
+  }
+  EXPECT_EQ(complaint(section("type = 'mx64'\nvoltage = 0")), ":3:11: 'voltage' must be a finite number above 0");
+  EXPECT_EQ(complaint(section("type = 'mx64'\ncurrent_limit = 0")),
+            ":3:17: 'current_limit' must be a finite number above 0");
+  EXPECT_EQ(complaint(section("type = 'mx64'\ncurrent_limit = 1\ntorque_limit = 1")),
+            ":3:17: 'current_limit' and 'torque_limit' limit the same; keep one");
+  const std::string large = " of servo 'x' is not finite; voltage or current is too large";
+  EXPECT_EQ(complaint(section("type = 'mx64'\nvoltage = 1e308")), ":1:9: position_gain" + large);
+  EXPECT_EQ(complaint(section("type = 'mx64'\ncurrent_limit = 1.7e308")), ":1:9: torque_limit" + large);
+}
+
+TEST(RobotTable, NamesUnknownTypesAndLaws) {
+  EXPECT_EQ(complaint(section("type = 'mx65'")), ":2:8: unknown servo type 'mx65'; did you mean 'mx64'?");
+  EXPECT_EQ(complaint(section("type = 64")), ":2:8: 'type' must be a name in quotes");
+  EXPECT_EQ(complaint(section("law = 'dc_moter'")), ":2:7: unknown servo law 'dc_moter'; did you mean 'dc_motor'?");
+  EXPECT_EQ(complaint(section("law = 1")), ":2:7: 'law' must be a name in quotes");
+  EXPECT_EQ(complaint(section("type = 'mx64'\nvelocity_gain = 1")),
+            ":3:1: 'velocity_gain' means nothing to servo law 'dc_motor'; remove it");
+  EXPECT_EQ(complaint(section("law = 'ideal_pd'\nduty_limit = 1")),
+            ":3:1: 'duty_limit' means nothing to servo law 'ideal_pd'; remove it");
+}
+
 TEST(RobotTable, NamesWhatAServoLacks) {
-  EXPECT_EQ(complaint("[servos.x]\nstall_torque = 1\n"), ":1:9: servo 'x' needs coulomb_friction");
+  EXPECT_EQ(complaint("[servos.x]\nstall_torque = 1\n"),
+            ":1:9: servo 'x' needs no_load_rate, position_gain, rotor_inertia, coulomb_friction");
+  EXPECT_EQ(complaint(section("law = 'ideal_pd'\nstall_torque = 1")),
+            ":1:9: servo 'x' needs position_gain, rotor_inertia");
+  EXPECT_EQ(complaint(servo("current_limit = 1")), ":1:9: servo 'x' needs voltage, because of current_limit");
   EXPECT_EQ(complaint(servo("")), ":1:9: servo 'x' needs joints = [\"...\"]");
   EXPECT_TRUE(complaint(servo("joints = ['a', 'a']")).starts_with(":7:16: joint 'a' has servo 'x' already"));
 }

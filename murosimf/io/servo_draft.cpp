@@ -1,0 +1,160 @@
+#include "murosimf/io/servo_draft.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/io/data_path.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+struct Number {
+  std::string_view key;
+  double Servo::*member;
+};
+constexpr std::array numbers{Number{"voltage", &Servo::voltage},
+                             Number{"stall_torque", &Servo::stall_torque},
+                             Number{"no_load_rate", &Servo::no_load_rate},
+                             Number{"position_gain", &Servo::position_gain},
+                             Number{"velocity_gain", &Servo::velocity_gain},
+                             Number{"duty_limit", &Servo::duty_limit},
+                             Number{"torque_limit", &Servo::torque_limit},
+                             Number{"rotor_inertia", &Servo::rotor_inertia},
+                             Number{"coulomb_friction", &Servo::coulomb_friction},
+                             Number{"viscous_friction", &Servo::viscous_friction},
+                             Number{"command_delay", &Servo::command_delay}};
+
+/// What a servo law needs, and what means nothing to it.
+struct Law {
+  std::string_view name;
+  Names needed, useless;
+};
+const std::array<Law, 2>& laws() {
+  static const std::array<Law, 2> all{Law{"dc_motor",
+                                          {"stall_torque", "no_load_rate", "position_gain", "rotor_inertia",
+                                           "coulomb_friction"},
+                                          {"velocity_gain"}},
+                                      Law{"ideal_pd",
+                                          {"position_gain", "rotor_inertia"},
+                                          {"no_load_rate", "duty_limit", "torque_limit", "current_limit"}}};
+  return all;
+}
+const Law& law_of(const Servo& servo) { return *std::ranges::find(laws(), servo.law, &Law::name); }
+
+bool contains(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
+
+Names known_keys(const Names& others) {
+  Names keys{"law", "current_limit"};
+  for (const Number& number : numbers) keys.push_back(number.key);
+  keys.insert(keys.end(), others.begin(), others.end());
+  return keys;
+}
+
+double read_number(std::string_view key, const toml::node& node) {
+  const auto number = node.is_number() ? node.value<double>() : std::nullopt;
+  const bool finite = number && std::isfinite(*number);
+  if (key == "duty_limit" && !(finite && *number > 0 && *number <= 1)) {
+    fail_at(node.source(), "'duty_limit' must be a number above 0, at most 1");
+  }
+  if ((key == "voltage" || key == "current_limit") && !(finite && *number > 0)) {
+    fail_at(node.source(), fmt::format("'{}' must be a finite number above 0", key));
+  }
+  if (!finite || *number < 0) fail_at(node.source(), fmt::format("'{}' must be a finite number, at least 0", key));
+  return *number;
+}
+
+}  // namespace
+
+void ServoDraft::take(const toml::table& table, const Names& others) {
+  take_law(table);
+  if (const toml::node* voltage = table.get("voltage"); voltage && !given_.empty()) {
+    scale_to(read_number("voltage", *voltage), voltage->source());
+  }
+  const Names known = known_keys(others);
+  for (const auto& [key, node] : table) {
+    if (!contains(known, key.str())) fail_at(key.source(), unknown_name("key of a servo", key.str(), known));
+    if (key != "law" && !contains(others, key.str())) take_number(key, node);
+  }
+  if (table.contains("torque_limit") && table.contains("current_limit")) {
+    fail_at(table.get("current_limit")->source(), "'current_limit' and 'torque_limit' limit the same; keep one");
+  }
+}
+
+void ServoDraft::take_law(const toml::table& table) {
+  const toml::node* node = table.get("law");
+  if (!node) return;
+  const auto name = node->value_exact<std::string>();
+  if (!name) fail_at(node->source(), "'law' must be a name in quotes");
+  Names known;
+  for (const Law& law : laws()) known.push_back(law.name);
+  if (!contains(known, *name)) fail_at(node->source(), unknown_name("servo law", *name, known));
+  servo_.law = *name;
+}
+
+void ServoDraft::scale_to(double voltage, const toml::source_region& source) {
+  if (!given_.contains("voltage")) {
+    fail_at(source, fmt::format("servo type '{}' does not say at which voltage its numbers hold; remove 'voltage', or "
+                                "add it there",
+                                servo_.type));
+  }
+  const double ratio = voltage / servo_.voltage;
+  servo_.stall_torque *= ratio;
+  servo_.no_load_rate *= ratio;
+  servo_.position_gain *= ratio;
+}
+
+void ServoDraft::take_number(const toml::key& key, const toml::node& node) {
+  if (contains(law_of(servo_).useless, key.str())) {
+    fail_at(key.source(), fmt::format("'{}' means nothing to servo law '{}'; remove it", key.str(), servo_.law));
+  }
+  const double value = read_number(key.str(), node);
+  if (key == "current_limit") {
+    current_limit_ = value;
+  } else {
+    servo_.*std::ranges::find(numbers, key.str(), &Number::key)->member = value;
+    if (key == "torque_limit") current_limit_.reset();
+  }
+  given_.emplace(key.str());
+}
+
+Servo ServoDraft::finish(std::string_view name, const toml::source_region& source) const {
+  Names missing = law_of(servo_).needed;
+  std::erase_if(missing, [&](std::string_view key) { return given_.contains(key); });
+  if (!missing.empty()) fail_at(source, fmt::format("servo '{}' needs {}", name, fmt::join(missing, ", ")));
+  Servo servo = servo_;
+  if (servo.law != "dc_motor") return servo;
+  if (!(servo.stall_torque > 0 && servo.no_load_rate > 0)) {
+    fail_at(source, fmt::format("servo '{}' cannot move: stall_torque and no_load_rate must be positive", name));
+  }
+  if (current_limit_) {
+    if (servo.voltage <= 0) fail_at(source, fmt::format("servo '{}' needs voltage, because of current_limit", name));
+    servo.torque_limit = *current_limit_ * servo.voltage / servo.no_load_rate;
+  }
+  for (const Number& number : numbers) {
+    if (!std::isfinite(servo.*number.member)) {
+      fail_at(source, fmt::format("{} of servo '{}' is not finite; voltage or current is too large", number.key, name));
+    }
+  }
+  return servo;
+}
+
+ServoDraft read_servo_draft(std::string_view type, const std::filesystem::path& beside) {
+  const auto file = look_for_data_file(type, "servos", ".toml", beside);
+  if (!file) {
+    const auto names = data_file_names("servos", ".toml");
+    throw SetupError(unknown_name("servo type", type, Names(names.begin(), names.end())));
+  }
+  const toml::table table = parse_toml_file(*file);
+  ServoDraft draft{file->stem().string()};
+  draft.take(table);
+  (void)draft.finish(file->stem().string(), table.source());
+  return draft;
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,18 @@
+/// servo_table.h - ready-made servos: the files servos/<type>.toml (docs/robots.md, "Servos").
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/model/servo.h"
+
+namespace murosimf::io {
+
+/// The servo called `type`, for example "mx64", or the one in a file of that path. Throws SetupError.
+[[nodiscard]] Servo read_servo(std::string_view type);
+
+/// All that come with the program, in alphabetical order.
+[[nodiscard]] std::vector<std::string> servo_types();
+
+}  // namespace murosimf::io
