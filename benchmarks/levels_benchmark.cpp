@@ -25,6 +25,8 @@ void game(benchmark::State& bench) {
 
 BENCHMARK_CAPTURE(walking_robot, kinematic_walking, "kinematic_walking");
 BENCHMARK_CAPTURE(walking_robot, simplified_dynamics, "simplified_dynamics");
+BENCHMARK_CAPTURE(walking_robot, full_dynamics, "full_dynamics");
+BENCHMARK_CAPTURE(walking_robot, articulated_dynamics, "articulated_dynamics");
 BENCHMARK(game)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace

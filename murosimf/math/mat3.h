@@ -82,7 +82,14 @@ SymMat3<S> operator*(const A& s, const SymMat3<S>& a) {
 }
 template <class S>
 SymMat3<S>& operator+=(SymMat3<S>& a, const SymMat3<S>& b) {
-  return a = a + b;
+  // by members: a whole temporary would go through memory
+  a.xx = a.xx + b.xx;
+  a.yy = a.yy + b.yy;
+  a.zz = a.zz + b.zz;
+  a.xy = a.xy + b.xy;
+  a.xz = a.xz + b.xz;
+  a.yz = a.yz + b.yz;
+  return a;
 }
 
 /// s times the identity.

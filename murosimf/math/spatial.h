@@ -31,12 +31,16 @@ Force<S> operator-(const Force<S>& a, const Force<S>& b) {
 }
 template <class S>
 Force<S>& operator+=(Force<S>& a, const Force<S>& b) {
-  return a = a + b;
+  a.n += b.n;
+  a.f += b.f;
+  return a;
 }
 
 template <class S>
 Force<S>& operator-=(Force<S>& a, const Force<S>& b) {
-  return a = a - b;
+  a.n -= b.n;
+  a.f -= b.f;
+  return a;
 }
 template <class A, class S>
 Force<S> operator*(const A& s, const Force<S>& a) {
@@ -49,7 +53,9 @@ Motion<S> operator+(const Motion<S>& a, const Motion<S>& b) {
 }
 template <class S>
 Motion<S>& operator+=(Motion<S>& a, const Motion<S>& b) {
-  return a = a + b;
+  a.w += b.w;
+  a.v += b.v;
+  return a;
 }
 template <class A, class S>
 Motion<S> operator*(const A& s, const Motion<S>& a) {
@@ -91,7 +97,9 @@ Force<S> operator*(const Sym6<S>& a, const Motion<S>& m) {
 template <class S>
 Sym6<S>& operator+=(Sym6<S>& a, const Sym6<S>& b) {
   a.J += b.J;
-  a.H = {a.H.x + b.H.x, a.H.y + b.H.y, a.H.z + b.H.z};
+  a.H.x += b.H.x;
+  a.H.y += b.H.y;
+  a.H.z += b.H.z;
   a.M += b.M;
   return a;
 }
@@ -108,10 +116,6 @@ Sym6<S> at_point(const SymMat3<S>& D, const Vec3<S>& x);
 /// The same map for a reference point that lies `offset` away from the old one.
 template <class S>
 Sym6<S> moved(const Sym6<S>& a, const Vec3<S>& offset);
-
-/// A - s F F^T.
-template <class S>
-void subtract_outer(Sym6<S>& A, const S& s, const Force<S>& F);
 
 /// Solves A m = force for a symmetric positive definite A, by Cholesky.
 template <class S>
@@ -150,14 +154,6 @@ Sym6<S> moved(const Sym6<S>& a, const Vec3<S>& offset) {
   const SymMat3<S> mixed{YH.x.x + YH.x.x, YH.y.y + YH.y.y, YH.z.z + YH.z.z,
                          YH.y.x + YH.x.y, YH.z.x + YH.x.z, YH.z.y + YH.y.z};
   return {a.J + mixed + point.J, {a.H.x + point.H.x, a.H.y + point.H.y, a.H.z + point.H.z}, a.M};
-}
-
-template <class S>
-void subtract_outer(Sym6<S>& A, const S& s, const Force<S>& F) {
-  const Vec3<S> n = s * F.n, f = s * F.f;
-  A.J = A.J - SymMat3<S>{n.x * F.n.x, n.y * F.n.y, n.z * F.n.z, n.x * F.n.y, n.x * F.n.z, n.y * F.n.z};
-  A.H = {A.H.x - f.x * F.n, A.H.y - f.y * F.n, A.H.z - f.z * F.n};
-  A.M = A.M - SymMat3<S>{f.x * F.f.x, f.y * F.f.y, f.z * F.f.z, f.x * F.f.y, f.x * F.f.z, f.y * F.f.z};
 }
 
 template <class S>

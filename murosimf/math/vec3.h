@@ -30,11 +30,17 @@ auto operator*(const A& s, const Vec3<B>& a) -> Vec3<Product<A, B>> {
 }
 template <class A, class B>
 Vec3<A>& operator+=(Vec3<A>& a, const Vec3<B>& b) {
-  return a = a + b;
+  a.x = a.x + b.x;
+  a.y = a.y + b.y;
+  a.z = a.z + b.z;
+  return a;
 }
 template <class A, class B>
 Vec3<A>& operator-=(Vec3<A>& a, const Vec3<B>& b) {
-  return a = a - b;
+  a.x = a.x - b.x;
+  a.y = a.y - b.y;
+  a.z = a.z - b.z;
+  return a;
 }
 
 template <class A, class B>

@@ -1,5 +1,7 @@
 #include "murosimf/model/tree.h"
 
+#include <cmath>
+
 #include "murosimf/model/properties.h"
 
 namespace murosimf {
@@ -27,6 +29,12 @@ AxisKind axis_kind(const Vec3d& axis) {
   if (axis.y == 1.0) return AxisKind::y;
   if (axis.z == 1.0) return AxisKind::z;
   return AxisKind::general;
+}
+
+/// Products of inertia that are rounding against the moments.
+bool is_diagonal(const SymMat3d& m) {
+  const double rounding = 1e-15 * (m.xx + m.yy + m.zz);
+  return std::abs(m.xy) <= rounding && std::abs(m.xz) <= rounding && std::abs(m.yz) <= rounding;
 }
 
 /// Merges a mass into the link: center by weights, inertia by the parallel-axis theorem.
@@ -74,6 +82,7 @@ Tree::Tree(const std::vector<Object>& objects, const ConstantTable& constants) :
       mass += *m;
     }
   }
+  for (Link& link : links) link.diagonal_inertia = is_diagonal(link.inertia);
 }
 
 }  // namespace murosimf

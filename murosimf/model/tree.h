@@ -22,13 +22,14 @@ struct Link {
   int parent = -1;  ///< index of the parent link
   LinkKind kind = LinkKind::base;
   AxisKind axis_kind = AxisKind::general;
-  Vec3d axis;           ///< unit joint axis, link frame
-  Vec3d offset;         ///< [m] joint origin in the parent link's frame
-  Mat3d turn;           ///< joint axes at joint position zero to the parent link's axes
-  bool turned = false;  ///< turn is not the identity
-  double mass = 0;      ///< [kg]
-  Vec3d com;            ///< [m] center of mass, link frame
-  SymMat3d inertia;     ///< [kg m^2] at the center of mass, link frame
+  Vec3d axis;                     ///< unit joint axis, link frame
+  Vec3d offset;                   ///< [m] joint origin in the parent link's frame
+  Mat3d turn;                     ///< joint axes at joint position zero to the parent link's axes
+  bool turned = false;            ///< turn is not the identity
+  double mass = 0;                ///< [kg]
+  Vec3d com;                      ///< [m] center of mass, link frame
+  SymMat3d inertia;               ///< [kg m^2] at the center of mass, link frame
+  bool diagonal_inertia = false;  ///< its products of inertia are zero
 };
 
 /// An object that does not move against its link.

@@ -72,10 +72,9 @@ void ArticulatedDynamics::drive_joints(double dt) noexcept {
 
 void ArticulatedDynamics::solve(double dt) noexcept {
   const Tree& tree = tree_.columns.model.tree();
-  multibody::start_sweep<double>(tree_.links, bodies_);
+  multibody::clear_loads<double>(bodies_);
   tree_.for_loads(dt, [&](int link, const Forced& load, const Sym6d& damping) {
-    bodies_[link].inertia += damping;
-    bodies_[link].force -= load;
+    multibody::add_load(bodies_[link], load, damping);
   });
   multibody::sweep_to_base<double>(tree, tree_.links, bodies_);
   const Motiond base = tree_.base_acceleration(bodies_[0].inertia, -1.0 * bodies_[0].force);

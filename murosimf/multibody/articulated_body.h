@@ -24,8 +24,9 @@ namespace murosimf::multibody {
 
 template <class S>
 struct ArticulatedLink {
-  Sym6<S> inertia;         ///< IA; in: the link's own (`start_sweep`) plus what is added
-  Force<S> force;          ///< pA [N m; N]; in: the same
+  Sym6<S> inertia;         ///< what loads and children add to the link's own inertia; the base's whole IA_0 in the end
+  Force<S> force;          ///< [N m; N] the same for pA
+  bool loaded = false;     ///< `inertia` and `force` hold something
   S torque{};              ///< tau [N m | N]; in
   S added_inertia{};       ///< A [kg m^2 | kg]; in
   Force<S> U;              ///< out
@@ -35,9 +36,13 @@ struct ArticulatedLink {
   S joint_acceleration{};  ///< qdd [rad/s^2 | m/s^2]; out of `accelerate`
 };
 
-/// IA_i = I_i, pA_i = p_i for all links.
+/// No loads on any link.
 template <class S>
-void start_sweep(std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies) noexcept;
+void clear_loads(std::span<ArticulatedLink<S>> bodies) noexcept;
+
+/// A force [N m, N] about O on a link, and what it loses with the link's acceleration: force - damping a'.
+template <class S>
+void add_load(ArticulatedLink<S>& body, const Force<S>& force, const Sym6<S>& damping) noexcept;
 
 /// Leaves to base.
 template <class S>

@@ -8,7 +8,19 @@
 namespace murosimf::multibody {
 namespace {
 
-/// The inertia of a link and the force p; d [m] from O to its origin, R its orientation.
+/// R m R^T; a diagonal m, as primitive shapes have it, costs half.
+template <class S>
+[[gnu::always_inline]] inline SymMat3<S> seen_in_world(const Mat3<S>& R, const Link& link) {
+  const SymMat3d& m = link.inertia;
+  if (!link.diagonal_inertia) return rotated(R, m);
+  const Vec3<S> a = m.xx * R.x, b = m.yy * R.y, c = m.zz * R.z;
+  return {a.x * R.x.x + b.x * R.y.x + c.x * R.z.x, a.y * R.x.y + b.y * R.y.y + c.y * R.z.y,
+          a.z * R.x.z + b.z * R.y.z + c.z * R.z.z, a.x * R.x.y + b.x * R.y.y + c.x * R.z.y,
+          a.x * R.x.z + b.x * R.y.z + c.x * R.z.z, a.y * R.x.z + b.y * R.y.z + c.y * R.z.z};
+}
+
+/// The inertia of a link and the force p; d [m] from O to its origin, R its orientation. Members are written one by
+/// one: whole temporaries would go through memory, and wait for it.
 template <class S>
 [[gnu::always_inline]] inline void add_mass(const Link& link, const Vec3<S>& d, const Mat3<S>& R, LinkMotion<S>& to) {
   if (link.mass == 0) {
@@ -16,15 +28,26 @@ template <class S>
     to.bias_force = {};
     return;
   }
+  const double m = link.mass;
   const Vec3<S> c = d + R * link.com;
-  const SymMat3<S> Ic = rotated(R, link.inertia);
-  to.inertia = {link.mass, link.mass * c, Ic + link.mass * inertia_of_point(c)};
+  const SymMat3<S> Ic = seen_in_world(R, link);
+  const Vec3<S> w = to.velocity.w, bw = to.bias.w;
   // of the center of mass: its velocity and its acceleration
-  const auto& [w, v] = to.velocity;
-  const auto& [bw, bv] = to.bias;
-  const Vec3<S> vc = v + cross(w, c);
-  const Vec3<S> f = link.mass * (bv + cross(bw, c) + cross(w, vc));
-  to.bias_force = {cross(c, f) + Ic * bw + cross(w, Ic * w), f};
+  const Vec3<S> vc = to.velocity.v + cross(w, c);
+  const Vec3<S> f = m * (to.bias.v + cross(bw, c) + cross(w, vc));
+  to.bias_force.n = cross(c, f) + Ic * bw + cross(w, Ic * w);
+  to.bias_force.f = f;
+
+  const Vec3<S> h = m * c;
+  const S xx = h.x * c.x, yy = h.y * c.y, zz = h.z * c.z;
+  to.inertia.mass = m;
+  to.inertia.first = h;
+  to.inertia.second.xx = Ic.xx + (yy + zz);
+  to.inertia.second.yy = Ic.yy + (xx + zz);
+  to.inertia.second.zz = Ic.zz + (xx + yy);
+  to.inertia.second.xy = Ic.xy - h.x * c.y;
+  to.inertia.second.xz = Ic.xz - h.x * c.z;
+  to.inertia.second.yz = Ic.yz - h.y * c.z;
 }
 
 }  // namespace
@@ -42,14 +65,24 @@ void link_motions(const Tree& tree, std::span<const Vec3<S>> r, std::span<const 
     LinkMotion<S>& to = links[l];
     const Vec3<S> d = r[link.object] - r[0];
     const Vec3<S> a = joint_axis(R[link.object], link);
+    const Vec3<S> rate = qd[link.object] * a;
+    const Vec3<S> w = parent.velocity.w;
     if (link.kind == LinkKind::revolute) {
-      to.axis = {a, cross(d, a)};
+      to.axis.w = a;
+      to.axis.v = cross(d, a);
+      const Vec3<S> v = cross(d, rate);
+      to.velocity.w = w + rate;
+      to.velocity.v = parent.velocity.v + v;
+      to.bias.w = parent.bias.w + cross(w, rate);
+      to.bias.v = parent.bias.v + cross(w, v) + cross(parent.velocity.v, rate);
     } else {
-      to.axis = {{}, a};
+      to.axis.w = {};
+      to.axis.v = a;
+      to.velocity.w = w;
+      to.velocity.v = parent.velocity.v + rate;
+      to.bias.w = parent.bias.w;
+      to.bias.v = parent.bias.v + cross(w, rate);
     }
-    const Motion<S> joint = qd[link.object] * to.axis;
-    to.velocity = parent.velocity + joint;
-    to.bias = parent.bias + cross(parent.velocity, joint);
     add_mass(link, d, R[link.object], to);
   }
 }

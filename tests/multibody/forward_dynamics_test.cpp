@@ -44,9 +44,9 @@ struct Case {
 
   /// ABA with everything in it; the result stands in `bodies`.
   void forward() {
-    start_sweep<double>(links, bodies);
+    clear_loads<double>(bodies);
     for (std::size_t l = 0; l < links.size(); ++l) {
-      bodies[l].force -= external[l];
+      add_load(bodies[l], external[l], Sym6d{});
       bodies[l].torque = torque[l];
       bodies[l].added_inertia = rotor[l];
     }
@@ -184,8 +184,8 @@ TEST(ForwardDynamics, AddedDampingIsAForceThatFollowsTheAcceleration) {
     Dice dice("damping", c.links.size());
     const std::size_t l = c.links.size() - 1;
     Sym6d damping = at_point(SymMat3d{3, 2, 1, 0.5, 0.2, 0.1}, dice.vector(0.3));
-    start_sweep<double>(c.links, c.bodies);
-    c.bodies[l].inertia += damping;
+    clear_loads<double>(c.bodies);
+    add_load(c.bodies[l], Forced{}, damping);
     for (std::size_t i = 0; i < c.links.size(); ++i) {
       c.bodies[i].torque = c.torque[i];
       c.bodies[i].added_inertia = c.rotor[i];
