@@ -309,15 +309,19 @@ inline bool same_bits(double a, double b) {
   return (std::isnan(a) && std::isnan(b)) || std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
+/// The largest; NaN counts as larger than any number, so that no comparison passes because of it.
+inline double largest(double a, double b) { return std::isnan(a) || a > b ? a : b; }
+inline double largest(double a, double b, double c) { return largest(a, largest(b, c)); }
+
 inline double difference(const Vec3d& a, const Vec3d& b) {
-  return std::fmax(std::fabs(a.x - b.x), std::fmax(std::fabs(a.y - b.y), std::fabs(a.z - b.z)));
+  return largest(std::fabs(a.x - b.x), std::fabs(a.y - b.y), std::fabs(a.z - b.z));
 }
 inline double difference(const Mat3d& a, const Mat3d& b) {
-  return std::fmax(difference(a.x, b.x), std::fmax(difference(a.y, b.y), difference(a.z, b.z)));
+  return largest(difference(a.x, b.x), difference(a.y, b.y), difference(a.z, b.z));
 }
 inline double difference(const SymMat3d& a, const SymMat3d& b) {
-  return std::fmax(difference(Vec3d{a.xx, a.yy, a.zz}, Vec3d{b.xx, b.yy, b.zz}),
-                   difference(Vec3d{a.xy, a.xz, a.yz}, Vec3d{b.xy, b.xz, b.yz}));
+  return largest(difference(Vec3d{a.xx, a.yy, a.zz}, Vec3d{b.xx, b.yy, b.zz}),
+                 difference(Vec3d{a.xy, a.xz, a.yz}, Vec3d{b.xy, b.xz, b.yz}));
 }
 
 /// Message of the SetupError that `action` throws; "no error" if it throws none.

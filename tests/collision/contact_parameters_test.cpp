@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/fixtures.h"
+#include "tests/law.h"
 
 namespace murosimf::collision {
 namespace {
@@ -31,25 +32,40 @@ double bounce(double z) {
   return -step(s, low).v;
 }
 
-// Law: restitution(z) is the bounce of a damped spring that cannot pull, integrated numerically. Tolerance: Runge-Kutta
-// with h = 1e-3 over pi seconds errs by h^4 = 1e-12; bisection by 1e-18.
+// Tolerance: Runge-Kutta with h = 1e-3 over pi seconds errs by h^4 = 1e-12; bisection by 1e-18.
 TEST(ContactParametersTest, RestitutionAgainstIntegration) {
-  for (const double z : {0.0, 0.01, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.7072, 0.8, 0.9, 0.95}) {
-    EXPECT_NEAR(restitution(z), bounce(z), 1e-11) << z;
-  }
+  law::Worst error;
+  for (const double z : {0.0, 0.01, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.7072, 0.8, 0.9, 0.95})
+    error.see(std::abs(restitution(z) - bounce(z)), "damping ratio", z);
+  law::expect_below({.law = "restitution of a damping ratio: error",
+                     .level = "contact parameters",
+                     .source = "damped spring that cannot pull, by Runge-Kutta"},
+                    error, 1e-11, "");
 }
 
-// Law: damping_ratio inverts restitution, which falls steadily. Tolerance: 60 halvings of 0.95, over the slope of the
-// restitution, which is -1.6 at most and -0.3 at least.
+// The restitution falls steadily. Tolerance: 60 halvings of 0.95, over the slope of the restitution, which is -1.6 at
+// most and -0.3 at least.
 TEST(ContactParametersTest, DampingRatioInvertsRestitution) {
   double last = 1.1;
+  law::Worst error;
   for (int i = 0; i <= 950; ++i) {
     const double z = i * 1e-3;
     const double e = restitution(z);
     ASSERT_LT(e, last) << z;
     last = e;
-    ASSERT_NEAR(damping_ratio(e), z, 1e-14) << z;
+    error.see(std::abs(damping_ratio(e) - z), "damping ratio", z);
   }
+  law::expect_below({.law = "damping ratio of a restitution: error, 0 to 0.95",
+                     .level = "contact parameters",
+                     .source = "inverse of the restitution"},
+                    error, 1e-14, "");
+}
+
+void expect_weight(const std::string& thing, const std::string& points, double force, double weight, double tolerance) {
+  law::expect_near({.law = thing + ": force of its springs at 0.4 mm",
+                    .level = "contact parameters",
+                    .source = "its weight on " + points},
+                   force, weight, tolerance, "N");
 }
 
 // Rule: a perfect bounce has no damping; what the largest ratio does not reach gets the largest ratio, 0.95.
@@ -61,12 +77,12 @@ TEST(ContactParametersTest, EndsOfTheRange) {
   EXPECT_LT(damping_ratio(0.16), 0.95);
 }
 
-// Law: a robot stands on four points per sole and sinks 0.4 mm under its weight: n k (0.4 mm) = m g; damping is half
-// of critical for the mass that half of the points carry. Tolerance: rounding.
+// A robot stands on four points per sole; damping is half of critical for the mass that half of the points carry.
+// Tolerance: rounding.
 TEST(ContactParametersTest, Robot) {
   const Model robot = fixtures::two_legged();
   const ContactParameters p = contact_parameters(robot, {.friction = 0.7, .rolling = 0.02}, 9.81, 1e-3);
-  EXPECT_NEAR(8 * p.stiffness * 0.4e-3, 3 * 9.81, 1e-12);
+  expect_weight("robot of 3 kg", "8 points", 8 * p.stiffness * 0.4e-3, 3 * 9.81, 1e-12);
   EXPECT_NEAR(p.damping / (2 * std::sqrt(p.stiffness * 3 / 4)), 0.5, 1e-15);
   EXPECT_EQ(p.tangent_stiffness, p.stiffness);
   EXPECT_EQ(p.tangent_damping, 0.5 * p.damping);
@@ -75,21 +91,24 @@ TEST(ContactParametersTest, Robot) {
   EXPECT_EQ(p.theta, 1);
 }
 
-// Law: the same for a thing without soles: four points carry it. And with the gravity of the Moon.
+// Four points carry it; with the gravity of the Moon.
 TEST(ContactParametersTest, ThingWithoutSoles) {
   using namespace properties;
   const Model crate("crate", Chain{}.base().with(mass, 2).with(shapes, {fixtures::placed(Box{{0.1, 0.1, 0.1}})}));
   const ContactParameters p = contact_parameters(crate, {}, 1.62, 1e-3);
-  EXPECT_NEAR(4 * p.stiffness * 0.4e-3, 2 * 1.62, 1e-13);
+  expect_weight("crate of 2 kg on the Moon", "4 points", 4 * p.stiffness * 0.4e-3, 2 * 1.62, 1e-13);
   EXPECT_NEAR(p.damping / (2 * std::sqrt(p.stiffness * 2 / 2)), 0.5, 1e-15);
 }
 
-// Law: a ball stands on one point, and its damping gives the restitution of the pair. Tolerance: that of the inverse.
+// Tolerance: that of the inverse.
 TEST(ContactParametersTest, Ball) {
   const Model ball = fixtures::ball_model(0.05, 0.1);
   const ContactParameters p = contact_parameters(ball, {.restitution = 0.6}, 9.81, 1e-3);
-  EXPECT_NEAR(p.stiffness * 0.4e-3, 0.1 * 9.81, 1e-13);
-  EXPECT_NEAR(restitution(p.damping / (2 * std::sqrt(p.stiffness * 0.1))), 0.6, 1e-13);
+  expect_weight("ball of 0.1 kg", "1 point", p.stiffness * 0.4e-3, 0.1 * 9.81, 1e-13);
+  law::expect_near({.law = "ball: restitution of its damping",
+                    .level = "contact parameters",
+                    .source = "the restitution of the pair of materials"},
+                   restitution(p.damping / (2 * std::sqrt(p.stiffness * 0.1))), 0.6, 1e-13, "");
 }
 
 // Rule: without gravity the weight on Earth gives the stiffness; a stiffness of the pair overrides both.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/fixtures.h"
+#include "tests/law.h"
 
 namespace murosimf::collision {
 namespace {
@@ -27,9 +28,16 @@ Vec3d to_shape(const GroundShape& g, const Vec3d& r, const Mat3d& R, const Vec3d
   return transposed_times(R * g.placed.orientation, point - (r + R * g.placed.position));
 }
 
-// Law: no point of the shape's surface is below lowest_point, and one point of the surface is there. Both sides are
-// exact (the samples lie on the surface), so the tolerance is rounding: 1e-14 of lengths below 1 m.
+/// One row about contact points on the ground.
+void expect_points(const std::string& law, const std::string& source, const law::Measured& error, double limit,
+                   const std::string& unit) {
+  law::expect_below({.law = law, .level = "ground points, all shapes", .source = source}, error, limit, unit);
+}
+
+// Both sides are exact (the samples lie on the surface), so the tolerance is rounding: 1e-14 of lengths below 1 m. The
+// grid of samples is 2 degrees and 1/40 of a length wide.
 TEST(GroundPoints, LowestPointAgainstSamples) {
+  law::Worst below, above;
   Dice dice("lowest point");
   for (const Shape& shape : shapes_of_all_kinds()) {
     const std::vector<Vec3d> samples = surface_samples(shape);
@@ -44,16 +52,18 @@ TEST(GroundPoints, LowestPointAgainstSamples) {
         const Vec3d world = r + R * (g.placed.position + g.placed.orientation * p);
         sampled = std::fmin(sampled, dot(plane.normal, world) - plane.height);
       }
-      EXPECT_GE(sampled, lowest - 1e-14) << shape_name(shape);
-      // the grid of samples is 2 degrees and 1/40 of a length wide
-      EXPECT_LE(sampled, lowest + 0.02 * g.reach) << shape_name(shape);
+      below.see(lowest - sampled, shape_name(shape), i);
+      above.see((sampled - lowest) / g.reach, shape_name(shape), i);
     }
   }
+  expect_points("lowest point of a shape: how far samples are below it", "none is below", below, 1e-14, "m");
+  expect_points("lowest point of a shape: distance of the lowest sample, in sizes of the shape",
+                "one is there, up to the grid of samples", above, 0.02, "");
 }
 
-// Law: the deepest contact is the shape's lowest point and lies on its surface; every contact is inside the ground by
-// its depth and not outside of the shape; there are none if the shape is clear of the ground. Tolerance: rounding.
+// There are none if the shape is clear of the ground. Tolerance: rounding.
 TEST(GroundPoints, ContactsAreWhereTheyShouldBe) {
+  law::Worst depth_error, outside_error, deepest_error, surface_error;
   Dice dice("ground contacts");
   for (const Shape& shape : shapes_of_all_kinds()) {
     int touching = 0, clear = 0;
@@ -77,20 +87,23 @@ TEST(GroundPoints, ContactsAreWhereTheyShouldBe) {
         EXPECT_EQ(c.object, 3);
         EXPECT_EQ(difference(c.normal, plane.normal), 0);
         EXPECT_GT(c.depth, 0);
-        EXPECT_NEAR(c.depth, plane.height - dot(plane.normal, c.point), 1e-15);
-        EXPECT_LT(outside(shape, to_shape(g, r, R, c.point)), 1e-14) << shape_name(shape);
+        depth_error.see(std::abs(c.depth - plane.height + dot(plane.normal, c.point)), shape_name(shape), i);
+        outside_error.see(outside(shape, to_shape(g, r, R, c.point)), shape_name(shape), i);
         deepest = std::fmax(deepest, c.depth);
       }
-      EXPECT_NEAR(deepest, -lowest, 1e-15) << shape_name(shape);
+      deepest_error.see(std::abs(deepest + lowest), shape_name(shape), i);
       for (const ContactPoint& c : found) {
-        if (c.depth == deepest) {
-          EXPECT_NEAR(outside(shape, to_shape(g, r, R, c.point)), 0, 1e-14) << shape_name(shape);
-        }
+        if (c.depth == deepest)
+          surface_error.see(std::abs(outside(shape, to_shape(g, r, R, c.point))), shape_name(shape), i);
       }
     }
     EXPECT_GT(touching, 40) << shape_name(shape);
     EXPECT_GT(clear, 20) << shape_name(shape);
   }
+  expect_points("contact points: error of the depth", "distance below the ground", depth_error, 1e-15, "m");
+  expect_points("contact points: distance outside of the shape", "none is outside", outside_error, 1e-14, "m");
+  expect_points("deepest contact point: error of the depth", "the shape's lowest point", deepest_error, 1e-15, "m");
+  expect_points("deepest contact point: distance from the shape's surface", "it lies on it", surface_error, 1e-14, "m");
 }
 
 std::vector<ContactPoint> standing(const Shape& shape, double sink) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/fixtures.h"
+#include "tests/law.h"
 
 namespace murosimf::collision {
 namespace {
@@ -22,6 +23,11 @@ std::vector<Shape> exact_shapes() {
   return shapes;
 }
 
+/// One row about the contact of a sphere.
+void expect_contact(const std::string& law, const std::string& source, const law::Measured& error, double limit) {
+  law::expect_below({.law = law, .level = "sphere contact, exact shapes", .source = source}, error, limit, "m");
+}
+
 // Law: the sphere touches if its center is inside the shape or nearer to it than its radius; the depth is the radius
 // less (outside) or plus (inside) the distance to the nearest point of the surface; the normal is along that distance,
 // outwards. Point and normal are checked exactly: the point is on the surface, that far from the center, and no point
@@ -29,6 +35,7 @@ std::vector<Shape> exact_shapes() {
 TEST(SphereContactTest, AgainstSamplesOfTheSurface) {
   Dice dice("sphere contact");
   const double radius = 0.04;
+  law::Worst point_error, depth_error, center_error, nearer;
   for (const Shape& shape : exact_shapes()) {
     const std::vector<Vec3d> samples = surface_samples(shape);
     int touching = 0, clear = 0, deep = 0;
@@ -44,18 +51,24 @@ TEST(SphereContactTest, AgainstSamplesOfTheSurface) {
       ++touching;
       if (distance < 0) ++deep;
       EXPECT_NEAR(norm(contact->normal), 1, 1e-15) << shape_name(shape);
-      EXPECT_NEAR(outside(shape, contact->point), 0, 1e-15) << shape_name(shape);
-      EXPECT_NEAR(contact->depth, radius - distance, 1e-15) << shape_name(shape);
-      EXPECT_LT(difference(center, contact->point + (radius - contact->depth) * contact->normal), 1e-15)
-          << shape_name(shape);
+      point_error.see(std::abs(outside(shape, contact->point)), shape_name(shape), i);
+      depth_error.see(std::abs(contact->depth - (radius - distance)), shape_name(shape), i);
+      center_error.see(difference(center, contact->point + (radius - contact->depth) * contact->normal),
+                       shape_name(shape), i);
       double nearest = 1e9;
       for (const Vec3d& p : samples) nearest = std::fmin(nearest, norm(p - center));
-      EXPECT_GE(nearest, std::fabs(radius - contact->depth) - 1e-15) << shape_name(shape);
+      nearer.see(std::fabs(radius - contact->depth) - nearest, shape_name(shape), i);
     }
     EXPECT_GT(touching, 50) << shape_name(shape);
     EXPECT_GT(clear, 50) << shape_name(shape);
     EXPECT_GT(deep, 10) << shape_name(shape);
   }
+  expect_contact("sphere touches shape: distance of the contact point from the surface", "it lies on it", point_error,
+                 1e-15);
+  expect_contact("sphere touches shape: error of the depth", "radius less the center's distance", depth_error, 1e-15);
+  expect_contact("sphere touches shape: error of the center, from point, normal and depth", "the sphere's center",
+                 center_error, 1e-15);
+  expect_contact("sphere touches shape: how much nearer samples of the surface are", "none is nearer", nearer, 1e-15);
 }
 
 // Law: by hand, one case per shape: sphere of 0.1 m whose center is 0.05 m outside.

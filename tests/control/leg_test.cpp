@@ -7,6 +7,7 @@
 #include "murosimf/control/leg_ik.h"
 #include "murosimf/math/random.h"
 #include "murosimf/multibody/kinematics.h"
+#include "tests/law.h"
 #include "tests/physics/rig.h"
 
 namespace murosimf::control {
@@ -20,20 +21,25 @@ Vec3d ankle_place(const std::array<double, 6>& q, double thigh, double shin) {
   return hip * (Vec3d{0, 0, -thigh} + rotation_y(q[3]) * Vec3d{0, 0, -shin});
 }
 
-// Law: IK(FK(q)) = q over 10,000 reachable postures, different leg lengths; 1e-9 rad is rounding away from the
-// stretched knee, where the angle is ill-conditioned (knee > 0.1 rad here).
+// Different leg lengths; 1e-9 rad is rounding away from the stretched knee, where the angle is ill-conditioned (knee >
+// 0.1 rad here).
 TEST(LegIk, InvertsDirectKinematics) {
   const RandomStream random(1, "leg_ik");
   std::uint64_t n = 0;
   const auto draw = [&](double low, double high) { return random.uniform(n++, low, high); };
+  law::Worst error;
   for (int i = 0; i < 10000; ++i) {
     const double thigh = draw(0.08, 0.4), shin = draw(0.08, 0.4);
     const std::array<double, 6> q{draw(-0.8, 0.8), draw(-0.6, 0.6), draw(-1.2, 0.6),
                                   draw(0.1, 2.2),  draw(-0.9, 0.9), draw(-0.6, 0.6)};
     const LegAngles found = leg_angles(thigh, shin, ankle_place(q, thigh, shin), foot_turn(q));
     EXPECT_TRUE(found.reachable);
-    for (std::size_t k = 0; k < 6; ++k) ASSERT_NEAR(found.q[k], q[k], 1e-9) << "joint " << k << ", posture " << i;
+    for (std::size_t k = 0; k < 6; ++k) error.see(std::abs(found.q[k] - q[k]), "joint", k, "posture", i);
   }
+  law::expect_below({.law = "inverse kinematics of the leg: error of angles, 10,000 postures",
+                     .level = "leg_ik",
+                     .source = "IK(FK(q)) = q"},
+                    error, 1e-9, "rad");
 }
 
 TEST(LegIk, TooFarPointsAtTheTarget) {
@@ -91,12 +97,21 @@ TEST(Gait, FeetAreLevelOnARobotWithMirroredAxes) {
   std::vector<Mat3d> R(q.size());
   R[0] = rotation_y(p.pitch);  // the pelvis leans forward, the feet must be level
   multibody::poses<double>(model.tree(), q, r, R);
+  law::Worst tilt, height;
   for (const char* name : {"l_sole", "r_sole"}) {
     const int sole = model.object_index(name);
-    EXPECT_NEAR(R[sole].z.z, 1, 1e-12);
+    tilt.see(std::abs(R[sole].z.z - 1), name);
     const Vec3d hip = R[0] * legs[0].hip;
-    EXPECT_NEAR(r[sole].z - hip.z, -p.hip_height, 1e-9);
+    height.see(std::abs(r[sole].z - hip.z + p.hip_height), name);
   }
+  law::expect_below({.law = "gait on a robot with mirrored axes: 1 - cos of the soles' tilt",
+                     .level = "gait",
+                     .source = "soles are level"},
+                    tilt, 1e-12, "");
+  law::expect_below({.law = "gait on a robot with mirrored axes: error of the soles' height",
+                     .level = "gait",
+                     .source = "the hip height of the parameters"},
+                    height, 1e-9, "m");
 }
 
 TEST(Leg, WhatIsNoLegIsRefusedWithTheReason) {
@@ -119,7 +134,10 @@ TEST(Gait, SeedsGiveKid21ItsOwnParameters) {
   EXPECT_NEAR(seeded.period, found.period, 1e-12);
   EXPECT_NEAR(seeded.hip_height, found.hip_height, 1e-12);
   EXPECT_NEAR(seeded.half_width, found.half_width, 1e-12);
-  EXPECT_NEAR(seeded.sway, found.sway, 1e-4);
+  law::expect_near({.law = "seeded walk parameters of kid21: sway",
+                    .level = "gait",
+                    .source = "what was found for kid21 by search; the seed is the pendulum's"},
+                   seeded.sway, found.sway, 1e-4, "m");
 }
 
 // The gait is continuous in phase: at a control cycle's step no foot jumps by more than the swing's top speed allows.
@@ -128,14 +146,20 @@ TEST(Gait, IsContinuous) {
   const WalkParameters p = seeded_parameters(legs);
   const double step = 0.001;
   auto before = gait_pose(legs, p, 2 * pi - step, 1, {0.25, 0.1, 0.5});
+  law::Worst jump;
   for (double phase = 0; phase < 2 * pi; phase += step) {
     const auto pose = gait_pose(legs, p, phase, 1, {0.25, 0.1, 0.5});
     EXPECT_TRUE(pose.reachable);
     for (std::size_t side = 0; side < 2; ++side) {
-      for (std::size_t i = 0; i < 6; ++i) ASSERT_LT(std::abs(pose.q[side][i] - before.q[side][i]), 0.02) << phase;
+      for (std::size_t i = 0; i < 6; ++i)
+        jump.see(std::abs(pose.q[side][i] - before.q[side][i]), "phase", phase, "side", side, "joint", i);
     }
     before = pose;
   }
+  law::expect_below({.law = "gait at full speed: largest change of a joint target per 0.001 rad of phase",
+                     .level = "gait",
+                     .source = "it is continuous, as fast as the swing allows"},
+                    jump, 0.02, "rad");
 }
 
 }  // namespace

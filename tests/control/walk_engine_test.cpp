@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/control/ball_chaser.h"
+#include "tests/law.h"
 #include "tests/physics/rig.h"
 
 namespace murosimf::control {
@@ -30,7 +31,10 @@ TEST(WalkEngine, StandsWithoutACommand) {
 TEST(WalkEngine, SlewsAndClipsTheCommand) {
   Walker walker({9, -9, 9});
   walker.rig.run(0.101);
-  EXPECT_NEAR(walker.robot.base().get(properties::gait_velocity).x, 11 * 0.01 * 0.375, 1e-9);
+  law::expect_near({.law = "walk command slews: speed after 11 control cycles",
+                    .level = "walk_engine",
+                    .source = "limit of 0.375 m/s^2 times 11 times 0.01 s"},
+                   walker.robot.base().get(properties::gait_velocity).x, 11 * 0.01 * 0.375, 1e-9, "m/s");
   walker.rig.run(3.0);
   const WalkParameters p = seeded_parameters(find_legs(*test::kid21()));
   const Vec3d v = walker.robot.base().get(properties::gait_velocity);
@@ -47,7 +51,10 @@ TEST(WalkEngine, StopsWhenTheCommandBecomesZero) {
   EXPECT_EQ(walker.robot.base().get(properties::gait_amplitude), 0);
   const Vec3d place = test::Rig::place(walker.robot);
   walker.rig.run(1.0);
-  EXPECT_LT(norm(test::Rig::place(walker.robot) - place), 1e-6);
+  law::expect_below({.law = "walk command becomes zero: way in the third second after",
+                     .level = "walk_engine, kinematic_walking",
+                     .source = "it stands"},
+                    norm(test::Rig::place(walker.robot) - place), 1e-6, "m");
 }
 
 /// A chaser alone with a ball on kinematic feet; returns how far the ball came towards the goal at positive x.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/motion/odometer.h"
+#include "tests/law.h"
 #include "tests/physics/rig.h"
 
 namespace murosimf::motion {
@@ -30,20 +31,25 @@ struct Arm {
   Entity& entity;
 };
 
-// Law: critically damped second order, q = 1 - (1 + w t) exp(-w t); implicit Euler at 1 ms and w = 120 rad/s is off by
-// about w dt / 2 of the step at most.
+// Implicit Euler at 1 ms and w = 120 rad/s is off by about w dt / 2 of the step at most.
 TEST(JointReference, FilterFollowsTheCriticallyDampedStep) {
   Arm arm({});
   arm.entity.object("hinge").set(properties::joint_target, 1);
-  double worst = 0;
+  law::Worst error;
   for (int i = 1; i <= 200; ++i) {
     arm.rig.simulation.step();
     const double t = i * 1e-3;
-    worst = std::max(worst, std::abs(arm.q() - (1 - (1 + 120 * t) * std::exp(-120 * t))));
+    error.see(std::abs(arm.q() - (1 - (1 + 120 * t) * std::exp(-120 * t))), "time", t);
     EXPECT_LE(arm.q(), 1 + 1e-12) << "critically damped motion does not overshoot";
   }
-  EXPECT_LT(worst, 0.05);
-  EXPECT_NEAR(arm.q(), 1, 1e-6);
+  law::expect_below({.law = "step of 1 rad through the filter: error on the way",
+                     .level = "joint reference, filter",
+                     .source = "critically damped: 1 - (1 + w t) exp(-w t), w = 120 rad/s"},
+                    error, 0.05, "rad");
+  law::expect_near({.law = "step of 1 rad through the filter: angle after 0.2 s",
+                    .level = "joint reference, filter",
+                    .source = "the target"},
+                   arm.q(), 1, 1e-6, "rad");
 }
 
 TEST(JointReference, FilterIsStableWithLongSteps) {
@@ -54,18 +60,30 @@ TEST(JointReference, FilterIsStableWithLongSteps) {
   rig.simulation.initialize();
   entity.object("hinge").set(properties::joint_target, 1);
   rig.run(2);
-  EXPECT_NEAR(entity.object("hinge").get(properties::joint_position), 1, 1e-9);
+  law::expect_near({.law = "step of 1 rad through the filter at 50 Hz: angle after 2 s",
+                    .level = "joint reference, filter",
+                    .source = "stable with long steps: the target"},
+                   entity.object("hinge").get(properties::joint_position), 1, 1e-9, "rad");
 }
 
 // Rule: the target is reached at constant rate within one control cycle, exactly, and then held.
 TEST(JointReference, LinearReachesTheTargetWithinOneCycle) {
   Arm arm({.kind = ReferenceKind::linear, .control_period = 0.01});
   arm.entity.object("hinge").set(properties::joint_target, 0.2);
+  law::Worst angle, rate;
   for (int i = 1; i <= 10; ++i) {
     arm.rig.simulation.step();
-    EXPECT_NEAR(arm.q(), 0.02 * i, 1e-12);
-    EXPECT_NEAR(arm.qd(), 20, 1e-9);
+    angle.see(std::abs(arm.q() - 0.02 * i), "step", i);
+    rate.see(std::abs(arm.qd() - 20), "step", i);
   }
+  law::expect_below({.law = "step of 0.2 rad in one control cycle of 10 ms: error of the angle",
+                     .level = "joint reference, linear",
+                     .source = "a straight line in time"},
+                    angle, 1e-12, "rad");
+  law::expect_below({.law = "step of 0.2 rad in one control cycle of 10 ms: error of the rate",
+                     .level = "joint reference, linear",
+                     .source = "a straight line in time"},
+                    rate, 1e-9, "rad/s");
   EXPECT_EQ(arm.q(), 0.2);
   arm.rig.simulation.step();
   EXPECT_EQ(arm.q(), 0.2);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/fixtures.h"
+#include "tests/law.h"
 
 namespace murosimf::multibody {
 namespace {
@@ -62,6 +63,12 @@ State<double> later(const Model& model, const State<double>& s, double time) {
   return next;
 }
 
+/// One row about direct kinematics.
+void expect_kernel(const std::string& law, const std::string& source, const law::Measured& error, double limit,
+                   const std::string& unit) {
+  law::expect_below({.law = law, .level = "kinematics", .source = source}, error, limit, unit);
+}
+
 /// Links from the base (excluded) to `link`.
 std::vector<int> path_to(const Tree& tree, int link) {
   std::vector<int> path;
@@ -69,9 +76,9 @@ std::vector<int> path_to(const Tree& tree, int link) {
   return path;
 }
 
-// Law: poses are the product of the objects' transformations along the tree. Tolerance: up to 30 products, each with a
-// rounding of a few 1e-16 of lengths up to 10 m.
+// Tolerance: up to 30 products, each with a rounding of a few 1e-16 of lengths up to 10 m.
 TEST(Kinematics, PosesAgainstHomogeneousMatrices) {
+  law::Worst place_error, turn_error;
   for (std::uint64_t seed = 1; seed <= trees; ++seed) {
     const Model model = fixtures::random_model(seed);
     Dice dice("poses", seed);
@@ -79,34 +86,41 @@ TEST(Kinematics, PosesAgainstHomogeneousMatrices) {
     place(model, s);
     const auto T = compose(model, s);
     for (int i = 0; i < model.size(); ++i) {
-      EXPECT_LT((dense(s.r[i]) - T[i].topRightCorner<3, 1>()).norm(), 3e-14) << seed << ' ' << i;
-      EXPECT_LT((dense(s.R[i]) - T[i].topLeftCorner<3, 3>()).norm(), 2e-14) << seed << ' ' << i;
+      place_error.see((dense(s.r[i]) - T[i].topRightCorner<3, 1>()).norm(), "tree", seed, "object", i);
+      turn_error.see((dense(s.R[i]) - T[i].topLeftCorner<3, 3>()).norm(), "tree", seed, "object", i);
     }
   }
+  expect_kernel("poses in random trees: error of places", "product of the objects' 4x4 matrices", place_error, 3e-14,
+                "m");
+  expect_kernel("poses in random trees: error of orientations", "product of the objects' 4x4 matrices", turn_error,
+                2e-14, "");
 }
 
-// Law: the hand-made robot in closed form: a straight leg is 0.31 m long, a knee at q moves the foot on a circle.
-// Tolerance: rounding.
+// A straight leg is 0.31 m long, a knee at q moves the foot on a circle. Tolerance: rounding.
 TEST(Kinematics, LegInClosedForm) {
   const Model model = fixtures::two_legged();
   State<double> s(model.size());
   place(model, s);
   const int foot = model.object_index("left_foot");
-  EXPECT_LT(difference(s.r[foot], {0.02, 0.05, -0.31}), 1e-15);
+  law::Worst error;
+  error.see(difference(s.r[foot], {0.02, 0.05, -0.31}), "straight");
   const double q = 0.7;
   s.q[model.object_index("left_knee")] = q;
   place(model, s);
   // the shin with foot, (0.02, 0, -0.15) from the knee, turned about y
   const Vec3d expected{0.02 * std::cos(q) - 0.15 * std::sin(q), 0.05, -0.16 - 0.02 * std::sin(q) - 0.15 * std::cos(q)};
-  EXPECT_LT(difference(s.r[foot], expected), 1e-15);
-  EXPECT_LT(difference(s.r[model.object_index("right_foot")], {0.02, -0.05, -0.31}), 1e-15);
+  error.see(difference(s.r[foot], expected), "bent");
+  error.see(difference(s.r[model.object_index("right_foot")], {0.02, -0.05, -0.31}), "other leg");
+  expect_kernel("two-legged robot, knee bent: error of the feet's places", "closed form of two links", error, 1e-15,
+                "m");
 }
 
-// Law: velocities are the rates of poses. Tolerance: central differences over h = 1e-5 s err by h^2/6 of the third
-// derivative (up to 20 joints at 2 rad/s: sums of 30 rad/s on arms of metres, 1e5 m/s^3 at most: 2e-6) and by rounding
-// of positions (1e-15 m / h = 1e-10); a wrong term errs by 0.1 and more.
+// Tolerance: central differences over h = 1e-5 s err by h^2/6 of the third derivative (up to 20 joints at 2 rad/s: sums
+// of 30 rad/s on arms of meters, 1e5 m/s^3 at most: 2e-6) and by rounding of positions (1e-15 m / h = 1e-10); a wrong
+// term errs by 0.1 and more.
 TEST(Kinematics, VelocitiesAgainstDifferencesOfPoses) {
   const double h = 1e-5;
+  law::Worst v_error, w_error;
   for (std::uint64_t seed = 1; seed <= trees; ++seed) {
     const Model model = fixtures::random_model(seed);
     Dice dice("velocities", seed);
@@ -116,11 +130,13 @@ TEST(Kinematics, VelocitiesAgainstDifferencesOfPoses) {
     const State<double> before = later(model, s, -h), after = later(model, s, h);
     for (int i = 0; i < model.size(); ++i) {
       const Vec3d v = (0.5 / h) * (after.r[i] - before.r[i]);
-      EXPECT_LT(difference(s.v[i], v), 2e-6) << seed << ' ' << i;
+      v_error.see(difference(s.v[i], v), "tree", seed, "object", i);
       const Vec3d turned = (0.5 / h) * rotation_vector(from_matrix(after.R[i] * transpose(before.R[i])));
-      EXPECT_LT(difference(s.w[i], turned), 2e-6) << seed << ' ' << i;
+      w_error.see(difference(s.w[i], turned), "tree", seed, "object", i);
     }
   }
+  expect_kernel("velocities in random trees: error, linear", "central differences of poses", v_error, 2e-6, "m/s");
+  expect_kernel("velocities in random trees: error, angular", "central differences of poses", w_error, 2e-6, "rad/s");
 }
 
 // Rule: the base's rows are input and stay as they are.
@@ -137,9 +153,9 @@ TEST(Kinematics, BaseStays) {
   EXPECT_EQ(difference(s.w[0], before.w[0]), 0);
 }
 
-// Law: the pose in the base frame from the joints on the way alone is the pose in the world seen from the base.
-// Tolerance: as for poses. All other joints are NaN here: they are not looked at.
+// Tolerance: as for poses. Joints that are not on the way are NaN here: they are not looked at.
 TEST(Kinematics, PoseInBase) {
+  law::Worst place_error, turn_error;
   for (std::uint64_t seed = 1; seed <= trees; ++seed) {
     const Model model = fixtures::random_model(seed);
     const Tree& tree = model.tree();
@@ -151,15 +167,19 @@ TEST(Kinematics, PoseInBase) {
       std::vector<double> q(s.q.size(), std::nan(""));
       for (const int l : path) q[tree.links[l].object] = s.q[tree.links[l].object];
       const Pose<double> pose = pose_in_base<double>(tree, path, model.placement(i), q);
-      EXPECT_LT(difference(pose.r, transposed_times(s.R[0], s.r[i] - s.r[0])), 3e-14) << seed << ' ' << i;
-      EXPECT_LT(difference(pose.R, transpose(s.R[0]) * s.R[i]), 2e-14) << seed << ' ' << i;
+      place_error.see(difference(pose.r, transposed_times(s.R[0], s.r[i] - s.r[0])), "tree", seed, "object", i);
+      turn_error.see(difference(pose.R, transpose(s.R[0]) * s.R[i]), "tree", seed, "object", i);
     }
   }
+  const std::string source = "pose in the world, seen from the base";
+  expect_kernel("pose in the base frame by the joints on the way: error of places", source, place_error, 3e-14, "m");
+  expect_kernel("pose in the base frame by the joints on the way: error of orientations", source, turn_error, 2e-14,
+                "");
 }
 
-// Law: the twist against the base is the velocity less that of a rigid body moving with the base. Tolerance: velocities
-// up to 100 m/s and rad/s with 1e-16 each, over some ten joints.
+// Tolerance: velocities up to 100 m/s and rad/s with 1e-16 each, over some ten joints.
 TEST(Kinematics, TwistAgainstBase) {
+  law::Worst w_error, v_error;
   for (std::uint64_t seed = 1; seed <= trees; ++seed) {
     const Model model = fixtures::random_model(seed);
     const Tree& tree = model.tree();
@@ -172,10 +192,13 @@ TEST(Kinematics, TwistAgainstBase) {
       const Vec3d at = s.r[i] + dice.vector(0.2);
       const Motiond twist = twist_against_base<double>(tree, path, at, s.qd, Spans(s.r), std::span<const Mat3d>(s.R));
       const Vec3d carried = s.v[0] + cross(s.w[0], at - s.r[0]);
-      EXPECT_LT(difference(twist.w, s.w[i] - s.w[0]), 1e-13) << seed << ' ' << i;
-      EXPECT_LT(difference(twist.v, s.v[i] + cross(s.w[i], at - s.r[i]) - carried), 3e-13) << seed << ' ' << i;
+      w_error.see(difference(twist.w, s.w[i] - s.w[0]), "tree", seed, "object", i);
+      v_error.see(difference(twist.v, s.v[i] + cross(s.w[i], at - s.r[i]) - carried), "tree", seed, "object", i);
     }
   }
+  const std::string source = "velocity less that of a rigid body that moves with the base";
+  expect_kernel("twist against the base: error, angular", source, w_error, 1e-13, "rad/s");
+  expect_kernel("twist against the base: error, linear", source, v_error, 3e-13, "m/s");
 }
 
 // Rule: shift_all moves every row by the same vector.

@@ -9,6 +9,7 @@
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/multibody/mass.h"
 #include "tests/fixtures.h"
+#include "tests/law.h"
 
 namespace murosimf::multibody {
 namespace {
@@ -164,16 +165,27 @@ constexpr std::array<int, 8> reversed{7, 6, 5, 4, 3, 2, 1, 0};
 TEST_P(LanesOf, EqualRobotsAlone) {
   Robot<Pack8> pack = packed(model_, start_, in_order);
   run_kernels(model_, pack);
-  for (int i = 0; i < 8; ++i) EXPECT_EQ(differences(pack, i, alone_[i]), 0) << "lane " << i;
+  law::Worst count;
+  for (int i = 0; i < 8; ++i) count.see(differences(pack, i, alone_[i]), "lane", i);
+  law::expect_equal({.law = "robots in lanes: numbers that differ from those of the robot alone",
+                     .level = "all kernels",
+                     .source = "none, bit for bit"},
+                    count, 0, "");
 }
 
 TEST_P(LanesOf, EqualRobotsAloneInReversedOrder) {
   Robot<Pack8> pack = packed(model_, start_, reversed);
   run_kernels(model_, pack);
-  for (int i = 0; i < 8; ++i) EXPECT_EQ(differences(pack, 7 - i, alone_[i]), 0) << "robot " << i;
+  law::Worst count;
+  for (int i = 0; i < 8; ++i) count.see(differences(pack, 7 - i, alone_[i]), "robot", i);
+  law::expect_equal({.law = "robots in lanes, reversed: numbers that differ from those of the robot alone",
+                     .level = "all kernels",
+                     .source = "none, bit for bit"},
+                    count, 0, "");
 }
 
 TEST_P(LanesOf, BadNumbersStayInTheirLane) {
+  law::Worst count;
   for (const int bad : {0, 3, 7}) {
     std::vector<Robot<double>> start = start_;
     for (double& q : start[bad].state.q) q = std::nan("");
@@ -184,11 +196,16 @@ TEST_P(LanesOf, BadNumbersStayInTheirLane) {
     run_kernels(model_, pack);
     for (int i = 0; i < 8; ++i) {
       if (i == bad) continue;
-      EXPECT_EQ(differences(pack, i, alone_[i]), 0) << "lane " << i << ", NaN in " << bad;
+      count.see(differences(pack, i, alone_[i]), "lane", i, "with NaN in", bad);
     }
     EXPECT_TRUE(std::isnan(pack.common.center.y.lane(bad)));
     EXPECT_TRUE(std::isnan(pack.body.turn.w.lane(bad)));
   }
+  law::expect_equal({.law =
+                         "robots in lanes, NaN in one: numbers of the others that differ from those of the robot alone",
+                     .level = "all kernels",
+                     .source = "none, bit for bit"},
+                    count, 0, "");
 }
 
 // The check sees the last bit: a robot that starts one bit beside the other does not equal it afterwards.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/ball_contact.h"
+#include "tests/law.h"
 #include "tests/physics/rig.h"
 
 namespace murosimf::test {
@@ -38,18 +39,20 @@ struct Kick {
   Entity* ball = nullptr;
 };
 
-// Law: forces between two dynamic bodies are equal and opposite, so momentum is kept to rounding.
 TEST(BallContact, KeepsTheMomentumOfADynamicPair) {
   Kick kick(false);
   kick.rig.simulation.step();  // takes over the ball's launch
   const Vec3d P = Kick::momentum(*kick.ball) + Kick::momentum(*kick.robot);
   kick.rig.run(0.5);
   EXPECT_GT(Rig::velocity(*kick.ball).x, 0.1) << "the ball did not bounce";
-  EXPECT_LT(norm(Kick::momentum(*kick.ball) + Kick::momentum(*kick.robot) - P), 1e-12);
+  law::expect_below({.law = "ball hits robot: change of the pair's momentum",
+                     .level = "simplified_dynamics",
+                     .source = "forces are equal and opposite: none"},
+                    norm(Kick::momentum(*kick.ball) + Kick::momentum(*kick.robot) - P), 1e-12, "N s");
 }
 
-// Law: a kinematic robot feels nothing; ball and ledger together keep momentum to rounding, and angular momentum up to
-// the ball's way within a step times its force (1 mm of 0.1 N s: 1e-4 N m s).
+// A kinematic robot feels nothing; ball and ledger together keep momentum to rounding, and angular momentum up to the
+// ball's way within a step times its force (1 mm of 0.1 N s: 1e-4 N m s).
 TEST(BallContact, LedgerClosesTheBalanceOfAKinematicRobot) {
   Kick kick(true);
   kick.rig.simulation.step();  // takes over the ball's launch
@@ -59,8 +62,14 @@ TEST(BallContact, LedgerClosesTheBalanceOfAKinematicRobot) {
   const Forced ledger = kick.robot->base().get(properties::absorbed_impulse);
   EXPECT_GT(Rig::velocity(*kick.ball).x, 0.1) << "the ball did not bounce";
   EXPECT_GT(norm(ledger.f), 0.1);
-  EXPECT_LT(norm(Kick::momentum(*kick.ball) + ledger.f - P), 1e-10);
-  EXPECT_LT(norm(Kick::angular_momentum(*kick.ball) + ledger.n - L), 1e-4);
+  law::expect_below({.law = "ball hits robot: change of the momentum of ball and ledger",
+                     .level = "kinematic_walking",
+                     .source = "the ledger takes what the ball loses: none"},
+                    norm(Kick::momentum(*kick.ball) + ledger.f - P), 1e-10, "N s");
+  law::expect_below({.law = "ball hits robot: change of the angular momentum of ball and ledger",
+                     .level = "kinematic_walking",
+                     .source = "none, up to the ball's way in one step times its impulse"},
+                    norm(Kick::angular_momentum(*kick.ball) + ledger.n - L), 1e-4, "N m s");
 }
 
 // A kinematic robot that walks into a resting ball pushes it forward, and is not slowed down itself.
@@ -74,8 +83,14 @@ TEST(BallContact, KinematicRobotPushesTheBall) {
   rig.simulation.attach<control::WalkEngine>("walk_engine", robot, 100, Vec3d{0.2, 0, 0});
   rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
   rig.run(5.0);
-  EXPECT_GT(Rig::place(ball).x, 0.6);
-  EXPECT_GT(Rig::place(robot).x, 0.8);
+  law::expect_above({.law = "robot walks into a resting ball: place of the ball after 5 s, from 0.4 m",
+                     .level = "kinematic_walking",
+                     .source = "the ball is pushed on"},
+                    Rig::place(ball).x, 0.6, "m");
+  law::expect_above({.law = "robot walks into a resting ball: way of the robot in 5 s",
+                     .level = "kinematic_walking",
+                     .source = "it is not slowed down"},
+                    Rig::place(robot).x, 0.8, "m");
   EXPECT_LT(norm(Rig::velocity(ball)), 3.0);
 }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "murosimf/io/scene.h"
+#include "tests/law.h"
 #include "tests/physics/rig.h"
 
 namespace murosimf::test {
@@ -59,7 +60,10 @@ TEST(Freezing, AbsurdTargetsFreezeAtBothLevels) {
     robot.object("j_l_shin").set(properties::joint_target, 1e300);
     rig.run(0.1);
     EXPECT_TRUE(robot.frozen());
-    EXPECT_LT(norm(Rig::place(robot) - place), 1e-3);
+    law::expect_below({.law = "absurd joint target freezes the robot: jump of its base",
+                       .level = kinematic ? "kinematic_walking" : "simplified_dynamics",
+                       .source = "it stays where it was"},
+                      norm(Rig::place(robot) - place), 1e-3, "m");
   }
 }
 
@@ -81,7 +85,10 @@ TEST(Freezing, AFrozenBallPushesNobody) {
   rig.run(0.002);
   const Vec3d v = Rig::velocity(robot);
   rig.run(0.1);
-  EXPECT_LT(norm(Rig::velocity(robot) - v), 1e-12);
+  law::expect_below({.law = "frozen ball touches a robot: the robot's change of speed in 0.1 s",
+                     .level = "simplified_dynamics",
+                     .source = "frozen is out of the game: none"},
+                    norm(Rig::velocity(robot) - v), 1e-12, "m/s");
 }
 
 // Users may throw a ball and carry a robot by name while the simulation runs.
@@ -110,7 +117,10 @@ TEST(Setup, MotionWithoutContact) {
   rig.simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", ball, 1000);
   rig.run(0.1);
   EXPECT_FALSE(ball.frozen());
-  EXPECT_NEAR(Rig::velocity(ball).z, -0.1 * g, 1e-9);
+  law::expect_near({.law = "free fall: speed after t = 0.1 s",
+                    .level = "simplified_dynamics, without contact algorithm",
+                    .source = "-g t"},
+                   Rig::velocity(ball).z, -0.1 * g, 1e-9, "m/s");
 
   Rig other;
   auto point = std::make_shared<const Model>("point", Chain{}.base("base").with(properties::mass, 1.0));
@@ -150,9 +160,12 @@ std::uint64_t hash_of(int threads, std::uint64_t seed, const std::vector<std::st
 // The same scene and seed give the same state, bit for bit, on every run and for any number of threads.
 TEST(Determinism, HashDependsOnTheSeedOnly) {
   const std::uint64_t one = hash_of(1, 7);
-  EXPECT_EQ(hash_of(1, 7), one);
-  EXPECT_EQ(hash_of(2, 7), one);
-  EXPECT_EQ(hash_of(3, 7), one);
+  law::Worst differs;
+  for (const int threads : {1, 2, 3}) differs.see(hash_of(threads, 7) == one ? 0 : 1, threads, "threads");
+  law::expect_equal({.law = "same scene and seed, other runs with 1, 2 and 3 threads: different states",
+                     .level = "three kinematic_walking against three simplified_dynamics",
+                     .source = "the same state hash"},
+                    differs, 0, "");
   EXPECT_NE(hash_of(1, 8), one);
 }
 
@@ -169,8 +182,10 @@ TEST(Determinism, StartPlacesDoNotDependOnOtherRobots) {
   const Vec3d before = all.simulation().world().entity("red3").options().position;
   io::Scene more(crowded);
   const Vec3d after = more.simulation().world().entity("red3").options().position;
-  EXPECT_EQ(before.x, after.x);
-  EXPECT_EQ(before.y, after.y);
+  law::expect_equal({.law = "one more robot in the scene: change of another one's start",
+                     .level = "scene file",
+                     .source = "random streams are named by robot: none"},
+                    norm(after - before), 0, "m");
 }
 
 }  // namespace

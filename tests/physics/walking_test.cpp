@@ -1,6 +1,7 @@
 // The same walk at both levels: how far it gets, and what must hold on the way.
 #include <gtest/gtest.h>
 
+#include "tests/law.h"
 #include "tests/physics/rig.h"
 
 namespace murosimf::test {
@@ -78,14 +79,34 @@ double progress(const Walk& walk, const Vec3d& command) {
   return command.x != 0 ? walk.moved.x : command.y != 0 ? walk.moved.y : walk.turned;
 }
 
+std::string words(const Vec3d& command) {
+  if (command.z != 0) return fmt::format("turn with {} rad/s", command.z);
+  if (command.y != 0) return fmt::format("walk sideways with {} m/s", command.y);
+  return fmt::format("walk {} with {} m/s", command.x > 0 ? "forward" : "back", std::abs(command.x));
+}
+
+void expect_progress(const std::string& level, const Walk& walk, const Vec3d& command, double expected) {
+  law::expect_near({.law = words(command) + ": progress in 18 s",
+                    .level = level,
+                    .source = "the project's prototype: same robot, parameters and level"},
+                   progress(walk, command), expected, 0.05 * std::abs(expected), command.z != 0 ? "rad" : "m");
+}
+
+void expect_upright(const std::string& level, const Walk& walk, double degrees) {
+  law::expect_below({.law = "walk and turn: largest lean of the pelvis in 18 s",
+                     .level = level,
+                     .source = "it does not fall"},
+                    walk.lean * 180 / pi, degrees, "deg");
+}
+
 TEST_P(WalkTable, GetsAsFarAsThePrototype) {
   const Expected& expected = GetParam();
   const Walk kinematic = walk("kinematic_walking", expected.command);
   const Walk simplified = walk("simplified_dynamics", expected.command);
-  EXPECT_NEAR(progress(kinematic, expected.command), expected.kinematic, 0.05 * std::abs(expected.kinematic));
-  EXPECT_NEAR(progress(simplified, expected.command), expected.simplified, 0.05 * std::abs(expected.simplified));
-  EXPECT_LT(kinematic.lean, 6 * pi / 180);
-  EXPECT_LT(simplified.lean, 8 * pi / 180);
+  expect_progress("kinematic_walking", kinematic, expected.command, expected.kinematic);
+  expect_progress("simplified_dynamics", simplified, expected.command, expected.simplified);
+  expect_upright("kinematic_walking", kinematic, 6);
+  expect_upright("simplified_dynamics", simplified, 8);
 }
 
 constexpr double degree = pi / 180;
@@ -96,28 +117,39 @@ INSTANTIATE_TEST_SUITE_P(Commands, WalkTable,
                                          Expected{{0, 0, 0.5}, 485 * degree, 455 * degree}),
                          name_of);
 
-// Law: the standing sole does not move between two swaps (1e-9 m: rounding), and the path is the commanded one within
-// 8 % (ramp at the start, attenuation by the joint filter).
 TEST(KinematicWalking, StandingSoleIsFixed) {
-  const Walk result = walk("kinematic_walking", {0.2, 0, 0.2});
-  EXPECT_LT(result.slip, 1e-9);
+  law::expect_below({.law = "walk in a curve: motion of the standing sole between two swaps",
+                     .level = "kinematic_walking",
+                     .source = "it is fixed, up to rounding"},
+                    walk("kinematic_walking", {0.2, 0, 0.2}).slip, 1e-9, "m");
 }
+// The ramp at the start and the joint filter cost some of the commanded way.
 TEST(KinematicWalking, WalksTheCommandedDistance) {
-  const Walk result = walk("kinematic_walking", {0.2, 0, 0});
-  EXPECT_NEAR(result.moved.x, 0.2 * 18, 0.08 * 0.2 * 18);
+  law::expect_near({.law = "walk forward with 0.2 m/s: way in 18 s",
+                    .level = "kinematic_walking",
+                    .source = "the commanded speed times time"},
+                   walk("kinematic_walking", {0.2, 0, 0}).moved.x, 0.2 * 18, 0.08 * 0.2 * 18, "m");
 }
 
-// Law: levels agree on the same motion: path within 5 %, height of the pelvis moves by a few millimetres at both.
+void expect_steady_pelvis(const std::string& level, const Walk& walk, double limit) {
+  law::expect_below({.law = "walk forward with 0.1 m/s: highest minus lowest pelvis",
+                     .level = level,
+                     .source = "gait at constant hip height: a few millimeters"},
+                    walk.center_range, limit, "m");
+}
+
 TEST(Levels, AgreeOnASlowWalk) {
   const Walk kinematic = walk("kinematic_walking", {0.1, 0, 0});
   const Walk simplified = walk("simplified_dynamics", {0.1, 0, 0});
-  EXPECT_NEAR(simplified.moved.x, kinematic.moved.x, 0.05 * kinematic.moved.x);
-  EXPECT_LT(kinematic.center_range, 0.008);
-  EXPECT_LT(simplified.center_range, 0.010);
+  law::expect_near({.law = "walk forward with 0.1 m/s: way in 18 s, as a part of kinematic walking's",
+                    .level = "simplified_dynamics",
+                    .source = "levels agree on the same motion"},
+                   simplified.moved.x / kinematic.moved.x, 1, 0.05, "");
+  expect_steady_pelvis("kinematic_walking", kinematic, 0.008);
+  expect_steady_pelvis("simplified_dynamics", simplified, 0.010);
 }
 
-// Law: the reported twist is the time derivative of the pose while the same foot stands (central differences at 1 kHz
-// of a motion with frequencies up to 120 rad/s: 1e-2 of the speed).
+// Central differences at 1 kHz of a motion with frequencies up to 120 rad/s: 1e-2 of the speed.
 TEST(KinematicWalking, TwistIsTheRateOfThePose) {
   Rig rig;
   Entity& robot = rig.add("robot", kid21());
@@ -126,6 +158,7 @@ TEST(KinematicWalking, TwistIsTheRateOfThePose) {
   rig.run(3.0);
   auto head = robot.object("head");
   int compared = 0;
+  law::Worst error;
   for (int i = 0; i < 500; ++i) {
     const double foot = robot.base().get(properties::stance_foot);
     const Vec3d before = head.get(properties::position);
@@ -134,9 +167,13 @@ TEST(KinematicWalking, TwistIsTheRateOfThePose) {
     const Vec3d difference = 1000.0 * (head.get(properties::position) - before);
     if (robot.base().get(properties::stance_foot) != foot) continue;
     // joints move by dt * the new rate, so the backward difference belongs to half a step earlier
-    EXPECT_NEAR(norm(v - difference), 0, 0.02);
+    error.see(norm(v - difference), "step", i);
     ++compared;
   }
+  law::expect_below({.law = "velocity of the head while the same foot stands: error",
+                     .level = "kinematic_walking",
+                     .source = "differences of its place"},
+                    error, 0.02, "m/s");
   EXPECT_GT(compared, 450);
 }
 
@@ -198,8 +235,15 @@ TEST(Levels, AnotherBipedWalksWithSeededParameters) {
       rig.simulation.step();
       lean = std::max(lean, std::acos(std::min(1.0, robot.base().get(properties::orientation).z.z)));
     }
-    EXPECT_NEAR(Rig::place(robot).x - start, 3.0, 0.45) << (kinematic ? "kinematic" : "simplified");
-    EXPECT_LT(lean, 10 * degree) << (kinematic ? "kinematic" : "simplified");
+    const std::string level = kinematic ? "kinematic_walking" : "simplified_dynamics";
+    law::expect_near({.law = "another biped, seeded parameters, walk with 0.2 m/s: way in 15 s",
+                      .level = level,
+                      .source = "the commanded speed times time"},
+                     Rig::place(robot).x - start, 3.0, 0.45, "m");
+    law::expect_below({.law = "another biped, seeded parameters, walk with 0.2 m/s: largest lean of the pelvis",
+                       .level = level,
+                       .source = "it does not fall"},
+                      lean * 180 / pi, 10, "deg");
   }
 }
 
