@@ -58,13 +58,16 @@ struct ContactPoint : Contact {
 void append_hash(Hasher& hasher, const ContactPoint& point);
 
 class ContactLaw;
+class ImpulseResponse;
 
 /// All contacts of one entity with what does not move. One value per entity, kept in a column.
 struct ContactSet {
   std::vector<ContactPoint> points;           ///< sorted by feature
   std::vector<ContactParameters> parameters;  ///< by Contact::surface
   const ContactLaw* law = nullptr;
-  double dt = 0;  ///< [s] of the step that the forces are made for
+  double dt = 0;                        ///< [s] of the step that the forces are made for
+  ImpulseResponse* response = nullptr;  ///< of the level that moves the entity, for island solvers; null: none
+  bool solved = false;  ///< an island solver has settled this step already; motion takes it over and resets this
 
   // working memory, kept to avoid allocation
   std::vector<ContactPoint> previous;

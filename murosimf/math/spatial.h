@@ -4,6 +4,8 @@
 /// Every use says in which axes they are written and at which point v and n are taken.
 #pragma once
 
+#include <array>
+
 #include "murosimf/math/mat3.h"
 
 namespace murosimf {
@@ -117,9 +119,28 @@ Sym6<S> at_point(const SymMat3<S>& D, const Vec3<S>& x);
 template <class S>
 Sym6<S> moved(const Sym6<S>& a, const Vec3<S>& offset);
 
-/// Solves A m = force for a symmetric positive definite A, by Cholesky.
+/// A = L L^T of a symmetric positive definite A.
 template <class S>
-Motion<S> solve(const Sym6<S>& A, const Force<S>& force);
+class Cholesky6 {
+ public:
+  explicit Cholesky6(const Sym6<S>& A);
+
+  /// L^-1 force.
+  [[nodiscard]] std::array<S, 6> forward(const Force<S>& force) const;
+  /// L^-T y.
+  [[nodiscard]] Motion<S> backward(std::array<S, 6> y) const;
+
+ private:
+  S L_[6][6];
+  S inverse_[6];  // of the diagonal
+};
+
+/// Solves A m = force for a symmetric positive definite A.
+template <class S>
+Motion<S> solve(const Sym6<S>& A, const Force<S>& force) {
+  const Cholesky6<S> factor(A);
+  return factor.backward(factor.forward(force));
+}
 
 // ---- definitions ----
 
@@ -157,33 +178,41 @@ Sym6<S> moved(const Sym6<S>& a, const Vec3<S>& offset) {
 }
 
 template <class S>
-Motion<S> solve(const Sym6<S>& A, const Force<S>& force) {
-  S L[6][6] = {{A.J.xx, S{}, S{}, S{}, S{}, S{}},
-               {A.J.xy, A.J.yy, S{}, S{}, S{}, S{}},
-               {A.J.xz, A.J.yz, A.J.zz, S{}, S{}, S{}},
-               {A.H.x.x, A.H.x.y, A.H.x.z, A.M.xx, S{}, S{}},
-               {A.H.y.x, A.H.y.y, A.H.y.z, A.M.xy, A.M.yy, S{}},
-               {A.H.z.x, A.H.z.y, A.H.z.z, A.M.xz, A.M.yz, A.M.zz}};
-  S y[6] = {force.n.x, force.n.y, force.n.z, force.f.x, force.f.y, force.f.z};
-  S inverse[6];
+Cholesky6<S>::Cholesky6(const Sym6<S>& A)
+    : L_{{A.J.xx, S{}, S{}, S{}, S{}, S{}},
+         {A.J.xy, A.J.yy, S{}, S{}, S{}, S{}},
+         {A.J.xz, A.J.yz, A.J.zz, S{}, S{}, S{}},
+         {A.H.x.x, A.H.x.y, A.H.x.z, A.M.xx, S{}, S{}},
+         {A.H.y.x, A.H.y.y, A.H.y.z, A.M.xy, A.M.yy, S{}},
+         {A.H.z.x, A.H.z.y, A.H.z.z, A.M.xz, A.M.yz, A.M.zz}} {
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j <= i; ++j) {
-      S sum = L[i][j];
-      for (int k = 0; k < j; ++k) sum = sum - L[i][k] * L[j][k];
+      S sum = L_[i][j];
+      for (int k = 0; k < j; ++k) sum = sum - L_[i][k] * L_[j][k];
       if (i == j) {
-        inverse[i] = 1.0 / sqrt(sum);
+        inverse_[i] = 1.0 / sqrt(sum);
       } else {
-        L[i][j] = sum * inverse[j];
+        L_[i][j] = sum * inverse_[j];
       }
     }
   }
+}
+
+template <class S>
+std::array<S, 6> Cholesky6<S>::forward(const Force<S>& force) const {
+  std::array<S, 6> y{force.n.x, force.n.y, force.n.z, force.f.x, force.f.y, force.f.z};
   for (int i = 0; i < 6; ++i) {
-    for (int k = 0; k < i; ++k) y[i] = y[i] - L[i][k] * y[k];
-    y[i] = y[i] * inverse[i];
+    for (int k = 0; k < i; ++k) y[i] = y[i] - L_[i][k] * y[k];
+    y[i] = y[i] * inverse_[i];
   }
+  return y;
+}
+
+template <class S>
+Motion<S> Cholesky6<S>::backward(std::array<S, 6> y) const {
   for (int i = 5; i >= 0; --i) {
-    for (int k = i + 1; k < 6; ++k) y[i] = y[i] - L[k][i] * y[k];
-    y[i] = y[i] * inverse[i];
+    for (int k = i + 1; k < 6; ++k) y[i] = y[i] - L_[k][i] * y[k];
+    y[i] = y[i] * inverse_[i];
   }
   return {{y[0], y[1], y[2]}, {y[3], y[4], y[5]}};
 }

@@ -19,13 +19,15 @@ ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& 
     : tree_(setup, options, "articulated_dynamics"),
       drives_(setup),
       joint_torque_(setup.write(properties::joint_torque)),
-      bodies_(tree_.links.size()) {}
+      bodies_(tree_.links.size()),
+      change_(tree_.links.size()) {}
 
 void ArticulatedDynamics::initialize() {
   drives_.initialize(tree_.columns.q, tree_.columns.qd);
   tree_.start();
   std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
   check_inertias();
+  tree_.contacts.response = this;
 }
 
 void ArticulatedDynamics::check_inertias() const {
@@ -46,17 +48,61 @@ void ArticulatedDynamics::check_inertias() const {
 }
 
 void ArticulatedDynamics::step(const Instant& instant) noexcept {
-  const double dt = seconds(instant.period);
-  tree_.take_changes();
-  if (!drives_.take_targets()) return tree_.halt("a joint position or target is no sensible number");
-  drive_joints(dt);
-  settle_contacts(tree_.contacts, tree_.columns.r, tree_.external_force, tree_.external_damping, [&] {
-    solve(dt);
-    tree_.predict_contacts(dt, [&](int link) { return bodies_[link].acceleration; });
-  });
+  if (!tree_.contacts.solved) {
+    begin_step(seconds(instant.period));
+    settle_contacts(tree_.contacts, tree_.columns.r, tree_.external_force, tree_.external_damping, [&] {
+      solve(dt_);
+      tree_.predict_contacts(dt_, [&](int link) -> const Motiond& { return bodies_[link].acceleration; });
+    });
+  }
+  if (!targets_sane_) return tree_.halt("a joint position or target is no sensible number");
   const Motiond base = bodies_[0].acceleration;
-  if (!advance_joints(dt) || !tree_.advance_base(base, dt)) return tree_.halt("its motion is no sensible number");
+  if (!advance_joints(dt_) || !tree_.advance_base(base, dt_)) return tree_.halt("its motion is no sensible number");
   tree_.finish_step();
+}
+
+void ArticulatedDynamics::begin_step(double dt) noexcept {
+  dt_ = dt;
+  tree_.take_changes();
+  targets_sane_ = drives_.take_targets();
+  drive_joints(dt);
+}
+
+void ArticulatedDynamics::free_pass(double dt) noexcept {
+  begin_step(dt);
+  solve(dt);
+}
+
+Vec3d ArticulatedDynamics::free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept {
+  const int link = tree_.columns.model.tree().link_of[object];
+  return tree_.next_velocity(object, point, velocity, bodies_[link].acceleration, dt_);
+}
+
+void ArticulatedDynamics::respond(int object, const Vec3d& point, const Vec3d& direction,
+                                  collision::ResponseRow& y) const noexcept {
+  const Tree& tree = tree_.columns.model.tree();
+  Forced force{cross(point - tree_.columns.r[0], direction), direction};
+  for (int l = tree.link_of[object]; l > 0; l = tree.links[l].parent) {
+    const auto& body = bodies_[l];
+    const double along = dot(tree_.links[l].axis, force);
+    y.add(5 + l, along * std::sqrt(body.inverse_D));
+    force -= (along * body.inverse_D) * body.U;
+  }
+  tree_.respond_at_base(force, y);
+}
+
+void ArticulatedDynamics::apply(std::span<const double> z) noexcept {
+  const auto& links = tree_.columns.model.tree().links;
+  change_[0] = tree_.base_change(z, dt_);
+  bodies_[0].acceleration += change_[0];
+  for (std::size_t l = 1; l < links.size(); ++l) {
+    auto& body = bodies_[l];
+    const Motiond& parent = change_[links[l].parent];
+    const double joint = z[5 + l] * std::sqrt(body.inverse_D) / dt_ - dot(parent, body.U) * body.inverse_D;
+    change_[l] = parent + joint * tree_.links[l].axis;
+    body.joint_acceleration += joint;
+    body.acceleration += change_[l];
+  }
 }
 
 void ArticulatedDynamics::drive_joints(double dt) noexcept {

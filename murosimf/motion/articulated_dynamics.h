@@ -12,7 +12,7 @@
 
 namespace murosimf::motion {
 
-class ArticulatedDynamics final : public Algorithm {
+class ArticulatedDynamics final : public Algorithm, private collision::ImpulseResponse {
  public:
   /// Throws SetupError if the model has no mass, a servo is impossible, or a joint moves no inertia at all.
   explicit ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options = {});
@@ -21,6 +21,14 @@ class ArticulatedDynamics final : public Algorithm {
   void step(const Instant& instant) noexcept override;
 
  private:
+  void free_pass(double dt) noexcept override;
+  [[nodiscard]] std::size_t coordinates() const noexcept override { return 5 + bodies_.size(); }
+  [[nodiscard]] Vec3d free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept override;
+  void respond(int object, const Vec3d& point, const Vec3d& direction,
+               collision::ResponseRow& y) const noexcept override;
+  void apply(std::span<const double> z) noexcept override;
+
+  void begin_step(double dt) noexcept;
   void drive_joints(double dt) noexcept;
   void solve(double dt) noexcept;
   [[nodiscard]] bool advance_joints(double dt) noexcept;
@@ -30,6 +38,9 @@ class ArticulatedDynamics final : public Algorithm {
   JointDrives drives_;
   std::span<double> joint_torque_;
   std::vector<multibody::ArticulatedLink<double>> bodies_;
+  std::vector<Motiond> change_;  // by link: what impulses add to a'; working memory
+  double dt_ = 0;                // [s] of the present step
+  bool targets_sane_ = true;     // in the present step
 };
 
 }  // namespace murosimf::motion

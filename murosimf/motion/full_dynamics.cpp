@@ -24,21 +24,45 @@ void FullDynamics::initialize() {
   tree_.start();
   watch_.initialize();
   std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
+  tree_.contacts.response = this;
 }
 
 void FullDynamics::step(const Instant& instant) noexcept {
-  const double dt = seconds(instant.period);
-  tree_.take_changes();
-  if (!advance_joints(dt)) return tree_.halt("a joint position or target is no sensible number");
-  prepare_base();
-  settle_contacts(tree_.contacts, tree_.columns.r, tree_.external_force, tree_.external_damping, [&] {
-    solve_base(dt);
-    tree_.predict_contacts(dt, [&](int link) { return base_ + joint_motion_[link]; });
-  });
+  if (!tree_.contacts.solved) {
+    begin_step(seconds(instant.period));
+    settle_contacts(tree_.contacts, tree_.columns.r, tree_.external_force, tree_.external_damping, [&] {
+      solve_base(dt_);
+      tree_.predict_contacts(dt_, [&](int link) { return base_ + joint_motion_[link]; });
+    });
+  }
+  if (!joints_sane_) return tree_.halt("a joint position or target is no sensible number");
   find_torques(instant);
-  if (!tree_.advance_base(base_, dt)) return tree_.halt("its motion is no sensible number");
+  if (!tree_.advance_base(base_, dt_)) return tree_.halt("its motion is no sensible number");
   tree_.finish_step();
 }
+
+void FullDynamics::begin_step(double dt) noexcept {
+  dt_ = dt;
+  tree_.take_changes();
+  joints_sane_ = advance_joints(dt);
+  prepare_base();
+}
+
+void FullDynamics::free_pass(double dt) noexcept {
+  begin_step(dt);
+  solve_base(dt);
+}
+
+Vec3d FullDynamics::free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept {
+  const int link = tree_.columns.model.tree().link_of[object];
+  return tree_.next_velocity(object, point, velocity, base_ + joint_motion_[link], dt_);
+}
+
+void FullDynamics::respond(int, const Vec3d& point, const Vec3d& direction, collision::ResponseRow& y) const noexcept {
+  tree_.respond_at_base({cross(point - tree_.columns.r[0], direction), direction}, y);
+}
+
+void FullDynamics::apply(std::span<const double> z) noexcept { base_ += tree_.base_change(z, dt_); }
 
 bool FullDynamics::advance_joints(double dt) noexcept {
   PoseColumns& columns = tree_.columns;

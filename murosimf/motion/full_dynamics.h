@@ -23,7 +23,7 @@ struct FullDynamicsOptions {
   MovingTreeOptions tree;
 };
 
-class FullDynamics final : public Algorithm {
+class FullDynamics final : public Algorithm, private collision::ImpulseResponse {
  public:
   /// Throws SetupError if the model has no mass.
   explicit FullDynamics(Setup& setup, const FullDynamicsOptions& options = {});
@@ -32,6 +32,14 @@ class FullDynamics final : public Algorithm {
   void step(const Instant& instant) noexcept override;
 
  private:
+  void free_pass(double dt) noexcept override;
+  [[nodiscard]] std::size_t coordinates() const noexcept override { return 6; }
+  [[nodiscard]] Vec3d free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept override;
+  void respond(int object, const Vec3d& point, const Vec3d& direction,
+               collision::ResponseRow& y) const noexcept override;
+  void apply(std::span<const double> z) noexcept override;
+
+  void begin_step(double dt) noexcept;
   [[nodiscard]] bool advance_joints(double dt) noexcept;
   void prepare_base() noexcept;
   void solve_base(double dt) noexcept;
@@ -48,6 +56,8 @@ class FullDynamics final : public Algorithm {
   std::vector<Forced> link_force_;          // [N m, N] about O, by link
   RigidInertia<double> inertia_;            // of all links
   Forced bias_;                             // [N m, N] force that the joints take of the base
+  double dt_ = 0;                           // [s] of the present step
+  bool joints_sane_ = true;                 // in the present step
   Motiond base_;                            // a'_0
 };
 

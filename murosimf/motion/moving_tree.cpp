@@ -85,8 +85,21 @@ void MovingTree::update_links() noexcept {
   center_velocity_ = columns.v[0] + (1 / whole.mass) * multibody::linear_momentum<double>(links);
 }
 
-Motiond MovingTree::base_acceleration(const Sym6d& inertia, const Forced& force) const noexcept {
-  return options_.fixed_base ? Motiond{{}, -gravity} : solve(inertia, force);
+Motiond MovingTree::base_acceleration(const Sym6d& inertia, const Forced& force) noexcept {
+  if (options_.fixed_base) return {{}, -gravity};
+  factor_.emplace(inertia);
+  return factor_->backward(factor_->forward(force));
+}
+
+void MovingTree::respond_at_base(const Forced& force, collision::ResponseRow& y) const noexcept {
+  if (!factor_) return;
+  const auto numbers = factor_->forward(force);
+  for (int i = 0; i < 6; ++i) y.add(i, numbers[i]);
+}
+
+Motiond MovingTree::base_change(std::span<const double> z, double dt) const noexcept {
+  if (!factor_) return {};
+  return (1 / dt) * factor_->backward({z[0], z[1], z[2], z[3], z[4], z[5]});
 }
 
 bool MovingTree::advance_base(const Motiond& acceleration, double dt) noexcept {
@@ -104,7 +117,7 @@ bool MovingTree::advance_base(const Motiond& acceleration, double dt) noexcept {
   return true;
 }
 
-bool MovingTree::in_flight() const noexcept { return contacts.points.empty(); }
+bool MovingTree::in_flight() const noexcept { return contacts.points.empty() && !contacts.solved; }
 
 MovingTree::Momentum MovingTree::momentum() const noexcept {
   const Forced about_base = multibody::momentum<double>(links);
@@ -138,10 +151,11 @@ void MovingTree::correct_momentum(const Momentum& wanted) noexcept {
 }
 
 void MovingTree::finish_step() noexcept {
-  if (contacts.law) {
+  if (contacts.law && !contacts.solved) {
     contacts.law->commit(contacts);
     collision::write_final_forces(contacts, columns.r, external_force);
   }
+  contacts.solved = false;
   refresh();
   if (wanted_momentum_) correct_momentum(*wanted_momentum_);
 }

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "murosimf/collision/contact_law.h"
+#include "murosimf/collision/impulse_response.h"
 #include "murosimf/motion/pose_columns.h"
 #include "murosimf/motion/sanity.h"
 #include "murosimf/multibody/link_motion.h"
@@ -52,7 +53,16 @@ class MovingTree {
   void predict_contacts(double dt, const Acceleration& acceleration_of) noexcept;
 
   /// a'_0 of the base for the force [N m, N] about O that is left for `inertia`; zero acceleration if it is fixed.
-  [[nodiscard]] Motiond base_acceleration(const Sym6d& inertia, const Forced& force) const noexcept;
+  /// Keeps the factors of `inertia` for the responses below.
+  [[nodiscard]] Motiond base_acceleration(const Sym6d& inertia, const Forced& force) noexcept;
+  /// Numbers 0 to 5 of a response (collision/impulse_response.h): of a force about O that has arrived at the base.
+  void respond_at_base(const Forced& force, collision::ResponseRow& y) const noexcept;
+  /// What the impulses z (first six numbers) add to a'_0.
+  [[nodiscard]] Motiond base_change(std::span<const double> z, double dt) const noexcept;
+
+  /// Velocity [m/s] after the step of a body's point [m] that has `velocity` now, for a' = `acceleration` of its link.
+  [[nodiscard]] Vec3d next_velocity(int object, const Vec3d& point, const Vec3d& velocity, const Motiond& acceleration,
+                                    double dt) const noexcept;
 
   /// The base after the step, by its a'. False, and nothing changed, if that is no sensible number.
   [[nodiscard]] bool advance_base(const Motiond& acceleration, double dt) noexcept;
@@ -89,6 +99,7 @@ class MovingTree {
   double& total_mass_;
   double& pushable_;
   std::vector<double> written_;              // what the level left in the columns that users may change
+  std::optional<Cholesky6<double>> factor_;  // of the base's inertia
   std::optional<Momentum> wanted_momentum_;  // after the present step, in flight
 };
 
@@ -122,13 +133,19 @@ void MovingTree::for_loads(double dt, const Add& add) const noexcept {
   }
 }
 
+inline Vec3d MovingTree::next_velocity(int object, const Vec3d& point, const Vec3d& velocity,
+                                       const Motiond& acceleration, double dt) const noexcept {
+  Vec3d alpha;
+  const Vec3d a = reference_acceleration(object, acceleration, alpha);
+  return velocity + dt * (a + cross(alpha, point - columns.r[object]));
+}
+
 template <class Acceleration>
 void MovingTree::predict_contacts(double dt, const Acceleration& acceleration_of) noexcept {
   contacts.next_velocity.clear();
   for (const collision::ContactPoint& c : contacts.points) {
-    Vec3d alpha;
-    const Vec3d a = reference_acceleration(c.object, acceleration_of(columns.model.tree().link_of[c.object]), alpha);
-    contacts.next_velocity.push_back(c.velocity + dt * (a + cross(alpha, c.point - columns.r[c.object])));
+    const Motiond& a = acceleration_of(columns.model.tree().link_of[c.object]);
+    contacts.next_velocity.push_back(next_velocity(c.object, c.point, c.velocity, a, dt));
   }
 }
 

@@ -45,22 +45,28 @@ void SimplifiedDynamics::initialize() {
     throw SetupError(
         fmt::format("model '{}' has no inertia about some axis; give its masses an inertia", columns_.model.name()));
   }
+  contacts_.response = this;
 }
 
 void SimplifiedDynamics::step(const Instant& instant) noexcept {
-  const double dt = seconds(instant.period);
-  assert(!contacts_.law || contacts_.dt == dt);  // contact and motion must run at the same rate
-  center_ += columns_.take_displacement();
-  velocity_ += columns_.take_velocity_change();
-  const Motiond acceleration = solve_with_contacts(dt);
+  assert(!contacts_.law || contacts_.dt == seconds(instant.period));  // contact and motion must run at the same rate
+  if (!contacts_.solved) {
+    begin_step(seconds(instant.period));
+    settle_contacts(contacts_, columns_.r, external_force_, external_damping_, [&] {
+      solve(dt_);
+      predict_contacts();
+    });
+  }
   multibody::FreeBody<double> body{center_, velocity_, columns_.Q[0], columns_.w[0]};
-  multibody::advance(body, acceleration, dt);
+  multibody::advance(body, acceleration_, dt_);
   if (!is_sane(body)) return halt("its motion is no sensible number");
-  if (!reference_.advance(columns_, dt)) return halt("a joint position or target is no sensible number");
-  if (contacts_.law) {
+  if (!reference_.advance(columns_, dt_)) return halt("a joint position or target is no sensible number");
+  if (contacts_.law && !contacts_.solved) {
     contacts_.law->commit(contacts_);
     collision::write_final_forces(contacts_, columns_.r, external_force_);
   }
+
+  contacts_.solved = false;
 
   const Mat3d R_before = columns_.R[0];
   columns_.Q[0] = body.turn;
@@ -74,7 +80,13 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
   columns_.remember_base();
 }
 
-Motiond SimplifiedDynamics::solve(double dt) const noexcept {
+void SimplifiedDynamics::begin_step(double dt) noexcept {
+  dt_ = dt;
+  center_ += columns_.take_displacement();
+  velocity_ += columns_.take_velocity_change();
+}
+
+void SimplifiedDynamics::solve(double dt) noexcept {
   const Vec3d& w = columns_.w[0];
   Forced force{-cross(w, inertia_ * w), mass_ * gravity_};
   Sym6d matrix{inertia_, {Vec3d{}, Vec3d{}, Vec3d{}}, diagonal(mass_)};
@@ -84,23 +96,38 @@ Motiond SimplifiedDynamics::solve(double dt) const noexcept {
     if (!is_zero(external_damping_[object]))
       matrix += dt * moved(external_damping_[object], center_ - columns_.r[object]);
   }
-  return murosimf::solve(matrix, force);
+  factor_.emplace(matrix);
+  acceleration_ = factor_->backward(factor_->forward(force));
 }
 
-void SimplifiedDynamics::predict_contacts(const Motiond& acceleration, double dt) noexcept {
+Vec3d SimplifiedDynamics::next_velocity(const Vec3d& point, const Vec3d& velocity) const noexcept {
+  return velocity + dt_ * (acceleration_.v + cross(acceleration_.w, point - center_));
+}
+
+void SimplifiedDynamics::predict_contacts() noexcept {
   contacts_.next_velocity.clear();
   for (const collision::ContactPoint& c : contacts_.points) {
-    contacts_.next_velocity.push_back(c.velocity + dt * (acceleration.v + cross(acceleration.w, c.point - center_)));
+    contacts_.next_velocity.push_back(next_velocity(c.point, c.velocity));
   }
 }
 
-Motiond SimplifiedDynamics::solve_with_contacts(double dt) noexcept {
-  Motiond acceleration;
-  settle_contacts(contacts_, columns_.r, external_force_, external_damping_, [&] {
-    acceleration = solve(dt);
-    predict_contacts(acceleration, dt);
-  });
-  return acceleration;
+void SimplifiedDynamics::free_pass(double dt) noexcept {
+  begin_step(dt);
+  solve(dt);
+}
+
+Vec3d SimplifiedDynamics::free_velocity(int, const Vec3d& point, const Vec3d& velocity) const noexcept {
+  return next_velocity(point, velocity);
+}
+
+void SimplifiedDynamics::respond(int, const Vec3d& point, const Vec3d& direction,
+                                 collision::ResponseRow& y) const noexcept {
+  const auto numbers = factor_->forward({cross(point - center_, direction), direction});
+  for (int i = 0; i < 6; ++i) y.add(i, numbers[i]);
+}
+
+void SimplifiedDynamics::apply(std::span<const double> z) noexcept {
+  acceleration_ += (1 / dt_) * factor_->backward({z[0], z[1], z[2], z[3], z[4], z[5]});
 }
 
 void SimplifiedDynamics::follow_center(const multibody::FreeBody<double>& body) noexcept {

@@ -16,7 +16,10 @@
 /// Source: paper 4.2.
 #pragma once
 
+#include <optional>
+
 #include "murosimf/collision/contact_law.h"
+#include "murosimf/collision/impulse_response.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/motion/joint_reference.h"
 #include "murosimf/motion/pose_columns.h"
@@ -30,7 +33,7 @@ struct SimplifiedDynamicsOptions {
   JointReferenceOptions reference;
 };
 
-class SimplifiedDynamics final : public Algorithm {
+class SimplifiedDynamics final : public Algorithm, private collision::ImpulseResponse {
  public:
   /// Throws SetupError if the model has no mass.
   explicit SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOptions& options = {});
@@ -39,9 +42,17 @@ class SimplifiedDynamics final : public Algorithm {
   void step(const Instant& instant) noexcept override;
 
  private:
-  [[nodiscard]] Motiond solve(double dt) const noexcept;
-  void predict_contacts(const Motiond& acceleration, double dt) noexcept;
-  [[nodiscard]] Motiond solve_with_contacts(double dt) noexcept;
+  void free_pass(double dt) noexcept override;
+  [[nodiscard]] std::size_t coordinates() const noexcept override { return 6; }
+  [[nodiscard]] Vec3d free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept override;
+  void respond(int object, const Vec3d& point, const Vec3d& direction,
+               collision::ResponseRow& y) const noexcept override;
+  void apply(std::span<const double> z) noexcept override;
+
+  void begin_step(double dt) noexcept;
+  void solve(double dt) noexcept;
+  [[nodiscard]] Vec3d next_velocity(const Vec3d& point, const Vec3d& velocity) const noexcept;
+  void predict_contacts() noexcept;
   void follow_center(const multibody::FreeBody<double>& body) noexcept;
   void follow_base(const multibody::FreeBody<double>& body, const Mat3d& R_before) noexcept;
   void store_common_body(const multibody::CommonBody<double>& common) noexcept;
@@ -60,6 +71,9 @@ class SimplifiedDynamics final : public Algorithm {
   SymMat3d& inertia_;  // [kg m^2] at the center of mass, world axes
   double& mass_;       // [kg]
   double& pushable_;
+  std::optional<Cholesky6<double>> factor_;  // of inertia and external damping
+  Motiond acceleration_;                     // [rad/s^2; m/s^2] of the center of mass in the present step
+  double dt_ = 0;                            // [s] of the present step
 };
 
 }  // namespace murosimf::motion

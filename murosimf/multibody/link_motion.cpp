@@ -66,22 +66,22 @@ void link_motions(const Tree& tree, std::span<const Vec3<S>> r, std::span<const 
     const Vec3<S> d = r[link.object] - r[0];
     const Vec3<S> a = joint_axis(R[link.object], link);
     const Vec3<S> rate = qd[link.object] * a;
-    const Vec3<S> w = parent.velocity.w;
+    const Vec3<S> turn = parent.velocity.w;
     if (link.kind == LinkKind::revolute) {
       to.axis.w = a;
       to.axis.v = cross(d, a);
       const Vec3<S> v = cross(d, rate);
-      to.velocity.w = w + rate;
+      to.velocity.w = turn + rate;
       to.velocity.v = parent.velocity.v + v;
-      to.bias.w = parent.bias.w + cross(w, rate);
-      to.bias.v = parent.bias.v + cross(w, v) + cross(parent.velocity.v, rate);
+      to.bias.w = parent.bias.w + cross(turn, rate);
+      to.bias.v = parent.bias.v + cross(turn, v) + cross(parent.velocity.v, rate);
     } else {
       to.axis.w = {};
       to.axis.v = a;
-      to.velocity.w = w;
+      to.velocity.w = turn;
       to.velocity.v = parent.velocity.v + rate;
       to.bias.w = parent.bias.w;
-      to.bias.v = parent.bias.v + cross(w, rate);
+      to.bias.v = parent.bias.v + cross(turn, rate);
     }
     add_mass(link, d, R[link.object], to);
   }
