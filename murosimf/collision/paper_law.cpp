@@ -25,7 +25,7 @@ void keep_deepest(std::vector<ContactPoint>& points) {
 }  // namespace
 
 void PaperLaw::prepare(ContactSet& set) const noexcept {
-  keep_deepest(set.points);
+  if (options_.one_point_per_body) keep_deepest(set.points);
   for (ContactPoint& c : set.points) {
     const double v_n = dot(c.velocity, c.normal);
     const double gain = v_n < 0 ? 1.0 : options_.rebound;

@@ -42,6 +42,10 @@ std::shared_ptr<const collision::ContactLaw> make_law() {
   return std::make_shared<Law>();
 }
 
+std::shared_ptr<const collision::ContactLaw> make_paper_multipoint() {
+  return std::make_shared<collision::PaperLaw>(collision::PaperLawOptions{.one_point_per_body = false});
+}
+
 constexpr std::array level_entries{
     Level{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
           false, attach_kinematic_walking},
@@ -54,6 +58,7 @@ constexpr std::array contact_entries{
             make_law<collision::ImplicitStick>},
     Contact{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)",
             make_law<collision::PaperLaw>},
+    Contact{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint},
 };
 
 constexpr std::array controller_entries{
