@@ -291,8 +291,7 @@ TEST(ImplicitStickTest, FrictionAtFirstTouch) {
   EXPECT_EQ(block.point().state, ContactState::slip);
 }
 
-// Law: rolling resistance is rolling * radius * k * depth against the rotation, falls linearly to zero below 0.5 rad/s,
-// and is linear in the rate after the step (angular_damping). Tolerance: rounding.
+// Law: rolling resistance is that of the spring's force k * depth, and linear in the rate after the step.
 TEST(ImplicitStickTest, RollingResistance) {
   const ImplicitStick law;
   ContactParameters p = parameters();
@@ -300,23 +299,39 @@ TEST(ImplicitStickTest, RollingResistance) {
   ContactSet set = one_point(1e-3, {}, p);
   ContactPoint& c = set.points[0];
   c.radius = 0.05;
-  const double full = 0.03 * 0.05 * 10;
   c.angular_velocity = {0, 10, 0};
   law.prepare(set);
-  EXPECT_LT(difference(c.moment, {0, -full, 0}), 1e-17);
-  EXPECT_NEAR(c.angular_damping, full / 10, 1e-17);
-  c.angular_velocity = {0.25, 0, 0};
-  law.prepare(set);
-  EXPECT_LT(difference(c.moment, {-full / 2, 0, 0}), 1e-17);
-  c.angular_velocity = {};
-  law.prepare(set);
-  EXPECT_EQ(norm(c.moment), 0);
-  // corners do not roll
-  c.radius = 0;
-  c.angular_velocity = {0, 10, 0};
-  law.prepare(set);
-  EXPECT_EQ(norm(c.moment), 0);
-  EXPECT_EQ(c.angular_damping, 0);
+  EXPECT_LT(difference(c.moment, {0, -0.03 * 0.05 * 10, 0}), 1e-17);
+  EXPECT_NEAR(c.angular_damping, 0.03 * 0.05 * 10 / 10, 1e-17);
+}
+
+// Law: the cone is wider against the grain than along it, while sticking and while sliding. In numbers: mu f_n = 5 N,
+// grain 0.2 along x, 33 N s/m of sticking: it slips at 4 N / 33 N s/m = 0.121 m/s along and 6 / 33 = 0.182 m/s against.
+TEST(ImplicitStickTest, ConeDependsOnTheGrain) {
+  const ImplicitStick law;
+  ContactParameters p = parameters();
+  p.grain = {0.2, 0, 0};
+  const auto state_at = [&](const Vec3d& next) {
+    ContactSet set = one_point(1e-3, {}, p);
+    law.prepare(set);
+    set.next_velocity[0] = next;
+    (void)law.accept(set);
+    return set.points[0].state;
+  };
+  EXPECT_EQ(state_at({0.120, 0, 0}), ContactState::stick);
+  EXPECT_EQ(state_at({0.122, 0, 0}), ContactState::slip);
+  EXPECT_EQ(state_at({0, 0.151, 0}), ContactState::stick);
+  EXPECT_EQ(state_at({0, 0.152, 0}), ContactState::slip);
+  EXPECT_EQ(state_at({-0.181, 0, 0}), ContactState::stick);
+  EXPECT_EQ(state_at({-0.183, 0, 0}), ContactState::slip);
+  for (const auto& [v, expected] :
+       {std::pair{Vec3d{1, 0, 0}, Vec3d{-4, 0, 0}}, std::pair{Vec3d{0, 1, 0}, Vec3d{0, -5, 0}},
+        std::pair{Vec3d{-1, 0, 0}, Vec3d{6, 0, 0}}}) {
+    ContactSet set = sliding_point(v);
+    set.parameters[0].grain = p.grain;
+    law.prepare(set);
+    EXPECT_LT(difference(tangential(set.points[0].force, Vec3d{0, 0, 1}), expected), 1e-14);
+  }
 }
 
 // Rule: every point has its own constants and its own state.
