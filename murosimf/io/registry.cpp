@@ -3,6 +3,7 @@
 #include <array>
 
 #include "murosimf/collision/implicit_stick.h"
+#include "murosimf/collision/kelvin_voigt.h"
 #include "murosimf/collision/paper_law.h"
 #include "murosimf/control/ball_chaser.h"
 #include "murosimf/control/walk_engine.h"
@@ -56,6 +57,8 @@ constexpr std::array level_entries{
 constexpr std::array contact_entries{
     Contact{"implicit_stick", "compliant, implicit, with a tangential spring that sticks; the default",
             make_law<collision::ImplicitStick>},
+    Contact{"kelvin_voigt", "spring, damper and a tangential spring that sticks; explicit, for steps of 1 ms",
+            make_law<collision::KelvinVoigt>},
     Contact{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)",
             make_law<collision::PaperLaw>},
     Contact{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint},

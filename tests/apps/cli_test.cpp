@@ -97,7 +97,7 @@ TEST(Cli, RunsFromAnyWorkingDirectory) {
 TEST(Cli, ListsNames) {
   EXPECT_NE(murosimf("list levels").output.find("kinematic_walking"), std::string::npos);
   const std::string laws = murosimf("list contacts").output;
-  for (const char* law : {"implicit_stick", "paper", "paper_multipoint"})
+  for (const char* law : {"implicit_stick", "paper", "paper_multipoint", "kelvin_voigt"})
     EXPECT_NE(laws.find(std::string(law) + " "), std::string::npos) << law;
   EXPECT_NE(murosimf("list sensors").output.find("ground_truth"), std::string::npos);
   EXPECT_NE(murosimf("list properties").output.find("joint_position"), std::string::npos);
