@@ -12,7 +12,7 @@ namespace {
 using fixtures::error_of;
 using fixtures::says;
 
-Surface surface(const std::string& material, double friction = 0.8) { return {material, friction, {}}; }
+Surface surface(const std::string& material, double friction = 0.8) { return {material, friction}; }
 
 // Rule: a pair is found in either order, and the last word counts.
 TEST(Material, OrderOfNamesDoesNotMatter) {
