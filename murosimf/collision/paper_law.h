@@ -8,8 +8,7 @@
 /// Source:  paper 5.3. Explicit: external_damping stays zero.
 /// Differs: the paper leaves open the signs (friction must oppose the motion), which velocity rubs (only the
 ///          tangential part; the whole would damp the normal direction too), and which point stands for the pair
-///          (the deepest). One point is no support polygon: a box rocks on it. With all points the law stands still
-///          on level ground.
+///          (the deepest). One point is no support polygon: a box rocks on it.
 /// Limits:  friction is viscous, so on a slope of angle a everything creeps with tan(a)/s_mu; s_mu above about
 ///          10 s/m is unstable with steps of 1 ms. Both are properties of the law.
 #pragma once
