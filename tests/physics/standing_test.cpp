@@ -92,11 +92,9 @@ class Standing : public testing::TestWithParam<LevelAndSteps> {
   }
 };
 
-const std::vector<std::pair<std::string, double>> stable_steps{{"implicit_stick", 1000},
-                                                               {"implicit_stick", 500},
-                                                               {"implicit_stick", 200},
-                                                               {"implicit_stick", 100},
-                                                               {"kelvin_voigt", 1000}};
+const std::vector<std::pair<std::string, double>> stable_steps{{"implicit_stick", 1000}, {"implicit_stick", 500},
+                                                               {"implicit_stick", 200},  {"implicit_stick", 100},
+                                                               {"kelvin_voigt", 1000},   {"kelvin_voigt", 500}};
 INSTANTIATE_TEST_SUITE_P(Contact, Standing,
                          testing::Combine(testing::ValuesIn(dynamic_levels()), testing::ValuesIn(stable_steps)),
                          name_of_steps);
