@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/collision/contact_force.h"
 #include "murosimf/collision/contact_parameters.h"
 #include "murosimf/collision/sphere_contact.h"
 #include "murosimf/model/properties.h"
@@ -133,7 +134,7 @@ void BallContact::push(Partner& partner, const GroundShape& shape, const Contact
   const Vec3d v_t = v - v_n * normal;
   const double slide = norm(v_t);
 
-  const double f_n = std::max(0.0, p.stiffness * touching->depth - p.damping * v_n);
+  const double f_n = spring_force(p, touching->depth, v_n);
   Vec3d f = f_n * normal;
   if (slide > 0) f -= (std::min(p.friction * f_n, p.tangent_damping * slide) / slide) * v_t;
 

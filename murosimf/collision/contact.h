@@ -34,6 +34,7 @@ struct ContactParameters {
   double tangent_damping = 0;    ///< [N s/m] ct
   double friction = 0;           ///< [1] mu
   double rolling = 0;            ///< [1] rolling resistance
+  Vec3d grain;                   ///< [1] world frame: friction towards the unit vector d is mu (1 - grain . d)
   double theta = 1;              ///< [1] 1: depth after the step counts, 0: depth before it
 };
 

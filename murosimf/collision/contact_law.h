@@ -17,7 +17,7 @@ class ContactLaw {
  public:
   virtual ~ContactLaw() = default;
 
-  /// May drop points (a law that wants one per pair of bodies).
+  /// May drop points (a law that wants one per body).
   virtual void prepare(ContactSet& set) const noexcept = 0;
   /// True if all points agree with `set.next_velocity`; false if some changed and the step must be repeated.
   [[nodiscard]] virtual bool accept(ContactSet& set) const noexcept = 0;

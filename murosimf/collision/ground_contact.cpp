@@ -6,6 +6,17 @@
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
+namespace {
+
+/// `v` in the plane across the unit vector `normal`, with length 1; zero if it has no direction there.
+Vec3d direction_in_plane(const Vec3d& v, const Vec3d& normal) {
+  const Vec3d inside = tangential(v, normal);
+  const double size = norm(inside);
+  return size > 1e-9 * norm(v) ? (1.0 / size) * inside : Vec3d{};
+}
+
+}  // namespace
+
 std::vector<GroundPlane> ground_planes(const Entity* environment) {
   std::vector<GroundPlane> planes;
   if (!environment) return planes;
@@ -16,8 +27,9 @@ std::vector<GroundPlane> ground_planes(const Entity* environment) {
     const FixedObject place = model.placement(object);
     for (const PlacedShape& placed : *shapes) {
       if (!std::holds_alternative<Plane>(placed.shape)) continue;
-      const Vec3d normal = (place.turn * placed.orientation).z;
-      planes.push_back({normal, dot(normal, place.offset + place.turn * placed.position), placed.surface});
+      const Mat3d R = place.turn * placed.orientation;
+      const double height = dot(R.z, place.offset + place.turn * placed.position);
+      planes.push_back({R.z, height, direction_in_plane(R * placed.surface.grain, R.z), placed.surface});
     }
   }
   return planes;
@@ -43,6 +55,7 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
     for (const GroundShape& shape : shapes_) {
       const PairSurface pair = materials.find(shape.placed.surface, plane.surface);
       parameters_.push_back(contact_parameters(model_, pair, norm(setup.world().gravity), seconds(setup.period())));
+      parameters_.back().grain = pair.grain_effect * plane.grain;
     }
   }
 }

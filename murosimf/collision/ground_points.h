@@ -14,6 +14,7 @@ namespace murosimf::collision {
 struct GroundPlane {
   Vec3d normal{0, 0, 1};  ///< [1] unit, world frame
   double height = 0;      ///< [m]
+  Vec3d grain;            ///< [1] where the pile leans: unit, in the plane, world frame; or zero
   Surface surface;
 };
 

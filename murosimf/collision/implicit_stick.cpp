@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cassert>
 
+#include "murosimf/collision/contact_force.h"
+
 namespace murosimf::collision {
 namespace {
 
 constexpr double slow = 0.005;             // [m/s] below this the direction of sliding is not trusted
-constexpr double slow_turn = 0.5;          // [rad/s] below this rolling resistance falls linearly to zero
 constexpr double normal_tolerance = 0.05;  // a sliding force is renewed if the normal force moved by more than this
 
 double normal_damping(const ContactParameters& p, double dt) { return p.damping + p.theta * dt * p.stiffness; }
@@ -21,11 +22,6 @@ Vec3d stick_force(const ContactPoint& c, const ContactParameters& p, double dt, 
   return -p.tangent_stiffness * c.stretch - (p.tangent_damping + dt * p.tangent_stiffness) * v_t;
 }
 
-void linearize_open(ContactPoint& c) {
-  c.force = c.moment = {};
-  c.normal_damping = c.tangent_damping = c.angular_damping = 0;
-}
-
 void linearize_stick(ContactPoint& c, const ContactParameters& p, double dt) {
   const double v_n = dot(c.velocity, c.normal);
   const Vec3d v_t = c.velocity - v_n * c.normal;
@@ -35,36 +31,28 @@ void linearize_stick(ContactPoint& c, const ContactParameters& p, double dt) {
 }
 
 /// Friction mu f_n against the sliding velocity; f_n is that of the pass before. Its derivative is zero along the
-/// direction of sliding and -mu f_n / |v_t| across it.
+/// direction of sliding and -mu f_n / |v_t| across it; mu counts as constant.
 void linearize_slip(ContactPoint& c, const ContactParameters& p, double dt) {
   const double v_n = dot(c.velocity, c.normal);
   const Vec3d v_t = c.velocity - v_n * c.normal;
   const double speed = norm(v_t);
-  const double limit = p.friction * c.last_normal_force;
   if (speed > slow) c.slip_direction = (1.0 / speed) * v_t;
+  const double limit = friction_limit(p, c.last_normal_force, c.slip_direction);
   c.normal_damping = normal_damping(p, dt);
   c.tangent_damping = limit / std::max(speed, slow);
   const Vec3d across = v_t - dot(v_t, c.slip_direction) * c.slip_direction;
   c.force = normal_force(c, p, dt, v_n) * c.normal - limit * c.slip_direction - c.tangent_damping * across;
 }
 
-void add_rolling_resistance(ContactPoint& c, const ContactParameters& p) {
-  c.moment = {};
-  c.angular_damping = 0;
-  if (p.rolling == 0 || c.radius == 0) return;
-  const double turn = std::max(norm(c.angular_velocity), slow_turn);
-  c.angular_damping = p.rolling * c.radius * p.stiffness * c.depth / turn;
-  c.moment = -c.angular_damping * c.angular_velocity;
-}
-
 void linearize(ContactPoint& c, const ContactParameters& p, double dt) {
-  if (c.state == ContactState::open) return linearize_open(c);
+  if (c.state == ContactState::open) return clear_force(c);
   if (c.state == ContactState::slip) {
     linearize_slip(c, p, dt);
   } else {
     linearize_stick(c, p, dt);
   }
-  add_rolling_resistance(c, p);
+  c.angular_damping = rolling_damping(c, p, p.stiffness * c.depth);
+  c.moment = -c.angular_damping * c.angular_velocity;
 }
 
 /// Friction that the present linearization gives for the tangential velocity v_t after the step.
@@ -92,10 +80,11 @@ bool accept_point(ContactPoint& c, const ContactParameters& p, double dt, const 
   if (before == ContactState::stick) {
     const Vec3d f_t = stick_force(c, p, dt, v_t);
     const double size = norm(f_t);
-    if (size <= p.friction * f_n) return true;
+    const Vec3d direction = sliding_direction(f_t, size);
+    if (size <= friction_limit(p, f_n, direction)) return true;
     c.state = ContactState::slip;
     c.last_normal_force = f_n;
-    c.slip_direction = (-1.0 / size) * f_t;
+    c.slip_direction = direction;
     return false;
   }
   // slipping: friction that would push along the motion means that the point has come to rest
@@ -145,7 +134,7 @@ void ImplicitStick::commit(ContactSet& set) const noexcept {
       c.state = ContactState::open;
       c.stretch = {};
       c.last_normal_force = 0;
-      linearize_open(c);
+      clear_force(c);
       continue;
     }
     const Vec3d f_t = tangential_force(c, v_t);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "murosimf/collision/contact_force.h"
+
 namespace murosimf::collision {
 namespace {
 
@@ -25,14 +27,14 @@ void keep_deepest(std::vector<ContactPoint>& points) {
 }  // namespace
 
 void PaperLaw::prepare(ContactSet& set) const noexcept {
-  keep_deepest(set.points);
+  if (options_.one_point_per_body) keep_deepest(set.points);
   for (ContactPoint& c : set.points) {
+    clear_force(c);
     const double v_n = dot(c.velocity, c.normal);
     const double gain = v_n < 0 ? 1.0 : options_.rebound;
     const double f_n = gain * set.parameters[c.surface].stiffness * c.depth;
     c.force = f_n * c.normal - (options_.friction * f_n) * tangential(c.velocity, c.normal);
     c.moment = (-options_.spin_friction * f_n) * c.angular_velocity;
-    c.normal_damping = c.tangent_damping = c.angular_damping = 0;
   }
 }
 

@@ -1,4 +1,5 @@
-/// paper_law.h - the contact law of the paper, eq. (4) and (5), at one point per pair of bodies.
+/// paper_law.h - the contact law of the paper, eq. (4) and (5): `paper` at one point per body and ground, as there, and
+/// `paper_multipoint` at every point.
 ///
 ///     f_n    = s_c depth n          approaching
 ///            = s_b s_c depth n      separating
@@ -7,7 +8,7 @@
 /// Source:  paper 5.3. Explicit: external_damping stays zero.
 /// Differs: the paper leaves open the signs (friction must oppose the motion), which velocity rubs (only the
 ///          tangential part; the whole would damp the normal direction too), and which point stands for the pair
-///          (the deepest).
+///          (the deepest). One point is no support polygon: a box rocks on it.
 /// Limits:  friction is viscous, so on a slope of angle a everything creeps with tan(a)/s_mu; s_mu above about
 ///          10 s/m is unstable with steps of 1 ms. Both are properties of the law.
 #pragma once
@@ -20,6 +21,7 @@ struct PaperLawOptions {
   double rebound = 0.4;         ///< [1] s_b
   double friction = 5.0;        ///< [s/m] s_mu
   double spin_friction = 0.01;  ///< [m s] s_nu
+  bool one_point_per_body = true;
 };
 
 class PaperLaw final : public ContactLaw {

@@ -96,10 +96,11 @@ Markings field_markings(const FieldSize& size) {
   return markings;
 }
 
-ModelPtr field_model(const FieldSize& size, const std::string& ground_material) {
+ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& grain) {
   PlacedShape ground;
   ground.shape = Plane{};
   ground.surface.material = ground_material;
+  ground.surface.grain = grain;
   ground.color = carpet_green;
   Chain chain;
   chain.base("field").with(properties::shapes, {ground}).with(properties::markings, field_markings(size));

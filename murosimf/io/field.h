@@ -71,7 +71,8 @@ inline constexpr FieldSize kid_size_2023{.name = "kid_size_2023",
 /// are the two strokes that reach beyond it; their posts stand on the goal line, outside `goal_width`.
 [[nodiscard]] Markings field_markings(const FieldSize& size);
 
-/// A model named after the field: its only object, "field", is a plane of `ground_material` with the markings.
-[[nodiscard]] ModelPtr field_model(const FieldSize& size, const std::string& ground_material);
+/// A model named after the field: its only object, "field", is a plane of `ground_material` with the markings. `grain`:
+/// where the pile of the ground leans (model/shape.h), in the field's axes.
+[[nodiscard]] ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& grain = {});
 
 }  // namespace murosimf::io

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "murosimf/collision/implicit_stick.h"
+#include "murosimf/collision/kelvin_voigt.h"
 #include "murosimf/collision/paper_law.h"
 #include "murosimf/control/ball_chaser.h"
 #include "murosimf/control/walk_engine.h"
@@ -53,6 +54,10 @@ std::shared_ptr<const collision::ContactLaw> make_law() {
   return std::make_shared<Law>();
 }
 
+std::shared_ptr<const collision::ContactLaw> make_paper_multipoint() {
+  return std::make_shared<collision::PaperLaw>(collision::PaperLawOptions{.one_point_per_body = false});
+}
+
 constexpr std::array level_entries{
     Level{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
           false, attach_kinematic_walking},
@@ -67,8 +72,11 @@ constexpr std::array level_entries{
 constexpr std::array contact_entries{
     Contact{"implicit_stick", "compliant, implicit, with a tangential spring that sticks; the default",
             make_law<collision::ImplicitStick>},
+    Contact{"kelvin_voigt", "spring, damper and a tangential spring that sticks; explicit, for steps of 1 ms",
+            make_law<collision::KelvinVoigt>},
     Contact{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)",
             make_law<collision::PaperLaw>},
+    Contact{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint},
 };
 
 constexpr std::array controller_entries{

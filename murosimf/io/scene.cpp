@@ -46,7 +46,7 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
 
 void Scene::add_entities() {
   World& world = simulation_->world();
-  field_ = &world.add("field", field_model(field_size(spec_.field.size), spec_.field.surface));
+  field_ = &world.add("field", field_model(field_size(spec_.field.size), spec_.field.surface, spec_.field.grain));
   check_materials(field_->model());
   if (spec_.ball) {
     EntityOptions options;

@@ -125,7 +125,7 @@ const std::vector<std::string_view>& scene_keys() {
 
 std::vector<std::string_view> table_keys(std::string_view table) {
   if (table == "start") return {"jitter_position", "jitter_heading_deg"};
-  if (table == "field") return {"size", "surface"};
+  if (table == "field") return {"size", "surface", "grain"};
   if (table == "ball") return {"position", "velocity", "radius", "mass", "hollow", "material", "contact"};
   if (table == "defaults") {
     auto keys = robot_keys();

@@ -45,6 +45,8 @@ void read_field(const TomlTable& scene, SceneSpec& spec) {
   const TomlTable field(*node, table_keys("field"));
   field.read("size", spec.field.size);
   field.read("surface", spec.field.surface);
+  field.read("grain", spec.field.grain);
+  require(spec.field.grain.z == 0, field, "grain", "lies in the ground: [x, y]");
   at(field.where("size"), [&] { return field_size(spec.field.size); });
 }
 
@@ -135,7 +137,7 @@ void read_robots(const TomlTable& scene, SceneSpec& spec) {
 
 void read_materials(const TomlTable& scene, SceneSpec& spec) {
   for (const toml::table* node : scene.tables("materials")) {
-    const TomlTable table(*node, {"pair", "friction", "rolling", "restitution", "stiffness"});
+    const TomlTable table(*node, {"pair", "friction", "rolling", "restitution", "stiffness", "grain_effect"});
     const toml::array* names = (*node)["pair"].as_array();
     const bool pair_of_texts = names && names->size() == 2 && (*names)[0].is_string() && (*names)[1].is_string();
     require(pair_of_texts, table, "pair", "must be two material names");
@@ -144,6 +146,7 @@ void read_materials(const TomlTable& scene, SceneSpec& spec) {
     table.read("rolling", pair.rolling);
     table.read("restitution", pair.restitution);
     table.read("stiffness", pair.stiffness);
+    table.read("grain_effect", pair.grain_effect);
     at(table.where(), [&] {
       spec.materials.set((*names)[0].value_or(std::string{}), (*names)[1].value_or(std::string{}), pair);
       return 0;

@@ -18,6 +18,7 @@ inline constexpr double longest_duration = 3e9;  ///< [s] a century; nanoseconds
 struct FieldSpec {
   std::string size = "kid_size_2008";
   std::string surface = "carpet";
+  Vec3d grain;  ///< [1] where its pile leans, in the ground; zero: nowhere
 };
 
 struct BallSpec {

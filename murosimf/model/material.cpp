@@ -14,32 +14,40 @@ std::pair<std::string, std::string> key(const std::string& a, const std::string&
   return a < b ? std::pair{a, b} : std::pair{b, a};
 }
 
+[[noreturn]] void refuse(const std::string& a, const std::string& b, std::string_view reason) {
+  throw SetupError(fmt::format("materials '{}' and '{}': {}", a, b, reason));
+}
+
 }  // namespace
 
 MaterialTable MaterialTable::standard() {
-  // Orders of magnitude, not measurements. Friction of 0.8 for feet and rolling resistance of 0.02 to 0.05 on carpet
-  // are the figures that the project's prototypes walked and rolled with; the others lie between.
+  // Origin. Friction of 0.8 for rubber feet on carpet and rolling resistance of 0.02 to 0.05 are figures that the
+  // project's prototype walked and rolled with. Everything else is an assumption, of the right order of magnitude:
+  // grass is slipperier and softer than carpet, plastic is slipperier than rubber, bodies of robots hardly resist
+  // rolling. Grass leans, so friction differs by +-15 % along and against it; carpet of needle felt has no pile.
   MaterialTable table;
   table.set("rubber", "carpet", {.friction = 0.8, .rolling = 0.03, .restitution = 0.4});
-  table.set("rubber", "grass", {.friction = 0.7, .rolling = 0.05, .restitution = 0.3});
   table.set("plastic", "carpet", {.friction = 0.5, .rolling = 0.03, .restitution = 0.4});
-  table.set("plastic", "grass", {.friction = 0.45, .rolling = 0.05, .restitution = 0.3});
   table.set("ball", "carpet", {.friction = 0.5, .rolling = 0.03, .restitution = 0.6});
-  table.set("ball", "grass", {.friction = 0.5, .rolling = 0.05, .restitution = 0.5});
+  table.set("rubber", "grass", {.friction = 0.7, .rolling = 0.05, .restitution = 0.3, .grain_effect = 0.15});
+  table.set("plastic", "grass", {.friction = 0.45, .rolling = 0.05, .restitution = 0.3, .grain_effect = 0.15});
+  table.set("ball", "grass", {.friction = 0.5, .rolling = 0.05, .restitution = 0.5, .grain_effect = 0.15});
+  table.set("rubber", "rubber", {.friction = 1.0, .rolling = 0.0, .restitution = 0.5});
+  table.set("rubber", "plastic", {.friction = 0.6, .rolling = 0.0, .restitution = 0.5});
+  table.set("plastic", "plastic", {.friction = 0.3, .rolling = 0.0, .restitution = 0.5});
   table.set("ball", "rubber", {.friction = 0.5, .rolling = 0.0, .restitution = 0.5});
   table.set("ball", "plastic", {.friction = 0.3, .rolling = 0.0, .restitution = 0.5});
+  table.set("ball", "ball", {.friction = 0.3, .rolling = 0.0, .restitution = 0.6});
   return table;
 }
 
 void MaterialTable::set(const std::string& a, const std::string& b, const PairSurface& pair) {
-  const bool possible = pair.friction >= 0 && pair.rolling >= 0 && pair.restitution >= 0 && pair.restitution <= 1 &&
-                        pair.stiffness >= 0 && std::isfinite(pair.friction + pair.rolling + pair.stiffness);
-  if (!possible) {
-    throw SetupError(
-        fmt::format("materials '{}' and '{}': friction, rolling and stiffness must be at least 0, "
-                    "restitution 0 to 1",
-                    a, b));
+  const bool finite = std::isfinite(pair.friction + pair.rolling + pair.stiffness);
+  if (!finite || pair.friction < 0 || pair.rolling < 0 || pair.stiffness < 0) {
+    refuse(a, b, "friction, rolling and stiffness must be finite and at least 0");
   }
+  if (!(pair.restitution >= 0 && pair.restitution <= 1)) refuse(a, b, "restitution must be from 0 to 1");
+  if (!(pair.grain_effect >= 0 && pair.grain_effect < 1)) refuse(a, b, "grain_effect must be at least 0 and below 1");
   pairs_[key(a, b)] = pair;
 }
 

@@ -17,14 +17,16 @@ struct PairSurface {
   double rolling = 0.0;      ///< [1] rolling resistance: moment = rolling * radius * normal force
   double restitution = 0.5;  ///< [1] speed kept by a round body that bounces, 0..1
   double stiffness = 0.0;    ///< [N/m] per contact point; 0: chosen from the weight (contact_parameters.h)
+  double grain_effect = 0;   ///< [1] g, 0 <= g < 1: friction (1 - g) along the pile of the ground, (1 + g) against it
 };
 
 class MaterialTable {
  public:
-  /// The pairs that come with the program: "rubber", "plastic", "carpet", "grass", "ball" among each other.
+  /// The pairs that come with the program: "rubber", "plastic" and "ball" among each other and with the grounds
+  /// "carpet" and "grass".
   [[nodiscard]] static MaterialTable standard();
 
-  /// Order of the two names does not matter. Throws SetupError if a number is negative, not finite or impossible.
+  /// Order of the two names does not matter. Throws SetupError if a number is not finite or impossible.
   void set(const std::string& a, const std::string& b, const PairSurface& pair);
 
   /// True if some pair of the table has this material.

@@ -45,6 +45,7 @@ struct Color {
 struct Surface {
   std::string material;   ///< name in the pair table; empty: only the friction below counts
   double friction = 0.8;  ///< [1] Coulomb coefficient used where the pair is not in the table
+  Vec3d grain;            ///< [1] of the ground: where its pile leans, shape frame, any length; zero: nowhere
 };
 
 /// A shape at its place on an object.

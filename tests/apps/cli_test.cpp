@@ -96,7 +96,9 @@ TEST(Cli, RunsFromAnyWorkingDirectory) {
 
 TEST(Cli, ListsNames) {
   EXPECT_NE(murosimf("list levels").output.find("kinematic_walking"), std::string::npos);
-  EXPECT_NE(murosimf("list contacts").output.find("implicit_stick"), std::string::npos);
+  const std::string laws = murosimf("list contacts").output;
+  for (const char* law : {"implicit_stick", "paper", "paper_multipoint", "kelvin_voigt"})
+    EXPECT_NE(laws.find(std::string(law) + " "), std::string::npos) << law;
   EXPECT_NE(murosimf("list sensors").output.find("ground_truth"), std::string::npos);
   EXPECT_NE(murosimf("list properties").output.find("joint_position"), std::string::npos);
 }
@@ -121,6 +123,9 @@ TEST(CliMistakes, InTheCommandLine) {
   expect_mistake("run walk --speed fast", {"--speed 'fast'"});
   expect_mistake("run walk --speed 0", {"speed 0"});
   expect_mistake("run walk --set walker.levl=x", {"did you mean 'level'?"});
+  expect_mistake("run walk --set walker.contact=implicit",
+                 {"--set 'walker.contact=implicit'", "unknown contact law 'implicit'",
+                  "did you mean 'implicit_stick'?"});
 }
 
 TEST(CliMistakes, InFiles) {

@@ -110,7 +110,7 @@ TEST_P(EveryField, EverythingLiesOnTheGround) {
 }
 
 TEST_P(EveryField, ModelIsOnePlaneWithMarkings) {
-  const ModelPtr model = field_model(size, "carpet");
+  const ModelPtr model = field_model(size, "carpet", {0, 1, 0});
   EXPECT_EQ(model->name(), size.name);
   EXPECT_EQ(model->size(), 1);
   const int field = model->object_index("field");
@@ -118,6 +118,7 @@ TEST_P(EveryField, ModelIsOnePlaneWithMarkings) {
   ASSERT_TRUE(shapes && shapes->size() == 1);
   EXPECT_TRUE(std::holds_alternative<Plane>(shapes->front().shape));
   EXPECT_EQ(shapes->front().surface.material, "carpet");
+  EXPECT_EQ(shapes->front().surface.grain.y, 1);
   const Markings* painted = model->find(properties::markings, field);
   ASSERT_TRUE(painted);
   EXPECT_EQ(painted->strokes.size(), markings.strokes.size());

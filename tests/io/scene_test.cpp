@@ -101,6 +101,21 @@ TEST(SceneSpec, OverridesReachTheirTargets) {
   EXPECT_EQ(spec.field.surface, "grass");
 }
 
+TEST(SceneSpec, TheGroundMayLean) {
+  const SceneSpec spec = spec_of(small_scene + R"([field]
+surface = "grass"
+grain = [0.0, -1.0]
+[[materials]]
+pair = ["rubber", "grass"]
+friction = 0.6
+grain_effect = 0.25
+)");
+  EXPECT_EQ(spec.field.grain.x, 0);
+  EXPECT_EQ(spec.field.grain.y, -1);
+  EXPECT_EQ(spec.materials.find({.material = "rubber"}, {.material = "grass"}).grain_effect, 0.25);
+  EXPECT_EQ(spec_of(small_scene, {"field.grain=[1, 0]"}).field.grain.x, 1);
+}
+
 TEST(Scene, OverridesSetPropertiesByName) {
   Scene scene(write_scene(small_scene),
               {.overrides = {"blue2.pelvis.applied_force=[0,0,0,1,2,3]", "*.pelvis.walk_command=[0.1,0,0]"}});
@@ -178,6 +193,8 @@ TEST(SceneMistakes, InOverridesNameTheOverride) {
   expect_mistake(set("blue1.pelvis.walk_command=[nan,0,0]"), {"cannot be nan"});
   expect_mistake(set("blue1.l_shin.mass=1"), {"'mass' is a constant of the model"});
   expect_mistake(set("ball.radus=1"), {"--set 'ball.radus=1'", "did you mean 'radius'?"});
+  expect_mistake(set("field.grain=[0, 0, 1]"), {"--set 'field.grain=[0, 0, 1]'", "'grain' lies in the ground"});
+  expect_mistake(set("red1.contact=paper_multi"), {"unknown contact law 'paper_multi'", "'paper_multipoint'"});
   expect_mistake(set("field.surface=gras"), {"unknown material 'gras'; did you mean 'grass'?"});
   expect_mistake(set("blue1.controller=ball_chser"), {"did you mean 'ball_chaser'?"});
   expect_mistake(set("level"), {"write PATH=VALUE"});

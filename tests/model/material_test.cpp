@@ -64,11 +64,14 @@ TEST(Material, ImpossibleNumbers) {
   EXPECT_NE(refused({.restitution = -0.1}), "no error");
   EXPECT_NE(refused({.restitution = 1.1}), "no error");
   EXPECT_NE(refused({.stiffness = -1}), "no error");
+  EXPECT_TRUE(says(refused({.grain_effect = 1}), {"'wood'", "'felt'", "grain_effect", "below 1"}));
+  EXPECT_NE(refused({.grain_effect = -0.1}), "no error");
   for (const double bad : {nan_value, infinity}) {
     EXPECT_NE(refused({.friction = bad}), "no error");
     EXPECT_NE(refused({.rolling = bad}), "no error");
     EXPECT_NE(refused({.restitution = bad}), "no error");
     EXPECT_NE(refused({.stiffness = bad}), "no error");
+    EXPECT_NE(refused({.grain_effect = bad}), "no error");
   }
   EXPECT_EQ(refused({.friction = 0, .rolling = 0, .restitution = 0, .stiffness = 0}), "no error");
   EXPECT_EQ(refused({.restitution = 1}), "no error");
@@ -84,6 +87,20 @@ TEST(Material, StandardTable) {
   EXPECT_GT(carpet.restitution, table.find(surface("rubber"), surface("carpet")).restitution);
   EXPECT_GT(grass.rolling, carpet.rolling);
   EXPECT_GT(carpet.rolling, 0);
+}
+
+// Rule: the table knows every pair of things that can meet: bodies with bodies, bodies with grounds. Only the pile of
+// grass leans, and it does so for everybody.
+TEST(Material, StandardTableIsComplete) {
+  const MaterialTable table = MaterialTable::standard();
+  const double stranger = 99;  // friction that a pair has only if it is not in the table
+  for (const char* body : {"rubber", "plastic", "ball"}) {
+    for (const char* other : {"rubber", "plastic", "ball", "carpet", "grass"}) {
+      const PairSurface pair = table.find(surface(body, stranger), surface(other, stranger));
+      EXPECT_LT(pair.friction, stranger) << body << ' ' << other;
+      EXPECT_EQ(pair.grain_effect > 0, std::string(other) == "grass") << body << ' ' << other;
+    }
+  }
 }
 
 }  // namespace

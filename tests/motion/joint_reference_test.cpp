@@ -22,7 +22,7 @@ ModelPtr arm() {
 struct Arm {
   explicit Arm(const JointReferenceOptions& options) : entity(rig.add("arm", arm())) {
     rig.simulation.world().gravity = {};
-    rig.attach_dynamics(entity, {.reference = options}, false);
+    rig.attach_dynamics(entity, {.on_ground = false, .options = {.reference = options}});
     rig.simulation.initialize();
   }
   double q() { return entity.object("hinge").get(properties::joint_position); }
@@ -56,7 +56,7 @@ TEST(JointReference, FilterIsStableWithLongSteps) {
   test::Rig rig(0.8, 0, 50);
   rig.simulation.world().gravity = {};
   Entity& entity = rig.add("arm", arm());
-  rig.attach_dynamics(entity, {}, false);
+  rig.attach_dynamics(entity, {.on_ground = false});
   rig.simulation.initialize();
   entity.object("hinge").set(properties::joint_target, 1);
   rig.run(2);

@@ -16,12 +16,12 @@ struct Kick {
     ball = &rig.add("ball", io::ball_model(), {.position = {0.25, 0.05, kinematic ? 0.05 : 1.05}});
     rig.simulation.attach<collision::BallContact>("ball_contact", *rig.ground, 1000, *ball, std::vector<Entity*>{robot},
                                                   MaterialTable::standard());
-    rig.attach_dynamics(*ball, {}, false);
+    rig.attach_dynamics(*ball, {.on_ground = false});
     if (kinematic) {
       rig.simulation.attach<control::WalkEngine>("walk_engine", *robot, 100, Vec3d{0.2, 0, 0});
       rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", *robot, 1000);
     } else {
-      rig.attach_dynamics(*robot, {}, false);
+      rig.attach_dynamics(*robot, {.on_ground = false});
     }
     rig.simulation.initialize();
     Rig::launch(*ball, {-1, 0, 0}, {0, 3, 2});

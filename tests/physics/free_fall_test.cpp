@@ -11,7 +11,7 @@ namespace {
 TEST(FreeFall, FollowsTheDiscreteFormula) {
   Rig rig;
   Entity& ball = rig.add("ball", io::ball_model(), {.position = {0, 0, 10}});
-  rig.attach_dynamics(ball, {}, false);
+  rig.attach_dynamics(ball, {.on_ground = false});
   rig.simulation.initialize();
   const double start = Rig::place(ball).z;
   rig.run(1.0);
@@ -45,7 +45,7 @@ law::Worst center_excursion(bool base_rigid) {
   rig.simulation.world().gravity = {};
   Entity& robot = rig.add("robot", kid21(), {.position = {0, 0, 1}});
   rig.simulation.attach<LimbSwinger>("limb_swinger", robot, 100);
-  rig.attach_dynamics(robot, {.base_rigid = base_rigid}, false);
+  rig.attach_dynamics(robot, {.on_ground = false, .options = {.base_rigid = base_rigid}});
   rig.simulation.initialize();
   const Vec3d start = robot.base().get(properties::common_center_of_mass);
   law::Worst excursion;
@@ -80,7 +80,7 @@ TEST(Flight, MiddleAxisRotationFlipsAndKeepsItsAngularMomentum) {
       "wingnut",
       Chain{}.base("wingnut").with(properties::mass, 1.0).with(properties::inertia, SymMat3d{0.1, 0.2, 0.3, 0, 0, 0}));
   Entity& body = rig.add("body", model, {.position = {0, 0, 1}});
-  rig.attach_dynamics(body, {}, false);
+  rig.attach_dynamics(body, {.on_ground = false});
   rig.simulation.initialize();
   Rig::launch(body, {}, {0.01, 10, 0.01});
   const auto momentum = [&] {

@@ -1,35 +1,71 @@
 /// rig.h - small worlds for tests of physical laws.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
 
 #include "murosimf/collision/ball_contact.h"
 #include "murosimf/collision/ground_contact.h"
-#include "murosimf/collision/implicit_stick.h"
-#include "murosimf/collision/paper_law.h"
 #include "murosimf/control/walk_engine.h"
 #include "murosimf/io/ball.h"
 #include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/registry.h"
 #include "murosimf/motion/kinematic_walking.h"
 #include "murosimf/motion/odometer.h"
-#include "murosimf/motion/simplified_dynamics.h"
 #include "murosimf/runtime/simulation.h"
 
 namespace murosimf::test {
 
-inline constexpr double g = 9.81;  // [m/s^2]
+inline constexpr double g = 9.81;           // [m/s^2]
+inline constexpr double degree = pi / 180;  // [rad]
 
-/// A world with a ground plane whose friction is `friction`, and gravity turned by `slope` [rad] about y, so that
+/// Levels at which forces move an entity: every law of contact is tested at each of them.
+inline std::vector<std::string> dynamic_levels() { return {"simplified_dynamics"}; }
+
+using LawPtr = std::shared_ptr<const collision::ContactLaw>;
+
+/// A contact law by its registered name.
+inline LawPtr law_named(const std::string& name) { return io::find_entry(io::contacts(), "contact law", name).make(); }
+
+/// Parameters of a test of a contact law: a level and a law, by name.
+using LevelAndLaw = std::tuple<std::string, std::string>;
+
+/// All dynamic levels with these laws.
+inline auto at_every_level(const std::vector<std::string>& laws) {
+  return testing::Combine(testing::ValuesIn(dynamic_levels()), testing::ValuesIn(laws));
+}
+
+/// How an entity moves in a rig. `law`: null for implicit_stick.
+struct Dynamics {
+  std::string level = dynamic_levels().front();
+  LawPtr law;
+  bool on_ground = true;
+  io::LevelOptions options;
+};
+
+/// The test's level and law.
+inline Dynamics dynamics(const LevelAndLaw& names) {
+  return {.level = std::get<0>(names), .law = law_named(std::get<1>(names))};
+}
+inline std::string name_of(const LevelAndLaw& names) { return std::get<0>(names) + "_" + std::get<1>(names); }
+/// The last part of the test's name: "simplified_dynamics_paper".
+inline std::string test_name(const testing::TestParamInfo<LevelAndLaw>& info) { return name_of(info.param); }
+
+/// A world with a ground plane of some surface or friction, and gravity turned by `slope` [rad] about y, so that
 /// things slide towards +x.
 struct Rig {
-  explicit Rig(double friction = 0.8, double slope = 0, double rate_hz = 1000, int threads = 1)
-      : simulation(threads), rate(rate_hz) {
+  explicit Rig(double friction = 0.8, double slope = 0, double rate_hz = 1000) : Rig({"", friction}, slope, rate_hz) {}
+  explicit Rig(const Surface& surface, double slope, double rate_hz = 1000) : rate(rate_hz) {
     simulation.world().gravity = {g * std::sin(slope), 0, -g * std::cos(slope)};
     PlacedShape plane;
     plane.shape = Plane{};
-    plane.surface.friction = friction;
+    plane.surface = surface;
     auto model =
         std::make_shared<const Model>("ground", Chain{}.base("ground").with(properties::shapes, Shapes{plane}));
     ground = &simulation.world().add("ground", model);
@@ -39,12 +75,10 @@ struct Rig {
     return simulation.world().add(name, std::move(model), options);
   }
 
-  template <class Law = collision::ImplicitStick>
-  void attach_dynamics(Entity& entity, const motion::SimplifiedDynamicsOptions& options = {}, bool on_ground = true,
-                       std::shared_ptr<const collision::ContactLaw> law = std::make_shared<Law>()) {
-    simulation.attach<collision::GroundContact>("ground_contact", entity, rate, on_ground ? ground : nullptr,
-                                                std::move(law), materials);
-    simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", entity, rate, options);
+  void attach_dynamics(Entity& entity, const Dynamics& dynamics = {}) {
+    simulation.attach<collision::GroundContact>("ground_contact", entity, rate, dynamics.on_ground ? ground : nullptr,
+                                                dynamics.law ? dynamics.law : law_named("implicit_stick"), materials);
+    io::find_entry(io::levels(), "level", dynamics.level).attach(simulation, entity, rate, dynamics.options);
   }
 
   void run(double s) { simulation.run(from_seconds(s)); }
@@ -58,19 +92,19 @@ struct Rig {
   static Vec3d place(Entity& entity) { return entity.base().get(properties::position); }
   static Vec3d velocity(Entity& entity) { return entity.base().get(properties::common_center_of_mass_velocity); }
 
-  Simulation simulation;
+  Simulation simulation{1};
   MaterialTable materials;
   Entity* ground = nullptr;
   double rate;
 };
 
 /// A box of 4.3 kg, 0.30 x 0.20 x 0.10 m.
-inline ModelPtr box_model(double friction = 0.8) {
+inline ModelPtr box_model(const Surface& surface) {
   const double m = 4.3;
   const Vec3d h{0.15, 0.10, 0.05};
   PlacedShape box;
   box.shape = Box{h};
-  box.surface.friction = friction;
+  box.surface = surface;
   const SymMat3d inertia{
       m / 3 * (h.y * h.y + h.z * h.z), m / 3 * (h.x * h.x + h.z * h.z), m / 3 * (h.x * h.x + h.y * h.y), 0, 0, 0};
   return std::make_shared<const Model>("box", Chain{}
@@ -79,6 +113,8 @@ inline ModelPtr box_model(double friction = 0.8) {
                                                   .with(properties::inertia, inertia)
                                                   .with(properties::shapes, Shapes{box}));
 }
+
+inline ModelPtr box_model(double friction = 0.8) { return box_model({"", friction}); }
 
 inline ModelPtr kid21() {
   static const ModelPtr model = io::read_mjcf(std::string(MUROSIMF_SOURCE_DIR) + "/models/kid21.xml").model;

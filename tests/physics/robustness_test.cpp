@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "murosimf/io/scene.h"
+#include "murosimf/motion/simplified_dynamics.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 
@@ -75,8 +76,8 @@ TEST(Freezing, AFrozenBallPushesNobody) {
   Entity& ball = rig.add("ball", io::ball_model(), {.position = {0.12, 0.05, 1.05}});
   rig.simulation.attach<collision::BallContact>("ball_contact", *rig.ground, 1000, ball, std::vector<Entity*>{&robot},
                                                 MaterialTable::standard());
-  rig.attach_dynamics(ball, {}, false);
-  rig.attach_dynamics(robot, {}, false);
+  rig.attach_dynamics(ball, {.on_ground = false});
+  rig.attach_dynamics(robot, {.on_ground = false});
   rig.simulation.initialize();
   Rig::launch(ball, {-1, 0, 0});
   for (int i = 0; i < 200 && norm(Rig::velocity(robot)) == 0; ++i) rig.simulation.step();

@@ -109,7 +109,6 @@ TEST_P(WalkTable, GetsAsFarAsThePrototype) {
   expect_upright("simplified_dynamics", simplified, 8);
 }
 
-constexpr double degree = pi / 180;
 INSTANTIATE_TEST_SUITE_P(Commands, WalkTable,
                          testing::Values(Expected{{0.10, 0, 0}, 1.69, 1.65}, Expected{{0.20, 0, 0}, 3.36, 3.27},
                                          Expected{{0.25, 0, 0}, 4.18, 4.07}, Expected{{-0.10, 0, 0}, -1.69, -1.64},

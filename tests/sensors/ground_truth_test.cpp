@@ -14,7 +14,7 @@ TEST(GroundTruth, ShowsWhereEverybodyIs) {
   Entity& ball = rig.add("ball", io::ball_model(), {.position = {0, 0, 1}});
   rig.simulation.attach<GroundTruth>("ground_truth", robot, 100, std::vector<Entity*>{&robot, &ball});
   rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
-  rig.attach_dynamics(ball, {}, false);
+  rig.attach_dynamics(ball, {.on_ground = false});
   rig.run(0.1);
   const Vec3d place = test::Rig::place(ball);  // at 0.1 s, when the next sample is due
   rig.simulation.step();

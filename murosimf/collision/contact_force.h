@@ -1,0 +1,40 @@
+/// contact_force.h - parts of the contact force that several laws share.
+#pragma once
+
+#include <algorithm>
+
+#include "murosimf/collision/contact.h"
+
+namespace murosimf::collision {
+
+/// No force, no moment, and none of their dampings.
+inline void clear_force(ContactPoint& c) noexcept {
+  c.force = c.moment = {};
+  c.normal_damping = c.tangent_damping = c.angular_damping = 0;
+}
+
+/// Normal force [N] of a damped spring that cannot pull, explicit: max(0, k depth - d v_n); v_n [m/s] of separation.
+[[nodiscard]] inline double spring_force(const ContactParameters& p, double depth, double v_n) noexcept {
+  return std::max(0.0, p.stiffness * depth - p.damping * v_n);
+}
+
+/// `force` against its direction, as a unit vector: where a body slides if this friction does not hold it. Zero for a
+/// force of zero. `size` [N] = norm(force).
+[[nodiscard]] inline Vec3d sliding_direction(const Vec3d& force, double size) noexcept {
+  return size > 0 ? (-1.0 / size) * force : Vec3d{};
+}
+
+/// Largest friction [N] against sliding towards the unit vector `direction`, under the normal force f_n [N]:
+/// mu f_n (1 - grain . direction). Only its size depends on the direction; it acts straight against the motion.
+/// Differs: friction of real anisotropic surfaces has a part across the motion too, the derivative of its size by the
+///          direction ("Anisotropic friction: assessment of force components and resulting trajectories", EPJ
+///          Techniques and Instrumentation 3, 2016). It is left out: it would make the damping of sliding unsymmetric.
+[[nodiscard]] inline double friction_limit(const ContactParameters& p, double f_n, const Vec3d& direction) noexcept {
+  return p.friction * f_n * (1 - dot(p.grain, direction));
+}
+
+/// Rolling resistance of a round body, -rolling r f_n w / |w|, as a damping b [N m s]: moment = -b w. It falls linearly
+/// to zero below 0.5 rad/s. Zero for corners.
+[[nodiscard]] double rolling_damping(const ContactPoint& c, const ContactParameters& p, double f_n) noexcept;
+
+}  // namespace murosimf::collision

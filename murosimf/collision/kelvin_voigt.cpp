@@ -1,0 +1,57 @@
+#include "murosimf/collision/kelvin_voigt.h"
+
+#include <cassert>
+
+#include "murosimf/collision/contact_force.h"
+
+namespace murosimf::collision {
+namespace {
+
+/// Friction at the beginning of the step; decides whether the point sticks.
+Vec3d friction(ContactPoint& c, const ContactParameters& p, double f_n, const Vec3d& v_t) {
+  const Vec3d sticking = -p.tangent_stiffness * c.stretch - p.tangent_damping * v_t;
+  const double size = norm(sticking);
+  const Vec3d direction = sliding_direction(sticking, size);
+  const double limit = friction_limit(p, f_n, direction);
+  c.state = size <= limit ? ContactState::stick : ContactState::slip;
+  return c.state == ContactState::stick ? sticking : -limit * direction;
+}
+
+void find_force(ContactPoint& c, const ContactParameters& p) {
+  clear_force(c);
+  c.stretch = tangential(c.stretch, c.normal);
+  const double v_n = dot(c.velocity, c.normal);
+  const double f_n = spring_force(p, c.depth, v_n);
+  c.last_normal_force = f_n;
+  if (f_n == 0) {
+    c.state = ContactState::open;
+    return;
+  }
+  c.force = f_n * c.normal + friction(c, p, f_n, c.velocity - v_n * c.normal);
+  c.moment = -rolling_damping(c, p, f_n) * c.angular_velocity;
+}
+
+}  // namespace
+
+void KelvinVoigt::prepare(ContactSet& set) const noexcept {
+  for (ContactPoint& c : set.points) find_force(c, set.parameters[c.surface]);
+}
+
+void KelvinVoigt::commit(ContactSet& set) const noexcept {
+  assert(set.next_velocity.size() == set.points.size());
+  for (std::size_t i = 0; i < set.points.size(); ++i) {
+    ContactPoint& c = set.points[i];
+    const ContactParameters& p = set.parameters[c.surface];
+    if (c.state == ContactState::open) {
+      c.stretch = {};
+      continue;
+    }
+    if (c.state == ContactState::slip) {
+      const Vec3d f_t = tangential(c.force, c.normal), v_t = tangential(c.velocity, c.normal);
+      c.stretch = (-1.0 / p.tangent_stiffness) * (f_t + p.tangent_damping * v_t);
+    }
+    c.stretch += set.dt * tangential(set.next_velocity[i], c.normal);
+  }
+}
+
+}  // namespace murosimf::collision

@@ -1,0 +1,82 @@
+#include "murosimf/collision/contact.h"
+
+#include <gtest/gtest.h>
+
+#include "murosimf/collision/implicit_stick.h"
+#include "tests/collision/law_fixtures.h"
+
+namespace murosimf::collision {
+namespace {
+
+// Law: external_force - external_damping * (change of the body's motion) is the sum of what every point says for the
+// change of its own velocity, at the body's origin, plus the force without contacts. Tolerance: rounding of 1e3 N.
+TEST(ContactLoads, SumOfPoints) {
+  Dice dice("loads");
+  const ImplicitStick law;
+  for (int i = 0; i < 50; ++i) {
+    ContactParameters p = parameters();
+    p.rolling = 0.1;
+    ContactSet set = one_point(0, {}, p);
+    set.points.resize(3, set.points[0]);
+    std::vector<Vec3d> r{dice.vector(1), dice.vector(1)};
+    std::vector<Forced> force(2), rest{{dice.vector(1), dice.vector(1)}, {dice.vector(1), dice.vector(1)}};
+    std::vector<Sym6d> damping(2);
+    for (ContactPoint& c : set.points) {
+      c.object = 1;
+      c.normal = dice.unit();
+      c.depth = 1e-3;
+      c.radius = 0.2;
+      c.point = r[1] + dice.vector(0.3);
+      c.velocity = dice.vector(1);
+      c.angular_velocity = dice.vector(1);
+    }
+    set.points[2].state = ContactState::slip;
+    set.rest_force = rest;
+    set.loaded = {1};
+    law.prepare(set);
+    force[0] = rest[0];
+    // twice: loads are written, not added up
+    write_loads(set, r, force, damping);
+    write_loads(set, r, force, damping);
+
+    const Motiond change{dice.vector(1), dice.vector(1)};
+    const Forced given = force[1] - damping[1] * change;
+    Vec3d f = rest[1].f, n = rest[1].n;
+    for (const ContactPoint& c : set.points) {
+      const Vec3d arm = c.point - r[1];
+      const Vec3d at_point = force_after(c, c.velocity + change.v + cross(change.w, arm));
+      f += at_point;
+      n += cross(arm, at_point) + c.moment - c.angular_damping * change.w;
+    }
+    EXPECT_LT(difference(given.f, f), 1e-12);
+    EXPECT_LT(difference(given.n, n), 1e-12);
+    EXPECT_EQ(difference(force[0].f, rest[0].f), 0);  // objects without contacts keep what they have
+    EXPECT_EQ(difference(damping[0].M, SymMat3d{}), 0);
+  }
+}
+
+// Rule: the law's memory is part of the state: feature, state and stretch of every point enter the hash.
+TEST(ContactLoads, MemoryEntersTheStateHash) {
+  const auto hash = [](const ContactSet& set) {
+    Hasher hasher;
+    append_hash(hasher, set);
+    return hasher.value();
+  };
+  const ContactSet set = one_point(1e-3);
+  ContactSet other = set;
+  EXPECT_EQ(hash(set), hash(other));
+  other.points[0].stretch.y = 5e-324;
+  EXPECT_NE(hash(set), hash(other));
+  other = set;
+  other.points[0].state = ContactState::slip;
+  EXPECT_NE(hash(set), hash(other));
+  other = set;
+  other.points[0].feature = 1;
+  EXPECT_NE(hash(set), hash(other));
+  other = set;
+  other.points.push_back(set.points[0]);
+  EXPECT_NE(hash(set), hash(other));
+}
+
+}  // namespace
+}  // namespace murosimf::collision

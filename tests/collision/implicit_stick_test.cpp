@@ -1,0 +1,355 @@
+#include "murosimf/collision/implicit_stick.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/collision/law_fixtures.h"
+
+namespace murosimf::collision {
+namespace {
+
+/// What the law says while it sticks, with the velocity after the step.
+Vec3d sticking_force(const ContactPoint& c, const ContactParameters& p, const Vec3d& next) {
+  const double v_n = dot(next, c.normal);
+  const Vec3d v_t = next - v_n * c.normal;
+  const double f_n = p.stiffness * (c.depth - p.theta * dt * v_n) - p.damping * v_n;
+  return f_n * c.normal - p.tangent_stiffness * (c.stretch + dt * v_t) - p.tangent_damping * v_t;
+}
+
+// Law: prepare linearises a sticking point so that force - B (v+ - v) is the law's force at v+, for any v+, and
+// projects the memory on the tangent plane. Tolerance: rounding of forces up to 1e3 N.
+TEST(ImplicitStickTest, StickingIsLinearInTheVelocityAfterTheStep) {
+  const ImplicitStick law;
+  Dice dice("stick");
+  for (int i = 0; i < 100; ++i) {
+    ContactParameters p = parameters();
+    p.theta = dice.uniform(0, 1);
+    ContactSet set = one_point(dice.uniform(1e-4, 1e-2), dice.vector(1), p);
+    ContactPoint& c = set.points[0];
+    c.normal = dice.unit();
+    c.stretch = dice.vector(1e-3);
+    law.prepare(set);
+    EXPECT_EQ(c.state, ContactState::stick);
+    EXPECT_NEAR(dot(c.stretch, c.normal), 0, 1e-18);
+    EXPECT_NEAR(c.normal_damping, p.damping + p.theta * dt * p.stiffness, 1e-12);
+    EXPECT_NEAR(c.tangent_damping, p.tangent_damping + dt * p.tangent_stiffness, 1e-12);
+    const Vec3d next = dice.vector(1);
+    EXPECT_LT(difference(force_after(c, next), sticking_force(c, p, next)), 1e-12);
+  }
+}
+
+// Rule: inside the cone a sticking point is accepted as it is.
+TEST(ImplicitStickTest, SticksInsideTheCone) {
+  const ImplicitStick law;
+  ContactSet set = one_point(1e-3);
+  law.prepare(set);
+  set.next_velocity[0] = {0.1, 0, 0};  // tangential force 33 * 0.1 = 3.3 N of mu f_n = 5 N
+  EXPECT_TRUE(law.accept(set));
+  EXPECT_EQ(set.points[0].state, ContactState::stick);
+}
+
+// Rule: outside the cone it slips, and the step must be repeated; the sliding force is mu f_n against the motion.
+// Tolerance: rounding.
+TEST(ImplicitStickTest, SlipsAtTheCone) {
+  const ImplicitStick law;
+  for (const auto& [speed, expected] : {std::pair{0.151, ContactState::stick}, std::pair{0.152, ContactState::slip}}) {
+    ContactSet set = one_point(1e-3);  // f_n = 10 N: the cone is reached at 5 N / 33 N s/m = 0.15152 m/s
+    law.prepare(set);
+    set.next_velocity[0] = {0.6 * speed, 0.8 * speed, 0};
+    EXPECT_EQ(law.accept(set), expected == ContactState::stick);
+    EXPECT_EQ(set.points[0].state, expected);
+  }
+  ContactSet set = one_point(1e-3, {0.6, 0.8, 0});
+  law.prepare(set);
+  set.next_velocity[0] = {0.6, 0.8, 0};
+  EXPECT_FALSE(law.accept(set));
+  const Vec3d force = force_after(set.points[0], {0.6, 0.8, 0});
+  EXPECT_LT(difference(force, {-3, -4, 10}), 1e-14);
+  EXPECT_TRUE(law.accept(set));  // the normal force did not move
+  // pressed harder by the trial step, 10 N + 60 N s/m * 0.05 m/s, it slides on that force at once
+  set = one_point(1e-3, {0.6, 0.8, 0});
+  law.prepare(set);
+  set.next_velocity[0] = {0.6, 0.8, -0.05};
+  EXPECT_FALSE(law.accept(set));
+  EXPECT_LT(difference(force_after(set.points[0], {0.6, 0.8, -0.05}), {-3.9, -5.2, 13}), 1e-14);
+}
+
+/// A point that slides with `velocity`, pressed with 10 N, and slid along x before.
+ContactSet sliding_point(const Vec3d& velocity) {
+  ContactSet set = one_point(1e-3, velocity);
+  ContactPoint& c = set.points[0];
+  c.state = ContactState::slip;
+  c.slip_direction = {1, 0, 0};
+  c.last_normal_force = 10;
+  return set;
+}
+
+// Law: the linearisation of a sliding point is the tangent of f_t = -mu f_n v / |v| at the present velocity: value and
+// derivative along and across. Tolerance: differences of 1e-6 m/s err by the third derivative, 5 N * 1e-12 / |v|^3.
+TEST(ImplicitStickTest, SlidingIsTheTangentOfCoulomb) {
+  const ImplicitStick law;
+  const Vec3d v{0.3, -0.4, 0};
+  ContactSet set = sliding_point(v);
+  const ContactPoint& c = set.points[0];
+  law.prepare(set);
+  const auto coulomb = [](const Vec3d& u) { return (-5 / norm(u)) * u; };
+  EXPECT_LT(difference(tangential(c.force, c.normal), coulomb(v)), 1e-14);
+  const double h = 1e-6;
+  for (const Vec3d& d : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0.6, -0.8, 0}, Vec3d{0.8, 0.6, 0}}) {
+    const Vec3d slope = (0.5 / h) * (coulomb(v + h * d) - coulomb(v - h * d));
+    const Vec3d given = (0.5 / h) * (force_after(c, v + h * d) - force_after(c, v - h * d));
+    EXPECT_LT(difference(given, slope), 1e-8);
+  }
+}
+
+// Rule: slower than 5 mm/s the direction of sliding is not trusted: the last known one stays, the friction along it is
+// mu f_n, and what goes across is damped as at 5 mm/s. Tolerance: rounding.
+TEST(ImplicitStickTest, SlowSlidingKeepsItsDirection) {
+  const ImplicitStick law;
+  ContactSet set = sliding_point({0, 0.004, 0});
+  ContactPoint& c = set.points[0];
+  law.prepare(set);
+  EXPECT_EQ(difference(c.slip_direction, {1, 0, 0}), 0);
+  EXPECT_LT(difference(tangential(c.force, c.normal), {-5, -5 * 0.004 / 0.005, 0}), 1e-14);
+  EXPECT_NEAR(c.tangent_damping, 5 / 0.005, 1e-12);
+  c.velocity = {0, 0.006, 0};
+  law.prepare(set);
+  EXPECT_EQ(difference(c.slip_direction, {0, 1, 0}), 0);
+  EXPECT_LT(difference(tangential(c.force, c.normal), {0, -5, 0}), 1e-14);
+  EXPECT_NEAR(c.tangent_damping, 5 / 0.006, 1e-11);
+}
+
+// Rule: a point never pulls: it opens where its force would be negative, feels nothing then, and is accepted.
+TEST(ImplicitStickTest, OpensWhereItWouldPull) {
+  const ImplicitStick law;
+  ContactSet set = one_point(1e-3);
+  law.prepare(set);
+  set.next_velocity[0] = {0, 0, 0.16};  // 10 N - 60 N s/m * 0.16 m/s = 0.4 N: just pushing
+  EXPECT_TRUE(law.accept(set));
+  set.next_velocity[0] = {0, 0, 0.17};  // -0.2 N
+  EXPECT_FALSE(law.accept(set));
+  const ContactPoint& c = set.points[0];
+  EXPECT_EQ(c.state, ContactState::open);
+  EXPECT_EQ(norm(c.force), 0);
+  EXPECT_EQ(c.normal_damping, 0);
+  EXPECT_EQ(c.tangent_damping, 0);
+  EXPECT_TRUE(law.accept(set));
+  // and closes again, to stick, if the next trial comes back
+  set.next_velocity[0] = {0, 0, 0.1};
+  EXPECT_FALSE(law.accept(set));
+  EXPECT_EQ(c.state, ContactState::stick);
+  EXPECT_GT(dot(c.force, c.normal), 0);
+  EXPECT_TRUE(law.accept(set));
+}
+
+// Rule: an open point feels no rolling resistance either: there is no normal force that could cause it.
+TEST(ImplicitStickTest, OpenPointDoesNotRoll) {
+  const ImplicitStick law;
+  ContactParameters p = parameters();
+  p.rolling = 0.03;
+  ContactSet set = one_point(1e-3, {}, p);
+  ContactPoint& c = set.points[0];
+  c.radius = 0.05;
+  c.angular_velocity = {0, 10, 0};
+  law.prepare(set);
+  EXPECT_LT(c.moment.y, 0);
+  set.next_velocity[0] = {0, 0, 1};
+  EXPECT_FALSE(law.accept(set));
+  ASSERT_EQ(c.state, ContactState::open);
+  EXPECT_EQ(norm(c.moment), 0);
+  EXPECT_EQ(c.angular_damping, 0);
+}
+
+// Rule: friction that would push along the motion means that the point has come to rest: slip becomes stick.
+TEST(ImplicitStickTest, SlipBecomesStickAtRest) {
+  const ImplicitStick law;
+  ContactSet set = sliding_point({0.003, 0, 0});
+  const ContactPoint& c = set.points[0];
+  law.prepare(set);
+  set.next_velocity[0] = {0.001, 0, 0};  // still forwards, friction backwards
+  EXPECT_TRUE(law.accept(set));
+  set.next_velocity[0] = {-0.001, 0, 0};  // friction has turned it round
+  EXPECT_FALSE(law.accept(set));
+  EXPECT_EQ(c.state, ContactState::stick);
+}
+
+// Rule: a sliding force follows the normal force: it is renewed if that moved by more than 5 %.
+TEST(ImplicitStickTest, SlidingFollowsTheNormalForce) {
+  const ImplicitStick law;
+  ContactSet set = sliding_point({1, 0, 0});
+  const ContactPoint& c = set.points[0];
+  law.prepare(set);
+  set.next_velocity[0] = {1, 0, -0.4 / 60};  // 10.4 N
+  EXPECT_TRUE(law.accept(set));
+  set.next_velocity[0] = {1, 0, -5.0 / 60};  // 15 N
+  EXPECT_FALSE(law.accept(set));
+  EXPECT_NEAR(norm(tangential(force_after(c, {1, 0, 0}), c.normal)), 7.5, 1e-12);
+  EXPECT_TRUE(law.accept(set));
+}
+
+// Law: memory. Sticking adds dt v_t+; opening forgets. Tolerance: rounding.
+TEST(ImplicitStickTest, CommitStickAndOpen) {
+  const ImplicitStick law;
+  ContactSet set = one_point(1e-3);
+  ContactPoint& c = set.points[0];
+  c.stretch = {1e-4, 0, 0};
+  law.prepare(set);
+  set.next_velocity[0] = {0.01, -0.02, 0.1};
+  ASSERT_TRUE(law.accept(set));
+  law.commit(set);
+  EXPECT_LT(difference(c.stretch, {1.1e-4, -0.2e-4, 0}), 1e-18);
+  EXPECT_NEAR(c.last_normal_force, 10 - 60 * 0.1, 1e-14);
+
+  law.prepare(set);
+  set.next_velocity[0] = {0, 0, 1};
+  ASSERT_FALSE(law.accept(set));
+  law.commit(set);
+  EXPECT_EQ(c.state, ContactState::open);
+  EXPECT_EQ(norm(c.stretch), 0);
+  EXPECT_EQ(c.last_normal_force, 0);
+  law.prepare(set);  // in the next step it starts anew
+  EXPECT_EQ(c.state, ContactState::stick);
+}
+
+// Law: return mapping. After slipping, the spring stands where sticking with the same velocity would give exactly the
+// sliding force: -kt s - ct v_t = f_t. Without the second term a block just below the cone would creep for ever.
+// Tolerance: rounding.
+TEST(ImplicitStickTest, CommitSlipReturnsToTheCone) {
+  const ImplicitStick law;
+  const ContactParameters p = parameters();
+  ContactSet set = one_point(1e-3, {0.3, -0.1, 0});
+  ContactPoint& c = set.points[0];
+  c.stretch = {5e-3, 0, 0};
+  law.prepare(set);
+  const Vec3d next{0.29, -0.09, 0};
+  set.next_velocity[0] = next;
+  ASSERT_FALSE(law.accept(set));
+  ASSERT_TRUE(law.accept(set));
+  const Vec3d friction = tangential(force_after(c, next), c.normal);
+  law.commit(set);
+  EXPECT_EQ(c.state, ContactState::slip);
+  EXPECT_LT(difference(-p.tangent_stiffness * c.stretch - p.tangent_damping * next, friction), 1e-13);
+}
+
+// Law: a block pushed with 0.9 of mu m g stays where its spring holds it, F / kt away, and does not creep: after it has
+// settled its place does not change at all. Tolerance: for the place, the transient's rest after 2 s (decay rate
+// ct / 2m = 12.5 /s); for the creep 1e-13 m in one second.
+TEST(ImplicitStickTest, NoCreepBelowTheCone) {
+  const ImplicitStick law;
+  Block block = resting_block({4.5, 0, 0});
+  for (int i = 0; i < 4000; ++i) block.step(law);
+  const Vec3d place = block.position;
+  for (int i = 0; i < 1000; ++i) block.step(law);
+  EXPECT_LT(difference(block.position, place), 1e-13);
+  EXPECT_LT(norm(block.velocity), 1e-12);
+  EXPECT_EQ(block.point().state, ContactState::stick);
+  EXPECT_LT(difference(block.contact_force, {-4.5, 0, 10}), 1e-9);
+}
+
+// Law: pushed with 1.4 of mu m g it slides with a = F/m - mu g, and the force is on the cone. Tolerance: the first step
+// sticks until the spring is stretched (0.6 mm), then the implicit step is exact in the force.
+TEST(ImplicitStickTest, SlidesAboveTheCone) {
+  const ImplicitStick law;
+  Block block = resting_block({7, 0, 0});
+  for (int i = 0; i < 500; ++i) block.step(law);
+  const double before = block.velocity.x;
+  for (int i = 0; i < 500; ++i) {
+    block.step(law);
+    ASSERT_NEAR(norm(tangential(block.contact_force, Vec3d{0, 0, 1})), 5, 1e-8);
+  }
+  EXPECT_EQ(block.point().state, ContactState::slip);
+  EXPECT_NEAR((block.velocity.x - before) / 0.5, 2.0, 1e-8);
+}
+
+// Law: Coulomb friction stops a sliding block after v^2 / (2 mu g), then it rests: no creep, no bouncing back beyond
+// the spring's stretch. Tolerance: one step's way (1 mm) plus the stretch (0.6 mm).
+TEST(ImplicitStickTest, StoppingDistance) {
+  const ImplicitStick law;
+  Block block = resting_block({});
+  block.velocity = {1, 0, 0};
+  for (int i = 0; i < 3000; ++i) {
+    block.step(law);
+    ASSERT_LE(block.passes, max_passes);
+  }
+  EXPECT_NEAR(block.position.x, 1 / (2 * 0.5 * 10), 1.6e-3);
+  EXPECT_LT(norm(block.velocity), 1e-6);
+  EXPECT_EQ(block.point().state, ContactState::stick);
+}
+
+// Law: the friction of a block that lands while it slides is mu times the force that really presses, also in the very
+// first step (a rejected sticking trial must not lend its normal force). Tolerance: the 5 % at which it is renewed.
+TEST(ImplicitStickTest, FrictionAtFirstTouch) {
+  const ImplicitStick law;
+  Block block = resting_block({});
+  block.position.z = -1e-6;
+  block.velocity = {1, 0, -0.2};
+  for (int i = 0; i < 20; ++i) {
+    block.step(law);
+    const double f_n = block.contact_force.z;
+    if (block.point().state != ContactState::slip || f_n < 0.1) continue;
+    EXPECT_NEAR(norm(tangential(block.contact_force, Vec3d{0, 0, 1})), 0.5 * f_n, 0.05 * 0.5 * f_n + 1e-12) << i;
+  }
+  EXPECT_EQ(block.point().state, ContactState::slip);
+}
+
+// Law: rolling resistance is that of the spring's force k * depth, and linear in the rate after the step.
+TEST(ImplicitStickTest, RollingResistance) {
+  const ImplicitStick law;
+  ContactParameters p = parameters();
+  p.rolling = 0.03;
+  ContactSet set = one_point(1e-3, {}, p);
+  ContactPoint& c = set.points[0];
+  c.radius = 0.05;
+  c.angular_velocity = {0, 10, 0};
+  law.prepare(set);
+  EXPECT_LT(difference(c.moment, {0, -0.03 * 0.05 * 10, 0}), 1e-17);
+  EXPECT_NEAR(c.angular_damping, 0.03 * 0.05 * 10 / 10, 1e-17);
+}
+
+// Law: the cone is wider against the grain than along it, while sticking and while sliding. In numbers: mu f_n = 5 N,
+// grain 0.2 along x, 33 N s/m of sticking: it slips at 4 N / 33 N s/m = 0.121 m/s along and 6 / 33 = 0.182 m/s against.
+TEST(ImplicitStickTest, ConeDependsOnTheGrain) {
+  const ImplicitStick law;
+  ContactParameters p = parameters();
+  p.grain = {0.2, 0, 0};
+  const auto state_at = [&](const Vec3d& next) {
+    ContactSet set = one_point(1e-3, {}, p);
+    law.prepare(set);
+    set.next_velocity[0] = next;
+    (void)law.accept(set);
+    return set.points[0].state;
+  };
+  EXPECT_EQ(state_at({0.120, 0, 0}), ContactState::stick);
+  EXPECT_EQ(state_at({0.122, 0, 0}), ContactState::slip);
+  EXPECT_EQ(state_at({0, 0.151, 0}), ContactState::stick);
+  EXPECT_EQ(state_at({0, 0.152, 0}), ContactState::slip);
+  EXPECT_EQ(state_at({-0.181, 0, 0}), ContactState::stick);
+  EXPECT_EQ(state_at({-0.183, 0, 0}), ContactState::slip);
+  for (const auto& [v, expected] :
+       {std::pair{Vec3d{1, 0, 0}, Vec3d{-4, 0, 0}}, std::pair{Vec3d{0, 1, 0}, Vec3d{0, -5, 0}},
+        std::pair{Vec3d{-1, 0, 0}, Vec3d{6, 0, 0}}}) {
+    ContactSet set = sliding_point(v);
+    set.parameters[0].grain = p.grain;
+    law.prepare(set);
+    EXPECT_LT(difference(tangential(set.points[0].force, Vec3d{0, 0, 1}), expected), 1e-14);
+  }
+}
+
+// Rule: every point has its own constants and its own state.
+TEST(ImplicitStickTest, PointsAreIndependent) {
+  const ImplicitStick law;
+  ContactSet set = one_point(1e-3);
+  set.points.resize(3, set.points[0]);
+  set.next_velocity.resize(3);
+  set.parameters.push_back(parameters());
+  set.parameters[1].friction = 0.01;
+  set.points[1].surface = 1;
+  law.prepare(set);
+  set.next_velocity = {{0.1, 0, 0}, {0.1, 0, 0}, {0, 0, 1}};
+  EXPECT_FALSE(law.accept(set));
+  EXPECT_EQ(set.points[0].state, ContactState::stick);
+  EXPECT_EQ(set.points[1].state, ContactState::slip);
+  EXPECT_EQ(set.points[2].state, ContactState::open);
+}
+
+}  // namespace
+}  // namespace murosimf::collision

@@ -1,0 +1,101 @@
+#include "murosimf/collision/paper_law.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/collision/law_fixtures.h"
+
+namespace murosimf::collision {
+namespace {
+
+// Law: eq. (4): s_c depth n approaching, s_b s_c depth n separating; eq. (5): -s_mu |f_n| v_t and -s_nu |f_n| w. In
+// numbers: s_c = 1e4 N/m, depth 2 mm, s_b = 0.4, s_mu = 5 s/m, s_nu = 0.01 m s. Tolerance: rounding.
+TEST(PaperLawTest, Equations4And5) {
+  const PaperLaw law({.rebound = 0.4, .friction = 5, .spin_friction = 0.01});
+  ContactSet set = one_point(2e-3, {0.1, -0.2, -0.3});
+  ContactPoint& c = set.points[0];
+  c.angular_velocity = {1, 2, 3};
+  law.prepare(set);
+  EXPECT_LT(difference(c.force, {-5 * 20 * 0.1, 5 * 20 * 0.2, 20}), 1e-14);
+  EXPECT_LT(difference(c.moment, {-0.2, -0.4, -0.6}), 1e-15);
+
+  c.velocity.z = 0.3;
+  law.prepare(set);
+  EXPECT_LT(difference(c.force, {-5 * 8 * 0.1, 5 * 8 * 0.2, 8}), 1e-14);
+  EXPECT_LT(difference(c.moment, {-0.08, -0.16, -0.24}), 1e-15);
+}
+
+// Rule: the law is explicit: no damping is handed to motion, and every trial is accepted as it is.
+TEST(PaperLawTest, IsExplicit) {
+  const PaperLaw law;
+  ContactSet set = one_point(1e-3, {1, 0, 0});
+  set.points[0].normal_damping = set.points[0].tangent_damping = set.points[0].angular_damping = 7;
+  law.prepare(set);
+  EXPECT_EQ(set.points[0].normal_damping, 0);
+  EXPECT_EQ(set.points[0].tangent_damping, 0);
+  EXPECT_EQ(set.points[0].angular_damping, 0);
+  set.next_velocity[0] = {100, 0, 100};
+  const Vec3d before = set.points[0].force;
+  EXPECT_TRUE(law.accept(set));
+  law.commit(set);
+  EXPECT_EQ(difference(set.points[0].force, before), 0);
+}
+
+// Law: the normal may point anywhere; friction has no part along it. Tolerance: rounding of forces up to 200 N.
+TEST(PaperLawTest, FrictionIsTangential) {
+  const PaperLaw law({.rebound = 0.4, .friction = 5, .spin_friction = 0.01});
+  Dice dice("paper law");
+  for (int i = 0; i < 50; ++i) {
+    ContactSet set = one_point(2e-3, dice.vector(1));
+    ContactPoint& c = set.points[0];
+    c.normal = dice.unit();
+    law.prepare(set);
+    const double f_n = dot(c.velocity, c.normal) < 0 ? 20 : 8;
+    EXPECT_NEAR(dot(c.force, c.normal), f_n, 1e-13);
+    EXPECT_LE(dot(tangential(c.force, c.normal), c.velocity), 0);
+  }
+}
+
+/// Seven points of three bodies; point i has feature i.
+ContactSet seven_points() {
+  ContactSet set = one_point(0);
+  set.points.resize(7, set.points[0]);
+  const int objects[] = {4, 4, 9, 4, 9, 2, 2};
+  const double depths[] = {1, 3, 5, 2, 4, 6, 7};
+  for (std::size_t i = 0; i < 7; ++i) {
+    set.points[i].object = objects[i];
+    set.points[i].depth = 1e-3 * depths[i];
+    set.points[i].feature = static_cast<std::uint32_t>(i);
+  }
+  return set;
+}
+
+// Rule: one point per body, the deepest.
+TEST(PaperLawTest, KeepsTheDeepestPointOfEveryBody) {
+  const PaperLaw law;
+  ContactSet set = seven_points();
+  law.prepare(set);
+  ASSERT_EQ(set.points.size(), 3u);
+  const std::pair<int, std::uint32_t> expected[] = {{4, 1}, {9, 2}, {2, 6}};  // object, feature
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(set.points[i].object, expected[i].first);
+    EXPECT_EQ(set.points[i].feature, expected[i].second);
+    EXPECT_GT(norm(set.points[i].force), 0);
+  }
+}
+
+// Rule: with all points, each feels what it would feel alone.
+TEST(PaperLawTest, KeepsAllPointsIfAsked) {
+  const PaperLaw law({.one_point_per_body = false});
+  ContactSet set = seven_points();
+  law.prepare(set);
+  ASSERT_EQ(set.points.size(), 7u);
+  for (const ContactPoint& c : set.points) {
+    ContactSet alone = one_point(c.depth);
+    law.prepare(alone);
+    EXPECT_GT(norm(c.force), 0);
+    EXPECT_EQ(difference(c.force, alone.points[0].force), 0);
+  }
+}
+
+}  // namespace
+}  // namespace murosimf::collision

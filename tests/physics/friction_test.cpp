@@ -1,0 +1,125 @@
+// A box on a slope: laws with a cone of friction stick and slide, laws without one creep.
+#include <functional>
+
+#include "murosimf/collision/paper_law.h"
+#include "tests/physics/rig.h"
+
+namespace murosimf::test {
+namespace {
+
+class Coulomb : public testing::TestWithParam<LevelAndLaw> {};
+INSTANTIATE_TEST_SUITE_P(Contact, Coulomb, at_every_level({"implicit_stick", "kelvin_voigt"}), test_name);
+
+struct Slope {
+  double acceleration = 0;  // [m/s^2] along the slope, between 0.5 s and 1 s
+  double speed = 0;         // [m/s] at 1 s
+};
+
+/// A box that is let go on a slope [rad] of some ground.
+Slope let_go(const LevelAndLaw& names, double slope, const Surface& ground, const Surface& bottom) {
+  Rig rig(ground, slope);
+  rig.materials = MaterialTable::standard();
+  Entity& box = rig.add("box", box_model(bottom));
+  rig.attach_dynamics(box, dynamics(names));
+  rig.run(0.5);
+  const double before = Rig::velocity(box).x;
+  rig.run(0.5);
+  return {(Rig::velocity(box).x - before) / 0.5, norm(Rig::velocity(box))};
+}
+
+/// Coulomb friction holds up to atan(mu) and slides beyond with g (sin a - mu cos a). Limits: 0.2 degrees; 1e-6 m/s is
+/// standing, 0.005 m/s^2 is 0.05 % of gravity.
+void expect_friction(double mu, const std::function<Slope(double slope)>& let_go) {
+  EXPECT_LT(let_go(std::atan(mu) - 0.2 * degree).speed, 1e-6) << "friction " << mu;
+  for (const double above : {0.2, 1.5, 5.5, 13.5}) {
+    const double slope = std::atan(mu) + above * degree;
+    EXPECT_NEAR(let_go(slope).acceleration, g * (std::sin(slope) - mu * std::cos(slope)), 0.005)
+        << "friction " << mu << ", " << above << " degrees above";
+  }
+}
+
+TEST_P(Coulomb, SticksBelowTheFrictionAngleAndSlidesAbove) {
+  const Surface surface{"", 0.5};
+  expect_friction(0.5, [&](double slope) { return let_go(GetParam(), slope, surface, surface); });
+}
+
+// Law: at rest the ground carries exactly the weight, now and not only on the average.
+TEST_P(Coulomb, BoxComesToRest) {
+  Rig rig;
+  Entity& box = rig.add("box", box_model());
+  rig.attach_dynamics(box, dynamics(GetParam()));
+  rig.run(2.0);
+  EXPECT_NEAR(box.base().get(properties::external_force).f.z, 4.3 * g, 1e-3 * 4.3 * g);
+  EXPECT_LT(norm(Rig::velocity(box)), 1e-9);
+}
+
+// Law: on grass friction is mu (1 - g) along the pile, mu across it and mu (1 + g) against it.
+TEST_P(Coulomb, GrassHoldsBestAgainstItsGrain) {
+  const PairSurface pair = MaterialTable::standard().find({"rubber", 0}, {"grass", 0});
+  ASSERT_GT(pair.grain_effect, 0.1);
+  for (const auto& [grain, factor] : {std::pair{Vec3d{2, 0, 0}, 1 - pair.grain_effect}, std::pair{Vec3d{0, 1, 0}, 1.0},
+                                      std::pair{Vec3d{-1, 0, 0}, 1 + pair.grain_effect}}) {
+    const Surface grass{"grass", 0, grain};
+    expect_friction(factor * pair.friction, [&](double slope) {
+      return let_go(GetParam(), slope, grass, {"rubber", 0});
+    });
+  }
+}
+
+/// How far a box of 1 m/s slides on friction mu until it turns back (its springs relax by a few tenths of a
+/// millimetre).
+double sliding_distance(const LevelAndLaw& names, double mu, double rate_hz) {
+  Rig rig(mu, 0, rate_hz);
+  Entity& box = rig.add("box", box_model(mu));
+  rig.attach_dynamics(box, dynamics(names));
+  rig.run(0.5);  // settle
+  const double start = Rig::place(box).x;
+  Rig::launch(box, {1, 0, 0});
+  double farthest = start;
+  for (int i = 0; i < static_cast<int>(rate_hz); ++i) {
+    rig.simulation.step();
+    farthest = std::max(farthest, Rig::place(box).x);
+  }
+  EXPECT_LT(norm(Rig::velocity(box)), 1e-6);
+  return farthest - start;
+}
+
+// Law: a sliding box stops after v^2 / (2 mu g). Semi-implicit Euler loses v dt / 2 of it, 0.5 % at 1 ms; what is left
+// must be under 0.5 %, and shorter steps must come nearer.
+TEST_P(Coulomb, StopsAfterTheRightDistance) {
+  const double mu = 0.5;
+  const double exact = 1 / (2 * mu * g);
+  const double at_1_ms = sliding_distance(GetParam(), mu, 1000);
+  const double at_half_ms = sliding_distance(GetParam(), mu, 2000);
+  EXPECT_NEAR(at_1_ms, exact - 0.5e-3, 0.005 * exact);
+  EXPECT_NEAR(at_half_ms, exact, 0.005 * exact);
+  EXPECT_LT(std::abs(at_half_ms - exact), std::abs(at_1_ms - exact));
+}
+
+class Viscous : public testing::TestWithParam<LevelAndLaw> {};
+INSTANTIATE_TEST_SUITE_P(Contact, Viscous, at_every_level({"paper", "paper_multipoint"}), test_name);
+
+/// The paper's law with another viscosity s_mu [s/m].
+LawPtr paper_law(const std::string& name, double s_mu) {
+  return std::make_shared<collision::PaperLaw>(
+      collision::PaperLawOptions{.friction = s_mu, .one_point_per_body = name == "paper"});
+}
+
+// Law: under the paper's viscous friction (eq. 5) everything creeps down a slope with tan(a)/s_mu; 2 %.
+TEST_P(Viscous, CreepsDownTheSlope) {
+  const auto& [level, law] = GetParam();
+  const double slope = 3 * degree;
+  for (const double s_mu : {1.0, 3.0, 5.0}) {
+    Rig rig(0.8, slope);
+    Entity& box = rig.add("box", box_model());
+    rig.attach_dynamics(box, {.level = level, .law = paper_law(law, s_mu)});
+    rig.run(4.0);
+    const double before = Rig::place(box).x;
+    rig.run(6.0);
+    const double creep = (Rig::place(box).x - before) / 6.0;
+    EXPECT_NEAR(creep, std::tan(slope) / s_mu, 0.02 * std::tan(slope) / s_mu) << "s_mu " << s_mu;
+  }
+}
+
+}  // namespace
+}  // namespace murosimf::test
