@@ -26,7 +26,7 @@ inline constexpr double g = 9.81;           // [m/s^2]
 inline constexpr double degree = pi / 180;  // [rad]
 
 /// Levels at which forces move an entity: every law of contact is tested at each of them.
-inline std::vector<std::string> dynamic_levels() { return {"simplified_dynamics"}; }
+inline std::vector<std::string> dynamic_levels() { return {"simplified_dynamics", "full_dynamics", "articulated_dynamics"}; }
 
 using LawPtr = std::shared_ptr<const collision::ContactLaw>;
 
