@@ -3,8 +3,11 @@
 
 #include "apps/commands.h"
 #include "apps/standard_output.h"
+#include "murosimf/collision/pair_law.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/integrator.h"
+#include "murosimf/motion/servo_law.h"
 
 namespace murosimf::app {
 namespace {
@@ -32,6 +35,9 @@ int list(const std::string& what) {
   std::string text;
   if (what == "levels") text = names_and_meanings(io::levels());
   if (what == "contacts") text = names_and_meanings(io::contacts());
+  if (what == "body_contacts") text = names_and_meanings(collision::pair_laws());
+  if (what == "integrators") text = names_and_meanings(motion::integrators());
+  if (what == "servo_laws") text = names_and_meanings(motion::servo_laws());
   if (what == "controllers") text = names_and_meanings(io::controllers());
   if (what == "sensors") text = names_and_meanings(io::sensors());
   if (what == "properties") text = properties_text();

@@ -1,5 +1,7 @@
 #include "murosimf/collision/contact.h"
 
+#include <algorithm>
+
 namespace murosimf::collision {
 
 void append_hash(Hasher& hasher, const ContactPoint& point) {
@@ -30,6 +32,10 @@ void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> ex
   for (const int object : set.loaded) {
     external_force[object] = set.rest_force[object];
     external_damping[object] = Sym6d{};
+  }
+  for (const auto& [object, damping] : set.rest_damping) {
+    if (std::find(set.loaded.begin(), set.loaded.end(), object) != set.loaded.end())
+      external_damping[object] += damping;
   }
   for (const ContactPoint& c : set.points) {
     const Vec3d arm = c.point - r[c.object];

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "murosimf/math/spatial.h"
@@ -72,9 +73,10 @@ struct ContactSet {
 
   // working memory, kept to avoid allocation
   std::vector<ContactPoint> previous;
-  std::vector<Vec3d> next_velocity;  ///< [m/s] of every point after the trial step; motion fills it
-  std::vector<Forced> rest_force;    ///< [N m, N] external force of every object without these contacts
-  std::vector<int> loaded;           ///< objects that carry the force of these contacts
+  std::vector<Vec3d> next_velocity;                 ///< [m/s] of every point after the trial step; motion fills it
+  std::vector<Forced> rest_force;                   ///< [N m, N] external force of every object without these contacts
+  std::vector<std::pair<int, Sym6d>> rest_damping;  ///< external damping of objects without these contacts
+  std::vector<int> loaded;                          ///< objects that carry the force of these contacts
 };
 
 void append_hash(Hasher& hasher, const ContactSet& set);

@@ -13,9 +13,18 @@
 
 namespace murosimf::collision {
 
+/// Whether an island solver may take the points of a law as its own (body_contact.h).
+enum class IslandUse {
+  never,          ///< another force or memory
+  when_touching,  ///< while the entity touches another one that moves
+  always,
+};
+
 class ContactLaw {
  public:
   virtual ~ContactLaw() = default;
+
+  [[nodiscard]] virtual IslandUse island_use() const noexcept { return IslandUse::never; }
 
   /// May drop points (a law that wants one per body).
   virtual void prepare(ContactSet& set) const noexcept = 0;

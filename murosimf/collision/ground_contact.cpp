@@ -46,7 +46,6 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       v_(setup.read(properties::linear_velocity)),
       w_(setup.read(properties::angular_velocity)),
       applied_force_(setup.input(properties::applied_force, {})),
-      interaction_force_(setup.input(properties::interaction_force, {})),
       external_force_(setup.write(properties::external_force)),
       external_damping_(setup.write(properties::external_damping)),
       set_(setup.write(contacts)[0]) {
@@ -77,8 +76,10 @@ void GroundContact::initialize() {
 void GroundContact::step(const Instant& instant) noexcept {
   set_.dt = seconds(instant.period);
   for (const int object : set_.loaded) external_damping_[object] = Sym6d{};
+  for (const auto& [object, damping] : set_.rest_damping) external_damping_[object] = Sym6d{};
+  set_.rest_damping.clear();
   for (const int object : model_.bodies()) {
-    external_force_[object] = set_.rest_force[object] = applied_force_[object] + interaction_force_[object];
+    external_force_[object] = set_.rest_force[object] = applied_force_[object];
   }
   find_contacts();
   remember();
@@ -123,6 +124,7 @@ void GroundContact::remember() {
     c.state = old->state;
     c.last_normal_force = old->last_normal_force;
     c.slip_direction = old->slip_direction;
+    c.force = old->force;
   }
 }
 

@@ -1,8 +1,8 @@
 /// ground_contact.h - algorithm: contact of one dynamic entity with the ground, by any contact law.
 ///
 /// Finds the points of every shape below the ground plane, gives each the memory that its feature had in the step
-/// before, lets the law linearize them, and writes external_force (pushes, contacts with moving bodies, ground) and
-/// external_damping. The motion algorithm that comes after it settles the rest with the law (contact.h).
+/// before, lets the law linearize them, and writes external_force (pushes of users, ground) and external_damping.
+/// Contacts with other moving bodies come on top of that (body_contact.h). The motion algorithm that comes after it settles the rest with the law (contact.h).
 #pragma once
 
 #include <memory>
@@ -35,12 +35,11 @@ class GroundContact final : public Algorithm {
   std::vector<GroundShape> shapes_;
   std::vector<GroundPlane> planes_;
   std::vector<ContactParameters> parameters_;
-  std::span<const Vec3d> r_;                   // [m] origins, world
-  std::span<const Mat3d> R_;                   // orientations
-  std::span<const Vec3d> v_;                   // [m/s] of the origins, world
-  std::span<const Vec3d> w_;                   // [rad/s] world
-  std::span<const Forced> applied_force_;      // [N m, N] users' pushes
-  std::span<const Forced> interaction_force_;  // [N m, N] contacts with moving bodies
+  std::span<const Vec3d> r_;               // [m] origins, world
+  std::span<const Mat3d> R_;               // orientations
+  std::span<const Vec3d> v_;               // [m/s] of the origins, world
+  std::span<const Vec3d> w_;               // [rad/s] world
+  std::span<const Forced> applied_force_;  // [N m, N] users' pushes
   std::span<Forced> external_force_;
   std::span<Sym6d> external_damping_;
   ContactSet& set_;

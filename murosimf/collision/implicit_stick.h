@@ -20,11 +20,18 @@
 
 namespace murosimf::collision {
 
-class ImplicitStick final : public ContactLaw {
+class ImplicitStick : public ContactLaw {
  public:
+  [[nodiscard]] IslandUse island_use() const noexcept override { return IslandUse::when_touching; }
   void prepare(ContactSet& set) const noexcept override;
   [[nodiscard]] bool accept(ContactSet& set) const noexcept override;
   void commit(ContactSet& set) const noexcept override;
+};
+
+/// The same force and memory, but always settled by the island solver (body_contact.h), touching others or not.
+class IslandGaussSeidel final : public ImplicitStick {
+ public:
+  [[nodiscard]] IslandUse island_use() const noexcept override { return IslandUse::always; }
 };
 
 }  // namespace murosimf::collision

@@ -1,18 +1,22 @@
 /// pair_law.h - how two moving bodies push each other: chosen by name, for a whole scene.
 ///
-/// * island_gauss_seidel (default): nothing is pushed here; the island solver settles all contacts of touching
-///   entities together (island_contact.h).
-/// * carry: either body is implicit in its own acceleration alone, B = h b with b = b_n n n^T + b_t (1 - n n^T):
-///   A feels f0 - B a_A, B feels -f0 - B a_B. What they feel together, e = -B (a_A + a_B), should be nothing; half of
-///   it is given back to either one in the next step, so the momentum is late but not lost. For steps up to 2 ms.
-/// * kelvin_voigt: explicit spring and damper with viscous friction up to mu f_n:
-///   f_n = max(0, k depth - d v_n),  f_t = -min(mu f_n, ct |v_t|) v_t / |v_t|.
+/// * island_gauss_seidel (default): all contacts of touching entities are settled together (island_contact.h).
+/// * carry: either body is implicit in its own acceleration alone. With b = b_n n n^T + b_t (1 - n n^T), B = h b and f0
+///   the force at the present velocity (implicit_stick.h), A feels f0 - B a_A and B feels -f0 - B a_B. Together that
+///   should be nothing, but is e = -B (a_A + a_B); half of it is taken back from either one in the next step, so momentum
+///   comes late but is not lost. For steps up to 2 ms.
+/// * kelvin_voigt: explicit spring and damper, and viscous friction up to the cone:
+///   f_n = max(0, k depth - d v_n),  f_t = -min(mu f_n, ct |v_t|) v_t / |v_t|. For steps of 1 ms.
 ///
-/// Source: measured with the project's prototype; carry is a Gauss-Seidel splitting with a delayed correction.
+/// Source: measured with the project's prototype. Law of action and reaction: at every instant (kelvin_voigt, island) or
+/// summed over time (carry).
 #pragma once
 
 #include <span>
 #include <string_view>
+#include <vector>
+
+#include "murosimf/collision/mover.h"
 
 namespace murosimf::collision {
 
@@ -24,5 +28,11 @@ struct PairLawEntry {
 };
 
 [[nodiscard]] std::span<const PairLawEntry> pair_laws();
+
+/// Force of the contacts of this step, by `carry`; also takes back what the step before left over.
+void push_by_carry(std::vector<Mover>& movers, PairSet& set, double dt) noexcept;
+
+/// Force of the contacts of this step, by `kelvin_voigt`.
+void push_by_kelvin_voigt(std::vector<Mover>& movers, PairSet& set, double dt) noexcept;
 
 }  // namespace murosimf::collision

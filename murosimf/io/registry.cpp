@@ -21,17 +21,23 @@ void attach_kinematic_walking(Simulation& simulation, Entity& robot, double rate
 
 void attach_simplified_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
   simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", robot, rate_hz,
-                                                motion::SimplifiedDynamicsOptions{.base_rigid = options.base_rigid,
+                                                motion::SimplifiedDynamicsOptions{.integrator = options.integrator,
+                                                                                  .base_rigid = options.base_rigid,
                                                                                   .reference = options.reference});
+}
+
+motion::MovingTreeOptions tree_options(const LevelOptions& options) {
+  return {.integrator = options.integrator, .fixed_base = options.fixed_base};
 }
 
 void attach_full_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
   simulation.attach<motion::FullDynamics>("full_dynamics", robot, rate_hz,
-                                          motion::FullDynamicsOptions{.reference = options.reference});
+                                          motion::FullDynamicsOptions{.reference = options.reference,
+                                                                      .tree = tree_options(options)});
 }
 
-void attach_articulated_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions&) {
-  simulation.attach<motion::ArticulatedDynamics>("articulated_dynamics", robot, rate_hz);
+void attach_articulated_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
+  simulation.attach<motion::ArticulatedDynamics>("articulated_dynamics", robot, rate_hz, tree_options(options));
 }
 
 void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
@@ -72,6 +78,8 @@ constexpr std::array level_entries{
 constexpr std::array contact_entries{
     Contact{"implicit_stick", "compliant, implicit, with a tangential spring that sticks; the default",
             make_law<collision::ImplicitStick>},
+    Contact{"island_gauss_seidel", "the same force, settled together with all contacts of what is touched",
+            make_law<collision::IslandGaussSeidel>},
     Contact{"kelvin_voigt", "spring, damper and a tangential spring that sticks; explicit, for steps of 1 ms",
             make_law<collision::KelvinVoigt>},
     Contact{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)",

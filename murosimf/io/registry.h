@@ -18,7 +18,9 @@ namespace murosimf::io {
 /// How a level moves a robot; all levels take the same options and use what concerns them.
 struct LevelOptions {
   motion::JointReferenceOptions reference;
+  motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
   bool base_rigid = false;  ///< simplified_dynamics: the paper's literal reading
+  bool fixed_base = false;  ///< full_dynamics, articulated_dynamics: the base is bolted to the world
 };
 
 struct Level {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/collision/ball_contact.h"
+#include "murosimf/collision/body_contact.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/io/data_path.h"
 #include "murosimf/io/field.h"
@@ -38,7 +38,7 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
   simulation_->world().gravity = spec_.gravity;
   add_entities();
   attach_controllers();
-  attach_ball_contact();
+  attach_contact();
   attach_motion();
   attach_observers();
   simulation_->after_initialize([this] { apply_settings(); });
@@ -119,30 +119,32 @@ void Scene::attach_controllers() {
   }
 }
 
-void Scene::attach_ball_contact() {
-  if (!ball_ || robots_.empty()) return;
-  simulation_->attach<collision::BallContact>("ball_contact", *field_, spec_.rate, *ball_, robots_, spec_.materials);
+void Scene::attach_contact() {
+  const auto attach = [&](Entity& entity, const std::string& level, const std::string& law) {
+    if (!find_entry(levels(), "level", level).dynamic) return;
+    entity.contact = law;
+    simulation_->attach<collision::GroundContact>("ground_contact", entity, spec_.rate, field_,
+                                                  find_entry(contacts(), "contact law", law).make(), spec_.materials);
+  };
+  if (ball_) attach(*ball_, ball_->level, spec_.ball->contact);
+  for (std::size_t i = 0; i < robots_.size(); ++i) attach(*robots_[i], robots_[i]->level, spec_.robots[i].contact);
+  simulation_->attach<collision::BodyContact>("body_contact", *field_, spec_.rate, movers_, spec_.materials,
+                                              collision::BodyContactOptions{.law = spec_.body_contact});
 }
 
 void Scene::attach_motion() {
-  const auto attach = [&](Entity& entity, const std::string& level_name, const std::string& contact,
-                          const LevelOptions& options) {
-    const Level& level = find_entry(levels(), "level", level_name);
-    if (level.dynamic) {
-      entity.contact = contact;
-      simulation_->attach<collision::GroundContact>("ground_contact", entity, spec_.rate, field_,
-                                                    find_entry(contacts(), "contact law", contact).make(),
-                                                    spec_.materials);
-    }
-    level.attach(*simulation_, entity, spec_.rate, options);
+  const auto attach = [&](Entity& entity, const LevelOptions& options) {
+    find_entry(levels(), "level", entity.level).attach(*simulation_, entity, spec_.rate, options);
   };
-  if (ball_) attach(*ball_, ball_->level, spec_.ball->contact, {});
+  if (ball_) attach(*ball_, {});
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const RobotSpec& robot = spec_.robots[i];
     LevelOptions options;
+    options.integrator = robot.integrator;
     options.base_rigid = robot.base_rigid;
+    options.fixed_base = robot.fixed_base;
     if (robot.joint_reference == "linear") options.reference.kind = motion::ReferenceKind::linear;
-    at(robot.where, [&] { attach(*robots_[i], robot.level, robot.contact, options); });
+    at(robot.where, [&] { attach(*robots_[i], options); });
   }
 }
 

@@ -44,7 +44,7 @@ class Scene {
   void add_entities();
   void add_robot(const RobotSpec& robot);
   void attach_controllers();
-  void attach_ball_contact();
+  void attach_contact();
   void attach_motion();
   void attach_observers();
   void apply_settings();

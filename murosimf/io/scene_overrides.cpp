@@ -118,8 +118,9 @@ std::string object_of(const Override& o, std::size_t begin) {
 }  // namespace
 
 const std::vector<std::string_view>& scene_keys() {
-  static const std::vector<std::string_view> keys{"name",  "duration", "seed",  "rate",     "gravity", "start",
-                                                  "field", "ball",     "teams", "defaults", "robots",  "materials"};
+  static const std::vector<std::string_view> keys{"name",         "duration", "seed",     "rate", "gravity",
+                                                  "body_contact", "start",    "field",    "ball", "teams",
+                                                  "defaults",     "robots",   "materials"};
   return keys;
 }
 
@@ -136,9 +137,10 @@ std::vector<std::string_view> table_keys(std::string_view table) {
 }
 
 const std::vector<std::string_view>& robot_keys() {
-  static const std::vector<std::string_view> keys{"name",        "team",       "model",          "level",
-                                                  "contact",     "controller", "position",       "command",
-                                                  "heading_deg", "base_rigid", "joint_reference"};
+  static const std::vector<std::string_view> keys{"name",        "team",       "model",           "level",
+                                                  "contact",     "controller", "position",        "command",
+                                                  "heading_deg", "base_rigid", "joint_reference", "integrator",
+                                                  "fixed_base"};
   return keys;
 }
 

@@ -96,6 +96,13 @@ void read_robot(const TomlTable& table, RobotSpec& robot) {
   table.read("controller", robot.controller);
   table.read("joint_reference", robot.joint_reference);
   table.read("base_rigid", robot.base_rigid);
+  table.read("fixed_base", robot.fixed_base);
+  std::string integrator;
+  table.read("integrator", integrator);
+  if (!integrator.empty()) {
+    robot.integrator = at(table.where("integrator"),
+                          [&] { return find_entry(motion::integrators(), "integrator", integrator).integrator; });
+  }
   table.read("position", robot.position);
   table.read("command", robot.command);
   double heading_deg = robot.heading / degree;
@@ -170,6 +177,11 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   scene.read("seed", spec.seed);
   scene.read("rate", spec.rate);
   scene.read("gravity", spec.gravity);
+  std::string body_contact = "island_gauss_seidel";
+  scene.read("body_contact", body_contact);
+  spec.body_contact = at(scene.where("body_contact"), [&] {
+    return find_entry(collision::pair_laws(), "law of contact between bodies", body_contact).law;
+  });
   require(spec.duration >= 0, scene, "duration", "must not be negative");
   require(spec.duration <= longest_duration, scene, "duration", "is longer than simulated time can count");
   require(spec.rate > 0, scene, "rate", "must be positive");

@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/collision/pair_law.h"
 #include "murosimf/io/ball.h"
 #include "murosimf/math/vec3.h"
 #include "murosimf/model/material.h"
+#include "murosimf/motion/integrator.h"
 
 namespace murosimf::io {
 
@@ -43,7 +45,9 @@ struct RobotSpec {
   std::string contact = "implicit_stick";
   std::string controller = "walk";
   std::string joint_reference = "filter";
+  motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
   bool base_rigid = false;
+  bool fixed_base = false;
   Vec3d position;      ///< [m]
   double heading = 0;  ///< [rad]
   Vec3d command;       ///< [m/s, m/s, rad/s]
@@ -66,6 +70,7 @@ struct SceneSpec {
   Vec3d gravity{0, 0, -9.81};  ///< [m/s^2]
   double jitter_position = 0;  ///< [m] start places vary by up to this, in x and y
   double jitter_heading = 0;   ///< [rad]
+  collision::PairLaw body_contact = collision::PairLaw::island_gauss_seidel;
   FieldSpec field;
   std::optional<BallSpec> ball;
   std::vector<TeamSpec> teams;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -48,17 +49,41 @@ void ArticulatedDynamics::check_inertias() const {
 }
 
 void ArticulatedDynamics::step(const Instant& instant) noexcept {
+  if (tree_.integrator() == Integrator::rk4 && !tree_.contacts.solved) return step_rk4(seconds(instant.period));
   if (!tree_.contacts.solved) {
     begin_step(seconds(instant.period));
     settle_contacts(tree_.contacts, tree_.columns.r, tree_.external_force, tree_.external_damping, [&] {
       solve(dt_);
-      tree_.predict_contacts(dt_, [&](int link) -> const Motiond& { return bodies_[link].acceleration; });
+      predict_contacts(dt_);
     });
   }
   if (!targets_sane_) return tree_.halt("a joint position or target is no sensible number");
   const Motiond base = bodies_[0].acceleration;
   if (!advance_joints(dt_) || !tree_.advance_base(base, dt_)) return tree_.halt("its motion is no sensible number");
   tree_.finish_step();
+}
+
+void ArticulatedDynamics::step_rk4(double dt) noexcept {
+  tree_.take_changes();
+  if (!drives_.take_targets()) return tree_.halt("a joint position or target is no sensible number");
+  bool first = true;
+  const auto accelerations = [&] {
+    drive_joints(0);
+    solve(0);
+    if (std::exchange(first, false)) predict_contacts(dt);
+    return bodies_[0].acceleration;
+  };
+  const auto joint_acceleration = [&](int joint) {
+    return bodies_[tree_.columns.model.tree().link_of[joint]].joint_acceleration;
+  };
+  const bool sane = tree_.advance_rk4(dt, accelerations, joint_acceleration);
+  if (!sane || !joints_are_sane()) return tree_.halt("its motion is no sensible number");
+  report_torques(0);
+  tree_.finish_step();
+}
+
+void ArticulatedDynamics::predict_contacts(double dt) noexcept {
+  tree_.predict_contacts(dt, [&](int link) -> const Motiond& { return bodies_[link].acceleration; });
 }
 
 void ArticulatedDynamics::begin_step(double dt) noexcept {
@@ -127,16 +152,32 @@ void ArticulatedDynamics::solve(double dt) noexcept {
   multibody::accelerate<double>(tree, tree_.links, bodies_, base);
 }
 
-bool ArticulatedDynamics::advance_joints(double dt) noexcept {
-  PoseColumns& columns = tree_.columns;
+void ArticulatedDynamics::report_torques(double dt) noexcept {
+  const PoseColumns& columns = tree_.columns;
   const auto& links = columns.model.tree().links;
-  double rates = 0, positions = 0;
   for (std::size_t l = 1; l < links.size(); ++l) {
     const int i = links[l].object;
     const JointDrive servo = drives_.servo(i, columns.q[i], columns.qd[i], dt);
     joint_torque_[i] = servo.torque - servo.inertia * bodies_[l].joint_acceleration;
+  }
+}
+
+bool ArticulatedDynamics::advance_joints(double dt) noexcept {
+  report_torques(dt);
+  PoseColumns& columns = tree_.columns;
+  const auto& links = columns.model.tree().links;
+  for (std::size_t l = 1; l < links.size(); ++l) {
+    const int i = links[l].object;
     columns.qd[i] += dt * bodies_[l].joint_acceleration;
     columns.q[i] += dt * columns.qd[i];
+  }
+  return joints_are_sane();
+}
+
+bool ArticulatedDynamics::joints_are_sane() const noexcept {
+  const PoseColumns& columns = tree_.columns;
+  double rates = 0, positions = 0;
+  for (const int i : columns.model.joints()) {
     rates += std::abs(columns.qd[i]);
     positions += std::abs(columns.q[i]);
   }

@@ -28,10 +28,14 @@ class ArticulatedDynamics final : public Algorithm, private collision::ImpulseRe
                collision::ResponseRow& y) const noexcept override;
   void apply(std::span<const double> z) noexcept override;
 
+  void step_rk4(double dt) noexcept;
   void begin_step(double dt) noexcept;
   void drive_joints(double dt) noexcept;
   void solve(double dt) noexcept;
+  void predict_contacts(double dt) noexcept;
+  void report_torques(double dt) noexcept;
   [[nodiscard]] bool advance_joints(double dt) noexcept;
+  [[nodiscard]] bool joints_are_sane() const noexcept;
   void check_inertias() const;
 
   MovingTree tree_;

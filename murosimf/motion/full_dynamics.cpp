@@ -1,6 +1,7 @@
 #include "murosimf/motion/full_dynamics.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "murosimf/motion/contact_trials.h"
 #include "murosimf/multibody/inverse_dynamics.h"
@@ -20,6 +21,7 @@ FullDynamics::FullDynamics(Setup& setup, const FullDynamicsOptions& options)
 }
 
 void FullDynamics::initialize() {
+  reference_.check(tree_.integrator());
   reference_.initialize(tree_.columns);
   tree_.start();
   watch_.initialize();
@@ -28,17 +30,46 @@ void FullDynamics::initialize() {
 }
 
 void FullDynamics::step(const Instant& instant) noexcept {
+  if (tree_.integrator() == Integrator::rk4 && !tree_.contacts.solved) return step_rk4(instant);
   if (!tree_.contacts.solved) {
     begin_step(seconds(instant.period));
     settle_contacts(tree_.contacts, tree_.columns.r, tree_.external_force, tree_.external_damping, [&] {
       solve_base(dt_);
-      tree_.predict_contacts(dt_, [&](int link) { return base_ + joint_motion_[link]; });
+      predict_contacts(dt_);
     });
   }
   if (!joints_sane_) return tree_.halt("a joint position or target is no sensible number");
   find_torques(instant);
   if (!tree_.advance_base(base_, dt_)) return tree_.halt("its motion is no sensible number");
   tree_.finish_step();
+}
+
+void FullDynamics::step_rk4(const Instant& instant) noexcept {
+  tree_.take_changes();
+  bool first = true;
+  const auto accelerations = [&] {
+    const auto& links = tree_.columns.model.tree().links;
+    for (std::size_t l = 1; l < links.size(); ++l) {
+      joint_acceleration_[l] = reference_.acceleration(tree_.columns, links[l].object);
+    }
+    prepare_base();
+    solve_base(0);
+    if (std::exchange(first, false)) {
+      predict_contacts(seconds(instant.period));
+      find_torques(instant);
+    }
+    return base_;
+  };
+  std::copy(tree_.columns.qd.begin(), tree_.columns.qd.end(), old_rate_.begin());
+  const auto joint_acceleration = [&](int joint) { return reference_.acceleration(tree_.columns, joint); };
+  if (!tree_.advance_rk4(seconds(instant.period), accelerations, joint_acceleration)) {
+    return tree_.halt("its motion is no sensible number");
+  }
+  tree_.finish_step();
+}
+
+void FullDynamics::predict_contacts(double dt) noexcept {
+  tree_.predict_contacts(dt, [&](int link) { return base_ + joint_motion_[link]; });
 }
 
 void FullDynamics::begin_step(double dt) noexcept {

@@ -39,6 +39,8 @@ class FullDynamics final : public Algorithm, private collision::ImpulseResponse 
                collision::ResponseRow& y) const noexcept override;
   void apply(std::span<const double> z) noexcept override;
 
+  void step_rk4(const Instant& instant) noexcept;
+  void predict_contacts(double dt) noexcept;
   void begin_step(double dt) noexcept;
   [[nodiscard]] bool advance_joints(double dt) noexcept;
   void prepare_base() noexcept;

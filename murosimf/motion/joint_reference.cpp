@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "murosimf/model/error.h"
+
 namespace murosimf::motion {
 
 JointReference::JointReference(Setup& setup, const JointReferenceOptions& options)
@@ -50,6 +52,17 @@ bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
   }
   stop_at_limits(columns);
   return true;
+}
+
+double JointReference::acceleration(const PoseColumns& columns, int joint) const noexcept {
+  const double wf = options_.filter_frequency;
+  return wf * wf * (target(joint) - columns.q[joint]) - 2 * wf * columns.qd[joint];
+}
+
+void JointReference::check(Integrator integrator) const {
+  if (integrator == Integrator::rk4 && options_.kind != ReferenceKind::filter) {
+    throw SetupError("integrator 'rk4' needs the joint reference 'filter': 'linear' jumps from rate to rate");
+  }
 }
 
 void JointReference::filter(PoseColumns& columns, double dt) const noexcept {

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/motion/integrator.h"
 #include "murosimf/motion/pose_columns.h"
 
 namespace murosimf::motion {
@@ -32,6 +33,10 @@ class JointReference {
   void initialize(PoseColumns& columns) noexcept;
   /// Advances q and qd by dt [s]. False, and nothing changed, if a position or target is no sensible number.
   [[nodiscard]] bool advance(PoseColumns& columns, double dt) noexcept;
+  /// Acceleration [rad/s^2 | m/s^2] of the filter's differential equation, q'' = wf^2 (target - q) - 2 wf q'.
+  [[nodiscard]] double acceleration(const PoseColumns& columns, int joint) const noexcept;
+  /// Throws SetupError if the reference has no differential equation for `integrator`.
+  void check(Integrator integrator) const;
 
  private:
   /// Range of a joint, or all numbers.

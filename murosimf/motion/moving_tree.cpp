@@ -32,6 +32,7 @@ void MovingTree::start() {
   place_at_start(columns, entity_);
   refresh();
   pushable_ = 1;
+  check_integrator(options_.integrator, contacts);
   std::fill(external_force.begin(), external_force.end(), Forced{});
   std::fill(external_damping.begin(), external_damping.end(), Sym6d{});
   if (!options_.fixed_base && !is_positive_definite(common_inertia_)) {
@@ -106,15 +107,23 @@ bool MovingTree::advance_base(const Motiond& acceleration, double dt) noexcept {
   wanted_momentum_.reset();
   if (options_.fixed_base) return true;
   if (options_.momentum_correction && in_flight()) wanted_momentum_ = momentum_after(dt);
-  multibody::FreeBody<double> base{columns.r[0], columns.v[0], columns.Q[0], columns.w[0]};
-  multibody::advance(base, {acceleration.w, acceleration.v + gravity}, dt);
-  if (!is_sane(base)) return false;
+  multibody::FreeBody<double> next = base();
+  multibody::advance(next, {acceleration.w, acceleration.v + gravity}, dt);
+  if (!is_sane(next)) return false;
+  place_base(next);
+  return true;
+}
+
+multibody::FreeBody<double> MovingTree::base() const noexcept {
+  return {columns.r[0], columns.v[0], columns.Q[0], columns.w[0]};
+}
+
+void MovingTree::place_base(const multibody::FreeBody<double>& base) noexcept {
   columns.r[0] = base.position;
   columns.v[0] = base.velocity;
   columns.Q[0] = base.turn;
   columns.w[0] = base.rate;
   columns.R[0] = to_matrix(base.turn);
-  return true;
 }
 
 bool MovingTree::in_flight() const noexcept { return contacts.points.empty() && !contacts.solved; }

@@ -22,6 +22,8 @@
 
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/collision/impulse_response.h"
+#include "murosimf/motion/free_state.h"
+#include "murosimf/motion/integrator.h"
 #include "murosimf/motion/pose_columns.h"
 #include "murosimf/motion/sanity.h"
 #include "murosimf/multibody/link_motion.h"
@@ -29,6 +31,7 @@
 namespace murosimf::motion {
 
 struct MovingTreeOptions {
+  Integrator integrator = Integrator::semi_implicit_euler;
   bool fixed_base = false;          ///< the base is bolted to the world
   bool momentum_correction = true;  ///< in flight
 };
@@ -66,6 +69,11 @@ class MovingTree {
 
   /// The base after the step, by its a'. False, and nothing changed, if that is no sensible number.
   [[nodiscard]] bool advance_base(const Motiond& acceleration, double dt) noexcept;
+  /// The base and all joints after the step, by Runge-Kutta. solve() finds the accelerations at the present columns: it
+  /// returns a'_0 and has qdd(joint object) ready. False if the state is no sensible number.
+  template <class Solve, class JointAcceleration>
+  [[nodiscard]] bool advance_rk4(double dt, const Solve& solve, const JointAcceleration& qdd) noexcept;
+  [[nodiscard]] Integrator integrator() const { return options_.integrator; }
   /// To be called last in a step: memory of contacts, poses, velocities, links, common mass.
   void finish_step() noexcept;
   void halt(const char* reason) noexcept;
@@ -87,6 +95,8 @@ class MovingTree {
   [[nodiscard]] Momentum momentum() const noexcept;
   [[nodiscard]] Momentum momentum_after(double dt) const noexcept;
   void correct_momentum(const Momentum& wanted) noexcept;
+  [[nodiscard]] multibody::FreeBody<double> base() const noexcept;
+  void place_base(const multibody::FreeBody<double>& base) noexcept;
   void refresh() noexcept;
   void update_links() noexcept;
   void remember() noexcept;
@@ -98,6 +108,8 @@ class MovingTree {
   SymMat3d& common_inertia_;
   double& total_mass_;
   double& pushable_;
+  RungeKutta4 runge_kutta_;
+  std::vector<double> row_;                  // the state while Runge-Kutta works on it
   std::vector<double> written_;              // what the level left in the columns that users may change
   std::optional<Cholesky6<double>> factor_;  // of the base's inertia
   std::optional<Momentum> wanted_momentum_;  // after the present step, in flight
@@ -147,6 +159,23 @@ void MovingTree::predict_contacts(double dt, const Acceleration& acceleration_of
     const Motiond& a = acceleration_of(columns.model.tree().link_of[c.object]);
     contacts.next_velocity.push_back(next_velocity(c.object, c.point, c.velocity, a, dt));
   }
+}
+
+template <class Solve, class JointAcceleration>
+bool MovingTree::advance_rk4(double dt, const Solve& solve, const JointAcceleration& qdd) noexcept {
+  wanted_momentum_.reset();
+  write_state(base(), columns, row_);
+  runge_kutta_.step(row_, dt, [&](const std::vector<double>& y, std::vector<double>& dy) {
+    place_base(read_state(y, columns));
+    columns.update_poses();
+    update_links();
+    const Motiond acceleration = solve();
+    write_rate(base(), {acceleration.w, acceleration.v + gravity}, columns, qdd, dy);
+  });
+  const auto next = read_state(row_, columns);
+  if (!is_sane(next)) return false;
+  place_base(next);
+  return true;
 }
 
 }  // namespace murosimf::motion

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "murosimf/motion/contact_trials.h"
+#include "murosimf/motion/free_state.h"
 #include "murosimf/motion/sanity.h"
 #include "murosimf/multibody/kinematics.h"
 
@@ -31,6 +33,8 @@ SimplifiedDynamics::SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOpt
 }
 
 void SimplifiedDynamics::initialize() {
+  reference_.check(options_.integrator);
+  check_integrator(options_.integrator, contacts_);
   reference_.initialize(columns_);
   place_at_start(columns_, entity_);
   columns_.update_velocities();
@@ -50,6 +54,7 @@ void SimplifiedDynamics::initialize() {
 
 void SimplifiedDynamics::step(const Instant& instant) noexcept {
   assert(!contacts_.law || contacts_.dt == seconds(instant.period));  // contact and motion must run at the same rate
+  if (options_.integrator == Integrator::rk4 && !contacts_.solved) return step_rk4(seconds(instant.period));
   if (!contacts_.solved) {
     begin_step(seconds(instant.period));
     settle_contacts(contacts_, columns_.r, external_force_, external_damping_, [&] {
@@ -77,6 +82,39 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
   } else {
     follow_center(body);
   }
+  columns_.remember_base();
+}
+
+void SimplifiedDynamics::commit_contacts() noexcept {
+  if (contacts_.law && !contacts_.solved) {
+    contacts_.law->commit(contacts_);
+    collision::write_final_forces(contacts_, columns_.r, external_force_);
+  }
+  contacts_.solved = false;
+}
+
+void SimplifiedDynamics::step_rk4(double dt) noexcept {
+  begin_step(dt);
+  write_state({center_, velocity_, columns_.Q[0], columns_.w[0]}, columns_, row_);
+  const auto place = [&](const multibody::FreeBody<double>& body) {
+    columns_.Q[0] = body.turn;
+    columns_.R[0] = to_matrix(body.turn);
+    columns_.w[0] = body.rate;
+    follow_center(body);
+  };
+  bool first = true;
+  runge_kutta_.step(row_, dt, [&](const std::vector<double>& y, std::vector<double>& dy) {
+    const auto body = read_state(y, columns_);
+    place(body);
+    solve(0);
+    if (std::exchange(first, false)) predict_contacts();
+    write_rate(
+        body, acceleration_, columns_, [&](int joint) { return reference_.acceleration(columns_, joint); }, dy);
+  });
+  const auto body = read_state(row_, columns_);
+  if (!is_sane(body)) return halt("its motion is no sensible number");
+  commit_contacts();
+  place(body);
   columns_.remember_base();
 }
 

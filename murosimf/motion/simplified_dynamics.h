@@ -17,10 +17,12 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/collision/impulse_response.h"
 #include "murosimf/model/algorithm.h"
+#include "murosimf/motion/integrator.h"
 #include "murosimf/motion/joint_reference.h"
 #include "murosimf/motion/pose_columns.h"
 #include "murosimf/multibody/integrate.h"
@@ -29,6 +31,7 @@
 namespace murosimf::motion {
 
 struct SimplifiedDynamicsOptions {
+  Integrator integrator = Integrator::semi_implicit_euler;
   bool base_rigid = false;  ///< the paper's literal reading
   JointReferenceOptions reference;
 };
@@ -49,6 +52,8 @@ class SimplifiedDynamics final : public Algorithm, private collision::ImpulseRes
                collision::ResponseRow& y) const noexcept override;
   void apply(std::span<const double> z) noexcept override;
 
+  void step_rk4(double dt) noexcept;
+  void commit_contacts() noexcept;
   void begin_step(double dt) noexcept;
   void solve(double dt) noexcept;
   [[nodiscard]] Vec3d next_velocity(const Vec3d& point, const Vec3d& velocity) const noexcept;
@@ -73,7 +78,9 @@ class SimplifiedDynamics final : public Algorithm, private collision::ImpulseRes
   double& pushable_;
   std::optional<Cholesky6<double>> factor_;  // of inertia and external damping
   Motiond acceleration_;                     // [rad/s^2; m/s^2] of the center of mass in the present step
-  double dt_ = 0;                            // [s] of the present step
+  RungeKutta4 runge_kutta_;
+  std::vector<double> row_;  // the state while Runge-Kutta works on it
+  double dt_ = 0;            // [s] of the present step
 };
 
 }  // namespace murosimf::motion

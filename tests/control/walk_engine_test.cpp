@@ -66,11 +66,8 @@ double chase(const Vec3d& start, double heading, const Vec3d& ball_place) {
   rig.simulation.attach<sensors::GroundTruth>("ground_truth", robot, 20, everybody);
   rig.simulation.attach<BallChaser>("ball_chaser", robot, 20, BallChaserOptions{.goal = {3, 0, 0}});
   rig.simulation.attach<WalkEngine>("walk_engine", robot, 100);
-  rig.simulation.attach<collision::BallContact>("ball_contact", *rig.ground, 1000, ball, std::vector<Entity*>{&robot},
-                                                MaterialTable::standard());
   rig.materials.set("ball", "", {.friction = 0.5, .rolling = 0.03, .restitution = 0.5});
-  rig.attach_dynamics(ball);
-  rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
+  rig.attach_together({{&robot, {.level = "kinematic_walking"}}, {&ball, {}}});
   rig.run(30);
   return test::Rig::place(ball).x - ball_place.x;
 }

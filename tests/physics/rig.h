@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/collision/ball_contact.h"
+#include "murosimf/collision/body_contact.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/control/walk_engine.h"
 #include "murosimf/io/ball.h"
@@ -26,7 +26,9 @@ inline constexpr double g = 9.81;           // [m/s^2]
 inline constexpr double degree = pi / 180;  // [rad]
 
 /// Levels at which forces move an entity: every law of contact is tested at each of them.
-inline std::vector<std::string> dynamic_levels() { return {"simplified_dynamics", "full_dynamics", "articulated_dynamics"}; }
+inline std::vector<std::string> dynamic_levels() {
+  return {"simplified_dynamics", "full_dynamics", "articulated_dynamics"};
+}
 
 using LawPtr = std::shared_ptr<const collision::ContactLaw>;
 
@@ -76,9 +78,30 @@ struct Rig {
   }
 
   void attach_dynamics(Entity& entity, const Dynamics& dynamics = {}) {
+    attach_ground(entity, dynamics);
+    attach_motion(entity, dynamics);
+  }
+  void attach_ground(Entity& entity, const Dynamics& dynamics) {
     simulation.attach<collision::GroundContact>("ground_contact", entity, rate, dynamics.on_ground ? ground : nullptr,
                                                 dynamics.law ? dynamics.law : law_named("implicit_stick"), materials);
+  }
+  void attach_motion(Entity& entity, const Dynamics& dynamics) {
     io::find_entry(io::levels(), "level", dynamics.level).attach(simulation, entity, rate, dynamics.options);
+  }
+
+  /// Entities that touch each other: the ground, then `body_contact`, then how each of them moves.
+  struct Together {
+    Entity* entity;
+    Dynamics dynamics;
+  };
+  void attach_together(const std::vector<Together>& all, const collision::BodyContactOptions& options = {}) {
+    std::vector<Entity*> movers;
+    for (const auto& [entity, dynamics] : all) {
+      movers.push_back(entity);
+      if (io::find_entry(io::levels(), "level", dynamics.level).dynamic) attach_ground(*entity, dynamics);
+    }
+    simulation.attach<collision::BodyContact>("body_contact", *ground, rate, movers, materials, options);
+    for (const auto& [entity, dynamics] : all) attach_motion(*entity, dynamics);
   }
 
   void run(double s) { simulation.run(from_seconds(s)); }

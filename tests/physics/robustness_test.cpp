@@ -74,10 +74,7 @@ TEST(Freezing, AFrozenBallPushesNobody) {
   rig.simulation.world().gravity = {};
   Entity& robot = rig.add("robot", kid21(), {.position = {0, 0, 1}});
   Entity& ball = rig.add("ball", io::ball_model(), {.position = {0.12, 0.05, 1.05}});
-  rig.simulation.attach<collision::BallContact>("ball_contact", *rig.ground, 1000, ball, std::vector<Entity*>{&robot},
-                                                MaterialTable::standard());
-  rig.attach_dynamics(ball, {.on_ground = false});
-  rig.attach_dynamics(robot, {.on_ground = false});
+  rig.attach_together({{&robot, {.on_ground = false}}, {&ball, {.on_ground = false}}});
   rig.simulation.initialize();
   Rig::launch(ball, {-1, 0, 0});
   for (int i = 0; i < 200 && norm(Rig::velocity(robot)) == 0; ++i) rig.simulation.step();

@@ -1,0 +1,118 @@
+#include "murosimf/collision/body_contact.h"
+
+#include <algorithm>
+
+#include "murosimf/collision/contact_law.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::collision {
+namespace {
+
+std::vector<Mover> make_movers(Setup& setup, const std::vector<Entity*>& entities) {
+  std::vector<Mover> movers;
+  for (Entity* entity : entities) movers.emplace_back(setup.of(*entity));
+  return movers;
+}
+
+bool ground_becomes_rows(const ContactSet& ground) {
+  return ground.law && ground.law->island_use() != IslandUse::never;
+}
+
+}  // namespace
+
+BodyContact::BodyContact(Setup& setup, const std::vector<Entity*>& movers, const MaterialTable& materials,
+                         const BodyContactOptions& options)
+    : options_(options),
+      movers_(make_movers(setup, movers)),
+      finder_(movers_, materials, norm(setup.world().gravity), seconds(setup.period())),
+      set_(setup.write(pair_contacts)[0]),
+      member_(movers.size(), -1) {}
+
+void BodyContact::initialize() {
+  set_ = PairSet{};
+  set_.parameters = finder_.parameters();
+  for (Mover& mover : movers_) {
+    std::fill(mover.interaction_force.begin(), mover.interaction_force.end(), Forced{});
+    std::fill(mover.external_force.begin(), mover.external_force.end(), Forced{});
+    std::fill(mover.external_damping.begin(), mover.external_damping.end(), Sym6d{});
+    mover.ledger[0] = Forced{};
+  }
+}
+
+void BodyContact::step(const Instant& instant) noexcept {
+  const double dt = seconds(instant.period);
+  for (Mover& mover : movers_) mover.forget_pushes();
+  finder_.find(movers_, set_);
+  switch (options_.law) {
+    case PairLaw::carry: return push_by_carry(movers_, set_, dt);
+    case PairLaw::kelvin_voigt: return push_by_kelvin_voigt(movers_, set_, dt);
+    case PairLaw::island_gauss_seidel: return solve_islands(dt);
+  }
+}
+
+void BodyContact::solve_islands(double dt) noexcept {
+  islands_.find(movers_, set_);
+  for (int island = 0; island < islands_.count(); ++island) solve_island(island, dt);
+}
+
+void BodyContact::solve_island(int island, double dt) noexcept {
+  solver_.start(dt);
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    member_[i] = -1;
+    if (islands_.of(static_cast<int>(i)) != island) continue;
+    start_member(movers_[i], dt);
+    member_[i] = solver_.add(*movers_[i].contacts.response);
+  }
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    ContactSet& ground = movers_[i].contacts;
+    if (member_[i] < 0 || !ground_becomes_rows(ground)) continue;
+    for (ContactPoint& c : ground.points) {
+      solver_.add(c, ground.parameters[c.surface], side(static_cast<int>(i), c.object, c.velocity), {});
+    }
+  }
+  for (PairContact& c : set_.points) {
+    if (islands_.of(c) != island) continue;
+    solver_.add(c, set_.parameters[c.surface], side(c.a, c.object, c.velocity_a), side(c.b, c.object_b, c.velocity_b));
+  }
+  solver_.sweep(options_.sweeps);
+  solver_.finish();
+  for (const PairContact& c : set_.points) {
+    if (islands_.of(c) != island) continue;
+    movers_[c.a].push(c.object, c.point, c.force, dt);
+    movers_[c.b].push(c.object_b, c.point, -c.force, dt);
+  }
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    if (member_[i] >= 0) finish_member(movers_[i]);
+  }
+}
+
+/// The free pass: pushes of users, explicit laws, and rolling resistance, which is no row.
+void BodyContact::start_member(Mover& mover, double dt) noexcept {
+  ContactSet& ground = mover.contacts;
+  if (ground_becomes_rows(ground)) {
+    for (const int object : ground.loaded) {
+      mover.external_force[object] = ground.rest_force[object];
+      mover.external_damping[object] = Sym6d{};
+    }
+    for (const ContactPoint& c : ground.points) {
+      mover.external_force[c.object].n += c.moment;
+      mover.external_damping[c.object].J += diagonal(c.angular_damping);
+    }
+  }
+  ground.response->free_pass(dt);
+}
+
+/// Forces as they acted, for motion's report and for sensors.
+void BodyContact::finish_member(Mover& mover) noexcept {
+  ContactSet& ground = mover.contacts;
+  ground.solved = true;
+  if (!ground_becomes_rows(ground)) return;
+  write_final_forces(ground, mover.r, mover.external_force);
+  for (const int object : ground.loaded) mover.external_damping[object] = Sym6d{};
+}
+
+IslandSolver::Side BodyContact::side(int mover, int object, const Vec3d& velocity) const {
+  return {member_[mover], object, velocity};
+}
+
+}  // namespace murosimf::collision

@@ -1,0 +1,79 @@
+#include "murosimf/collision/mover.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "murosimf/model/properties.h"
+
+namespace murosimf::collision {
+namespace {
+
+/// How far a slider can go; without limits, anywhere.
+double longest_travel(const Model& model, int joint) {
+  const Vec3d* range = model.find(properties::joint_range, joint);
+  return range ? std::max(std::abs(range->x), std::abs(range->y)) : std::numeric_limits<double>::infinity();
+}
+
+/// Longest chain of offsets from the base plus the size of what sits there: holds in every posture.
+double farthest_reach(const Model& model, const std::vector<GroundShape>& shapes) {
+  double reach = 0;
+  for (const GroundShape& shape : shapes) {
+    double length = norm(shape.placed.position) + shape.reach;
+    for (int i = shape.object; i >= 0; i = model.objects()[i].parent) {
+      if (model.objects()[i].kind == Kind::translation) length += norm(model.objects()[i].vector);
+      if (model.objects()[i].kind == Kind::prismatic) length += longest_travel(model, i);
+    }
+    reach = std::max(reach, length);
+  }
+  return reach;
+}
+
+}  // namespace
+
+Mover::Mover(Setup setup)
+    : entity(&setup.entity()),
+      shapes(ground_shapes(setup.model())),
+      reach(farthest_reach(setup.model(), shapes)),
+      r(setup.read(properties::position)),
+      v(setup.read(properties::linear_velocity)),
+      w(setup.read(properties::angular_velocity)),
+      R(setup.read(properties::orientation)),
+      pushable(setup.read(properties::pushable)),
+      interaction_force(setup.write(properties::interaction_force)),
+      external_force(setup.write(properties::external_force)),
+      external_damping(setup.write(properties::external_damping)),
+      ledger(setup.write(properties::absorbed_impulse)),
+      contacts(setup.write(collision::contacts)[0]) {
+  pushed_.reserve(shapes.size());
+}
+
+void Mover::forget_pushes() noexcept {
+  for (const int object : pushed_) {
+    interaction_force[object] = Forced{};
+    if (contacts.law) continue;
+    // no contact with the ground starts these anew in every step
+    external_force[object] = Forced{};
+    external_damping[object] = Sym6d{};
+  }
+  pushed_.clear();
+}
+
+void Mover::push(int object, const Vec3d& point, const Vec3d& force, double dt) noexcept {
+  if (!can_be_pushed()) {
+    ledger[0] += Forced{cross(point, dt * force), dt * force};
+    return;
+  }
+  const Forced at_origin{cross(point - r[object], force), force};
+  interaction_force[object] += at_origin;
+  external_force[object] += at_origin;
+  if (contacts.law) contacts.rest_force[object] += at_origin;
+  if (std::find(pushed_.begin(), pushed_.end(), object) == pushed_.end()) pushed_.push_back(object);
+}
+
+void Mover::damp(int object, const Vec3d& point, const SymMat3d& damping) noexcept {
+  const Sym6d at_origin = at_point(damping, point - r[object]);
+  external_damping[object] += at_origin;
+  if (contacts.law) contacts.rest_damping.push_back({object, at_origin});
+}
+
+}  // namespace murosimf::collision

@@ -1,0 +1,45 @@
+/// mover.h - an entity that moves, as contact between moving bodies sees it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "murosimf/collision/body_pairs.h"
+#include "murosimf/collision/ground_points.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::collision {
+
+struct Mover {
+  /// All columns of `setup`'s entity that contact needs.
+  explicit Mover(Setup setup);
+
+  [[nodiscard]] const Model& model() const { return entity->model(); }
+  [[nodiscard]] bool can_be_pushed() const { return pushable[0] != 0; }
+  /// Velocity [m/s] of the point of a body at `arm` [m] from its origin; world axes.
+  [[nodiscard]] Vec3d velocity_at(int object, const Vec3d& arm) const { return v[object] + cross(w[object], arm); }
+
+  /// Takes away what `push` has left of the step before.
+  void forget_pushes() noexcept;
+  /// A force [N] at a point [m] of a body, world frame; what cannot be pushed adds its impulse to the ledger.
+  void push(int object, const Vec3d& point, const Vec3d& force, double dt) noexcept;
+  /// The force falls with the velocity of the point, by `damping` [N s/m]; world frame.
+  void damp(int object, const Vec3d& point, const SymMat3d& damping) noexcept;
+
+  Entity* entity;
+  std::vector<GroundShape> shapes;
+  double reach = 0;  ///< [m] no shape is further from the base's origin, in any posture
+  std::span<const Vec3d> r, v, w;
+  std::span<const Mat3d> R;
+  std::span<const double> pushable;
+  std::span<Forced> interaction_force;  ///< [N m, N] of the pushes alone, for reports
+  std::span<Forced> external_force;
+  std::span<Sym6d> external_damping;
+  std::span<Forced> ledger;
+  ContactSet& contacts;
+
+ private:
+  std::vector<int> pushed_;  // objects with an interaction force
+};
+
+}  // namespace murosimf::collision
