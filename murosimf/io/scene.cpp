@@ -194,8 +194,7 @@ RunReport Scene::report(Duration wall, const Lateness& lateness) const {
   const auto& frozen = simulation_->warnings();
   report.warnings.insert(report.warnings.end(), frozen.begin(), frozen.end());
   for (const Entity* mover : movers_) {
-    const auto overloads = motion::overload_messages(*mover);
-    report.warnings.insert(report.warnings.end(), overloads.begin(), overloads.end());
+    if (auto line = motion::overload_message(*mover); !line.empty()) report.warnings.push_back(std::move(line));
   }
   if (lateness.late_steps > 0) {
     report.warnings.push_back(fmt::format("late: {} of {} steps ended behind schedule, the worst {:.1f} ms",

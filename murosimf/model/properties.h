@@ -12,6 +12,13 @@
 #include "murosimf/model/shape.h"
 #include "murosimf/model/value.h"
 
+namespace murosimf {
+
+template <>
+struct ValueTraits<Overload> : OfDoubles<Overload> {};  ///< needed, given, rate, time
+
+}  // namespace murosimf
+
 namespace murosimf::properties {
 
 // clang-format off
@@ -39,7 +46,7 @@ inline constexpr Property<double> joint_rate         {{"joint_rate", "rad/s | m/
 inline constexpr Property<double> joint_target       {{"joint_target", "rad | m", "joint", "desired position, set by control software"}};
 inline constexpr Property<double> joint_torque     {{"joint_torque", "N m | N", "joint", "of the servo; at full_dynamics what the motion would take"}};
 inline constexpr Property<double> torque_need      {{"torque_need", "N m | N", "joint", "joint_torque, smoothed over 20 ms"}};
-inline constexpr Property<Vec3d>  overload         {{"overload", "N m, N m, s", "joint", "where torque_need exceeded the servo the most: needed, given, time"}};
+inline constexpr Property<Overload> overload       {{"overload", "N m, N m, rad/s, s", "joint", "where torque_need exceeded the servo the most: needed, given, rate, time"}};
 inline constexpr Property<double> cycle_target       {{"cycle_target", "rad | m", "joint", "target that the present control cycle runs to"}};
 inline constexpr Property<Forced> applied_force      {{"applied_force", "N m, N", "world, at the object's origin", "push on a body that stays until it is changed: moment, force"}};
 inline constexpr Property<Forced> interaction_force  {{"interaction_force", "N m, N", "world, at the object's origin", "contacts with other moving bodies: moment, force"}};

@@ -23,4 +23,12 @@ struct Servo {
   double command_delay = 0;      ///< [s] from the controller's target to the motor
 };
 
+/// The moment at which a servo was too weak by the most for what a motion takes; all zero if it never was.
+struct Overload {
+  double needed = 0;  ///< [N m]
+  double given = 0;   ///< [N m] what the servo can give at that rate
+  double rate = 0;    ///< [rad/s]
+  double time = 0;    ///< [s]
+};
+
 }  // namespace murosimf

@@ -25,7 +25,7 @@ TorqueWatch::TorqueWatch(Setup& setup)
 
 void TorqueWatch::initialize() noexcept {
   std::fill(need_.begin(), need_.end(), 0.0);
-  std::fill(overload_.begin(), overload_.end(), Vec3d{});
+  std::fill(overload_.begin(), overload_.end(), Overload{});
 }
 
 void TorqueWatch::look(const Instant& instant, std::span<const double> torque, std::span<const double> rate) noexcept {
@@ -34,32 +34,29 @@ void TorqueWatch::look(const Instant& instant, std::span<const double> torque, s
     const int i = joint.object;
     need_[i] += share * (torque[i] - need_[i]);
     const double needed = std::abs(need_[i]);
-    const Vec3d& worst = overload_[i];
-    if (needed <= worst.x) continue;  // no more than what is known
+    const Overload& worst = overload_[i];
+    if (needed <= worst.needed - worst.given) continue;  // no servo gives less than nothing
     const double given = joint.law->available(rate[i], std::copysign(1.0, need_[i]));
-    if (needed - given > worst.x - worst.y) overload_[i] = {needed, given, seconds(instant.now)};
+    if (needed - given > worst.needed - worst.given) overload_[i] = {needed, given, rate[i], seconds(instant.now)};
   }
 }
 
-std::vector<std::string> overload_messages(const Entity& entity) {
-  struct Line {
-    double excess;
-    std::string text;
-  };
-  std::vector<Line> lines;
+std::string overload_message(const Entity& entity) {
   const auto* column = entity.find(properties::overload);
   if (!column) return {};
+  std::vector<int> weak;
   for (const int i : entity.model().joints()) {
-    const auto& [needed, given, time] = column->values[i];
-    if (!(needed > given)) continue;
-    lines.push_back(
-        {needed - given, fmt::format("{}: not feasible: {} needs {:.1f} Nm, servo gives {:.1f} (at {:.2f} s)",
-                                     entity.name(), entity.model().objects()[i].name, needed, given, time)});
+    if (column->values[i].needed > column->values[i].given) weak.push_back(i);
   }
-  std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.excess > b.excess; });
-  std::vector<std::string> messages;
-  for (Line& line : lines) messages.push_back(std::move(line.text));
-  return messages;
+  if (weak.empty()) return {};
+  const auto excess = [&](int i) { return column->values[i].needed - column->values[i].given; };
+  std::stable_sort(weak.begin(), weak.end(), [&](int i, int j) { return excess(i) > excess(j); });
+  const auto name = [&](int i) -> const std::string& { return entity.model().objects()[i].name; };
+  const Overload& worst = column->values[weak[0]];
+  std::string line = fmt::format("{}: not feasible: {} needs {:.1f} Nm, servo gives {:.1f} at {:.1f} rad/s (at {:.2f} s)",
+                                 entity.name(), name(weak[0]), worst.needed, worst.given, worst.rate, worst.time);
+  for (std::size_t k = 1; k < weak.size(); ++k) line += (k == 1 ? "; also " : ", ") + name(weak[k]);
+  return line;
 }
 
 double rotor_inertia(const Model& model, int joint) {

@@ -31,12 +31,13 @@ class TorqueWatch {
   };
   std::vector<Joint> joints_;  // those with a servo
   std::span<double> need_;
-  std::span<Vec3d> overload_;
+  std::span<Overload> overload_;
 };
 
-/// One line per joint whose servo was too weak, worst first: "not feasible: l_knee needs 9.1 Nm, servo gives 6.0
-/// (at 3.21 s)". Empty at levels that do not watch.
-[[nodiscard]] std::vector<std::string> overload_messages(const Entity& entity);
+/// One line about the joint whose servo was too weak by the most, and the names of the others: "blue1: not feasible: l_knee
+/// needs 9.1 Nm, servo gives 6.0 at 0.3 rad/s (at 3.21 s); also l_ankle". Empty if all were strong enough, and at levels
+/// that do not watch.
+[[nodiscard]] std::string overload_message(const Entity& entity);
 
 /// Inertia [kg m^2 | kg] of the parts that turn behind a joint's gear: of its servo and of the joint itself.
 [[nodiscard]] double rotor_inertia(const Model& model, int joint);

@@ -66,7 +66,7 @@ void Simulation::initialize() {
   check_every_read_is_written(named);
   plan_ = Plan(std::move(access), periods, names);
   world_->freeze_columns();
-  for (const auto& task : tasks_) task->algorithm->initialize();
+  for (std::size_t i = 0; i < tasks_.size(); ++i) at(named[i].algorithm, [&] { tasks_[i]->algorithm->initialize(); });
   initialized_ = true;
   for (const auto& call : after_initialize_) call();
 }
