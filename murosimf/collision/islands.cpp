@@ -22,7 +22,7 @@ void Islands::find(const std::vector<Mover>& movers, const PairSet& set) {
     for (const int side : {c.a, c.b}) wanted_[side] = wanted_[side] || solvable(side);
     // the smaller number becomes the root, so the order of contacts does not matter
     if (solvable(c.a) && solvable(c.b)) {
-      const auto [low, high] = std::minmax(root(c.a), root(c.b));
+      const auto [low, high] = std::minmax({root(c.a), root(c.b)});
       parent_[high] = low;
     }
   }

@@ -54,8 +54,8 @@ class BodyBuilder {
     const Vec3d offset = attributes.vector("pos", {});
     const Mat3d turn = read_orientation(attributes, context_.compiler);
     std::vector<Step> result;
-    if (!is_zero(offset)) result.push_back({{Kind::translation, -1, offset, {}, name + ".offset"}});
-    if (!is_identity(turn)) result.push_back({{Kind::rotation, -1, {}, turn, name + ".turn"}});
+    if (!is_zero(offset)) result.push_back({{Kind::translation, -1, offset, {}, name + ".offset", true}});
+    if (!is_identity(turn)) result.push_back({{Kind::rotation, -1, {}, turn, name + ".turn", true}});
     for (const MjcfJoint& joint : joints) {
       const bool away = !is_zero(joint.anchor);
       if (away) result.push_back({{Kind::translation, -1, joint.anchor, {}, joint.name + ".anchor"}});
@@ -127,8 +127,8 @@ class BodyBuilder {
     const Vec3d offset = attributes.vector("pos", {});
     const Mat3d turn = read_orientation(attributes, context_.compiler);
     Chain chain;
-    if (!is_zero(offset)) chain.translation(offset, name + ".offset");
-    if (!is_identity(turn)) chain.rotation(turn, name + ".turn");
+    if (!is_zero(offset)) chain.translation(offset, name + ".offset").structural();
+    if (!is_identity(turn)) chain.rotation(turn, name + ".turn").structural();
     chain.endpoint(name);
     if (is_sole(attributes)) chain.with(properties::sole, read_sole(attributes));
     return chain;

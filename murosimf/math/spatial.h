@@ -93,7 +93,7 @@ struct Sym6 {
 using Sym6d = Sym6<double>;
 
 template <class S>
-Force<S> operator*(const Sym6<S>& a, const Motion<S>& m) {
+[[gnu::always_inline]] inline Force<S> operator*(const Sym6<S>& a, const Motion<S>& m) {
   return {a.J * m.w + a.H * m.v, transposed_times(a.H, m.w) + a.M * m.v};
 }
 template <class S>

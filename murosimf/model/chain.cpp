@@ -54,6 +54,11 @@ Chain& Chain::fork(const std::vector<Chain>& branches) {
   return *this;
 }
 
+Chain& Chain::structural() {
+  objects_[static_cast<std::size_t>(last_object())].structural = true;
+  return *this;
+}
+
 Chain& Chain::alias(std::string name) {
   aliases_.emplace_back(std::move(name), last_object());
   return *this;
@@ -64,7 +69,8 @@ Chain& Chain::add(Kind kind, std::string name, const Vec3d& vector, const Mat3d&
     throw SetupError(fmt::format("{} '{}' cannot follow a fork or an endpoint", kind_name(kind), name));
   }
   const int index = static_cast<int>(objects_.size());
-  objects_.push_back({kind, tail_, vector, turn, std::move(name)});
+  const bool structural = kind == Kind::fork || (kind == Kind::endpoint && name.empty());
+  objects_.push_back({kind, tail_, vector, turn, std::move(name), structural});
   tail_ = index;
   return *this;
 }

@@ -41,9 +41,12 @@ class Chain {
   template <class T>
   Chain& with(const Property<T>& property, std::type_identity_t<T> value) {
     constants_.set(property, last_object(), std::move(value));
+    objects_[static_cast<std::size_t>(last_object())].structural = false;
     return *this;
   }
 
+  /// The last object only gives the tree its shape (object.h); forks and endpoints without a name do so anyway.
+  Chain& structural();
   /// Another name for the last object.
   Chain& alias(std::string name);
 

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/properties.h"
+
 namespace murosimf {
 
 Entity::Entity(std::string name, ModelPtr model, EntityOptions options)
@@ -39,10 +41,31 @@ void Entity::freeze(std::string reason) noexcept {
 void Entity::append_to(Hasher& hasher) const {
   hasher.add(std::string_view(name_));
   hasher.add(std::uint64_t{frozen() ? 1u : 0u});
+  for (int i = 0; i < model_->size(); ++i) update_structural(i);
   for (const auto& [name, column] : columns_) {
     hasher.add(std::string_view(name));
     column->append_to(hasher);
   }
+}
+
+void Entity::update_structural(int object) const {
+  if (!model_->objects()[object].structural) return;
+  const auto rows = [&]<class T>(const Property<T>& property) -> std::vector<T>* {
+    ColumnBase* column = find(property.name);
+    return column ? &static_cast<Column<T>*>(column)->values : nullptr;
+  };
+  auto* r = rows(properties::position);
+  auto* R = rows(properties::orientation);
+  if (!r || !R) return;
+  const FixedObject place = model_->placement(object);
+  const int link = model_->tree().links[place.link].object;
+  (*r)[object] = (*r)[link] + (*R)[link] * place.offset;
+  (*R)[object] = place.turned ? (*R)[link] * place.turn : (*R)[link];
+  auto* v = rows(properties::linear_velocity);
+  auto* w = rows(properties::angular_velocity);
+  if (!v || !w) return;
+  (*w)[object] = (*w)[link];
+  (*v)[object] = (*v)[link] + cross((*w)[link], (*r)[object] - (*r)[link]);
 }
 
 void Entity::refuse_column(const PropertyInfo& info) const {
@@ -69,6 +92,7 @@ std::size_t ObjectAccess::row(const ColumnBase& column) const {
 }
 
 Quantity ObjectAccess::get(std::string_view property) const {
+  entity_->update_structural(object_);
   if (const ColumnBase* column = entity_->find(property); column && column->numbers() > 0) {
     Quantity quantity{{}, column->info().unit};
     for (std::size_t i = 0; i < column->numbers(); ++i) quantity.numbers.push_back(column->get(row(*column), i));
@@ -99,6 +123,7 @@ void ObjectAccess::set(std::string_view property, std::span<const double> number
   }
   const std::size_t target = row(*column);
   for (std::size_t i = 0; i < numbers.size(); ++i) column->set(target, i, numbers[i]);
+  entity_->count_change();
 }
 
 std::vector<std::string_view> ObjectAccess::properties() const {

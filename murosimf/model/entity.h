@@ -1,6 +1,7 @@
 /// entity.h - one robot, ball or environment in a simulation: a name, a model, and columns of variable properties.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -78,6 +79,10 @@ class Entity {
   [[nodiscard]] ColumnBase* find(std::string_view property) const;
   [[nodiscard]] const auto& columns() const { return columns_; }
 
+  /// Counts the properties that were set by name; levels that keep working memory look whether it is still right.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  void count_change() { ++revision_; }
+
   /// From now on no column can be added; spans stay valid for good.
   void freeze_columns() { columns_frozen_ = true; }
 
@@ -95,6 +100,10 @@ class Entity {
 
   void append_to(Hasher& hasher) const;
 
+  /// Works out pose and velocity of a structural object from those of its link, as far as there are columns of them.
+  /// Does nothing to other objects, whose rows their level keeps.
+  void update_structural(int object) const;
+
  private:
   [[noreturn]] void refuse_column(const PropertyInfo& info) const;
   [[noreturn]] void refuse_type(const PropertyInfo& info) const;
@@ -104,6 +113,7 @@ class Entity {
   EntityOptions options_;
   std::map<std::string, std::unique_ptr<ColumnBase>, std::less<>> columns_;
   bool columns_frozen_ = false;
+  std::uint64_t revision_ = 0;
   std::optional<std::string> frozen_reason_;
 };
 
@@ -130,6 +140,7 @@ const Column<T>* Entity::find(const Property<T>& property) const {
 
 template <class T>
 T ObjectAccess::get(const Property<T>& property) const {
+  entity_->update_structural(object_);
   if (const auto* column = entity_->find(property)) return column->values[row(*column)];
   if (const T* constant = entity_->model().find(property, object_)) return *constant;
   throw SetupError(where() + " has no '" + std::string(property.name) + "': no attached algorithm uses it");
@@ -142,6 +153,7 @@ void ObjectAccess::set(const Property<T>& property, const std::type_identity_t<T
   }
   auto& column = entity_->column(property);
   column.values[row(column)] = value;
+  entity_->count_change();
 }
 
 }  // namespace murosimf

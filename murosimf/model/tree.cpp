@@ -72,6 +72,7 @@ Tree::Tree(const std::vector<Object>& objects, const ConstantTable& constants) :
       placements[i] = after(placements[object.parent], object);
       link_of[i] = link_of[object.parent];
       fixed.push_back({i, link_of[i], placements[i].offset, placements[i].turn, placements[i].turned});
+      if (!object.structural) followers.push_back(fixed.back());
     }
     if (const double* m = constants.find(properties::mass, i)) {
       const Vec3d* com = constants.find(properties::center_of_mass, i);

@@ -46,9 +46,10 @@ struct Tree {
   Tree(const std::vector<Object>& objects, const ConstantTable& constants);
 
   std::vector<Link> links;
-  std::vector<FixedObject> fixed;
-  std::vector<int> link_of;  ///< [objects] the link that an object moves with
-  double mass = 0;           ///< [kg] of all links
+  std::vector<FixedObject> fixed;      ///< all of them
+  std::vector<FixedObject> followers;  ///< those whose poses are kept in every step: all but the structural ones
+  std::vector<int> link_of;            ///< [objects] the link that an object moves with
+  double mass = 0;                     ///< [kg] of all links
 };
 
 }  // namespace murosimf

@@ -20,6 +20,7 @@ ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& 
     : tree_(setup, options, "articulated_dynamics"),
       drives_(setup),
       joint_torque_(setup.write(properties::joint_torque)),
+      servo_(tree_.links.size()),
       bodies_(tree_.links.size()),
       change_(tree_.links.size()) {}
 
@@ -38,7 +39,7 @@ void ArticulatedDynamics::check_inertias() const {
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     const int i = links[l].object;
     const double carried = dot(tree_.links[l].axis, composite[l] * tree_.links[l].axis);
-    if (!(carried + drives_.drive(i, tree_.columns.q[i], 0, 0).inertia > 1e-12)) {
+    if (!(carried + drives_.drive(i, tree_.columns.q[i], 0, 0).all.inertia > 1e-12)) {
       throw SetupError(
           fmt::format("model '{}': joint '{}' moves no inertia; give a body behind it mass and inertia, or "
                       "the joint an armature or a servo with rotor_inertia",
@@ -58,6 +59,7 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
     });
   }
   if (!targets_sane_) return tree_.halt("a joint position or target is no sensible number");
+  report_torques();
   const Motiond base = bodies_[0].acceleration;
   if (!advance_joints(dt_) || !tree_.advance_base(base, dt_)) return tree_.halt("its motion is no sensible number");
   tree_.finish_step();
@@ -78,7 +80,7 @@ void ArticulatedDynamics::step_rk4(double dt) noexcept {
   };
   const bool sane = tree_.advance_rk4(dt, accelerations, joint_acceleration);
   if (!sane || !joints_are_sane()) return tree_.halt("its motion is no sensible number");
-  report_torques(0);
+  report_torques();
   tree_.finish_step();
 }
 
@@ -135,9 +137,10 @@ void ArticulatedDynamics::drive_joints(double dt) noexcept {
   const auto& links = columns.model.tree().links;
   for (std::size_t l = 1; l < links.size(); ++l) {
     const int i = links[l].object;
-    const JointDrive drive = drives_.drive(i, columns.q[i], columns.qd[i], dt);
-    bodies_[l].torque = drive.torque;
-    bodies_[l].added_inertia = drive.inertia;
+    const auto drive = drives_.drive(i, columns.q[i], columns.qd[i], dt);
+    servo_[l] = drive.servo;
+    bodies_[l].torque = drive.all.torque;
+    bodies_[l].added_inertia = drive.all.inertia;
   }
 }
 
@@ -152,18 +155,7 @@ void ArticulatedDynamics::solve(double dt) noexcept {
   multibody::accelerate<double>(tree, tree_.links, bodies_, base);
 }
 
-void ArticulatedDynamics::report_torques(double dt) noexcept {
-  const PoseColumns& columns = tree_.columns;
-  const auto& links = columns.model.tree().links;
-  for (std::size_t l = 1; l < links.size(); ++l) {
-    const int i = links[l].object;
-    const JointDrive servo = drives_.servo(i, columns.q[i], columns.qd[i], dt);
-    joint_torque_[i] = servo.torque - servo.inertia * bodies_[l].joint_acceleration;
-  }
-}
-
 bool ArticulatedDynamics::advance_joints(double dt) noexcept {
-  report_torques(dt);
   PoseColumns& columns = tree_.columns;
   const auto& links = columns.model.tree().links;
   for (std::size_t l = 1; l < links.size(); ++l) {
@@ -172,6 +164,13 @@ bool ArticulatedDynamics::advance_joints(double dt) noexcept {
     columns.q[i] += dt * columns.qd[i];
   }
   return joints_are_sane();
+}
+
+void ArticulatedDynamics::report_torques() noexcept {
+  const auto& links = tree_.columns.model.tree().links;
+  for (std::size_t l = 1; l < links.size(); ++l) {
+    joint_torque_[links[l].object] = servo_[l].torque - servo_[l].inertia * bodies_[l].joint_acceleration;
+  }
 }
 
 bool ArticulatedDynamics::joints_are_sane() const noexcept {

@@ -33,7 +33,7 @@ class ArticulatedDynamics final : public Algorithm, private collision::ImpulseRe
   void drive_joints(double dt) noexcept;
   void solve(double dt) noexcept;
   void predict_contacts(double dt) noexcept;
-  void report_torques(double dt) noexcept;
+  void report_torques() noexcept;
   [[nodiscard]] bool advance_joints(double dt) noexcept;
   [[nodiscard]] bool joints_are_sane() const noexcept;
   void check_inertias() const;
@@ -41,6 +41,7 @@ class ArticulatedDynamics final : public Algorithm, private collision::ImpulseRe
   MovingTree tree_;
   JointDrives drives_;
   std::span<double> joint_torque_;
+  std::vector<JointDrive> servo_;  // by link
   std::vector<multibody::ArticulatedLink<double>> bodies_;
   std::vector<Motiond> change_;  // by link: what impulses add to a'; working memory
   double dt_ = 0;                // [s] of the present step

@@ -72,28 +72,27 @@ bool JointDrives::take_targets() noexcept {
   return sane;
 }
 
-JointDrive JointDrives::servo(int i, double q, double qd, double dt) const noexcept {
+JointDrives::Answer JointDrives::drive(int i, double q, double qd, double dt) const noexcept {
   const Joint& joint = joints_[i];
-  return joint.law ? joint.law->drive(present_[i], q, qd, dt) : JointDrive{};
-}
-
-JointDrive JointDrives::drive(int i, double q, double qd, double dt) const noexcept {
-  const Joint& joint = joints_[i];
-  JointDrive drive = servo(i, q, qd, dt);
-  drive.inertia += joint.rotor;
-  const double b = joint.damping + (joint.friction > 0 ? joint.friction / std::max(std::abs(qd), slow) : 0);
-  drive.torque -= b * qd;
-  drive.inertia += dt * b;
+  Answer answer;
+  if (joint.law) answer.servo = joint.law->drive(present_[i], q, qd, dt);
+  JointDrive& all = answer.all;
+  all = {answer.servo.torque, answer.servo.inertia + joint.rotor};
+  if (joint.damping > 0 || joint.friction > 0) {
+    const double b = joint.damping + joint.friction / std::max(std::abs(qd), slow);
+    all.torque -= b * qd;
+    all.inertia += dt * b;
+  }
   if (joint.stop_stiffness > 0) {
     const double next = q + dt * qd;
     const double beyond = next - std::clamp(next, joint.lowest, joint.highest);
     if (beyond != 0) {
       const double d = joint.stop_stiffness * stop_damping_time;
-      drive.torque -= joint.stop_stiffness * beyond + d * qd;
-      drive.inertia += dt * d + dt * dt * joint.stop_stiffness;
+      all.torque -= joint.stop_stiffness * beyond + d * qd;
+      all.inertia += dt * d + dt * dt * joint.stop_stiffness;
     }
   }
-  return drive;
+  return answer;
 }
 
 }  // namespace murosimf::motion

@@ -29,10 +29,13 @@ class JointDrives {
   void initialize(std::span<double> q, std::span<double> qd) noexcept;
   /// To be called once per step: takes the targets on their way to the motors. False if one is no sensible number.
   [[nodiscard]] bool take_targets() noexcept;
-  /// Torque and added inertia of joint `i` (an object of the model), rotor included, for a step of `dt` [s].
-  [[nodiscard]] JointDrive drive(int i, double q, double qd, double dt) const noexcept;
-  /// The share of the servo in it.
-  [[nodiscard]] JointDrive servo(int i, double q, double qd, double dt) const noexcept;
+  /// Torque and added inertia of a joint.
+  struct Answer {
+    JointDrive servo;  ///< of the servo alone, without rotor
+    JointDrive all;    ///< with rotor, passive damping and friction, and the end of the range
+  };
+  /// Joint `i` (an object of the model), for a step of `dt` [s].
+  [[nodiscard]] Answer drive(int i, double q, double qd, double dt) const noexcept;
 
  private:
   struct Joint {

@@ -41,30 +41,9 @@ void MovingTree::start() {
   }
 }
 
-namespace {
-
-/// Calls visit(number) for everything that users may change between steps.
-template <class Visit>
-void for_state(PoseColumns& columns, const Visit& visit) {
-  const auto vector = [&](Vec3d& v) { visit(v.x), visit(v.y), visit(v.z); };
-  vector(columns.r[0]), vector(columns.v[0]), vector(columns.w[0]);
-  Quaterniond& Q = columns.Q[0];
-  visit(Q.w), visit(Q.x), visit(Q.y), visit(Q.z);
-  for (const int i : columns.model.joints()) visit(columns.q[i]), visit(columns.qd[i]);
-}
-
-}  // namespace
-
-void MovingTree::remember() noexcept {
-  written_.clear();
-  for_state(columns, [&](double& x) { written_.push_back(x); });
-}
-
 void MovingTree::take_changes() noexcept {
-  bool same = true;
-  const double* written = written_.data();
-  for_state(columns, [&](double& x) { same &= x == *written++; });
-  if (same) return;
+  if (entity_.revision() == seen_revision_) return;
+  seen_revision_ = entity_.revision();
   columns.R[0] = to_matrix(columns.Q[0]);
   refresh();
 }
@@ -73,7 +52,6 @@ void MovingTree::refresh() noexcept {
   columns.update_poses();
   columns.update_velocities();
   update_links();
-  remember();
 }
 
 void MovingTree::update_links() noexcept {
@@ -156,7 +134,6 @@ void MovingTree::correct_momentum(const Momentum& wanted) noexcept {
   columns.v[0] += change.v;
   columns.update_velocities();
   update_links();
-  remember();
 }
 
 void MovingTree::finish_step() noexcept {

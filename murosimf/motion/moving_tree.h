@@ -15,6 +15,7 @@
 /// before plus what gravity and pushes gave.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -99,7 +100,6 @@ class MovingTree {
   void place_base(const multibody::FreeBody<double>& base) noexcept;
   void refresh() noexcept;
   void update_links() noexcept;
-  void remember() noexcept;
 
   Entity& entity_;
   MovingTreeOptions options_;
@@ -110,7 +110,7 @@ class MovingTree {
   double& pushable_;
   RungeKutta4 runge_kutta_;
   std::vector<double> row_;                  // the state while Runge-Kutta works on it
-  std::vector<double> written_;              // what the level left in the columns that users may change
+  std::uint64_t seen_revision_ = 0;          // of the entity, when the links were last worked out
   std::optional<Cholesky6<double>> factor_;  // of the base's inertia
   std::optional<Momentum> wanted_momentum_;  // after the present step, in flight
 };

@@ -53,8 +53,9 @@ std::string overload_message(const Entity& entity) {
   std::stable_sort(weak.begin(), weak.end(), [&](int i, int j) { return excess(i) > excess(j); });
   const auto name = [&](int i) -> const std::string& { return entity.model().objects()[i].name; };
   const Overload& worst = column->values[weak[0]];
-  std::string line = fmt::format("{}: not feasible: {} needs {:.1f} Nm, servo gives {:.1f} at {:.1f} rad/s (at {:.2f} s)",
-                                 entity.name(), name(weak[0]), worst.needed, worst.given, worst.rate, worst.time);
+  std::string line =
+      fmt::format("{}: not feasible: {} needs {:.1f} Nm, servo gives {:.1f} at {:.1f} rad/s (at {:.2f} s)",
+                  entity.name(), name(weak[0]), worst.needed, worst.given, worst.rate, worst.time);
   for (std::size_t k = 1; k < weak.size(); ++k) line += (k == 1 ? "; also " : ", ") + name(weak[k]);
   return line;
 }

@@ -52,7 +52,7 @@ void poses(const Tree& tree, std::span<const S> q, std::span<Vec3<S>> r, std::sp
     const int p = tree.links[link.parent].object;
     place_joint(link, q[link.object], r[p], R[p], r[link.object], R[link.object]);
   }
-  for (const FixedObject& fixed : tree.fixed) {
+  for (const FixedObject& fixed : tree.followers) {
     const int p = tree.links[fixed.link].object;
     place_fixed(fixed, r[p], R[p], r[fixed.object], R[fixed.object]);
   }
@@ -101,7 +101,7 @@ void velocities(const Tree& tree, std::span<const S> qd, std::span<const Vec3<S>
     v[i] = v[p] + cross(w[p], r[i] - r[p]);
     (link.kind == LinkKind::revolute ? w[i] : v[i]) += joint;
   }
-  for (const FixedObject& fixed : tree.fixed) {
+  for (const FixedObject& fixed : tree.followers) {
     const int p = tree.links[fixed.link].object;
     w[fixed.object] = w[p];
     v[fixed.object] = v[p] + cross(w[p], r[fixed.object] - r[p]);

@@ -6,7 +6,7 @@
 ///     w_i = w_p (+ R_i s qd)               v_i = v_p + w_p x (r_i - r_p) (+ R_i s qd)
 ///
 /// with d, T the place of joint i in its parent link, s the joint axis; the terms in brackets by kind of joint.
-/// All spans have one row per object. Row 0 of r, R, v, w (the base) is input; the other rows are output.
+/// Rows of structural objects (model/object.h) are left out. All spans have one row per object. Row 0 of r, R, v, w (the base) is input; the other rows are output.
 #pragma once
 
 #include <span>
