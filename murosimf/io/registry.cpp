@@ -27,7 +27,9 @@ void attach_simplified_dynamics(Simulation& simulation, Entity& robot, double ra
 }
 
 motion::MovingTreeOptions tree_options(const LevelOptions& options) {
-  return {.integrator = options.integrator, .fixed_base = options.fixed_base};
+  return {.integrator = options.integrator,
+          .fixed_base = options.fixed_base,
+          .momentum_correction = options.momentum_correction};
 }
 
 void attach_full_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {

@@ -19,8 +19,9 @@ namespace murosimf::io {
 struct LevelOptions {
   motion::JointReferenceOptions reference;
   motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
-  bool base_rigid = false;  ///< simplified_dynamics: the paper's literal reading
-  bool fixed_base = false;  ///< full_dynamics, articulated_dynamics: the base is bolted to the world
+  bool base_rigid = false;          ///< simplified_dynamics: the paper's literal reading
+  bool momentum_correction = true;  ///< full_dynamics, articulated_dynamics: in flight
+  bool fixed_base = false;          ///< full_dynamics, articulated_dynamics: the base is bolted to the world
 };
 
 struct Level {

@@ -62,8 +62,10 @@ inline std::string test_name(const testing::TestParamInfo<LevelAndLaw>& info) { 
 /// A world with a ground plane of some surface or friction, and gravity turned by `slope` [rad] about y, so that
 /// things slide towards +x.
 struct Rig {
-  explicit Rig(double friction = 0.8, double slope = 0, double rate_hz = 1000) : Rig({"", friction}, slope, rate_hz) {}
-  explicit Rig(const Surface& surface, double slope, double rate_hz = 1000) : rate(rate_hz) {
+  explicit Rig(double friction = 0.8, double slope = 0, double rate_hz = 1000, int threads = 1)
+      : Rig({"", friction}, slope, rate_hz, threads) {}
+  explicit Rig(const Surface& surface, double slope, double rate_hz = 1000, int threads = 1)
+      : simulation(threads), rate(rate_hz) {
     simulation.world().gravity = {g * std::sin(slope), 0, -g * std::cos(slope)};
     PlacedShape plane;
     plane.shape = Plane{};
@@ -115,7 +117,7 @@ struct Rig {
   static Vec3d place(Entity& entity) { return entity.base().get(properties::position); }
   static Vec3d velocity(Entity& entity) { return entity.base().get(properties::common_center_of_mass_velocity); }
 
-  Simulation simulation{1};
+  Simulation simulation;
   MaterialTable materials;
   Entity* ground = nullptr;
   double rate;
