@@ -1,5 +1,5 @@
-/// dump_dynamics - what the kernels of multibody/ say about given states of a robot, as JSON, for random_trees_against_mujoco.py and
-/// random_trees_against_pinocchio.py.
+/// dump_dynamics - what the kernels of multibody/ say about given states of a robot, as JSON, for the scripts
+/// random_trees_against_*.py.
 ///
 /// Usage: dump_dynamics <robot.xml> <states> (state_file.h). Per state, world axes, joints in the order of the file:
 ///     acceleration  of the articulated bodies under gravity, torques and forces: base [alpha, a], joints

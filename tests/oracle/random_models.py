@@ -157,7 +157,9 @@ class Maker:
         if self.servos:
             more += f'damping="{dice.uniform(0.0, 0.5)}"'
             gains = f'kp="{dice.uniform(5, 40)}" kv="{dice.uniform(0.5, 2)}"'
-            self.robot.actuators.append(f'<position joint="{name}" {gains}/>')
+            limit = dice.uniform(0.5, 3) if dice.random() < 0.3 else 100  # [N m | N] some never get there, some always
+            limits = f'forcelimited="true" forcerange="{-limit} {limit}"'
+            self.robot.actuators.append(f'<position joint="{name}" {gains} {limits}/>')
         if kind == "slide":
             self.robot.slides.add(name)
         body.joints.append(name)
