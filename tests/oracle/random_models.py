@@ -93,7 +93,8 @@ def inertial(dice):
     if dice.random() < 0.5:
         return start + f'{attribute("diaginertia", principal)} {attribute("quat", turn)}/>'
     tensor = rotation(turn) @ np.diag(principal) @ rotation(turn).T
-    return start + attribute("fullinertia", [tensor[k] for k in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)]]) + "/>"
+    entries = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)]
+    return start + attribute("fullinertia", [tensor[entry] for entry in entries]) + "/>"
 
 
 def axes(dice, count):
