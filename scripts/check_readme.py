@@ -19,10 +19,11 @@ if main_lines >= 15:
 for page in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
     text = page.read_text()
     names = set(re.findall(r"`((?:docs|murosimf|examples|scripts|models|scenes|servos|tests|benchmarks|apps)/[\w./]+)`", text))
-    names |= set(re.findall(r"\]\(([\w./]+)\)", text))
-    for name in sorted(names):
-        if not (root / name).exists():
-            mistakes.append(f"{page.name}: names '{name}', which is not there")
+    links = set(re.findall(r"\]\(([\w./]+)\)", text))
+    missing = {name for name in names if not (root / name).exists()}
+    missing |= {link for link in links if not (page.parent / link).exists()}
+    for name in sorted(missing):
+        mistakes.append(f"{page.name}: names '{name}', which is not there")
 
 for mistake in mistakes:
     print(mistake)
