@@ -108,6 +108,14 @@ SymMat3<S> inertia_of_point(const Vec3<S>& v) {
   const S xx = v.x * v.x, yy = v.y * v.y, zz = v.z * v.z;
   return {yy + zz, xx + zz, xx + yy, -(v.x * v.y), -(v.x * v.z), -(v.y * v.z)};
 }
+/// Inverse of a symmetric matrix, by its adjugate; the determinant must not be zero.
+template <class S>
+SymMat3<S> inverse(const SymMat3<S>& m) {
+  const S xx = m.yy * m.zz - m.yz * m.yz, xy = m.xz * m.yz - m.xy * m.zz, xz = m.xy * m.yz - m.xz * m.yy;
+  const S scale = 1.0 / (m.xx * xx + m.xy * xy + m.xz * xz);
+  return {scale * xx, scale * (m.xx * m.zz - m.xz * m.xz), scale * (m.xx * m.yy - m.xy * m.xy), scale * xy,
+          scale * xz, scale * (m.xy * m.xz - m.xx * m.yz)};
+}
 /// Leading minors are positive (Sylvester's criterion) and finite; false for NaN.
 inline bool is_positive_definite(const SymMat3d& m) {
   const double minor = m.xx * m.yy - m.xy * m.xy;

@@ -98,6 +98,7 @@ void ArticulatedDynamics::begin_step(double dt) noexcept {
 void ArticulatedDynamics::free_pass(double dt) noexcept {
   begin_step(dt);
   solve(dt);
+  tree_.factor_base();
 }
 
 Vec3d ArticulatedDynamics::free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept {

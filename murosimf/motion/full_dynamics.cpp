@@ -82,6 +82,7 @@ void FullDynamics::begin_step(double dt) noexcept {
 void FullDynamics::free_pass(double dt) noexcept {
   begin_step(dt);
   solve_base(dt);
+  tree_.factor_base();
 }
 
 Vec3d FullDynamics::free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept {

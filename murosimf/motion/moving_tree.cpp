@@ -66,18 +66,22 @@ void MovingTree::update_links() noexcept {
 
 Motiond MovingTree::base_acceleration(const Sym6d& inertia, const Forced& force) noexcept {
   if (options_.fixed_base) return {{}, -gravity};
-  factor_.emplace(inertia);
-  return factor_->backward(factor_->forward(force));
+  base_inertia_ = inertia;
+  return solve(inertia, force);
+}
+
+void MovingTree::factor_base() noexcept {
+  if (!options_.fixed_base) factor_.emplace(base_inertia_);
 }
 
 void MovingTree::respond_at_base(const Forced& force, collision::ResponseRow& y) const noexcept {
-  if (!factor_) return;
+  if (options_.fixed_base) return;
   const auto numbers = factor_->forward(force);
   for (int i = 0; i < 6; ++i) y.add(i, numbers[i]);
 }
 
 Motiond MovingTree::base_change(std::span<const double> z, double dt) const noexcept {
-  if (!factor_) return {};
+  if (options_.fixed_base) return {};
   return (1 / dt) * factor_->backward({z[0], z[1], z[2], z[3], z[4], z[5]});
 }
 

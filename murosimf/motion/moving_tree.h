@@ -57,8 +57,9 @@ class MovingTree {
   void predict_contacts(double dt, const Acceleration& acceleration_of) noexcept;
 
   /// a'_0 of the base for the force [N m, N] about O that is left for `inertia`; zero acceleration if it is fixed.
-  /// Keeps the factors of `inertia` for the responses below.
   [[nodiscard]] Motiond base_acceleration(const Sym6d& inertia, const Forced& force) noexcept;
+  /// Prepares the responses below, for the inertia of the last base_acceleration.
+  void factor_base() noexcept;
   /// Numbers 0 to 5 of a response (collision/impulse_response.h): of a force about O that has arrived at the base.
   void respond_at_base(const Forced& force, collision::ResponseRow& y) const noexcept;
   /// What the impulses z (first six numbers) add to a'_0.
@@ -109,9 +110,10 @@ class MovingTree {
   double& total_mass_;
   double& pushable_;
   RungeKutta4 runge_kutta_;
-  std::vector<double> row_;                  // the state while Runge-Kutta works on it
-  std::uint64_t seen_revision_ = 0;          // of the entity, when the links were last worked out
-  std::optional<Cholesky6<double>> factor_;  // of the base's inertia
+  std::vector<double> row_;          // the state while Runge-Kutta works on it
+  std::uint64_t seen_revision_ = 0;  // of the entity, when the links were last worked out
+  Sym6d base_inertia_;
+  std::optional<Cholesky6<double>> factor_;  // of it, for responses
   std::optional<Momentum> wanted_momentum_;  // after the present step, in flight
 };
 

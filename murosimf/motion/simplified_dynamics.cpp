@@ -134,8 +134,8 @@ void SimplifiedDynamics::solve(double dt) noexcept {
     if (!is_zero(external_damping_[object]))
       matrix += dt * moved(external_damping_[object], center_ - columns_.r[object]);
   }
-  factor_.emplace(matrix);
-  acceleration_ = factor_->backward(factor_->forward(force));
+  matrix_ = matrix;
+  acceleration_ = murosimf::solve(matrix, force);
 }
 
 Vec3d SimplifiedDynamics::next_velocity(const Vec3d& point, const Vec3d& velocity) const noexcept {
@@ -152,6 +152,7 @@ void SimplifiedDynamics::predict_contacts() noexcept {
 void SimplifiedDynamics::free_pass(double dt) noexcept {
   begin_step(dt);
   solve(dt);
+  factor_.emplace(matrix_);
 }
 
 Vec3d SimplifiedDynamics::free_velocity(int, const Vec3d& point, const Vec3d& velocity) const noexcept {

@@ -76,7 +76,8 @@ class SimplifiedDynamics final : public Algorithm, private collision::ImpulseRes
   SymMat3d& inertia_;  // [kg m^2] at the center of mass, world axes
   double& mass_;       // [kg]
   double& pushable_;
-  std::optional<Cholesky6<double>> factor_;  // of inertia and external damping
+  Sym6d matrix_;                             // inertia and external damping at the center of mass
+  std::optional<Cholesky6<double>> factor_;  // of it, for responses
   Motiond acceleration_;                     // [rad/s^2; m/s^2] of the center of mass in the present step
   RungeKutta4 runge_kutta_;
   std::vector<double> row_;  // the state while Runge-Kutta works on it

@@ -10,7 +10,7 @@ namespace {
 
 /// R rot(axis, q). About a coordinate axis two columns turn in their plane and the third stays.
 template <class S>
-Mat3<S> turned(const Mat3<S>& R, const Link& link, S q) {
+[[gnu::always_inline]] inline Mat3<S> turned(const Mat3<S>& R, const Link& link, S q) {
   const SinCos<S> a = sin_cos(q);
   const auto& [s, c] = a;
   switch (link.axis_kind) {
