@@ -19,8 +19,16 @@ template <class S>
           a.x * R.x.z + b.x * R.y.z + c.x * R.z.z, a.y * R.x.z + b.y * R.y.z + c.y * R.z.z};
 }
 
-/// The inertia of a link and the force p; d [m] from O to its origin, R its orientation. Members are written one by
-/// one: whole temporaries would go through memory, and wait for it.
+/// Writes member by member; a whole vector would be copied in pieces of other size than it was computed in, and the
+/// processor waits for such.
+template <class S>
+[[gnu::always_inline]] inline void store(const Vec3<S>& from, Vec3<S>& to) {
+  to.x = from.x;
+  to.y = from.y;
+  to.z = from.z;
+}
+
+/// The inertia of a link and the force p; d [m] from O to its origin, R its orientation.
 template <class S>
 [[gnu::always_inline]] inline void add_mass(const Link& link, const Vec3<S>& d, const Mat3<S>& R, LinkMotion<S>& to) {
   if (link.mass == 0) {
@@ -36,12 +44,12 @@ template <class S>
   const Vec3<S> vc = to.velocity.v + cross(w, c);
   const Vec3<S> f = m * (to.bias.v + cross(bw, c) + cross(w, vc));
   to.bias_force.n = cross(c, f) + Ic * bw + cross(w, Ic * w);
-  to.bias_force.f = f;
+  store(f, to.bias_force.f);
 
   const Vec3<S> h = m * c;
   const S xx = h.x * c.x, yy = h.y * c.y, zz = h.z * c.z;
   to.inertia.mass = m;
-  to.inertia.first = h;
+  store(h, to.inertia.first);
   to.inertia.second.xx = Ic.xx + (yy + zz);
   to.inertia.second.yy = Ic.yy + (xx + zz);
   to.inertia.second.zz = Ic.zz + (xx + yy);
