@@ -12,9 +12,9 @@ namespace murosimf::collision {
 
 /// A contact point of two entities: A (`object`) feels +force, B feels -force.
 struct PairContact : ContactPoint {
-  int a = 0, b = 0;           ///< which entities, as indices into the list that the algorithm was given; a < b
-  int object_b = 0;           ///< body of B
-  std::uint64_t key = 0;      ///< which shapes; stays the same from step to step
+  int a = 0, b = 0;              ///< which entities, as indices into the list that the algorithm was given; a < b
+  int object_b = 0;              ///< body of B
+  std::uint64_t key = 0;         ///< which shapes; stays the same from step to step
   Vec3d velocity_a, velocity_b;  ///< [m/s] of the point on either body, world frame
 };
 
