@@ -21,25 +21,19 @@ void attach_kinematic_walking(Simulation& simulation, Entity& robot, double rate
 
 void attach_simplified_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
   simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", robot, rate_hz,
-                                                motion::SimplifiedDynamicsOptions{.integrator = options.integrator,
+                                                motion::SimplifiedDynamicsOptions{.integrator = options.tree.integrator,
                                                                                   .base_rigid = options.base_rigid,
                                                                                   .reference = options.reference});
-}
-
-motion::MovingTreeOptions tree_options(const LevelOptions& options) {
-  return {.integrator = options.integrator,
-          .fixed_base = options.fixed_base,
-          .momentum_correction = options.momentum_correction};
 }
 
 void attach_full_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
   simulation.attach<motion::FullDynamics>("full_dynamics", robot, rate_hz,
                                           motion::FullDynamicsOptions{.reference = options.reference,
-                                                                      .tree = tree_options(options)});
+                                                                      .tree = options.tree});
 }
 
 void attach_articulated_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
-  simulation.attach<motion::ArticulatedDynamics>("articulated_dynamics", robot, rate_hz, tree_options(options));
+  simulation.attach<motion::ArticulatedDynamics>("articulated_dynamics", robot, rate_hz, options.tree);
 }
 
 void attach_none(Simulation&, Entity&, const ControllerOptions&) {}

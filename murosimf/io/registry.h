@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "murosimf/collision/contact_law.h"
+#include "murosimf/motion/moving_tree.h"
 #include "murosimf/motion/simplified_dynamics.h"
 #include "murosimf/runtime/simulation.h"
 
@@ -18,10 +19,8 @@ namespace murosimf::io {
 /// How a level moves a robot; all levels take the same options and use what concerns them.
 struct LevelOptions {
   motion::JointReferenceOptions reference;
-  motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
-  bool base_rigid = false;          ///< simplified_dynamics: the paper's literal reading
-  bool momentum_correction = true;  ///< full_dynamics, articulated_dynamics: in flight
-  bool fixed_base = false;          ///< full_dynamics, articulated_dynamics: the base is bolted to the world
+  bool base_rigid = false;         ///< simplified_dynamics: the paper's literal reading
+  motion::MovingTreeOptions tree;  ///< full_dynamics, articulated_dynamics; its integrator: simplified_dynamics too
 };
 
 struct Level {

@@ -140,9 +140,9 @@ void Scene::attach_motion() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const RobotSpec& robot = spec_.robots[i];
     LevelOptions options;
-    options.integrator = robot.integrator;
+    options.tree.integrator = robot.integrator;
     options.base_rigid = robot.base_rigid;
-    options.fixed_base = robot.fixed_base;
+    options.tree.fixed_base = robot.fixed_base;
     if (robot.joint_reference == "linear") options.reference.kind = motion::ReferenceKind::linear;
     at(robot.where, [&] { attach(*robots_[i], options); });
   }

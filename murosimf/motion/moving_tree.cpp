@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/multibody/integrate.h"
+#include "murosimf/multibody/kinematics.h"
 
 namespace murosimf::motion {
 
@@ -91,6 +92,10 @@ bool MovingTree::advance_base(const Motiond& acceleration, double dt) noexcept {
   if (options_.momentum_correction && in_flight()) wanted_momentum_ = momentum_after(dt);
   multibody::FreeBody<double> next = base();
   multibody::advance(next, {acceleration.w, acceleration.v + gravity}, dt);
+  if (wanted_momentum_) {
+    const Vec3d middle_rate = columns.w[0] + (0.5 * dt) * acceleration.w;
+    next.turn = normalized(exponential(dt * middle_rate) * columns.Q[0]);
+  }
   if (!is_sane(next)) return false;
   place_base(next);
   return true;
@@ -113,7 +118,7 @@ bool MovingTree::in_flight() const noexcept { return contacts.points.empty() && 
 MovingTree::Momentum MovingTree::momentum() const noexcept {
   const Forced about_base = multibody::momentum<double>(links);
   const Vec3d c = center_ - columns.r[0];
-  return {about_base.f + total_mass_ * columns.v[0], about_base.n - cross(c, about_base.f)};
+  return {about_base.f + total_mass_ * columns.v[0], about_base.n - cross(c, about_base.f), center_};
 }
 
 MovingTree::Momentum MovingTree::momentum_after(double dt) const noexcept {
@@ -124,6 +129,7 @@ MovingTree::Momentum MovingTree::momentum_after(double dt) const noexcept {
     after.linear += dt * push.f;
     after.angular += dt * push.n;
   }
+  after.center += (dt / total_mass_) * after.linear;
   return after;
 }
 
@@ -137,6 +143,7 @@ void MovingTree::correct_momentum(const Momentum& wanted) noexcept {
   columns.w[0] += change.w;
   columns.v[0] += change.v;
   columns.update_velocities();
+  multibody::shift_all(columns.r, wanted.center - now.center);
   update_links();
 }
 

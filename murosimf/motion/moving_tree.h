@@ -10,9 +10,11 @@
 /// material origin; the velocity of a contact point x after the step is v_x + h (a_k + alpha x (x - r_k)).
 /// The base: v_0 += h a_0 in world axes, r_0 += h v_0, w += h alpha, Q = exp(h w) Q (multibody/integrate.h).
 ///
-/// Momentum correction: semi-implicit Euler keeps momentum to first order only. In a step without any contact, the base's
-/// velocity is afterwards set so that momentum and moment of momentum about the center of mass are exactly those
-/// before plus what gravity and pushes gave.
+/// Momentum correction: semi-implicit Euler keeps momentum to first order only. In a step without any contact, the
+/// base's place and velocity are afterwards set so that momentum, moment of momentum about the center of mass, and the
+/// center's way are exactly those before plus what gravity and pushes gave. The base then turns with the rate in the
+/// middle of the step, Q = exp(h (w + h alpha / 2)) Q: with the rate at its end, which the correction takes back, a
+/// free body would gain energy (15 % in 10 s of a flipping body at 10 rad/s).
 #pragma once
 
 #include <cstdint>
@@ -91,6 +93,7 @@ class MovingTree {
   struct Momentum {
     Vec3d linear;   // [N s]
     Vec3d angular;  // [N m s] about the center of mass
+    Vec3d center;   // [m] common center of mass
   };
   [[nodiscard]] Vec3d reference_acceleration(int object, const Motiond& extra, Vec3d& alpha) const noexcept;
   [[nodiscard]] bool in_flight() const noexcept;

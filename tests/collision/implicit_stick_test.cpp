@@ -15,11 +15,13 @@ Vec3d sticking_force(const ContactPoint& c, const ContactParameters& p, const Ve
   return f_n * c.normal - p.tangent_stiffness * (c.stretch + dt * v_t) - p.tangent_damping * v_t;
 }
 
-// Law: prepare linearises a sticking point so that force - B (v+ - v) is the law's force at v+, for any v+, and
-// projects the memory on the tangent plane. Tolerance: rounding of forces up to 1e3 N.
+constexpr const char* level = "implicit_stick";
+
+// Prepare also projects the memory on the tangent plane. Tolerance: rounding of forces up to 1e3 N.
 TEST(ImplicitStickTest, StickingIsLinearInTheVelocityAfterTheStep) {
   const ImplicitStick law;
   Dice dice("stick");
+  law::Worst error;
   for (int i = 0; i < 100; ++i) {
     ContactParameters p = parameters();
     p.theta = dice.uniform(0, 1);
@@ -33,8 +35,10 @@ TEST(ImplicitStickTest, StickingIsLinearInTheVelocityAfterTheStep) {
     EXPECT_NEAR(c.normal_damping, p.damping + p.theta * dt * p.stiffness, 1e-12);
     EXPECT_NEAR(c.tangent_damping, p.tangent_damping + dt * p.tangent_stiffness, 1e-12);
     const Vec3d next = dice.vector(1);
-    EXPECT_LT(difference(force_after(c, next), sticking_force(c, p, next)), 1e-12);
+    error.see(difference(force_after(c, next), sticking_force(c, p, next)), "set", i);
   }
+  expect_law(level, "sticking point: error of the force for any velocity after the step",
+             "spring and damper at that velocity", error, 1e-12, "N");
 }
 
 // Rule: inside the cone a sticking point is accepted as it is.
@@ -63,14 +67,16 @@ TEST(ImplicitStickTest, SlipsAtTheCone) {
   set.next_velocity[0] = {0.6, 0.8, 0};
   EXPECT_FALSE(law.accept(set));
   const Vec3d force = force_after(set.points[0], {0.6, 0.8, 0});
-  EXPECT_LT(difference(force, {-3, -4, 10}), 1e-14);
+  expect_law(level, "sliding point: error of the force", "mu f_n against the motion", difference(force, {-3, -4, 10}),
+             1e-14, "N");
   EXPECT_TRUE(law.accept(set));  // the normal force did not move
   // pressed harder by the trial step, 10 N + 60 N s/m * 0.05 m/s, it slides on that force at once
   set = one_point(1e-3, {0.6, 0.8, 0});
   law.prepare(set);
   set.next_velocity[0] = {0.6, 0.8, -0.05};
   EXPECT_FALSE(law.accept(set));
-  EXPECT_LT(difference(force_after(set.points[0], {0.6, 0.8, -0.05}), {-3.9, -5.2, 13}), 1e-14);
+  expect_law(level, "sliding point pressed harder by the trial step: error of the force", "mu f_n against the motion",
+             difference(force_after(set.points[0], {0.6, 0.8, -0.05}), {-3.9, -5.2, 13}), 1e-14, "N");
 }
 
 /// A point that slides with `velocity`, pressed with 10 N, and slid along x before.
@@ -83,8 +89,8 @@ ContactSet sliding_point(const Vec3d& velocity) {
   return set;
 }
 
-// Law: the linearisation of a sliding point is the tangent of f_t = -mu f_n v / |v| at the present velocity: value and
-// derivative along and across. Tolerance: differences of 1e-6 m/s err by the third derivative, 5 N * 1e-12 / |v|^3.
+// Value and derivative, along and across. Tolerance: differences of 1e-6 m/s err by the third derivative, 5 N * 1e-12 /
+// |v|^3.
 TEST(ImplicitStickTest, SlidingIsTheTangentOfCoulomb) {
   const ImplicitStick law;
   const Vec3d v{0.3, -0.4, 0};
@@ -92,13 +98,17 @@ TEST(ImplicitStickTest, SlidingIsTheTangentOfCoulomb) {
   const ContactPoint& c = set.points[0];
   law.prepare(set);
   const auto coulomb = [](const Vec3d& u) { return (-5 / norm(u)) * u; };
-  EXPECT_LT(difference(tangential(c.force, c.normal), coulomb(v)), 1e-14);
+  expect_law(level, "linearized sliding: error of the friction", "-mu f_n v / |v|",
+             difference(tangential(c.force, c.normal), coulomb(v)), 1e-14, "N");
+  law::Worst error;
   const double h = 1e-6;
   for (const Vec3d& d : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0.6, -0.8, 0}, Vec3d{0.8, 0.6, 0}}) {
     const Vec3d slope = (0.5 / h) * (coulomb(v + h * d) - coulomb(v - h * d));
     const Vec3d given = (0.5 / h) * (force_after(c, v + h * d) - force_after(c, v - h * d));
-    EXPECT_LT(difference(given, slope), 1e-8);
+    error.see(difference(given, slope), "along", d.x, d.y);
   }
+  expect_law(level, "linearized sliding: error of the friction's derivative", "central differences of -mu f_n v / |v|",
+             error, 1e-8, "N s/m");
 }
 
 // Rule: slower than 5 mm/s the direction of sliding is not trusted: the last known one stays, the friction along it is
@@ -186,7 +196,7 @@ TEST(ImplicitStickTest, SlidingFollowsTheNormalForce) {
   EXPECT_TRUE(law.accept(set));
 }
 
-// Law: memory. Sticking adds dt v_t+; opening forgets. Tolerance: rounding.
+// Opening forgets. Tolerance: rounding.
 TEST(ImplicitStickTest, CommitStickAndOpen) {
   const ImplicitStick law;
   ContactSet set = one_point(1e-3);
@@ -196,7 +206,8 @@ TEST(ImplicitStickTest, CommitStickAndOpen) {
   set.next_velocity[0] = {0.01, -0.02, 0.1};
   ASSERT_TRUE(law.accept(set));
   law.commit(set);
-  EXPECT_LT(difference(c.stretch, {1.1e-4, -0.2e-4, 0}), 1e-18);
+  expect_law(level, "memory of a sticking point: error of the stretch after one step", "grows by dt v_t",
+             difference(c.stretch, {1.1e-4, -0.2e-4, 0}), 1e-18, "m");
   EXPECT_NEAR(c.last_normal_force, 10 - 60 * 0.1, 1e-14);
 
   law.prepare(set);
@@ -210,9 +221,7 @@ TEST(ImplicitStickTest, CommitStickAndOpen) {
   EXPECT_EQ(c.state, ContactState::stick);
 }
 
-// Law: return mapping. After slipping, the spring stands where sticking with the same velocity would give exactly the
-// sliding force: -kt s - ct v_t = f_t. Without the second term a block just below the cone would creep for ever.
-// Tolerance: rounding.
+// Without the second term a block just below the cone would creep for ever. Tolerance: rounding.
 TEST(ImplicitStickTest, CommitSlipReturnsToTheCone) {
   const ImplicitStick law;
   const ContactParameters p = parameters();
@@ -227,41 +236,48 @@ TEST(ImplicitStickTest, CommitSlipReturnsToTheCone) {
   const Vec3d friction = tangential(force_after(c, next), c.normal);
   law.commit(set);
   EXPECT_EQ(c.state, ContactState::slip);
-  EXPECT_LT(difference(-p.tangent_stiffness * c.stretch - p.tangent_damping * next, friction), 1e-13);
+  expect_law(level, "memory of a sliding point: error of its force if it stuck",
+             "return mapping: -kt s - ct v_t is the sliding force",
+             difference(-p.tangent_stiffness * c.stretch - p.tangent_damping * next, friction), 1e-13, "N");
 }
 
-// Law: a block pushed with 0.9 of mu m g stays where its spring holds it, F / kt away, and does not creep: after it has
-// settled its place does not change at all. Tolerance: for the place, the transient's rest after 2 s (decay rate
-// ct / 2m = 12.5 /s); for the creep 1e-13 m in one second.
+// The spring holds it F / kt away; after it has settled its place does not change at all. Tolerance: for the place, the
+// transient's rest after 2 s (decay rate ct / 2m = 12.5 /s); for the creep 1e-13 m in one second.
 TEST(ImplicitStickTest, NoCreepBelowTheCone) {
   const ImplicitStick law;
   Block block = resting_block({4.5, 0, 0});
   for (int i = 0; i < 4000; ++i) block.step(law);
   const Vec3d place = block.position;
   for (int i = 0; i < 1000; ++i) block.step(law);
-  EXPECT_LT(difference(block.position, place), 1e-13);
+  expect_law(level, "block pushed with 0.9 mu m g: creep in 1 s", "Coulomb: it sticks",
+             difference(block.position, place), 1e-13, "m");
   EXPECT_LT(norm(block.velocity), 1e-12);
   EXPECT_EQ(block.point().state, ContactState::stick);
-  EXPECT_LT(difference(block.contact_force, {-4.5, 0, 10}), 1e-9);
+  expect_law(level, "block pushed with 0.9 mu m g: error of the contact force", "it balances push and weight",
+             difference(block.contact_force, {-4.5, 0, 10}), 1e-9, "N");
 }
 
-// Law: pushed with 1.4 of mu m g it slides with a = F/m - mu g, and the force is on the cone. Tolerance: the first step
-// sticks until the spring is stretched (0.6 mm), then the implicit step is exact in the force.
+// Tolerance: the first step sticks until the spring is stretched (0.6 mm), then the implicit step is exact in the
+// force.
 TEST(ImplicitStickTest, SlidesAboveTheCone) {
   const ImplicitStick law;
   Block block = resting_block({7, 0, 0});
   for (int i = 0; i < 500; ++i) block.step(law);
   const double before = block.velocity.x;
+  law::Worst error;
   for (int i = 0; i < 500; ++i) {
     block.step(law);
-    ASSERT_NEAR(norm(tangential(block.contact_force, Vec3d{0, 0, 1})), 5, 1e-8);
+    error.see(std::abs(norm(tangential(block.contact_force, Vec3d{0, 0, 1})) - 5), "step", i);
   }
   EXPECT_EQ(block.point().state, ContactState::slip);
-  EXPECT_NEAR((block.velocity.x - before) / 0.5, 2.0, 1e-8);
+  expect_law(level, "block pushed with 1.4 mu m g: error of the friction", "mu m g: it is on the cone", error, 1e-8,
+             "N");
+  law::expect_near({.law = "block pushed with 1.4 mu m g: acceleration", .level = level, .source = "F / m - mu g"},
+                   (block.velocity.x - before) / 0.5, 2.0, 1e-8, "m/s^2");
 }
 
-// Law: Coulomb friction stops a sliding block after v^2 / (2 mu g), then it rests: no creep, no bouncing back beyond
-// the spring's stretch. Tolerance: one step's way (1 mm) plus the stretch (0.6 mm).
+// Then it rests: no creep, no bouncing back beyond the spring's stretch. Tolerance: one step's way (1 mm) plus the
+// stretch (0.6 mm).
 TEST(ImplicitStickTest, StoppingDistance) {
   const ImplicitStick law;
   Block block = resting_block({});
@@ -270,28 +286,32 @@ TEST(ImplicitStickTest, StoppingDistance) {
     block.step(law);
     ASSERT_LE(block.passes, max_passes);
   }
-  EXPECT_NEAR(block.position.x, 1 / (2 * 0.5 * 10), 1.6e-3);
+  law::expect_near({.law = "block slides to rest: way", .level = level, .source = "v^2 / (2 mu g)"}, block.position.x,
+                   1 / (2 * 0.5 * 10), 1.6e-3, "m");
   EXPECT_LT(norm(block.velocity), 1e-6);
   EXPECT_EQ(block.point().state, ContactState::stick);
 }
 
-// Law: the friction of a block that lands while it slides is mu times the force that really presses, also in the very
-// first step (a rejected sticking trial must not lend its normal force). Tolerance: the 5 % at which it is renewed.
+// Also in the very first step: a rejected sticking trial must not lend its normal force. Tolerance: the 5 % at which it
+// is renewed.
 TEST(ImplicitStickTest, FrictionAtFirstTouch) {
   const ImplicitStick law;
   Block block = resting_block({});
   block.position.z = -1e-6;
   block.velocity = {1, 0, -0.2};
+  law::Worst error;
   for (int i = 0; i < 20; ++i) {
     block.step(law);
     const double f_n = block.contact_force.z;
     if (block.point().state != ContactState::slip || f_n < 0.1) continue;
-    EXPECT_NEAR(norm(tangential(block.contact_force, Vec3d{0, 0, 1})), 0.5 * f_n, 0.05 * 0.5 * f_n + 1e-12) << i;
+    error.see(std::abs(norm(tangential(block.contact_force, Vec3d{0, 0, 1})) / (0.5 * f_n) - 1), "step", i);
   }
+  expect_law(level, "block lands while it slides: relative error of the friction", "mu times the pressing force", error,
+             0.05, "");
   EXPECT_EQ(block.point().state, ContactState::slip);
 }
 
-// Law: rolling resistance is that of the spring's force k * depth, and linear in the rate after the step.
+// Of the spring's force k * depth, and linear in the rate after the step.
 TEST(ImplicitStickTest, RollingResistance) {
   const ImplicitStick law;
   ContactParameters p = parameters();
@@ -301,11 +321,12 @@ TEST(ImplicitStickTest, RollingResistance) {
   c.radius = 0.05;
   c.angular_velocity = {0, 10, 0};
   law.prepare(set);
-  EXPECT_LT(difference(c.moment, {0, -0.03 * 0.05 * 10, 0}), 1e-17);
+  expect_law(level, "rolling resistance: error of the moment", "rolling * radius * k * depth against the rotation",
+             difference(c.moment, {0, -0.03 * 0.05 * 10, 0}), 1e-17, "N m");
   EXPECT_NEAR(c.angular_damping, 0.03 * 0.05 * 10 / 10, 1e-17);
 }
 
-// Law: the cone is wider against the grain than along it, while sticking and while sliding. In numbers: mu f_n = 5 N,
+// While sticking and while sliding. In numbers: mu f_n = 5 N,
 // grain 0.2 along x, 33 N s/m of sticking: it slips at 4 N / 33 N s/m = 0.121 m/s along and 6 / 33 = 0.182 m/s against.
 TEST(ImplicitStickTest, ConeDependsOnTheGrain) {
   const ImplicitStick law;
@@ -324,14 +345,15 @@ TEST(ImplicitStickTest, ConeDependsOnTheGrain) {
   EXPECT_EQ(state_at({0, 0.152, 0}), ContactState::slip);
   EXPECT_EQ(state_at({-0.181, 0, 0}), ContactState::stick);
   EXPECT_EQ(state_at({-0.183, 0, 0}), ContactState::slip);
-  for (const auto& [v, expected] :
-       {std::pair{Vec3d{1, 0, 0}, Vec3d{-4, 0, 0}}, std::pair{Vec3d{0, 1, 0}, Vec3d{0, -5, 0}},
-        std::pair{Vec3d{-1, 0, 0}, Vec3d{6, 0, 0}}}) {
+  law::Worst error;
+  for (const auto& [v, expected] : grain_cases) {
     ContactSet set = sliding_point(v);
     set.parameters[0].grain = p.grain;
     law.prepare(set);
-    EXPECT_LT(difference(tangential(set.points[0].force, Vec3d{0, 0, 1}), expected), 1e-14);
+    error.see(difference(tangential(set.points[0].force, Vec3d{0, 0, 1}), expected), "along", v.x, v.y);
   }
+  expect_law(level, "sliding on grain 0.2 along, across and against it: error of the friction",
+             "mu (1 - grain . d) f_n against the motion", error, 1e-14, "N");
 }
 
 // Rule: every point has its own constants and its own state.

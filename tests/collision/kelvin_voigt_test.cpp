@@ -8,8 +8,9 @@ namespace murosimf::collision {
 namespace {
 
 const KelvinVoigt law;
+constexpr const char* level = "kelvin_voigt";
 
-// Law: k depth - d v_n and -kt s - ct v_t at the beginning of the step. In numbers: 10 N + 50 N s/m * 0.1 m/s, and
+// At the beginning of the step. In numbers: 10 N + 50 N s/m * 0.1 m/s, and
 // 8e3 N/m * 0.1 mm + 25 N s/m * 0.02 m/s. Tolerance: rounding.
 TEST(KelvinVoigtTest, SpringAndDamper) {
   ContactSet set = one_point(1e-3, {0.02, 0, -0.1});
@@ -17,7 +18,8 @@ TEST(KelvinVoigtTest, SpringAndDamper) {
   c.stretch = {0, 1e-4, 0};
   law.prepare(set);
   EXPECT_EQ(c.state, ContactState::stick);
-  EXPECT_LT(difference(c.force, {-0.5, -0.8, 15}), 1e-14);
+  expect_law(level, "sticking point: error of the force", "k depth - d v_n and -kt s - ct v_t",
+             difference(c.force, {-0.5, -0.8, 15}), 1e-14, "N");
 }
 
 // Rule: the law is explicit: no damping is handed to motion, and every trial is accepted as it is.
@@ -33,7 +35,8 @@ TEST(KelvinVoigtTest, IsExplicit) {
   EXPECT_EQ(c.normal_damping, 0);
   EXPECT_EQ(c.tangent_damping, 0);
   EXPECT_EQ(c.angular_damping, 0);
-  EXPECT_LT(difference(c.moment, {0, -0.03 * 0.05 * 10, 0}), 1e-17);
+  expect_law(level, "rolling resistance: error of the moment", "rolling * radius * f_n against the rotation",
+             difference(c.moment, {0, -0.03 * 0.05 * 10, 0}), 1e-17, "N m");
   const Vec3d force = c.force;
   set.next_velocity[0] = {100, 0, 100};
   EXPECT_TRUE(law.accept(set));
@@ -58,10 +61,10 @@ TEST(KelvinVoigtTest, OpensWhereItWouldPull) {
   EXPECT_EQ(norm(c.stretch), 0);
 }
 
-// Law: friction is tangential and inside the cone for any normal, velocity and memory, and on the cone it is parallel
-// to what the spring and damper would give. Tolerance: rounding of forces up to 1e2 N.
+// For any normal, velocity and memory. Tolerance: rounding of forces up to 1e2 N.
 TEST(KelvinVoigtTest, FrictionStaysInTheCone) {
   Dice dice("kelvin voigt");
+  law::Worst pressing, beyond, aside;
   int slipped = 0;
   for (int i = 0; i < 200; ++i) {
     ContactSet set = one_point(2e-3, dice.vector(0.3));
@@ -73,31 +76,35 @@ TEST(KelvinVoigtTest, FrictionStaysInTheCone) {
     const ContactParameters p = parameters();
     const double f_n = dot(c.force, c.normal);
     const Vec3d f_t = tangential(c.force, c.normal);
-    EXPECT_NEAR(f_n, p.stiffness * c.depth - p.damping * dot(c.velocity, c.normal), 1e-12);
-    EXPECT_LE(norm(f_t), p.friction * f_n + 1e-12);
+    pressing.see(std::abs(f_n - (p.stiffness * c.depth - p.damping * dot(c.velocity, c.normal))), "set", i);
+    beyond.see(norm(f_t) - p.friction * f_n, "set", i);
     const Vec3d spring = -p.tangent_stiffness * c.stretch - p.tangent_damping * tangential(c.velocity, c.normal);
-    EXPECT_LT(norm(cross(f_t, spring)), 1e-10);
+    aside.see(norm(cross(f_t, spring)), "set", i);
     EXPECT_GE(dot(f_t, spring), 0);
     slipped += c.state == ContactState::slip;
   }
+  expect_law(level, "any point: error of the force along the normal", "k depth - d v_n", pressing, 1e-12, "N");
+  expect_law(level, "any point: how far friction is out of its cone", "at most mu f_n", beyond, 1e-12, "N");
+  expect_law(level, "any point: friction times spring's force, as vectors", "parallel", aside, 1e-10, "N^2");
   EXPECT_GT(slipped, 20);
   EXPECT_LT(slipped, 180);
 }
 
-// Law: the cone is wider against the grain than along it.
+// Tolerance: rounding.
 TEST(KelvinVoigtTest, ConeDependsOnTheGrain) {
   ContactParameters p = parameters();
   p.grain = {0.2, 0, 0};
-  for (const auto& [v, expected] :
-       {std::pair{Vec3d{1, 0, 0}, Vec3d{-4, 0, 0}}, std::pair{Vec3d{0, 1, 0}, Vec3d{0, -5, 0}},
-        std::pair{Vec3d{-1, 0, 0}, Vec3d{6, 0, 0}}}) {
+  law::Worst error;
+  for (const auto& [v, expected] : grain_cases) {
     ContactSet set = one_point(1e-3, v, p);
     law.prepare(set);
-    EXPECT_LT(difference(tangential(set.points[0].force, Vec3d{0, 0, 1}), expected), 1e-14);
+    error.see(difference(tangential(set.points[0].force, Vec3d{0, 0, 1}), expected), "along", v.x, v.y);
   }
+  expect_law(level, "sliding on grain 0.2 along, across and against it: error of the friction",
+             "mu (1 - grain . d) f_n against the motion", error, 1e-14, "N");
 }
 
-// Law: memory. Sticking adds dt v_t+.
+// Tolerance: rounding.
 TEST(KelvinVoigtTest, CommitStick) {
   ContactSet set = one_point(1e-3);
   ContactPoint& c = set.points[0];
@@ -105,11 +112,11 @@ TEST(KelvinVoigtTest, CommitStick) {
   law.prepare(set);
   set.next_velocity[0] = {0.01, -0.02, 0.1};
   law.commit(set);
-  EXPECT_LT(difference(c.stretch, {1.1e-4, -0.2e-4, 0}), 1e-18);
+  expect_law(level, "memory of a sticking point: error of the stretch after one step", "grows by dt v_t",
+             difference(c.stretch, {1.1e-4, -0.2e-4, 0}), 1e-18, "m");
 }
 
-// Law: return mapping. After slipping, the spring stands where it would have given exactly the sliding force, and moves
-// on from there: a steady slide stays on the cone in every step. Tolerance: rounding.
+// The spring then moves on from there: a steady slide stays on the cone in every step. Tolerance: rounding.
 TEST(KelvinVoigtTest, CommitSlipReturnsToTheCone) {
   const ContactParameters p = parameters();
   const Vec3d v{0.3, -0.1, 0};
@@ -122,24 +129,28 @@ TEST(KelvinVoigtTest, CommitSlipReturnsToTheCone) {
   set.next_velocity[0] = v;
   law.commit(set);
   const Vec3d before = c.stretch - dt * v;
-  EXPECT_LT(difference(-p.tangent_stiffness * before - p.tangent_damping * v, friction), 1e-13);
+  expect_law(level, "memory of a sliding point: error of its force if it stuck",
+             "return mapping: -kt s - ct v_t is the sliding force",
+             difference(-p.tangent_stiffness * before - p.tangent_damping * v, friction), 1e-13, "N");
   law.prepare(set);
   EXPECT_EQ(c.state, ContactState::slip);
 }
 
-// Law: a block pushed with 0.9 of mu m g stays where its spring holds it and does not creep. Tolerance: for the place
-// the transient's rest after 4 s (decay rate ct / 2m = 12.5 /s); for the creep 1e-13 m in one second.
+// It stays where its spring holds it. Tolerance: for the place the transient's rest after 4 s (decay rate ct / 2m =
+// 12.5 /s); for the creep 1e-13 m in one second.
 TEST(KelvinVoigtTest, NoCreepBelowTheCone) {
   Block block = resting_block({4.5, 0, 0});
   for (int i = 0; i < 4000; ++i) block.step(law);
   const Vec3d place = block.position;
   for (int i = 0; i < 1000; ++i) block.step(law);
-  EXPECT_LT(difference(block.position, place), 1e-13);
+  expect_law(level, "block pushed with 0.9 mu m g: creep in 1 s", "Coulomb: it sticks",
+             difference(block.position, place), 1e-13, "m");
   EXPECT_EQ(block.point().state, ContactState::stick);
-  EXPECT_LT(difference(block.contact_force, {-4.5, 0, 10}), 1e-9);
+  expect_law(level, "block pushed with 0.9 mu m g: error of the contact force", "it balances push and weight",
+             difference(block.contact_force, {-4.5, 0, 10}), 1e-9, "N");
 }
 
-// Law: pushed with 1.4 of mu m g it slides with a = F/m - mu g, on the cone in every step.
+// It is on the cone in every step.
 TEST(KelvinVoigtTest, SlidesAboveTheCone) {
   Block block = resting_block({7, 0, 0});
   for (int i = 0; i < 500; ++i) block.step(law);
@@ -148,7 +159,8 @@ TEST(KelvinVoigtTest, SlidesAboveTheCone) {
     block.step(law);
     ASSERT_EQ(block.point().state, ContactState::slip);
   }
-  EXPECT_NEAR((block.velocity.x - before) / 0.5, 2.0, 1e-8);
+  law::expect_near({.law = "block pushed with 1.4 mu m g: acceleration", .level = level, .source = "F / m - mu g"},
+                   (block.velocity.x - before) / 0.5, 2.0, 1e-8, "m/s^2");
 }
 
 }  // namespace

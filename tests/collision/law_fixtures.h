@@ -1,8 +1,12 @@
 /// law_fixtures.h - what tests of contact laws share: one point on the ground, and a block that stands on it.
 #pragma once
 
+#include <string>
+#include <utility>
+
 #include "murosimf/collision/contact_law.h"
 #include "tests/fixtures.h"
+#include "tests/law.h"
 
 namespace murosimf::collision {
 
@@ -21,6 +25,18 @@ inline ContactParameters parameters() {
   p.theta = 1;
   return p;
 }
+
+/// One row about a contact law alone, without bodies of the simulation.
+inline void expect_law(const std::string& level, const std::string& law, const std::string& source,
+                       const law::Measured& error, double limit, const std::string& unit) {
+  law::expect_below({.law = law, .level = level, .source = source}, error, limit, unit);
+}
+
+/// Velocity [m/s] of a point that is pressed with 10 N on ground with mu = 0.5 and grain 0.2 along x, and its friction
+/// [N]: mu (1 - grain . d) f_n against the motion.
+inline const std::pair<Vec3d, Vec3d> grain_cases[] = {{{1, 0, 0}, {-4, 0, 0}},
+                                                      {{0, 1, 0}, {0, -5, 0}},
+                                                      {{-1, 0, 0}, {6, 0, 0}}};
 
 /// One point on flat ground.
 inline ContactSet one_point(double depth, const Vec3d& velocity = {}, const ContactParameters& p = parameters()) {

@@ -7,21 +7,26 @@
 namespace murosimf::collision {
 namespace {
 
-// Law: eq. (4): s_c depth n approaching, s_b s_c depth n separating; eq. (5): -s_mu |f_n| v_t and -s_nu |f_n| w. In
-// numbers: s_c = 1e4 N/m, depth 2 mm, s_b = 0.4, s_mu = 5 s/m, s_nu = 0.01 m s. Tolerance: rounding.
+constexpr const char* level = "paper";
+
+// In numbers: s_c = 1e4 N/m, depth 2 mm, s_b = 0.4, s_mu = 5 s/m, s_nu = 0.01 m s. Tolerance: rounding.
 TEST(PaperLawTest, Equations4And5) {
   const PaperLaw law({.rebound = 0.4, .friction = 5, .spin_friction = 0.01});
   ContactSet set = one_point(2e-3, {0.1, -0.2, -0.3});
   ContactPoint& c = set.points[0];
   c.angular_velocity = {1, 2, 3};
   law.prepare(set);
-  EXPECT_LT(difference(c.force, {-5 * 20 * 0.1, 5 * 20 * 0.2, 20}), 1e-14);
-  EXPECT_LT(difference(c.moment, {-0.2, -0.4, -0.6}), 1e-15);
+  expect_law(level, "approaching point: error of the force", "eq. (4), (5): s_c depth n - s_mu |f_n| v_t",
+             difference(c.force, {-5 * 20 * 0.1, 5 * 20 * 0.2, 20}), 1e-14, "N");
+  expect_law(level, "approaching point: error of the moment", "eq. (5): -s_nu |f_n| w",
+             difference(c.moment, {-0.2, -0.4, -0.6}), 1e-15, "N m");
 
   c.velocity.z = 0.3;
   law.prepare(set);
-  EXPECT_LT(difference(c.force, {-5 * 8 * 0.1, 5 * 8 * 0.2, 8}), 1e-14);
-  EXPECT_LT(difference(c.moment, {-0.08, -0.16, -0.24}), 1e-15);
+  expect_law(level, "separating point: error of the force", "eq. (4), (5): s_b s_c depth n - s_mu |f_n| v_t",
+             difference(c.force, {-5 * 8 * 0.1, 5 * 8 * 0.2, 8}), 1e-14, "N");
+  expect_law(level, "separating point: error of the moment", "eq. (5): -s_nu |f_n| w",
+             difference(c.moment, {-0.08, -0.16, -0.24}), 1e-15, "N m");
 }
 
 // Rule: the law is explicit: no damping is handed to motion, and every trial is accepted as it is.
@@ -40,19 +45,22 @@ TEST(PaperLawTest, IsExplicit) {
   EXPECT_EQ(difference(set.points[0].force, before), 0);
 }
 
-// Law: the normal may point anywhere; friction has no part along it. Tolerance: rounding of forces up to 200 N.
+// The normal may point anywhere. Tolerance: rounding of forces up to 200 N.
 TEST(PaperLawTest, FrictionIsTangential) {
   const PaperLaw law({.rebound = 0.4, .friction = 5, .spin_friction = 0.01});
   Dice dice("paper law");
+  law::Worst error;
   for (int i = 0; i < 50; ++i) {
     ContactSet set = one_point(2e-3, dice.vector(1));
     ContactPoint& c = set.points[0];
     c.normal = dice.unit();
     law.prepare(set);
     const double f_n = dot(c.velocity, c.normal) < 0 ? 20 : 8;
-    EXPECT_NEAR(dot(c.force, c.normal), f_n, 1e-13);
+    error.see(std::abs(dot(c.force, c.normal) - f_n), "normal", i);
     EXPECT_LE(dot(tangential(c.force, c.normal), c.velocity), 0);
   }
+  expect_law(level, "any normal: error of the force along it", "friction has no part along the normal", error, 1e-13,
+             "N");
 }
 
 /// Seven points of three bodies; point i has feature i.

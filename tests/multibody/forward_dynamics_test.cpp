@@ -6,6 +6,7 @@
 #include "murosimf/multibody/inverse_dynamics.h"
 #include "murosimf/multibody/kinematics.h"
 #include "tests/fixtures.h"
+#include "tests/law.h"
 
 namespace murosimf::multibody {
 namespace {
@@ -42,9 +43,10 @@ struct Case {
     link_motions<double>(tree, s.r, s.R, s.w[0], s.qd, links);
   }
 
-  /// ABA with everything in it; the result stands in `bodies`.
-  void forward() {
+  /// ABA with everything in it, and a damping on one link; the result stands in `bodies`.
+  void forward(std::size_t damped = 0, const Sym6d& damping = {}) {
     clear_loads<double>(bodies);
+    add_load(bodies[damped], Forced{}, damping);
     for (std::size_t l = 0; l < links.size(); ++l) {
       add_load(bodies[l], external[l], Sym6d{});
       bodies[l].torque = torque[l];
@@ -52,6 +54,12 @@ struct Case {
     }
     sweep_to_base<double>(tree, links, bodies);
     accelerate<double>(tree, links, bodies, solve(bodies[0].inertia, -1.0 * bodies[0].force));
+  }
+
+  [[nodiscard]] std::vector<double> joint_accelerations() const {
+    std::vector<double> result(links.size());
+    for (std::size_t l = 1; l < result.size(); ++l) result[l] = bodies[l].joint_acceleration;
+    return result;
   }
 
   struct Inverse {
@@ -93,52 +101,72 @@ struct Case {
   std::vector<double> torque, rotor, qdd;
 };
 
-template <class Check>
-void for_cases(const Check& check) {
+/// The largest error(case) in 200 states: 5 of each of 40 random trees.
+template <class Error>
+law::Worst worst_case(const Error& error) {
+  law::Worst worst;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Model model = fixtures::random_model(seed);
     for (std::uint64_t state = 1; state <= 5; ++state) {
       SCOPED_TRACE(::testing::Message() << "model " << seed << ", state " << state);
       Case c(model, 100 * seed + state);
-      check(c);
+      worst.see(error(c), "tree", seed, "state", state);
     }
   }
+  return worst;
 }
 
-// Law: inverse dynamics of the accelerations that forward dynamics finds gives back the torques, and no force
-// at the free base. Tolerance: 1e-10 of the largest force.
+/// One row about the kernels of forward and inverse dynamics.
+void expect_kernel(const std::string& level, const std::string& law, const std::string& source,
+                   const law::Measured& error, double limit) {
+  law::expect_below({.law = "random trees: " + law, .level = level, .source = source}, error, limit, "");
+}
+
+/// Larger part of the difference of two spatial vectors.
+double difference(const Motiond& a, const Motiond& b) {
+  return fixtures::largest(fixtures::difference(a.w, b.w), fixtures::difference(a.v, b.v));
+}
+double difference(const Forced& a, const Forced& b) {
+  return fixtures::largest(fixtures::difference(a.n, b.n), fixtures::difference(a.f, b.f));
+}
+
+// Tolerance: rounding, with badly conditioned trees among the 40; relative to the largest force.
 TEST(ForwardDynamics, InverseDynamicsGivesTheTorquesBack) {
-  for_cases([](Case& c) {
+  const auto error = [](Case& c) {
     c.forward();
-    std::vector<double> qdd(c.links.size());
-    for (std::size_t l = 1; l < qdd.size(); ++l) qdd[l] = c.bodies[l].joint_acceleration;
+    const std::vector<double> qdd = c.joint_accelerations();
     const auto back = c.inverse(c.bodies[0].acceleration, qdd);
-    double scale = 1;
+    double scale = 1, worst = difference(back.force[0], Forced{});
     for (const Forced& f : back.force) scale = std::max({scale, norm(f.f), norm(f.n)});
-    EXPECT_LT(norm(back.force[0].f) + norm(back.force[0].n), 1e-10 * scale);
     for (std::size_t l = 1; l < qdd.size(); ++l) {
-      EXPECT_NEAR(back.torque[l] + c.rotor[l] * qdd[l], c.torque[l], 1e-10 * scale);
+      worst = fixtures::largest(worst, std::abs(back.torque[l] + c.rotor[l] * qdd[l] - c.torque[l]));
     }
-  });
+    return worst / scale;
+  };
+  expect_kernel("articulated bodies", "relative error of the torques that the accelerations take",
+                "inverse dynamics gives the torques back, and no force at the base", worst_case(error), 1e-10);
 }
 
-// Law: inverse dynamics is linear in the accelerations, with the mass matrix as its derivative.
+// Inverse dynamics is linear in the accelerations. Tolerance: rounding.
 TEST(ForwardDynamics, MassMatrixIsTheDerivativeOfInverseDynamics) {
-  for_cases([](Case& c) {
+  const auto error = [](Case& c) {
     const Matrix M = c.mass();
+    EXPECT_LT((M - M.transpose()).norm(), 1e-15 * M.norm());
     const Vector bias = c.forces(Vector::Zero(c.size()));
+    double worst = 0;
     for (int k = 0; k < c.size(); ++k) {
       const Vector column = c.forces(Vector::Unit(c.size(), k)) - bias;
-      EXPECT_LT((column - M.col(k)).norm(), 1e-10 * M.norm());
+      worst = fixtures::largest(worst, (column - M.col(k)).norm() / M.norm());
     }
-    EXPECT_LT((M - M.transpose()).norm(), 1e-15 * M.norm());
-  });
+    return worst;
+  };
+  expect_kernel("mass matrix", "relative error of its columns", "derivative of inverse dynamics", worst_case(error),
+                1e-10);
 }
 
-// Law: with rotors on its diagonal the mass matrix is positive definite, and its Cholesky factorization gives the
-// same accelerations as the articulated bodies. Tolerance: 1e-10 times the condition that Cholesky sees.
+// Cholesky shows at the same time that the matrix, with rotors on its diagonal, is positive definite.
 TEST(ForwardDynamics, EqualsTheSolutionWithTheMassMatrix) {
-  for_cases([](Case& c) {
+  const auto error = [](Case& c) {
     c.forward();
     Matrix M = c.mass();
     Vector torque(c.size());
@@ -149,57 +177,48 @@ TEST(ForwardDynamics, EqualsTheSolutionWithTheMassMatrix) {
       torque[i] = c.torque[l];
     }
     const Eigen::LLT<Matrix> factor(M);
-    ASSERT_EQ(factor.info(), Eigen::Success);
+    EXPECT_EQ(factor.info(), Eigen::Success);
     const Vector a = factor.solve(torque - c.forces(Vector::Zero(c.size())));
-    const Motiond& base = c.bodies[0].acceleration;
-    EXPECT_LT(fixtures::difference(base.v, {a[3], a[4], a[5]}), 1e-10 * a.norm());
-    EXPECT_LT(fixtures::difference(base.w, {a[0], a[1], a[2]}), 1e-10 * a.norm());
+    double worst = difference(c.bodies[0].acceleration, {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}});
     for (std::size_t l = 1; l < c.links.size(); ++l) {
-      EXPECT_NEAR(c.bodies[l].joint_acceleration, a[5 + static_cast<int>(l)], 1e-10 * a.norm());
+      worst = fixtures::largest(worst, std::abs(c.bodies[l].joint_acceleration - a[5 + static_cast<int>(l)]));
     }
-  });
+    return worst / a.norm();
+  };
+  expect_kernel("articulated bodies", "relative error of the accelerations",
+                "Cholesky factorization of the mass matrix", worst_case(error), 1e-10);
 }
 
-// Law: eq. (3) of the paper. Given the joint accelerations that forward dynamics finds, composite inertia and
-// the force that the joints take of the base give the same base acceleration.
+// The joint accelerations are those that forward dynamics finds.
 TEST(ForwardDynamics, PrescribedJointsGiveTheSameBase) {
-  for_cases([](Case& c) {
+  const auto error = [](Case& c) {
     c.forward();
-    std::vector<double> qdd(c.links.size());
-    for (std::size_t l = 1; l < qdd.size(); ++l) qdd[l] = c.bodies[l].joint_acceleration;
     std::vector<Motiond> working(c.links.size());
-    Forced force = -1.0 * base_bias<double>(c.tree, c.links, qdd, working);
+    Forced force = -1.0 * base_bias<double>(c.tree, c.links, c.joint_accelerations(), working);
     for (const Forced& f : c.external) force += f;
     const Motiond base = solve(to_sym6(composite_inertia<double>(c.links)), force);
     const Motiond& expected = c.bodies[0].acceleration;
-    const double scale = 1 + norm(expected.w) + norm(expected.v);
-    EXPECT_LT(fixtures::difference(base.w, expected.w), 1e-10 * scale);
-    EXPECT_LT(fixtures::difference(base.v, expected.v), 1e-10 * scale);
-  });
+    return difference(base, expected) / (1 + norm(expected.w) + norm(expected.v));
+  };
+  expect_kernel("eq. (3)", "relative error of the base's acceleration, joints prescribed",
+                "articulated bodies with the same joint accelerations", worst_case(error), 1e-10);
 }
 
-// Law: a body's force f - h B a, linear in its acceleration, equals the constant force that results.
+// A body's force f - h B a. Tolerance: ten times that of the others; the damping is stiff.
 TEST(ForwardDynamics, AddedDampingIsAForceThatFollowsTheAcceleration) {
-  for_cases([](Case& c) {
+  const auto error = [](Case& c) {
     Dice dice("damping", c.links.size());
     const std::size_t l = c.links.size() - 1;
-    Sym6d damping = at_point(SymMat3d{3, 2, 1, 0.5, 0.2, 0.1}, dice.vector(0.3));
-    clear_loads<double>(c.bodies);
-    add_load(c.bodies[l], Forced{}, damping);
-    for (std::size_t i = 0; i < c.links.size(); ++i) {
-      c.bodies[i].torque = c.torque[i];
-      c.bodies[i].added_inertia = c.rotor[i];
-    }
-    sweep_to_base<double>(c.tree, c.links, c.bodies);
-    accelerate<double>(c.tree, c.links, c.bodies, solve(c.bodies[0].inertia, -1.0 * c.bodies[0].force));
+    const Sym6d damping = at_point(SymMat3d{3, 2, 1, 0.5, 0.2, 0.1}, dice.vector(0.3));
+    c.external.assign(c.links.size(), Forced{});
+    c.forward(l, damping);
     const Motiond base = c.bodies[0].acceleration;
-    std::fill(c.external.begin(), c.external.end(), Forced{});
     c.external[l] = -1.0 * (damping * c.bodies[l].acceleration);
     c.forward();
-    const double scale = 1 + norm(base.w) + norm(base.v);
-    EXPECT_LT(fixtures::difference(base.w, c.bodies[0].acceleration.w), 1e-9 * scale);
-    EXPECT_LT(fixtures::difference(base.v, c.bodies[0].acceleration.v), 1e-9 * scale);
-  });
+    return difference(base, c.bodies[0].acceleration) / (1 + norm(base.w) + norm(base.v));
+  };
+  expect_kernel("articulated bodies", "relative error of the base's acceleration, one body damped",
+                "the constant force that results", worst_case(error), 1e-9);
 }
 
 /// Momentum about the base's origin from poses and velocities of the links, by sums of point masses and inertias.
@@ -214,21 +233,25 @@ Forced momentum_by_sums(const Model& model, const State<double>& s) {
   return sum;
 }
 
-// Law: momentum is the sum over the bodies; the force at the base is its rate of change. The base here turns uniformly
-// and its origin rests, the joints run uniformly; the rate is a central difference over 2 * 0.1 ms (error of the
-// order of 1e-8 of the third derivative).
-TEST(LinkMotion, BiasForceIsTheRateOfMomentum) {
-  for_cases([](Case& c) {
+// Tolerance: rounding.
+TEST(LinkMotion, MomentumIsTheSumOverTheBodies) {
+  const auto error = [](Case& c) {
     State<double>& s = c.state;
     s.v[0] = {};
     velocities<double>(c.tree, s.qd, s.r, s.R, s.v, s.w);
-    const Forced now = momentum<double>(c.links);
     const Forced sums = momentum_by_sums(c.model, s);
-    const double scale = 1 + norm(sums.n) + norm(sums.f);
-    EXPECT_LT(fixtures::difference(now.n, sums.n), 1e-12 * scale);
-    EXPECT_LT(fixtures::difference(now.f, sums.f), 1e-12 * scale);
+    return difference(momentum<double>(c.links), sums) / (1 + norm(sums.n) + norm(sums.f));
+  };
+  expect_kernel("link motion", "relative error of the momentum", "sum over the bodies", worst_case(error), 1e-12);
+}
 
-    constexpr double h = 1e-4;
+// The base here turns uniformly and its origin rests, the joints run uniformly; the rate is a central difference over
+// 2 * 0.1 ms (error of the order of 1e-8 of the third derivative).
+TEST(LinkMotion, BiasForceIsTheRateOfMomentum) {
+  constexpr double h = 1e-4;
+  const auto error = [](Case& c) {
+    State<double>& s = c.state;
+    s.v[0] = {};
     Forced change;
     for (const double sign : {-1.0, 1.0}) {
       State<double> t = s;
@@ -240,27 +263,38 @@ TEST(LinkMotion, BiasForceIsTheRateOfMomentum) {
     }
     std::vector<Motiond> working(c.links.size());
     const Forced bias = base_bias<double>(c.tree, c.links, std::vector<double>(c.links.size()), working);
-    const double size = 1 + norm(change.n) + norm(change.f);
-    EXPECT_LT(fixtures::difference(bias.n, change.n), 1e-4 * size);
-    EXPECT_LT(fixtures::difference(bias.f, change.f), 1e-4 * size);
-  });
+    return difference(bias, change) / (1 + norm(change.n) + norm(change.f));
+  };
+  expect_kernel("link motion", "relative error of the force at a base that moves uniformly",
+                "central differences of the momentum", worst_case(error), 1e-4);
 }
 
-// Law: kinetic energy is half of momentum times velocity, and for a moving base it gains P v0 + m v0^2 / 2.
+// For a moving base it gains P v0 + m v0^2 / 2. Tolerance: rounding.
 TEST(LinkMotion, KineticEnergyIsTheQuadraticFormOfTheMassMatrix) {
-  for_cases([](Case& c) {
+  const auto error = [](Case& c) {
     Vector v(c.size());
     const State<double>& s = c.state;
     v.head<6>() << s.w[0].x, s.w[0].y, s.w[0].z, s.v[0].x, s.v[0].y, s.v[0].z;
     for (std::size_t l = 1; l < c.links.size(); ++l) v[5 + static_cast<int>(l)] = s.qd[c.tree.links[l].object];
     const double expected = 0.5 * v.dot(c.mass() * v);
-    EXPECT_NEAR(kinetic_energy<double>(c.links, s.v[0]), expected, 1e-12 * expected);
+    return std::abs(kinetic_energy<double>(c.links, s.v[0]) / expected - 1);
+  };
+  expect_kernel("link motion", "relative error of the kinetic energy", "v M v / 2", worst_case(error), 1e-12);
+}
+
+TEST(LinkMotion, PotentialEnergyIsTheSumOverTheBodies) {
+  const auto error = [](Case& c) {
+    const State<double>& s = c.state;
     double potential = 0;
     for (const Link& link : c.tree.links) {
       potential += 9.81 * link.mass * (s.r[link.object] + s.R[link.object] * link.com).z;
     }
-    EXPECT_NEAR(potential_energy<double>(c.links, s.r[0], {0, 0, -9.81}), potential, 1e-10);
-  });
+    return std::abs(potential_energy<double>(c.links, s.r[0], {0, 0, -9.81}) - potential);
+  };
+  law::expect_below({.law = "random trees: error of the potential energy",
+                     .level = "link motion",
+                     .source = "sum of m g z over the bodies"},
+                    worst_case(error), 1e-10, "J");
 }
 
 }  // namespace

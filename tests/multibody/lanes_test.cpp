@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/math/pack.h"
+#include "murosimf/multibody/articulated_body.h"
 #include "murosimf/multibody/integrate.h"
+#include "murosimf/multibody/inverse_dynamics.h"
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/multibody/mass.h"
 #include "tests/fixtures.h"
@@ -40,6 +42,29 @@ void numbers(Motion<S>& m, const Visit& visit) {
   numbers(m.w, visit), numbers(m.v, visit);
 }
 template <class S, class Visit>
+void numbers(Force<S>& f, const Visit& visit) {
+  numbers(f.n, visit), numbers(f.f, visit);
+}
+template <class S, class Visit>
+void numbers(Sym6<S>& m, const Visit& visit) {
+  numbers(m.J, visit), numbers(m.H, visit), numbers(m.M, visit);
+}
+/// The mass is the model's, not the robot's.
+template <class S, class Visit>
+void numbers(RigidInertia<S>& I, const Visit& visit) {
+  numbers(I.first, visit), numbers(I.second, visit);
+}
+template <class S, class Visit>
+void numbers(LinkMotion<S>& l, const Visit& visit) {
+  numbers(l.axis, visit), numbers(l.velocity, visit), numbers(l.bias, visit);
+  numbers(l.inertia, visit), numbers(l.bias_force, visit);
+}
+template <class S, class Visit>
+void numbers(ArticulatedLink<S>& l, const Visit& visit) {
+  numbers(l.inertia, visit), numbers(l.force, visit), visit(l.torque), visit(l.added_inertia);
+  numbers(l.U, visit), visit(l.inverse_D), visit(l.u), numbers(l.acceleration, visit), visit(l.joint_acceleration);
+}
+template <class S, class Visit>
 void numbers(Pose<S>& p, const Visit& visit) {
   numbers(p.r, visit), numbers(p.R, visit);
 }
@@ -53,13 +78,60 @@ void numbers(FreeBody<S>& b, const Visit& visit) {
   visit(b.turn.w), visit(b.turn.x), visit(b.turn.y), visit(b.turn.z);
 }
 
+/// What the kernels of dynamics take and give besides the robot's state; one row per link.
+template <class S>
+struct Dynamics {
+  explicit Dynamics(std::size_t count)
+      : qdd(count),
+        external(count),
+        damping(count),
+        links(count),
+        bodies(count),
+        force(count),
+        torque(count),
+        joint_motion(count) {}
+
+  std::vector<S> qdd;
+  std::vector<Force<S>> external;
+  std::vector<Sym6<S>> damping;
+  Motion<S> base;
+  // results
+  std::vector<LinkMotion<S>> links;
+  std::vector<ArticulatedLink<S>> bodies;  // torque and added_inertia are given
+  std::vector<Force<S>> force;
+  std::vector<S> torque;
+  std::vector<Motion<S>> joint_motion;
+  RigidInertia<S> composite;
+  Force<S> bias, momentum;
+  Vec3<S> linear_momentum;
+  S kinetic{}, potential{};
+
+  template <class Visit>
+  void all(const Visit& visit) {
+    const auto rows = [&](auto&... columns) {
+      const auto column = [&](auto& x) {
+        for (auto& row : x) numbers(row, visit);
+      };
+      (column(columns), ...);
+    };
+    rows(qdd, external, damping, links, bodies, force, torque, joint_motion);
+    numbers(base, visit), numbers(composite, visit), numbers(bias, visit), numbers(momentum, visit);
+    numbers(linear_momentum, visit), visit(kinetic), visit(potential);
+  }
+};
+
 /// Everything that the kernels take and give.
 template <class S>
 struct Robot {
   explicit Robot(const Model& model)
-      : state(model.size()), in_base(state.q.size()), twist(state.q.size()), shifted(state.r) {}
+      : state(model.size()),
+        dynamics(model.tree().links.size()),
+        in_base(state.q.size()),
+        twist(state.q.size()),
+        shifted(state.r) {}
 
   State<S> state;
+  Dynamics<S> dynamics;
   FreeBody<S> body;
   Motion<S> acceleration;
   Vec3<S> shift;
@@ -81,6 +153,7 @@ struct Robot {
     for (auto& x : twist) numbers(x, visit);
     for (auto& x : shifted) numbers(x, visit);
     numbers(body, visit), numbers(acceleration, visit), numbers(shift, visit), numbers(common, visit);
+    dynamics.all(visit);
   }
 };
 
@@ -90,12 +163,26 @@ std::vector<double> row_of_numbers(Robot<double>& robot) {
   return row;
 }
 
+Dynamics<double> random_dynamics(std::size_t links, Dice& dice) {
+  Dynamics<double> d(links);
+  d.base = {dice.vector(5), dice.vector(5)};
+  for (std::size_t l = 0; l < links; ++l) {
+    d.qdd[l] = l == 0 ? 0 : dice.uniform(-20, 20);
+    d.external[l] = {dice.vector(1), dice.vector(10)};
+    d.damping[l] = at_point(dice.inertia(1), dice.vector(0.3));
+    d.bodies[l].torque = dice.uniform(-5, 5);
+    d.bodies[l].added_inertia = dice.uniform(0.001, 0.02);
+  }
+  return d;
+}
+
 Robot<double> random_robot(const Model& model, Dice& dice) {
   Robot<double> robot(model);
   robot.state = fixtures::random_state(model, dice);
   robot.body = {dice.vector(1), dice.vector(1), dice.quaternion(), dice.vector(5)};
   robot.acceleration = {dice.vector(20), dice.vector(20)};
   robot.shift = dice.vector(1);
+  robot.dynamics = random_dynamics(model.tree().links.size(), dice);
   return robot;
 }
 
@@ -105,7 +192,28 @@ std::vector<int> path_to(const Tree& tree, int link) {
   return path;
 }
 
-/// Every kernel of the folder once, the free body for a hundred steps.
+template <class S>
+void run_inverse_dynamics(const Tree& tree, const State<S>& s, Dynamics<S>& d) {
+  const std::span<const LinkMotion<S>> links(d.links);
+  d.composite = composite_inertia<S>(links);
+  d.momentum = momentum<S>(links);
+  d.linear_momentum = linear_momentum<S>(links);
+  d.kinetic = kinetic_energy<S>(links, s.v[0]);
+  d.potential = potential_energy<S>(links, s.r[0], {0, 0, -9.81});
+  inverse_dynamics<S>(tree, links, d.base, d.qdd, d.external, d.force, d.torque);
+  d.bias = base_bias<S>(tree, links, d.qdd, d.joint_motion);
+}
+
+/// Loads on every other link; the others show what a link without loads does.
+template <class S>
+void run_forward_dynamics(const Tree& tree, Dynamics<S>& d) {
+  clear_loads<S>(d.bodies);
+  for (std::size_t l = 0; l < d.bodies.size(); l += 2) add_load(d.bodies[l], d.external[l], d.damping[l]);
+  sweep_to_base<S>(tree, d.links, d.bodies);
+  accelerate<S>(tree, d.links, d.bodies, solve(d.bodies[0].inertia, -1.0 * d.bodies[0].force));
+}
+
+/// Every kernel of the folder once (mass_matrix, which has no lanes, excepted), the free body for a hundred steps.
 template <class S>
 void run_kernels(const Model& model, Robot<S>& robot) {
   const Tree& tree = model.tree();
@@ -123,6 +231,9 @@ void run_kernels(const Model& model, Robot<S>& robot) {
   robot.common = common_body<S>(tree, r, R, v, w);
   robot.shifted = s.r;
   shift_all<S>(robot.shifted, robot.shift);
+  link_motions<S>(tree, r, R, s.w[0], qd, robot.dynamics.links);
+  run_inverse_dynamics(tree, s, robot.dynamics);
+  run_forward_dynamics(tree, robot.dynamics);
   for (int i = 0; i < 100; ++i) advance<S>(robot.body, robot.acceleration, 1e-3);
 }
 
@@ -200,6 +311,7 @@ TEST_P(LanesOf, BadNumbersStayInTheirLane) {
     }
     EXPECT_TRUE(std::isnan(pack.common.center.y.lane(bad)));
     EXPECT_TRUE(std::isnan(pack.body.turn.w.lane(bad)));
+    EXPECT_TRUE(std::isnan(pack.dynamics.bodies[0].acceleration.v.x.lane(bad)));
   }
   law::expect_equal({.law =
                          "robots in lanes, NaN in one: numbers of the others that differ from those of the robot alone",

@@ -1,7 +1,10 @@
 // A box on a slope: laws with a cone of friction stick and slide, laws without one creep.
+#include <gtest/gtest.h>
+
 #include <functional>
 
 #include "murosimf/collision/paper_law.h"
+#include "tests/law.h"
 #include "tests/physics/rig.h"
 
 namespace murosimf::test {
@@ -27,40 +30,54 @@ Slope let_go(const LevelAndLaw& names, double slope, const Surface& ground, cons
   return {(Rig::velocity(box).x - before) / 0.5, norm(Rig::velocity(box))};
 }
 
-/// Coulomb friction holds up to atan(mu) and slides beyond with g (sin a - mu cos a). Limits: 0.2 degrees; 1e-6 m/s is
-/// standing, 0.005 m/s^2 is 0.05 % of gravity.
-void expect_friction(double mu, const std::function<Slope(double slope)>& let_go) {
-  EXPECT_LT(let_go(std::atan(mu) - 0.2 * degree).speed, 1e-6) << "friction " << mu;
+/// Coulomb friction holds up to atan(mu) and slides beyond. Limits: 0.2 degrees; 1e-6 m/s is standing, 0.005 m/s^2 is
+/// 0.05 % of gravity.
+void expect_friction(const LevelAndLaw& names, const std::string& ground, double mu,
+                     const std::function<Slope(double slope)>& let_go) {
+  law::expect_below({.law = "box on a slope, " + ground + ", 0.2 degrees below the friction angle: speed after 1 s",
+                     .level = words_of(names),
+                     .source = "it sticks up to atan(mu)"},
+                    let_go(std::atan(mu) - 0.2 * degree).speed, 1e-6, "m/s");
+  law::Worst error;
   for (const double above : {0.2, 1.5, 5.5, 13.5}) {
     const double slope = std::atan(mu) + above * degree;
-    EXPECT_NEAR(let_go(slope).acceleration, g * (std::sin(slope) - mu * std::cos(slope)), 0.005)
-        << "friction " << mu << ", " << above << " degrees above";
+    const double expected = g * (std::sin(slope) - mu * std::cos(slope));
+    error.see(std::abs(let_go(slope).acceleration - expected), above, "degrees above");
   }
+  law::expect_below({.law = "box on a slope, " + ground + ", above the friction angle: error of its acceleration",
+                     .level = words_of(names),
+                     .source = "g (sin a - mu cos a)"},
+                    error, 0.005, "m/s^2");
 }
 
 TEST_P(Coulomb, SticksBelowTheFrictionAngleAndSlidesAbove) {
   const Surface surface{"", 0.5};
-  expect_friction(0.5, [&](double slope) { return let_go(GetParam(), slope, surface, surface); });
+  expect_friction(GetParam(), "mu = 0.5", 0.5,
+                  [&](double slope) { return let_go(GetParam(), slope, surface, surface); });
 }
 
-// Law: at rest the ground carries exactly the weight, now and not only on the average.
+// Now and not only on the average.
 TEST_P(Coulomb, BoxComesToRest) {
   Rig rig;
   Entity& box = rig.add("box", box_model());
   rig.attach_dynamics(box, dynamics(GetParam()));
   rig.run(2.0);
-  EXPECT_NEAR(box.base().get(properties::external_force).f.z, 4.3 * g, 1e-3 * 4.3 * g);
-  EXPECT_LT(norm(Rig::velocity(box)), 1e-9);
+  law::expect_near({.law = "box at rest: ground force after 2 s",
+                    .level = words_of(GetParam()),
+                    .source = "its weight"},
+                   box.base().get(properties::external_force).f.z, 4.3 * g, 1e-3 * 4.3 * g, "N");
+  law::expect_below({.law = "box at rest: speed after 2 s", .level = words_of(GetParam()), .source = "it rests"},
+                    norm(Rig::velocity(box)), 1e-9, "m/s");
 }
 
-// Law: on grass friction is mu (1 - g) along the pile, mu across it and mu (1 + g) against it.
+// On grass friction is mu (1 - g) along the pile, mu across it and mu (1 + g) against it.
 TEST_P(Coulomb, GrassHoldsBestAgainstItsGrain) {
   const PairSurface pair = MaterialTable::standard().find({"rubber", 0}, {"grass", 0});
   ASSERT_GT(pair.grain_effect, 0.1);
   for (const auto& [grain, factor] : {std::pair{Vec3d{2, 0, 0}, 1 - pair.grain_effect}, std::pair{Vec3d{0, 1, 0}, 1.0},
                                       std::pair{Vec3d{-1, 0, 0}, 1 + pair.grain_effect}}) {
     const Surface grass{"grass", 0, grain};
-    expect_friction(factor * pair.friction, [&](double slope) {
+    expect_friction(GetParam(), "grass", factor * pair.friction, [&](double slope) {
       return let_go(GetParam(), slope, grass, {"rubber", 0});
     });
   }
@@ -84,15 +101,18 @@ double sliding_distance(const LevelAndLaw& names, double mu, double rate_hz) {
   return farthest - start;
 }
 
-// Law: a sliding box stops after v^2 / (2 mu g). Semi-implicit Euler loses v dt / 2 of it, 0.5 % at 1 ms; what is left
-// must be under 0.5 %, and shorter steps must come nearer.
+// Semi-implicit Euler loses v dt / 2 of it, 0.5 % at 1 ms; what is left must be under 0.5 %, and shorter steps must come
+// nearer.
 TEST_P(Coulomb, StopsAfterTheRightDistance) {
   const double mu = 0.5;
   const double exact = 1 / (2 * mu * g);
   const double at_1_ms = sliding_distance(GetParam(), mu, 1000);
   const double at_half_ms = sliding_distance(GetParam(), mu, 2000);
-  EXPECT_NEAR(at_1_ms, exact - 0.5e-3, 0.005 * exact);
-  EXPECT_NEAR(at_half_ms, exact, 0.005 * exact);
+  const std::string law = "box slides to rest from 1 m/s: way, with steps of ";
+  law::expect_near({.law = law + "1 ms", .level = words_of(GetParam()), .source = "v^2 / (2 mu g) less v dt / 2"},
+                   at_1_ms, exact - 0.5e-3, 0.005 * exact, "m");
+  law::expect_near({.law = law + "0.5 ms", .level = words_of(GetParam()), .source = "v^2 / (2 mu g)"}, at_half_ms,
+                   exact, 0.005 * exact, "m");
   EXPECT_LT(std::abs(at_half_ms - exact), std::abs(at_1_ms - exact));
 }
 
@@ -105,10 +125,11 @@ LawPtr paper_law(const std::string& name, double s_mu) {
       collision::PaperLawOptions{.friction = s_mu, .one_point_per_body = name == "paper"});
 }
 
-// Law: under the paper's viscous friction (eq. 5) everything creeps down a slope with tan(a)/s_mu; 2 %.
+// 2 %.
 TEST_P(Viscous, CreepsDownTheSlope) {
   const auto& [level, law] = GetParam();
   const double slope = 3 * degree;
+  law::Worst error;
   for (const double s_mu : {1.0, 3.0, 5.0}) {
     Rig rig(0.8, slope);
     Entity& box = rig.add("box", box_model());
@@ -117,8 +138,12 @@ TEST_P(Viscous, CreepsDownTheSlope) {
     const double before = Rig::place(box).x;
     rig.run(6.0);
     const double creep = (Rig::place(box).x - before) / 6.0;
-    EXPECT_NEAR(creep, std::tan(slope) / s_mu, 0.02 * std::tan(slope) / s_mu) << "s_mu " << s_mu;
+    error.see(std::abs(creep / (std::tan(slope) / s_mu) - 1), "s_mu", s_mu);
   }
+  law::expect_below({.law = "box on a slope of 3 degrees: relative error of its creep",
+                     .level = words_of(GetParam()),
+                     .source = "viscous friction, eq. (5): tan(a) / s_mu"},
+                    error, 0.02, "");
 }
 
 }  // namespace

@@ -86,8 +86,8 @@ struct Flight {
     rig.simulation.world().gravity = {};
     robot = &rig.add("robot", std::make_shared<const Model>(fixtures::two_legged()), {.position = {0, 0, 1}});
     Dynamics dynamics{.level = level, .law = law_named("kelvin_voigt"), .on_ground = false};
-    dynamics.options.integrator = integrator;
-    dynamics.options.momentum_correction = false;
+    dynamics.tree.integrator = integrator;
+    dynamics.tree.momentum_correction = false;
     rig.attach_dynamics(*robot, dynamics);
     rig.simulation.initialize();
     for (const char* name : {"left_hip_pitch", "right_hip_roll", "right_knee"}) {
@@ -132,7 +132,7 @@ TEST(RungeKutta, RefusesAnImplicitContactLaw) {
   Rig rig;
   Entity& robot = rig.add("robot", kid21());
   Dynamics dynamics{.level = "articulated_dynamics"};
-  dynamics.options.integrator = Integrator::rk4;
+  dynamics.tree.integrator = Integrator::rk4;
   rig.attach_dynamics(robot, dynamics);
   EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { rig.simulation.initialize(); }),
                              {"articulated_dynamics of robot", "rk4", "explicit contact law"}));

@@ -1,5 +1,7 @@
 // A robot walks under every contact law and at every dynamic level.
-#include "tests/physics/rig.h"
+#include <gtest/gtest.h>
+
+#include "tests/physics/walk.h"
 
 namespace murosimf::test {
 namespace {
@@ -11,15 +13,15 @@ INSTANTIATE_TEST_SUITE_P(Contact, Walker,
 // 18 s at 0.2 m/s: no fall, and within 15 % of the commanded way (ramp at the start, attenuation by the joints, and the
 // slip that viscous friction has).
 TEST_P(Walker, GetsWhereItIsTold) {
-  Rig rig;
-  Entity& robot = rig.add("robot", kid21());
-  rig.simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, Vec3d{0.2, 0, 0});
-  rig.attach_dynamics(robot, dynamics(GetParam()));
-  rig.simulation.initialize();
-  const double start = Rig::place(robot).x;
-  rig.run(18.0);
-  EXPECT_GT(robot.base().get(properties::orientation).z.z, std::cos(10 * degree));
-  EXPECT_NEAR(Rig::place(robot).x - start, 0.2 * 18, 0.15 * 0.2 * 18);
+  const Walk result = walk({dynamics(GetParam()), {0.2, 0, 0}});
+  law::expect_below({.law = "walk forward with 0.2 m/s: largest lean of the pelvis in 18 s",
+                     .level = words_of(GetParam()),
+                     .source = "it does not fall"},
+                    result.lean, 10, "deg");
+  law::expect_near({.law = "walk forward with 0.2 m/s: way in 18 s",
+                    .level = words_of(GetParam()),
+                    .source = "the commanded speed times time"},
+                   result.moved.x, 0.2 * 18, 0.15 * 0.2 * 18, "m");
 }
 
 }  // namespace

@@ -16,6 +16,8 @@
 #include "murosimf/io/ball.h"
 #include "murosimf/io/mjcf_reader.h"
 #include "murosimf/io/registry.h"
+#include "murosimf/motion/articulated_dynamics.h"
+#include "murosimf/motion/full_dynamics.h"
 #include "murosimf/motion/kinematic_walking.h"
 #include "murosimf/motion/odometer.h"
 #include "murosimf/runtime/simulation.h"
@@ -25,6 +27,10 @@ namespace murosimf::test {
 inline constexpr double g = 9.81;           // [m/s^2]
 inline constexpr double degree = pi / 180;  // [rad]
 
+/// Every level.
+inline std::vector<std::string> all_levels() {
+  return {"kinematic_walking", "simplified_dynamics", "full_dynamics", "articulated_dynamics"};
+}
 /// Levels at which forces move an entity: every law of contact is tested at each of them.
 inline std::vector<std::string> dynamic_levels() {
   return {"simplified_dynamics", "full_dynamics", "articulated_dynamics"};
@@ -43,12 +49,13 @@ inline auto at_every_level(const std::vector<std::string>& laws) {
   return testing::Combine(testing::ValuesIn(dynamic_levels()), testing::ValuesIn(laws));
 }
 
-/// How an entity moves in a rig. `law`: null for implicit_stick.
+/// How an entity moves in a rig. `law`: null for implicit_stick. `tree`: for the levels that have links.
 struct Dynamics {
   std::string level = dynamic_levels().front();
   LawPtr law;
   bool on_ground = true;
   io::LevelOptions options;
+  motion::MovingTreeOptions tree;
 };
 
 /// The test's level and law.
@@ -56,8 +63,13 @@ inline Dynamics dynamics(const LevelAndLaw& names) {
   return {.level = std::get<0>(names), .law = law_named(std::get<1>(names))};
 }
 inline std::string name_of(const LevelAndLaw& names) { return std::get<0>(names) + "_" + std::get<1>(names); }
+/// The level of a statement: "simplified_dynamics, paper".
+inline std::string words_of(const LevelAndLaw& names) { return std::get<0>(names) + ", " + std::get<1>(names); }
 /// The last part of the test's name: "simplified_dynamics_paper".
 inline std::string test_name(const testing::TestParamInfo<LevelAndLaw>& info) { return name_of(info.param); }
+
+/// The last part of the name of a test whose parameter is a level.
+inline std::string level_name(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
 /// A world with a ground plane of some surface or friction, and gravity turned by `slope` [rad] about y, so that
 /// things slide towards +x.
@@ -81,14 +93,17 @@ struct Rig {
 
   void attach_dynamics(Entity& entity, const Dynamics& dynamics = {}) {
     attach_ground(entity, dynamics);
-    attach_motion(entity, dynamics);
+    attach_level(entity, dynamics);
   }
   void attach_ground(Entity& entity, const Dynamics& dynamics) {
     simulation.attach<collision::GroundContact>("ground_contact", entity, rate, dynamics.on_ground ? ground : nullptr,
                                                 dynamics.law ? dynamics.law : law_named("implicit_stick"), materials);
   }
+
+  /// Any level; kinematic_walking without contact.
   void attach_motion(Entity& entity, const Dynamics& dynamics) {
-    io::find_entry(io::levels(), "level", dynamics.level).attach(simulation, entity, rate, dynamics.options);
+    if (dynamics.level == "kinematic_walking") return attach_level(entity, dynamics);
+    attach_dynamics(entity, dynamics);
   }
 
   /// Entities that touch each other: the ground, then `body_contact`, then how each of them moves.
@@ -103,7 +118,7 @@ struct Rig {
       if (io::find_entry(io::levels(), "level", dynamics.level).dynamic) attach_ground(*entity, dynamics);
     }
     simulation.attach<collision::BodyContact>("body_contact", *ground, rate, movers, materials, options);
-    for (const auto& [entity, dynamics] : all) attach_motion(*entity, dynamics);
+    for (const auto& [entity, dynamics] : all) attach_level(*entity, dynamics);
   }
 
   void run(double s) { simulation.run(from_seconds(s)); }
@@ -121,6 +136,13 @@ struct Rig {
   MaterialTable materials;
   Entity* ground = nullptr;
   double rate;
+
+ private:
+  void attach_level(Entity& entity, const Dynamics& dynamics) {
+    io::LevelOptions options = dynamics.options;
+    options.tree = dynamics.tree;
+    io::find_entry(io::levels(), "level", dynamics.level).attach(simulation, entity, rate, options);
+  }
 };
 
 /// A box of 4.3 kg, 0.30 x 0.20 x 0.10 m.

@@ -47,22 +47,18 @@ TEST(Freezing, BadTargetsFreezeOneRobotOnly) {
 }
 
 /// Sets one joint target far beyond anything sensible, but finite.
-TEST(Freezing, AbsurdTargetsFreezeAtBothLevels) {
-  for (const bool kinematic : {true, false}) {
+TEST(Freezing, AbsurdTargetsFreezeAtEveryLevel) {
+  for (const std::string& level : all_levels()) {
     Rig rig;
     Entity& robot = rig.add("robot", kid21());
-    if (kinematic) {
-      rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
-    } else {
-      rig.attach_dynamics(robot);
-    }
+    rig.attach_motion(robot, {.level = level});
     rig.run(0.1);
     const Vec3d place = Rig::place(robot);
     robot.object("j_l_shin").set(properties::joint_target, 1e300);
     rig.run(0.1);
     EXPECT_TRUE(robot.frozen());
     law::expect_below({.law = "absurd joint target freezes the robot: jump of its base",
-                       .level = kinematic ? "kinematic_walking" : "simplified_dynamics",
+                       .level = level,
                        .source = "it stays where it was"},
                       norm(Rig::place(robot) - place), 1e-3, "m");
   }
@@ -155,16 +151,24 @@ std::uint64_t hash_of(int threads, std::uint64_t seed, const std::vector<std::st
   return scene.simulation().state_hash();
 }
 
-// The same scene and seed give the same state, bit for bit, on every run and for any number of threads.
-TEST(Determinism, HashDependsOnTheSeedOnly) {
-  const std::uint64_t one = hash_of(1, 7);
+/// On every run and for any number of threads, bit for bit.
+void expect_one_hash(const std::string& levels, const std::vector<std::string>& overrides) {
+  const std::uint64_t one = hash_of(1, 7, overrides);
   law::Worst differs;
-  for (const int threads : {1, 2, 3}) differs.see(hash_of(threads, 7) == one ? 0 : 1, threads, "threads");
+  for (const int threads : {1, 2, 3}) differs.see(hash_of(threads, 7, overrides) == one ? 0 : 1, threads, "threads");
   law::expect_equal({.law = "same scene and seed, other runs with 1, 2 and 3 threads: different states",
-                     .level = "three kinematic_walking against three simplified_dynamics",
+                     .level = levels,
                      .source = "the same state hash"},
                     differs, 0, "");
-  EXPECT_NE(hash_of(1, 8), one);
+  EXPECT_NE(hash_of(1, 8, overrides), one);
+}
+
+TEST(Determinism, HashDependsOnTheSeedOnly) {
+  expect_one_hash("three kinematic_walking against three simplified_dynamics", {});
+}
+TEST(Determinism, HashDependsOnTheSeedOnlyWithLinks) {
+  expect_one_hash("three full_dynamics against three articulated_dynamics",
+                  {"red.*.level=full_dynamics", "blue.*.level=articulated_dynamics"});
 }
 
 // Adding a robot changes nobody else's start: jitter comes from streams named by robot, not drawn one by one.
