@@ -124,7 +124,6 @@ void GroundContact::remember() {
     c.state = old->state;
     c.last_normal_force = old->last_normal_force;
     c.slip_direction = old->slip_direction;
-    c.force = old->force;
   }
 }
 

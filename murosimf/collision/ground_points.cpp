@@ -91,14 +91,13 @@ void find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d&
   const auto emit = [&](std::uint32_t feature, const Vec3d& point, double radius) {
     const double depth = plane.height - dot(plane.normal, point);
     if (depth <= 0) return;
-    ContactPoint c;
+    ContactPoint& c = found.emplace_back();
     c.object = shape.object;
     c.feature = shape.first_feature + feature;
     c.point = point;
     c.normal = plane.normal;
     c.depth = depth;
     c.radius = radius;
-    found.push_back(c);
   };
   std::visit([&](const auto& s) { points(s, emit); }, shape.placed.shape);
 }

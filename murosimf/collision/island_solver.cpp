@@ -79,8 +79,9 @@ void IslandSolver::add(ContactPoint& point, const ContactParameters& p, const Si
   c.wish_1 = dot(spring, c.frame[1]);
   c.wish_2 = dot(spring, c.frame[2]);
   c.lambda = {};
-  change(c, 0, std::max(0.0, dt_ * dot(point.force, c.frame[0])));
-  for (int i = 1; i < 3; ++i) change(c, i, dt_ * dot(point.force, c.frame[i]));
+  // start from the memory of the step before: its normal force, and what the spring holds
+  change(c, 0, dt_ * point.last_normal_force);
+  for (int i = 1; i < 3; ++i) change(c, i, -dt_ * p.tangent_stiffness * dot(point.stretch, c.frame[i]));
 }
 
 double IslandSolver::velocity(const Contact& c, int row) const noexcept {
@@ -108,19 +109,33 @@ void IslandSolver::solve(Contact& c) noexcept {
   const double rest = velocity(c, 0) + c.R_n * c.lambda[0] - c.wish_n;
   change(c, 0, std::max(0.0, c.lambda[0] - rest / (c.W_n + c.R_n)));
 
+  solve_friction(c);
+}
+
+void IslandSolver::solve_friction(Contact& c) noexcept {
   const double r1 = velocity(c, 1) + c.R_t * c.lambda[1] - c.wish_1;
   const double r2 = velocity(c, 2) + c.R_t * c.lambda[2] - c.wish_2;
   const double a = c.W_11 + c.R_t, b = c.W_12, d = c.W_22 + c.R_t;
   const double determinant = a * d - b * b;
   double l1 = c.lambda[1] - (d * r1 - b * r2) / determinant;
   double l2 = c.lambda[2] - (a * r2 - b * r1) / determinant;
-  const double size = std::hypot(l1, l2);
-  const Vec3d sliding = sliding_direction(l1 * c.frame[1] + l2 * c.frame[2], size);
-  const double limit = friction_limit(*c.parameters, c.lambda[0], sliding);
-  c.point->state = c.lambda[0] <= 0 ? ContactState::open : size > limit ? ContactState::slip : ContactState::stick;
-  if (size > limit) {
-    l1 *= limit / size;
-    l2 *= limit / size;
+  const auto limit = [&] {
+    const double size = std::hypot(l1, l2);
+    return friction_limit(*c.parameters, c.lambda[0], sliding_direction(l1 * c.frame[1] + l2 * c.frame[2], size)) /
+           size;
+  };
+  c.point->state = c.lambda[0] > 0 ? ContactState::stick : ContactState::open;
+  if (c.lambda[0] <= 0) {
+    l1 = l2 = 0;
+  } else if (limit() < 1) {
+    // what stops the point is not along its motion, since pushing it also turns the body; sliding friction is
+    c.point->state = ContactState::slip;
+    const double step = 1 / (0.5 * (a + d) + std::hypot(0.5 * (a - d), b));
+    l1 = c.lambda[1] - step * r1;
+    l2 = c.lambda[2] - step * r2;
+    const double scale = std::min(1.0, limit());
+    l1 *= scale;
+    l2 *= scale;
   }
   change(c, 1, l1);
   change(c, 2, l2);

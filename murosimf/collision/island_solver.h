@@ -8,7 +8,8 @@
 ///
 /// which is the same force law, f_n = k (delta - theta h v_n) - d v_n and so on. A sweep solves one contact after the
 /// other, a number for the normal and two for the tangent, with the direction of sweeping alternating; impulses start
-/// from those of the step before.
+/// from those of the step before. A point that sticks is solved exactly; one that slides takes a step against its residual,
+/// as far as the cone lets it, so that friction ends up straight against the motion.
 /// Source: projected Gauss-Seidel with regularization as in Catto, "Iterative dynamics with temporal coherence", GDC 2005,
 /// and Todorov, "Convex and analytically-invertible dynamics with contacts and constraints", ICRA 2014; on articulated
 /// bodies without the mass matrix, measured with the project's prototype.
@@ -68,6 +69,7 @@ class IslandSolver {
   [[nodiscard]] double velocity(const Contact& contact, int row) const noexcept;
   void change(Contact& contact, int row, double lambda) noexcept;
   void solve(Contact& contact) noexcept;
+  void solve_friction(Contact& contact) noexcept;
   void finish(Contact& contact) noexcept;
 
   double dt_ = 0;

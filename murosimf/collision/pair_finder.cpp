@@ -27,7 +27,6 @@ void remember(PairSet& set) {
     c.state = old->state;
     c.last_normal_force = old->last_normal_force;
     c.slip_direction = old->slip_direction;
-    c.force = old->force;
   }
 }
 

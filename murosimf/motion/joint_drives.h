@@ -3,7 +3,7 @@
 ///
 /// A joint without servo is free. At an end of its range a joint meets a spring and a damper, implicit as the servo is,
 ///
-///     torque = k (end - q - h qd) - d qd,   k = T / 0.5 degree (T / 0.5 mm),  d = k * 5 ms
+///     torque = k (end - q - h qd) - d qd,   k = T / 0.25 degree (T / 0.5 mm),  d = k * 5 ms
 ///
 /// with T the larger of the servo's stall torque and the robot's weight times 0.1 m (its weight, for a slider): a fallen
 /// robot bends its stops by less than a degree.

@@ -8,7 +8,8 @@ namespace murosimf::test {
 namespace {
 
 class Ball : public testing::TestWithParam<LevelAndLaw> {};
-INSTANTIATE_TEST_SUITE_P(Contact, Ball, at_every_level({"implicit_stick", "kelvin_voigt"}), test_name);
+INSTANTIATE_TEST_SUITE_P(Contact, Ball, at_every_level({"implicit_stick", "island_gauss_seidel", "kelvin_voigt"}),
+                         test_name);
 
 // Whatever the friction.
 TEST_P(Ball, RollsWithFiveSeventhsOfItsSpeed) {

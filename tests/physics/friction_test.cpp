@@ -11,7 +11,8 @@ namespace murosimf::test {
 namespace {
 
 class Coulomb : public testing::TestWithParam<LevelAndLaw> {};
-INSTANTIATE_TEST_SUITE_P(Contact, Coulomb, at_every_level({"implicit_stick", "kelvin_voigt"}), test_name);
+INSTANTIATE_TEST_SUITE_P(Contact, Coulomb, at_every_level({"implicit_stick", "island_gauss_seidel", "kelvin_voigt"}),
+                         test_name);
 
 struct Slope {
   double acceleration = 0;  // [m/s^2] along the slope, between 0.5 s and 1 s

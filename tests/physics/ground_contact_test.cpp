@@ -25,7 +25,9 @@ TEST_P(Box, GroundCarriesItsWeight) {
                     .source = "its weight"},
                    sum / 1000, 4.3 * g, 1e-3 * 4.3 * g, "N");
 }
-INSTANTIATE_TEST_SUITE_P(Contact, Box, at_every_level({"implicit_stick", "kelvin_voigt", "paper", "paper_multipoint"}),
+INSTANTIATE_TEST_SUITE_P(Contact, Box,
+                         at_every_level({"implicit_stick", "island_gauss_seidel", "kelvin_voigt", "paper",
+                                         "paper_multipoint"}),
                          test_name);
 
 class LongSteps : public testing::TestWithParam<LevelAndLaw> {};
@@ -47,7 +49,7 @@ TEST_P(LongSteps, BoxStands) {
                      .source = "stable with long steps: none"},
                     creep, 1e-6, "m");
 }
-INSTANTIATE_TEST_SUITE_P(Contact, LongSteps, at_every_level({"implicit_stick"}), test_name);
+INSTANTIATE_TEST_SUITE_P(Contact, LongSteps, at_every_level({"implicit_stick", "island_gauss_seidel"}), test_name);
 
 }  // namespace
 }  // namespace murosimf::test

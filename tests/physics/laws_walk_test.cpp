@@ -8,7 +8,9 @@ namespace {
 
 class Walker : public testing::TestWithParam<LevelAndLaw> {};
 INSTANTIATE_TEST_SUITE_P(Contact, Walker,
-                         at_every_level({"implicit_stick", "kelvin_voigt", "paper", "paper_multipoint"}), test_name);
+                         at_every_level({"implicit_stick", "island_gauss_seidel", "kelvin_voigt", "paper",
+                                         "paper_multipoint"}),
+                         test_name);
 
 // 18 s at 0.2 m/s: no fall, and within 15 % of the commanded way (ramp at the start, attenuation by the joints, and the
 // slip that viscous friction has).

@@ -93,6 +93,10 @@ struct Rig {
 
   void attach_dynamics(Entity& entity, const Dynamics& dynamics = {}) {
     attach_ground(entity, dynamics);
+    if (dynamics.law && dynamics.law->island_use() == collision::IslandUse::always) {
+      simulation.attach<collision::BodyContact>("body_contact", *ground, rate, std::vector<Entity*>{&entity},
+                                                materials);
+    }
     attach_level(entity, dynamics);
   }
   void attach_ground(Entity& entity, const Dynamics& dynamics) {

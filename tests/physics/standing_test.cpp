@@ -69,7 +69,8 @@ void PrintTo(const Stander& stander, std::ostream* stream) { *stream << words_of
 std::vector<Stander> standers() {
   std::vector<Stander> all;
   for (const std::string& level : dynamic_levels()) {
-    all.push_back({level, "implicit_stick", {1000, 500, 200, 100}});
+    for (const char* law : {"implicit_stick", "island_gauss_seidel"})
+      all.push_back({level, law, {1000, 500, 200, 100}});
     all.push_back({level, "kelvin_voigt", {1000}});
     if (level != "articulated_dynamics") all.back().rates.push_back(500);
   }
