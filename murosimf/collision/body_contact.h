@@ -40,17 +40,18 @@ class BodyContact final : public Algorithm {
  private:
   void solve_islands(double dt) noexcept;
   void solve_island(int island, double dt) noexcept;
-  void start_member(Mover& mover, double dt) noexcept;
+  [[nodiscard]] int start_member(Mover& mover, double dt) noexcept;
   void finish_member(Mover& mover) noexcept;
   [[nodiscard]] IslandSolver::Side side(int mover, int object, const Vec3d& velocity) const;
 
   BodyContactOptions options_;
   std::vector<Mover> movers_;
   PairFinder finder_;
+  double period_;  // [s]
   PairSet& set_;
   Islands islands_;
   IslandSolver solver_;
-  std::vector<int> member_;  // by mover: its number in the solver, or -1
+  std::vector<int> member_;  // by mover: its number in the solver, or below 0
 };
 
 }  // namespace murosimf::collision

@@ -11,6 +11,12 @@ void append_hash(Hasher& hasher, const PairSet& set) {
   for (const PairContact& point : set.points) {
     hasher.add(point.key);
     append_hash(hasher, static_cast<const ContactPoint&>(point));
+    for (const Vec3d& v :
+         {point.point, point.normal, point.force, point.arm_a, point.arm_b, point.velocity_a, point.velocity_b}) {
+      append_hash(hasher, v);
+    }
+    hasher.add(point.normal_damping);
+    hasher.add(point.tangent_damping);
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "murosimf/collision/contact_law.h"
+
 namespace murosimf::collision {
 
 void append_hash(Hasher& hasher, const ContactPoint& point) {
@@ -52,6 +54,19 @@ void write_final_forces(const ContactSet& set, std::span<const Vec3d> r, std::sp
   for (const ContactPoint& c : set.points) {
     external_force[c.object] += Forced{c.moment + cross(c.point - r[c.object], c.force), c.force};
   }
+}
+
+void commit_contacts(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force) noexcept {
+  if (!set.law || set.solved) return;
+  set.law->commit(set);
+  write_final_forces(set, r, external_force);
+}
+
+void recall(const ContactPoint& old, ContactPoint& point) noexcept {
+  point.stretch = old.stretch;
+  point.state = old.state;
+  point.last_normal_force = old.last_normal_force;
+  point.slip_direction = old.slip_direction;
 }
 
 }  // namespace murosimf::collision

@@ -69,6 +69,8 @@ struct ContactSet {
   const ContactLaw* law = nullptr;
   double dt = 0;                        ///< [s] of the step that the forces are made for
   ImpulseResponse* response = nullptr;  ///< of the level that moves the entity, for island solvers; null: none
+  double period = 0;  ///< [s] of the algorithms that fill this set; motion must have the same. 0: there are none
+  bool damped_by_others = false;  ///< contact between bodies adds external damping: motion must be implicit in it
   bool solved = false;  ///< an island solver has settled this step already; motion takes it over and resets this
 
   // working memory, kept to avoid allocation
@@ -93,5 +95,12 @@ void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> ex
 /// After the law has committed: external_force = rest_force + the forces that acted in the step (for reports and
 /// sensors; the linearization before was about the velocities at its beginning).
 void write_final_forces(const ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force) noexcept;
+
+/// The step is settled: memory of the law, and the forces that acted in the column. Does nothing if an island solver has
+/// done it already. `r` [m] origins of the objects at the beginning of the step.
+void commit_contacts(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force) noexcept;
+
+/// The law's memory of a point goes on: what `old` has at the end of its step.
+void recall(const ContactPoint& old, ContactPoint& point) noexcept;
 
 }  // namespace murosimf::collision

@@ -41,6 +41,7 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       law_(std::move(law)),
       shapes_(ground_shapes(setup.model())),
       planes_(ground_planes(environment)),
+      period_(seconds(setup.period())),
       r_(setup.read(properties::position)),
       R_(setup.read(properties::orientation)),
       v_(setup.read(properties::linear_velocity)),
@@ -62,6 +63,7 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
 void GroundContact::initialize() {
   set_ = ContactSet{};
   set_.law = law_.get();
+  set_.period = period_;
   set_.parameters = parameters_;
   set_.rest_force.resize(static_cast<std::size_t>(model_.size()));
   const std::size_t most = 8 * shapes_.size() * planes_.size();
@@ -120,10 +122,7 @@ void GroundContact::remember() {
   for (ContactPoint& c : set_.points) {
     while (old != set_.previous.end() && old->feature < c.feature) ++old;
     if (old == set_.previous.end() || old->feature != c.feature) continue;
-    c.stretch = old->stretch;
-    c.state = old->state;
-    c.last_normal_force = old->last_normal_force;
-    c.slip_direction = old->slip_direction;
+    recall(*old, c);
   }
 }
 

@@ -35,6 +35,7 @@ class GroundContact final : public Algorithm {
   std::vector<GroundShape> shapes_;
   std::vector<GroundPlane> planes_;
   std::vector<ContactParameters> parameters_;
+  double period_;                          // [s]
   std::span<const Vec3d> r_;               // [m] origins, world
   std::span<const Mat3d> R_;               // orientations
   std::span<const Vec3d> v_;               // [m/s] of the origins, world

@@ -43,7 +43,8 @@ class ImpulseResponse {
   virtual ~ImpulseResponse() = default;
 
   /// Solves the step of `dt` [s] with the present external_force and external_damping, and keeps the factorization.
-  virtual void free_pass(double dt) noexcept = 0;
+  /// False if that gives no sensible numbers: the entity freezes in its own step, and must not touch others in this one.
+  [[nodiscard]] virtual bool free_pass(double dt) noexcept = 0;
   /// How many numbers z has.
   [[nodiscard]] virtual std::size_t coordinates() const noexcept = 0;
   /// Velocity [m/s] after the free step of a point [m] of a body that has `velocity` [m/s] now; world frame.

@@ -7,6 +7,12 @@ namespace {
 
 constexpr double fastest_walker = 3.0;  // [m/s] speed of an unpushable body's point that counts
 
+/// The one of less mass; a model without any can only be moved kinematically and does not count.
+const Model& lighter(const Model& a, const Model& b) {
+  const double mass_a = a.tree().mass, mass_b = b.tree().mass;
+  return mass_b > 0 && (mass_b < mass_a || mass_a == 0) ? b : a;
+}
+
 std::uint64_t key_of(int a, int b, std::size_t shape_a, std::size_t shape_b) {
   return static_cast<std::uint64_t>(a) << 48 | static_cast<std::uint64_t>(b) << 32 | shape_a << 16 | shape_b;
 }
@@ -23,10 +29,7 @@ void remember(PairSet& set) {
   for (PairContact& c : set.points) {
     while (old != set.previous.end() && old->key < c.key) ++old;
     if (old == set.previous.end() || old->key != c.key) continue;
-    c.stretch = old->stretch;
-    c.state = old->state;
-    c.last_normal_force = old->last_normal_force;
-    c.slip_direction = old->slip_direction;
+    recall(*old, c);
   }
 }
 
@@ -39,8 +42,8 @@ PairFinder::PairFinder(const std::vector<Mover>& movers, const MaterialTable& ma
   }
   for (const Kind& a : kinds_) {
     for (const Kind& b : kinds_) {
-      const Model& lighter = b.model->tree().mass < a.model->tree().mass ? *b.model : *a.model;
-      parameters_.push_back(contact_parameters(lighter, materials.find(a.surface, b.surface), gravity, dt));
+      parameters_.push_back(
+          contact_parameters(lighter(*a.model, *b.model), materials.find(a.surface, b.surface), gravity, dt));
     }
   }
 }

@@ -87,18 +87,15 @@ void push_by_carry(std::vector<Mover>& movers, PairSet& set, double dt) noexcept
   }
 }
 
-void push_by_kelvin_voigt(std::vector<Mover>& movers, PairSet& set, double dt) noexcept {
-  for (PairContact& c : set.points) {
-    const ContactParameters& p = set.parameters[c.surface];
-    const double v_n = dot(c.velocity, c.normal);
-    const Vec3d v_t = c.velocity - v_n * c.normal;
-    const double slide = norm(v_t);
-    const double f_n = spring_force(p, c.depth, v_n);
-    c.force = f_n * c.normal;
-    if (slide > 0) c.force -= (std::min(p.friction * f_n, p.tangent_damping * slide) / slide) * v_t;
-    movers[c.a].push(c.object, c.point, c.force, dt);
-    movers[c.b].push(c.object_b, c.point, -c.force, dt);
-  }
+void push_by_kelvin_voigt(std::vector<Mover>& movers, PairContact& c, const ContactParameters& p, double dt) noexcept {
+  const double v_n = dot(c.velocity, c.normal);
+  const Vec3d v_t = c.velocity - v_n * c.normal;
+  const double slide = norm(v_t);
+  const double f_n = spring_force(p, c.depth, v_n);
+  c.force = f_n * c.normal;
+  if (slide > 0) c.force -= (std::min(p.friction * f_n, p.tangent_damping * slide) / slide) * v_t;
+  movers[c.a].push(c.object, c.point, c.force, dt);
+  movers[c.b].push(c.object_b, c.point, -c.force, dt);
 }
 
 }  // namespace murosimf::collision

@@ -1,6 +1,6 @@
 /// pair_law.h - how two moving bodies push each other: chosen by name, for a whole scene.
 ///
-/// * island_gauss_seidel (default): all contacts of touching entities are settled together (island_contact.h).
+/// * island_gauss_seidel (default): all contacts of touching entities are settled together (body_contact.h).
 /// * carry: either body is implicit in its own acceleration alone. With b = b_n n n^T + b_t (1 - n n^T), B = h b and f0
 ///   the force at the present velocity (implicit_stick.h), A feels f0 - B a_A and B feels -f0 - B a_B. Together that
 ///   should be nothing, but is e = -B (a_A + a_B); half of it is taken back from either one in the next step, so momentum
@@ -32,7 +32,8 @@ struct PairLawEntry {
 /// Force of the contacts of this step, by `carry`; also takes back what the step before left over.
 void push_by_carry(std::vector<Mover>& movers, PairSet& set, double dt) noexcept;
 
-/// Force of the contacts of this step, by `kelvin_voigt`.
-void push_by_kelvin_voigt(std::vector<Mover>& movers, PairSet& set, double dt) noexcept;
+/// Force of one contact of this step, by `kelvin_voigt`.
+void push_by_kelvin_voigt(std::vector<Mover>& movers, PairContact& contact, const ContactParameters& parameters,
+                          double dt) noexcept;
 
 }  // namespace murosimf::collision

@@ -58,9 +58,9 @@ class BodyBuilder {
     if (!is_identity(turn)) result.push_back({{Kind::rotation, -1, {}, turn, name + ".turn", true}});
     for (const MjcfJoint& joint : joints) {
       const bool away = !is_zero(joint.anchor);
-      if (away) result.push_back({{Kind::translation, -1, joint.anchor, {}, joint.name + ".anchor"}});
+      if (away) result.push_back({{Kind::translation, -1, joint.anchor, {}, joint.name + ".anchor", true}});
       result.push_back({{joint.kind, -1, joint.axis, {}, joint.name}, &joint});
-      if (away) result.push_back({{Kind::translation, -1, -joint.anchor, {}, joint.name + ".back"}});
+      if (away) result.push_back({{Kind::translation, -1, -joint.anchor, {}, joint.name + ".back", true}});
     }
     if (result.empty()) result.push_back({{Kind::translation, -1, {}, {}, {}}});
     return result;
@@ -68,7 +68,9 @@ class BodyBuilder {
 
   /// The body's name for the last object, if it is no joint.
   [[nodiscard]] std::vector<Step> name_last(std::vector<Step> steps, const XmlElement& body) const {
-    if (!steps.back().joint) steps.back().object.name = free_name(body, ".body");
+    Object& last = steps.back().object;
+    if (!steps.back().joint) last.name = free_name(body, ".body");
+    last.structural = false;  // it is the body, and somebody may look at it
     return steps;
   }
 
@@ -78,6 +80,7 @@ class BodyBuilder {
     if (object.kind == Kind::rotation) chain.rotation(object.turn, object.name);
     if (object.kind == Kind::revolute) chain.revolute(object.name, object.vector);
     if (object.kind == Kind::prismatic) chain.prismatic(object.name, object.vector);
+    if (object.structural) chain.structural();
     if (step.joint) add_joint_constants(chain, *step.joint, context_);
   }
 

@@ -70,12 +70,6 @@ S dot(const Motion<S>& m, const Force<S>& f) {
   return dot(m.w, f.n) + dot(m.v, f.f);
 }
 
-/// Rate of the motion `m` that is carried along with the motion `v`: v x m (Featherstone 2008, eq. 2.31).
-template <class S>
-Motion<S> cross(const Motion<S>& v, const Motion<S>& m) {
-  return {cross(v.w, m.w), cross(v.w, m.v) + cross(v.v, m.w)};
-}
-
 /// The same force, its moment taken about a point that lies `offset` away from the old one.
 template <class S>
 Force<S> moved(const Force<S>& force, const Vec3<S>& offset) {

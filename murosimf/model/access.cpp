@@ -11,6 +11,14 @@ void AccessSet::add(const Access& access) {
   if (std::none_of(all_.begin(), all_.end(), same)) all_.push_back(access);
 }
 
+void AccessSet::claim(const Entity& entity) {
+  if (!claims(&entity)) claimed_.push_back(&entity);
+}
+
+bool AccessSet::claims(const Entity* entity) const {
+  return std::find(claimed_.begin(), claimed_.end(), entity) != claimed_.end();
+}
+
 bool AccessSet::writes(const ColumnBase* column) const {
   return std::any_of(all_.begin(), all_.end(),
                      [&](const Access& a) { return a.column == column && a.mode == AccessMode::write; });
@@ -26,7 +34,12 @@ bool conflict(const AccessSet& a, const AccessSet& b) {
       return access.mode == AccessMode::write && other.touches(access.column);
     });
   };
-  return writes_what_touches(a, b) || writes_what_touches(b, a);
+  const auto claims_what_touches = [](const AccessSet& claimant, const AccessSet& other) {
+    return std::any_of(other.all().begin(), other.all().end(),
+                       [&](const Access& access) { return claimant.claims(access.entity); });
+  };
+  return writes_what_touches(a, b) || writes_what_touches(b, a) || claims_what_touches(a, b) ||
+         claims_what_touches(b, a);
 }
 
 namespace {

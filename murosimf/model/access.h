@@ -23,15 +23,19 @@ struct Access {
 class AccessSet {
  public:
   void add(const Access& access);
+  /// All columns of an entity, also those that nobody has asked for yet: the algorithm has others work on it.
+  void claim(const Entity& entity);
+  [[nodiscard]] bool claims(const Entity* entity) const;
   [[nodiscard]] const std::vector<Access>& all() const { return all_; }
   [[nodiscard]] bool writes(const ColumnBase* column) const;
   [[nodiscard]] bool touches(const ColumnBase* column) const;
 
  private:
   std::vector<Access> all_;
+  std::vector<const Entity*> claimed_;
 };
 
-/// True if one writes what the other reads or writes. Reading the same column is no conflict.
+/// True if one writes what the other reads or writes, or claims an entity of which the other touches anything. Reading the same column is no conflict.
 [[nodiscard]] bool conflict(const AccessSet& a, const AccessSet& b);
 
 /// An algorithm's name, for messages, and what it declared.

@@ -114,6 +114,13 @@ void ObjectAccess::set(std::string_view property, std::span<const double> number
     }
     throw SetupError(fmt::format("{}: {}", where(), unknown_name("property", property, properties())));
   }
+  if (entity_->model().objects()[object_].structural && column->info().scope == Scope::object) {
+    throw SetupError(
+        fmt::format("{} cannot be set: it only gives the tree its shape and follows '{}'", where(),
+                    entity_->model()
+                        .objects()[entity_->model().tree().links[entity_->model().tree().link_of[object_]].object]
+                        .name));
+  }
   if (numbers.size() != column->numbers()) {
     throw SetupError(fmt::format("{}: '{}' takes {} number{}, not {}", where(), property, column->numbers(),
                                  column->numbers() == 1 ? "" : "s", numbers.size()));

@@ -94,6 +94,11 @@ void Model::check_masses() const {
       throw SetupError(fmt::format("model '{}', object '{}' has a center of mass or an inertia but no mass", name_,
                                    objects_[i].name));
     }
+    const Vec3d* range = find(properties::joint_range, i);
+    if (range && !(range->x <= range->y)) {
+      throw SetupError(fmt::format("model '{}', joint '{}': its range from {} to {} is empty", name_, objects_[i].name,
+                                   range->x, range->y));
+    }
     const SymMat3d* I = find(properties::inertia, i);
     if (!I) continue;
     if (!is_positive_definite(*I)) {

@@ -39,6 +39,10 @@ class Setup {
     return column.values;
   }
 
+  /// Declares that the algorithm has other algorithms of this entity do their work (an island solver has levels make
+  /// their step): nothing that touches the entity runs at the same time.
+  void claim() { access_->claim(*entity_); }
+
   [[nodiscard]] const Model& model() const { return entity_->model(); }
   [[nodiscard]] Entity& entity() const { return *entity_; }
   [[nodiscard]] const World& world() const { return *world_; }

@@ -59,9 +59,12 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
     });
   }
   if (!targets_sane_) return tree_.halt("a joint position or target is no sensible number");
+  if (!accelerations_are_sane()) return tree_.halt("its motion is no sensible number");
   report_torques();
+  tree_.commit_contacts();
   const Motiond base = bodies_[0].acceleration;
-  if (!advance_joints(dt_) || !tree_.advance_base(base, dt_)) return tree_.halt("its motion is no sensible number");
+  if (!tree_.advance_base(base, dt_)) return tree_.halt("its motion is no sensible number");
+  advance_joints(dt_);
   tree_.finish_step();
 }
 
@@ -72,14 +75,16 @@ void ArticulatedDynamics::step_rk4(double dt) noexcept {
   const auto accelerations = [&] {
     drive_joints(0);
     solve(0);
-    if (std::exchange(first, false)) predict_contacts(dt);
+    if (std::exchange(first, false)) {
+      predict_contacts(dt);
+      tree_.commit_contacts();
+    }
     return bodies_[0].acceleration;
   };
   const auto joint_acceleration = [&](int joint) {
     return bodies_[tree_.columns.model.tree().link_of[joint]].joint_acceleration;
   };
-  const bool sane = tree_.advance_rk4(dt, accelerations, joint_acceleration);
-  if (!sane || !joints_are_sane()) return tree_.halt("its motion is no sensible number");
+  if (!tree_.advance_rk4(dt, accelerations, joint_acceleration)) return tree_.halt("its motion is no sensible number");
   report_torques();
   tree_.finish_step();
 }
@@ -95,10 +100,11 @@ void ArticulatedDynamics::begin_step(double dt) noexcept {
   drive_joints(dt);
 }
 
-void ArticulatedDynamics::free_pass(double dt) noexcept {
+bool ArticulatedDynamics::free_pass(double dt) noexcept {
   begin_step(dt);
   solve(dt);
   tree_.factor_base();
+  return targets_sane_ && accelerations_are_sane();
 }
 
 Vec3d ArticulatedDynamics::free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept {
@@ -156,7 +162,7 @@ void ArticulatedDynamics::solve(double dt) noexcept {
   multibody::accelerate<double>(tree, tree_.links, bodies_, base);
 }
 
-bool ArticulatedDynamics::advance_joints(double dt) noexcept {
+void ArticulatedDynamics::advance_joints(double dt) noexcept {
   PoseColumns& columns = tree_.columns;
   const auto& links = columns.model.tree().links;
   for (std::size_t l = 1; l < links.size(); ++l) {
@@ -164,7 +170,6 @@ bool ArticulatedDynamics::advance_joints(double dt) noexcept {
     columns.qd[i] += dt * bodies_[l].joint_acceleration;
     columns.q[i] += dt * columns.qd[i];
   }
-  return joints_are_sane();
 }
 
 void ArticulatedDynamics::report_torques() noexcept {
@@ -174,14 +179,16 @@ void ArticulatedDynamics::report_torques() noexcept {
   }
 }
 
-bool ArticulatedDynamics::joints_are_sane() const noexcept {
+bool ArticulatedDynamics::accelerations_are_sane() const noexcept {
   const PoseColumns& columns = tree_.columns;
+  const auto& links = columns.model.tree().links;
   double rates = 0, positions = 0;
-  for (const int i : columns.model.joints()) {
-    rates += std::abs(columns.qd[i]);
+  for (std::size_t l = 1; l < links.size(); ++l) {
+    const int i = links[l].object;
+    rates += std::abs(columns.qd[i] + dt_ * bodies_[l].joint_acceleration);
     positions += std::abs(columns.q[i]);
   }
-  return rates < fastest_joint && positions < farthest_joint;  // NaN is not less
+  return rates < fastest_joint && positions < farthest_joint && is_sane(bodies_[0].acceleration, dt_);
 }
 
 }  // namespace murosimf::motion

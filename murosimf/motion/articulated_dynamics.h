@@ -21,7 +21,7 @@ class ArticulatedDynamics final : public Algorithm, private collision::ImpulseRe
   void step(const Instant& instant) noexcept override;
 
  private:
-  void free_pass(double dt) noexcept override;
+  [[nodiscard]] bool free_pass(double dt) noexcept override;
   [[nodiscard]] std::size_t coordinates() const noexcept override { return 5 + bodies_.size(); }
   [[nodiscard]] Vec3d free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept override;
   void respond(int object, const Vec3d& point, const Vec3d& direction,
@@ -34,8 +34,8 @@ class ArticulatedDynamics final : public Algorithm, private collision::ImpulseRe
   void solve(double dt) noexcept;
   void predict_contacts(double dt) noexcept;
   void report_torques() noexcept;
-  [[nodiscard]] bool advance_joints(double dt) noexcept;
-  [[nodiscard]] bool joints_are_sane() const noexcept;
+  void advance_joints(double dt) noexcept;
+  [[nodiscard]] bool accelerations_are_sane() const noexcept;
   void check_inertias() const;
 
   MovingTree tree_;

@@ -1,5 +1,9 @@
 #include "murosimf/motion/free_state.h"
 
+#include <cmath>
+
+#include "murosimf/motion/sanity.h"
+
 namespace murosimf::motion {
 
 void write_state(const multibody::FreeBody<double>& body, const PoseColumns& columns, std::vector<double>& y) {
@@ -10,8 +14,15 @@ void write_state(const multibody::FreeBody<double>& body, const PoseColumns& col
   for (const int i : columns.model.joints()) y.insert(y.end(), {columns.q[i], columns.qd[i]});
 }
 
+bool is_sane_state(const std::vector<double>& y) {
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    if (!(std::abs(y[i]) < (i < 3 ? farthest : fastest_turn))) return false;  // NaN is not less
+  }
+  return true;
+}
+
 multibody::FreeBody<double> read_state(const std::vector<double>& y, PoseColumns& columns) {
-  std::size_t k = 13;
+  std::size_t k = base_numbers;
   for (const int i : columns.model.joints()) {
     columns.q[i] = y[k++];
     columns.qd[i] = y[k++];

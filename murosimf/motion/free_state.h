@@ -11,6 +11,12 @@
 
 namespace murosimf::motion {
 
+/// How many numbers of a row are the base's.
+inline constexpr std::size_t base_numbers = 13;
+
+/// False for NaN, and for numbers far from anything that moves.
+[[nodiscard]] bool is_sane_state(const std::vector<double>& y);
+
 /// Appends the numbers of `body` and of the joints' columns to the empty row y.
 void write_state(const multibody::FreeBody<double>& body, const PoseColumns& columns, std::vector<double>& y);
 

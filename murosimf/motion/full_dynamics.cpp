@@ -40,12 +40,14 @@ void FullDynamics::step(const Instant& instant) noexcept {
   }
   if (!joints_sane_) return tree_.halt("a joint position or target is no sensible number");
   find_torques(instant);
+  tree_.commit_contacts();
   if (!tree_.advance_base(base_, dt_)) return tree_.halt("its motion is no sensible number");
   tree_.finish_step();
 }
 
 void FullDynamics::step_rk4(const Instant& instant) noexcept {
   tree_.take_changes();
+  if (!reference_.is_sane(tree_.columns)) return tree_.halt("a joint position or target is no sensible number");
   bool first = true;
   const auto accelerations = [&] {
     const auto& links = tree_.columns.model.tree().links;
@@ -57,6 +59,7 @@ void FullDynamics::step_rk4(const Instant& instant) noexcept {
     if (std::exchange(first, false)) {
       predict_contacts(seconds(instant.period));
       find_torques(instant);
+      tree_.commit_contacts();
     }
     return base_;
   };
@@ -79,10 +82,11 @@ void FullDynamics::begin_step(double dt) noexcept {
   prepare_base();
 }
 
-void FullDynamics::free_pass(double dt) noexcept {
+bool FullDynamics::free_pass(double dt) noexcept {
   begin_step(dt);
   solve_base(dt);
   tree_.factor_base();
+  return joints_sane_ && is_sane(base_, dt);
 }
 
 Vec3d FullDynamics::free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept {

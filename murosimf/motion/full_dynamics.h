@@ -32,7 +32,7 @@ class FullDynamics final : public Algorithm, private collision::ImpulseResponse 
   void step(const Instant& instant) noexcept override;
 
  private:
-  void free_pass(double dt) noexcept override;
+  [[nodiscard]] bool free_pass(double dt) noexcept override;
   [[nodiscard]] std::size_t coordinates() const noexcept override { return 6; }
   [[nodiscard]] Vec3d free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept override;
   void respond(int object, const Vec3d& point, const Vec3d& direction,

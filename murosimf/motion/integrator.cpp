@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/model/error.h"
 
@@ -19,9 +21,16 @@ constexpr std::array entries{
 
 std::span<const IntegratorEntry> integrators() { return entries; }
 
-void check_integrator(Integrator integrator, const collision::ContactSet& contacts) {
-  if (integrator != Integrator::rk4 || !contacts.law) return;
-  if (contacts.law->island_use() == collision::IslandUse::never) return;
+void check_contacts(Integrator integrator, const collision::ContactSet& contacts, double period) {
+  if (contacts.period > 0 && contacts.period != period) {
+    throw SetupError(fmt::format("its motion has steps of {:.3g} ms, its contact of {:.3g} ms; attach both at one rate",
+                                 1e3 * period, 1e3 * contacts.period));
+  }
+  if (integrator != Integrator::rk4) return;
+  if (contacts.damped_by_others) {
+    throw SetupError("integrator 'rk4' does not go with 'carry' between bodies, which counts on implicit steps");
+  }
+  if (!contacts.law || contacts.law->island_use() == collision::IslandUse::never) return;
   throw SetupError(
       "integrator 'rk4' needs an explicit contact law (kelvin_voigt, paper or paper_multipoint): implicit_stick and "
       "island_gauss_seidel settle the whole step");

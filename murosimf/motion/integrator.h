@@ -26,8 +26,8 @@ struct IntegratorEntry {
 
 [[nodiscard]] std::span<const IntegratorEntry> integrators();
 
-/// Throws SetupError if the entity's contact law does not go with the integrator.
-void check_integrator(Integrator integrator, const collision::ContactSet& contacts);
+/// Throws SetupError if the entity's contact does not go with the integrator, or has another period than its motion [s].
+void check_contacts(Integrator integrator, const collision::ContactSet& contacts, double period);
 
 /// One step of h [s] of y' = rate(y) by the classical Runge-Kutta method; rate(y, dy) fills dy.
 class RungeKutta4 {

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double stop_bend = 0.25 * pi / 180;  // [rad]
 constexpr double stop_shift = 0.5e-3;          // [m]
-constexpr double stop_damping_time = 5e-3;    // [s] damper over spring
-constexpr double slow = 0.05;                 // [rad/s | m/s] below this passive friction falls linearly to zero
+constexpr double stop_damping_time = 5e-3;     // [s] damper over spring
+constexpr double slow = 0.05;                  // [rad/s | m/s] below this passive friction falls linearly to zero
 
 double value_or_zero(const double* number) { return number ? *number : 0; }
 

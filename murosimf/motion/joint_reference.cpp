@@ -40,11 +40,15 @@ void JointReference::stop_at_limits(PoseColumns& columns) const noexcept {
   }
 }
 
-bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
+bool JointReference::is_sane(const PoseColumns& columns) const noexcept {
   constexpr double largest = 1e4;  // [rad | m] sines lose their precision far beyond
   double sum = 0;
   for (const int i : columns.model.joints()) sum += std::abs(target_[i]) + std::abs(columns.q[i]);
-  if (!(sum < largest)) return false;  // NaN is not less
+  return sum < largest;  // NaN is not less
+}
+
+bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
+  if (!is_sane(columns)) return false;
   if (options_.kind == ReferenceKind::filter) {
     filter(columns, dt);
   } else {

@@ -31,6 +31,8 @@ class JointReference {
 
   /// Joints start at their targets, at rest.
   void initialize(PoseColumns& columns) noexcept;
+  /// Positions and targets are sensible numbers.
+  [[nodiscard]] bool is_sane(const PoseColumns& columns) const noexcept;
   /// Advances q and qd by dt [s]. False, and nothing changed, if a position or target is no sensible number.
   [[nodiscard]] bool advance(PoseColumns& columns, double dt) noexcept;
   /// Acceleration [rad/s^2 | m/s^2] of the filter's differential equation, q'' = wf^2 (target - q) - 2 wf q'.

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "murosimf/multibody/integrate.h"
-#include "murosimf/multibody/kinematics.h"
 
 namespace murosimf::motion {
 
@@ -19,6 +18,7 @@ MovingTree::MovingTree(Setup& setup, const MovingTreeOptions& options, std::stri
       gravity(setup.world().gravity),
       entity_(setup.entity()),
       options_(options),
+      period_(seconds(setup.period())),
       center_(setup.write(properties::common_center_of_mass)[0]),
       center_velocity_(setup.write(properties::common_center_of_mass_velocity)[0]),
       common_inertia_(setup.write(properties::common_inertia)[0]),
@@ -33,7 +33,7 @@ void MovingTree::start() {
   place_at_start(columns, entity_);
   refresh();
   pushable_ = 1;
-  check_integrator(options_.integrator, contacts);
+  check_contacts(options_.integrator, contacts, period_);
   std::fill(external_force.begin(), external_force.end(), Forced{});
   std::fill(external_damping.begin(), external_damping.end(), Sym6d{});
   if (!options_.fixed_base && !is_positive_definite(common_inertia_)) {
@@ -46,6 +46,7 @@ void MovingTree::take_changes() noexcept {
   if (entity_.revision() == seen_revision_) return;
   seen_revision_ = entity_.revision();
   columns.R[0] = to_matrix(columns.Q[0]);
+  if (options_.fixed_base) columns.v[0] = columns.w[0] = {};
   refresh();
 }
 
@@ -113,7 +114,12 @@ void MovingTree::place_base(const multibody::FreeBody<double>& base) noexcept {
   columns.R[0] = to_matrix(base.turn);
 }
 
-bool MovingTree::in_flight() const noexcept { return contacts.points.empty() && !contacts.solved; }
+void MovingTree::commit_contacts() noexcept { collision::commit_contacts(contacts, columns.r, external_force); }
+
+bool MovingTree::in_flight() const noexcept {
+  return contacts.points.empty() && !contacts.solved &&
+         std::all_of(external_damping.begin(), external_damping.end(), [](const Sym6d& d) { return is_zero(d); });
+}
 
 MovingTree::Momentum MovingTree::momentum() const noexcept {
   const Forced about_base = multibody::momentum<double>(links);
@@ -142,16 +148,11 @@ void MovingTree::correct_momentum(const Momentum& wanted) noexcept {
       solve(to_sym6(multibody::composite_inertia<double>(links)), {angular + cross(c, linear), linear});
   columns.w[0] += change.w;
   columns.v[0] += change.v;
-  columns.update_velocities();
-  multibody::shift_all(columns.r, wanted.center - now.center);
-  update_links();
+  columns.r[0] += wanted.center - now.center;
+  refresh();
 }
 
 void MovingTree::finish_step() noexcept {
-  if (contacts.law && !contacts.solved) {
-    contacts.law->commit(contacts);
-    collision::write_final_forces(contacts, columns.r, external_force);
-  }
   contacts.solved = false;
   refresh();
   if (wanted_momentum_) correct_momentum(*wanted_momentum_);

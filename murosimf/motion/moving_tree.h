@@ -17,6 +17,7 @@
 /// free body would gain energy (15 % in 10 s of a flipping body at 10 rad/s).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -71,6 +72,8 @@ class MovingTree {
   [[nodiscard]] Vec3d next_velocity(int object, const Vec3d& point, const Vec3d& velocity, const Motiond& acceleration,
                                     double dt) const noexcept;
 
+  /// To be called when the step is solved and before anything moves: memory of the contacts, forces as they acted.
+  void commit_contacts() noexcept;
   /// The base after the step, by its a'. False, and nothing changed, if that is no sensible number.
   [[nodiscard]] bool advance_base(const Motiond& acceleration, double dt) noexcept;
   /// The base and all joints after the step, by Runge-Kutta. solve() finds the accelerations at the present columns: it
@@ -78,7 +81,7 @@ class MovingTree {
   template <class Solve, class JointAcceleration>
   [[nodiscard]] bool advance_rk4(double dt, const Solve& solve, const JointAcceleration& qdd) noexcept;
   [[nodiscard]] Integrator integrator() const { return options_.integrator; }
-  /// To be called last in a step: memory of contacts, poses, velocities, links, common mass.
+  /// To be called last in a step: poses, velocities, links, common mass.
   void finish_step() noexcept;
   void halt(const char* reason) noexcept;
 
@@ -107,12 +110,14 @@ class MovingTree {
 
   Entity& entity_;
   MovingTreeOptions options_;
+  double period_;  // [s]
   Vec3d& center_;
   Vec3d& center_velocity_;
   SymMat3d& common_inertia_;
   double& total_mass_;
   double& pushable_;
   RungeKutta4 runge_kutta_;
+  std::vector<double> start_row_;
   std::vector<double> row_;          // the state while Runge-Kutta works on it
   std::uint64_t seen_revision_ = 0;  // of the entity, when the links were last worked out
   Sym6d base_inertia_;
@@ -170,17 +175,19 @@ template <class Solve, class JointAcceleration>
 bool MovingTree::advance_rk4(double dt, const Solve& solve, const JointAcceleration& qdd) noexcept {
   wanted_momentum_.reset();
   write_state(base(), columns, row_);
+  start_row_ = row_;
   runge_kutta_.step(row_, dt, [&](const std::vector<double>& y, std::vector<double>& dy) {
     place_base(read_state(y, columns));
     columns.update_poses();
     update_links();
     const Motiond acceleration = solve();
     write_rate(base(), {acceleration.w, acceleration.v + gravity}, columns, qdd, dy);
+    if (options_.fixed_base) std::fill_n(dy.begin(), base_numbers, 0.0);
   });
-  const auto next = read_state(row_, columns);
-  if (!is_sane(next)) return false;
-  place_base(next);
-  return true;
+  const bool sane = is_sane_state(row_);
+  place_base(read_state(sane ? row_ : start_row_, columns));
+  if (!sane) refresh();  // where it stood
+  return sane;
 }
 
 }  // namespace murosimf::motion

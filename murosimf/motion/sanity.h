@@ -19,6 +19,11 @@ inline constexpr double fastest_turn = 1e4;  // [rad/s]
          std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
 }
 
+/// What a step of dt [s] adds to the velocities, written so that NaN is not sane either.
+[[nodiscard]] inline bool is_sane(const Motiond& acceleration, double dt) {
+  return dt * norm(acceleration.v) < fastest && dt * norm(acceleration.w) < fastest_turn;
+}
+
 /// A force on a body, or what makes it fall with velocity, is exactly zero for bodies that nothing touches: by far the
 /// most.
 [[nodiscard]] inline bool is_zero(const Forced& force) { return is_zero(force.n) && is_zero(force.f); }

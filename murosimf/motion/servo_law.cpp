@@ -15,6 +15,11 @@ namespace {
 
 constexpr double slow = 0.05;  // [rad/s] below this Coulomb friction falls linearly to zero
 
+/// What the servo loses in itself at a rate [rad/s] that is not small.
+double friction(const Servo& servo, double qd) {
+  return servo.coulomb_friction + servo.viscous_friction * std::abs(qd);
+}
+
 void add_friction(JointDrive& drive, const Servo& servo, double qd, double dt) {
   const double b = servo.coulomb_friction / std::max(std::abs(qd), slow) + servo.viscous_friction;
   drive.torque -= b * qd;
@@ -33,7 +38,7 @@ class IdealPd final : public ServoLaw {
     add_friction(drive, servo_, qd, dt);
     return drive;
   }
-  [[nodiscard]] double available(double, double) const noexcept override { return limit_; }
+  [[nodiscard]] double available(double qd, double) const noexcept override { return limit_ - friction(servo_, qd); }
 
  private:
   Servo servo_;
@@ -64,7 +69,7 @@ class DcMotor final : public ServoLaw {
     return drive;
   }
   [[nodiscard]] double available(double qd, double direction) const noexcept override {
-    return std::max(0.0, std::min(torque_limit_, duty_limit_ - direction * damping_ * qd));
+    return std::max(0.0, std::min(torque_limit_, duty_limit_ - direction * damping_ * qd) - friction(servo_, qd));
   }
 
  private:

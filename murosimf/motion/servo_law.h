@@ -37,7 +37,7 @@ class ServoLaw {
 
   /// `target`, `q` [rad], `qd` [rad/s] at the beginning of the step of `dt` [s]. Rotor inertia is not in the answer.
   [[nodiscard]] virtual JointDrive drive(double target, double q, double qd, double dt) const noexcept = 0;
-  /// Largest torque [N m] that the servo can give in the direction of `direction` (+1 or -1) at rate `qd` [rad/s].
+  /// Largest torque [N m] that the servo can give to the joint, its own friction taken off, in the direction of `direction` (+1 or -1) at rate `qd` [rad/s].
   [[nodiscard]] virtual double available(double qd, double direction) const noexcept = 0;
 };
 

@@ -16,6 +16,7 @@ namespace murosimf::motion {
 SimplifiedDynamics::SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOptions& options)
     : entity_(setup.entity()),
       options_(options),
+      period_(seconds(setup.period())),
       gravity_(setup.world().gravity),
       columns_(setup),
       reference_(setup, options.reference),
@@ -34,7 +35,7 @@ SimplifiedDynamics::SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOpt
 
 void SimplifiedDynamics::initialize() {
   reference_.check(options_.integrator);
-  check_integrator(options_.integrator, contacts_);
+  check_contacts(options_.integrator, contacts_, period_);
   reference_.initialize(columns_);
   place_at_start(columns_, entity_);
   columns_.update_velocities();
@@ -66,10 +67,7 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
   multibody::advance(body, acceleration_, dt_);
   if (!is_sane(body)) return halt("its motion is no sensible number");
   if (!reference_.advance(columns_, dt_)) return halt("a joint position or target is no sensible number");
-  if (contacts_.law && !contacts_.solved) {
-    contacts_.law->commit(contacts_);
-    collision::write_final_forces(contacts_, columns_.r, external_force_);
-  }
+  collision::commit_contacts(contacts_, columns_.r, external_force_);
 
   contacts_.solved = false;
 
@@ -85,16 +83,9 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
   columns_.remember_base();
 }
 
-void SimplifiedDynamics::commit_contacts() noexcept {
-  if (contacts_.law && !contacts_.solved) {
-    contacts_.law->commit(contacts_);
-    collision::write_final_forces(contacts_, columns_.r, external_force_);
-  }
-  contacts_.solved = false;
-}
-
 void SimplifiedDynamics::step_rk4(double dt) noexcept {
   begin_step(dt);
+  if (!reference_.is_sane(columns_)) return halt("a joint position or target is no sensible number");
   write_state({center_, velocity_, columns_.Q[0], columns_.w[0]}, columns_, row_);
   const auto place = [&](const multibody::FreeBody<double>& body) {
     columns_.Q[0] = body.turn;
@@ -103,19 +94,22 @@ void SimplifiedDynamics::step_rk4(double dt) noexcept {
     follow_center(body);
   };
   bool first = true;
+  const std::vector<double> start = row_;
   runge_kutta_.step(row_, dt, [&](const std::vector<double>& y, std::vector<double>& dy) {
     const auto body = read_state(y, columns_);
     place(body);
     solve(0);
-    if (std::exchange(first, false)) predict_contacts();
+    if (std::exchange(first, false)) {
+      predict_contacts();
+      collision::commit_contacts(contacts_, columns_.r, external_force_);
+    }
     write_rate(
         body, acceleration_, columns_, [&](int joint) { return reference_.acceleration(columns_, joint); }, dy);
   });
-  const auto body = read_state(row_, columns_);
-  if (!is_sane(body)) return halt("its motion is no sensible number");
-  commit_contacts();
-  place(body);
+  const bool sane = is_sane_state(row_);
+  place(read_state(sane ? row_ : start, columns_));
   columns_.remember_base();
+  if (!sane) return halt("its motion is no sensible number");
 }
 
 void SimplifiedDynamics::begin_step(double dt) noexcept {
@@ -149,10 +143,11 @@ void SimplifiedDynamics::predict_contacts() noexcept {
   }
 }
 
-void SimplifiedDynamics::free_pass(double dt) noexcept {
+bool SimplifiedDynamics::free_pass(double dt) noexcept {
   begin_step(dt);
   solve(dt);
   factor_.emplace(matrix_);
+  return reference_.is_sane(columns_) && is_sane(acceleration_, dt);
 }
 
 Vec3d SimplifiedDynamics::free_velocity(int, const Vec3d& point, const Vec3d& velocity) const noexcept {

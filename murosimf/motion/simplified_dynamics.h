@@ -45,7 +45,7 @@ class SimplifiedDynamics final : public Algorithm, private collision::ImpulseRes
   void step(const Instant& instant) noexcept override;
 
  private:
-  void free_pass(double dt) noexcept override;
+  [[nodiscard]] bool free_pass(double dt) noexcept override;
   [[nodiscard]] std::size_t coordinates() const noexcept override { return 6; }
   [[nodiscard]] Vec3d free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept override;
   void respond(int object, const Vec3d& point, const Vec3d& direction,
@@ -53,7 +53,6 @@ class SimplifiedDynamics final : public Algorithm, private collision::ImpulseRes
   void apply(std::span<const double> z) noexcept override;
 
   void step_rk4(double dt) noexcept;
-  void commit_contacts() noexcept;
   void begin_step(double dt) noexcept;
   void solve(double dt) noexcept;
   [[nodiscard]] Vec3d next_velocity(const Vec3d& point, const Vec3d& velocity) const noexcept;
@@ -65,6 +64,7 @@ class SimplifiedDynamics final : public Algorithm, private collision::ImpulseRes
 
   Entity& entity_;
   SimplifiedDynamicsOptions options_;
+  double period_;  // [s]
   Vec3d gravity_;
   PoseColumns columns_;
   JointReference reference_;
