@@ -56,17 +56,23 @@ Names known_keys(const Names& others) {
   return keys;
 }
 
+constexpr double longest_delay = 1;  // [s]
+
 double read_number(std::string_view key, const toml::node& node) {
-  const auto number = node.is_number() ? node.value<double>() : std::nullopt;
-  const bool finite = number && std::isfinite(*number);
-  if (key == "duty_limit" && !(finite && *number > 0 && *number <= 1)) {
+  const double number = node.is_number() ? node.value_or(-1.0) : -1.0;
+  const bool finite = std::isfinite(number);
+  if (key == "duty_limit" && !(finite && number > 0 && number <= 1)) {
     fail_at(node.source(), "'duty_limit' must be a number above 0, at most 1");
   }
-  if ((key == "voltage" || key == "current_limit") && !(finite && *number > 0)) {
+  if ((key == "voltage" || key == "current_limit") && !(finite && number > 0)) {
     fail_at(node.source(), fmt::format("'{}' must be a finite number above 0", key));
   }
-  if (!finite || *number < 0) fail_at(node.source(), fmt::format("'{}' must be a finite number, at least 0", key));
-  return *number;
+  if (!finite || number < 0) fail_at(node.source(), fmt::format("'{}' must be a finite number, at least 0", key));
+  if (key == "command_delay" && number > longest_delay) {
+    fail_at(node.source(),
+            fmt::format("'command_delay' is in seconds; more than {} is no delay of a bus", longest_delay));
+  }
+  return number;
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // Entities that touch each other: piles come to rest, weights go through, nothing jumps when an island begins or ends.
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 
@@ -98,13 +101,13 @@ TEST_P(IslandLevels, WalkAsWithTheImplicitLaw) {
                     norm(one - other) / norm(one), 0.02, "");
 }
 
-// A box stands on a slope while a ball rolls down onto it: its own law before, an island from then on.
-TEST_P(IslandLevels, BeginWithoutAJump) {
+/// A box stands on a slope while a ball rolls down onto it: largest speed of the box on the way.
+law::Worst lean_on(const std::string& level, const std::string& law) {
   Rig rig(0.8, 3 * degree);
   rig.materials = MaterialTable::standard();
   Entity& box = rig.add("box", box_model({"plastic"}));
   Entity& ball = rig.add("ball", io::ball_model(), {.position = {-0.215, 0, 0}});
-  rig.attach_together({{&box, {.level = GetParam()}}, {&ball, {.level = GetParam()}}});
+  rig.attach_together({{&box, {.level = level, .law = law_named(law)}}, {&ball, {.level = level}}});
   law::Worst speed;
   bool touched = false;
   for (int i = 0; i < 2000; ++i) {
@@ -113,10 +116,18 @@ TEST_P(IslandLevels, BeginWithoutAJump) {
     if (i > 500) speed.see(norm(Rig::velocity(box)), "step", i);
   }
   EXPECT_TRUE(touched) << "the ball did not reach the box";
-  law::expect_below({.law = "ball leans against a box on a slope of 3 degrees: largest speed of the box",
-                     .level = GetParam(),
-                     .source = "it stands before and after, the ball is 40 times lighter"},
-                    speed, 2e-3, "m/s");
+  return speed;
+}
+
+// Its own law before, an island from then on: with the ground as rows (implicit_stick), or with the memory of an explicit
+// law that goes on (kelvin_voigt).
+TEST_P(IslandLevels, BeginWithoutAJump) {
+  for (const char* law : {"implicit_stick", "kelvin_voigt"}) {
+    law::expect_below({.law = "ball leans against a box on a slope of 3 degrees: largest speed of the box",
+                       .level = GetParam() + ", " + law,
+                       .source = "it stands before and after, the ball is 40 times lighter"},
+                      lean_on(GetParam(), law), 2e-3, "m/s");
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, IslandLevels, testing::ValuesIn(dynamic_levels()),
@@ -184,6 +195,98 @@ TEST(Islands, DoNotDependOnThreads) {
     if (threads == 1) first = heap.rig.simulation.state_hash();
     EXPECT_EQ(heap.rig.simulation.state_hash(), first) << threads << " threads";
   }
+}
+
+class TreeLevels : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Bodies, TreeLevels, testing::Values("full_dynamics", "articulated_dynamics"),
+                         [](const auto& test) { return test.param; });
+
+// A ball flies at a wall that is bolted to the world and bounces as from the ground: e v.
+TEST_P(TreeLevels, ABoltedBaseDoesNotGiveWay) {
+  Rig rig;
+  rig.simulation.world().gravity = {};
+  rig.materials = MaterialTable::standard();
+  rig.materials.set("ball", "plastic", {.friction = 0.8, .restitution = 0.6});
+  Entity& wall = rig.add("wall", box_model({"plastic"}));
+  Entity& ball = rig.add("ball", io::ball_model(), {.position = {-0.4, 0, 0}});
+  rig.attach_together({{&wall, {.level = GetParam(), .on_ground = false, .tree = {.fixed_base = true}}},
+                       {&ball, {.on_ground = false}}});
+  rig.simulation.initialize();
+  Rig::launch(ball, {2, 0, 0});
+  const Vec3d place = Rig::place(wall);
+  rig.run(0.5);
+  law::expect_near({.law = "ball bounces from a bolted box: speed afterwards",
+                    .level = GetParam() + ", fixed_base",
+                    .source = "restitution 0.6 of 2 m/s, up to the phase of a step"},
+                   -Rig::velocity(ball).x, 1.2, 0.1, "m/s");
+  EXPECT_EQ(norm(Rig::place(wall) - place), 0);
+}
+
+/// A robot whose numbers go bad while a ball leans on it.
+struct BadNeighbor {
+  BadNeighbor(const std::string& level, double target) {
+    rig.simulation.world().gravity = {};
+    rig.materials = MaterialTable::standard();
+    robot = &rig.add("robot", kid21(), {.position = {0, 0, 1}});
+    ball = &rig.add("ball", io::ball_model(), {.position = {0.12, 0.05, 1.05}});
+    rig.attach_together({{robot, {.level = level, .on_ground = false}}, {ball, {.on_ground = false}}});
+    rig.simulation.initialize();
+    ball->base().set(properties::applied_force, {{}, {-1, 0, 0}});
+    for (int i = 0; i < 2000 && touching() == 0; ++i) rig.simulation.step();
+    EXPECT_EQ(touching(), 1);
+    robot->object("j_l_shin").set(properties::joint_target, target);
+    rig.run(0.01);
+  }
+  [[nodiscard]] std::size_t touching() const {
+    return rig.ground->find(collision::pair_contacts)->values[0].points.size();
+  }
+  Rig rig;
+  Entity* robot = nullptr;
+  Entity* ball = nullptr;
+};
+
+// The neighbor plays on: it neither freezes nor is shot away.
+TEST_P(IslandLevels, BadNumbersDoNotReachTheNeighbor) {
+  for (const double target : {std::numeric_limits<double>::quiet_NaN(), 1e300}) {
+    const BadNeighbor scene(GetParam(), target);
+    EXPECT_TRUE(scene.robot->frozen()) << target;
+    EXPECT_FALSE(scene.ball->frozen()) << target;
+    EXPECT_LT(norm(Rig::velocity(*scene.ball)), 2) << target;
+  }
+}
+
+// Robots of links that touch each other, with controllers: the solver must wait for all that levels read.
+TEST(Islands, OfWalkingRobotsDoNotDependOnThreads) {
+  std::uint64_t first = 0;
+  for (const int threads : {1, 2, 3}) {
+    Rig rig(0.8, 0, 1000, threads);
+    rig.materials = MaterialTable::standard();
+    std::vector<Rig::Together> all;
+    for (int i = 0; i < 3; ++i) {
+      Entity& robot = rig.add("robot" + std::to_string(i), kid21(), {.position = {0, 0.27 * i, 0}});
+      rig.simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz,
+                                                 Vec3d{0.1, 0.06 * (1 - i), 0});
+      all.push_back({&robot, {.level = i == 1 ? "full_dynamics" : "articulated_dynamics"}});
+    }
+    rig.attach_together(all);
+    int touched = 0;
+    for (int i = 0; i < 3000; ++i) {
+      rig.simulation.step();
+      touched += rig.ground->find(collision::pair_contacts)->values[0].points.empty() ? 0 : 1;
+    }
+    EXPECT_GT(touched, 100) << "the robots do not touch";
+    if (threads == 1) first = rig.simulation.state_hash();
+    EXPECT_EQ(rig.simulation.state_hash(), first) << threads << " threads";
+  }
+}
+
+TEST(Islands, RefuseMotionAtAnotherRate) {
+  Rig rig;
+  Entity& box = rig.add("box", box_model());
+  rig.attach_ground(box, {});
+  rig.simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", box, 500);
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { rig.simulation.initialize(); }),
+                             {"simplified_dynamics of box", "2 ms", "1 ms", "one rate"}));
 }
 
 }  // namespace

@@ -38,6 +38,20 @@ TEST_F(PlanTest, DifferentEntitiesShareAWave) {
   EXPECT_EQ(waves_of({&writes_a, &writes_b, &reads_both}), (std::vector<Wave>{{0, 1}, {2}}));
 }
 
+// An island solver has levels of its entities work, and so waits for everything that they may read.
+TEST_F(PlanTest, AClaimedEntityIsTouchedByNobodyElse) {
+  Entity& a = entity("a");
+  Entity& b = entity("b");
+  AccessSet controller, engine, claims, level, other;
+  (void)setup(a, controller).write(properties::walk_command);
+  (void)setup(a, engine).read(properties::walk_command);
+  (void)setup(a, engine).write(properties::joint_target);
+  setup(a, claims).claim();
+  (void)setup(a, level).read(properties::joint_target);
+  (void)setup(b, other).write(properties::joint_target);
+  EXPECT_EQ(waves_of({&controller, &engine, &claims, &level, &other}), (std::vector<Wave>{{0, 4}, {1}, {2}, {3}}));
+}
+
 TEST_F(PlanTest, ReadersOfTheSameColumnShareAWave) {
   Entity& a = entity("a");
   AccessSet first, second;
