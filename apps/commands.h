@@ -30,7 +30,7 @@ struct CheckOptions {
 
 int check(const CheckOptions& options);
 
-/// `what`: levels, contacts, controllers, sensors, properties.
+/// `what`: levels, contacts, body_contacts, integrators, servo_laws, controllers, sensors, properties.
 int list(const std::string& what);
 
 }  // namespace murosimf::app

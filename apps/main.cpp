@@ -48,7 +48,9 @@ void add_check(CLI::App& app, CheckOptions& options, int& exit_code) {
 
 void add_list(CLI::App& app, std::string& what, int& exit_code) {
   CLI::App* list_command = app.add_subcommand("list", "List the names that there are");
-  list_command->add_option("what", what, "levels, contacts, controllers, sensors or properties")
+  list_command
+      ->add_option("what", what,
+                   "levels, contacts, body_contacts, integrators, servo_laws, controllers, sensors or properties")
       ->required()
       ->check(CLI::IsMember({"levels", "contacts", "body_contacts", "integrators", "servo_laws", "controllers",
                              "sensors", "properties"}));

@@ -62,25 +62,26 @@ std::shared_ptr<const collision::ContactLaw> make_paper_multipoint() {
 
 constexpr std::array level_entries{
     Level{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
-          false, attach_kinematic_walking},
+          false, "joint_reference", attach_kinematic_walking},
     Level{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)", true,
-          attach_simplified_dynamics},
+          "joint_reference base_rigid integrator", attach_simplified_dynamics},
     Level{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)", true,
-          attach_full_dynamics},
-    Level{"articulated_dynamics", "servos make torque, the whole tree moves as it must", true,
+          "joint_reference fixed_base integrator", attach_full_dynamics},
+    Level{"articulated_dynamics", "servos make torque, the whole tree moves as it must", true, "fixed_base integrator",
           attach_articulated_dynamics},
 };
 
 constexpr std::array contact_entries{
     Contact{"implicit_stick", "compliant, implicit, with a tangential spring that sticks; the default",
-            make_law<collision::ImplicitStick>},
+            make_law<collision::ImplicitStick>, 0.01, 0.01},
     Contact{"island_gauss_seidel", "the same force, settled together with all contacts of what is touched",
-            make_law<collision::IslandGaussSeidel>},
+            make_law<collision::IslandGaussSeidel>, 0.01, 0.01},
     Contact{"kelvin_voigt", "spring, damper and a tangential spring that sticks; explicit, for steps of 1 ms",
-            make_law<collision::KelvinVoigt>},
+            make_law<collision::KelvinVoigt>, 0.002, 0.001},
     Contact{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)",
-            make_law<collision::PaperLaw>},
-    Contact{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint},
+            make_law<collision::PaperLaw>, 0.002, 0.001},
+    Contact{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint, 0.002,
+            0.001},
 };
 
 constexpr std::array controller_entries{

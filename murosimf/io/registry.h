@@ -25,13 +25,16 @@ struct LevelOptions {
 
 struct Level {
   std::string_view name, meaning;
-  bool dynamic;  ///< forces move it: it needs contact with the ground
+  bool dynamic;              ///< forces move it: it needs contact with the ground
+  std::string_view options;  ///< keys of a robot that it uses, besides those that all levels use
   void (*attach)(Simulation&, Entity&, double rate_hz, const LevelOptions&);
 };
 
 struct Contact {
   std::string_view name, meaning;
   std::shared_ptr<const collision::ContactLaw> (*make)();
+  double longest_step;        ///< [s] with which a robot stands and walks at levels without servos (docs/scenes.md)
+  double longest_servo_step;  ///< [s] the same at articulated_dynamics
 };
 
 /// What a controller may want to know about its robot's place in the scene.

@@ -28,10 +28,10 @@ toml::table algorithm_table(const AlgorithmStatistics& a) {
 }  // namespace
 
 std::string to_text(const RunReport& report) {
-  std::string text = fmt::format("{:<10} {:<20} {:<15} {:<12} {:>9} {:>8} {:>6} {:>18}\n", "entity", "level", "contact",
+  std::string text = fmt::format("{:<12} {:<20} {:<20} {:<12} {:>9} {:>8} {:>6} {:>18}\n", "entity", "level", "contact",
                                  "controller", "walked", "", "falls", "position");
   for (const EntityReport& e : report.entities) {
-    text += fmt::format("{:<10} {:<20} {:<15} {:<12} {:>7.2f} m {:>8} {:>6} {:>8.2f} {:>8.2f} m\n", e.name, e.level,
+    text += fmt::format("{:<12} {:<20} {:<20} {:<12} {:>7.2f} m {:>8} {:>6} {:>8.2f} {:>8.2f} m\n", e.name, e.level,
                         e.contact.empty() ? "-" : e.contact, e.controller.empty() ? "-" : e.controller, e.distance,
                         e.frozen ? "frozen" : "", e.falls, e.position.x, e.position.y);
   }

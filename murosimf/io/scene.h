@@ -45,6 +45,8 @@ class Scene {
   void add_robot(const RobotSpec& robot);
   void attach_controllers();
   void attach_contact();
+  /// What a user may have overlooked: options that the level does not have, steps too long, joints without servos.
+  void warn_about(const RobotSpec& robot, const Model& model);
   void attach_motion();
   void attach_observers();
   void apply_settings();

@@ -36,6 +36,8 @@ void read_start(const TomlTable& scene, SceneSpec& spec) {
   start.read("jitter_heading_deg", heading_deg);
   require(spec.jitter_position >= 0, start, "jitter_position", "must not be negative");
   require(heading_deg >= 0, start, "jitter_heading_deg", "must not be negative");
+  require(heading_deg <= 360, start, "jitter_heading_deg", "is more than a turn");
+  require(spec.jitter_position <= 1e4, start, "jitter_position", "is more than 10 km");
   spec.jitter_heading = heading_deg * degree;
 }
 
@@ -86,6 +88,8 @@ void read_teams(const TomlTable& scene, SceneSpec& spec) {
   }
 }
 
+constexpr double farthest_place = 1e4;  // [m]
+
 void read_robot(const TomlTable& table, RobotSpec& robot) {
   robot.where = table.where();
   table.read("name", robot.name);
@@ -107,6 +111,8 @@ void read_robot(const TomlTable& table, RobotSpec& robot) {
   table.read("command", robot.command);
   double heading_deg = robot.heading / degree;
   table.read("heading_deg", heading_deg);
+  require(std::abs(heading_deg) <= 3600, table, "heading_deg", "must be between -3600 and 3600");
+  require(norm(robot.position) <= farthest_place, table, "position", "is further than 10 km away");
   robot.heading = heading_deg * degree;
   at(table.where("level"), [&] { return &find_entry(levels(), "level", robot.level); });
   at(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", robot.contact); });

@@ -32,7 +32,7 @@ void ArticulatedDynamics::initialize() {
   tree_.contacts.response = this;
 }
 
-void ArticulatedDynamics::check_inertias() const {
+void ArticulatedDynamics::check_inertias() {
   const auto& links = tree_.columns.model.tree().links;
   std::vector<RigidInertia<double>> composite;
   for (const auto& link : tree_.links) composite.push_back(link.inertia);
@@ -47,6 +47,14 @@ void ArticulatedDynamics::check_inertias() const {
     }
     composite[links[l].parent] += composite[l];
   }
+  if (!tree_.is_free()) return;
+  drive_joints(0);
+  solve(0);
+  if (!is_firmly_positive(bodies_[0].inertia)) {
+    throw SetupError(
+        fmt::format("model '{}': its base '{}' can move without moving any inertia; give it mass and inertia",
+                    tree_.columns.model.name(), tree_.columns.model.objects()[0].name));
+  }
 }
 
 void ArticulatedDynamics::step(const Instant& instant) noexcept {
@@ -59,11 +67,11 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
     });
   }
   if (!targets_sane_) return tree_.halt("a joint position or target is no sensible number");
-  if (!accelerations_are_sane()) return tree_.halt("its motion is no sensible number");
+  if (!accelerations_are_sane()) return tree_.halt(too_fast);
   report_torques();
   tree_.commit_contacts();
   const Motiond base = bodies_[0].acceleration;
-  if (!tree_.advance_base(base, dt_)) return tree_.halt("its motion is no sensible number");
+  if (!tree_.advance_base(base, dt_)) return tree_.halt(too_fast);
   advance_joints(dt_);
   tree_.finish_step();
 }
@@ -84,7 +92,7 @@ void ArticulatedDynamics::step_rk4(double dt) noexcept {
   const auto joint_acceleration = [&](int joint) {
     return bodies_[tree_.columns.model.tree().link_of[joint]].joint_acceleration;
   };
-  if (!tree_.advance_rk4(dt, accelerations, joint_acceleration)) return tree_.halt("its motion is no sensible number");
+  if (!tree_.advance_rk4(dt, accelerations, joint_acceleration)) return tree_.halt(too_fast);
   report_torques();
   tree_.finish_step();
 }

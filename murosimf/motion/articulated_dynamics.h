@@ -36,7 +36,7 @@ class ArticulatedDynamics final : public Algorithm, private collision::ImpulseRe
   void report_torques() noexcept;
   void advance_joints(double dt) noexcept;
   [[nodiscard]] bool accelerations_are_sane() const noexcept;
-  void check_inertias() const;
+  void check_inertias();
 
   MovingTree tree_;
   JointDrives drives_;

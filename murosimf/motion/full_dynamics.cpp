@@ -41,7 +41,7 @@ void FullDynamics::step(const Instant& instant) noexcept {
   if (!joints_sane_) return tree_.halt("a joint position or target is no sensible number");
   find_torques(instant);
   tree_.commit_contacts();
-  if (!tree_.advance_base(base_, dt_)) return tree_.halt("its motion is no sensible number");
+  if (!tree_.advance_base(base_, dt_)) return tree_.halt(too_fast);
   tree_.finish_step();
 }
 
@@ -66,7 +66,7 @@ void FullDynamics::step_rk4(const Instant& instant) noexcept {
   std::copy(tree_.columns.qd.begin(), tree_.columns.qd.end(), old_rate_.begin());
   const auto joint_acceleration = [&](int joint) { return reference_.acceleration(tree_.columns, joint); };
   if (!tree_.advance_rk4(seconds(instant.period), accelerations, joint_acceleration)) {
-    return tree_.halt("its motion is no sensible number");
+    return tree_.halt(too_fast);
   }
   tree_.finish_step();
 }

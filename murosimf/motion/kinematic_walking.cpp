@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/motion/sanity.h"
 #include "murosimf/multibody/kinematics.h"
 
 namespace murosimf::motion {
@@ -70,6 +71,11 @@ void KinematicWalking::step(const Instant& instant) noexcept {
   set_base_twist();
   columns_.update_velocities();
   columns_.remember_base();
+  const Vec3d& r = columns_.r[0];
+  if (!(dot(r, r) < farthest * farthest)) {
+    columns_.stop();
+    entity_.freeze(too_fast);
+  }
 }
 
 const KinematicWalking::Foot& KinematicWalking::standing_foot() const noexcept {

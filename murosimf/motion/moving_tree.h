@@ -80,6 +80,7 @@ class MovingTree {
   /// returns a'_0 and has qdd(joint object) ready. False if the state is no sensible number.
   template <class Solve, class JointAcceleration>
   [[nodiscard]] bool advance_rk4(double dt, const Solve& solve, const JointAcceleration& qdd) noexcept;
+  [[nodiscard]] bool is_free() const { return !options_.fixed_base; }
   [[nodiscard]] Integrator integrator() const { return options_.integrator; }
   /// To be called last in a step: poses, velocities, links, common mass.
   void finish_step() noexcept;

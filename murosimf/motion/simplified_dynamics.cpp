@@ -65,7 +65,7 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
   }
   multibody::FreeBody<double> body{center_, velocity_, columns_.Q[0], columns_.w[0]};
   multibody::advance(body, acceleration_, dt_);
-  if (!is_sane(body)) return halt("its motion is no sensible number");
+  if (!is_sane(body)) return halt(too_fast);
   if (!reference_.advance(columns_, dt_)) return halt("a joint position or target is no sensible number");
   collision::commit_contacts(contacts_, columns_.r, external_force_);
 
@@ -109,7 +109,7 @@ void SimplifiedDynamics::step_rk4(double dt) noexcept {
   const bool sane = is_sane_state(row_);
   place(read_state(sane ? row_ : start, columns_));
   columns_.remember_base();
-  if (!sane) return halt("its motion is no sensible number");
+  if (!sane) return halt(too_fast);
 }
 
 void SimplifiedDynamics::begin_step(double dt) noexcept {

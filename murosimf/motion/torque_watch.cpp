@@ -43,7 +43,7 @@ void TorqueWatch::look(const Instant& instant, std::span<const double> torque, s
 
 std::string overload_message(const Entity& entity) {
   const auto* column = entity.find(properties::overload);
-  if (!column) return {};
+  if (!column || entity.frozen()) return {};
   std::vector<int> weak;
   for (const int i : entity.model().joints()) {
     if (column->values[i].needed > column->values[i].given) weak.push_back(i);
@@ -56,7 +56,9 @@ std::string overload_message(const Entity& entity) {
   std::string line =
       fmt::format("{}: not feasible: {} needs {:.1f} Nm, servo gives {:.1f} at {:.1f} rad/s (at {:.2f} s)",
                   entity.name(), name(weak[0]), worst.needed, worst.given, worst.rate, worst.time);
-  for (std::size_t k = 1; k < weak.size(); ++k) line += (k == 1 ? "; also " : ", ") + name(weak[k]);
+  constexpr std::size_t most = 4;
+  for (std::size_t k = 1; k < std::min(weak.size(), most); ++k) line += (k == 1 ? "; also " : ", ") + name(weak[k]);
+  if (weak.size() > most) line += fmt::format(" and {} more", weak.size() - most);
   return line;
 }
 
