@@ -187,6 +187,8 @@ TEST(RobotTable, NamesBadNumbersOfServos) {
   EXPECT_EQ(complaint(section("type = 'mx64'\nviscous_friction = inf")), ":3:20: " + infinite);
   EXPECT_EQ(complaint(section("type = 'mx64'\nviscous_friction = -0.1")), ":3:20: " + infinite);
   EXPECT_EQ(complaint(section("type = 'mx64'\nviscous_friction = true")), ":3:20: " + infinite);
+  EXPECT_EQ(complaint(section("type = 'mx64'\ncommand_delay = 1e6")),
+            ":3:17: 'command_delay' is in seconds; more than 1 is no delay of a bus");
   const std::string duty = ":3:14: 'duty_limit' must be a number above 0, at most 1";
   for (const char* number : {"0", "1.01", "nan", "'1'"}) {
     EXPECT_EQ(complaint(section(std::string("type = 'mx64'\nduty_limit = ") + number)), duty);

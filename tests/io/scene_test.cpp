@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "murosimf/model/properties.h"
@@ -180,6 +181,23 @@ TEST(SceneMistakes, AreNamedWithTheirPlace) {
   expect_mistake(mistake(with("[ball]\n", "[ball]\nradius = -1\n")), {"'radius' must be positive"});
 }
 
+TEST(SceneMistakes, ThatOnlyWeakenAResultAreWarnings) {
+  const auto warned = [](const std::vector<std::string>& overrides, const std::string& text) {
+    Scene scene(write_scene(small_scene), {.overrides = overrides});
+    const auto warnings = scene.report(Duration{}, {}).warnings;
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
+  };
+  EXPECT_FALSE(warned({}, "blue2"));
+  EXPECT_TRUE(warned({"blue2.fixed_base=true"}, "blue2: simplified_dynamics has no 'fixed_base'; it changes nothing"));
+  EXPECT_TRUE(warned({"red1.integrator=rk4"}, "red1: kinematic_walking has no 'integrator'"));
+  EXPECT_FALSE(warned({"blue2.base_rigid=true"}, "blue2"));
+  EXPECT_TRUE(warned({"blue2.contact=paper", "rate=100"},
+                     "blue2: paper under simplified_dynamics is stable with steps up "
+                     "to 2 ms; these are 10 ms long"));
+  EXPECT_FALSE(warned({"rate=100"}, "blue2"));
+}
+
 TEST(SceneMistakes, InOverridesNameTheOverride) {
   const auto set = [](const std::string& text) { return mistake(small_scene, {text}); };
   expect_mistake(set("blue1.level=full"), {"--set 'blue1.level=full'", "unknown level 'full'"});
@@ -197,6 +215,12 @@ TEST(SceneMistakes, InOverridesNameTheOverride) {
   expect_mistake(set("red1.contact=paper_multi"), {"unknown contact law 'paper_multi'", "'paper_multipoint'"});
   expect_mistake(set("field.surface=gras"), {"unknown material 'gras'; did you mean 'grass'?"});
   expect_mistake(set("blue1.controller=ball_chser"), {"did you mean 'ball_chaser'?"});
+  expect_mistake(set("blue2.integrator=rk"), {"--set 'blue2.integrator=rk'", "did you mean 'rk4'?"});
+  expect_mistake(set("body_contact=carr"), {"--set 'body_contact=carr'", "did you mean 'carry'?"});
+  expect_mistake(set("red1.heading_deg=1e300"), {"--set 'red1.heading_deg=1e300'", "between -3600 and 3600"});
+  expect_mistake(set("red1.position=[1e9,0]"), {"'position' is further than 10 km away"});
+  expect_mistake(set("start.jitter_heading_deg=1e300"), {"is more than a turn"});
+  expect_mistake(set("blue1.fork_1.position=[0,0,0]"), {"object 'fork_1'", "cannot be set", "follows 'pelvis'"});
   expect_mistake(set("level"), {"write PATH=VALUE"});
   expect_mistake(set("blue1..level=x"), {"empty part"});
 }

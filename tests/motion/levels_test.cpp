@@ -1,0 +1,84 @@
+// What levels refuse before the first step: one clear line each.
+#include <gtest/gtest.h>
+
+#include "murosimf/collision/contact.h"
+#include "murosimf/motion/articulated_dynamics.h"
+#include "murosimf/motion/full_dynamics.h"
+#include "murosimf/motion/simplified_dynamics.h"
+#include "murosimf/runtime/simulation.h"
+#include "tests/fixtures.h"
+
+namespace murosimf::motion {
+namespace {
+
+using fixtures::says;
+
+/// The message with which a level refuses a model.
+template <class Level>
+std::string refusal(const Chain& chain) {
+  return fixtures::error_of([&] {
+    Simulation simulation;
+    Entity& robot = simulation.world().add("robot", std::make_shared<const Model>("odd", chain));
+    simulation.attach<Level>("level", robot, 1000);
+    simulation.initialize();
+  });
+}
+
+const SymMat3d ball_inertia{1e-3, 1e-3, 1e-3, 0, 0, 0};
+
+TEST(Levels, RefuseAModelWithoutMass) {
+  const Chain chain = Chain{}.base("pelvis").revolute("hinge", {0, 1, 0});
+  EXPECT_TRUE(says(refusal<SimplifiedDynamics>(chain), {"model 'odd' has no mass", "simplified_dynamics needs it"}));
+  EXPECT_TRUE(says(refusal<FullDynamics>(chain), {"model 'odd' has no mass", "full_dynamics needs it"}));
+  EXPECT_TRUE(says(refusal<ArticulatedDynamics>(chain), {"model 'odd' has no mass", "articulated_dynamics needs it"}));
+}
+
+TEST(Levels, RefuseAModelWithoutInertia) {
+  const Chain point = Chain{}.base("pelvis").with(properties::mass, 1.0);
+  EXPECT_TRUE(says(refusal<SimplifiedDynamics>(point), {"no inertia about some axis"}));
+  EXPECT_TRUE(says(refusal<FullDynamics>(point), {"no inertia about some axis"}));
+  EXPECT_TRUE(says(refusal<ArticulatedDynamics>(point), {"no inertia about some axis"}));
+}
+
+/// A base with mass, and a hinge that moves nothing.
+Chain empty_hinge() {
+  return Chain{}
+      .base("pelvis")
+      .with(properties::mass, 1.0)
+      .with(properties::inertia, ball_inertia)
+      .revolute("hinge", {0, 1, 0});
+}
+
+TEST(ArticulatedLevel, RefusesAJointThatMovesNoInertia) {
+  EXPECT_TRUE(says(refusal<ArticulatedDynamics>(empty_hinge()), {"joint 'hinge' moves no inertia", "armature"}));
+  EXPECT_EQ(refusal<ArticulatedDynamics>(empty_hinge().with(properties::joint_armature, 0.01)), "no error");
+  EXPECT_EQ(refusal<FullDynamics>(empty_hinge()), "no error");
+}
+
+TEST(ArticulatedLevel, RefusesABaseThatMovesNoInertia) {
+  const Chain chain = Chain{}
+                          .base("pelvis")
+                          .revolute("hinge", {0, 1, 0})
+                          .with(properties::mass, 1.0)
+                          .with(properties::inertia, ball_inertia);
+  EXPECT_TRUE(says(refusal<ArticulatedDynamics>(chain), {"base 'pelvis'", "give it mass and inertia"}));
+}
+
+TEST(ArticulatedLevel, RefusesAnUnknownOrImpossibleServo) {
+  const auto with_servo = [](const Servo& servo) {
+    return refusal<ArticulatedDynamics>(empty_hinge().with(properties::servo, servo));
+  };
+  EXPECT_TRUE(says(with_servo({.type = "mx", .law = "dc_moter"}), {"servo 'mx'", "did you mean 'dc_motor'?"}));
+  EXPECT_TRUE(says(with_servo({.type = "mx"}), {"servo 'mx'", "positive stall_torque and no_load_rate"}));
+}
+
+TEST(Levels, RefuseAnEmptyRange) {
+  EXPECT_TRUE(
+      says(fixtures::error_of([] {
+             Model("odd", Chain{}.base().revolute("hinge", {0, 1, 0}).with(properties::joint_range, {1, -1, 0}));
+           }),
+           {"joint 'hinge'", "range from 1 to -1 is empty"}));
+}
+
+}  // namespace
+}  // namespace murosimf::motion
