@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/motion/coulomb_damping.h"
 #include "murosimf/motion/torque_watch.h"
 
 namespace murosimf::motion {
@@ -13,7 +14,6 @@ namespace {
 constexpr double stop_bend = 0.25 * pi / 180;  // [rad]
 constexpr double stop_shift = 0.5e-3;          // [m]
 constexpr double stop_damping_time = 5e-3;     // [s] damper over spring
-constexpr double slow = 0.05;                  // [rad/s | m/s] below this passive friction falls linearly to zero
 
 double value_or_zero(const double* number) { return number ? *number : 0; }
 
@@ -79,7 +79,7 @@ JointDrives::Answer JointDrives::drive(int i, double q, double qd, double dt) co
   JointDrive& all = answer.all;
   all = {answer.servo.torque, answer.servo.inertia + joint.rotor};
   if (joint.damping > 0 || joint.friction > 0) {
-    const double b = joint.damping + joint.friction / std::max(std::abs(qd), slow);
+    const double b = joint.damping + coulomb_damping(joint.friction, qd);
     all.torque -= b * qd;
     all.inertia += dt * b;
   }

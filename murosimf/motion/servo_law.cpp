@@ -9,11 +9,10 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
+#include "murosimf/motion/coulomb_damping.h"
 
 namespace murosimf::motion {
 namespace {
-
-constexpr double slow = 0.05;  // [rad/s] below this Coulomb friction falls linearly to zero
 
 /// What the servo loses in itself at a rate [rad/s] that is not small.
 double friction(const Servo& servo, double qd) {
@@ -21,7 +20,7 @@ double friction(const Servo& servo, double qd) {
 }
 
 void add_friction(JointDrive& drive, const Servo& servo, double qd, double dt) {
-  const double b = servo.coulomb_friction / std::max(std::abs(qd), slow) + servo.viscous_friction;
+  const double b = coulomb_damping(servo.coulomb_friction, qd) + servo.viscous_friction;
   drive.torque -= b * qd;
   drive.inertia += dt * b;
 }
