@@ -129,18 +129,44 @@ class Cholesky6 {
   S inverse_[6];  // of the diagonal
 };
 
-/// Solves A m = force for a symmetric positive definite A, by blocks: with X = H M^-1 and the Schur complement
-/// C = J - X H^T,  w = C^-1 (n - X f)  and  v = M^-1 (f - H^T w). Two divisions, where Cholesky waits for six square roots.
+/// A symmetric positive definite A by blocks: X = H M^-1 and the Schur complement C = J - X H^T.
+template <class S>
+struct Blocks {
+  explicit Blocks(const Sym6<S>& A)
+      : inverse_M(inverse(A.M)),
+        H_T(transpose(A.H)),
+        X_T{inverse_M * H_T.x, inverse_M * H_T.y, inverse_M * H_T.z},
+        C(A.J - SymMat3<S>{dot(X_T.x, H_T.x), dot(X_T.y, H_T.y), dot(X_T.z, H_T.z), dot(X_T.x, H_T.y),
+                           dot(X_T.x, H_T.z), dot(X_T.y, H_T.z)}) {}
+
+  SymMat3<S> inverse_M;
+  Mat3<S> H_T, X_T;  // transposed
+  SymMat3<S> C;      // X H^T is symmetric
+};
+
+/// Solves A m = force for a symmetric positive definite A: w = C^-1 (n - X f), v = M^-1 (f - H^T w).
+/// Two divisions, where Cholesky waits for six square roots.
 template <class S>
 Motion<S> solve(const Sym6<S>& A, const Force<S>& force) {
-  const SymMat3<S> inverse_M = inverse(A.M);
-  const Mat3<S> H_T = transpose(A.H);
-  // columns of X^T = M^-1 H^T; X H^T is symmetric
-  const Mat3<S> X_T{inverse_M * H_T.x, inverse_M * H_T.y, inverse_M * H_T.z};
-  const SymMat3<S> XH{dot(X_T.x, H_T.x), dot(X_T.y, H_T.y), dot(X_T.z, H_T.z),
-                      dot(X_T.x, H_T.y), dot(X_T.x, H_T.z), dot(X_T.y, H_T.z)};
-  const Vec3<S> w = inverse(A.J - XH) * (force.n - transposed_times(X_T, force.f));
-  return {w, inverse_M * (force.f - H_T * w)};
+  const Blocks<S> b(A);
+  const Vec3<S> w = inverse(b.C) * (force.n - transposed_times(b.X_T, force.f));
+  return {w, b.inverse_M * (force.f - b.H_T * w)};
+}
+
+/// Positive definite, and not only by rounding: no direction has less than 1e-12 of the mean inertia.
+inline bool is_firmly_positive(const Sym6d& A) {
+  const auto firm = [](const SymMat3d& m) {
+    const double mean = (m.xx + m.yy + m.zz) / 3;
+    return is_positive_definite(m) && is_positive_definite(m - diagonal(1e-12 * mean));
+  };
+  return firm(A.M) && firm(Blocks<double>(A).C);
+}
+
+/// True if all components are exactly zero.
+inline bool is_zero(const Forced& force) { return is_zero(force.n) && is_zero(force.f); }
+/// True for a positive semidefinite matrix that is exactly zero: it has no diagonal.
+inline bool is_zero(const Sym6d& m) {
+  return m.J.xx == 0 && m.J.yy == 0 && m.J.zz == 0 && m.M.xx == 0 && m.M.yy == 0 && m.M.zz == 0;
 }
 
 // ---- definitions ----
