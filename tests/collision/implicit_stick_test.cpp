@@ -154,12 +154,8 @@ TEST(ImplicitStickTest, OpensWhereItWouldPull) {
 // Rule: an open point feels no rolling resistance either: there is no normal force that could cause it.
 TEST(ImplicitStickTest, OpenPointDoesNotRoll) {
   const ImplicitStick law;
-  ContactParameters p = parameters();
-  p.rolling = 0.03;
-  ContactSet set = one_point(1e-3, {}, p);
+  ContactSet set = rolling_point();
   ContactPoint& c = set.points[0];
-  c.radius = 0.05;
-  c.angular_velocity = {0, 10, 0};
   law.prepare(set);
   EXPECT_LT(c.moment.y, 0);
   set.next_velocity[0] = {0, 0, 1};
@@ -314,12 +310,8 @@ TEST(ImplicitStickTest, FrictionAtFirstTouch) {
 // Of the spring's force k * depth, and linear in the rate after the step.
 TEST(ImplicitStickTest, RollingResistance) {
   const ImplicitStick law;
-  ContactParameters p = parameters();
-  p.rolling = 0.03;
-  ContactSet set = one_point(1e-3, {}, p);
+  ContactSet set = rolling_point();
   ContactPoint& c = set.points[0];
-  c.radius = 0.05;
-  c.angular_velocity = {0, 10, 0};
   law.prepare(set);
   expect_law(level, "rolling resistance: error of the moment", "rolling * radius * k * depth against the rotation",
              difference(c.moment, {0, -0.03 * 0.05 * 10, 0}), 1e-17, "N m");

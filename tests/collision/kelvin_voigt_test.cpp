@@ -24,12 +24,8 @@ TEST(KelvinVoigtTest, SpringAndDamper) {
 
 // Rule: the law is explicit: no damping is handed to motion, and every trial is accepted as it is.
 TEST(KelvinVoigtTest, IsExplicit) {
-  ContactParameters p = parameters();
-  p.rolling = 0.03;
-  ContactSet set = one_point(1e-3, {1, 0, 0}, p);
+  ContactSet set = rolling_point({1, 0, 0});
   ContactPoint& c = set.points[0];
-  c.radius = 0.05;
-  c.angular_velocity = {0, 10, 0};
   c.normal_damping = c.tangent_damping = c.angular_damping = 7;
   law.prepare(set);
   EXPECT_EQ(c.normal_damping, 0);
@@ -46,12 +42,8 @@ TEST(KelvinVoigtTest, IsExplicit) {
 
 // Rule: a point never pulls; where it would, it opens and forgets.
 TEST(KelvinVoigtTest, OpensWhereItWouldPull) {
-  ContactParameters p = parameters();
-  p.rolling = 0.03;
-  ContactSet set = one_point(1e-3, {0.1, 0, 0.21}, p);
+  ContactSet set = rolling_point({0.1, 0, 0.21});
   ContactPoint& c = set.points[0];
-  c.radius = 0.05;
-  c.angular_velocity = {0, 10, 0};
   c.stretch = {1e-4, 0, 0};
   law.prepare(set);
   EXPECT_EQ(c.state, ContactState::open);

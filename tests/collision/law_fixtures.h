@@ -51,6 +51,16 @@ inline ContactSet one_point(double depth, const Vec3d& velocity = {}, const Cont
   return set;
 }
 
+/// One point of a round body of 5 cm that rolls with 10 rad/s about y, on ground with rolling resistance 0.03.
+inline ContactSet rolling_point(const Vec3d& velocity = {}) {
+  ContactParameters p = parameters();
+  p.rolling = 0.03;
+  ContactSet set = one_point(1e-3, velocity, p);
+  set.points[0].radius = 0.05;
+  set.points[0].angular_velocity = {0, 10, 0};
+  return set;
+}
+
 /// A vector by its parts along the normal, along the sliding direction (only while slipping) and across both.
 struct Parts {
   Vec3d normal, sliding, across;
