@@ -41,7 +41,7 @@ void BodyContact::initialize() {
     std::fill(mover.external_force.begin(), mover.external_force.end(), Forced{});
     std::fill(mover.external_damping.begin(), mover.external_damping.end(), Sym6d{});
     mover.ledger[0] = Forced{};
-    mover.contacts.period = period_;
+    mover.contacts.dt = period_;
     mover.contacts.damped_by_others = options_.law == PairLaw::carry;
   }
 }

@@ -1,6 +1,6 @@
 /// contact.h - points where a body touches something, and the set of them that one entity has.
 ///
-/// The seam between contact and motion (design section 4): a law turns contacts into `external_force` and
+/// The seam between contact and motion: a law turns contacts into `external_force` and
 /// `external_damping` per body; a motion algorithm that integrates implicitly lets the law look at the velocities
 /// that its trial step would give, and repeats the step while the law asks for it.
 #pragma once
@@ -67,10 +67,9 @@ struct ContactSet {
   std::vector<ContactPoint> points;           ///< sorted by feature
   std::vector<ContactParameters> parameters;  ///< by Contact::surface
   const ContactLaw* law = nullptr;
-  double dt = 0;                        ///< [s] of the step that the forces are made for
+  double dt = 0;                        ///< [s] of contact's steps; motion must have the same. 0: no contact attached
   ImpulseResponse* response = nullptr;  ///< of the level that moves the entity, for island solvers; null: none
-  double period = 0;  ///< [s] of the algorithms that fill this set; motion must have the same. 0: there are none
-  bool damped_by_others = false;  ///< contact between bodies adds external damping: motion must be implicit in it
+  bool damped_by_others = false;        ///< contact between bodies adds external damping: motion must be implicit in it
   bool solved = false;  ///< an island solver has settled this step already; motion takes it over and resets this
 
   // working memory, kept to avoid allocation
@@ -96,8 +95,8 @@ void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> ex
 /// sensors; the linearization before was about the velocities at its beginning).
 void write_final_forces(const ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force) noexcept;
 
-/// The step is settled: memory of the law, and the forces that acted in the column. Does nothing if an island solver has
-/// done it already. `r` [m] origins of the objects at the beginning of the step.
+/// The step is settled: memory of the law, and the forces that acted in the column. Does nothing if an island solver
+/// has done it already. `r` [m] origins of the objects at the beginning of the step.
 void commit_contacts(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force) noexcept;
 
 /// The law's memory of a point goes on: what `old` has at the end of its step.

@@ -63,7 +63,7 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
 void GroundContact::initialize() {
   set_ = ContactSet{};
   set_.law = law_.get();
-  set_.period = period_;
+  set_.dt = period_;
   set_.parameters = parameters_;
   set_.rest_force.resize(static_cast<std::size_t>(model_.size()));
   const std::size_t most = 8 * shapes_.size() * planes_.size();
@@ -75,8 +75,7 @@ void GroundContact::initialize() {
   std::fill(external_damping_.begin(), external_damping_.end(), Sym6d{});
 }
 
-void GroundContact::step(const Instant& instant) noexcept {
-  set_.dt = seconds(instant.period);
+void GroundContact::step(const Instant&) noexcept {
   for (const int object : set_.loaded) external_damping_[object] = Sym6d{};
   for (const auto& [object, damping] : set_.rest_damping) external_damping_[object] = Sym6d{};
   set_.rest_damping.clear();

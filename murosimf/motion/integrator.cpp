@@ -22,9 +22,9 @@ constexpr std::array entries{
 std::span<const IntegratorEntry> integrators() { return entries; }
 
 void check_contacts(Integrator integrator, const collision::ContactSet& contacts, double period) {
-  if (contacts.period > 0 && contacts.period != period) {
+  if (contacts.dt > 0 && contacts.dt != period) {
     throw SetupError(fmt::format("its motion has steps of {:.3g} ms, its contact of {:.3g} ms; attach both at one rate",
-                                 1e3 * period, 1e3 * contacts.period));
+                                 1e3 * period, 1e3 * contacts.dt));
   }
   if (integrator != Integrator::rk4) return;
   if (contacts.damped_by_others) {

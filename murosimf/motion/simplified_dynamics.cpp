@@ -1,7 +1,6 @@
 #include "murosimf/motion/simplified_dynamics.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 #include <fmt/format.h>
@@ -54,7 +53,6 @@ void SimplifiedDynamics::initialize() {
 }
 
 void SimplifiedDynamics::step(const Instant& instant) noexcept {
-  assert(!contacts_.law || contacts_.dt == seconds(instant.period));  // contact and motion must run at the same rate
   if (options_.integrator == Integrator::rk4 && !contacts_.solved) return step_rk4(seconds(instant.period));
   if (!contacts_.solved) {
     begin_step(seconds(instant.period));
