@@ -1,9 +1,9 @@
 /// body_contact.h - algorithm: contact between entities that move.
 ///
 /// Runs after the contact of every entity with the ground and before their motion. Finds the bodies that touch
-/// (pair_finder.h) and lets the scene's law push them (pair_law.h). With `island_gauss_seidel` every island of touching entities is
-/// solved here: each member makes its free pass, its contacts with the ground and with the others become rows
-/// (island_solver.h), and motion takes the result over. Contacts with the ground become rows if their law has the
+/// (pair_finder.h) and lets the scene's law push them (pair_law.h). With `island_gauss_seidel` every island of touching
+/// entities is solved here: each member makes its free pass, its contacts with the ground and with the others become
+/// rows (island_solver.h), and motion takes the result over. Contacts with the ground become rows if their law has the
 /// same force and memory (implicit_stick), so an entity changes between its own law and an island from step to step
 /// without a jump; explicit laws keep their force, and only contacts between bodies are rows.
 ///

@@ -5,8 +5,8 @@
 ///     kt = k,  ct = d / 2
 ///
 /// Source of this rule and of 0.4 mm: the project's prototype, which stood and walked with it on a robot of 4.3 kg
-/// (k = 13 kN/m, d = 120 N s/m). zeta = 0.5 for robots. For a round body zeta follows from the restitution e of the pair, from the closed form of a
-/// damped spring that cannot pull (first zero of its force):
+/// (k = 13 kN/m, d = 120 N s/m). zeta = 0.5 for robots. For a round body zeta follows from the restitution e of the
+/// pair, from the closed form of a damped spring that cannot pull (first zero of its force):
 ///
 ///     e = exp(-(z/w) (pi - atan2(2 z w, w^2 - z^2))),   w = sqrt(1 - z^2)
 ///

@@ -2,7 +2,8 @@
 ///
 /// Finds the points of every shape below the ground plane, gives each the memory that its feature had in the step
 /// before, lets the law linearize them, and writes external_force (pushes of users, ground) and external_damping.
-/// Contacts with other moving bodies come on top of that (body_contact.h). The motion algorithm that comes after it settles the rest with the law (contact.h).
+/// Contacts with other moving bodies come on top of that (body_contact.h). The motion algorithm that comes after it
+/// settles the rest with the law (contact.h).
 #pragma once
 
 #include <memory>

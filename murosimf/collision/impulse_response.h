@@ -1,7 +1,7 @@
 /// impulse_response.h - what an island solver asks of whatever moves an entity: how contacts would change its motion.
 ///
-/// The level solves its step once without contacts (free_pass). What an impulse then adds is linear: the level's factorization
-/// M = F F^T gives for every direction J of a contact point the vector y = F^-1 J^T, so that J M^-1 J^T = y . y, and
+/// The level solves its step once without contacts (free_pass). What an impulse then adds is linear: the level's
+/// factorization M = F F^T gives for every direction J of a contact point the vector y = F^-1 J^T, so that J M^-1 J^T = y . y, and
 /// what all impulses together do is known from z = sum y lambda. Most numbers of y are zero: those of joints that are
 /// not between the base and the body.
 /// Source: Featherstone 2008, sec. 6.5 (branch-induced sparsity of the factors); the articulated-body algorithm
@@ -43,7 +43,8 @@ class ImpulseResponse {
   virtual ~ImpulseResponse() = default;
 
   /// Solves the step of `dt` [s] with the present external_force and external_damping, and keeps the factorization.
-  /// False if that gives no sensible numbers: the entity freezes in its own step, and must not touch others in this one.
+  /// False if that gives no sensible numbers: the entity freezes in its own step, and must not touch others in this
+  /// one.
   [[nodiscard]] virtual bool free_pass(double dt) noexcept = 0;
   /// How many numbers z has.
   [[nodiscard]] virtual std::size_t coordinates() const noexcept = 0;

@@ -1,17 +1,17 @@
-/// island_solver.h - all contacts of a few entities at once: projected Gauss-Seidel over the velocities after the step.
+/// island_solver.h - all contacts of a few entities at once: projected Gauss-Seidel on velocities after the step.
 ///
-/// Unknown are the impulses lambda = h f of the contact points. With v the velocity after the step, linear in the impulses
-/// (impulse_response.h: v = v_free + y . z, z = sum y lambda), a compliant contact as in implicit_stick.h demands
+/// Unknown are the impulses lambda = h f of the contact points. With v the velocity after the step, linear in the
+/// impulses (impulse_response.h: v = v_free + y . z, z = sum y lambda), a compliant contact as in implicit_stick.h demands
 ///
 ///     normal:   v_n + R_n lambda_n = k delta / b_n,  lambda_n >= 0         R = 1 / (h b),  b_n = d + theta h k
 ///     tangent:  v_t + R_t lambda_t = -kt s / b_t,  |lambda_t| <= mu lambda_n              b_t = ct + h kt
 ///
 /// which is the same force law, f_n = k (delta - theta h v_n) - d v_n and so on. A sweep solves one contact after the
 /// other, a number for the normal and two for the tangent, with the direction of sweeping alternating; impulses start
-/// from those of the step before. A point that sticks is solved exactly; one that slides takes a step against its residual,
-/// as far as the cone lets it, so that friction ends up straight against the motion.
-/// Source: projected Gauss-Seidel with regularization as in Catto, "Iterative dynamics with temporal coherence", GDC 2005,
-/// and Todorov, "Convex and analytically-invertible dynamics with contacts and constraints", ICRA 2014; on articulated
+/// from those of the step before. A point that sticks is solved exactly; one that slides takes a step against its
+/// residual, as far as the cone lets it, so that friction ends up straight against the motion.
+/// Source: projected Gauss-Seidel with regularization as in Catto, "Iterative dynamics with temporal coherence", GDC
+/// 2005, and Todorov, "Convex and analytically-invertible dynamics with contacts and constraints", ICRA 2014; on articulated
 /// bodies without the mass matrix, measured with the project's prototype.
 #pragma once
 

@@ -35,7 +35,8 @@ class AccessSet {
   std::vector<const Entity*> claimed_;
 };
 
-/// True if one writes what the other reads or writes, or claims an entity of which the other touches anything. Reading the same column is no conflict.
+/// True if one writes what the other reads or writes, or claims an entity of which the other touches anything.
+/// Reading the same column is no conflict.
 [[nodiscard]] bool conflict(const AccessSet& a, const AccessSet& b);
 
 /// An algorithm's name, for messages, and what it declared.

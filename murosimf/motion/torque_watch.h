@@ -34,8 +34,8 @@ class TorqueWatch {
   std::span<Overload> overload_;
 };
 
-/// One line about the joint whose servo was too weak by the most, and the names of the others: "blue1: not feasible: l_knee
-/// needs 9.1 Nm, servo gives 6.0 at 0.3 rad/s (at 3.21 s); also l_ankle". Empty if all were strong enough, and at levels
+/// One line about the joint whose servo was too weak by the most, and the names of the others: "blue1: not feasible:
+/// l_knee needs 9.1 Nm, servo gives 6.0 at 0.3 rad/s (at 3.21 s); also l_ankle". Empty if all were strong enough, and at levels
 /// that do not watch.
 [[nodiscard]] std::string overload_message(const Entity& entity);
 

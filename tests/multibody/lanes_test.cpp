@@ -1,4 +1,4 @@
-// Rule of all tests here (design section 7): eight robots stepped in lanes equal the same robots stepped alone, bit for
+// Rule of all tests here: eight robots stepped in lanes equal the same robots stepped alone, bit for
 // bit, in any order of lanes, and a robot whose numbers went bad does not touch its neighbors. No tolerance.
 #include <limits>
 
