@@ -58,6 +58,8 @@ struct LowPoints {
   }
   template <class Emit>
   void operator()(const Plane&, const Emit&) const {}
+  template <class Emit>
+  void operator()(const Convex&, const Emit&) const {}
 };
 
 }  // namespace

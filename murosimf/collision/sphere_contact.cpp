@@ -70,6 +70,7 @@ struct AgainstShape {
                           std::min({s.semi_axes.x, s.semi_axes.y, s.semi_axes.z});
     return ball({}, middle);
   }
+  Result operator()(const Convex&) const { return std::nullopt; }
   Result operator()(const Plane&) const {
     if (center.z >= radius) return std::nullopt;
     return SphereContact{{center.x, center.y, 0}, {0, 0, 1}, radius - center.z};

@@ -22,6 +22,7 @@ struct Volume {
   double operator()(const Cylinder& s) const { return 2.0 * pi * s.radius * s.radius * s.half_length; }
   double operator()(const Ellipsoid& s) const { return 4.0 / 3.0 * pi * s.semi_axes.x * s.semi_axes.y * s.semi_axes.z; }
   double operator()(const Plane&) const { return 0; }
+  double operator()(const Convex&) const { return 0; }
 };
 
 // Source: tables of moments of inertia of homogeneous solids, as in Goldstein, Classical Mechanics, or any
@@ -44,6 +45,7 @@ struct UnitInertia {
     return balls * caps + (1.0 - balls) * (*this)(Cylinder{r, h});
   }
   SymMat3d operator()(const Plane&) const { return {}; }
+  SymMat3d operator()(const Convex&) const { return {}; }
 };
 
 std::vector<double> sizes(const MjcfAttributes& attributes, std::size_t needed) {

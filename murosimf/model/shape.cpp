@@ -14,12 +14,17 @@ struct BoundingRadius {
   double operator()(const Cylinder& s) const { return std::hypot(s.half_length, s.radius); }
   double operator()(const Ellipsoid& s) const { return std::max({s.semi_axes.x, s.semi_axes.y, s.semi_axes.z}); }
   double operator()(const Plane&) const { return std::numeric_limits<double>::infinity(); }
+  double operator()(const Convex& s) const {
+    double square = 0;
+    for (const Vec3d& vertex : s.hull->vertices) square = std::max(square, dot(vertex, vertex));
+    return std::sqrt(square);
+  }
 };
 
 }  // namespace
 
 const char* shape_name(const Shape& shape) {
-  constexpr std::array names{"sphere", "box", "capsule", "cylinder", "ellipsoid", "plane"};
+  constexpr std::array names{"sphere", "box", "capsule", "cylinder", "ellipsoid", "plane", "mesh"};
   return names[shape.index()];
 }
 

@@ -1,6 +1,8 @@
 /// shape.h - geometry and surface of bodies: plain data, no algorithms.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -29,9 +31,22 @@ struct Ellipsoid {
 };
 struct Plane {};  ///< infinite, z = 0, solid below
 
-using Shape = std::variant<Sphere, Box, Capsule, Cylinder, Ellipsoid, Plane>;
+/// A convex polyhedron, shared by all shapes that are made of it (geometry/hull.h makes one of points).
+struct ConvexHull {
+  std::vector<Vec3d> vertices;                    ///< [m] shape frame
+  std::vector<std::vector<std::uint32_t>> faces;  ///< corners of each face, counterclockwise seen from outside
+  std::vector<Vec3d> normals;                     ///< [1] of each face, unit, outwards
+  /// Vertices joined to vertex i by an edge: neighbors[first_neighbor[i]] to neighbors[first_neighbor[i + 1] - 1].
+  std::vector<std::uint32_t> first_neighbor, neighbors;
+};
+/// The middle of its axis-aligned box is at the origin.
+struct Convex {
+  std::shared_ptr<const ConvexHull> hull;
+};
 
-/// "sphere", "box", ... as in MJCF.
+using Shape = std::variant<Sphere, Box, Capsule, Cylinder, Ellipsoid, Plane, Convex>;
+
+/// "sphere", "box", ... as in MJCF; "mesh" for a convex polyhedron.
 [[nodiscard]] const char* shape_name(const Shape& shape);
 
 /// Radius of the smallest sphere about the shape's origin that encloses it [m]; infinite for a plane.

@@ -1,0 +1,31 @@
+/// manifold.h - where two shapes overlap: one normal and up to eight points.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "murosimf/math/mat3.h"
+
+namespace murosimf::geometry {
+
+/// Where a shape is: its own frame in the world's.
+struct Pose {
+  Vec3d position;     ///< [m] of the shape's origin
+  Mat3d orientation;  ///< its axes to world axes
+};
+
+struct ManifoldPoint {
+  Vec3d point;                ///< [m] world frame, in the middle of the overlap
+  double depth = 0;           ///< [m] overlap along the normal, positive
+  std::uint32_t feature = 0;  ///< which corners, edges or faces meet; stays the same while the same ones do
+};
+
+struct Manifold {
+  static constexpr int most_points = 8;
+
+  Vec3d normal;  ///< [1] unit, world frame, from B to A
+  int count = 0;
+  std::array<ManifoldPoint, most_points> points;  ///< the first `count`; the deepest is exact
+};
+
+}  // namespace murosimf::geometry
