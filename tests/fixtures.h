@@ -202,6 +202,14 @@ struct Outside {
     return (dot(a, a) - 1) / (2 * std::fmax(norm(slope), 1e-9));
   }
   double operator()(const Plane&) const { return p.z; }
+  /// Outside a corner or an edge this is less than the distance; its sign and its zero are exact.
+  double operator()(const Convex& s) const {
+    double highest = -1e300;
+    for (std::size_t i = 0; i < s.hull->faces.size(); ++i) {
+      highest = std::fmax(highest, dot(s.hull->normals[i], p - s.hull->vertices[s.hull->faces[i][0]]));
+    }
+    return highest;
+  }
 };
 
 /// Calls add(angle) all round the z axis.
@@ -255,6 +263,20 @@ struct SurfaceSamples {
           points.push_back({side * h.x, h.y * i / 20.0, h.z * j / 20.0});
           points.push_back({h.x * i / 20.0, side * h.y, h.z * j / 20.0});
           points.push_back({h.x * i / 20.0, h.y * j / 20.0, side * h.z});
+        }
+      }
+    }
+  }
+  /// Every face as a fan of triangles.
+  void operator()(const Convex& s) {
+    for (const auto& face : s.hull->faces) {
+      const auto corner = [&](std::size_t i) { return s.hull->vertices[face[i]]; };
+      for (std::size_t k = 2; k < face.size(); ++k) {
+        for (int i = 0; i <= 20; ++i) {
+          for (int j = 0; i + j <= 20; ++j) {
+            points.push_back(corner(0) + (i / 20.0) * (corner(k - 1) - corner(0)) +
+                             (j / 20.0) * (corner(k) - corner(0)));
+          }
         }
       }
     }
