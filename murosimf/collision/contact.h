@@ -19,7 +19,7 @@ namespace murosimf::collision {
 /// What collision detection finds: geometry only.
 struct Contact {
   int object = 0;             ///< body A, the one that feels +force
-  std::uint32_t feature = 0;  ///< which corner of which shape; stays the same from step to step
+  std::uint64_t feature = 0;  ///< which corner of which shape; stays the same from step to step
   std::uint32_t surface = 0;  ///< index of the pair's constants (ContactSet::parameters)
   Vec3d point;                ///< [m] world frame
   Vec3d normal;               ///< [1] unit, world frame, from B to A

@@ -125,7 +125,9 @@ const std::vector<std::string_view>& scene_keys() {
 }
 
 std::vector<std::string_view> table_keys(std::string_view table) {
-  if (table == "start") return {"jitter_position", "jitter_heading_deg"};
+  if (table == "start") {
+    return {"jitter_position", "jitter_heading_deg", "jitter_tilt_deg", "jitter_posture_deg"};
+  }
   if (table == "field") return {"size", "surface", "grain"};
   if (table == "ball") return {"position", "velocity", "radius", "mass", "hollow", "material", "contact"};
   if (table == "defaults") {
@@ -137,10 +139,11 @@ std::vector<std::string_view> table_keys(std::string_view table) {
 }
 
 const std::vector<std::string_view>& robot_keys() {
-  static const std::vector<std::string_view> keys{"name",        "team",       "model",           "level",
-                                                  "contact",     "controller", "position",        "command",
-                                                  "heading_deg", "base_rigid", "joint_reference", "integrator",
-                                                  "fixed_base"};
+  static const std::vector<std::string_view> keys{"name",           "team",       "model",      "level",
+                                                  "contact",        "controller", "position",   "command",
+                                                  "heading_deg",    "roll_deg",   "pitch_deg",  "volume",
+                                                  "self_collision", "no_contact", "base_rigid", "joint_reference",
+                                                  "integrator",     "fixed_base"};
   return keys;
 }
 
