@@ -84,6 +84,7 @@ void IslandSolver::add(ContactPoint& point, const ContactParameters& p, const Si
   const double b_t = std::max(least_damping, p.tangent_damping + dt_ * p.tangent_stiffness);
   c.R_n = 1 / (dt_ * b_n);
   c.R_t = 1 / (dt_ * b_t);
+  invert(c);
   const Vec3d spring = (-p.tangent_stiffness / b_t) * tangential(point.stretch, point.normal);
   c.wish_n = p.stiffness * point.depth / b_n;
   c.wish_1 = dot(spring, c.frame.y);
@@ -91,6 +92,16 @@ void IslandSolver::add(ContactPoint& point, const ContactParameters& p, const Si
   // start from the memory of the step before: its normal force, and what the spring holds
   const double held = -dt_ * p.tangent_stiffness;
   push(c, {dt_ * point.last_normal_force, held * dot(point.stretch, c.frame.y), held * dot(point.stretch, c.frame.z)});
+}
+
+void IslandSolver::invert(Contact& c) noexcept {
+  c.mass_n = 1 / (c.W.xx + c.R_n);
+  const double a = c.W.yy + c.R_t, b = c.W.yz, d = c.W.zz + c.R_t;
+  const double scale = 1 / (a * d - b * b);
+  c.mass_1 = scale * d;
+  c.mass_12 = -scale * b;
+  c.mass_2 = scale * a;
+  c.slide_mass = 1 / (0.5 * (a + d) + std::sqrt(0.25 * (a - d) * (a - d) + b * b));
 }
 
 Vec3d IslandSolver::velocity(const Contact& c) const noexcept {
@@ -108,7 +119,7 @@ void IslandSolver::push(Contact& c, const Vec3d& impulse) noexcept {
 double IslandSolver::solve(Contact& c) noexcept {
   const Vec3d v = velocity(c);
   const double rest = v.x + c.R_n * c.lambda.x - c.wish_n;
-  const double normal = std::max(0.0, c.lambda.x - rest / (c.W.xx + c.R_n));
+  const double normal = std::max(0.0, c.lambda.x - c.mass_n * rest);
   const double pushed = normal - c.lambda.x;
   const Vec3d friction = solve_friction(c, normal, v + pushed * Vec3d{c.W.xx, c.W.xy, c.W.xz});
   const Vec3d change = Vec3d{normal, friction.y, friction.z} - c.lambda;
@@ -124,23 +135,26 @@ Vec3d IslandSolver::solve_friction(const Contact& c, double normal, const Vec3d&
   }
   const double r1 = v.y + c.R_t * c.lambda.y - c.wish_1;
   const double r2 = v.z + c.R_t * c.lambda.z - c.wish_2;
-  const double a = c.W.yy + c.R_t, b = c.W.yz, d = c.W.zz + c.R_t;
-  const double determinant = a * d - b * b;
-  Vec3d l{0, c.lambda.y - (d * r1 - b * r2) / determinant, c.lambda.z - (a * r2 - b * r1) / determinant};
-  const auto limit = [&] {
-    const double size = std::sqrt(l.y * l.y + l.z * l.z);
-    const Vec3d direction = is_zero(c.parameters->grain) ? Vec3d{} : sliding_direction(c.frame * l, size);
-    return friction_limit(*c.parameters, normal, direction) / size;
-  };
+  const Vec3d held{0, c.lambda.y - (c.mass_1 * r1 + c.mass_12 * r2), c.lambda.z - (c.mass_12 * r1 + c.mass_2 * r2)};
   c.point->state = ContactState::stick;
-  if (limit() < 1) {
-    // what stops the point is not along its motion, since pushing it also turns the body; sliding friction is
-    c.point->state = ContactState::slip;
-    const double step = 1 / (0.5 * (a + d) + std::sqrt(0.25 * (a - d) * (a - d) + b * b));
-    l = {0, c.lambda.y - step * r1, c.lambda.z - step * r2};
-    l = std::min(1.0, limit()) * l;
+  if (within_cone(c, normal, held) >= 1) return held;
+  // what stops the point is not along its motion, since pushing it also turns the body; sliding friction is
+  c.point->state = ContactState::slip;
+  const Vec3d sliding{0, c.lambda.y - c.slide_mass * r1, c.lambda.z - c.slide_mass * r2};
+  return within_cone(c, normal, sliding) * sliding;
+}
+
+/// Part of the friction that the cone allows: 1 inside.
+double IslandSolver::within_cone(const Contact& c, double normal, const Vec3d& friction) noexcept {
+  const double square = friction.y * friction.y + friction.z * friction.z;
+  const ContactParameters& p = *c.parameters;
+  if (is_zero(p.grain)) {
+    const double most = p.friction * normal;
+    return square <= most * most ? 1 : most / std::sqrt(square);
   }
-  return l;
+  const double size = std::sqrt(square);
+  const double most = friction_limit(p, normal, sliding_direction(c.frame * friction, size));
+  return size <= most ? 1 : most / size;
 }
 
 int IslandSolver::sweep(int sweeps) noexcept {

@@ -56,20 +56,25 @@ class IslandSolver {
   struct Contact {
     ContactPoint* point;
     const ContactParameters* parameters;
-    std::size_t first, last;        // of both sides in rows_; B's with the opposite sign
-    Mat3d frame;                    // n, t1, t2
-    Vec3d free;                     // [m/s] velocity along the frame's axes without contacts
-    Vec3d lambda;                   // [N s] along the frame's axes
-    SymMat3d W;                     // [1/kg] what lambda does to the velocity
-    double R_n, R_t;                // [1/kg] compliance
-    double wish_n, wish_1, wish_2;  // [m/s] right-hand sides
+    std::size_t first, last;         // of both sides in rows_; B's with the opposite sign
+    Mat3d frame;                     // n, t1, t2
+    Vec3d free;                      // [m/s] velocity along the frame's axes without contacts
+    Vec3d lambda;                    // [N s] along the frame's axes
+    SymMat3d W;                      // [1/kg] what lambda does to the velocity
+    double R_n, R_t;                 // [1/kg] compliance
+    double mass_n;                   // [kg] 1 / (W_n + R_n)
+    double mass_1, mass_12, mass_2;  // [kg] inverse of the tangents' W + R_t
+    double slide_mass;               // [kg] 1 / largest eigenvalue of that W + R_t
+    double wish_n, wish_1, wish_2;   // [m/s] right-hand sides
   };
 
   void add_side(Contact& contact, double sign, const Side& side);
+  static void invert(Contact& contact) noexcept;
   [[nodiscard]] Vec3d velocity(const Contact& contact) const noexcept;
   void push(Contact& contact, const Vec3d& impulse) noexcept;
   [[nodiscard]] double solve(Contact& contact) noexcept;
   [[nodiscard]] Vec3d solve_friction(const Contact& contact, double normal, const Vec3d& velocity) const noexcept;
+  [[nodiscard]] static double within_cone(const Contact& contact, double normal, const Vec3d& friction) noexcept;
   void finish(Contact& contact) noexcept;
 
   double dt_ = 0;
