@@ -1,39 +1,16 @@
 #include "murosimf/collision/mover.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "murosimf/collision/colliding_shapes.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
-namespace {
-
-/// How far a slider can go; without limits, anywhere.
-double longest_travel(const Model& model, int joint) {
-  const Vec3d* range = model.find(properties::joint_range, joint);
-  return range ? std::max(std::abs(range->x), std::abs(range->y)) : std::numeric_limits<double>::infinity();
-}
-
-/// Longest chain of offsets from the base plus the size of what sits there: holds in every posture.
-double farthest_reach(const Model& model, const std::vector<GroundShape>& shapes) {
-  double reach = 0;
-  for (const GroundShape& shape : shapes) {
-    double length = norm(shape.placed.position) + shape.reach;
-    for (int i = shape.object; i >= 0; i = model.objects()[i].parent) {
-      if (model.objects()[i].kind == Kind::translation) length += norm(model.objects()[i].vector);
-      if (model.objects()[i].kind == Kind::prismatic) length += longest_travel(model, i);
-    }
-    reach = std::max(reach, length);
-  }
-  return reach;
-}
-
-}  // namespace
 
 Mover::Mover(Setup setup)
     : entity(&setup.entity()),
       shapes(ground_shapes(setup.model())),
-      reach(farthest_reach(setup.model(), shapes)),
+      reach(farthest_reach(setup.model())),
       r(setup.read(properties::position)),
       v(setup.read(properties::linear_velocity)),
       w(setup.read(properties::angular_velocity)),
