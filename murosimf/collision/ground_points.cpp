@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "murosimf/model/properties.h"
+#include "murosimf/collision/colliding_shapes.h"
 
 namespace murosimf::collision {
 namespace {
@@ -72,14 +72,9 @@ GroundShape ground_shape(int object, const PlacedShape& placed, std::uint32_t fi
 std::vector<GroundShape> ground_shapes(const Model& model) {
   std::vector<GroundShape> result;
   std::uint32_t feature = 0;
-  for (const int object : model.bodies()) {
-    const Shapes* shapes = model.find(properties::shapes, object);
-    if (!shapes) continue;
-    for (const PlacedShape& placed : *shapes) {
-      if (!placed.collides || std::holds_alternative<Plane>(placed.shape)) continue;
-      result.push_back(ground_shape(object, placed, feature));
-      feature += features_per_shape;
-    }
+  for (const CollidingShape& shape : colliding_shapes(model)) {
+    result.push_back(ground_shape(shape.object, shape.placed, feature));
+    feature += features_per_shape;
   }
   return result;
 }

@@ -29,7 +29,7 @@ struct GroundShape {
 
 [[nodiscard]] GroundShape ground_shape(int object, const PlacedShape& placed, std::uint32_t first_feature);
 
-/// Every shape of the model that collides, planes excluded.
+/// Every one of colliding_shapes(model), in that order.
 [[nodiscard]] std::vector<GroundShape> ground_shapes(const Model& model);
 
 /// Numbers that the features of one shape take.

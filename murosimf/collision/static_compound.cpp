@@ -29,14 +29,11 @@ StaticCompound::StaticCompound(const Entity* environment)
 bool StaticCompound::is_near(const Vec3d& center, double radius, std::int64_t& tests) const noexcept {
   bool found = false;
   const geometry::BoundingSphere sphere{center, radius};
-  tests += std::visit(
-      [&](const auto& tree) {
-        return geometry::for_volume(tree, sphere, [&](int) {
-          found = true;
-          return false;
-        });
-      },
-      compound_.tree());
+  const auto stop = [&](int) {
+    found = true;
+    return false;
+  };
+  tests += std::visit([&](const auto& tree) { return geometry::for_volume(tree, sphere, stop); }, compound_.tree());
   return found;
 }
 
