@@ -76,7 +76,7 @@ struct ContactSet {
   double dt = 0;                        ///< [s] of contact's steps; motion must have the same. 0: no contact attached
   ImpulseResponse* response = nullptr;  ///< of the level that moves the entity, for island solvers; null: none
   bool damped_by_others = false;        ///< contact between bodies adds external damping: motion must be implicit in it
-  TestCounts tests;     ///< of collision detection in this step
+  TestCounts tests;                     ///< of collision detection in this step
   bool solved = false;  ///< an island solver has settled this step already; motion takes it over and resets this
 
   // working memory, kept to avoid allocation

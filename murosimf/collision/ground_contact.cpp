@@ -54,7 +54,8 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       set_(setup.write(contacts)[0]) {
   // constants of plane p and shape s stand at p * shapes + s, then those of the static shapes in the same way
   for (const GroundPlane& plane : planes_) {
-    for (const GroundShape& shape : shapes_) add_parameters(shape.placed.surface, plane.surface, plane.grain, materials);
+    for (const GroundShape& shape : shapes_)
+      add_parameters(shape.placed.surface, plane.surface, plane.grain, materials);
   }
   for (const CollidingShape& other : statics_.environment().shapes()) {
     for (const CollidingShape& shape : statics_.own().shapes()) {

@@ -39,7 +39,6 @@ struct Mover {
 
   Entity* entity;
   Compound compound;
-  InnerPairs inner_pairs;  ///< shapes of its own that may touch each other
   std::span<const Vec3d> r, v, w;
   std::span<const Mat3d> R;
   std::span<const double> pushable;

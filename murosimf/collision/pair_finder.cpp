@@ -7,7 +7,7 @@
 namespace murosimf::collision {
 namespace {
 
-constexpr int most_points = 4;             // of two bodies: more only cost
+constexpr int most_points = 4;          // of two bodies: more only cost
 constexpr double fastest_walker = 3.0;  // [m/s] speed of an unpushable body's point that counts
 
 /// The one of less mass; a model without any can only be moved kinematically and does not count.
@@ -53,7 +53,8 @@ void remember(PairSet& set) {
 PairFinder::PairFinder(const std::vector<Mover>& movers, const MaterialTable& materials, double gravity, double dt) {
   for (const Mover& mover : movers) {
     auto& kinds = kinds_of_shapes_.emplace_back();
-    for (const CollidingShape& shape : mover.compound.shapes()) kinds.push_back(kind_of(mover.model(), shape.placed.surface));
+    for (const CollidingShape& shape : mover.compound.shapes())
+      kinds.push_back(kind_of(mover.model(), shape.placed.surface));
   }
   for (const Kind& a : kinds_) {
     for (const Kind& b : kinds_) {
@@ -102,10 +103,6 @@ void PairFinder::find_between(std::vector<Mover>& movers, int a, int b, PairSet&
 void PairFinder::find_within(std::vector<Mover>& movers, int a, PairSet& set) noexcept {
   movers[a].refit();
   candidates_.clear();
-  set.tests.volumes += for_inner_pairs(movers[a].compound, movers[a].inner_pairs, [&](int i, int j) {
-    candidates_.emplace_back(i, j);
-    return true;
-  });
   test_candidates(movers, a, a, set);
 }
 

@@ -1,6 +1,7 @@
 /// static_compound.h - the shapes of an environment that never move: goals, walls, boxes on the field. Planes stand apart.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "murosimf/collision/contact.h"
 #include "murosimf/collision/static_compound.h"
 
 namespace murosimf::collision {
