@@ -47,7 +47,6 @@ struct Touch {
   Vec3d normal;      ///< [1] unit, world frame, from B to A
   double depth = 0;  ///< [m] positive
 };
-/// Source: closest points of two segments after Ericson, Real-Time Collision Detection, 2005, sec. 5.1.9.
 [[nodiscard]] std::optional<Touch> find_touch(const PlacedInWorld& a, const PlacedInWorld& b);
 
 }  // namespace murosimf::collision

@@ -108,7 +108,7 @@ void GroundContact::find_contacts() {
       }
       ++surface;
     }
-    feature += features_per_shape * static_cast<std::uint32_t>(shapes_.size());
+    if (!shapes_.empty()) feature += shapes_.back().first_feature + features_of(shapes_.back().placed.shape);
   }
   for (ContactPoint& c : set_.points) {
     c.velocity = v_[c.object] + cross(w_[c.object], c.point - r_[c.object]);
