@@ -122,7 +122,7 @@ void GroundContact::find_contacts() {
       if (set_.points.size() > first) ++set_.tests.objects;
       ++surface;
     }
-    feature += features_per_shape * shapes_.size();
+    if (!shapes_.empty()) feature += shapes_.back().first_feature + features_of(shapes_.back().placed.shape);
   }
   statics_.find(r_, R_, feature, surface, set_.points, set_.tests);
   for (ContactPoint& c : set_.points) {

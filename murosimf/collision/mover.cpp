@@ -6,6 +6,7 @@
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
+
 Mover::Mover(Setup setup)
     : entity(&setup.entity()),
       compound(setup.model(), {.volume = setup.entity().options().collision.volume}),
