@@ -13,40 +13,47 @@ namespace murosimf::geometry {
 
 namespace detail {
 
-/// Pairs of nodes that are still to be tested.
+/// Pairs of nodes that are still to be looked at.
 class PairStack {
  public:
   [[nodiscard]] bool empty() const { return count_ == 0; }
   void push(int a, int b) { pairs_[count_++] = {a, b}; }
+  /// Without a branch, which processors would mostly guess wrong.
+  void push_if(bool wanted, int a, int b) {
+    pairs_[count_] = {a, b};
+    count_ += static_cast<std::size_t>(wanted);
+  }
   std::array<int, 2> pop() { return pairs_[--count_]; }
 
  private:
-  std::array<std::array<int, 2>, 2 * TreeLayout::most_depth + 1> pairs_;  // one pair waits for each step down
+  std::array<std::array<int, 2>, 2 * TreeLayout::most_depth + 2> pairs_;  // one pair waits for each step down
   std::size_t count_ = 0;
 };
 
 /// Goes down from the pairs on the stack. False if `visit` wants no more.
 template <class V, class W, class Visit>
 bool descend(const BoundingTree<V>& a, const BoundingTree<W>& b, int i, int j, int& tests, const Visit& visit) {
-  PairStack stack;
-  stack.push(i, j);
+  PairStack stack;  // of pairs that overlap
+  ++tests;
+  stack.push_if(overlap(a.volume(i), b.volume(j)), i, j);
   while (!stack.empty()) {
     const auto [node_a, node_b] = stack.pop();
     const V& volume_a = a.volume(node_a);
     const W& volume_b = b.volume(node_b);
-    ++tests;
-    if (!overlap(volume_a, volume_b)) continue;
     const bool end_a = a.is_leaf(node_a), end_b = b.is_leaf(node_b);
     if (end_a && end_b) {
       if (!visit(a.leaf_of(node_a), b.leaf_of(node_b))) return false;
-    } else if (end_b || (!end_a && size(volume_a) >= size(volume_b))) {
-      const auto& children = a.children(node_a);
-      stack.push(children[1], node_b);
-      stack.push(children[0], node_b);
+      continue;
+    }
+    tests += 2;
+    if (end_b || (!end_a && size(volume_a) >= size(volume_b))) {
+      const auto [left, right] = a.children(node_a);
+      stack.push_if(overlap(a.volume(right), volume_b), right, node_b);
+      stack.push_if(overlap(a.volume(left), volume_b), left, node_b);
     } else {
-      const auto& children = b.children(node_b);
-      stack.push(node_a, children[1]);
-      stack.push(node_a, children[0]);
+      const auto [left, right] = b.children(node_b);
+      stack.push_if(overlap(volume_a, b.volume(right)), node_a, right);
+      stack.push_if(overlap(volume_a, b.volume(left)), node_a, left);
     }
   }
   return true;
