@@ -14,21 +14,26 @@ double longest_travel(const Model& model, int joint) {
   return range ? std::max(std::abs(range->x), std::abs(range->y)) : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace
-
-std::vector<CollidingShape> colliding_shapes(const Model& model) {
+std::vector<CollidingShape> shapes_where(const Model& model, bool planes) {
   std::vector<CollidingShape> result;
   for (const int object : model.bodies()) {
     const Shapes* shapes = model.find(properties::shapes, object);
     if (!shapes) continue;
     int index = 0;
     for (const PlacedShape& placed : *shapes) {
-      if (placed.collides && !std::holds_alternative<Plane>(placed.shape)) result.push_back({object, index, placed});
+      if (placed.collides && std::holds_alternative<Plane>(placed.shape) == planes) {
+        result.push_back({object, index, placed});
+      }
       ++index;
     }
   }
   return result;
 }
+
+}  // namespace
+
+std::vector<CollidingShape> colliding_shapes(const Model& model) { return shapes_where(model, false); }
+std::vector<CollidingShape> colliding_planes(const Model& model) { return shapes_where(model, true); }
 
 double farthest_reach(const Model& model) {
   double reach = 0;

@@ -18,7 +18,10 @@ struct CollidingShape {
 /// Every shape of the model that collides, planes excluded; by object, then by index.
 [[nodiscard]] std::vector<CollidingShape> colliding_shapes(const Model& model);
 
-/// No such shape is farther [m] from the base's origin, in any posture within the joints' ranges.
+/// Every plane of the model that collides; in the same order.
+[[nodiscard]] std::vector<CollidingShape> colliding_planes(const Model& model);
+
+/// No shape of colliding_shapes() is farther [m] from the base's origin, in any posture within the joints' ranges.
 [[nodiscard]] double farthest_reach(const Model& model);
 
 /// Poses of all objects in the base's frame with all joints at zero.

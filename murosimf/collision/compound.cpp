@@ -19,11 +19,17 @@ geometry::AnyTree make_tree(const Model& model, std::span<const CollidingShape> 
 
 }  // namespace
 
-Compound::Compound(const Model& model, const CompoundOptions& options)
-    : shapes_(colliding_shapes(model)), tree_(make_tree(model, shapes_, options)), reach_(farthest_reach(model)) {}
+Compound::Compound(const Model& model, const CompoundOptions& options, const ShapesTouch& touch)
+    : shapes_(colliding_shapes(model)), tree_(make_tree(model, shapes_, options)), reach_(farthest_reach(model)) {
+  if (options.inner) inner_pairs_ = InnerPairs(model, shapes_, options.excluded, touch);
+}
 
 void Compound::refit(std::span<const Vec3d> r, std::span<const Mat3d> R) noexcept {
-  std::visit([&](auto& tree) { tree.refit(r, R); }, tree_);
+  const auto refit_tree = [&](auto& tree) {
+    tree.refit(r, R);
+    if (!tree.empty()) around_ = sphere_around(tree.volume(0));
+  };
+  std::visit(refit_tree, tree_);
 }
 
 }  // namespace murosimf::collision

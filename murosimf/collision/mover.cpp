@@ -3,13 +3,28 @@
 #include <algorithm>
 
 #include "murosimf/collision/impulse_response.h"
+#include "murosimf/geometry/collide.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
 
+namespace {
+
+bool shapes_touch(const Shape& a, const geometry::Pose& at_a, const Shape& b, const geometry::Pose& at_b) {
+  geometry::Manifold found;
+  return geometry::collide(a, at_a, b, at_b, found);
+}
+
+CompoundOptions compound_options(const Entity& entity) {
+  const CollisionOptions& options = entity.options().collision;
+  return {.volume = options.volume, .inner = options.self_collision, .excluded = options.never};
+}
+
+}  // namespace
+
 Mover::Mover(Setup setup)
     : entity(&setup.entity()),
-      compound(setup.model(), {.volume = setup.entity().options().collision.volume}),
+      compound(setup.model(), compound_options(setup.entity()), shapes_touch),
       r(setup.read(properties::position)),
       v(setup.read(properties::linear_velocity)),
       w(setup.read(properties::angular_velocity)),
@@ -27,7 +42,7 @@ Mover::Mover(Setup setup)
 
 bool Mover::limbs_can_touch() const {
   // six coordinates are those of a rigid body
-  return false && can_be_pushed() && contacts.response && contacts.response->coordinates() > 6;
+  return !compound.inner_pairs().off() && can_be_pushed() && contacts.response && contacts.response->coordinates() > 6;
 }
 
 void Mover::refit() noexcept {

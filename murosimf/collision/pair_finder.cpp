@@ -103,6 +103,10 @@ void PairFinder::find_between(std::vector<Mover>& movers, int a, int b, PairSet&
 void PairFinder::find_within(std::vector<Mover>& movers, int a, PairSet& set) noexcept {
   movers[a].refit();
   candidates_.clear();
+  set.tests.volumes += for_inner_pairs(movers[a].compound, [&](int i, int j) {
+    candidates_.emplace_back(i, j);
+    return true;
+  });
   test_candidates(movers, a, a, set);
 }
 

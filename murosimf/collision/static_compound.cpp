@@ -33,7 +33,8 @@ bool StaticCompound::is_near(const Vec3d& center, double radius, std::int64_t& t
     found = true;
     return false;
   };
-  tests += std::visit([&](const auto& tree) { return geometry::for_volume(tree, sphere, stop); }, compound_.tree());
+  const auto wanted = [&](const auto& volume) { return overlap(volume, sphere); };
+  tests += std::visit([&](const auto& tree) { return geometry::for_leaves(tree, wanted, stop); }, compound_.tree());
   return found;
 }
 

@@ -32,7 +32,7 @@ class PairStack {
 
 /// Goes down from the pairs on the stack. False if `visit` wants no more.
 template <class V, class W, class Visit>
-bool descend(const BoundingTree<V>& a, const BoundingTree<W>& b, int i, int j, int& tests, const Visit& visit) {
+bool descend(const BoundingTree<V>& a, const BoundingTree<W>& b, int i, int j, int& tests, Visit&& visit) {
   PairStack stack;  // of pairs that overlap
   ++tests;
   stack.push_if(overlap(a.volume(i), b.volume(j)), i, j);
@@ -64,7 +64,7 @@ bool descend(const BoundingTree<V>& a, const BoundingTree<W>& b, int i, int j, i
 /// Calls visit(leaf of a, leaf of b) for each pair of leaves whose volumes overlap, until it returns false. Returns the
 /// number of pairs of volumes that were tested.
 template <class V, class W, class Visit>
-int for_pairs(const BoundingTree<V>& a, const BoundingTree<W>& b, const Visit& visit) {
+int for_pairs(const BoundingTree<V>& a, const BoundingTree<W>& b, Visit&& visit) {
   int tests = 0;
   if (!a.empty() && !b.empty()) detail::descend(a, b, 0, 0, tests, visit);
   return tests;
@@ -72,7 +72,7 @@ int for_pairs(const BoundingTree<V>& a, const BoundingTree<W>& b, const Visit& v
 
 /// The same for two different leaves of one tree: each pair once, the smaller number first.
 template <class V, class Visit>
-int for_self_pairs(const BoundingTree<V>& tree, const Visit& visit) {
+int for_self_pairs(const BoundingTree<V>& tree, Visit&& visit) {
   int tests = 0;
   const auto sorted = [&](int i, int j) { return i < j ? visit(i, j) : visit(j, i); };
   for (int node = 0; !tree.is_leaf(node); ++node) {
@@ -82,31 +82,60 @@ int for_self_pairs(const BoundingTree<V>& tree, const Visit& visit) {
   return tests;
 }
 
-/// Calls visit(leaf) for each leaf whose volume overlaps `volume`, until it returns false. Returns the number of tests.
-template <class V, class W, class Visit>
-int for_volume(const BoundingTree<V>& tree, const W& volume, const Visit& visit) {
+/// Calls visit(leaf) for each leaf of which wanted(volume) holds, as it must then of all volumes around it, until it
+/// returns false. Both may change what is wanted. Returns the number of volumes that were tested.
+template <class V, class Wanted, class Visit>
+int for_leaves(const BoundingTree<V>& tree, Wanted&& wanted, Visit&& visit) {
   if (tree.empty()) return 0;
-  std::array<int, TreeLayout::most_depth + 1> stack{0};
-  std::size_t count = 1;
+  std::array<int, TreeLayout::most_depth + 1> stack;  // one node waits for each step down
+  std::size_t count = 0;
   int tests = 0;
+  stack[count++] = 0;
   while (count > 0) {
     const int node = stack[--count];
     ++tests;
-    if (!overlap(tree.volume(node), volume)) continue;
+    if (!wanted(tree.volume(node))) continue;
     if (tree.is_leaf(node)) {
       if (!visit(tree.leaf_of(node))) break;
-    } else {
-      const auto& children = tree.children(node);
-      stack[count++] = children[1];
-      stack[count++] = children[0];
+      continue;
     }
+    stack[count++] = tree.children(node)[1];
+    stack[count++] = tree.children(node)[0];
   }
   return tests;
 }
 
+/// Calls distance(leaf of a, leaf of b) for pairs of leaves that may be nearer than all before; it returns their
+/// distance [m]. `best` [m]: only what is nearer counts. Returns the least distance, or `best` if there is none less.
+template <class V, class W, class Distance>
+double nearest_pair(const BoundingTree<V>& a, const BoundingTree<W>& b, double best, Distance&& distance) {
+  if (a.empty() || b.empty()) return best;
+  detail::PairStack stack;
+  stack.push(0, 0);
+  const auto apart = [&](int i, int j) { return gap(a.volume(i), b.volume(j)); };
+  const auto push_nearer_last = [&](std::array<int, 2> one, std::array<int, 2> other) {
+    if (apart(one[0], one[1]) < apart(other[0], other[1])) std::swap(one, other);
+    stack.push(one[0], one[1]);
+    stack.push(other[0], other[1]);
+  };
+  while (!stack.empty()) {
+    const auto [i, j] = stack.pop();
+    if (!(apart(i, j) < best)) continue;
+    const bool end_a = a.is_leaf(i), end_b = b.is_leaf(j);
+    if (end_a && end_b) {
+      best = std::min(best, distance(a.leaf_of(i), b.leaf_of(j)));
+    } else if (end_b || (!end_a && size(a.volume(i)) >= size(b.volume(j)))) {
+      push_nearer_last({a.children(i)[0], j}, {a.children(i)[1], j});
+    } else {
+      push_nearer_last({i, b.children(j)[0]}, {i, b.children(j)[1]});
+    }
+  }
+  return best;
+}
+
 /// What for_pairs finds, by testing all leaves.
 template <class V, class W, class Visit>
-int for_pairs_brute_force(const BoundingTree<V>& a, const BoundingTree<W>& b, const Visit& visit) {
+int for_pairs_brute_force(const BoundingTree<V>& a, const BoundingTree<W>& b, Visit&& visit) {
   int tests = 0;
   for (int i = 0; i < static_cast<int>(a.leaves().size()); ++i) {
     for (int j = 0; j < static_cast<int>(b.leaves().size()); ++j) {

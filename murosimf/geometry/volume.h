@@ -69,8 +69,9 @@ inline Vec3d componentwise_abs(const Vec3d& v) { return {abs(v.x), abs(v.y), abs
   const double square = dot(way, way), larger = b.radius - a.radius;
   if (larger * larger >= square) return larger > 0 ? b : a;  // one holds the other
   const double distance = sqrt(square);
-  const double radius = 0.5 * (distance + a.radius + b.radius);
-  return {a.center + ((radius - a.radius) / distance) * way, radius};
+  // how far the center moves from a's to b's; written so that root and quotient do not wait for each other
+  const double part = 0.5 + 0.5 * (larger / square) * distance;
+  return {a.center + part * way, 0.5 * (distance + a.radius + b.radius)};
 }
 [[nodiscard]] inline Aabb merged(const Aabb& a, const Aabb& b) {
   const Vec3d low_a = a.center - a.half, low_b = b.center - b.half;
@@ -90,5 +91,10 @@ inline Vec3d componentwise_abs(const Vec3d& v) { return {abs(v.x), abs(v.y), abs
 [[nodiscard]] inline double size(const Aabb& v) { return norm(v.half); }
 [[nodiscard]] inline double size(const Obb& v) { return norm(v.half); }
 [[nodiscard]] inline double size(const BoundingCapsule& v) { return norm(v.half_axis) + v.radius; }
+
+[[nodiscard]] inline const BoundingSphere& sphere_around(const BoundingSphere& v) { return v; }
+[[nodiscard]] inline BoundingSphere sphere_around(const Aabb& v) { return {v.center, size(v)}; }
+[[nodiscard]] inline BoundingSphere sphere_around(const Obb& v) { return {v.center, size(v)}; }
+[[nodiscard]] inline BoundingSphere sphere_around(const BoundingCapsule& v) { return {v.middle, size(v)}; }
 
 }  // namespace murosimf::geometry

@@ -18,15 +18,11 @@ inline double outside(const Aabb& v, const Vec3d& p) { return murosimf::fixtures
 inline double outside(const Obb& v, const Vec3d& p) {
   return murosimf::fixtures::outside(Box{v.half}, transposed_times(v.axes, p - v.center));
 }
-/// By a search along the axis.
 inline double outside(const BoundingCapsule& v, const Vec3d& p) {
-  double low = -1, high = 1;
-  const auto distance = [&](double t) { return norm(p - v.middle - t * v.half_axis); };
-  for (int i = 0; i < 100; ++i) {
-    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-    (distance(a) < distance(b) ? high : low) = distance(a) < distance(b) ? b : a;
-  }
-  return distance(0.5 * (low + high)) - v.radius;
+  const double half = norm(v.half_axis);
+  const Vec3d along = half > 0 ? (1 / half) * v.half_axis : Vec3d{0, 0, 1};
+  const double z = dot(along, p - v.middle);
+  return std::hypot(norm(cross(along, p - v.middle)), std::fmax(std::fabs(z) - half, 0)) - v.radius;
 }
 
 /// A volume of a random size, within 1 m.

