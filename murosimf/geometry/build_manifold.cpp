@@ -29,11 +29,13 @@ bool add_side_by_side(const Parting& parting, const Segment& a, double radius_a,
   if (!((high - low) * std::sqrt(aa) > 1e-3 * std::sqrt(std::min(aa, bb)))) return false;
   const int before = found.count;
   const Vec3d& n = parting.normal;
+  const double most_aside = 4 * side_by_side * side_by_side * std::min(aa, bb);
   for (const double s : {low, high}) {
     const Vec3d on_a = a.at(s);
     const Vec3d on_b = b.at(std::clamp(dot(on_a - b.middle, b.half) / bb, -1.0, 1.0));
     const double depth = radius_a + radius_b - dot(on_a - on_b, n);
-    if (!(depth > 0)) continue;
+    const Vec3d aside = tangential(on_a - on_b, n);
+    if (!(depth > 0) || dot(aside, aside) > most_aside) continue;
     const Vec3d point = 0.5 * (on_a + on_b + (radius_b - radius_a) * n);
     found.points[found.count++] = {point, depth, joined(name, s == low ? 1 : 2)};
   }
