@@ -118,15 +118,16 @@ std::string object_of(const Override& o, std::size_t begin) {
 }  // namespace
 
 const std::vector<std::string_view>& scene_keys() {
-  static const std::vector<std::string_view> keys{"name",         "duration", "seed",     "rate", "gravity",
-                                                  "body_contact", "start",    "field",    "ball", "teams",
-                                                  "defaults",     "robots",   "materials"};
+  static const std::vector<std::string_view> keys{"name",         "duration", "seed",   "rate",     "gravity",
+                                                  "body_contact", "start",    "field",  "view",     "ball",
+                                                  "teams",        "defaults", "robots", "materials"};
   return keys;
 }
 
 std::vector<std::string_view> table_keys(std::string_view table) {
   if (table == "start") return {"jitter_position", "jitter_heading_deg"};
   if (table == "field") return {"size", "surface", "grain"};
+  if (table == "view") return {"center", "width", "azimuth_deg", "elevation_deg"};
   if (table == "ball") return {"position", "velocity", "radius", "mass", "hollow", "material", "contact"};
   if (table == "defaults") {
     auto keys = robot_keys();
