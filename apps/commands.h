@@ -15,8 +15,10 @@ struct RunOptions {
   int threads = 1;
   std::optional<std::int64_t> seed;  ///< from 0
   std::vector<std::string> overrides;
-  std::string json;     ///< file, "-" for standard output
-  std::string picture;  ///< PNG file
+  std::string json;            ///< file, "-" for standard output
+  std::string picture;         ///< PNG file
+  std::string pictures;        ///< folder for a sequence of PNG files
+  double picture_every = 0.5;  ///< [s] of simulated time
   bool lenient = false;
 };
 

@@ -33,6 +33,12 @@ void add_run(CLI::App& app, RunOptions& options, int& exit_code) {
   run_command->add_option("--json", options.json,
                           "Write the report as JSON to this file, or to standard output with '-'");
   run_command->add_option("--picture", options.picture, "Write a PNG picture of the field from above");
+  CLI::Option* pictures =
+      run_command->add_option("--pictures", options.pictures,
+                              "Write PNG pictures of the bodies to this folder while the scene runs");
+  run_command->add_option("--picture-every", options.picture_every, "Simulated seconds from one picture to the next")
+      ->needs(pictures)
+      ->capture_default_str();
   run_command->add_flag("--lenient", options.lenient, "Accept unknown elements in model files, with a warning");
   run_command->callback([&] { exit_code = run(options); });
 }

@@ -1,6 +1,7 @@
 // `murosimf run`: builds a scene, runs it, reports.
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/picture_sequence.h"
 #include "apps/standard_output.h"
 #include "murosimf/io/output_file.h"
 #include "murosimf/io/scene.h"
@@ -66,6 +68,8 @@ int run(const RunOptions& options) {
   // where results go is checked before anything is computed, so that no result is lost
   if (!options.json.empty() && options.json != "-") io::check_writable(options.json);
   if (!options.picture.empty()) io::check_writable(options.picture);
+  std::optional<PictureSequence> pictures;
+  if (!options.pictures.empty()) pictures.emplace(options.pictures, options.picture_every);
 
   io::Scene scene(options.scene, {.threads = options.threads,
                                   .seed = options.seed,
@@ -75,12 +79,21 @@ int run(const RunOptions& options) {
   Simulation& simulation = scene.simulation();
   simulation.initialize();
 
-  const auto start = WallClock::now();
+  Duration wall{};  // without that for pictures
   {
     const ProgressBar bar(duration);
-    simulation.run(duration, clock, [&](Duration now) { bar.show(now); });
+    const auto advance_to = [&](Duration time) {
+      const auto start = WallClock::now();
+      simulation.run(std::max(Duration{}, time - simulation.now()), clock, [&](Duration now) { bar.show(now); });
+      wall += WallClock::now() - start;
+    };
+    while (pictures && pictures->next() <= duration) {
+      advance_to(pictures->next());
+      pictures->take(scene);
+    }
+    advance_to(duration);
   }
-  const io::RunReport report = scene.report(WallClock::now() - start, clock.lateness());
+  const io::RunReport report = scene.report(wall, clock.lateness());
 
   if (options.json == "-") {
     write_standard_output(io::to_json(report));

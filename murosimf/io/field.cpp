@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::array all_fields{&kid_size_2008, &kid_size_2023};
 constexpr Color carpet_green{0.16, 0.47, 0.22};
+constexpr Color goal_white{0.93, 0.93, 0.9};
 
 // a polygon of 72 sides leaves the circle of 1.5 m by less than 1 mm
 constexpr int circle_sides = 72;
@@ -70,6 +71,16 @@ void add_side(std::vector<Stroke>& strokes, const FieldSize& size, double side) 
   strokes.push_back(goal(size, side));
 }
 
+Chain goal_box(const GoalBox& part, std::string_view goal) {
+  PlacedShape shape;
+  shape.shape = part.box;
+  shape.surface.material = "plastic";
+  shape.color = goal_white;
+  Chain chain;
+  chain.translation(part.center, std::string(goal) + "_" + std::string(part.name));
+  return chain.with(properties::shapes, {shape}).endpoint();
+}
+
 }  // namespace
 
 std::vector<std::string_view> field_names() {
@@ -96,6 +107,21 @@ Markings field_markings(const FieldSize& size) {
   return markings;
 }
 
+std::vector<GoalBox> goal_boxes(const FieldSize& size, double side) {
+  const double w = size.post_width / 2;
+  const double front = size.length / 2 + w, rear = size.length / 2 + size.goal_depth - w;
+  const double y = size.goal_width / 2 + w;
+  const double post = (size.goal_height + size.post_width) / 2;        // half of its height
+  const Box bar{{(size.goal_depth - size.post_width) / 2 - w, w, w}};  // between a post and the rear bar
+  const double bar_x = side * (front + rear) / 2;
+  return {{"post_left", {{w, w, post}}, {side * front, y, post}},
+          {"post_right", {{w, w, post}}, {side * front, -y, post}},
+          {"crossbar", {{w, size.goal_width / 2, w}}, {side * front, 0, size.goal_height + w}},
+          {"bar_left", bar, {bar_x, y, w}},
+          {"bar_right", bar, {bar_x, -y, w}},
+          {"bar_rear", {{w, y + w, w}}, {side * rear, 0, w}}};
+}
+
 ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& grain) {
   PlacedShape ground;
   ground.shape = Plane{};
@@ -104,6 +130,10 @@ ModelPtr field_model(const FieldSize& size, const std::string& ground_material, 
   ground.color = carpet_green;
   Chain chain;
   chain.base("field").with(properties::shapes, {ground}).with(properties::markings, field_markings(size));
+  std::vector<Chain> boxes;
+  for (const GoalBox& part : goal_boxes(size, -1)) boxes.push_back(goal_box(part, "goal_left"));
+  for (const GoalBox& part : goal_boxes(size, 1)) boxes.push_back(goal_box(part, "goal_right"));
+  chain.fork(boxes);
   return std::make_shared<const Model>(std::string(size.name), std::move(chain));
 }
 

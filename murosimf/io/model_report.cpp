@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/servo_law.h"
 
 namespace murosimf::io {
 namespace {
@@ -62,6 +63,11 @@ std::vector<ReportRow> make_tree(const Model& model) {
   return tree;
 }
 
+bool has_wheels(const Model& model) {
+  return std::ranges::any_of(model.having(properties::servo),
+                             [&](int joint) { return motion::follows_rate(*model.find(properties::servo, joint)); });
+}
+
 void add_findings(const Model& model, ModelReport& report) {
   std::vector<std::string> idle;
   for (const ReportRow& row : report.tree) {
@@ -73,7 +79,7 @@ void add_findings(const Model& model, ModelReport& report) {
                     "beside the model",
                     model.name(), fmt::join(idle, ", ")));
   }
-  if (report.soles.size() != 2) {
+  if (report.soles.size() != 2 && !has_wheels(model)) {
     report.warnings.push_back(
         fmt::format("model '{}': {} soles, a biped needs 2; add box sites and [soles] in the TOML "
                     "file beside the model",

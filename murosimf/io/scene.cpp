@@ -13,6 +13,7 @@
 #include "murosimf/io/mjcf_reader.h"
 #include "murosimf/io/output_file.h"
 #include "murosimf/io/registry.h"
+#include "murosimf/io/viewed_shapes.h"
 #include "murosimf/motion/odometer.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/render/field_picture.h"
@@ -275,6 +276,25 @@ void Scene::write_picture(const std::filesystem::path& file) const {
   write_file(file, render::field_picture_png(*markings, paths,
                                              {.title = fmt::format("{}: {:.0f} s", spec_.name,
                                                                    seconds(simulation_->now()))}));
+}
+
+void Scene::write_view(const std::filesystem::path& file) const {
+  constexpr int columns = 1280, rows = 720;
+  const Markings& markings = *field_->model().find(properties::markings, 0);
+  const ViewSpec& spec = spec_.view;
+  const render::View axes = render::view_from(spec.azimuth, spec.elevation);
+  render::View view = render::view_of(axes, markings, columns, rows);
+  if (spec.width > 0) {
+    view.center = spec.center;
+    view.scale = columns / spec.width;
+  }
+  std::vector<render::ViewedShape> shapes = viewed_shapes(*field_);
+  for (const Entity* mover : movers_) {
+    const auto more = viewed_shapes(*mover);
+    shapes.insert(shapes.end(), more.begin(), more.end());
+  }
+  write_file(file, render::scene_view_png(markings, shapes, view,
+                                          fmt::format("{}: {:.2f} s", spec_.name, seconds(simulation_->now()))));
 }
 
 }  // namespace murosimf::io

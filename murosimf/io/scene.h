@@ -41,6 +41,9 @@ class Scene {
   /// Draws the field from above with everybody's path so far. Throws SetupError if the file cannot be written.
   void write_picture(const std::filesystem::path& file) const;
 
+  /// Draws all bodies as they are now, from where the scene's [view] looks. Throws as write_picture.
+  void write_view(const std::filesystem::path& file) const;
+
  private:
   void add_entities();
   void add_robot(const RobotSpec& robot);

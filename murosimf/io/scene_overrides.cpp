@@ -118,9 +118,9 @@ std::string object_of(const Override& o, std::size_t begin) {
 }  // namespace
 
 const std::vector<std::string_view>& scene_keys() {
-  static const std::vector<std::string_view> keys{"name",         "duration", "seed",     "rate", "gravity",
-                                                  "body_contact", "start",    "field",    "ball", "teams",
-                                                  "defaults",     "robots",   "materials"};
+  static const std::vector<std::string_view> keys{"name",         "duration", "seed",   "rate",     "gravity",
+                                                  "body_contact", "start",    "field",  "view",     "ball",
+                                                  "teams",        "defaults", "robots", "materials"};
   return keys;
 }
 
@@ -129,6 +129,7 @@ std::vector<std::string_view> table_keys(std::string_view table) {
     return {"jitter_position", "jitter_heading_deg", "jitter_tilt_deg", "jitter_posture_deg"};
   }
   if (table == "field") return {"size", "surface", "grain"};
+  if (table == "view") return {"center", "width", "azimuth_deg", "elevation_deg"};
   if (table == "ball") return {"position", "velocity", "radius", "mass", "hollow", "material", "contact"};
   if (table == "defaults") {
     auto keys = robot_keys();

@@ -13,6 +13,7 @@ namespace murosimf::io {
 namespace {
 
 constexpr double degree = pi / 180;
+constexpr double farthest_place = 1e4;  // [m]
 
 void require(bool condition, const TomlTable& table, std::string_view key, std::string_view message) {
   if (!condition) throw SetupError(fmt::format("{}: '{}' {}", table.where(key), key, message));
@@ -57,6 +58,23 @@ void read_field(const TomlTable& scene, SceneSpec& spec) {
   at(field.where("size"), [&] { return field_size(spec.field.size); });
 }
 
+void read_view(const TomlTable& scene, SceneSpec& spec) {
+  const toml::table* node = scene.table("view");
+  if (!node) return;
+  const TomlTable view(*node, table_keys("view"));
+  double azimuth_deg = spec.view.azimuth / degree, elevation_deg = spec.view.elevation / degree;
+  view.read("center", spec.view.center);
+  view.read("width", spec.view.width);
+  view.read("azimuth_deg", azimuth_deg);
+  view.read("elevation_deg", elevation_deg);
+  require(spec.view.width >= 0 && spec.view.width <= farthest_place, view, "width", "must be from 0 to 10000 m");
+  require(norm(spec.view.center) <= farthest_place, view, "center", "is further than 10 km away");
+  require(std::abs(azimuth_deg) <= 360, view, "azimuth_deg", "is more than a turn");
+  require(elevation_deg >= 0 && elevation_deg <= 90, view, "elevation_deg", "must be from 0 to 90");
+  spec.view.azimuth = azimuth_deg * degree;
+  spec.view.elevation = elevation_deg * degree;
+}
+
 void read_ball(const TomlTable& scene, SceneSpec& spec) {
   const toml::table* node = scene.table("ball");
   if (!node) return;
@@ -92,8 +110,6 @@ void read_teams(const TomlTable& scene, SceneSpec& spec) {
     spec.teams.push_back(team);
   }
 }
-
-constexpr double farthest_place = 1e4;  // [m]
 
 void read_robot(const TomlTable& table, RobotSpec& robot) {
   robot.where = table.where();
@@ -206,6 +222,7 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   require(spec.rate > 0, scene, "rate", "must be positive");
   read_start(scene, spec);
   read_field(scene, spec);
+  read_view(scene, spec);
   read_ball(scene, spec);
   read_teams(scene, spec);
   read_robots(scene, spec);

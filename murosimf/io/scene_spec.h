@@ -9,6 +9,7 @@
 
 #include "murosimf/collision/pair_law.h"
 #include "murosimf/io/ball.h"
+#include "murosimf/math/scalar.h"
 #include "murosimf/math/vec3.h"
 #include "murosimf/model/entity.h"
 #include "murosimf/model/material.h"
@@ -29,6 +30,14 @@ struct BallSpec {
   Vec3d position;  ///< [m] z: height of its lowest point
   Vec3d velocity;  ///< [m/s]
   std::string contact = "implicit_stick";
+};
+
+/// How pictures of the bodies look at the scene.
+struct ViewSpec {
+  Vec3d center{0, 0, 0.2};    ///< [m] in the middle of the picture, if `width` is given
+  double width = 0;           ///< [m] of the picture; 0: all of the field
+  double azimuth = -pi / 3;   ///< [rad] where the eye is, counterclockwise from x
+  double elevation = pi / 7;  ///< [rad] above the ground
 };
 
 struct TeamSpec {
@@ -77,6 +86,7 @@ struct SceneSpec {
   double jitter_posture = 0;   ///< [rad] joint targets vary by up to this, within joint limits
   collision::PairLaw body_contact = collision::PairLaw::island_gauss_seidel;
   FieldSpec field;
+  ViewSpec view;
   std::optional<BallSpec> ball;
   std::vector<TeamSpec> teams;
   std::vector<RobotSpec> robots;

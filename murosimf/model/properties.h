@@ -44,6 +44,7 @@ inline constexpr Property<Vec3d>  angular_velocity   {{"angular_velocity", "rad/
 inline constexpr Property<double> joint_position     {{"joint_position", "rad | m", "joint", "angle or shift along the axis"}};
 inline constexpr Property<double> joint_rate         {{"joint_rate", "rad/s | m/s", "joint", "rate of joint_position"}};
 inline constexpr Property<double> joint_target       {{"joint_target", "rad | m", "joint", "desired position, set by control software"}};
+inline constexpr Property<double> joint_rate_target {{"joint_rate_target", "rad/s | m/s", "joint", "desired rate of a joint whose servo has no position gain, set by control software"}};
 inline constexpr Property<double> joint_torque     {{"joint_torque", "N m | N", "joint", "of the servo; at full_dynamics what the motion would take"}};
 inline constexpr Property<double> torque_need      {{"torque_need", "N m | N", "joint", "joint_torque, smoothed over 20 ms"}};
 inline constexpr Property<Overload> overload       {{"overload", "N m, N m, rad/s, s", "joint", "where torque_need exceeded the servo the most: needed, given, rate, time"}};
@@ -66,6 +67,7 @@ inline constexpr Property<Vec3d>  separation         {{"separation", "m", "world
 inline constexpr Property<Forced> absorbed_impulse   {{"absorbed_impulse", "N m s, N s", "world, at the world's origin", "what contacts gave to a body that cannot be pushed", Scope::base}};
 inline constexpr Property<Vec3d>  walk_command       {{"walk_command", "m/s, m/s, rad/s", "robot, x forward", "desired walking velocity", Scope::base}};
 inline constexpr Property<Vec3d>  gait_velocity      {{"gait_velocity", "m/s, m/s, rad/s", "robot, x forward", "walking velocity after the slew limits", Scope::base}};
+inline constexpr Property<double> path_curvature     {{"path_curvature", "1/m", "-", "of the path that a car drives, positive to the left", Scope::base}};
 inline constexpr Property<double> gait_phase         {{"gait_phase", "rad", "-", "0 to pi: left foot stands", Scope::base}};
 inline constexpr Property<double> gait_amplitude     {{"gait_amplitude", "1", "-", "0 stands, 1 walks", Scope::base}};
 inline constexpr Property<double> distance_walked    {{"distance_walked", "m", "world, horizontal", "length of the base's path, sampled twice a second", Scope::base}};

@@ -94,6 +94,7 @@ void ArticulatedDynamics::step_rk4(double dt) noexcept {
     return bodies_[tree_.columns.model.tree().link_of[joint]].joint_acceleration;
   };
   if (!tree_.advance_rk4(dt, accelerations, joint_acceleration)) return tree_.halt(too_fast);
+  drives_.wrap(tree_.columns.q);
   report_torques();
   tree_.finish_step();
 }
@@ -183,6 +184,7 @@ void ArticulatedDynamics::advance_joints(double dt) noexcept {
     columns.qd[i] += dt * bodies_[l].joint_acceleration;
     columns.q[i] += dt * columns.qd[i];
   }
+  drives_.wrap(columns.q);
 }
 
 void ArticulatedDynamics::report_torques() noexcept {

@@ -21,6 +21,7 @@ double value_or_zero(const double* number) { return number ? *number : 0; }
 
 JointDrives::JointDrives(Setup& setup)
     : joints_(static_cast<std::size_t>(setup.model().size())),
+      turning_(setup),
       objects_(setup.model().joints()),
       target_(setup.input(properties::joint_target, 0.0)),
       delayed_(setup.write(delayed_target)),
@@ -57,17 +58,18 @@ void JointDrives::initialize(std::span<double> q, std::span<double> qd) noexcept
     const Joint& joint = joints_[i];
     q[i] = joint.stop_stiffness > 0 ? std::clamp(target_[i], joint.lowest, joint.highest) : target_[i];
     qd[i] = 0;
-    present_[i] = target_[i];
-    delayed_[i].fill(target_[i]);
+    present_[i] = target(i);
+    delayed_[i].fill(present_[i]);
   }
 }
 
 bool JointDrives::take_targets() noexcept {
-  constexpr double largest = 1e4;  // [rad | m]
+  constexpr double largest = 1e4;  // [rad | m | rad/s | m/s]
   bool sane = true;
   for (const int i : objects_) {
-    sane &= std::abs(target_[i]) < largest;  // NaN is not less
-    present_[i] = delayed_[i].pass(target_[i]);
+    const double wanted = target(i);
+    sane &= std::abs(wanted) < largest;  // NaN is not less
+    present_[i] = delayed_[i].pass(wanted);
   }
   return sane;
 }

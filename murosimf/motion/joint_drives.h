@@ -17,6 +17,7 @@
 #include "murosimf/model/setup.h"
 #include "murosimf/motion/delay_line.h"
 #include "murosimf/motion/servo_law.h"
+#include "murosimf/motion/turning_joints.h"
 
 namespace murosimf::motion {
 
@@ -29,6 +30,8 @@ class JointDrives {
   void initialize(std::span<double> q, std::span<double> qd) noexcept;
   /// To be called once per step: takes the targets on their way to the motors. False if one is no sensible number.
   [[nodiscard]] bool take_targets() noexcept;
+  /// Takes whole turns out of the positions [rad] of wheels (turning_joints.h).
+  void wrap(std::span<double> q) const noexcept { turning_.wrap(q); }
   /// Torque and added inertia of a joint.
   struct Answer {
     JointDrive servo;  ///< of the servo alone, without rotor
@@ -49,11 +52,15 @@ class JointDrives {
   };
   [[nodiscard]] static Joint make_joint(const Model& model, int i, double weight);
 
+  /// What control software wants of a joint: its position, or the rate of one that follows a rate.
+  [[nodiscard]] double target(int i) const noexcept { return turning_.contains(i) ? turning_.target(i) : target_[i]; }
+
   std::vector<Joint> joints_;  // by object
+  TurningJoints turning_;
   std::span<const int> objects_;
   std::span<const double> target_;
   std::span<DelayLine> delayed_;
-  std::vector<double> present_;  // [rad | m] by object: the target that the motor knows
+  std::vector<double> present_;  // [rad | m | rad/s | m/s] by object: the target that the motor knows
 };
 
 }  // namespace murosimf::motion

@@ -9,7 +9,7 @@
 namespace murosimf::motion {
 
 JointReference::JointReference(Setup& setup, const JointReferenceOptions& options)
-    : options_(options), target_(setup.input(properties::joint_target, 0.0)) {
+    : options_(options), turning_(setup), target_(setup.input(properties::joint_target, 0.0)) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   range_.assign(target_.size(), {-infinity, infinity});
   for (const int i : setup.model().having(properties::joint_range)) {
@@ -44,6 +44,7 @@ bool JointReference::is_sane(const PoseColumns& columns) const noexcept {
   constexpr double largest = 1e4;  // [rad | m] sines lose their precision far beyond
   double sum = 0;
   for (const int i : columns.model.joints()) sum += std::abs(target_[i]) + std::abs(columns.q[i]);
+  for (const int i : turning_.joints()) sum += std::abs(turning_.target(i));
   return sum < largest;  // NaN is not less
 }
 
@@ -54,12 +55,14 @@ bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
   } else {
     linear(columns, dt);
   }
+  turn(columns, dt);
   stop_at_limits(columns);
   return true;
 }
 
 double JointReference::acceleration(const PoseColumns& columns, int joint) const noexcept {
   const double wf = options_.filter_frequency;
+  if (turning_.contains(joint)) return wf * (turning_.target(joint) - columns.qd[joint]);
   return wf * wf * (target(joint) - columns.q[joint]) - 2 * wf * columns.qd[joint];
 }
 
@@ -72,7 +75,7 @@ void JointReference::check(Integrator integrator) const {
 void JointReference::filter(PoseColumns& columns, double dt) const noexcept {
   const double wf = options_.filter_frequency;
   const double inverse = 1.0 / (1 + 2 * wf * dt + wf * wf * dt * dt);
-  for (const int i : columns.model.joints()) {
+  for (const int i : turning_.others()) {
     double& q = columns.q[i];
     double& qd = columns.qd[i];
     qd += dt * (wf * wf * (target(i) - q - dt * qd) - 2 * wf * qd) * inverse;
@@ -80,8 +83,17 @@ void JointReference::filter(PoseColumns& columns, double dt) const noexcept {
   }
 }
 
+void JointReference::turn(PoseColumns& columns, double dt) const noexcept {
+  const double gain = dt * options_.filter_frequency / (1 + options_.filter_frequency * dt);
+  for (const int i : turning_.joints()) {
+    columns.qd[i] += gain * (turning_.target(i) - columns.qd[i]);
+    columns.q[i] += dt * columns.qd[i];
+  }
+  turning_.wrap(columns.q);
+}
+
 void JointReference::linear(PoseColumns& columns, double dt) noexcept {
-  for (const int i : columns.model.joints()) {
+  for (const int i : turning_.others()) {
     double& q = columns.q[i];
     double& qd = columns.qd[i];
     const double goal = target(i);

@@ -6,6 +6,10 @@
 ///
 /// The filter is implicit Euler of the critically damped q'' = wf^2 (target - q) - 2 wf q'; wf = 120 rad/s lags 17 ms
 /// behind. `linear` is the paper's assumption (4.3): the target is reached within one control cycle.
+/// A joint whose servo follows a rate (turning_joints.h) comes to its rate target within 1 / wf, also with `linear`:
+///
+///     qdd = wf (rate target - qd) / (1 + wf dt)
+///
 /// Joints stop at the ends of their range (joint_range), at rest. Same state (q, qd) as a simulated servo, so levels can be exchanged.
 #pragma once
 
@@ -14,6 +18,7 @@
 
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/pose_columns.h"
+#include "murosimf/motion/turning_joints.h"
 
 namespace murosimf::motion {
 
@@ -35,7 +40,8 @@ class JointReference {
   [[nodiscard]] bool is_sane(const PoseColumns& columns) const noexcept;
   /// Advances q and qd by dt [s]. False, and nothing changed, if a position or target is no sensible number.
   [[nodiscard]] bool advance(PoseColumns& columns, double dt) noexcept;
-  /// Acceleration [rad/s^2 | m/s^2] of the filter's differential equation, q'' = wf^2 (target - q) - 2 wf q'.
+  /// Acceleration [rad/s^2 | m/s^2] of the filter's differential equation, q'' = wf^2 (target - q) - 2 wf q'; of a joint
+  /// that follows a rate, q'' = wf (rate target - q').
   [[nodiscard]] double acceleration(const PoseColumns& columns, int joint) const noexcept;
   /// Throws SetupError if the reference has no differential equation for `integrator`.
   void check(Integrator integrator) const;
@@ -48,9 +54,11 @@ class JointReference {
   [[nodiscard]] double target(int joint) const noexcept;
   void filter(PoseColumns& columns, double dt) const noexcept;
   void linear(PoseColumns& columns, double dt) noexcept;
+  void turn(PoseColumns& columns, double dt) const noexcept;
   void stop_at_limits(PoseColumns& columns) const noexcept;
 
   JointReferenceOptions options_;
+  TurningJoints turning_;
   std::span<const double> target_;  // [rad | m] desired positions
   std::vector<Range> range_;        // [rad | m] by object
   std::span<double> cycle_target_;  // [rad | m] the target that the present cycle runs to (linear only)

@@ -28,11 +28,13 @@ void add_friction(JointDrive& drive, const Servo& servo, double qd, double dt) {
 class IdealPd final : public ServoLaw {
  public:
   explicit IdealPd(const Servo& servo)
-      : servo_(servo), limit_(servo.stall_torque > 0 ? servo.stall_torque : std::numeric_limits<double>::infinity()) {}
+      : servo_(servo),
+        by_rate_(follows_rate(servo)),
+        limit_(servo.stall_torque > 0 ? servo.stall_torque : std::numeric_limits<double>::infinity()) {}
 
   [[nodiscard]] JointDrive drive(double target, double q, double qd, double dt) const noexcept override {
     const double kp = servo_.position_gain, kd = servo_.velocity_gain;
-    JointDrive drive{kp * (target - q - dt * qd) - kd * qd, dt * kd + dt * dt * kp};
+    JointDrive drive{by_rate_ ? kd * (target - qd) : kp * (target - q - dt * qd) - kd * qd, dt * kd + dt * dt * kp};
     if (std::abs(drive.torque) > limit_) drive = {std::copysign(limit_, drive.torque), 0};
     add_friction(drive, servo_, qd, dt);
     return drive;
@@ -41,6 +43,7 @@ class IdealPd final : public ServoLaw {
 
  private:
   Servo servo_;
+  bool by_rate_;
   double limit_;  // [N m]
 };
 
@@ -89,6 +92,10 @@ constexpr std::array entries{
 };
 
 }  // namespace
+
+bool follows_rate(const Servo& servo) {
+  return servo.law == "ideal_pd" && servo.position_gain == 0 && servo.velocity_gain > 0;
+}
 
 std::span<const ServoLawEntry> servo_laws() { return entries; }
 

@@ -109,11 +109,11 @@ TEST_P(EveryField, EverythingLiesOnTheGround) {
   }
 }
 
-TEST_P(EveryField, ModelIsOnePlaneWithMarkings) {
+TEST_P(EveryField, BaseIsOnePlaneWithMarkings) {
   const ModelPtr model = field_model(size, "carpet", {0, 1, 0});
   EXPECT_EQ(model->name(), size.name);
-  EXPECT_EQ(model->size(), 1);
   const int field = model->object_index("field");
+  EXPECT_EQ(field, 0);
   const Shapes* shapes = model->find(properties::shapes, field);
   ASSERT_TRUE(shapes && shapes->size() == 1);
   EXPECT_TRUE(std::holds_alternative<Plane>(shapes->front().shape));
@@ -122,6 +122,85 @@ TEST_P(EveryField, ModelIsOnePlaneWithMarkings) {
   const Markings* painted = model->find(properties::markings, field);
   ASSERT_TRUE(painted);
   EXPECT_EQ(painted->strokes.size(), markings.strokes.size());
+}
+
+/// A box of a goal in the field's frame, read from the model.
+struct Block {
+  std::string name;
+  Vec3d low, high;  // [m] corners
+};
+
+std::vector<Block> goal_blocks(const Model& model) {
+  std::vector<Block> blocks;
+  for (const int i : model.bodies()) {
+    if (i == 0) continue;
+    const PlacedShape& placed = model.find(properties::shapes, i)->front();
+    const Vec3d half = std::get<Box>(placed.shape).half_size;
+    const Vec3d center = model.placement(i).offset + placed.position;
+    blocks.push_back({model.objects()[i].name, center - half, center + half});
+  }
+  return blocks;
+}
+
+bool overlap(const Block& a, const Block& b) {
+  const double clear = 1e-9;  // faces may touch
+  return a.low.x < b.high.x - clear && b.low.x < a.high.x - clear && a.low.y < b.high.y - clear &&
+         b.low.y < a.high.y - clear && a.low.z < b.high.z - clear && b.low.z < a.high.z - clear;
+}
+
+TEST_P(EveryField, HasThirteenBodiesOfOneShapeEach) {
+  const ModelPtr model = field_model(size, "carpet");
+  ASSERT_EQ(model->bodies().size(), 13u);
+  for (const int i : model->bodies()) EXPECT_EQ(model->find(properties::shapes, i)->size(), 1u);
+  EXPECT_EQ(model->tree().links.size(), 1u) << "everything is fixed to the base";
+  const Shapes& bar = *model->find(properties::shapes, model->object_index("goal_left_crossbar"));
+  EXPECT_EQ(bar.front().surface.material, "plastic");
+}
+
+TEST_P(EveryField, GoalBoxesTouchButDoNotOverlap) {
+  const auto blocks = goal_blocks(*field_model(size, "carpet"));
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    EXPECT_GE(blocks[i].low.z, -tolerance) << blocks[i].name << " reaches under the ground";
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_FALSE(overlap(blocks[i], blocks[j])) << blocks[i].name << ' ' << blocks[j].name;
+    }
+  }
+}
+
+TEST_P(EveryField, PostsStandOnTheGoalLineOutsideTheGoalWidth) {
+  const ModelPtr model = field_model(size, "carpet");
+  for (const Block& post : goal_blocks(*model)) {
+    if (post.name.find("post") == std::string::npos) continue;
+    const double front = std::min(std::abs(post.low.x), std::abs(post.high.x));
+    EXPECT_NEAR(front, size.length / 2, tolerance) << post.name;
+    EXPECT_NEAR(std::min(std::abs(post.low.y), std::abs(post.high.y)), size.goal_width / 2, tolerance) << post.name;
+    EXPECT_NEAR(post.low.z, 0, tolerance);
+    EXPECT_NEAR(post.high.z, size.goal_height + size.post_width, tolerance);
+    EXPECT_EQ(post.name.find("goal_right") == 0, post.low.x > 0);
+    EXPECT_EQ(post.name.find("post_left") != std::string::npos, post.low.y > 0);
+  }
+}
+
+TEST_P(EveryField, GoalMouthIsOpenAndTheRearBarStopsARollingBall) {
+  const ModelPtr model = field_model(size, "carpet");
+  const double inside = size.goal_depth - size.post_width;
+  const double ball_radius = 0.065;
+  EXPECT_GT(inside, 2 * ball_radius);
+  for (const double side : {-1.0, 1.0}) {
+    const double x = side * size.length / 2, y = size.goal_width / 2;
+    const Block mouth{"mouth",
+                      {std::min(x, x + side * inside), -y, 0},
+                      {std::max(x, x + side * inside), y, size.goal_height}};
+    const Block ball{"ball",
+                     {x + side * size.goal_depth - ball_radius, -ball_radius, 0},
+                     {x + side * size.goal_depth + ball_radius, ball_radius, 2 * ball_radius}};
+    int stops = 0;
+    for (const Block& block : goal_blocks(*model)) {
+      EXPECT_FALSE(overlap(block, mouth)) << block.name;
+      stops += overlap(block, ball) ? 1 : 0;
+    }
+    EXPECT_EQ(stops, 1);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Field, EveryField, testing::ValuesIn(field_names()),

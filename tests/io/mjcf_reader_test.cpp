@@ -155,6 +155,17 @@ TEST(MjcfReader, Kid21HasSurfacesOfItsTable) {
   EXPECT_EQ(model->find(properties::shapes, model->object_index("torso"))->front().surface.material, "plastic");
 }
 
+TEST(MjcfReader, Kid21HasTwentyBodiesWithOneShapeEach) {
+  const auto [model, warnings, notes] = read_mjcf(kid21);
+  const auto with_shapes = model->having(properties::shapes);
+  EXPECT_EQ(with_shapes.size(), 20u);
+  for (const int i : with_shapes) EXPECT_EQ(model->find(properties::shapes, i)->size(), 1u);
+  // the ankle servo keeps clear of the ground on a foot that stands
+  const double sole_height = 0.04;
+  const Shapes& ankle = *model->find(properties::shapes, model->object_index("l_ankle"));
+  EXPECT_LT(std::get<Sphere>(ankle[0].shape).radius, sole_height - 0.01);
+}
+
 TEST(MjcfReader, Kid21IgnoresTheFloorWithANote) {
   const auto [model, warnings, notes] = read_mjcf(kid21);
   EXPECT_TRUE(any_contains(notes, "world geom 'floor' ignored: the scene brings its own ground"));

@@ -10,17 +10,19 @@
 namespace murosimf::motion {
 namespace {
 
-ModelPtr arm() {
+ModelPtr arm(const Servo& servo = {}) {
   return std::make_shared<const Model>("arm", Chain{}
                                                   .base("base")
                                                   .with(properties::mass, 1.0)
                                                   .with(properties::inertia, diagonal(0.1))
                                                   .revolute("hinge", {0, 1, 0})
+                                                  .with(properties::servo, servo)
                                                   .endpoint("hand"));
 }
 
 struct Arm {
-  explicit Arm(const JointReferenceOptions& options) : entity(rig.add("arm", arm())) {
+  explicit Arm(const JointReferenceOptions& options, const Servo& servo = {.position_gain = 1})
+      : entity(rig.add("arm", arm(servo))) {
     rig.simulation.world().gravity = {};
     rig.attach_dynamics(entity, {.on_ground = false, .options = {.reference = options}});
     rig.simulation.initialize();
@@ -50,6 +52,26 @@ TEST(JointReference, FilterFollowsTheCriticallyDampedStep) {
                     .level = "joint reference, filter",
                     .source = "the target"},
                    arm.q(), 1, 1e-6, "rad");
+}
+
+// qd' = w (rate - qd), the same for both references; implicit Euler as above.
+TEST(JointReference, WheelComesToItsRateAndTurnsForEver) {
+  for (const ReferenceKind kind : {ReferenceKind::filter, ReferenceKind::linear}) {
+    Arm arm({.kind = kind}, {.law = "ideal_pd", .velocity_gain = 0.5});
+    arm.entity.object("hinge").set(properties::joint_rate_target, 20);
+    arm.entity.object("hinge").set(properties::joint_target, 3);  // means nothing to a wheel
+    law::Worst error;
+    for (int i = 1; i <= 1000; ++i) {
+      arm.rig.simulation.step();
+      error.see(std::abs(arm.qd() / 20 - (1 - std::exp(-120e-3 * i))), "time", 1e-3 * i);
+      EXPECT_LE(std::abs(arm.q()), pi);
+    }
+    const std::string name = kind == ReferenceKind::filter ? "filter" : "linear";
+    law::expect_below({.law = "a wheel comes to its rate: error on the way, as a part of the rate",
+                       .level = "joint reference, " + name,
+                       .source = "1 - exp(-w t), w = 120 rad/s"},
+                      error, 0.05, "");
+  }
 }
 
 TEST(JointReference, FilterIsStableWithLongSteps) {

@@ -60,6 +60,25 @@ TEST(Servo, StepResponseIsThatOfALinearSystem) {
   }
 }
 
+// J qd' = kv (rate - qd): without position gain a servo follows joint_rate_target. Implicit Euler at 1 ms lags by half a
+// step of the time constant J / kv = 60 ms.
+TEST(Servo, WithoutPositionGainFollowsARate) {
+  const Servo servo{.type = "wheel", .law = "ideal_pd", .velocity_gain = 0.5};
+  Arm arm(servo, 0.03);
+  arm.hinge().set(properties::joint_rate_target, 30);
+  law::Worst error;
+  for (int i = 1; i <= 1000; ++i) {
+    arm.rig.simulation.step();
+    error.see(std::abs(arm.hinge().get(properties::joint_rate) / 30 - (1 - std::exp(-1e-3 * i / 0.06))), "time",
+              1e-3 * i);
+    EXPECT_LE(std::abs(arm.hinge().get(properties::joint_position)), pi) << "whole turns are taken out";
+  }
+  law::expect_below({.law = "a servo without position gain comes to its rate: error, as a part of the rate",
+                     .level = "articulated_dynamics, ideal_pd",
+                     .source = "1 - exp(-t kv / J)"},
+                    error, 0.01, "");
+}
+
 // Duty at its limit of 0.9 all the time.
 TEST(Servo, DcMotorHasItsSpeedTorqueLine) {
   Servo servo = motor();

@@ -1,0 +1,29 @@
+/// picture_sequence.h - numbered pictures of a scene while it runs.
+#pragma once
+
+#include <filesystem>
+
+#include "murosimf/io/scene.h"
+
+namespace murosimf::app {
+
+class PictureSequence {
+ public:
+  /// Makes the folder if it is not there. `every` [s] of simulated time. Throws SetupError if the folder cannot be
+  /// written to, or if `every` is no time.
+  PictureSequence(std::filesystem::path folder, double every);
+
+  /// Simulated time of the next picture.
+  [[nodiscard]] Duration next() const { return next_; }
+  /// Writes it: 0000.png, 0001.png, ...
+  void take(const io::Scene& scene);
+
+ private:
+  [[nodiscard]] std::filesystem::path file() const;
+
+  std::filesystem::path folder_;
+  Duration every_, next_{};
+  int count_ = 0;
+};
+
+}  // namespace murosimf::app
