@@ -16,9 +16,10 @@ bool is_round(const Model& model) {
   return shapes && shapes->size() == 1 && std::holds_alternative<Sphere>(shapes->front().shape);
 }
 
-/// How many points carry the weight: four corners per sole, one for a ball, four for anything else.
-double carrying_points(const Model& model) {
+/// How many points carry the weight: one for a ball, four corners per sole on the ground, four for anything else.
+double carrying_points(const Model& model, Partner partner) {
   if (is_round(model)) return 1;
+  if (partner == Partner::body) return 4;
   return std::max<double>(4, 4.0 * static_cast<double>(model.having(properties::sole).size()));
 }
 
@@ -38,9 +39,10 @@ double damping_ratio(double e) {
   return 0.5 * (low + high);
 }
 
-ContactParameters contact_parameters(const Model& model, const PairSurface& pair, double gravity, double dt) {
+ContactParameters contact_parameters(const Model& model, const PairSurface& pair, double gravity, double dt,
+                                     Partner partner) {
   const double mass = model.tree().mass;
-  const double points = carrying_points(model);
+  const double points = carrying_points(model, partner);
   const double mass_per_point = mass / std::max(1.0, points / 2);
   // without gravity the weight on Earth still gives a sensible stiffness
   const double weight = mass * (gravity > 0.1 ? gravity : 9.81);

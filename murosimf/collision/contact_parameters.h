@@ -25,8 +25,11 @@ namespace murosimf::collision {
 /// Damping ratio in [0, 1) with restitution `e`; restitutions below 0.15 give the largest ratio, 0.95.
 [[nodiscard]] double damping_ratio(double e);
 
+/// What a model touches: the ground carries it with all points of its soles, another body with four at most.
+enum class Partner { ground, body };
+
 /// Constants for contacts of `model` with a surface. `gravity` [m/s^2] magnitude; `dt` [s] of the motion step.
 [[nodiscard]] ContactParameters contact_parameters(const Model& model, const PairSurface& pair, double gravity,
-                                                   double dt);
+                                                   double dt, Partner partner = Partner::ground);
 
 }  // namespace murosimf::collision

@@ -58,8 +58,8 @@ PairFinder::PairFinder(const std::vector<Mover>& movers, const MaterialTable& ma
   }
   for (const Kind& a : kinds_) {
     for (const Kind& b : kinds_) {
-      parameters_.push_back(
-          contact_parameters(lighter(*a.model, *b.model), materials.find(a.surface, b.surface), gravity, dt));
+      parameters_.push_back(contact_parameters(lighter(*a.model, *b.model), materials.find(a.surface, b.surface),
+                                               gravity, dt, Partner::body));
     }
   }
 }
