@@ -6,43 +6,12 @@
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
-namespace {
-
-/// `v` in the plane across the unit vector `normal`, with length 1; zero if it has no direction there.
-Vec3d direction_in_plane(const Vec3d& v, const Vec3d& normal) {
-  const Vec3d inside = tangential(v, normal);
-  const double size = norm(inside);
-  return size > 1e-9 * norm(v) ? (1.0 / size) * inside : Vec3d{};
-}
-
-}  // namespace
-
-std::vector<GroundPlane> ground_planes(const Entity* environment) {
-  std::vector<GroundPlane> planes;
-  if (!environment) return planes;
-  const Model& model = environment->model();
-  for (const int object : model.bodies()) {
-    const Shapes* shapes = model.find(properties::shapes, object);
-    if (!shapes) continue;
-    const FixedObject place = model.placement(object);
-    for (const PlacedShape& placed : *shapes) {
-      if (!std::holds_alternative<Plane>(placed.shape)) continue;
-      const Mat3d R = place.turn * placed.orientation;
-      const double height = dot(R.z, place.offset + place.turn * placed.position);
-      planes.push_back({R.z, height, direction_in_plane(R * placed.surface.grain, R.z), placed.surface});
-    }
-  }
-  return planes;
-}
 
 GroundContact::GroundContact(Setup& setup, const Entity* environment, std::shared_ptr<const ContactLaw> law,
                              const MaterialTable& materials)
     : model_(setup.model()),
       law_(std::move(law)),
-      shapes_(ground_shapes(setup.model())),
-      planes_(ground_planes(environment)),
-      statics_(setup.entity(), environment),
-      gravity_(norm(setup.world().gravity)),
+      finder_(setup.entity(), environment),
       period_(seconds(setup.period())),
       r_(setup.read(properties::position)),
       R_(setup.read(properties::orientation)),
@@ -52,23 +21,12 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       external_force_(setup.write(properties::external_force)),
       external_damping_(setup.write(properties::external_damping)),
       set_(setup.write(contacts)[0]) {
-  // constants of plane p and shape s stand at p * shapes + s, then those of the static shapes in the same way
-  for (const GroundPlane& plane : planes_) {
-    for (const GroundShape& shape : shapes_)
-      add_parameters(shape.placed.surface, plane.surface, plane.grain, materials);
-  }
-  for (const CollidingShape& other : statics_.environment().shapes()) {
-    for (const CollidingShape& shape : statics_.own().shapes()) {
-      add_parameters(shape.placed.surface, other.placed.surface, {}, materials);
-    }
-  }
-}
-
-void GroundContact::add_parameters(const Surface& own, const Surface& other, const Vec3d& grain,
-                                   const MaterialTable& materials) {
-  const PairSurface pair = materials.find(own, other);
-  parameters_.push_back(contact_parameters(model_, pair, gravity_, period_));
-  parameters_.back().grain = pair.grain_effect * grain;
+  const double gravity = norm(setup.world().gravity);
+  finder_.for_surfaces([&](const Surface& own, const Surface& other, const Vec3d& grain) {
+    const PairSurface pair = materials.find(own, other);
+    parameters_.push_back(contact_parameters(model_, pair, gravity, period_));
+    parameters_.back().grain = pair.grain_effect * grain;
+  });
 }
 
 void GroundContact::initialize() {
@@ -77,7 +35,7 @@ void GroundContact::initialize() {
   set_.dt = period_;
   set_.parameters = parameters_;
   set_.rest_force.resize(static_cast<std::size_t>(model_.size()));
-  const std::size_t most = 8 * shapes_.size() * planes_.size();
+  const std::size_t most = finder_.most_on_planes();
   set_.points.reserve(most);
   set_.previous.reserve(most);
   set_.next_velocity.reserve(most);
@@ -108,23 +66,7 @@ void GroundContact::find_contacts() {
   set_.previous.swap(set_.points);
   set_.points.clear();
   set_.tests = {};
-  std::uint32_t surface = 0;
-  std::uint64_t feature = 0;
-  for (const GroundPlane& plane : planes_) {
-    for (const GroundShape& shape : shapes_) {
-      const std::size_t first = set_.points.size();
-      ++set_.tests.volumes;
-      find_ground_contacts(shape, r_[shape.object], R_[shape.object], plane, set_.points);
-      for (std::size_t i = first; i < set_.points.size(); ++i) {
-        set_.points[i].surface = surface;
-        set_.points[i].feature += feature;
-      }
-      if (set_.points.size() > first) ++set_.tests.objects;
-      ++surface;
-    }
-    if (!shapes_.empty()) feature += shapes_.back().first_feature + features_of(shapes_.back().placed.shape);
-  }
-  statics_.find(r_, R_, feature, surface, set_.points, set_.tests);
+  finder_.find(r_, R_, set_.points, set_.tests);
   for (ContactPoint& c : set_.points) {
     c.velocity = v_[c.object] + cross(w_[c.object], c.point - r_[c.object]);
     c.angular_velocity = w_[c.object];

@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "murosimf/collision/contact_law.h"
-#include "murosimf/collision/ground_points.h"
-#include "murosimf/collision/static_touch.h"
+#include "murosimf/collision/ground_finder.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/material.h"
 #include "murosimf/model/setup.h"
@@ -29,17 +28,13 @@ class GroundContact final : public Algorithm {
   void step(const Instant& instant) noexcept override;
 
  private:
-  void add_parameters(const Surface& own, const Surface& other, const Vec3d& grain, const MaterialTable& materials);
   void find_contacts();
   void remember();
 
   const Model& model_;
   std::shared_ptr<const ContactLaw> law_;
-  std::vector<GroundShape> shapes_;
-  std::vector<GroundPlane> planes_;
-  StaticTouch statics_;
+  GroundFinder finder_;
   std::vector<ContactParameters> parameters_;
-  double gravity_;                         // [m/s^2] magnitude
   double period_;                          // [s]
   std::span<const Vec3d> r_;               // [m] origins, world
   std::span<const Mat3d> R_;               // orientations
@@ -50,8 +45,5 @@ class GroundContact final : public Algorithm {
   std::span<Sym6d> external_damping_;
   ContactSet& set_;
 };
-
-/// The ground planes among the shapes of an environment.
-[[nodiscard]] std::vector<GroundPlane> ground_planes(const Entity* environment);
 
 }  // namespace murosimf::collision

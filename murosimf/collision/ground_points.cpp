@@ -24,11 +24,11 @@ std::vector<GroundShape> ground_shapes(const Model& model) {
   return result;
 }
 
-void find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane,
+bool find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane,
                           std::vector<ContactPoint>& found) {
-  if (dot(plane.normal, r) - plane.height > shape.object_reach) return;
+  if (dot(plane.normal, r) - plane.height > shape.object_reach) return false;
   const Vec3d center = r + R * shape.placed.position;
-  if (dot(plane.normal, center) - plane.height > shape.reach) return;
+  if (dot(plane.normal, center) - plane.height > shape.reach) return false;
   const geometry::LowPoints points{center, R * shape.placed.orientation, plane.normal, plane.height};
   const auto emit = [&](std::uint32_t feature, const Vec3d& point, double radius) {
     const double depth = plane.height - dot(plane.normal, point);
@@ -42,6 +42,7 @@ void find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d&
     c.radius = radius;
   };
   std::visit([&](const auto& s) { points(s, emit); }, shape.placed.shape);
+  return true;
 }
 
 double lowest_point(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane) {

@@ -35,9 +35,9 @@ struct GroundShape {
 /// Numbers that the features of one shape take: eight, more for a polyhedron of more vertices.
 [[nodiscard]] std::uint32_t features_of(const Shape& shape);
 
-/// Appends the contacts of `shape` with `plane`; r [m], R: pose of its object, world frame. The caller fills in what
+/// Appends the contacts of `shape` with `plane`. False if bounding spheres already tell that there are none. r [m], R: pose of its object, world frame. The caller fills in what
 /// depends on the pair: `surface`, velocities and memory.
-void find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane,
+bool find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane,
                           std::vector<ContactPoint>& found);
 
 /// Height [m] of the lowest point of `shape` above the plane.

@@ -32,13 +32,6 @@ Vec3d velocity_that_counts(const Mover& mover, int object, const Vec3d& arm) {
   return mover.can_be_pushed() || speed <= fastest_walker ? v : (fastest_walker / speed) * v;
 }
 
-/// The four that carry most (geometry::Manifold has the deepest and then the farthest first), in a lasting order.
-void sort_by_feature(geometry::Manifold& manifold) {
-  manifold.count = std::min(manifold.count, most_points);
-  std::sort(manifold.points.begin(), manifold.points.begin() + manifold.count,
-            [](const auto& a, const auto& b) { return a.feature < b.feature; });
-}
-
 void remember(PairSet& set) {
   auto old = set.previous.begin();
   for (PairContact& c : set.points) {
@@ -134,6 +127,8 @@ void PairFinder::test_candidates(const std::vector<Mover>& movers, int a, int b,
 void PairFinder::add_contacts(const std::vector<Mover>& movers, const PairContact& pair, geometry::Manifold& manifold,
                               PairSet& set) const noexcept {
   const Mover &first = movers[pair.a], &second = movers[pair.b];
+  // the deepest comes first, then those farthest from it
+  manifold.count = std::min(manifold.count, most_points);
   sort_by_feature(manifold);
   for (int k = 0; k < manifold.count; ++k) {
     const geometry::ManifoldPoint& found = manifold.points[k];

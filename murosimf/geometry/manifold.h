@@ -1,6 +1,7 @@
 /// manifold.h - where two shapes overlap: one normal and up to eight points.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -27,5 +28,11 @@ struct Manifold {
   int count = 0;
   std::array<ManifoldPoint, most_points> points;  ///< the first `count`; the deepest is exact
 };
+
+/// Brings the points into an order that stays the same from step to step.
+inline void sort_by_feature(Manifold& manifold) {
+  std::sort(manifold.points.begin(), manifold.points.begin() + manifold.count,
+            [](const ManifoldPoint& a, const ManifoldPoint& b) { return a.feature < b.feature; });
+}
 
 }  // namespace murosimf::geometry

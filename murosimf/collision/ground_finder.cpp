@@ -1,0 +1,120 @@
+#include "murosimf/collision/ground_finder.h"
+
+#include <algorithm>
+
+#include "murosimf/geometry/collide.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::collision {
+namespace {
+
+constexpr std::uint64_t features_of_pair = std::uint64_t{1} << 32;
+
+/// `v` in the plane across the unit vector `normal`, with length 1; zero if it has no direction there.
+Vec3d direction_in_plane(const Vec3d& v, const Vec3d& normal) {
+  const Vec3d inside = tangential(v, normal);
+  const double size = norm(inside);
+  return size > 1e-9 * norm(v) ? (1.0 / size) * inside : Vec3d{};
+}
+
+double round_radius(const Shape& shape) {
+  const Sphere* sphere = std::get_if<Sphere>(&shape);
+  return sphere ? sphere->radius : 0;
+}
+
+std::uint64_t features_of_all(const std::vector<GroundShape>& shapes) {
+  return shapes.empty() ? 0 : shapes.back().first_feature + features_of(shapes.back().placed.shape);
+}
+
+}  // namespace
+
+std::vector<GroundPlane> ground_planes(const Entity* environment) {
+  std::vector<GroundPlane> planes;
+  if (!environment) return planes;
+  const Model& model = environment->model();
+  for (const int object : model.bodies()) {
+    const Shapes* shapes = model.find(properties::shapes, object);
+    if (!shapes) continue;
+    const FixedObject place = model.placement(object);
+    for (const PlacedShape& placed : *shapes) {
+      if (!std::holds_alternative<Plane>(placed.shape)) continue;
+      const Mat3d R = place.turn * placed.orientation;
+      const double height = dot(R.z, place.offset + place.turn * placed.position);
+      planes.push_back({R.z, height, direction_in_plane(R * placed.surface.grain, R.z), placed.surface});
+    }
+  }
+  return planes;
+}
+
+GroundFinder::GroundFinder(const Entity& entity, const Entity* environment)
+    : shapes_(ground_shapes(entity.model())),
+      planes_(ground_planes(environment)),
+      own_(entity.model(), {.volume = entity.options().collision.volume}),
+      environment_(environment) {}
+
+std::size_t GroundFinder::most_on_planes() const { return 8 * shapes_.size() * planes_.size(); }
+
+void GroundFinder::find(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
+                        TestCounts& tests) noexcept {
+  find_on_planes(r, R, found, tests);
+  if (!environment_.empty()) find_on_statics(r, R, found, tests);
+}
+
+void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
+                                  TestCounts& tests) const noexcept {
+  std::uint32_t surface = 0;
+  std::uint64_t feature = 0;
+  for (const GroundPlane& plane : planes_) {
+    for (const GroundShape& shape : shapes_) {
+      const std::size_t first = found.size();
+      ++tests.volumes;
+      if (find_ground_contacts(shape, r[shape.object], R[shape.object], plane, found)) ++tests.objects;
+      for (std::size_t i = first; i < found.size(); ++i) {
+        found[i].surface = surface;
+        found[i].feature += feature;
+      }
+      ++surface;
+    }
+    feature += features_of_all(shapes_);
+  }
+}
+
+void GroundFinder::find_on_statics(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
+                                   TestCounts& tests) noexcept {
+  if (!environment_.is_near(r[0], own_.reach(), tests.volumes)) return;
+  own_.refit(r, R);
+  candidates_.clear();
+  tests.volumes += for_pairs(environment_.compound(), own_, [&](int other, int own) {
+    candidates_.emplace_back(other, own);
+    return true;
+  });
+  std::sort(candidates_.begin(), candidates_.end());
+  geometry::Manifold manifold;
+  for (const auto& [other, own] : candidates_) {
+    ++tests.objects;
+    const Shape& shape = own_.shapes()[own].placed.shape;
+    const Shape& obstacle = environment_.shape(other).placed.shape;
+    if (geometry::collide(shape, own_.pose(own, r, R), obstacle, environment_.pose(other), manifold)) {
+      sort_by_feature(manifold);
+      add_contacts(own, other, manifold, found);
+    }
+  }
+}
+
+void GroundFinder::add_contacts(int own, int other, const geometry::Manifold& manifold,
+                                std::vector<ContactPoint>& found) const noexcept {
+  const std::size_t pair = static_cast<std::size_t>(other) * own_.shapes().size() + static_cast<std::size_t>(own);
+  const std::size_t on_planes = planes_.size() * shapes_.size();
+  for (int k = 0; k < manifold.count; ++k) {
+    ContactPoint& c = found.emplace_back();
+    c.object = own_.shapes()[own].object;
+    c.feature = (1 + pair) * features_of_pair + manifold.points[k].feature;  // after those of planes
+    c.surface = static_cast<std::uint32_t>(on_planes + pair);
+    c.point = manifold.points[k].point;
+    c.normal = manifold.normal;
+    c.depth = manifold.points[k].depth;
+    c.radius = round_radius(own_.shapes()[own].placed.shape);
+  }
+}
+
+}  // namespace murosimf::collision

@@ -1,0 +1,57 @@
+/// ground_finder.h - where one entity touches its environment: the ground's planes, and static shapes that stand on it.
+///
+/// Planes stand outside the trees: a plane's sphere of reach is one dot product per shape (paper 5, and ground_points.h).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "murosimf/collision/contact.h"
+#include "murosimf/collision/ground_points.h"
+#include "murosimf/collision/static_compound.h"
+
+namespace murosimf::collision {
+
+class GroundFinder {
+ public:
+  /// `environment`: null for none.
+  GroundFinder(const Entity& entity, const Entity* environment);
+
+  /// Calls add(surface of the entity, surface of the environment, grain) for each value that Contact::surface can take.
+  template <class Add>
+  void for_surfaces(const Add& add) const {
+    for (const GroundPlane& plane : planes_) {
+      for (const GroundShape& shape : shapes_) add(shape.placed.surface, plane.surface, plane.grain);
+    }
+    for (const CollidingShape& other : environment_.compound().shapes()) {
+      for (const CollidingShape& shape : own_.shapes()) add(shape.placed.surface, other.placed.surface, Vec3d{});
+    }
+  }
+  /// How many contacts there can be with planes.
+  [[nodiscard]] std::size_t most_on_planes() const;
+
+  /// Appends contacts, sorted by feature; geometry and `surface` only. r [m], R: poses of the entity's objects.
+  void find(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
+            TestCounts& tests) noexcept;
+
+ private:
+  void find_on_planes(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
+                      TestCounts& tests) const noexcept;
+  void find_on_statics(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
+                       TestCounts& tests) noexcept;
+  void add_contacts(int own, int other, const geometry::Manifold& manifold,
+                    std::vector<ContactPoint>& found) const noexcept;
+
+  std::vector<GroundShape> shapes_;
+  std::vector<GroundPlane> planes_;
+  Compound own_;
+  StaticCompound environment_;
+  std::vector<std::pair<int, int>> candidates_;  // shapes, of the environment and its own, whose volumes overlap
+};
+
+/// The ground planes among the shapes of an environment.
+[[nodiscard]] std::vector<GroundPlane> ground_planes(const Entity* environment);
+
+}  // namespace murosimf::collision
