@@ -175,6 +175,49 @@ bool is_sphere_like(const ConvexHull& hull) {
   return 2 * (hull.vertices.size() + hull.faces.size()) == hull.neighbors.size() + 4;
 }
 
+/// Coordinates for qhull, of size 1 to 2; a power of two changes no digit.
+std::vector<double> scaled(const std::vector<Vec3d>& points, double half) {
+  const double scale = std::ldexp(1.0, -std::ilogb(half));
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * points.size());
+  for (const Vec3d& p : points) coordinates.insert(coordinates.end(), {scale * p.x, scale * p.y, scale * p.z});
+  return coordinates;
+}
+
+/// How far a corner of face `i` lies inside the line of the corners beside it [m].
+double dent(const ConvexHull& hull, std::size_t i) {
+  const Face& face = hull.faces[i];
+  double deepest = 0;
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    const Vec3d& before = hull.vertices[face[k]];
+    const Vec3d& here = hull.vertices[face[(k + 1) % face.size()]];
+    const Vec3d& behind = hull.vertices[face[(k + 2) % face.size()]];
+    const double bend = dot(hull.normals[i], cross(here - before, behind - here));
+    deepest = std::max(deepest, -bend / norm(behind - before));
+  }
+  return deepest;
+}
+
+/// How far the neighbors of its corners stand out of face `i` [m].
+double bulge(const ConvexHull& hull, std::size_t i) {
+  double highest = 0;
+  for (const std::uint32_t corner : hull.faces[i]) {
+    for (std::uint32_t k = hull.first_neighbor[corner]; k < hull.first_neighbor[corner + 1]; ++k) {
+      const Vec3d from_face = hull.vertices[hull.neighbors[k]] - hull.vertices[hull.faces[i][0]];
+      highest = std::max(highest, dot(hull.normals[i], from_face));
+    }
+  }
+  return highest;
+}
+
+/// Convex everywhere, but for `tolerance` [m].
+bool is_convex(const ConvexHull& hull, double tolerance) {
+  for (std::size_t i = 0; i < hull.faces.size(); ++i) {
+    if (!(dent(hull, i) <= tolerance && bulge(hull, i) <= tolerance)) return false;
+  }
+  return true;
+}
+
 /// The hull that one run gives; nothing if that is no proper polyhedron.
 std::optional<ConvexHull> try_hull(const std::vector<Vec3d>& points, std::vector<double>& coordinates,
                                    const std::string& options) {
@@ -189,11 +232,22 @@ std::optional<ConvexHull> try_hull(const std::vector<Vec3d>& points, std::vector
   hull.faces = std::move(*faces);
   for (const Face& face : hull.faces) {
     const Vec3d area = area_vector(hull.vertices, face);
-    if (!(norm(area) > 0)) return std::nullopt;
     hull.normals.push_back((1.0 / norm(area)) * area);
   }
   if (!add_neighbors(hull) || !is_sphere_like(hull)) return std::nullopt;
   return hull;
+}
+
+/// The first run that gives a convex polyhedron: planes joined; where rounding leaves dents in joined planes, those that
+/// are planes to the last digit; triangles.
+std::optional<ConvexHull> find_hull(const std::vector<Vec3d>& points, double half) {
+  auto coordinates = scaled(points, half);
+  for (const std::string& options :
+       {fmt::format("qhull C-0 C{:.0e}", plane_tolerance), std::string("qhull"), std::string("qhull Qt")}) {
+    auto hull = try_hull(points, coordinates, options);
+    if (hull && is_convex(*hull, 4 * plane_tolerance * half)) return hull;
+  }
+  return std::nullopt;
 }
 
 /// Thickness of the plate that spreads its mass as wide as the hull does across its thinnest direction [m].
@@ -232,15 +286,6 @@ void check(std::span<const Vec3d> points) {
   }
 }
 
-/// Coordinates for qhull, of size 1 to 2; a power of two changes no digit.
-std::vector<double> scaled(const std::vector<Vec3d>& points, double half) {
-  const double scale = std::ldexp(1.0, -std::ilogb(half));
-  std::vector<double> coordinates;
-  coordinates.reserve(3 * points.size());
-  for (const Vec3d& p : points) coordinates.insert(coordinates.end(), {scale * p.x, scale * p.y, scale * p.z});
-  return coordinates;
-}
-
 }  // namespace
 
 Hull make_hull(std::span<const Vec3d> points) {
@@ -250,10 +295,7 @@ Hull make_hull(std::span<const Vec3d> points) {
   std::vector<Vec3d> shifted;
   shifted.reserve(points.size());
   for (const Vec3d& p : points) shifted.push_back(p - extent.middle());
-  auto coordinates = scaled(shifted, extent.half());
-  // where joined planes leave no proper polyhedron, as in a thin sheet, the triangles count
-  auto hull = try_hull(shifted, coordinates, fmt::format("qhull C-0 C{:.0e}", plane_tolerance));
-  if (!hull) hull = try_hull(shifted, coordinates, "qhull Qt");
+  auto hull = find_hull(shifted, extent.half());
   if (!hull || !(thickness(*hull) > least_thickness * extent.half())) {
     throw SetupError("the points lie in a plane; a hull needs a volume");
   }
