@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <optional>
 #include <set>
@@ -12,111 +10,14 @@
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
-extern "C" {
-#include <libqhull_r/qhull_ra.h>
-}
-
 #include "murosimf/geometry/mesh_mass.h"
+#include "murosimf/geometry/qhull_faces.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::geometry {
 namespace {
 
 using Face = std::vector<std::uint32_t>;
-
-/// What qhull writes goes to memory.
-class Log {
- public:
-  Log() : file_(open_memstream(&text_, &size_)) {}
-  ~Log() {
-    std::fclose(file_);
-    std::free(text_);  // NOLINT: open_memstream allocates so
-  }
-  Log(const Log&) = delete;
-  Log& operator=(const Log&) = delete;
-  [[nodiscard]] FILE* file() const { return file_; }
-
- private:
-  char* text_ = nullptr;
-  std::size_t size_ = 0;
-  FILE* file_;
-};
-
-/// One run of qhull. Points are numbers of the caller's list.
-class Run {
- public:
-  Run(std::vector<double>& coordinates, std::string options) {
-    qh_zero(&qh_, log_.file());
-    ok_ = qh_new_qhull(&qh_, 3, static_cast<int>(coordinates.size() / 3), coordinates.data(), False, options.data(),
-                       nullptr, log_.file()) == 0;
-  }
-  ~Run() {
-    qh_freeqhull(&qh_, !qh_ALL);
-    int long_blocks = 0, long_bytes = 0;
-    qh_memfreeshort(&qh_, &long_blocks, &long_bytes);
-  }
-  Run(const Run&) = delete;
-  Run& operator=(const Run&) = delete;
-
-  /// Faces by numbers of points, corners in order; nothing if qhull gave up or a face has no simple outline.
-  std::optional<std::vector<Face>> faces() {
-    if (!ok_) return std::nullopt;
-    std::vector<Face> result;
-    for (facetT* facet = qh_.facet_list; facet && facet->next; facet = facet->next) {
-      Face face = outline(*facet);
-      if (face.size() < 3) return std::nullopt;
-      result.push_back(std::move(face));
-    }
-    return result;
-  }
-
- private:
-  std::uint32_t number(const vertexT* vertex) { return static_cast<std::uint32_t>(qh_pointid(&qh_, vertex->point)); }
-
-  template <class T, class F>
-  static void for_each(setT* set, const F& f) {
-    if (!set) return;
-    for (setelemT* element = &set->e[0]; element->p; ++element) f(static_cast<T*>(element->p));
-  }
-
-  /// Corners in a row, in either direction.
-  Face outline(const facetT& facet) {
-    Face corners;
-    if (facet.simplicial) {
-      for_each<vertexT>(facet.vertices, [&](vertexT* v) { corners.push_back(number(v)); });
-      return corners;
-    }
-    std::map<std::uint32_t, Face> next;
-    for_each<ridgeT>(facet.ridges, [&](ridgeT* ridge) {
-      const std::uint32_t a = number(static_cast<vertexT*>(ridge->vertices->e[0].p));
-      const std::uint32_t b = number(static_cast<vertexT*>(ridge->vertices->e[1].p));
-      next[a].push_back(b);
-      next[b].push_back(a);
-    });
-    return loop(next);
-  }
-
-  /// The one loop through all vertices; empty if there is none.
-  static Face loop(const std::map<std::uint32_t, Face>& next) {
-    if (std::ranges::any_of(next, [](const auto& entry) { return entry.second.size() != 2; })) return {};
-    Face corners;
-    if (next.empty()) return corners;
-    const std::uint32_t start = next.begin()->first;
-    std::uint32_t before = start, here = start;
-    do {
-      corners.push_back(here);
-      const Face& both = next.at(here);
-      const std::uint32_t ahead = both[0] == before ? both[1] : both[0];
-      before = here;
-      here = ahead;
-    } while (here != start && corners.size() <= next.size());
-    return corners.size() == next.size() ? corners : Face{};
-  }
-
-  Log log_;
-  qhT qh_{};
-  bool ok_ = false;
-};
 
 /// Twice the area of a polygon along its normal (Newell: the mean of its projections).
 Vec3d area_vector(const std::vector<Vec3d>& vertices, const Face& face) {
@@ -175,10 +76,53 @@ bool is_sphere_like(const ConvexHull& hull) {
   return 2 * (hull.vertices.size() + hull.faces.size()) == hull.neighbors.size() + 4;
 }
 
+/// Coordinates for qhull, of size 1 to 2; a power of two changes no digit.
+std::vector<double> scaled(const std::vector<Vec3d>& points, double half) {
+  const double scale = std::ldexp(1.0, -std::ilogb(half));
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * points.size());
+  for (const Vec3d& p : points) coordinates.insert(coordinates.end(), {scale * p.x, scale * p.y, scale * p.z});
+  return coordinates;
+}
+
+/// How far a corner of face `i` lies inside the line of the corners beside it [m].
+double dent(const ConvexHull& hull, std::size_t i) {
+  const Face& face = hull.faces[i];
+  double deepest = 0;
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    const Vec3d& before = hull.vertices[face[k]];
+    const Vec3d& here = hull.vertices[face[(k + 1) % face.size()]];
+    const Vec3d& behind = hull.vertices[face[(k + 2) % face.size()]];
+    const double bend = dot(hull.normals[i], cross(here - before, behind - here));
+    deepest = std::max(deepest, -bend / norm(behind - before));
+  }
+  return deepest;
+}
+
+/// How far the neighbors of its corners stand out of face `i` [m].
+double bulge(const ConvexHull& hull, std::size_t i) {
+  double highest = 0;
+  for (const std::uint32_t corner : hull.faces[i]) {
+    for (std::uint32_t k = hull.first_neighbor[corner]; k < hull.first_neighbor[corner + 1]; ++k) {
+      const Vec3d from_face = hull.vertices[hull.neighbors[k]] - hull.vertices[hull.faces[i][0]];
+      highest = std::max(highest, dot(hull.normals[i], from_face));
+    }
+  }
+  return highest;
+}
+
+/// Convex everywhere, but for `tolerance` [m].
+bool is_convex(const ConvexHull& hull, double tolerance) {
+  for (std::size_t i = 0; i < hull.faces.size(); ++i) {
+    if (!(dent(hull, i) <= tolerance && bulge(hull, i) <= tolerance)) return false;
+  }
+  return true;
+}
+
 /// The hull that one run gives; nothing if that is no proper polyhedron.
 std::optional<ConvexHull> try_hull(const std::vector<Vec3d>& points, std::vector<double>& coordinates,
                                    const std::string& options) {
-  auto faces = Run(coordinates, options).faces();
+  auto faces = qhull_faces(coordinates, options);
   if (!faces || faces->empty()) return std::nullopt;
   ConvexHull hull;
   hull.vertices = used_points(*faces, points);
@@ -189,11 +133,22 @@ std::optional<ConvexHull> try_hull(const std::vector<Vec3d>& points, std::vector
   hull.faces = std::move(*faces);
   for (const Face& face : hull.faces) {
     const Vec3d area = area_vector(hull.vertices, face);
-    if (!(norm(area) > 0)) return std::nullopt;
     hull.normals.push_back((1.0 / norm(area)) * area);
   }
   if (!add_neighbors(hull) || !is_sphere_like(hull)) return std::nullopt;
   return hull;
+}
+
+/// The first run that gives a convex polyhedron: planes joined; where rounding leaves dents in joined planes, those that
+/// are planes to the last digit; triangles.
+std::optional<ConvexHull> find_hull(const std::vector<Vec3d>& points, double half) {
+  auto coordinates = scaled(points, half);
+  for (const std::string& options :
+       {fmt::format("qhull C-0 C{:.0e}", plane_tolerance), std::string("qhull"), std::string("qhull Qt")}) {
+    auto hull = try_hull(points, coordinates, options);
+    if (hull && is_convex(*hull, 4 * plane_tolerance * half)) return hull;
+  }
+  return std::nullopt;
 }
 
 /// Thickness of the plate that spreads its mass as wide as the hull does across its thinnest direction [m].
@@ -232,15 +187,6 @@ void check(std::span<const Vec3d> points) {
   }
 }
 
-/// Coordinates for qhull, of size 1 to 2; a power of two changes no digit.
-std::vector<double> scaled(const std::vector<Vec3d>& points, double half) {
-  const double scale = std::ldexp(1.0, -std::ilogb(half));
-  std::vector<double> coordinates;
-  coordinates.reserve(3 * points.size());
-  for (const Vec3d& p : points) coordinates.insert(coordinates.end(), {scale * p.x, scale * p.y, scale * p.z});
-  return coordinates;
-}
-
 }  // namespace
 
 Hull make_hull(std::span<const Vec3d> points) {
@@ -250,10 +196,7 @@ Hull make_hull(std::span<const Vec3d> points) {
   std::vector<Vec3d> shifted;
   shifted.reserve(points.size());
   for (const Vec3d& p : points) shifted.push_back(p - extent.middle());
-  auto coordinates = scaled(shifted, extent.half());
-  // where joined planes leave no proper polyhedron, as in a thin sheet, the triangles count
-  auto hull = try_hull(shifted, coordinates, fmt::format("qhull C-0 C{:.0e}", plane_tolerance));
-  if (!hull) hull = try_hull(shifted, coordinates, "qhull Qt");
+  auto hull = find_hull(shifted, extent.half());
   if (!hull || !(thickness(*hull) > least_thickness * extent.half())) {
     throw SetupError("the points lie in a plane; a hull needs a volume");
   }

@@ -2,6 +2,8 @@
 #include "murosimf/geometry/hull.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -154,6 +156,29 @@ TEST(Hull, JoinsPlanesThatSinglePrecisionBroke) {
     EXPECT_EQ(hull.faces.size(), 6U) << "round " << round;
     EXPECT_EQ(hull.vertices.size(), 8U) << "round " << round;
     EXPECT_LT(sticking_out(hull, shifted(points, middle)), 0.15 * 4 * plane_tolerance);
+  }
+}
+
+TEST(Hull, HasConvexFacesEvenIfPointsAlmostLieInPlanes) {
+  Dice dice("noisy box");
+  for (int round = 0; round < 500; ++round) {
+    const double noise = std::pow(10.0, dice.uniform(-8, -3));
+    std::vector<Vec3d> points;
+    for (int i = 0; i < 150; ++i) {
+      Vec3d p = dice.vector(1);
+      double Vec3d::*const axis = std::array{&Vec3d::x, &Vec3d::y, &Vec3d::z}[static_cast<std::size_t>(dice.pick(3))];
+      p.*axis = (dice.chance(0.5) ? 1 : -1) + dice.uniform(-noise, noise);
+      points.push_back({0.5 * p.x, 0.1 * p.y, p.z});
+    }
+    const auto [hull, middle] = make_hull(points);
+    EXPECT_LT(sticking_out(hull, shifted(points, middle)), 10 * plane_tolerance) << "round " << round;
+    for (std::size_t i = 0; i < hull.faces.size(); ++i) {
+      const auto corner = [&](std::size_t k) { return hull.vertices[hull.faces[i][k % hull.faces[i].size()]]; };
+      for (std::size_t k = 0; k < hull.faces[i].size(); ++k) {
+        const double bend = dot(hull.normals[i], cross(corner(k + 1) - corner(k), corner(k + 2) - corner(k + 1)));
+        EXPECT_GT(bend, -10 * plane_tolerance) << "round " << round;
+      }
+    }
   }
 }
 

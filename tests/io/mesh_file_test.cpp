@@ -217,6 +217,7 @@ TEST(MeshFile, RefusesMoreTrianglesInTextThanTheLimit) {
   std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (std::size_t i = 0; i <= most_triangles; ++i) text += "f 1 2 3\n";
   EXPECT_TRUE(says(complaint(text, ".obj"), {":1000004: ", "more than 1000000 triangles", "simplify"}));
+  std::filesystem::remove(test_file(".obj"));
 }
 
 TEST(MeshFile, RefusesNumbersThatAreNone) {
