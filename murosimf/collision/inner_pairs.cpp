@@ -22,7 +22,7 @@ std::vector<int> shapes_of(const Model& model, std::span<const CollidingShape> s
     }
     return result;
   };
-  const auto own = numbers([&](int other) { return other == object; });
+  auto own = numbers([&](int other) { return other == object; });
   if (!own.empty()) return own;
   const auto& link_of = model.tree().link_of;
   return numbers([&](int other) { return link_of[other] == link_of[object]; });

@@ -28,7 +28,7 @@ struct BodyRef {
 
 /// The two points of two shapes that are nearest to each other.
 struct ClosestPoints {
-  double distance = 0;  ///< [m] 0 if the shapes overlap
+  double distance = 0;  ///< [m] not positive if the shapes overlap
   Vec3d on_a, on_b;     ///< [m] world frame
 };
 
@@ -52,7 +52,7 @@ struct RayLimits {
 };
 
 struct Separation : ClosestPoints {
-  BodyRef a, b;  ///< which bodies are nearest
+  BodyRef a, b;  ///< which bodies are nearest; of entities that overlap in several places, two that do
 };
 
 /// All shapes of a world's entities that collide, planes too. Entities whose level keeps poses are where their columns

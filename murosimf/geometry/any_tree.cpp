@@ -1,5 +1,7 @@
 #include "murosimf/geometry/any_tree.h"
 
+#include <cassert>
+
 #include "murosimf/model/error.h"
 
 namespace murosimf::geometry {
@@ -20,6 +22,7 @@ const std::vector<std::string_view>& volume_names() {
 }
 
 AnyTree make_tree(std::string_view volume, std::span<const TreePart> parts, const TreeLayout& layout) {
+  assert(layout.depth() <= TreeLayout::most_depth);
   if (volume == "sphere") return tree_of<BoundingSphere>(parts, layout);
   if (volume == "aabb") return tree_of<Aabb>(parts, layout);
   if (volume == "obb") return tree_of<Obb>(parts, layout);

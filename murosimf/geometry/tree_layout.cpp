@@ -82,8 +82,8 @@ TreeLayout TreeBuilder::layout(const Part& root) const {
     order.push_back(node - leaf_count);
     return static_cast<int>(order.size()) - 1;
   };
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto [first, second] = joints_[static_cast<std::size_t>(order[i])];
+  while (result.children.size() < order.size()) {
+    const auto [first, second] = joints_[static_cast<std::size_t>(order[result.children.size()])];
     const int a = number(first);
     result.children.push_back({a, number(second)});
   }

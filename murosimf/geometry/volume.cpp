@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "murosimf/geometry/capsule_along.h"
+
 namespace murosimf::geometry {
 namespace {
 
@@ -12,13 +14,6 @@ double half_along(const Obb& box, const Vec3d& direction) {
 }
 
 double volume_of(const Obb& box) { return box.half.x * box.half.y * box.half.z; }
-
-/// Distance [m] of a point from the segment middle +- half_axis.
-double distance_to_segment(const Vec3d& point, const Vec3d& middle, const Vec3d& half_axis) {
-  const double square = dot(half_axis, half_axis);
-  const double along = square > 0 ? std::clamp(dot(point - middle, half_axis) / square, -1.0, 1.0) : 0.0;
-  return norm(point - middle - along * half_axis);
-}
 
 }  // namespace
 
@@ -33,25 +28,24 @@ Obb merged(const Obb& a, const Obb& b) {
 }
 
 BoundingCapsule merged(const BoundingCapsule& a, const BoundingCapsule& b) {
-  const std::array<Vec3d, 4> ends{a.middle - a.half_axis, a.middle + a.half_axis, b.middle - b.half_axis,
-                                  b.middle + b.half_axis};
-  const std::array<double, 4> radii{a.radius, a.radius, b.radius, b.radius};
-  std::size_t first = 0, second = 0;
-  double farthest = 0;
+  const std::array<BoundingSphere, 4> ends{BoundingSphere{a.middle - a.half_axis, a.radius},
+                                           BoundingSphere{a.middle + a.half_axis, a.radius},
+                                           BoundingSphere{b.middle - b.half_axis, b.radius},
+                                           BoundingSphere{b.middle + b.half_axis, b.radius}};
+  Vec3d longest;
+  double square = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     for (std::size_t j = i + 1; j < ends.size(); ++j) {
-      const Vec3d way = ends[i] - ends[j];
-      if (dot(way, way) <= farthest) continue;
-      farthest = dot(way, way);
-      first = i;
-      second = j;
+      const Vec3d way = ends[j].center - ends[i].center;
+      if (dot(way, way) <= square) continue;
+      square = dot(way, way);
+      longest = way;
     }
   }
-  BoundingCapsule both{0.5 * (ends[first] + ends[second]), 0.5 * (ends[second] - ends[first]), 0};
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    both.radius = std::max(both.radius, distance_to_segment(ends[i], both.middle, both.half_axis) + radii[i]);
-  }
-  return both;
+  const Vec3d axis = square > 0 ? (1 / sqrt(square)) * longest : Vec3d{0, 0, 1};
+  // the line may run beside the ends that gave its direction: through the middle of all
+  const Vec3d middle = 0.25 * (ends[0].center + ends[1].center + ends[2].center + ends[3].center);
+  return capsule_along(axis, middle, ends);
 }
 
 }  // namespace murosimf::geometry

@@ -82,7 +82,7 @@ inline Vec3d componentwise_abs(const Vec3d& v) { return {abs(v.x), abs(v.y), abs
 }
 /// In the orientation of the bigger one.
 [[nodiscard]] Obb merged(const Obb& a, const Obb& b);
-/// About the line between those two of the four ends that are farthest from each other.
+/// Along the line between those two of the four ends that are farthest from each other, through the middle of all.
 [[nodiscard]] BoundingCapsule merged(const BoundingCapsule& a, const BoundingCapsule& b);
 
 // size: radius [m] of the sphere around a volume, to compare volumes of all kinds.

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "murosimf/geometry/volume.h"
+#include "murosimf/geometry/capsule_along.h"
 
 namespace murosimf::geometry {
 namespace {
@@ -68,26 +68,13 @@ const BoundingCapsule& smaller(const BoundingCapsule& a, const BoundingCapsule& 
   return volume_of(b) < volume_of(a) ? b : a;
 }
 
-/// The least capsule about the line through `middle` along the unit vector `axis`.
-BoundingCapsule capsule_along(const Vec3d& axis, const Vec3d& middle, const Points& points) {
-  double radius = 0;
-  for (const Vec3d& p : points) radius = std::max(radius, norm(tangential(p - middle, axis)));
-  // a point off the line may stick out of the straight part by the height of the round end above it
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Vec3d& p : points) {
-    const Vec3d across = tangential(p - middle, axis);
-    const double round = std::sqrt(std::max(radius * radius - dot(across, across), 0.0));
-    high = std::max(high, dot(p - middle, axis) - round);
-    low = std::min(low, dot(p - middle, axis) + round);
-  }
-  return {middle + 0.5 * (low + high) * axis, 0.5 * std::max(high - low, 0.0) * axis, radius};
-}
-
 BoundingCapsule capsule_about(const Points& points, const Vec3d& middle) {
   const BoundingSphere sphere = sphere_about(points);
   BoundingCapsule best{sphere.center, {}, sphere.radius};
+  std::vector<BoundingSphere> spheres;
+  for (const Vec3d& p : points) spheres.push_back({p, 0});
   const Mat3d axes;
-  for (const Vec3d& axis : {axes.x, axes.y, axes.z}) best = smaller(capsule_along(axis, middle, points), best);
+  for (const Vec3d& axis : {axes.x, axes.y, axes.z}) best = smaller(capsule_along(axis, middle, spheres), best);
   return best;
 }
 

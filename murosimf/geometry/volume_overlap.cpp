@@ -77,12 +77,12 @@ double face_gap(const Obb& a, const Obb& b) {
 
 namespace {
 
-/// True if one of the cross products of the axis `a_axis` of A with the axes of B parts the boxes. `i`: which axis of
-/// A, in a cyclic order with `j` and `k`.
+/// The directions across an edge of each of two boxes.
 struct EdgeAxes {
   std::array<double, 3> way, half_a, half_b;    // in A's frame, along A's axes, along B's axes
   std::array<std::array<double, 3>, 3> C, abs;  // [i][j] axis i of A times axis j of B, and its size
 
+  /// True if the boxes are apart along the cross product of axis i of A and axis j of B.
   [[nodiscard]] bool parts(std::size_t i, std::size_t j) const {
     const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
     const double reach_a = half_a[i1] * abs[i2][j] + half_a[i2] * abs[i1][j];

@@ -1,0 +1,250 @@
+#include "murosimf/collision/queries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "murosimf/multibody/kinematics.h"
+#include "tests/fixtures.h"
+
+namespace murosimf::collision {
+namespace {
+
+using fixtures::Dice;
+using fixtures::placed;
+using geometry::Pose;
+using geometry::Ray;
+
+/// Stand-ins for the exact tests that other tests prove: a shape overlaps the middle of the first, and is as near as the
+/// two middles are. Bounding volumes must let all of these through as well.
+bool holds_middle(const Shape&, const Pose& at_a, const Shape& b, const Pose& at_b) {
+  return fixtures::outside(b, transposed_times(at_b.orientation, at_a.position - at_b.position)) < 0;
+}
+ClosestPoints between_middles(const Shape&, const Pose& at_a, const Shape&, const Pose& at_b) {
+  return {norm(at_a.position - at_b.position), at_a.position, at_b.position};
+}
+ShapeTests stand_ins() { return {holds_middle, between_middles}; }
+
+/// All shapes in the world, for a walk over all of them.
+struct InWorld {
+  const Entity* entity;
+  int object, index;
+  Shape shape;
+  Pose at;
+};
+
+/// Two robots with one shape of each kind on every limb, two balls, and a field with a plane, a wall and a sign that
+/// does not collide.
+class Pitch {
+ public:
+  Pitch() {
+    Chain field;
+    PlacedShape sign = placed(Box{{9, 9, 9}});
+    sign.collides = false;
+    field.base("field").with(properties::shapes,
+                             {placed(Plane{}), sign, placed(Box{{0.05, 2, 0.3}}, {2, 0, 0.3}, rotation_z(0.2))});
+    world.add("field", std::make_shared<const Model>("field", field));
+    const auto robot = std::make_shared<const Model>(robot_of_all_shapes());
+    const auto ball = std::make_shared<const Model>(fixtures::ball_model(0.1, 0.4));
+    for (const char* name : {"red", "blue"}) world.add(name, robot);
+    for (const char* name : {"ball", "spare"}) world.add(name, ball);
+    for (const auto& entity : world.entities()) {
+      if (entity->name() == "field") continue;  // it has no poses: it stands where its model says
+      entity->column(properties::position);
+      entity->column(properties::orientation);
+    }
+  }
+
+  static Model robot_of_all_shapes() {
+    Chain chain;
+    chain.base("trunk").with(properties::shapes, {placed(Box{{0.1, 0.1, 0.1}})});
+    int n = 0;
+    for (const Shape& shape : fixtures::shapes_of_all_kinds()) {
+      chain.translation({0, 0, 0.2}).revolute("joint_" + std::to_string(n++), {1, 0, 0});
+      chain.with(properties::shapes, {placed(shape, {0, 0.1, 0}, rotation_x(0.4)), placed(Sphere{0.03}, {0.2, 0, 0})});
+    }
+    return Model("stack", chain);
+  }
+
+  void shake(Dice& dice) {
+    for (const auto& entity : world.entities()) {
+      if (!entity->find(properties::position)) continue;
+      auto& r = entity->column(properties::position).values;
+      auto& R = entity->column(properties::orientation).values;
+      std::vector<double> q(r.size());
+      for (double& angle : q) angle = dice.uniform(-2, 2);
+      r[0] = dice.vector(1) + Vec3d{0, 0, 1};
+      R[0] = dice.turn();
+      multibody::poses<double>(entity->model().tree(), q, std::span<Vec3d>(r), std::span<Mat3d>(R));
+    }
+  }
+
+  [[nodiscard]] std::vector<InWorld> all() const {
+    std::vector<InWorld> result;
+    for (const auto& entity : world.entities()) {
+      const auto* r = entity->find(properties::position);
+      const auto* R = entity->find(properties::orientation);
+      for (const int object : entity->model().bodies()) {
+        const Pose body = r ? Pose{r->values[object], R->values[object]} : Pose{};
+        int index = 0;
+        for (const PlacedShape& shape : *entity->model().find(properties::shapes, object)) {
+          const Pose at = placed_in(body, {shape.position, shape.orientation});
+          if (shape.collides) result.push_back({entity.get(), object, index, shape.shape, at});
+          ++index;
+        }
+      }
+    }
+    return result;
+  }
+
+  World world;
+};
+
+Ray random_ray(Dice& dice) { return {dice.vector(1.5) + Vec3d{0, 0, 1.2}, dice.unit()}; }
+
+/// Every shape that the ray meets, the nearest first.
+std::vector<RayHit> by_force(const Pitch& pitch, const Ray& ray, const RayLimits& limits) {
+  std::vector<RayHit> hits;
+  for (const InWorld& it : pitch.all()) {
+    const auto met = geometry::meet(ray, it.shape, it.at);
+    if (it.entity == limits.without || !met || met->distance > limits.range) continue;
+    hits.push_back(
+        {{it.entity, it.object}, it.index, met->distance, ray.origin + met->distance * ray.direction, met->normal});
+  }
+  std::sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) { return a.distance < b.distance; });
+  return hits;
+}
+
+// Law: rays find what a walk over all shapes finds, for all kinds of volumes; the robot left out is not hit.
+TEST(Queries, RaysAgreeWithBruteForce) {
+  Dice dice("rays");
+  std::size_t found = 0;
+  for (const auto volume : geometry::volume_names()) {
+    Pitch pitch;
+    QueryScene scene(pitch.world, stand_ins(), std::string(volume));
+    for (int i = 0; i < 200; ++i) {
+      pitch.shake(dice);
+      scene.refresh();
+      const Ray ray = random_ray(dice);
+      RayLimits limits;
+      if (i % 3 == 0) limits.range = dice.uniform(0.5, 2);
+      if (i % 2 == 0) limits.without = pitch.world.find("red");
+      const auto expected = by_force(pitch, ray, limits);
+      const auto hits = scene.cast_all(ray, limits);
+      ASSERT_EQ(hits.size(), expected.size()) << volume;
+      for (std::size_t k = 0; k < hits.size(); ++k) EXPECT_EQ(hits[k].distance, expected[k].distance);
+      const auto first = scene.cast(ray, limits);
+      ASSERT_EQ(first.has_value(), !expected.empty());
+      if (!first) continue;
+      EXPECT_EQ(first->distance, expected[0].distance);
+      EXPECT_LT(norm(first->point - ray.origin - first->distance * ray.direction), 1e-14);
+      if (expected.size() > 1 && expected[1].distance == expected[0].distance) continue;
+      EXPECT_EQ(first->body, expected[0].body);
+      EXPECT_EQ(first->shape, expected[0].shape);
+      EXPECT_EQ(norm(first->normal - expected[0].normal), 0);
+      found += hits.size();
+    }
+  }
+  EXPECT_GT(found, 200u);
+}
+
+// Law: a point finds the bodies that hold it.
+TEST(Queries, OverlapsAgreeWithBruteForce) {
+  Dice dice("overlaps");
+  int found = 0;
+  for (const auto volume : geometry::volume_names()) {
+    Pitch pitch;
+    QueryScene scene(pitch.world, stand_ins(), std::string(volume));
+    for (int i = 0; i < 1000; ++i) {
+      if (i % 20 == 0) pitch.shake(dice);
+      scene.refresh();
+      const auto near = pitch.all()[static_cast<std::size_t>(dice.pick(12))];
+      const Pose at{near.at.position + dice.vector(0.2), dice.turn()};
+      std::vector<BodyRef> expected;
+      for (const InWorld& it : pitch.all()) {
+        const BodyRef body{it.entity, it.object};
+        const bool again = std::find(expected.begin(), expected.end(), body) != expected.end();
+        if (!again && holds_middle({}, at, it.shape, it.at)) expected.push_back(body);
+      }
+      EXPECT_EQ(scene.overlapping(Sphere{0.01}, at), expected) << volume;
+      found += static_cast<int>(expected.size());
+    }
+  }
+  EXPECT_GT(found, 500);
+}
+
+/// The least distance of the middles of two bodies' shapes.
+double least_distance(const Pitch& pitch, const BodyRef& a, const BodyRef& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const InWorld& one : pitch.all()) {
+    for (const InWorld& other : pitch.all()) {
+      const bool first = one.entity == a.entity && (a.object == BodyRef::all || a.object == one.object);
+      const bool second = other.entity == b.entity && (b.object == BodyRef::all || b.object == other.object);
+      const bool planes = std::holds_alternative<Plane>(one.shape) && std::holds_alternative<Plane>(other.shape);
+      if (first && second && !planes) least = std::fmin(least, norm(one.at.position - other.at.position));
+    }
+  }
+  return least;
+}
+
+// Law: the least distance over all shapes, of whole entities and of single bodies, with planes.
+TEST(Queries, DistancesAgreeWithBruteForce) {
+  Dice dice("distances");
+  for (const auto volume : geometry::volume_names()) {
+    Pitch pitch;
+    QueryScene scene(pitch.world, stand_ins(), std::string(volume));
+    const auto& entities = pitch.world.entities();
+    for (int i = 0; i < 200; ++i) {
+      pitch.shake(dice);
+      scene.refresh();
+      BodyRef a{entities[static_cast<std::size_t>(i) % entities.size()].get(), BodyRef::all};
+      BodyRef b{entities[static_cast<std::size_t>(i + 1 + i % 3) % entities.size()].get(), BodyRef::all};
+      if (a.entity == b.entity) continue;
+      if (i % 2)
+        a.object =
+            a.entity->model()
+                .bodies()[static_cast<std::size_t>(dice.pick(static_cast<int>(a.entity->model().bodies().size())))];
+      const auto found = scene.distance(a, b);
+      ASSERT_TRUE(found);
+      EXPECT_EQ(found->distance, least_distance(pitch, a, b)) << volume;
+      EXPECT_NEAR(norm(found->on_a - found->on_b), found->distance, 1e-15);
+      EXPECT_EQ(found->a.entity, a.entity);
+      EXPECT_EQ(found->b.entity, b.entity);
+      EXPECT_TRUE(a.object == BodyRef::all || found->a.object == a.object);
+    }
+  }
+}
+
+// Rule: after a refresh, bodies are where they are now.
+TEST(Queries, RefreshFollowsMotion) {
+  Dice dice("refresh");
+  Pitch pitch;
+  pitch.shake(dice);
+  Entity& ball = *pitch.world.find("ball");
+  ball.column(properties::position).values[0] = {7, 7, 5};
+  QueryScene scene(pitch.world, stand_ins());
+  const Ray down{{7, 7, 9}, {0, 0, -1}};
+  EXPECT_NEAR(scene.cast(down)->distance, 3.9, 1e-14);
+  ball.column(properties::position).values[0] = {7, 7, 7};
+  scene.refresh();
+  EXPECT_NEAR(scene.cast(down)->distance, 1.9, 1e-14);
+  EXPECT_EQ(scene.cast(down)->body, (BodyRef{&ball, 0}));
+}
+
+TEST(Queries, EntityAddedLaterIsAMistakeWithAName) {
+  Pitch pitch;
+  QueryScene scene(pitch.world, stand_ins());
+  const auto& late = pitch.world.add("late", std::make_shared<const Model>(fixtures::ball_model(0.1, 1)));
+  const BodyRef ball{pitch.world.find("ball"), 0};
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { (void)scene.distance({&late, 0}, ball); }), {"'late'"}));
+}
+
+TEST(Queries, BodiesWithoutShapesHaveNoDistance) {
+  Pitch pitch;
+  pitch.world.add("ghost", std::make_shared<const Model>("ghost", Chain{}.base().with(properties::mass, 1.0)));
+  QueryScene scene(pitch.world, stand_ins());
+  EXPECT_FALSE(scene.distance({pitch.world.find("ghost")}, {pitch.world.find("ball")}));
+}
+
+}  // namespace
+}  // namespace murosimf::collision
