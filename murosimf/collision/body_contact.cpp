@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "murosimf/collision/contact_law.h"
+#include "murosimf/collision/keep_apart.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
@@ -31,6 +32,7 @@ BodyContact::BodyContact(Setup& setup, const std::vector<Entity*>& movers, const
       finder_(movers_, materials, norm(setup.world().gravity), seconds(setup.period())),
       period_(seconds(setup.period())),
       set_(setup.write(pair_contacts)[0]),
+      environment_(&setup.entity()),
       member_(movers.size(), -1) {}
 
 void BodyContact::initialize() {
@@ -41,6 +43,7 @@ void BodyContact::initialize() {
     std::fill(mover.external_force.begin(), mover.external_force.end(), Forced{});
     std::fill(mover.external_damping.begin(), mover.external_damping.end(), Sym6d{});
     mover.ledger[0] = Forced{};
+    mover.separation[0] = {};
     mover.contacts.dt = period_;
     mover.contacts.damped_by_others = options_.law == PairLaw::carry;
   }
@@ -48,8 +51,9 @@ void BodyContact::initialize() {
 
 void BodyContact::step(const Instant& instant) noexcept {
   const double dt = seconds(instant.period);
-  for (Mover& mover : movers_) mover.forget_pushes();
+  for (Mover& mover : movers_) mover.start_step();
   finder_.find(movers_, set_);
+  keep_apart(movers_, environment_, set_.tests);
   switch (options_.law) {
     case PairLaw::carry: return push_by_carry(movers_, set_, dt);
     case PairLaw::kelvin_voigt:

@@ -8,7 +8,8 @@
 /// without a jump; explicit laws keep their force, and only contacts between bodies are rows.
 ///
 /// An entity that cannot be pushed (`pushable` 0: kinematic walking) feels nothing; what it should have felt is added
-/// to its ledger `absorbed_impulse`, so that the momentum of all together with the ledger stays constant.
+/// to its ledger `absorbed_impulse`, so that the momentum of all together with the ledger stays constant. Two of them, or
+/// one and a goal, are kept apart by their places (keep_apart.h).
 /// Source: paper 5; mixed levels measured with the project's prototype.
 #pragma once
 
@@ -18,6 +19,7 @@
 #include "murosimf/collision/islands.h"
 #include "murosimf/collision/pair_finder.h"
 #include "murosimf/collision/pair_law.h"
+#include "murosimf/collision/static_compound.h"
 #include "murosimf/model/algorithm.h"
 
 namespace murosimf::collision {
@@ -29,7 +31,7 @@ struct BodyContactOptions {
 
 class BodyContact final : public Algorithm {
  public:
-  /// `setup` is that of an entity that never freezes (the field). Ground contact of the movers must be attached before,
+  /// `setup` is that of an entity that never moves (the field). Ground contact of the movers must be attached before,
   /// their motion after it, all at the same rate.
   BodyContact(Setup& setup, const std::vector<Entity*>& movers, const MaterialTable& materials,
               const BodyContactOptions& options = {});
@@ -49,6 +51,7 @@ class BodyContact final : public Algorithm {
   PairFinder finder_;
   double period_;  // [s]
   PairSet& set_;
+  StaticCompound environment_;
   Islands islands_;
   IslandSolver solver_;
   std::vector<int> member_;  // by mover: its number in the solver, or below 0

@@ -7,7 +7,7 @@
 namespace murosimf::collision {
 
 void append_hash(Hasher& hasher, const ContactPoint& point) {
-  hasher.add(std::uint64_t{point.feature});
+  hasher.add(point.feature);
   hasher.add(std::uint64_t{static_cast<std::uint8_t>(point.state)});
   hasher.add(point.last_normal_force);
   append_hash(hasher, point.stretch);

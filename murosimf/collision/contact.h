@@ -19,7 +19,7 @@ namespace murosimf::collision {
 /// What collision detection finds: geometry only.
 struct Contact {
   int object = 0;             ///< body A, the one that feels +force
-  std::uint32_t feature = 0;  ///< which corner of which shape; stays the same from step to step
+  std::uint64_t feature = 0;  ///< which corner of which shape; stays the same from step to step
   std::uint32_t surface = 0;  ///< index of the pair's constants (ContactSet::parameters)
   Vec3d point;                ///< [m] world frame
   Vec3d normal;               ///< [1] unit, world frame, from B to A
@@ -59,6 +59,12 @@ struct ContactPoint : Contact {
 
 void append_hash(Hasher& hasher, const ContactPoint& point);
 
+/// How much collision detection had to test in a step (paper 7.5).
+struct TestCounts {
+  std::int64_t volumes = 0;  ///< pairs of bounding volumes
+  std::int64_t objects = 0;  ///< pairs of shapes, exactly
+};
+
 class ContactLaw;
 class ImpulseResponse;
 
@@ -70,6 +76,7 @@ struct ContactSet {
   double dt = 0;                        ///< [s] of contact's steps; motion must have the same. 0: no contact attached
   ImpulseResponse* response = nullptr;  ///< of the level that moves the entity, for island solvers; null: none
   bool damped_by_others = false;        ///< contact between bodies adds external damping: motion must be implicit in it
+  TestCounts tests;                     ///< of collision detection in this step
   bool solved = false;  ///< an island solver has settled this step already; motion takes it over and resets this
 
   // working memory, kept to avoid allocation

@@ -41,6 +41,8 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       law_(std::move(law)),
       shapes_(ground_shapes(setup.model())),
       planes_(ground_planes(environment)),
+      statics_(setup.entity(), environment),
+      gravity_(norm(setup.world().gravity)),
       period_(seconds(setup.period())),
       r_(setup.read(properties::position)),
       R_(setup.read(properties::orientation)),
@@ -50,14 +52,23 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       external_force_(setup.write(properties::external_force)),
       external_damping_(setup.write(properties::external_damping)),
       set_(setup.write(contacts)[0]) {
-  // constants of plane p and shape s stand at p * shapes + s
+  // constants of plane p and shape s stand at p * shapes + s, then those of the static shapes in the same way
   for (const GroundPlane& plane : planes_) {
-    for (const GroundShape& shape : shapes_) {
-      const PairSurface pair = materials.find(shape.placed.surface, plane.surface);
-      parameters_.push_back(contact_parameters(model_, pair, norm(setup.world().gravity), seconds(setup.period())));
-      parameters_.back().grain = pair.grain_effect * plane.grain;
+    for (const GroundShape& shape : shapes_)
+      add_parameters(shape.placed.surface, plane.surface, plane.grain, materials);
+  }
+  for (const CollidingShape& other : statics_.environment().shapes()) {
+    for (const CollidingShape& shape : statics_.own().shapes()) {
+      add_parameters(shape.placed.surface, other.placed.surface, {}, materials);
     }
   }
+}
+
+void GroundContact::add_parameters(const Surface& own, const Surface& other, const Vec3d& grain,
+                                   const MaterialTable& materials) {
+  const PairSurface pair = materials.find(own, other);
+  parameters_.push_back(contact_parameters(model_, pair, gravity_, period_));
+  parameters_.back().grain = pair.grain_effect * grain;
 }
 
 void GroundContact::initialize() {
@@ -96,20 +107,24 @@ void GroundContact::step(const Instant&) noexcept {
 void GroundContact::find_contacts() {
   set_.previous.swap(set_.points);
   set_.points.clear();
+  set_.tests = {};
   std::uint32_t surface = 0;
-  std::uint32_t feature = 0;
+  std::uint64_t feature = 0;
   for (const GroundPlane& plane : planes_) {
     for (const GroundShape& shape : shapes_) {
       const std::size_t first = set_.points.size();
+      ++set_.tests.volumes;
       find_ground_contacts(shape, r_[shape.object], R_[shape.object], plane, set_.points);
       for (std::size_t i = first; i < set_.points.size(); ++i) {
         set_.points[i].surface = surface;
         set_.points[i].feature += feature;
       }
+      if (set_.points.size() > first) ++set_.tests.objects;
       ++surface;
     }
-    feature += features_per_shape * static_cast<std::uint32_t>(shapes_.size());
+    if (!shapes_.empty()) feature += shapes_.back().first_feature + features_of(shapes_.back().placed.shape);
   }
+  statics_.find(r_, R_, feature, surface, set_.points, set_.tests);
   for (ContactPoint& c : set_.points) {
     c.velocity = v_[c.object] + cross(w_[c.object], c.point - r_[c.object]);
     c.angular_velocity = w_[c.object];

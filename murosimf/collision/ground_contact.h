@@ -1,7 +1,7 @@
-/// ground_contact.h - algorithm: contact of one dynamic entity with the ground, by any contact law.
+/// ground_contact.h - algorithm: contact of one dynamic entity with the ground and all that stands on it for good.
 ///
-/// Finds the points of every shape below the ground plane, gives each the memory that its feature had in the step
-/// before, lets the law linearize them, and writes external_force (pushes of users, ground) and external_damping.
+/// Finds the points of every shape below the ground planes and inside static shapes (goals), gives each the memory that
+/// its feature had in the step before, lets the law linearize them, and writes external_force (pushes of users, ground) and external_damping.
 /// Contacts with other moving bodies come on top of that (body_contact.h). The motion algorithm that comes after it
 /// settles the rest with the law (contact.h).
 #pragma once
@@ -12,6 +12,7 @@
 
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/collision/ground_points.h"
+#include "murosimf/collision/static_touch.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/material.h"
 #include "murosimf/model/setup.h"
@@ -20,7 +21,7 @@ namespace murosimf::collision {
 
 class GroundContact final : public Algorithm {
  public:
-  /// `environment`: its plane shapes are the ground; null for none (free flight: pushes only).
+  /// `environment`: its plane shapes are the ground, its others stand there; null for none (free flight: pushes only).
   GroundContact(Setup& setup, const Entity* environment, std::shared_ptr<const ContactLaw> law,
                 const MaterialTable& materials);
 
@@ -28,6 +29,7 @@ class GroundContact final : public Algorithm {
   void step(const Instant& instant) noexcept override;
 
  private:
+  void add_parameters(const Surface& own, const Surface& other, const Vec3d& grain, const MaterialTable& materials);
   void find_contacts();
   void remember();
 
@@ -35,7 +37,9 @@ class GroundContact final : public Algorithm {
   std::shared_ptr<const ContactLaw> law_;
   std::vector<GroundShape> shapes_;
   std::vector<GroundPlane> planes_;
+  StaticTouch statics_;
   std::vector<ContactParameters> parameters_;
+  double gravity_;                         // [m/s^2] magnitude
   double period_;                          // [s]
   std::span<const Vec3d> r_;               // [m] origins, world
   std::span<const Mat3d> R_;               // orientations

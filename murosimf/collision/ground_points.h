@@ -29,11 +29,11 @@ struct GroundShape {
 
 [[nodiscard]] GroundShape ground_shape(int object, const PlacedShape& placed, std::uint32_t first_feature);
 
-/// Every shape of the model that collides, planes excluded.
+/// Every one of colliding_shapes(model), in that order.
 [[nodiscard]] std::vector<GroundShape> ground_shapes(const Model& model);
 
-/// Numbers that the features of one shape take.
-inline constexpr std::uint32_t features_per_shape = 8;
+/// Numbers that the features of one shape take: eight, more for a polyhedron of more vertices.
+[[nodiscard]] std::uint32_t features_of(const Shape& shape);
 
 /// Appends the contacts of `shape` with `plane`; r [m], R: pose of its object, world frame. The caller fills in what
 /// depends on the pair: `surface`, velocities and memory.

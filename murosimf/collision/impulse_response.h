@@ -8,6 +8,7 @@
 /// provides them without the matrix.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -15,28 +16,28 @@
 
 namespace murosimf::collision {
 
-/// A vector y with few numbers.
-struct ResponseRow {
-  std::vector<int> index;
-  std::vector<double> value;
+/// Vectors y of three directions at one point: the numbers that are not zero for all of them.
+struct ResponseRows {
+  std::vector<int> index;    ///< which number of z
+  std::vector<Vec3d> value;  ///< [1/sqrt(kg)] of the three directions
 
-  void clear() {
-    index.clear();
-    value.clear();
-  }
-  void add(int i, double number) {
+  void add(int i, const Vec3d& numbers) {
     index.push_back(i);
-    value.push_back(number);
-  }
-  [[nodiscard]] double times(std::span<const double> z) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < index.size(); ++k) sum += value[k] * z[index[k]];
-    return sum;
-  }
-  void add_to(std::span<double> z, double lambda) const {
-    for (std::size_t k = 0; k < index.size(); ++k) z[index[k]] += lambda * value[k];
+    value.push_back(numbers);
   }
 };
+
+/// Forces [N m, N] of 1 N along each column of `directions`, at `arm` [m] from the point about which moments are taken.
+[[nodiscard]] inline std::array<Forced, 3> unit_forces(const Vec3d& arm, const Mat3d& directions) noexcept {
+  const auto& [a, b, c] = directions;
+  return {Forced{cross(arm, a), a}, Forced{cross(arm, b), b}, Forced{cross(arm, c), c}};
+}
+
+/// Appends numbers 0 to 5 of y: of a rigid body with the factored inertia F F^T under three forces.
+inline void add_rigid_response(const Cholesky6<double>& factor, const std::array<Forced, 3>& forces, ResponseRows& y) {
+  const auto a = factor.forward(forces[0]), b = factor.forward(forces[1]), c = factor.forward(forces[2]);
+  for (int i = 0; i < 6; ++i) y.add(i, {a[i], b[i], c[i]});
+}
 
 class ImpulseResponse {
  public:
@@ -50,8 +51,9 @@ class ImpulseResponse {
   [[nodiscard]] virtual std::size_t coordinates() const noexcept = 0;
   /// Velocity [m/s] after the free step of a point [m] of a body that has `velocity` [m/s] now; world frame.
   [[nodiscard]] virtual Vec3d free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept = 0;
-  /// y [1/sqrt(kg)] of a unit force along `direction` at `point` [m] of a body; world frame.
-  virtual void respond(int object, const Vec3d& point, const Vec3d& direction, ResponseRow& y) const noexcept = 0;
+  /// Appends y of unit forces along the columns of `directions` at `point` [m] of a body; world frame. Each index at most
+  /// once.
+  virtual void respond(int object, const Vec3d& point, const Mat3d& directions, ResponseRows& y) const noexcept = 0;
   /// Adds the impulses with sum z [N s/sqrt(kg)] to the free step: the step that the level is about to make.
   virtual void apply(std::span<const double> z) noexcept = 0;
 };

@@ -10,19 +10,30 @@ namespace {
 
 constexpr double least_damping = 1e-6;  // [N s/m] a contact without any would have no end of compliance
 
-/// Two unit vectors across the unit vector n; the same for the same n.
-std::array<Vec3d, 3> frame_about(const Vec3d& n) {
+/// Its first axis is the unit vector n, the others lie across; the same for the same n.
+Mat3d frame_about(const Vec3d& n) {
   const Vec3d away = std::abs(n.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
   const Vec3d across = tangential(away, n);
   const Vec3d t = (1 / norm(across)) * across;
   return {n, t, cross(n, t)};
 }
 
-/// y . y of two rows of the same side: their numbers belong to the same coordinates.
-double product(const ResponseRow& a, const ResponseRow& b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < a.value.size(); ++k) sum += a.value[k] * b.value[k];
-  return sum;
+/// Both sides of a contact may be bodies of one entity: numbers that belong together are added up.
+void merge_equal(ResponseRows& rows, std::size_t first, std::size_t middle) {
+  std::size_t end = middle;
+  for (std::size_t k = middle; k < rows.index.size(); ++k) {
+    const auto same = std::find(rows.index.begin() + static_cast<std::ptrdiff_t>(first),
+                                rows.index.begin() + static_cast<std::ptrdiff_t>(middle), rows.index[k]);
+    const auto at = static_cast<std::size_t>(same - rows.index.begin());
+    if (at < middle) {
+      rows.value[at] += rows.value[k];
+    } else {
+      rows.index[end] = rows.index[k];
+      rows.value[end++] = rows.value[k];
+    }
+  }
+  rows.index.resize(end);
+  rows.value.resize(end);
 }
 
 }  // namespace
@@ -31,7 +42,9 @@ void IslandSolver::start(double dt) {
   dt_ = dt;
   members_.clear();
   z_.clear();
-  count_ = 0;
+  contacts_.clear();
+  rows_.index.clear();
+  rows_.value.clear();
 }
 
 int IslandSolver::add(ImpulseResponse& response) {
@@ -40,120 +53,130 @@ int IslandSolver::add(ImpulseResponse& response) {
   return static_cast<int>(members_.size()) - 1;
 }
 
-void IslandSolver::add_side(Contact& contact, int which, const Side& side) {
-  const double sign = which == 0 ? 1 : -1;
-  contact.member[which] = side.member;
+void IslandSolver::add_side(Contact& contact, double sign, const Side& side) {
   const Vec3d& point = contact.point->point;
-  Vec3d velocity = side.velocity;
-  if (side.member >= 0) velocity = members_[side.member].response->free_velocity(side.object, point, velocity);
-  for (int i = 0; i < 3; ++i) {
-    ResponseRow& y = contact.row[i].y[which];
-    y.clear();
-    if (side.member >= 0) members_[side.member].response->respond(side.object, point, sign * contact.frame[i], y);
-    contact.row[i].free += sign * dot(velocity, contact.frame[i]);
+  if (side.member < 0) {
+    contact.free += sign * transposed_times(contact.frame, side.velocity);
+    return;
   }
+  const Member& member = members_[side.member];
+  const Vec3d velocity = member.response->free_velocity(side.object, point, side.velocity);
+  contact.free += sign * transposed_times(contact.frame, velocity);
+  const std::size_t first = rows_.index.size();
+  const Mat3d directions{sign * contact.frame.x, sign * contact.frame.y, sign * contact.frame.z};
+  member.response->respond(side.object, point, directions, rows_);
+  for (std::size_t k = first; k < rows_.index.size(); ++k) rows_.index[k] += static_cast<int>(member.offset);
 }
 
 void IslandSolver::add(ContactPoint& point, const ContactParameters& p, const Side& a, const Side& b) {
-  if (count_ == contacts_.size()) contacts_.emplace_back();
-  Contact& c = contacts_[count_++];
+  Contact& c = contacts_.emplace_back();
   c.point = &point;
   c.parameters = &p;
   c.frame = frame_about(point.normal);
-  for (Row& row : c.row) row.free = 0;
-  add_side(c, 0, a);
-  add_side(c, 1, b);
-  const auto w = [&](int i, int j) {
-    return product(c.row[i].y[0], c.row[j].y[0]) + product(c.row[i].y[1], c.row[j].y[1]);
-  };
-  c.W_n = w(0, 0);
-  c.W_11 = w(1, 1);
-  c.W_12 = w(1, 2);
-  c.W_22 = w(2, 2);
+  c.first = rows_.index.size();
+  add_side(c, 1, a);
+  const std::size_t middle = rows_.index.size();
+  add_side(c, -1, b);
+  if (a.member >= 0 && a.member == b.member) merge_equal(rows_, c.first, middle);
+  c.last = rows_.index.size();
+  for (std::size_t k = c.first; k < c.last; ++k) c.W += outer(rows_.value[k]);
   const double b_n = std::max(least_damping, p.damping + p.theta * dt_ * p.stiffness);
   const double b_t = std::max(least_damping, p.tangent_damping + dt_ * p.tangent_stiffness);
   c.R_n = 1 / (dt_ * b_n);
   c.R_t = 1 / (dt_ * b_t);
+  invert(c);
   const Vec3d spring = (-p.tangent_stiffness / b_t) * tangential(point.stretch, point.normal);
   c.wish_n = p.stiffness * point.depth / b_n;
-  c.wish_1 = dot(spring, c.frame[1]);
-  c.wish_2 = dot(spring, c.frame[2]);
-  c.lambda = {};
+  c.wish_1 = dot(spring, c.frame.y);
+  c.wish_2 = dot(spring, c.frame.z);
   // start from the memory of the step before: its normal force, and what the spring holds
-  change(c, 0, dt_ * point.last_normal_force);
-  for (int i = 1; i < 3; ++i) change(c, i, -dt_ * p.tangent_stiffness * dot(point.stretch, c.frame[i]));
+  const double held = -dt_ * p.tangent_stiffness;
+  push(c, {dt_ * point.last_normal_force, held * dot(point.stretch, c.frame.y), held * dot(point.stretch, c.frame.z)});
 }
 
-double IslandSolver::velocity(const Contact& c, int row) const noexcept {
-  double v = c.row[row].free;
-  for (int side = 0; side < 2; ++side) {
-    if (c.member[side] < 0) continue;
-    const Member& m = members_[c.member[side]];
-    v += c.row[row].y[side].times({z_.data() + m.offset, m.size});
-  }
+void IslandSolver::invert(Contact& c) noexcept {
+  c.mass_n = 1 / (c.W.xx + c.R_n);
+  const double a = c.W.yy + c.R_t, b = c.W.yz, d = c.W.zz + c.R_t;
+  const double scale = 1 / (a * d - b * b);
+  c.mass_1 = scale * d;
+  c.mass_12 = -scale * b;
+  c.mass_2 = scale * a;
+  c.slide_mass = 1 / (0.5 * (a + d) + std::sqrt(0.25 * (a - d) * (a - d) + b * b));
+}
+
+Vec3d IslandSolver::velocity(const Contact& c) const noexcept {
+  Vec3d v = c.free;
+  for (std::size_t k = c.first; k < c.last; ++k) v += z_[rows_.index[k]] * rows_.value[k];
   return v;
 }
 
-void IslandSolver::change(Contact& c, int row, double lambda) noexcept {
-  const double difference = lambda - c.lambda[row];
-  if (difference == 0) return;
-  c.lambda[row] = lambda;
-  for (int side = 0; side < 2; ++side) {
-    if (c.member[side] < 0) continue;
-    const Member& m = members_[c.member[side]];
-    c.row[row].y[side].add_to({z_.data() + m.offset, m.size}, difference);
+void IslandSolver::push(Contact& c, const Vec3d& impulse) noexcept {
+  c.lambda += impulse;
+  for (std::size_t k = c.first; k < c.last; ++k) z_[rows_.index[k]] += dot(rows_.value[k], impulse);
+}
+
+/// Returns by how much [m/s] the contact's velocity changes.
+double IslandSolver::solve(Contact& c) noexcept {
+  const Vec3d v = velocity(c);
+  const double rest = v.x + c.R_n * c.lambda.x - c.wish_n;
+  const double normal = std::max(0.0, c.lambda.x - c.mass_n * rest);
+  const double pushed = normal - c.lambda.x;
+  const Vec3d friction = solve_friction(c, normal, v + pushed * Vec3d{c.W.xx, c.W.xy, c.W.xz});
+  const Vec3d change = Vec3d{normal, friction.y, friction.z} - c.lambda;
+  push(c, change);
+  return std::abs(c.W.xx * change.x) + std::abs(c.W.yy * change.y) + std::abs(c.W.zz * change.z);
+}
+
+/// Impulses along the tangents (y, z) for the velocity that the normal impulse leaves.
+Vec3d IslandSolver::solve_friction(const Contact& c, double normal, const Vec3d& v) const noexcept {
+  if (normal <= 0) {
+    c.point->state = ContactState::open;
+    return {};
   }
+  const double r1 = v.y + c.R_t * c.lambda.y - c.wish_1;
+  const double r2 = v.z + c.R_t * c.lambda.z - c.wish_2;
+  const Vec3d held{0, c.lambda.y - (c.mass_1 * r1 + c.mass_12 * r2), c.lambda.z - (c.mass_12 * r1 + c.mass_2 * r2)};
+  c.point->state = ContactState::stick;
+  if (within_cone(c, normal, held) >= 1) return held;
+  // what stops the point is not along its motion, since pushing it also turns the body; sliding friction is
+  c.point->state = ContactState::slip;
+  const Vec3d sliding{0, c.lambda.y - c.slide_mass * r1, c.lambda.z - c.slide_mass * r2};
+  return within_cone(c, normal, sliding) * sliding;
 }
 
-void IslandSolver::solve(Contact& c) noexcept {
-  const double rest = velocity(c, 0) + c.R_n * c.lambda[0] - c.wish_n;
-  change(c, 0, std::max(0.0, c.lambda[0] - rest / (c.W_n + c.R_n)));
-
-  solve_friction(c);
-}
-
-void IslandSolver::solve_friction(Contact& c) noexcept {
-  const double r1 = velocity(c, 1) + c.R_t * c.lambda[1] - c.wish_1;
-  const double r2 = velocity(c, 2) + c.R_t * c.lambda[2] - c.wish_2;
-  const double a = c.W_11 + c.R_t, b = c.W_12, d = c.W_22 + c.R_t;
-  const double determinant = a * d - b * b;
-  double l1 = c.lambda[1] - (d * r1 - b * r2) / determinant;
-  double l2 = c.lambda[2] - (a * r2 - b * r1) / determinant;
-  const auto limit = [&] {
-    const double size = std::hypot(l1, l2);
-    return friction_limit(*c.parameters, c.lambda[0], sliding_direction(l1 * c.frame[1] + l2 * c.frame[2], size)) /
-           size;
-  };
-  c.point->state = c.lambda[0] > 0 ? ContactState::stick : ContactState::open;
-  if (c.lambda[0] <= 0) {
-    l1 = l2 = 0;
-  } else if (limit() < 1) {
-    // what stops the point is not along its motion, since pushing it also turns the body; sliding friction is
-    c.point->state = ContactState::slip;
-    const double step = 1 / (0.5 * (a + d) + std::hypot(0.5 * (a - d), b));
-    l1 = c.lambda[1] - step * r1;
-    l2 = c.lambda[2] - step * r2;
-    const double scale = std::min(1.0, limit());
-    l1 *= scale;
-    l2 *= scale;
+/// Part of the friction that the cone allows: 1 inside.
+double IslandSolver::within_cone(const Contact& c, double normal, const Vec3d& friction) noexcept {
+  const double square = friction.y * friction.y + friction.z * friction.z;
+  const ContactParameters& p = *c.parameters;
+  if (is_zero(p.grain)) {
+    const double most = p.friction * normal;
+    return square <= most * most ? 1 : most / std::sqrt(square);
   }
-  change(c, 1, l1);
-  change(c, 2, l2);
+  const double size = std::sqrt(square);
+  const double most = friction_limit(p, normal, sliding_direction(c.frame * friction, size));
+  return size <= most ? 1 : most / size;
 }
 
-void IslandSolver::sweep(int sweeps) noexcept {
+int IslandSolver::sweep(int sweeps) noexcept {
   for (int i = 0; i < sweeps; ++i) {
-    for (std::size_t k = 0; k < count_; ++k) solve(contacts_[i % 2 == 0 ? k : count_ - 1 - k]);
+    double change = 0;
+    const std::size_t count = contacts_.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      change = std::max(change, solve(contacts_[i % 2 == 0 ? k : count - 1 - k]));
+    }
+    if (change < settled) return i + 1;
   }
+  return sweeps;
 }
 
 void IslandSolver::finish(Contact& c) noexcept {
   ContactPoint& point = *c.point;
   const ContactParameters& p = *c.parameters;
-  const Vec3d v_t = velocity(c, 1) * c.frame[1] + velocity(c, 2) * c.frame[2];
-  const Vec3d f_t = (1 / dt_) * (c.lambda[1] * c.frame[1] + c.lambda[2] * c.frame[2]);
-  point.last_normal_force = c.lambda[0] / dt_;
-  point.force = point.last_normal_force * c.frame[0] + f_t;
+  const Vec3d v = velocity(c);
+  const Vec3d v_t = v.y * c.frame.y + v.z * c.frame.z;
+  const Vec3d f_t = (1 / dt_) * (c.lambda.y * c.frame.y + c.lambda.z * c.frame.z);
+  point.last_normal_force = c.lambda.x / dt_;
+  point.force = point.last_normal_force * c.frame.x + f_t;
   point.slip_direction = sliding_direction(f_t, norm(f_t));
   switch (point.state) {
     case ContactState::open: point.stretch = {}; break;
@@ -163,7 +186,7 @@ void IslandSolver::finish(Contact& c) noexcept {
 }
 
 void IslandSolver::finish() noexcept {
-  for (std::size_t k = 0; k < count_; ++k) finish(contacts_[k]);
+  for (Contact& contact : contacts_) finish(contact);
   for (const Member& m : members_) m.response->apply({z_.data() + m.offset, m.size});
 }
 

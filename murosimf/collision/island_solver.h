@@ -9,7 +9,8 @@
 /// which is the same force law, f_n = k (delta - theta h v_n) - d v_n and so on. A sweep solves one contact after the
 /// other, a number for the normal and two for the tangent, with the direction of sweeping alternating; impulses start
 /// from those of the step before. A point that sticks is solved exactly; one that slides takes a step against its
-/// residual, as far as the cone lets it, so that friction ends up straight against the motion.
+/// residual, as far as the cone lets it, so that friction ends up straight against the motion. Sweeps end early when a whole one changes no
+/// velocity by more than `settled`.
 /// Source: projected Gauss-Seidel with regularization as in Catto, "Iterative dynamics with temporal coherence", GDC
 /// 2005, and Todorov, "Convex and analytically-invertible dynamics with contacts and constraints", ICRA 2014; on articulated
 /// bodies without the mass matrix, measured with the project's prototype.
@@ -39,9 +40,12 @@ class IslandSolver {
   /// A feels +force. The point is kept by reference, and gets its new memory and force from `finish`.
   void add(ContactPoint& point, const ContactParameters& parameters, const Side& a, const Side& b);
 
-  void sweep(int sweeps) noexcept;
+  /// At most `sweeps`; returns how many it took.
+  int sweep(int sweeps) noexcept;
   /// Memory and forces of all points, and the impulses to the entities.
   void finish() noexcept;
+
+  static constexpr double settled = 1e-7;  ///< [m/s]
 
  private:
   struct Member {
@@ -49,34 +53,35 @@ class IslandSolver {
     std::size_t offset;  // of its numbers in z_
     std::size_t size;
   };
-  struct Row {
-    std::array<ResponseRow, 2> y;  // sides A and B; B's with the opposite sign
-    double free = 0;               // [m/s] velocity along the row's direction without contacts
-  };
   struct Contact {
     ContactPoint* point;
     const ContactParameters* parameters;
-    std::array<int, 2> member;
-    std::array<Vec3d, 3> frame;  // n, t1, t2
-    std::array<Row, 3> row;
-    std::array<double, 3> lambda;   // [N s]
-    double W_n, W_11, W_12, W_22;   // [1/kg] of the normal, and of the tangents
-    double R_n, R_t;                // [1/kg] compliance
-    double wish_n, wish_1, wish_2;  // [m/s] right-hand sides
+    std::size_t first, last;         // of both sides in rows_; B's with the opposite sign
+    Mat3d frame;                     // n, t1, t2
+    Vec3d free;                      // [m/s] velocity along the frame's axes without contacts
+    Vec3d lambda;                    // [N s] along the frame's axes
+    SymMat3d W;                      // [1/kg] what lambda does to the velocity
+    double R_n, R_t;                 // [1/kg] compliance
+    double mass_n;                   // [kg] 1 / (W_n + R_n)
+    double mass_1, mass_12, mass_2;  // [kg] inverse of the tangents' W + R_t
+    double slide_mass;               // [kg] 1 / largest eigenvalue of that W + R_t
+    double wish_n, wish_1, wish_2;   // [m/s] right-hand sides
   };
 
-  void add_side(Contact& contact, int which, const Side& side);
-  [[nodiscard]] double velocity(const Contact& contact, int row) const noexcept;
-  void change(Contact& contact, int row, double lambda) noexcept;
-  void solve(Contact& contact) noexcept;
-  void solve_friction(Contact& contact) noexcept;
+  void add_side(Contact& contact, double sign, const Side& side);
+  static void invert(Contact& contact) noexcept;
+  [[nodiscard]] Vec3d velocity(const Contact& contact) const noexcept;
+  void push(Contact& contact, const Vec3d& impulse) noexcept;
+  [[nodiscard]] double solve(Contact& contact) noexcept;
+  [[nodiscard]] Vec3d solve_friction(const Contact& contact, double normal, const Vec3d& velocity) const noexcept;
+  [[nodiscard]] static double within_cone(const Contact& contact, double normal, const Vec3d& friction) noexcept;
   void finish(Contact& contact) noexcept;
 
   double dt_ = 0;
   std::vector<Member> members_;
   std::vector<double> z_;
   std::vector<Contact> contacts_;
-  std::size_t count_ = 0;  // of contacts in use: their memory is kept
+  ResponseRows rows_;
 };
 
 }  // namespace murosimf::collision

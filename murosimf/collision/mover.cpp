@@ -1,39 +1,30 @@
 #include "murosimf/collision/mover.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "murosimf/collision/impulse_response.h"
+#include "murosimf/geometry/collide.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
+
 namespace {
 
-/// How far a slider can go; without limits, anywhere.
-double longest_travel(const Model& model, int joint) {
-  const Vec3d* range = model.find(properties::joint_range, joint);
-  return range ? std::max(std::abs(range->x), std::abs(range->y)) : std::numeric_limits<double>::infinity();
+bool shapes_touch(const Shape& a, const geometry::Pose& at_a, const Shape& b, const geometry::Pose& at_b) {
+  geometry::Manifold found;
+  return geometry::collide(a, at_a, b, at_b, found);
 }
 
-/// Longest chain of offsets from the base plus the size of what sits there: holds in every posture.
-double farthest_reach(const Model& model, const std::vector<GroundShape>& shapes) {
-  double reach = 0;
-  for (const GroundShape& shape : shapes) {
-    double length = norm(shape.placed.position) + shape.reach;
-    for (int i = shape.object; i >= 0; i = model.objects()[i].parent) {
-      if (model.objects()[i].kind == Kind::translation) length += norm(model.objects()[i].vector);
-      if (model.objects()[i].kind == Kind::prismatic) length += longest_travel(model, i);
-    }
-    reach = std::max(reach, length);
-  }
-  return reach;
+CompoundOptions compound_options(const Entity& entity) {
+  const CollisionOptions& options = entity.options().collision;
+  return {.volume = options.volume, .inner = options.self_collision, .excluded = options.never};
 }
 
 }  // namespace
 
 Mover::Mover(Setup setup)
     : entity(&setup.entity()),
-      shapes(ground_shapes(setup.model())),
-      reach(farthest_reach(setup.model(), shapes)),
+      compound(setup.model(), compound_options(setup.entity()), shapes_touch),
       r(setup.read(properties::position)),
       v(setup.read(properties::linear_velocity)),
       w(setup.read(properties::angular_velocity)),
@@ -43,12 +34,24 @@ Mover::Mover(Setup setup)
       external_force(setup.write(properties::external_force)),
       external_damping(setup.write(properties::external_damping)),
       ledger(setup.write(properties::absorbed_impulse)),
+      separation(setup.write(properties::separation)),
       contacts(setup.write(collision::contacts)[0]) {
-  pushed_.reserve(shapes.size());
+  pushed_.reserve(static_cast<std::size_t>(setup.model().size()));
   setup.claim();  // levels make their free pass for the island solver
 }
 
-void Mover::forget_pushes() noexcept {
+bool Mover::limbs_can_touch() const {
+  // six coordinates are those of a rigid body
+  return !compound.inner_pairs().off() && can_be_pushed() && contacts.response && contacts.response->coordinates() > 6;
+}
+
+void Mover::refit() noexcept {
+  if (!refitted_) compound.refit(r, R);
+  refitted_ = true;
+}
+
+void Mover::start_step() noexcept {
+  refitted_ = false;
   for (const int object : pushed_) {
     interaction_force[object] = Forced{};
     if (contacts.law) continue;

@@ -1,10 +1,13 @@
 #include "murosimf/collision/pair_finder.h"
 
+#include <algorithm>
+
 #include "murosimf/collision/contact_parameters.h"
 
 namespace murosimf::collision {
 namespace {
 
+constexpr int most_points = 4;          // of two bodies: more only cost
 constexpr double fastest_walker = 3.0;  // [m/s] speed of an unpushable body's point that counts
 
 /// The one of less mass; a model without any can only be moved kinematically and does not count.
@@ -13,8 +16,13 @@ const Model& lighter(const Model& a, const Model& b) {
   return mass_b > 0 && (mass_b < mass_a || mass_a == 0) ? b : a;
 }
 
-std::uint64_t key_of(int a, int b, std::size_t shape_a, std::size_t shape_b) {
-  return static_cast<std::uint64_t>(a) << 48 | static_cast<std::uint64_t>(b) << 32 | shape_a << 16 | shape_b;
+std::uint64_t number_of(int a, int b, int shape_a, int shape_b) {
+  return static_cast<std::uint64_t>(a) << 48 | static_cast<std::uint64_t>(b) << 32 |
+         static_cast<std::uint64_t>(shape_a) << 16 | static_cast<std::uint64_t>(shape_b);
+}
+
+bool comes_before(const PairContact& a, const PairContact& b) {
+  return a.shapes != b.shapes ? a.shapes < b.shapes : a.feature < b.feature;
 }
 
 /// A kinematic robot may change its standing foot within a step: that must not shoot the ball.
@@ -24,11 +32,18 @@ Vec3d velocity_that_counts(const Mover& mover, int object, const Vec3d& arm) {
   return mover.can_be_pushed() || speed <= fastest_walker ? v : (fastest_walker / speed) * v;
 }
 
+/// The four that carry most (geometry::Manifold has the deepest and then the farthest first), in a lasting order.
+void sort_by_feature(geometry::Manifold& manifold) {
+  manifold.count = std::min(manifold.count, most_points);
+  std::sort(manifold.points.begin(), manifold.points.begin() + manifold.count,
+            [](const auto& a, const auto& b) { return a.feature < b.feature; });
+}
+
 void remember(PairSet& set) {
   auto old = set.previous.begin();
   for (PairContact& c : set.points) {
-    while (old != set.previous.end() && old->key < c.key) ++old;
-    if (old == set.previous.end() || old->key != c.key) continue;
+    while (old != set.previous.end() && comes_before(*old, c)) ++old;
+    if (old == set.previous.end() || comes_before(c, *old)) continue;
     recall(*old, c);
   }
 }
@@ -38,7 +53,8 @@ void remember(PairSet& set) {
 PairFinder::PairFinder(const std::vector<Mover>& movers, const MaterialTable& materials, double gravity, double dt) {
   for (const Mover& mover : movers) {
     auto& kinds = kinds_of_shapes_.emplace_back();
-    for (const GroundShape& shape : mover.shapes) kinds.push_back(kind_of(mover.model(), shape.placed.surface));
+    for (const CollidingShape& shape : mover.compound.shapes())
+      kinds.push_back(kind_of(mover.model(), shape.placed.surface));
   }
   for (const Kind& a : kinds_) {
     for (const Kind& b : kinds_) {
@@ -57,59 +73,80 @@ std::size_t PairFinder::kind_of(const Model& model, const Surface& surface) {
   return kinds_.size() - 1;
 }
 
-void PairFinder::find(const std::vector<Mover>& movers, PairSet& set) {
+void PairFinder::find(std::vector<Mover>& movers, PairSet& set) noexcept {
   set.previous.swap(set.points);
   set.points.clear();
+  set.tests = {};
   for (int a = 0; a < static_cast<int>(movers.size()); ++a) {
+    if (movers[a].entity->frozen()) continue;
+    if (movers[a].limbs_can_touch()) find_within(movers, a, set);
     for (int b = a + 1; b < static_cast<int>(movers.size()); ++b) {
-      const Mover &first = movers[a], &second = movers[b];
-      if (first.entity->frozen() || second.entity->frozen()) continue;
-      if (!first.can_be_pushed() && !second.can_be_pushed()) continue;
-      const Vec3d way = first.r[0] - second.r[0];
-      const double near = first.reach + second.reach;
-      if (dot(way, way) < near * near) find_between(movers, a, b, set);
+      if (movers[b].entity->frozen() || !(movers[a].can_be_pushed() || movers[b].can_be_pushed())) continue;
+      ++set.tests.volumes;
+      if (movers[a].is_near(movers[b])) find_between(movers, a, b, set);
     }
   }
   remember(set);
 }
 
-void PairFinder::place_shapes(const Mover& mover, std::vector<PlacedInWorld>& placed) {
-  placed.clear();
-  for (const GroundShape& shape : mover.shapes) {
-    const int o = shape.object;
-    placed.push_back(
-        {&shape.placed.shape, mover.r[o] + mover.R[o] * shape.placed.position, mover.R[o] * shape.placed.orientation});
+void PairFinder::find_between(std::vector<Mover>& movers, int a, int b, PairSet& set) noexcept {
+  movers[a].refit();
+  movers[b].refit();
+  candidates_.clear();
+  set.tests.volumes += for_pairs(movers[a].compound, movers[b].compound, [&](int i, int j) {
+    candidates_.emplace_back(i, j);
+    return true;
+  });
+  test_candidates(movers, a, b, set);
+}
+
+void PairFinder::find_within(std::vector<Mover>& movers, int a, PairSet& set) noexcept {
+  movers[a].refit();
+  candidates_.clear();
+  set.tests.volumes += for_inner_pairs(movers[a].compound, [&](int i, int j) {
+    candidates_.emplace_back(i, j);
+    return true;
+  });
+  test_candidates(movers, a, a, set);
+}
+
+void PairFinder::test_candidates(const std::vector<Mover>& movers, int a, int b, PairSet& set) noexcept {
+  std::sort(candidates_.begin(), candidates_.end());
+  const Mover &first = movers[a], &second = movers[b];
+  PairContact pair;
+  pair.a = a;
+  pair.b = b;
+  geometry::Manifold manifold;
+  for (const auto& [i, j] : candidates_) {
+    ++set.tests.objects;
+    const CollidingShape &shape_a = first.compound.shapes()[i], &shape_b = second.compound.shapes()[j];
+    if (!geometry::collide(shape_a.placed.shape, first.pose(i), shape_b.placed.shape, second.pose(j), manifold)) {
+      continue;
+    }
+    pair.object = shape_a.object;
+    pair.object_b = shape_b.object;
+    pair.shapes = number_of(a, b, i, j);
+    pair.surface = static_cast<std::uint32_t>(kinds_of_shapes_[a][i] * kinds_.size() + kinds_of_shapes_[b][j]);
+    add_contacts(movers, pair, manifold, set);
   }
 }
 
-void PairFinder::find_between(const std::vector<Mover>& movers, int a, int b, PairSet& set) {
-  const Mover &first = movers[a], &second = movers[b];
-  place_shapes(first, shapes_a_);
-  place_shapes(second, shapes_b_);
-  for (std::size_t i = 0; i < shapes_a_.size(); ++i) {
-    for (std::size_t j = 0; j < shapes_b_.size(); ++j) {
-      const Vec3d way = shapes_a_[i].position - shapes_b_[j].position;
-      const double near = first.shapes[i].reach + second.shapes[j].reach;
-      if (dot(way, way) > near * near || !can_touch(*shapes_a_[i].shape, *shapes_b_[j].shape)) continue;
-      const auto touch = find_touch(shapes_a_[i], shapes_b_[j]);
-      if (!touch) continue;
-      PairContact c;
-      c.object = first.shapes[i].object;
-      c.object_b = second.shapes[j].object;
-      c.a = a;
-      c.b = b;
-      c.key = key_of(a, b, i, j);
-      c.surface = static_cast<std::uint32_t>(kinds_of_shapes_[a][i] * kinds_.size() + kinds_of_shapes_[b][j]);
-      c.point = touch->point;
-      c.normal = touch->normal;
-      c.depth = touch->depth;
-      c.arm_a = c.point - first.r[c.object];
-      c.arm_b = c.point - second.r[c.object_b];
-      c.velocity_a = velocity_that_counts(first, c.object, c.arm_a);
-      c.velocity_b = velocity_that_counts(second, c.object_b, c.arm_b);
-      c.velocity = c.velocity_a - c.velocity_b;
-      set.points.push_back(c);
-    }
+void PairFinder::add_contacts(const std::vector<Mover>& movers, const PairContact& pair, geometry::Manifold& manifold,
+                              PairSet& set) const noexcept {
+  const Mover &first = movers[pair.a], &second = movers[pair.b];
+  sort_by_feature(manifold);
+  for (int k = 0; k < manifold.count; ++k) {
+    const geometry::ManifoldPoint& found = manifold.points[k];
+    PairContact& c = set.points.emplace_back(pair);
+    c.feature = found.feature;
+    c.point = found.point;
+    c.normal = manifold.normal;
+    c.depth = found.depth;
+    c.arm_a = c.point - first.r[c.object];
+    c.arm_b = c.point - second.r[c.object_b];
+    c.velocity_a = velocity_that_counts(first, c.object, c.arm_a);
+    c.velocity_b = velocity_that_counts(second, c.object_b, c.arm_b);
+    c.velocity = c.velocity_a - c.velocity_b;
   }
 }
 

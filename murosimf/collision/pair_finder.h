@@ -1,12 +1,14 @@
 /// pair_finder.h - which bodies of moving entities touch, with the memory that their contacts had in the step before.
 ///
-/// Every pair of entities whose bounding spheres meet, every pair of their shapes whose bounding spheres meet, then the
-/// exact test (body_pairs.h). Contacts take the constants of the lighter entity.
+/// Entities whose spheres of reach meet have their trees refitted and descended (compound.h); shapes whose volumes
+/// overlap get the exact test (geometry/collide.h). Contacts take the constants of the lighter entity.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "murosimf/collision/mover.h"
+#include "murosimf/geometry/collide.h"
 #include "murosimf/model/material.h"
 
 namespace murosimf::collision {
@@ -19,7 +21,7 @@ class PairFinder {
   /// Constants of all pairs of surfaces that can meet.
   [[nodiscard]] const std::vector<ContactParameters>& parameters() const { return parameters_; }
   /// Renews set.points; those of the step before go to set.previous.
-  void find(const std::vector<Mover>& movers, PairSet& set);
+  void find(std::vector<Mover>& movers, PairSet& set) noexcept;
 
  private:
   /// One surface of one model: contacts between the same two kinds have the same constants.
@@ -28,13 +30,16 @@ class PairFinder {
     Surface surface;
   };
   [[nodiscard]] std::size_t kind_of(const Model& model, const Surface& surface);
-  void find_between(const std::vector<Mover>& movers, int a, int b, PairSet& set);
-  void place_shapes(const Mover& mover, std::vector<PlacedInWorld>& placed);
+  void find_between(std::vector<Mover>& movers, int a, int b, PairSet& set) noexcept;
+  void find_within(std::vector<Mover>& movers, int a, PairSet& set) noexcept;
+  void test_candidates(const std::vector<Mover>& movers, int a, int b, PairSet& set) noexcept;
+  void add_contacts(const std::vector<Mover>& movers, const PairContact& pair, geometry::Manifold& manifold,
+                    PairSet& set) const noexcept;
 
   std::vector<Kind> kinds_;
   std::vector<std::vector<std::size_t>> kinds_of_shapes_;  // by mover and shape
   std::vector<ContactParameters> parameters_;              // of kinds i and j at i * kinds + j
-  std::vector<PlacedInWorld> shapes_a_, shapes_b_;         // working memory
+  std::vector<std::pair<int, int>> candidates_;            // shapes whose volumes overlap; working memory
 };
 
 }  // namespace murosimf::collision

@@ -102,15 +102,16 @@ class BodyBuilder {
   void add_mass_and_shapes(Chain& chain, const XmlElement& body, const std::string& child_class) const {
     std::vector<MassProperties> solids;
     Shapes shapes;
+    const MjcfGeomContext geom_context{context_.compiler, context_.meshes, mass_from_geoms(body, context_.compiler),
+                                       context_.lenient, context_.warnings};
     for (const XmlElement& element : body.children("geom")) {
-      auto geom = read_geom(context_.defaults.resolve(element, child_class), context_.compiler, context_.lenient,
-                            context_.warnings);
-      if (!geom) continue;
-      if (std::holds_alternative<Plane>(geom->placed.shape))
-        element.fail("a plane cannot be part of a robot; use a box");
-      geom->placed.surface.material = context_.table.surface(context_.names.of(body));
-      shapes.push_back(geom->placed);
-      solids.push_back(geom->solid);
+      for (MjcfGeom& geom : read_geom(context_.defaults.resolve(element, child_class), geom_context)) {
+        if (std::holds_alternative<Plane>(geom.placed.shape))
+          element.fail("a plane cannot be part of a robot; use a box");
+        geom.placed.surface.material = context_.table.surface(context_.names.of(body));
+        shapes.push_back(geom.placed);
+        solids.push_back(geom.solid);
+      }
     }
     if (!shapes.empty()) chain.with(properties::shapes, shapes);
     const MassProperties total = read_mass(body, solids, context_.compiler, context_.warnings);

@@ -12,6 +12,7 @@
 
 #include "murosimf/io/mjcf_defaults.h"
 #include "murosimf/io/mjcf_frame.h"
+#include "murosimf/io/mjcf_mesh.h"
 #include "murosimf/io/mjcf_names.h"
 #include "murosimf/io/robot_table.h"
 #include "murosimf/model/chain.h"
@@ -26,6 +27,7 @@ struct MjcfContext {
   const RobotTable& table;
   const std::map<std::string, Servo>& servos;  ///< from the actuators
   bool lenient = false;
+  MjcfMeshes& meshes;
   std::vector<std::string>& warnings;
 };
 

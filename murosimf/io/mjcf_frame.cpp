@@ -21,15 +21,6 @@ Vec3d unit(const MjcfAttributes& attributes, std::string_view name, const Vec3d&
   return (1.0 / length) * v;
 }
 
-Mat3d from_quat(const MjcfAttributes& attributes) {
-  const auto q = attributes.numbers("quat", 4, 4);
-  const Quaterniond quaternion{q[0], q[1], q[2], q[3]};
-  if (!(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > 1e-24)) {
-    attributes.source("quat").fail("quat of length zero has no direction; write 1 0 0 0 for no turn");
-  }
-  return to_matrix(normalized(quaternion));
-}
-
 Mat3d from_axis_angle(const MjcfAttributes& attributes, const MjcfCompiler& compiler) {
   const auto a = attributes.numbers("axisangle", 4, 4);
   return rotation(unit(attributes, "axisangle", {a[0], a[1], a[2]}), a[3] * compiler.angle_unit);
@@ -81,6 +72,8 @@ MjcfCompiler read_compiler(const XmlElement& root) {
                                    : choice == "true" ? InertiaFromGeom::always
                                                       : InertiaFromGeom::never;
     }
+    compiler.mesh_folder = attributes.text("meshdir", attributes.text("assetdir", compiler.mesh_folder));
+    if (attributes.has("strippath")) compiler.strip_path = attributes.choice("strippath", {"false", "true"}) == "true";
     if (attributes.text("coordinate", "local") != "local") {
       element.fail("only coordinate=\"local\" is supported; save the file anew with MuJoCo");
     }
@@ -88,10 +81,20 @@ MjcfCompiler read_compiler(const XmlElement& root) {
   return compiler;
 }
 
+Mat3d read_quaternion(const MjcfAttributes& attributes, std::string_view name) {
+  const auto q = attributes.numbers(name, 4, 4);
+  if (q.empty()) return {};
+  const Quaterniond quaternion{q[0], q[1], q[2], q[3]};
+  if (!(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > 1e-24)) {
+    attributes.source(name).fail(fmt::format("{} of length zero has no direction; write 1 0 0 0 for no turn", name));
+  }
+  return to_matrix(normalized(quaternion));
+}
+
 Mat3d read_orientation(const MjcfAttributes& attributes, const MjcfCompiler& compiler) {
   const auto count = std::ranges::count_if(ways, [&](const char* way) { return attributes.has(way); });
   if (count > 1) attributes.element().fail("two orientations; keep one of quat, axisangle, euler, xyaxes, zaxis");
-  if (attributes.has("quat")) return from_quat(attributes);
+  if (attributes.has("quat")) return read_quaternion(attributes, "quat");
   if (attributes.has("axisangle")) return from_axis_angle(attributes, compiler);
   if (attributes.has("euler")) return from_euler(attributes, compiler);
   if (attributes.has("xyaxes")) return from_xy_axes(attributes);

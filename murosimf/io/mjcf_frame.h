@@ -20,11 +20,15 @@ struct MjcfCompiler {
   std::string euler_sequence = "xyz";
   bool auto_limits = true;  ///< a range without `limited` counts
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::if_missing;
+  std::string mesh_folder;  ///< where mesh files are, seen from the MJCF file's folder
+  bool strip_path = false;  ///< only the last part of a mesh file's path counts
 };
 
 /// Throws SetupError where a setting has an impossible value.
 [[nodiscard]] MjcfCompiler read_compiler(const XmlElement& root);
 
+/// The turn of an attribute "w x y z" of any length but zero; the identity if it is not there.
+[[nodiscard]] Mat3d read_quaternion(const MjcfAttributes& attributes, std::string_view name);
 /// Element axes to parent axes; the identity if the element has no orientation.
 [[nodiscard]] Mat3d read_orientation(const MjcfAttributes& attributes, const MjcfCompiler& compiler);
 [[nodiscard]] bool is_identity(const Mat3d& turn);

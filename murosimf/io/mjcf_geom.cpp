@@ -1,6 +1,10 @@
 #include "murosimf/io/mjcf_geom.h"
 
+#include <utility>
+
 #include <fmt/format.h>
+
+#include "murosimf/model/error.h"
 
 namespace murosimf::io {
 namespace {
@@ -22,7 +26,7 @@ struct Volume {
   double operator()(const Cylinder& s) const { return 2.0 * pi * s.radius * s.radius * s.half_length; }
   double operator()(const Ellipsoid& s) const { return 4.0 / 3.0 * pi * s.semi_axes.x * s.semi_axes.y * s.semi_axes.z; }
   double operator()(const Plane&) const { return 0; }
-  double operator()(const Convex&) const { return 0; }
+  double operator()(const Convex& s) const { return geometry::solid_mass(*s.hull).volume; }
 };
 
 // Source: tables of moments of inertia of homogeneous solids, as in Goldstein, Classical Mechanics, or any
@@ -45,7 +49,10 @@ struct UnitInertia {
     return balls * caps + (1.0 - balls) * (*this)(Cylinder{r, h});
   }
   SymMat3d operator()(const Plane&) const { return {}; }
-  SymMat3d operator()(const Convex&) const { return {}; }
+  SymMat3d operator()(const Convex& s) const {
+    const auto solid = geometry::solid_mass(*s.hull);
+    return (1.0 / solid.volume) * solid.inertia;
+  }
 };
 
 std::vector<double> sizes(const MjcfAttributes& attributes, std::size_t needed) {
@@ -91,12 +98,15 @@ Shape read_from_to(const MjcfAttributes& attributes, const std::string& type, Pl
   attributes.source("fromto").fail(fmt::format("a {} cannot have fromto; give pos instead", type));
 }
 
-MassProperties read_solid(const MjcfAttributes& attributes, const PlacedShape& placed) {
+void check_mass(const MjcfAttributes& attributes) {
   for (const char* name : {"mass", "density"}) {
     if (attributes.number(name, 0) < 0) {
       attributes.source(name).fail(fmt::format("{} of geom is negative; it must be at least 0", name));
     }
   }
+}
+
+MassProperties read_solid(const MjcfAttributes& attributes, const PlacedShape& placed) {
   const double mass = attributes.number("mass", attributes.number("density", 1000.0) * volume(placed.shape));
   return {mass, placed.position, rotated(placed.orientation, mass * unit_inertia(placed.shape))};
 }
@@ -110,6 +120,52 @@ void read_surface(const MjcfAttributes& attributes, PlacedShape& placed) {
   if (const auto color = attributes.numbers("rgba", 4, 4); !color.empty())
     placed.color = {color[0], color[1], color[2]};
   placed.collides = attributes.number("contype", 1) != 0 || attributes.number("conaffinity", 1) != 0;
+}
+
+/// Zero where nothing of it counts, so that a mesh for the eye needs no volume.
+MassProperties read_mesh_solid(const MjcfAttributes& attributes, const PlacedShape& placed,
+                               const MjcfGeomContext& context) {
+  const bool silent =
+      attributes.number("mass", 1) == 0 || (!attributes.has("mass") && attributes.number("density", 1) == 0);
+  if (!context.mass_counts || silent) return {};
+  const auto solid = context.meshes.mass(attributes.text("mesh"), attributes.element());
+  const double mass = attributes.number("mass", attributes.number("density", 1000.0) * solid.volume);
+  return {mass, placed.position + placed.orientation * solid.center,
+          rotated(placed.orientation, (mass / solid.volume) * solid.inertia)};
+}
+
+std::vector<MjcfGeom> read_mesh_geom(const MjcfAttributes& attributes, const std::string& type,
+                                     const MjcfGeomContext& context) {
+  const XmlElement& element = attributes.element();
+  if (!attributes.has("mesh")) element.fail("geom of type mesh without a mesh; add mesh=\"...\"");
+  if (type != "mesh") {
+    element.fail(fmt::format("a {} cannot be fitted to a mesh here; write type=\"mesh\", or give its size", type));
+  }
+  if (attributes.has("fromto")) attributes.source("fromto").fail("a mesh cannot have fromto; give pos instead");
+  PlacedShape placed;
+  placed.position = attributes.vector("pos", {});
+  placed.orientation = read_orientation(attributes, context.compiler);
+  read_surface(attributes, placed);
+  MassProperties solid = read_mesh_solid(attributes, placed, context);
+  std::vector<MjcfGeom> geoms;
+  for (const MeshPart& part : context.meshes.parts(attributes.text("mesh"), element, placed.collides)) {
+    geoms.push_back({placed, std::exchange(solid, {})});
+    geoms.back().placed.shape = part.shape;
+    geoms.back().placed.position += placed.orientation * part.middle;
+  }
+  return geoms;
+}
+
+std::vector<MjcfGeom> read_mesh_unless_unfit(const MjcfAttributes& attributes, const std::string& type,
+                                             const MjcfGeomContext& context) {
+  try {
+    return read_mesh_geom(attributes, type, context);
+  } catch (const SetupError& error) {
+    if (!context.lenient) throw;
+    context.warnings.push_back(fmt::format("{}: mesh '{}' ignored: {}", attributes.element().where(),
+                                           one_line(attributes.text("mesh")), error.what()));
+    return {};
+  }
 }
 
 }  // namespace
@@ -131,31 +187,21 @@ MassProperties combined(const std::vector<MassProperties>& parts) {
   return sum;
 }
 
-std::optional<MjcfGeom> read_geom(const MjcfAttributes& attributes, const MjcfCompiler& compiler, bool lenient,
-                                  std::vector<std::string>& warnings) {
-  const XmlElement& element = attributes.element();
-  const auto type =
-      attributes.has("mesh")
-          ? std::string("mesh")
-          : attributes.choice("type", {"sphere", "box", "capsule", "cylinder", "ellipsoid", "plane", "mesh"});
-  if (type == "mesh") {
-    const auto what = "meshes are not supported yet; use sphere, box, capsule, cylinder or ellipsoid";
-    if (!lenient) element.fail(what);
-    warnings.push_back(
-        fmt::format("{}: mesh '{}' ignored: {}", element.where(), one_line(attributes.text("mesh")), what));
-    return std::nullopt;
-  }
+std::vector<MjcfGeom> read_geom(const MjcfAttributes& attributes, const MjcfGeomContext& context) {
+  const auto type = attributes.choice("type", {"sphere", "box", "capsule", "cylinder", "ellipsoid", "plane", "mesh"});
+  check_mass(attributes);
+  if (type == "mesh" || attributes.has("mesh")) return read_mesh_unless_unfit(attributes, type, context);
   MjcfGeom geom;
   if (attributes.has("fromto")) {
     geom.placed.shape = read_from_to(attributes, type, geom.placed);
   } else {
     geom.placed.shape = read_shape(attributes, type);
     geom.placed.position = attributes.vector("pos", {});
-    geom.placed.orientation = read_orientation(attributes, compiler);
+    geom.placed.orientation = read_orientation(attributes, context.compiler);
   }
   geom.solid = read_solid(attributes, geom.placed);
   read_surface(attributes, geom.placed);
-  return geom;
+  return {geom};
 }
 
 }  // namespace murosimf::io

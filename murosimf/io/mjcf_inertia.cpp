@@ -54,14 +54,19 @@ MassProperties read_inertial(const XmlElement& element, const MjcfCompiler& comp
   return body;
 }
 
+bool mass_from_geoms(const XmlElement& body, const MjcfCompiler& compiler) {
+  if (compiler.inertia_from_geom != InertiaFromGeom::if_missing) {
+    return compiler.inertia_from_geom == InertiaFromGeom::always;
+  }
+  return body.children("inertial").empty();
+}
+
 MassProperties read_mass(const XmlElement& body, const std::vector<MassProperties>& solids,
                          const MjcfCompiler& compiler, std::vector<std::string>& warnings) {
   const auto inertials = body.children("inertial");
   if (inertials.size() > 1) inertials[1].fail("second inertial of the same body; keep one");
-  if (!inertials.empty() && compiler.inertia_from_geom != InertiaFromGeom::always) {
-    return read_inertial(inertials[0], compiler, warnings);
-  }
-  return compiler.inertia_from_geom == InertiaFromGeom::never ? MassProperties{} : combined(solids);
+  if (mass_from_geoms(body, compiler)) return combined(solids);
+  return inertials.empty() ? MassProperties{} : read_inertial(inertials[0], compiler, warnings);
 }
 
 }  // namespace murosimf::io

@@ -13,6 +13,9 @@ namespace murosimf::io {
 [[nodiscard]] MassProperties read_inertial(const XmlElement& element, const MjcfCompiler& compiler,
                                            std::vector<std::string>& warnings);
 
+/// Whether the geoms of `body` give its mass, as its inertial and the compiler settings say.
+[[nodiscard]] bool mass_from_geoms(const XmlElement& body, const MjcfCompiler& compiler);
+
 /// Mass of `body`: of its inertial or its solids, as the compiler settings say. Zero mass if it has neither.
 [[nodiscard]] MassProperties read_mass(const XmlElement& body, const std::vector<MassProperties>& solids,
                                        const MjcfCompiler& compiler, std::vector<std::string>& warnings);

@@ -89,10 +89,11 @@ MjcfResult read_mjcf(const std::filesystem::path& file, const MjcfOptions& optio
   const auto [base, child_class] = find_base(root, defaults, options.lenient, result.warnings);
   const MjcfNames names(base);
   const RobotTable table = read_table_beside(file);
-  check_names(table, names.joints(), names.bodies(), names.sites());
+  MjcfMeshes meshes(file, root, defaults, compiler, table, result.warnings);
+  check_names(table, names.joints(), names.bodies(), names.sites(), meshes.names());
 
   const auto servos = read_actuators(root, defaults, compiler, names, options.lenient, result.warnings);
-  const MjcfContext context{defaults, compiler, names, table, servos, options.lenient, result.warnings};
+  const MjcfContext context{defaults, compiler, names, table, servos, options.lenient, meshes, result.warnings};
   const Chain robot = build_robot(base, child_class, context);
   result.model = make_model(root.attribute("model").value_or(file.stem().string()), robot, base);
   return result;

@@ -1,11 +1,11 @@
 /// mjcf_reader.h - a robot from an MJCF file, the format of MuJoCo, as a Model.
 ///
-/// The robot is the body under worldbody that has a free joint. Read are bodies, joints, inertials, geoms, sites,
+/// The robot is the body under worldbody that has a free joint. Read are bodies, joints, inertials, geoms, meshes, sites,
 /// actuators, default classes and the compiler's angle settings; how they become objects stands in mjcf_body.h. What
 /// means nothing to a robot's model (solver options, textures, the floor) is a note; what is unknown or would change
 /// the motion is an error. Servos, surfaces and soles come from a TOML file beside the model (robot_table.h).
 /// Source: XML reference of the MuJoCo documentation.
-/// Limits: no meshes, ball joints, tendons, equality constraints, includes and frames.
+/// Limits: no ball joints, tendons, equality constraints, includes and frames.
 #pragma once
 
 #include <filesystem>

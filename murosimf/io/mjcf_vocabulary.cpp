@@ -36,20 +36,28 @@ std::map<std::string_view, ElementRule> make_rules() {
   const Words look{"group", "material", "user"};
   std::map<std::string_view, ElementRule> rules;
   rules["mujoco"] = {.used = {"model"},
-                     .children = {"compiler", "default", "worldbody", "actuator"},
-                     .unused_children = {"option", "size", "visual", "statistic", "asset", "sensor", "keyframe",
-                                         "custom"},
+                     .children = {"compiler", "default", "asset", "worldbody", "actuator"},
+                     .unused_children = {"option", "size", "visual", "statistic", "sensor", "keyframe", "custom"},
                      .unsupported_children = {"contact", "equality", "tendon", "deformable", "extension", "include"}};
-  rules["compiler"] = {.used = {"angle", "eulerseq", "autolimits", "inertiafromgeom", "coordinate"},
-                       .unused = {"meshdir", "texturedir", "assetdir", "strippath", "discardvisual", "fusestatic",
-                                  "usethread", "convexhull", "exactmeshinertia", "saveinertial", "fitaabb"},
+  rules["compiler"] = {.used = {"angle", "eulerseq", "autolimits", "inertiafromgeom", "coordinate", "meshdir",
+                                "assetdir", "strippath"},
+                       .unused = {"texturedir", "discardvisual", "fusestatic", "usethread", "convexhull",
+                                  "exactmeshinertia", "saveinertial", "fitaabb"},
                        .unsupported = {"boundmass", "boundinertia", "settotalmass", "balanceinertia",
                                        "inertiagrouprange", "alignfree"},
                        .unused_children = {"lengthrange"}};
   rules["default"] = {.used = {"class"},
-                      .children = Words{"default", "geom", "joint", "site"} + actuators,
-                      .unused_children = {"mesh", "material", "camera", "light", "pair", "equality", "tendon"},
+                      .children = Words{"default", "geom", "joint", "site", "mesh"} + actuators,
+                      .unused_children = {"material", "camera", "light", "pair", "equality", "tendon"},
                       .unsupported_children = {"include"}};
+  rules["asset"] = {.children = {"mesh"},
+                    .unused_children = {"texture", "material", "hfield", "skin"},
+                    .unsupported_children = {"model", "include"}};
+  rules["mesh"] = {.used = {"name", "class", "file", "vertex", "face", "scale", "refpos", "refquat", "inertia"},
+                   .unused = {"content_type", "smoothnormal", "maxhullvert", "normal", "texcoord", "material",
+                              "octree"},
+                   .unsupported = {"builtin", "params"},
+                   .unsupported_children = {"plugin"}};
   rules["worldbody"] = {.used = {"childclass"},
                         .children = {"body", "geom", "site"},
                         .unused_children = {"light", "camera"},

@@ -21,10 +21,12 @@ class Reader {
         read_soles(table_of(key, value));
       } else if (key == "surfaces") {
         read_surfaces(table_of(key, value));
+      } else if (key == "meshes") {
+        read_meshes(table_of(key, value));
       } else if (key == "servos") {
         for (const auto& [name, servo] : table_of(key, value)) read_servo(name, table_of(name, servo));
       } else {
-        unknown("table", key, {"soles", "surfaces", "servos"});
+        unknown("table", key, {"soles", "surfaces", "meshes", "servos"});
       }
     }
     return table_;
@@ -65,6 +67,15 @@ class Reader {
       } else {
         table_.surfaces[std::string(key.str())] = {name_of(key, value).name, where(key.source())};
       }
+    }
+  }
+
+  void read_meshes(const toml::table& meshes) {
+    for (const auto& [key, value] : meshes) {
+      if (key != "part_per_group") unknown("key of [meshes]", key, {"part_per_group"});
+      const toml::array* names = value.as_array();
+      if (!names) fail_at(key.source(), "part_per_group must be a list of meshes, like [\"torso\"]");
+      for (const toml::node& name : *names) table_.part_per_group.push_back(name_of("part_per_group", name));
     }
   }
 
@@ -123,9 +134,11 @@ RobotTable read_table_beside(const std::filesystem::path& model_file) {
 }
 
 void check_names(const RobotTable& table, const std::vector<std::string>& joints,
-                 const std::vector<std::string>& bodies, const std::vector<std::string>& sites) {
+                 const std::vector<std::string>& bodies, const std::vector<std::string>& sites,
+                 const std::vector<std::string>& meshes) {
   for (const auto& [joint, servo] : table.servos) check_name({joint, servo.where}, "joint", joints);
   for (const auto& [body, surface] : table.surfaces) check_name({body, surface.where}, "body", bodies);
+  for (const TableName& mesh : table.part_per_group) check_name(mesh, "mesh", meshes);
   if (table.left_sole) check_name(*table.left_sole, "site", sites);
   if (table.right_sole) check_name(*table.right_sole, "site", sites);
 }

@@ -8,6 +8,9 @@
 ///     default = "plastic"
 ///     l_foot = "rubber"
 ///
+///     [meshes]
+///     part_per_group = ["torso"]   # meshes of OBJ files whose objects or groups are convex parts
+///
 ///     [servos.legs]                # SI units, on the output side of the gear (docs/robots.md, "Servos")
 ///     type = "mx64"                # a ready-made servo to start from: servos/mx64.toml, or a file beside this one
 ///     voltage = 14.8               # any number of it may be replaced; without a type, the law's needs must be there
@@ -40,6 +43,7 @@ struct RobotTable {
   std::string default_surface;                ///< empty: none
   std::map<std::string, TableName> surfaces;  ///< material by body
   std::map<std::string, TableServo> servos;   ///< by joint
+  std::vector<TableName> part_per_group;      ///< meshes of several convex parts
 
   /// Material of a body: its own or the default.
   [[nodiscard]] const std::string& surface(const std::string& body) const;
@@ -53,8 +57,9 @@ struct RobotTable {
 /// The table beside a model file; an empty one if there is none.
 [[nodiscard]] RobotTable read_table_beside(const std::filesystem::path& model_file);
 
-/// Throws SetupError if the table speaks of a joint, body or site that the robot does not have.
+/// Throws SetupError if the table speaks of a joint, body, site or mesh that the robot does not have.
 void check_names(const RobotTable& table, const std::vector<std::string>& joints,
-                 const std::vector<std::string>& bodies, const std::vector<std::string>& sites);
+                 const std::vector<std::string>& bodies, const std::vector<std::string>& sites,
+                 const std::vector<std::string>& meshes = {});
 
 }  // namespace murosimf::io

@@ -14,7 +14,6 @@
 #include "murosimf/io/output_file.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/io/viewed_shapes.h"
-#include "murosimf/math/random.h"
 #include "murosimf/motion/odometer.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/render/field_picture.h"
@@ -42,6 +41,7 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
   attach_contact();
   attach_motion();
   attach_observers();
+  scatter_postures();
   simulation_->after_initialize([this] { apply_settings(); });
 }
 
@@ -69,6 +69,8 @@ void Scene::add_robot(const RobotSpec& robot) {
   const double j = spec_.jitter_position;
   options.position = robot.position + Vec3d{random.uniform(0, -j, j), random.uniform(1, -j, j), 0};
   options.heading = robot.heading + random.uniform(2, -spec_.jitter_heading, spec_.jitter_heading);
+  options.attitude = random_tilt(random) * rotation_y(robot.pitch) * rotation_x(robot.roll);
+  options.collision = robot.collision;
   options.team = robot.team;
   for (const TeamSpec& team : spec_.teams) {
     if (team.name == robot.team) options.color = team.color;
@@ -80,6 +82,28 @@ void Scene::add_robot(const RobotSpec& robot) {
   entity.controller = robot.controller;
   robots_.push_back(&entity);
   movers_.push_back(&entity);
+}
+
+/// A turn about any axis, by up to jitter_tilt.
+Mat3d Scene::random_tilt(const RandomStream& random) const {
+  const double z = random.uniform(3, -1, 1), longitude = random.uniform(4, -pi, pi), across = std::sqrt(1 - z * z);
+  return rotation(Vec3d{across * std::cos(longitude), across * std::sin(longitude), z},
+                  random.uniform(5, -spec_.jitter_tilt, spec_.jitter_tilt));
+}
+
+/// Joint targets away from zero, by up to jitter_posture; controllers that set them are stronger.
+void Scene::scatter_postures() {
+  if (spec_.jitter_posture == 0) return;
+  for (Entity* robot : robots_) {
+    const RandomStream random(spec_.seed, robot->name() + "/posture");
+    auto& targets = robot->column(properties::joint_target).values;
+    for (const int joint : robot->model().joints()) {
+      const Vec3d* range = robot->model().find(properties::joint_range, joint);
+      const double angle =
+          random.uniform(static_cast<std::uint64_t>(joint), -spec_.jitter_posture, spec_.jitter_posture);
+      targets[joint] = range ? std::clamp(angle, range->x, range->y) : angle;
+    }
+  }
 }
 
 ModelPtr Scene::model(const std::string& name, const std::string& where) {

@@ -12,6 +12,7 @@
 
 #include "murosimf/io/run_report.h"
 #include "murosimf/io/scene_spec.h"
+#include "murosimf/math/random.h"
 #include "murosimf/runtime/path_recorder.h"
 #include "murosimf/runtime/simulation.h"
 
@@ -46,6 +47,8 @@ class Scene {
  private:
   void add_entities();
   void add_robot(const RobotSpec& robot);
+  [[nodiscard]] Mat3d random_tilt(const RandomStream& random) const;
+  void scatter_postures();
   void attach_controllers();
   void attach_contact();
   /// What a user may have overlooked: options that the level does not have, steps too long, joints without servos.

@@ -125,7 +125,9 @@ const std::vector<std::string_view>& scene_keys() {
 }
 
 std::vector<std::string_view> table_keys(std::string_view table) {
-  if (table == "start") return {"jitter_position", "jitter_heading_deg"};
+  if (table == "start") {
+    return {"jitter_position", "jitter_heading_deg", "jitter_tilt_deg", "jitter_posture_deg"};
+  }
   if (table == "field") return {"size", "surface", "grain"};
   if (table == "view") return {"center", "width", "azimuth_deg", "elevation_deg"};
   if (table == "ball") return {"position", "velocity", "radius", "mass", "hollow", "material", "contact"};
@@ -138,10 +140,11 @@ std::vector<std::string_view> table_keys(std::string_view table) {
 }
 
 const std::vector<std::string_view>& robot_keys() {
-  static const std::vector<std::string_view> keys{"name",        "team",       "model",           "level",
-                                                  "contact",     "controller", "position",        "command",
-                                                  "heading_deg", "base_rigid", "joint_reference", "integrator",
-                                                  "fixed_base"};
+  static const std::vector<std::string_view> keys{"name",           "team",       "model",      "level",
+                                                  "contact",        "controller", "position",   "command",
+                                                  "heading_deg",    "roll_deg",   "pitch_deg",  "volume",
+                                                  "self_collision", "no_contact", "base_rigid", "joint_reference",
+                                                  "integrator",     "fixed_base"};
   return keys;
 }
 

@@ -32,14 +32,19 @@ void read_start(const TomlTable& scene, SceneSpec& spec) {
   const toml::table* node = scene.table("start");
   if (!node) return;
   const TomlTable start(*node, table_keys("start"));
-  double heading_deg = 0;
   start.read("jitter_position", spec.jitter_position);
-  start.read("jitter_heading_deg", heading_deg);
   require(spec.jitter_position >= 0, start, "jitter_position", "must not be negative");
-  require(heading_deg >= 0, start, "jitter_heading_deg", "must not be negative");
-  require(heading_deg <= 360, start, "jitter_heading_deg", "is more than a turn");
   require(spec.jitter_position <= 1e4, start, "jitter_position", "is more than 10 km");
-  spec.jitter_heading = heading_deg * degree;
+  const auto read_angle = [&](std::string_view key, double& angle) {
+    double angle_deg = 0;
+    start.read(key, angle_deg);
+    require(angle_deg >= 0, start, key, "must not be negative");
+    require(angle_deg <= 360, start, key, "is more than a turn");
+    angle = angle_deg * degree;
+  };
+  read_angle("jitter_heading_deg", spec.jitter_heading);
+  read_angle("jitter_tilt_deg", spec.jitter_tilt);
+  read_angle("jitter_posture_deg", spec.jitter_posture);
 }
 
 void read_field(const TomlTable& scene, SceneSpec& spec) {
@@ -125,11 +130,19 @@ void read_robot(const TomlTable& table, RobotSpec& robot) {
   }
   table.read("position", robot.position);
   table.read("command", robot.command);
-  double heading_deg = robot.heading / degree;
-  table.read("heading_deg", heading_deg);
-  require(std::abs(heading_deg) <= 3600, table, "heading_deg", "must be between -3600 and 3600");
+  const auto read_angle = [&](std::string_view key, double& angle) {
+    double angle_deg = angle / degree;
+    table.read(key, angle_deg);
+    require(std::abs(angle_deg) <= 3600, table, key, "must be between -3600 and 3600");
+    angle = angle_deg * degree;
+  };
+  read_angle("heading_deg", robot.heading);
+  read_angle("roll_deg", robot.roll);
+  read_angle("pitch_deg", robot.pitch);
+  table.read("volume", robot.collision.volume);
+  table.read("self_collision", robot.collision.self_collision);
+  table.read("no_contact", robot.collision.never);
   require(norm(robot.position) <= farthest_place, table, "position", "is further than 10 km away");
-  robot.heading = heading_deg * degree;
   at(table.where("level"), [&] { return &find_entry(levels(), "level", robot.level); });
   at(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", robot.contact); });
   at(table.where("controller"), [&] { return &find_entry(controllers(), "controller", robot.controller); });

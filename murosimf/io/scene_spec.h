@@ -11,6 +11,7 @@
 #include "murosimf/io/ball.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/math/vec3.h"
+#include "murosimf/model/entity.h"
 #include "murosimf/model/material.h"
 #include "murosimf/motion/integrator.h"
 
@@ -57,9 +58,11 @@ struct RobotSpec {
   motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
   bool base_rigid = false;
   bool fixed_base = false;
-  Vec3d position;      ///< [m]
-  double heading = 0;  ///< [rad]
-  Vec3d command;       ///< [m/s, m/s, rad/s]
+  Vec3d position;              ///< [m]
+  double heading = 0;          ///< [rad]
+  double roll = 0, pitch = 0;  ///< [rad] about the level robot's x, then its y; before the heading
+  Vec3d command;               ///< [m/s, m/s, rad/s]
+  CollisionOptions collision;
 };
 
 /// A property to set before the first step: --set 'blue1.pelvis.applied_force=[0,0,0,5,0,0]'.
@@ -79,6 +82,8 @@ struct SceneSpec {
   Vec3d gravity{0, 0, -9.81};  ///< [m/s^2]
   double jitter_position = 0;  ///< [m] start places vary by up to this, in x and y
   double jitter_heading = 0;   ///< [rad]
+  double jitter_tilt = 0;      ///< [rad] about a random axis
+  double jitter_posture = 0;   ///< [rad] joint targets vary by up to this, within joint limits
   collision::PairLaw body_contact = collision::PairLaw::island_gauss_seidel;
   FieldSpec field;
   ViewSpec view;

@@ -86,6 +86,21 @@ void TomlTable::read(std::string_view key, Vec3d& value) const {
   value = {(*numbers)[0], (*numbers)[1], numbers->size() == 3 ? (*numbers)[2] : 0};
 }
 
+void TomlTable::read(std::string_view key, std::vector<std::pair<std::string, std::string>>& value) const {
+  const toml::node* node = find(key);
+  if (!node) return;
+  const auto refuse = [&](const toml::node& at) {
+    fail_at(at.source(), fmt::format("'{}' must be a list of pairs of names: [[\"a\", \"b\"]]", key));
+  };
+  if (!node->is_array()) refuse(*node);
+  value.clear();
+  for (const toml::node& element : *node->as_array()) {
+    const toml::array* pair = element.as_array();
+    if (!pair || pair->size() != 2 || !(*pair)[0].is_string() || !(*pair)[1].is_string()) refuse(element);
+    value.emplace_back(**(*pair)[0].as_string(), **(*pair)[1].as_string());
+  }
+}
+
 const toml::table* TomlTable::table(std::string_view key) const {
   const toml::node* node = find(key);
   if (!node) return nullptr;

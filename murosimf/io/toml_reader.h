@@ -38,6 +38,9 @@ class TomlTable {
   /// Two or three numbers; the third is 0 if missing.
   void read(std::string_view key, Vec3d& value) const;
 
+  /// A list of pairs of texts: [["a", "b"], ["c", "d"]].
+  void read(std::string_view key, std::vector<std::pair<std::string, std::string>>& value) const;
+
   [[nodiscard]] const toml::node* find(std::string_view key) const { return table_.get(key); }
   [[nodiscard]] const toml::table* table(std::string_view key) const;                ///< null if missing
   [[nodiscard]] std::vector<const toml::table*> tables(std::string_view key) const;  ///< of [[key]]

@@ -22,7 +22,8 @@ ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& 
       joint_torque_(setup.write(properties::joint_torque)),
       servo_(tree_.links.size()),
       bodies_(tree_.links.size()),
-      change_(tree_.links.size()) {}
+      change_(tree_.links.size()),
+      root_(tree_.links.size()) {}
 
 void ArticulatedDynamics::initialize() {
   drives_.initialize(tree_.columns.q, tree_.columns.qd);
@@ -113,6 +114,7 @@ bool ArticulatedDynamics::free_pass(double dt) noexcept {
   begin_step(dt);
   solve(dt);
   tree_.factor_base();
+  for (std::size_t l = 1; l < bodies_.size(); ++l) root_[l] = std::sqrt(bodies_[l].inverse_D);
   return targets_sane_ && accelerations_are_sane();
 }
 
@@ -121,17 +123,20 @@ Vec3d ArticulatedDynamics::free_velocity(int object, const Vec3d& point, const V
   return tree_.next_velocity(object, point, velocity, bodies_[link].acceleration, dt_);
 }
 
-void ArticulatedDynamics::respond(int object, const Vec3d& point, const Vec3d& direction,
-                                  collision::ResponseRow& y) const noexcept {
+void ArticulatedDynamics::respond(int object, const Vec3d& point, const Mat3d& directions,
+                                  collision::ResponseRows& y) const noexcept {
   const Tree& tree = tree_.columns.model.tree();
-  Forced force{cross(point - tree_.columns.r[0], direction), direction};
+  auto forces = tree_.forces_about_base(point, directions);
   for (int l = tree.link_of[object]; l > 0; l = tree.links[l].parent) {
     const auto& body = bodies_[l];
-    const double along = dot(tree_.links[l].axis, force);
-    y.add(5 + l, along * std::sqrt(body.inverse_D));
-    force -= (along * body.inverse_D) * body.U;
+    const Motiond& axis = tree_.links[l].axis;
+    const Vec3d along{dot(axis, forces[0]), dot(axis, forces[1]), dot(axis, forces[2])};
+    y.add(5 + l, root_[l] * along);
+    forces[0] -= (along.x * body.inverse_D) * body.U;
+    forces[1] -= (along.y * body.inverse_D) * body.U;
+    forces[2] -= (along.z * body.inverse_D) * body.U;
   }
-  tree_.respond_at_base(force, y);
+  tree_.respond_at_base(forces, y);
 }
 
 void ArticulatedDynamics::apply(std::span<const double> z) noexcept {
@@ -141,7 +146,7 @@ void ArticulatedDynamics::apply(std::span<const double> z) noexcept {
   for (std::size_t l = 1; l < links.size(); ++l) {
     auto& body = bodies_[l];
     const Motiond& parent = change_[links[l].parent];
-    const double joint = z[5 + l] * std::sqrt(body.inverse_D) / dt_ - dot(parent, body.U) * body.inverse_D;
+    const double joint = z[5 + l] * root_[l] / dt_ - dot(parent, body.U) * body.inverse_D;
     change_[l] = parent + joint * tree_.links[l].axis;
     body.joint_acceleration += joint;
     body.acceleration += change_[l];

@@ -24,8 +24,8 @@ class ArticulatedDynamics final : public Algorithm, private collision::ImpulseRe
   [[nodiscard]] bool free_pass(double dt) noexcept override;
   [[nodiscard]] std::size_t coordinates() const noexcept override { return 5 + bodies_.size(); }
   [[nodiscard]] Vec3d free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept override;
-  void respond(int object, const Vec3d& point, const Vec3d& direction,
-               collision::ResponseRow& y) const noexcept override;
+  void respond(int object, const Vec3d& point, const Mat3d& directions,
+               collision::ResponseRows& y) const noexcept override;
   void apply(std::span<const double> z) noexcept override;
 
   void step_rk4(double dt) noexcept;
@@ -44,6 +44,7 @@ class ArticulatedDynamics final : public Algorithm, private collision::ImpulseRe
   std::vector<JointDrive> servo_;  // by link
   std::vector<multibody::ArticulatedLink<double>> bodies_;
   std::vector<Motiond> change_;  // by link: what impulses add to a'; working memory
+  std::vector<double> root_;     // by link: square root of inverse_D, for responses
   double dt_ = 0;                // [s] of the present step
   bool targets_sane_ = true;     // in the present step
 };

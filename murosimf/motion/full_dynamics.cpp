@@ -94,8 +94,9 @@ Vec3d FullDynamics::free_velocity(int object, const Vec3d& point, const Vec3d& v
   return tree_.next_velocity(object, point, velocity, base_ + joint_motion_[link], dt_);
 }
 
-void FullDynamics::respond(int, const Vec3d& point, const Vec3d& direction, collision::ResponseRow& y) const noexcept {
-  tree_.respond_at_base({cross(point - tree_.columns.r[0], direction), direction}, y);
+void FullDynamics::respond(int, const Vec3d& point, const Mat3d& directions,
+                           collision::ResponseRows& y) const noexcept {
+  tree_.respond_at_base(tree_.forces_about_base(point, directions), y);
 }
 
 void FullDynamics::apply(std::span<const double> z) noexcept { base_ += tree_.base_change(z, dt_); }

@@ -35,8 +35,8 @@ class FullDynamics final : public Algorithm, private collision::ImpulseResponse 
   [[nodiscard]] bool free_pass(double dt) noexcept override;
   [[nodiscard]] std::size_t coordinates() const noexcept override { return 6; }
   [[nodiscard]] Vec3d free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept override;
-  void respond(int object, const Vec3d& point, const Vec3d& direction,
-               collision::ResponseRow& y) const noexcept override;
+  void respond(int object, const Vec3d& point, const Mat3d& directions,
+               collision::ResponseRows& y) const noexcept override;
   void apply(std::span<const double> z) noexcept override;
 
   void step_rk4(const Instant& instant) noexcept;

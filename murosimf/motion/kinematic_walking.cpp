@@ -31,6 +31,7 @@ KinematicWalking::KinematicWalking(Setup& setup, const JointReferenceOptions& re
       reference_(setup, reference),
       stance_pose_(setup.write(properties::stance_pose)[0]),
       stance_foot_(setup.write(properties::stance_foot)[0]),
+      separation_(setup.input(properties::separation, {})[0]),
       pushable_(setup.write(properties::pushable)[0]) {
   const auto soles = two_soles(setup.model());
   feet_ = {foot(soles[0]), foot(soles[1])};
@@ -65,7 +66,7 @@ void KinematicWalking::step(const Instant& instant) noexcept {
     return entity_.freeze("a joint position or target is no sensible number");
   }
   const Vec3d moved = columns_.take_displacement();  // somebody moved the base: the standing foot goes with it
-  stance_pose_ += Vec3d{moved.x, moved.y, 0};
+  stance_pose_ += Vec3d{moved.x + separation_.x, moved.y + separation_.y, 0};
   pin();
   swap_if_other_foot_penetrates();
   set_base_twist();

@@ -53,6 +53,7 @@ class KinematicWalking final : public Algorithm {
   std::array<Foot, 2> feet_;
   Vec3d& stance_pose_;   // [m, m, rad] x, y, heading of the standing sole
   double& stance_foot_;  // 0 or 1
+  const Vec3d& separation_;
   double& pushable_;
 };
 

@@ -76,10 +76,8 @@ void MovingTree::factor_base() noexcept {
   if (!options_.fixed_base) factor_.emplace(base_inertia_);
 }
 
-void MovingTree::respond_at_base(const Forced& force, collision::ResponseRow& y) const noexcept {
-  if (options_.fixed_base) return;
-  const auto numbers = factor_->forward(force);
-  for (int i = 0; i < 6; ++i) y.add(i, numbers[i]);
+void MovingTree::respond_at_base(const std::array<Forced, 3>& forces, collision::ResponseRows& y) const noexcept {
+  if (!options_.fixed_base) collision::add_rigid_response(*factor_, forces, y);
 }
 
 Motiond MovingTree::base_change(std::span<const double> z, double dt) const noexcept {

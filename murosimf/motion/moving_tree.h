@@ -63,8 +63,12 @@ class MovingTree {
   [[nodiscard]] Motiond base_acceleration(const Sym6d& inertia, const Forced& force) noexcept;
   /// Prepares the responses below, for the inertia of the last base_acceleration.
   void factor_base() noexcept;
-  /// Numbers 0 to 5 of a response (collision/impulse_response.h): of a force about O that has arrived at the base.
-  void respond_at_base(const Forced& force, collision::ResponseRow& y) const noexcept;
+  /// Unit forces at `point` [m] along the columns of `directions`, about O.
+  [[nodiscard]] std::array<Forced, 3> forces_about_base(const Vec3d& point, const Mat3d& directions) const noexcept {
+    return collision::unit_forces(point - columns.r[0], directions);
+  }
+  /// Numbers 0 to 5 of a response (collision/impulse_response.h): of forces about O that have arrived at the base.
+  void respond_at_base(const std::array<Forced, 3>& forces, collision::ResponseRows& y) const noexcept;
   /// What the impulses z (first six numbers) add to a'_0.
   [[nodiscard]] Motiond base_change(std::span<const double> z, double dt) const noexcept;
 

@@ -57,7 +57,7 @@ void place_at_start(PoseColumns& columns, const Entity& entity) noexcept {
   if (const auto soles = model.having(properties::sole); !soles.empty()) {
     columns.R[0] = transpose(columns.R[soles.front()]);
   }
-  columns.R[0] = rotation_z(options.heading) * columns.R[0];
+  columns.R[0] = rotation_z(options.heading) * (options.attitude * columns.R[0]);
   columns.update_poses();
 
   double lowest = 0;

@@ -152,10 +152,9 @@ Vec3d SimplifiedDynamics::free_velocity(int, const Vec3d& point, const Vec3d& ve
   return next_velocity(point, velocity);
 }
 
-void SimplifiedDynamics::respond(int, const Vec3d& point, const Vec3d& direction,
-                                 collision::ResponseRow& y) const noexcept {
-  const auto numbers = factor_->forward({cross(point - center_, direction), direction});
-  for (int i = 0; i < 6; ++i) y.add(i, numbers[i]);
+void SimplifiedDynamics::respond(int, const Vec3d& point, const Mat3d& directions,
+                                 collision::ResponseRows& y) const noexcept {
+  collision::add_rigid_response(*factor_, collision::unit_forces(point - center_, directions), y);
 }
 
 void SimplifiedDynamics::apply(std::span<const double> z) noexcept {

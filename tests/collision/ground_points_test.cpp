@@ -172,7 +172,7 @@ TEST(GroundPoints, FeaturesAreStable) {
       find_ground_contacts(g, r + dice.vector(1e-6), R_next, plane, next);
       for (std::size_t k = 0; k < now.size(); ++k) {
         EXPECT_GE(now[k].feature, 16u);
-        EXPECT_LT(now[k].feature, 16u + features_per_shape);
+        EXPECT_LT(now[k].feature, 16u + features_of(shape));
         if (k > 0) {
           EXPECT_GT(now[k].feature, now[k - 1].feature);
         }
@@ -219,7 +219,7 @@ TEST(GroundPoints, ShapesOfAModel) {
   EXPECT_EQ(found[1].object, 2);
   EXPECT_EQ(found[1].reach, 13);
   EXPECT_EQ(found[2].reach, 3);
-  for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(found[i].first_feature, i * features_per_shape);
+  for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(found[i].first_feature, i * 8);
 }
 
 }  // namespace

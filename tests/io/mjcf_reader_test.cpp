@@ -527,7 +527,7 @@ TEST(MjcfReader, NamesImpossibleMasses) {
 TEST(MjcfReader, NamesImpossibleGeoms) {
   expect_complaint(message(closed_robot("<geom type='box' size='1 2'/>")), 5, "size of a box needs 3 numbers");
   expect_complaint(message(closed_robot("<geom size='0'/>")), 5, "must be positive");
-  expect_complaint(message(closed_robot("<geom type='mesh' mesh='m'/>")), 5, "meshes are not supported yet");
+  expect_complaint(message(closed_robot("<geom type='mesh' mesh='m'/>")), 5, "unknown mesh 'm'");
   expect_complaint(message(closed_robot("<geom type='capsule' size='1' fromto='0 0 0 0 0 0'/>")), 5,
                    "two different points");
   expect_complaint(message(closed_robot("<geom type='plane' size='1 1 1'/>")), 5, "a plane cannot be part of a robot");

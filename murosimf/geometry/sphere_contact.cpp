@@ -1,9 +1,11 @@
-#include "murosimf/collision/sphere_contact.h"
+#include "murosimf/geometry/sphere_contact.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace murosimf::collision {
+#include "murosimf/geometry/nearest.h"
+
+namespace murosimf::geometry {
 namespace {
 
 /// A sphere against a shape that is a point, a segment or a body known by its nearest surface point outside.
@@ -21,6 +23,12 @@ struct AgainstShape {
     if (depth <= 0) return std::nullopt;
     const Vec3d n = distance > 0 ? (1.0 / distance) * d : sideways;
     return SphereContact{other + other_radius * n, n, depth};
+  }
+
+  [[nodiscard]] Result beside(const Nearest& nearest) const {
+    const double depth = radius - nearest.distance;
+    if (depth <= 0) return std::nullopt;
+    return SphereContact{nearest.point, nearest.normal, depth};
   }
 
   Result operator()(const Sphere& s) const { return ball({}, s.radius); }
@@ -64,13 +72,8 @@ struct AgainstShape {
     const Vec3d up{0, 0, center.z < 0 ? -1.0 : 1.0};
     return SphereContact{across * out + s.half_length * up, up, radius + room_cap};
   }
-  Result operator()(const Ellipsoid& s) const {
-    const double sum = s.semi_axes.x + s.semi_axes.y + s.semi_axes.z;
-    const double middle = sum - std::max({s.semi_axes.x, s.semi_axes.y, s.semi_axes.z}) -
-                          std::min({s.semi_axes.x, s.semi_axes.y, s.semi_axes.z});
-    return ball({}, middle);
-  }
-  Result operator()(const Convex&) const { return std::nullopt; }
+  Result operator()(const Ellipsoid& s) const { return beside(nearest_on_ellipsoid(s.semi_axes, center)); }
+  Result operator()(const Convex& s) const { return beside(nearest_on_hull(*s.hull, center)); }
   Result operator()(const Plane&) const {
     if (center.z >= radius) return std::nullopt;
     return SphereContact{{center.x, center.y, 0}, {0, 0, 1}, radius - center.z};
@@ -83,4 +86,4 @@ std::optional<SphereContact> sphere_contact(const Vec3d& center, double radius, 
   return std::visit(AgainstShape{center, radius}, other);
 }
 
-}  // namespace murosimf::collision
+}  // namespace murosimf::geometry

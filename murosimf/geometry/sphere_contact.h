@@ -1,11 +1,11 @@
-/// sphere_contact.h - a sphere against any primitive, in closed form.
+/// sphere_contact.h - a sphere against any shape, in closed form.
 #pragma once
 
 #include <optional>
 
 #include "murosimf/model/shape.h"
 
-namespace murosimf::collision {
+namespace murosimf::geometry {
 
 /// Where a sphere touches another shape.
 struct SphereContact {
@@ -15,7 +15,6 @@ struct SphereContact {
 };
 
 /// `center` [m] and `radius` [m] of the sphere, in the frame of the other shape; so is the result.
-/// An ellipsoid is treated as the sphere of its middle semi-axis.
 [[nodiscard]] std::optional<SphereContact> sphere_contact(const Vec3d& center, double radius, const Shape& other);
 
-}  // namespace murosimf::collision
+}  // namespace murosimf::geometry

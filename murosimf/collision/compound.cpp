@@ -1,0 +1,35 @@
+#include "murosimf/collision/compound.h"
+
+#include "murosimf/collision/robot_tree.h"
+
+namespace murosimf::collision {
+namespace {
+
+geometry::AnyTree make_tree(const Model& model, std::span<const CollidingShape> shapes,
+                            const CompoundOptions& options) {
+  std::vector<geometry::TreePart> parts;
+  for (const CollidingShape& shape : shapes) {
+    const PlacedShape& placed = shape.placed;
+    parts.push_back({shape.object, &placed.shape, {placed.position, placed.orientation}});
+  }
+  const auto layout =
+      options.structured ? robot_tree(model, shapes) : geometry::split_top_down(rest_spheres(model, shapes));
+  return geometry::make_tree(options.volume, parts, layout);
+}
+
+}  // namespace
+
+Compound::Compound(const Model& model, const CompoundOptions& options, const ShapesTouch& touch)
+    : shapes_(colliding_shapes(model)), tree_(make_tree(model, shapes_, options)), reach_(farthest_reach(model)) {
+  if (options.inner) inner_pairs_ = InnerPairs(model, shapes_, options.excluded, touch);
+}
+
+void Compound::refit(std::span<const Vec3d> r, std::span<const Mat3d> R) noexcept {
+  const auto refit_tree = [&](auto& tree) {
+    tree.refit(r, R);
+    if (!tree.empty()) around_ = sphere_around(tree.volume(0));
+  };
+  std::visit(refit_tree, tree_);
+}
+
+}  // namespace murosimf::collision

@@ -1,0 +1,73 @@
+/// compound.h - all shapes of one entity that can collide, in a tree of bounding volumes (paper 5).
+#pragma once
+
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "murosimf/collision/inner_pairs.h"
+#include "murosimf/geometry/any_tree.h"
+#include "murosimf/geometry/traversal.h"
+
+namespace murosimf::collision {
+
+struct CompoundOptions {
+  std::string volume = "sphere";       ///< kind of bounding volume: one of geometry::volume_names()
+  bool structured = true;              ///< the tree follows the robot's own; false: split top-down (the field)
+  bool inner = false;                  ///< shapes of this entity can touch each other
+  std::vector<ExcludedPair> excluded;  ///< but for these
+};
+
+class Compound {
+ public:
+  /// Throws SetupError if there is no such kind of volume or an excluded object does not exist. `touch` is asked which
+  /// shapes overlap at rest, while the compound is made, and only if inner collisions are on. The compound keeps no
+  /// reference to the model.
+  explicit Compound(const Model& model, const CompoundOptions& options = {}, const ShapesTouch& touch = {});
+
+  /// In the order of colliding_shapes(); shape i is leaf i of the tree.
+  [[nodiscard]] const std::vector<CollidingShape>& shapes() const { return shapes_; }
+  [[nodiscard]] const geometry::AnyTree& tree() const { return tree_; }
+  [[nodiscard]] const InnerPairs& inner_pairs() const { return inner_pairs_; }
+  /// No shape is farther [m] from the base's origin, in any posture: who is near nobody needs no refit.
+  [[nodiscard]] double reach() const { return reach_; }
+
+  /// About the root of the tree: a cheap first test whatever the kind of volume.
+  [[nodiscard]] const geometry::BoundingSphere& around() const { return around_; }
+
+  /// Works out all volumes; r [m], R: poses of the entity's objects, world frame.
+  void refit(std::span<const Vec3d> r, std::span<const Mat3d> R) noexcept;
+  /// Where shape i is in the world.
+  [[nodiscard]] geometry::Pose pose(int i, std::span<const Vec3d> r, std::span<const Mat3d> R) const noexcept {
+    const CollidingShape& shape = shapes_[i];
+    return placed_in({r[shape.object], R[shape.object]}, {shape.placed.position, shape.placed.orientation});
+  }
+
+ private:
+  std::vector<CollidingShape> shapes_;
+  geometry::AnyTree tree_;
+  InnerPairs inner_pairs_;
+  double reach_ = 0;
+  geometry::BoundingSphere around_;
+};
+
+/// Calls visit(shape of a, shape of b) for pairs of shapes whose bounding volumes overlap, until it returns false;
+/// returns the number of pairs of volumes tested. Both compounds must have been refitted.
+template <class Visit>
+int for_pairs(const Compound& a, const Compound& b, Visit&& visit) {
+  if (!overlap(a.around(), b.around())) return 1;
+  return std::visit([&](const auto& tree_a, const auto& tree_b) { return geometry::for_pairs(tree_a, tree_b, visit); },
+                    a.tree(), b.tree());
+}
+
+/// The same for pairs of shapes of one compound that may touch, each once; none if inner collisions are off.
+template <class Visit>
+int for_inner_pairs(const Compound& compound, Visit&& visit) {
+  const InnerPairs& inner = compound.inner_pairs();
+  if (inner.off()) return 0;
+  const auto allowed = [&](int a, int b) { return !inner.may_touch(a, b) || visit(a, b); };
+  return std::visit([&](const auto& tree) { return geometry::for_self_pairs(tree, allowed); }, compound.tree());
+}
+
+}  // namespace murosimf::collision

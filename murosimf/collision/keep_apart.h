@@ -1,0 +1,18 @@
+/// keep_apart.h - entities that cannot be pushed do not walk through each other or through static shapes.
+///
+/// No force acts between them (both are kinematic walkers): they get a `separation`, a way along the ground that their
+/// level adds to the place of the standing foot. It is the horizontal part of the deepest overlap, half for either of
+/// two walkers, all for one that runs into a goal, and at most 1 mm in a step, so that nobody jumps.
+#pragma once
+
+#include <vector>
+
+#include "murosimf/collision/mover.h"
+#include "murosimf/collision/static_compound.h"
+
+namespace murosimf::collision {
+
+/// Renews the `separation` of all movers.
+void keep_apart(std::vector<Mover>& movers, const StaticCompound& environment, TestCounts& tests) noexcept;
+
+}  // namespace murosimf::collision

@@ -1,0 +1,31 @@
+/// static_compound.h - the shapes of an environment that never move: goals, walls, boxes on the field. Planes stand apart.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "murosimf/collision/compound.h"
+#include "murosimf/model/entity.h"
+
+namespace murosimf::collision {
+
+class StaticCompound {
+ public:
+  /// `environment` stands at the world's origin; null: nothing there.
+  explicit StaticCompound(const Entity* environment);
+
+  [[nodiscard]] bool empty() const { return places_.empty(); }
+  [[nodiscard]] const Compound& compound() const { return compound_; }
+  [[nodiscard]] const CollidingShape& shape(int i) const { return compound_.shapes()[i]; }
+  [[nodiscard]] const geometry::Pose& pose(int i) const { return places_[i]; }
+
+  /// True if the sphere about `center` [m] meets the bounding volume of any shape; adds the tests of volumes to `tests`.
+  [[nodiscard]] bool is_near(const Vec3d& center, double radius, std::int64_t& tests) const noexcept;
+
+ private:
+  Compound compound_;
+  std::vector<geometry::Pose> places_;  // of each shape, world
+};
+
+}  // namespace murosimf::collision

@@ -1,0 +1,30 @@
+#include "murosimf/geometry/any_tree.h"
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::geometry {
+namespace {
+
+template <class V>
+BoundingTree<V> tree_of(std::span<const TreePart> parts, const TreeLayout& layout) {
+  std::vector<typename BoundingTree<V>::Leaf> leaves;
+  for (const TreePart& part : parts) leaves.push_back({part.object, fit<V>(*part.shape, part.at)});
+  return {std::move(leaves), layout};
+}
+
+}  // namespace
+
+const std::vector<std::string_view>& volume_names() {
+  static const std::vector<std::string_view> names{"sphere", "aabb", "obb", "capsule"};
+  return names;
+}
+
+AnyTree make_tree(std::string_view volume, std::span<const TreePart> parts, const TreeLayout& layout) {
+  if (volume == "sphere") return tree_of<BoundingSphere>(parts, layout);
+  if (volume == "aabb") return tree_of<Aabb>(parts, layout);
+  if (volume == "obb") return tree_of<Obb>(parts, layout);
+  if (volume == "capsule") return tree_of<BoundingCapsule>(parts, layout);
+  throw SetupError(unknown_name("bounding volume", volume, volume_names()));
+}
+
+}  // namespace murosimf::geometry

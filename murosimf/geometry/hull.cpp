@@ -1,0 +1,263 @@
+#include "murosimf/geometry/hull.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <set>
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+extern "C" {
+#include <libqhull_r/qhull_ra.h>
+}
+
+#include "murosimf/geometry/mesh_mass.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::geometry {
+namespace {
+
+using Face = std::vector<std::uint32_t>;
+
+/// What qhull writes goes to memory.
+class Log {
+ public:
+  Log() : file_(open_memstream(&text_, &size_)) {}
+  ~Log() {
+    std::fclose(file_);
+    std::free(text_);  // NOLINT: open_memstream allocates so
+  }
+  Log(const Log&) = delete;
+  Log& operator=(const Log&) = delete;
+  [[nodiscard]] FILE* file() const { return file_; }
+
+ private:
+  char* text_ = nullptr;
+  std::size_t size_ = 0;
+  FILE* file_;
+};
+
+/// One run of qhull. Points are numbers of the caller's list.
+class Run {
+ public:
+  Run(std::vector<double>& coordinates, std::string options) {
+    qh_zero(&qh_, log_.file());
+    ok_ = qh_new_qhull(&qh_, 3, static_cast<int>(coordinates.size() / 3), coordinates.data(), False, options.data(),
+                       nullptr, log_.file()) == 0;
+  }
+  ~Run() {
+    qh_freeqhull(&qh_, !qh_ALL);
+    int long_blocks = 0, long_bytes = 0;
+    qh_memfreeshort(&qh_, &long_blocks, &long_bytes);
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  /// Faces by numbers of points, corners in order; nothing if qhull gave up or a face has no simple outline.
+  std::optional<std::vector<Face>> faces() {
+    if (!ok_) return std::nullopt;
+    std::vector<Face> result;
+    for (facetT* facet = qh_.facet_list; facet && facet->next; facet = facet->next) {
+      Face face = outline(*facet);
+      if (face.size() < 3) return std::nullopt;
+      result.push_back(std::move(face));
+    }
+    return result;
+  }
+
+ private:
+  std::uint32_t number(const vertexT* vertex) { return static_cast<std::uint32_t>(qh_pointid(&qh_, vertex->point)); }
+
+  template <class T, class F>
+  static void for_each(setT* set, const F& f) {
+    if (!set) return;
+    for (setelemT* element = &set->e[0]; element->p; ++element) f(static_cast<T*>(element->p));
+  }
+
+  /// Corners in a row, in either direction.
+  Face outline(const facetT& facet) {
+    Face corners;
+    if (facet.simplicial) {
+      for_each<vertexT>(facet.vertices, [&](vertexT* v) { corners.push_back(number(v)); });
+      return corners;
+    }
+    std::map<std::uint32_t, Face> next;
+    for_each<ridgeT>(facet.ridges, [&](ridgeT* ridge) {
+      const std::uint32_t a = number(static_cast<vertexT*>(ridge->vertices->e[0].p));
+      const std::uint32_t b = number(static_cast<vertexT*>(ridge->vertices->e[1].p));
+      next[a].push_back(b);
+      next[b].push_back(a);
+    });
+    return loop(next);
+  }
+
+  /// The one loop through all vertices; empty if there is none.
+  static Face loop(const std::map<std::uint32_t, Face>& next) {
+    if (std::ranges::any_of(next, [](const auto& entry) { return entry.second.size() != 2; })) return {};
+    Face corners;
+    if (next.empty()) return corners;
+    const std::uint32_t start = next.begin()->first;
+    std::uint32_t before = start, here = start;
+    do {
+      corners.push_back(here);
+      const Face& both = next.at(here);
+      const std::uint32_t ahead = both[0] == before ? both[1] : both[0];
+      before = here;
+      here = ahead;
+    } while (here != start && corners.size() <= next.size());
+    return corners.size() == next.size() ? corners : Face{};
+  }
+
+  Log log_;
+  qhT qh_{};
+  bool ok_ = false;
+};
+
+/// Twice the area of a polygon along its normal (Newell: the mean of its projections).
+Vec3d area_vector(const std::vector<Vec3d>& vertices, const Face& face) {
+  Vec3d sum;
+  const Vec3d& start = vertices[face[0]];
+  for (std::size_t i = 2; i < face.size(); ++i) {
+    sum += cross(vertices[face[i - 1]] - start, vertices[face[i]] - start);
+  }
+  return sum;
+}
+
+/// Renumbers the corners: used points only, in the order of the list.
+std::vector<Vec3d> used_points(std::vector<Face>& faces, const std::vector<Vec3d>& points) {
+  std::map<std::uint32_t, std::uint32_t> number;
+  for (const Face& face : faces) {
+    for (const std::uint32_t corner : face) number[corner] = 0;
+  }
+  std::vector<Vec3d> used;
+  for (auto& [point, mine] : number) {
+    mine = static_cast<std::uint32_t>(used.size());
+    used.push_back(points[point]);
+  }
+  for (Face& face : faces) {
+    for (std::uint32_t& corner : face) corner = number.at(corner);
+  }
+  return used;
+}
+
+/// Counterclockwise seen from outside, the lowest corner first. `inside` is a point of the hull.
+void orient(Face& face, const std::vector<Vec3d>& vertices, const Vec3d& inside) {
+  if (dot(area_vector(vertices, face), vertices[face[0]] - inside) < 0) std::ranges::reverse(face);
+  std::ranges::rotate(face, std::ranges::min_element(face));
+}
+
+/// Neighbor lists from the edges of the faces. False if an edge is not run through once in each direction.
+bool add_neighbors(ConvexHull& hull) {
+  std::set<std::array<std::uint32_t, 2>> edges;
+  for (const Face& face : hull.faces) {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      if (!edges.insert({face[i], face[(i + 1) % face.size()]}).second) return false;
+    }
+  }
+  hull.first_neighbor.assign(hull.vertices.size() + 1, 0);
+  hull.neighbors.clear();
+  for (const auto& [from, to] : edges) {
+    if (!edges.contains({to, from})) return false;
+    ++hull.first_neighbor[from + 1];
+    hull.neighbors.push_back(to);
+  }
+  for (std::size_t i = 1; i < hull.first_neighbor.size(); ++i) hull.first_neighbor[i] += hull.first_neighbor[i - 1];
+  return true;
+}
+
+/// V - E + F = 2 (Euler), where neighbors lists every edge twice.
+bool is_sphere_like(const ConvexHull& hull) {
+  return 2 * (hull.vertices.size() + hull.faces.size()) == hull.neighbors.size() + 4;
+}
+
+/// The hull that one run gives; nothing if that is no proper polyhedron.
+std::optional<ConvexHull> try_hull(const std::vector<Vec3d>& points, std::vector<double>& coordinates,
+                                   const std::string& options) {
+  auto faces = Run(coordinates, options).faces();
+  if (!faces || faces->empty()) return std::nullopt;
+  ConvexHull hull;
+  hull.vertices = used_points(*faces, points);
+  Vec3d inside;
+  for (const Vec3d& vertex : hull.vertices) inside += (1.0 / static_cast<double>(hull.vertices.size())) * vertex;
+  for (Face& face : *faces) orient(face, hull.vertices, inside);
+  std::ranges::sort(*faces);
+  hull.faces = std::move(*faces);
+  for (const Face& face : hull.faces) {
+    const Vec3d area = area_vector(hull.vertices, face);
+    if (!(norm(area) > 0)) return std::nullopt;
+    hull.normals.push_back((1.0 / norm(area)) * area);
+  }
+  if (!add_neighbors(hull) || !is_sphere_like(hull)) return std::nullopt;
+  return hull;
+}
+
+/// Thickness of the plate that spreads its mass as wide as the hull does across its thinnest direction [m].
+double thickness(const ConvexHull& hull) {
+  const SolidMass solid = solid_mass(hull);
+  const SymMat3d& I = solid.inertia;
+  // second moments: half the trace of the inertia less the inertia
+  const double half_trace = 0.5 * (I.xx + I.yy + I.zz);
+  Eigen::Matrix3d moments;
+  moments << half_trace - I.xx, -I.xy, -I.xz, -I.xy, half_trace - I.yy, -I.yz, -I.xz, -I.yz, half_trace - I.zz;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments, Eigen::EigenvaluesOnly);
+  return std::sqrt(12.0 * solver.eigenvalues()[0] / solid.volume);
+}
+
+struct Extent {
+  Vec3d low, high;
+
+  explicit Extent(std::span<const Vec3d> points) : low(points[0]), high(points[0]) {
+    for (const Vec3d& p : points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+  }
+  [[nodiscard]] Vec3d middle() const { return 0.5 * (low + high); }
+  [[nodiscard]] double half() const { return 0.5 * std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
+};
+
+void check(std::span<const Vec3d> points) {
+  if (points.size() < 4)
+    throw SetupError(fmt::format("{} points enclose nothing; at least 4 are needed", points.size()));
+  for (const Vec3d& p : points) {
+    // sums of squares must not overflow
+    if (!(std::fabs(p.x) < 1e100 && std::fabs(p.y) < 1e100 && std::fabs(p.z) < 1e100)) {
+      throw SetupError(fmt::format("point ({}, {}, {}) is not finite", p.x, p.y, p.z));
+    }
+  }
+}
+
+/// Coordinates for qhull, of size 1 to 2; a power of two changes no digit.
+std::vector<double> scaled(const std::vector<Vec3d>& points, double half) {
+  const double scale = std::ldexp(1.0, -std::ilogb(half));
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * points.size());
+  for (const Vec3d& p : points) coordinates.insert(coordinates.end(), {scale * p.x, scale * p.y, scale * p.z});
+  return coordinates;
+}
+
+}  // namespace
+
+Hull make_hull(std::span<const Vec3d> points) {
+  check(points);
+  const Extent extent(points);
+  if (!(extent.half() > 1e-100)) throw SetupError("all points lie at one place; a hull needs a volume");
+  std::vector<Vec3d> shifted;
+  shifted.reserve(points.size());
+  for (const Vec3d& p : points) shifted.push_back(p - extent.middle());
+  auto coordinates = scaled(shifted, extent.half());
+  // where joined planes leave no proper polyhedron, as in a thin sheet, the triangles count
+  auto hull = try_hull(shifted, coordinates, fmt::format("qhull C-0 C{:.0e}", plane_tolerance));
+  if (!hull) hull = try_hull(shifted, coordinates, "qhull Qt");
+  if (!hull || !(thickness(*hull) > least_thickness * extent.half())) {
+    throw SetupError("the points lie in a plane; a hull needs a volume");
+  }
+  return {std::move(*hull), extent.middle()};
+}
+
+}  // namespace murosimf::geometry

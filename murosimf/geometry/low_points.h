@@ -1,0 +1,97 @@
+/// low_points.h - the points of a shape that can be below a plane.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "murosimf/geometry/spread.h"
+#include "murosimf/model/shape.h"
+
+namespace murosimf::geometry {
+
+/// Calls `emit(feature, point, radius)` for each point of the shape that may be the lowest; world frame. The lowest point
+/// of the shape is always among them. Features rise from point to point. `radius` [m]: of the surface that rolls there.
+struct LowPoints {
+  Vec3d center;       ///< [m] of the shape, world frame
+  Mat3d R;            ///< shape axes to world axes
+  Vec3d n;            ///< [1] the plane's normal
+  double height = 0;  ///< [m] of the plane: n . x of its points. Only polyhedra of more than eight vertices ask for it
+
+  template <class Emit>
+  void operator()(const Sphere& s, const Emit& emit) const {
+    emit(0u, center - s.radius * n, s.radius);
+  }
+  template <class Emit>
+  void operator()(const Box& s, const Emit& emit) const {
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      const Vec3d corner{i & 1 ? s.half_size.x : -s.half_size.x, i & 2 ? s.half_size.y : -s.half_size.y,
+                         i & 4 ? s.half_size.z : -s.half_size.z};
+      emit(i, center + R * corner, 0.0);
+    }
+  }
+  template <class Emit>
+  void operator()(const Capsule& s, const Emit& emit) const {
+    emit(0u, center - s.half_length * R.z - s.radius * n, s.radius);
+    emit(1u, center + s.half_length * R.z - s.radius * n, s.radius);
+  }
+  template <class Emit>
+  void operator()(const Cylinder& s, const Emit& emit) const {
+    // on each cap: the lowest rim point, the opposite one, and the two between
+    const Vec3d down = tangential(-n, R.z);
+    const double size = norm(down);
+    const Vec3d first = size > 1e-9 ? (1.0 / size) * down : R.x;
+    const Vec3d second = cross(R.z, first);
+    const double arm = std::abs(dot(R.z, n)) < 0.5 ? s.radius : 0.0;  // lying it rolls, standing it does not
+    for (std::uint32_t cap = 0; cap < 2; ++cap) {
+      const Vec3d middle = center + (cap == 0 ? -s.half_length : s.half_length) * R.z;
+      emit(4 * cap + 0, middle + s.radius * first, arm);
+      emit(4 * cap + 1, middle + s.radius * second, arm);
+      emit(4 * cap + 2, middle - s.radius * second, arm);
+      emit(4 * cap + 3, middle - s.radius * first, arm);
+    }
+  }
+  template <class Emit>
+  void operator()(const Ellipsoid& s, const Emit& emit) const {
+    // support point: semi-axes squared times the direction, divided by its scaled length
+    const Vec3d d = transposed_times(R, -n);
+    const Vec3d a{s.semi_axes.x * d.x, s.semi_axes.y * d.y, s.semi_axes.z * d.z};
+    const Vec3d b{s.semi_axes.x * a.x, s.semi_axes.y * a.y, s.semi_axes.z * a.z};
+    emit(0u, center + R * ((1.0 / norm(a)) * b), std::min({s.semi_axes.x, s.semi_axes.y, s.semi_axes.z}));
+  }
+  template <class Emit>
+  void operator()(const Plane&, const Emit&) const {}
+  /// Of a polyhedron the lowest vertex and up to seven others that are below the plane.
+  template <class Emit>
+  void operator()(const Convex& s, const Emit& emit) const {
+    const auto& vertices = s.hull->vertices;
+    const Vec3d up = transposed_times(R, n);
+    const double level = height - dot(n, center);
+    const auto depth = [&](int i) { return level - dot(up, vertices[i]); };
+    const auto point = [&](int i) { return vertices[i]; };
+    const Chosen chosen = choose_spread(static_cast<int>(vertices.size()), point, depth);
+    for (int k = 0; k < chosen.count; ++k) {
+      emit(static_cast<std::uint32_t>(chosen.index[k]), center + R * vertices[chosen.index[k]], 0.0);
+    }
+    if (chosen.count == 0) emit_lowest(s, emit);
+  }
+
+ private:
+  template <class Emit>
+  void emit_lowest(const Convex& s, const Emit& emit) const {
+    const auto& vertices = s.hull->vertices;
+    const Vec3d up = transposed_times(R, n);
+    std::size_t lowest = 0;
+    for (std::size_t i = 1; i < vertices.size(); ++i) {
+      if (dot(up, vertices[i]) < dot(up, vertices[lowest])) lowest = i;
+    }
+    emit(static_cast<std::uint32_t>(lowest), center + R * vertices[lowest], 0.0);
+  }
+};
+
+/// How many different features LowPoints gives the shape.
+[[nodiscard]] inline std::uint32_t low_point_features(const Shape& shape) {
+  const auto* convex = std::get_if<Convex>(&shape);
+  return convex ? std::max<std::uint32_t>(8, static_cast<std::uint32_t>(convex->hull->vertices.size())) : 8;
+}
+
+}  // namespace murosimf::geometry

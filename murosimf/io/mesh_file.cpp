@@ -1,0 +1,71 @@
+#include "murosimf/io/mesh_file.h"
+
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "murosimf/io/mesh_limits.h"
+#include "murosimf/io/obj_file.h"
+#include "murosimf/io/stl_file.h"
+#include "murosimf/io/xml_element.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, std::string_view message) {
+  throw SetupError(one_line(fmt::format("{}: {}", path.string(), message)));
+}
+
+/// Size of a regular file that is not empty [byte].
+std::size_t checked_size(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) fail(path, "there is no such mesh file");
+  if (std::filesystem::is_directory(status)) fail(path, "this is a folder, not a mesh file");
+  if (!std::filesystem::is_regular_file(status)) fail(path, "this is no ordinary file");
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) fail(path, "the file cannot be read");
+  if (size == 0) fail(path, "the mesh file is empty");
+  return size;
+}
+
+MeshFile read_any(const std::filesystem::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  if (extension != ".stl" && extension != ".obj") {
+    fail(path, fmt::format("unknown kind of mesh file '{}'; convert it to .stl or .obj", extension));
+  }
+  const std::size_t size = checked_size(path);
+  return extension == ".stl" ? read_stl(path, size) : read_obj(path);
+}
+
+/// Makes every part begin with a triangle, the first one at the first.
+void tidy_parts(MeshFile& file) {
+  auto& begin = file.part_begin;
+  if (!begin.empty() && begin.back() == file.mesh.triangles.size()) begin.pop_back();
+  if (begin.empty() || begin.front() != 0) begin.insert(begin.begin(), 0);
+}
+
+}  // namespace
+
+MeshFile read_mesh_file(const std::filesystem::path& path) {
+  MeshFile file = read_any(path);
+  if (file.mesh.triangles.empty()) fail(path, "there are no triangles in the file");
+  tidy_parts(file);
+  geometry::merge_vertices(file.mesh);
+  return file;
+}
+
+std::vector<geometry::TriangleMesh> split_parts(const MeshFile& file) {
+  std::vector<geometry::TriangleMesh> parts;
+  const auto& triangles = file.mesh.triangles;
+  for (std::size_t i = 0; i < file.part_begin.size(); ++i) {
+    const std::size_t end = i + 1 < file.part_begin.size() ? file.part_begin[i + 1] : triangles.size();
+    const auto at = [&](std::size_t index) { return triangles.begin() + static_cast<std::ptrdiff_t>(index); };
+    parts.push_back({file.mesh.vertices, {at(file.part_begin[i]), at(end)}});
+    geometry::merge_vertices(parts.back());
+  }
+  return parts;
+}
+
+}  // namespace murosimf::io

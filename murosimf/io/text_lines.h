@@ -1,0 +1,40 @@
+/// text_lines.h - a text file line by line, in bounded memory, with words and numbers that know where they stand.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+namespace murosimf::io {
+
+class TextLines {
+ public:
+  /// `backslash_joins`: a line that ends with a backslash goes on in the next one.
+  explicit TextLines(const std::filesystem::path& file, bool backslash_joins = false);
+
+  /// Goes to the next line; false at the end of the file. Throws SetupError for a line of more than 65,535 characters,
+  /// which no text file has.
+  bool next();
+  /// The next word of this line, valid until the next call; empty at its end.
+  std::string_view word();
+  /// The next word as a number. Throws SetupError if it is missing, no number or not finite; `what`: "vertex", ...
+  [[nodiscard]] double number(std::string_view what);
+
+  /// Throws SetupError: file:line: message.
+  [[noreturn]] void fail(std::string_view message) const;
+
+ private:
+  std::array<char, 1 << 16> buffer_{};
+  std::string name_;
+  std::ifstream stream_;
+  std::string_view rest_;
+  std::size_t line_ = 0;
+  bool backslash_joins_, goes_on_ = false;
+};
+
+/// A word for a message: in quotes, at most 40 characters.
+[[nodiscard]] std::string quoted(std::string_view word);
+
+}  // namespace murosimf::io

@@ -1,0 +1,274 @@
+#include "murosimf/collision/compound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <set>
+
+#include "murosimf/collision/ground_points.h"
+#include "murosimf/collision/robot_tree.h"
+#include "murosimf/io/data_path.h"
+#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/multibody/kinematics.h"
+#include "tests/geometry/volume_fixtures.h"
+
+namespace murosimf::collision {
+namespace {
+
+using fixtures::Dice;
+using fixtures::placed;
+
+const Model& kid21() {
+  static const ModelPtr model = io::read_mjcf(io::find_data_file("kid21", "models", ".xml")).model;
+  return *model;
+}
+
+Chain limb(const std::string& name, const Vec3d& at, const Vec3d& along) {
+  return Chain{}
+      .translation(at, name + "_upper")
+      .with(properties::shapes, {placed(Sphere{0.03})})
+      .revolute(name + "_joint", {0, 1, 0})
+      .translation(along, name + "_lower")
+      .with(properties::shapes, {placed(Sphere{0.03})});
+}
+
+/// The robot of the paper's Fig. 5: a body, two arms and two legs with one joint each, a head with a camera.
+Model robot_of_figure_5() {
+  const Chain head = Chain{}
+                         .translation({0, 0, 0.3}, "head")
+                         .with(properties::shapes, {placed(Sphere{0.06})})
+                         .translation({0.05, 0, 0}, "camera")
+                         .endpoint();
+  return Model("figure_5", Chain{}
+                               .base("body")
+                               .with(properties::shapes, {placed(Box{{0.05, 0.08, 0.1}})})
+                               .fork(limb("left_arm", {0, 0.2, 0.15}, {0, 0, -0.2}),
+                                     limb("right_arm", {0, -0.2, 0.15}, {0, 0, -0.2}),
+                                     limb("left_leg", {0, 0.06, -0.15}, {0, 0, -0.2}),
+                                     limb("right_leg", {0, -0.06, -0.15}, {0, 0, -0.2}), head));
+}
+
+/// The leaves below every inner node of a tree, by the names of their objects.
+std::set<std::set<std::string>> groups(const Model& model) {
+  const auto shapes = colliding_shapes(model);
+  const geometry::TreeLayout layout = robot_tree(model, shapes);
+  const int inner = static_cast<int>(layout.children.size());
+  std::set<std::set<std::string>> result;
+  const std::function<std::set<std::string>(int)> below = [&](int node) -> std::set<std::string> {
+    if (node >= inner) return {model.objects()[static_cast<std::size_t>(shapes[node - inner].object)].name};
+    std::set<std::string> both;
+    for (const int child : layout.children[node]) both.merge(below(child));
+    result.insert(both);
+    return both;
+  };
+  if (layout.leaves > 0) below(0);
+  return result;
+}
+
+// Rule (paper 5.1, Fig. 5): ten bodies make nineteen nodes; the camera and the joints are gone; each limb is a node of
+// its own and the body a leaf.
+TEST(RobotTree, OfThePapersFigure5) {
+  const Model model = robot_of_figure_5();
+  const auto shapes = colliding_shapes(model);
+  EXPECT_EQ(shapes.size(), 10u);
+  EXPECT_EQ(robot_tree(model, shapes).children.size(), 9u);
+  const auto found = groups(model);
+  EXPECT_EQ(found.size(), 9u);
+  for (const std::string limb : {"left_arm", "right_arm", "left_leg", "right_leg"}) {
+    EXPECT_TRUE(found.count({limb + "_upper", limb + "_lower"})) << limb;
+  }
+  // by radii: legs 0.19 m, body and arm 0.24 m; body and head would be 0.25 m, arm and head 0.26 m
+  EXPECT_TRUE(found.count({"left_leg_upper", "left_leg_lower", "right_leg_upper", "right_leg_lower"}));
+  EXPECT_TRUE(found.count({"body", "left_arm_upper", "left_arm_lower"}));
+}
+
+TEST(RobotTree, OfABallIsOneLeaf) {
+  const Model ball = fixtures::ball_model(0.1, 0.4);
+  const auto layout = robot_tree(ball, colliding_shapes(ball));
+  EXPECT_EQ(layout.leaves, 1);
+  EXPECT_TRUE(layout.children.empty());
+}
+
+TEST(RobotTree, OfAModelWithoutShapesIsEmpty) {
+  const Model model("bare", Chain{}.base().with(properties::mass, 1.0));
+  EXPECT_EQ(robot_tree(model, colliding_shapes(model)).leaves, 0);
+  Compound compound(model);
+  compound.refit(std::vector<Vec3d>(1), std::vector<Mat3d>(1));
+  EXPECT_EQ(compound.reach(), 0);
+}
+
+// Rule: the shapes of one body stay together, in a tree of their own.
+TEST(RobotTree, KeepsShapesOfOneBodyTogether) {
+  Chain chain;
+  chain.base("body").with(properties::shapes,
+                          {placed(Sphere{0.1}), placed(Sphere{0.1}, {1, 0, 0}), placed(Sphere{0.1}, {2, 0, 0})});
+  chain.translation({1, 0, 0.01}, "near").with(properties::shapes, {placed(Sphere{0.1})});
+  const auto found = groups(Model("brush", chain));
+  EXPECT_EQ(found, (std::set<std::set<std::string>>{{"body"}, {"body", "near"}}));
+}
+
+// Rule: no tree is deeper than traversals can go: a snake of 300 links is split like a field.
+TEST(RobotTree, OfALongSnakeIsShallow) {
+  Chain chain;
+  chain.base().with(properties::shapes, {placed(Sphere{0.1})});
+  for (int i = 0; i < 300; ++i) {
+    chain.translation({0.2, 0, 0}).revolute("j" + std::to_string(i), {0, 1, 0});
+    chain.with(properties::shapes, {placed(Sphere{0.1})});
+  }
+  const Model snake("snake", chain);
+  EXPECT_LE(robot_tree(snake, colliding_shapes(snake)).depth(), 9);
+}
+
+/// A robot in a random posture somewhere.
+struct Posed {
+  explicit Posed(const Model& model)
+      : tree(model.tree()), q(static_cast<std::size_t>(model.size())), r(q.size()), R(q.size()) {}
+  void pose(Dice& dice, double away) {
+    for (double& angle : q) angle = dice.uniform(-3, 3);
+    r[0] = dice.vector(away);
+    R[0] = dice.turn();
+    multibody::poses<double>(tree, q, r, R);
+  }
+  const Tree& tree;
+  std::vector<double> q;
+  std::vector<Vec3d> r;
+  std::vector<Mat3d> R;
+};
+
+// Law: the root holds the surface of every shape, in 10000 random postures; so does the sphere of the entity's reach.
+TEST(Compound, EnclosesItsShapes) {
+  Dice dice("enclose");
+  const Model& model = kid21();
+  const double rounding = 1e-12;
+  for (const auto volume : geometry::volume_names()) {
+    for (const bool structured : {true, false}) {
+      Compound compound(model, {std::string(volume), structured});
+      std::vector<std::vector<Vec3d>> samples;
+      for (const CollidingShape& shape : compound.shapes()) {
+        samples.push_back(fixtures::surface_samples(shape.placed.shape));
+      }
+      Posed robot(model);
+      double worst = -1, worst_reach = -1;
+      for (int i = 0; i < 1250; ++i) {
+        robot.pose(dice, 1);
+        compound.refit(robot.r, robot.R);
+        for (std::size_t k = 0; k < samples.size(); ++k) {
+          const geometry::Pose at = compound.pose(static_cast<int>(k), robot.r, robot.R);
+          for (std::size_t n = static_cast<std::size_t>(i); n < samples[k].size(); n += 1250) {
+            const Vec3d p = at.position + at.orientation * samples[k][n];
+            const double out =
+                std::visit([&](const auto& tree) { return geometry::fixtures::outside(tree.volume(0), p); },
+                           compound.tree());
+            worst = std::fmax(worst, out);
+            worst_reach = std::fmax(worst_reach, norm(p - robot.r[0]) - compound.reach());
+          }
+        }
+      }
+      EXPECT_LT(worst, rounding) << volume;
+      EXPECT_LT(worst_reach, rounding);
+    }
+  }
+}
+
+/// All pairs of shapes of two robots that the trees find.
+std::set<std::pair<int, int>> pairs(const Compound& a, const Compound& b) {
+  std::set<std::pair<int, int>> result;
+  for_pairs(a, b, [&](int i, int j) { return result.emplace(i, j).second; });
+  return result;
+}
+
+// Law: in 10000 random postures of two robots, of every pair of kinds, the tree finds the leaves that brute force
+// finds, and with them every pair of shapes that share a point of their surfaces' samples.
+TEST(Compound, TreesFindWhatBruteForceFinds) {
+  Dice dice("two robots");
+  const Model& model = kid21();
+  std::size_t found = 0;
+  for (const auto volume_a : geometry::volume_names()) {
+    for (const auto volume_b : geometry::volume_names()) {
+      Compound a(model, {std::string(volume_a), true}), b(model, {std::string(volume_b), dice.chance(0.5)});
+      Posed one(model), other(model);
+      for (int i = 0; i < 625; ++i) {
+        one.pose(dice, 0.2);
+        other.pose(dice, 0.2);
+        a.refit(one.r, one.R);
+        b.refit(other.r, other.R);
+        std::set<std::pair<int, int>> by_force;
+        std::visit(
+            [&](const auto& tree_a, const auto& tree_b) {
+              geometry::for_pairs_brute_force(tree_a, tree_b,
+                                              [&](int x, int y) { return by_force.emplace(x, y).second; });
+            },
+            a.tree(), b.tree());
+        ASSERT_EQ(pairs(a, b), by_force) << volume_a << ' ' << volume_b;
+        found += by_force.size();
+      }
+    }
+  }
+  EXPECT_GT(found, 10000u);
+}
+
+/// True if one of the points of the surface of A is in B.
+bool one_inside(const std::vector<Vec3d>& points, const geometry::Pose& at_a, const Shape& b,
+                const geometry::Pose& at_b) {
+  return std::any_of(points.begin(), points.end(), [&](const Vec3d& point) {
+    const Vec3d p = at_a.position + at_a.orientation * point;
+    return fixtures::outside(b, transposed_times(at_b.orientation, p - at_b.position)) < 0;
+  });
+}
+
+/// A few hundred points of the surface of every shape.
+std::vector<std::vector<Vec3d>> surfaces(const Compound& compound) {
+  std::vector<std::vector<Vec3d>> result;
+  for (const CollidingShape& shape : compound.shapes()) {
+    const auto all = fixtures::surface_samples(shape.placed.shape);
+    auto& some = result.emplace_back();
+    for (std::size_t i = 0; i < all.size(); i += 37) some.push_back(all[i]);
+  }
+  return result;
+}
+
+// Law: shapes that overlap are among the pairs that the tree finds.
+TEST(Compound, TreesMissNoOverlap) {
+  Dice dice("overlaps");
+  const Model& model = kid21();
+  int overlaps = 0;
+  for (const auto volume : geometry::volume_names()) {
+    Compound a(model, {std::string(volume), true}), b = a;
+    const auto samples = surfaces(a);
+    Posed one(model), other(model);
+    for (int i = 0; i < 5; ++i) {
+      one.pose(dice, 0.1);
+      other.pose(dice, 0.1);
+      a.refit(one.r, one.R);
+      b.refit(other.r, other.R);
+      const auto found = pairs(a, b);
+      for (int x = 0; x < static_cast<int>(a.shapes().size()); ++x) {
+        for (int y = 0; y < static_cast<int>(b.shapes().size()); ++y) {
+          if (!one_inside(samples[x], a.pose(x, one.r, one.R), b.shapes()[y].placed.shape,
+                          b.pose(y, other.r, other.R))) {
+            continue;
+          }
+          ++overlaps;
+          EXPECT_TRUE(found.count({x, y})) << volume << ' ' << x << ' ' << y;
+        }
+      }
+    }
+  }
+  EXPECT_GT(overlaps, 20);
+}
+
+// Rule: one list of shapes for contact with the ground and with bodies.
+TEST(Compound, HasTheShapesThatTouchTheGround) {
+  const auto ground = ground_shapes(kid21());
+  const Compound compound(kid21());
+  ASSERT_EQ(compound.shapes().size(), ground.size());
+  for (std::size_t i = 0; i < ground.size(); ++i) EXPECT_EQ(compound.shapes()[i].object, ground[i].object);
+}
+
+TEST(Compound, UnknownVolumeNamesTheNearest) {
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([] { Compound(kid21(), {"capsul", true}); }), {"'capsule'"}));
+}
+
+}  // namespace
+}  // namespace murosimf::collision
