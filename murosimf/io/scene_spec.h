@@ -34,10 +34,10 @@ struct BallSpec {
 
 /// How pictures of the bodies look at the scene.
 struct ViewSpec {
-  Vec3d center{0, 0, 0.2};    ///< [m] in the middle of the picture, if `width` is given
-  double width = 0;           ///< [m] of the picture; 0: all of the field
-  double azimuth = -pi / 3;   ///< [rad] where the eye is, counterclockwise from x
-  double elevation = pi / 7;  ///< [rad] above the ground
+  Vec3d center{0, 0, 0.2};     ///< [m] in the middle of the picture, if `width` is given
+  double width = 0;            ///< [m] of the picture; 0: all of the field
+  double azimuth = -pi / 2.4;  ///< [rad] where the eye is, counterclockwise from x
+  double elevation = pi / 7;   ///< [rad] above the ground
 };
 
 struct TeamSpec {

@@ -61,6 +61,16 @@ void draw_ground(cairo_t* canvas, const Markings& markings, const View& view) {
   cairo_restore(canvas);
 }
 
+/// The ground from its edge.
+void draw_ground_line(cairo_t* canvas, const View& view) {
+  const double height = view({}).y;
+  cairo_move_to(canvas, 0, height);
+  cairo_line_to(canvas, view.columns, height);
+  cairo_set_line_width(canvas, 2);
+  set_color(canvas, {0.2, 0.45, 0.25});
+  cairo_stroke(canvas);
+}
+
 /// Where a shape keeps the light from the ground.
 void trace_shadow(cairo_t* canvas, const std::vector<Facet>& facets, const View& view, const Vec3d& light) {
   std::vector<Vec3d> points;
@@ -181,6 +191,8 @@ std::string scene_view_png(const Markings& markings, const std::vector<ViewedSha
   if (view.toward.z > flattest) {
     if (markings.half_length > 0 && markings.half_width > 0) draw_ground(canvas.get(), markings, view);
     draw_shadows(canvas.get(), bodies, view);
+  } else {
+    draw_ground_line(canvas.get(), view);
   }
   paint(canvas.get(), draw_bodies(bodies, colors, view), view);
   draw_title(canvas.get(), view, title);

@@ -10,7 +10,7 @@ namespace murosimf::render {
 /// A flat convex polygon: corners [m] counterclockwise seen from outside.
 using Facet = std::vector<Vec3d>;
 
-/// In the shape's frame. Round shapes have 24 facets around and leave their surface by less than 1 % of their radius.
+/// In the shape's frame. Round shapes have 24 facets around and leave their surface by less than 2 % of their radius.
 /// A plane has none.
 [[nodiscard]] std::vector<Facet> shape_facets(const Shape& shape);
 

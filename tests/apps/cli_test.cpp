@@ -154,10 +154,30 @@ TEST(CliMistakes, InFiles) {
       {"mass.xml:3", "mass"});
 }
 
+TEST(Cli, WritesNumberedPicturesAndTheSameResult) {
+  const fs::path folder = scratch("pictures");
+  fs::remove_all(folder);
+  const Result plain = murosimf("run walk --duration 0.5 --json -");
+  const Result result =
+      murosimf("run walk --duration 0.5 --json - --pictures " + folder.string() + " --picture-every 0.2");
+  if (result.errors.find("cairo was missing") != std::string::npos) GTEST_SKIP() << "this build has no cairo";
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  for (const char* name : {"0000.png", "0001.png", "0002.png"}) EXPECT_EQ(read_file(folder / name).substr(1, 3), "PNG");
+  EXPECT_FALSE(fs::exists(folder / "0003.png"));
+  const auto hash = [](const Result& r) { return r.output.substr(r.output.find("state_hash"), 34); };
+  EXPECT_EQ(hash(result), hash(plain));
+  fs::remove_all(folder);
+}
+
 TEST(CliMistakes, OutputsThatCannotBeWrittenAreRefusedBeforeTheRun) {
   expect_mistake("run walk --duration 1 --json /no/such/folder/report.json",
                  {"cannot write '/no/such/folder/report.json'"});
   expect_mistake("run walk --duration 1 --picture /no/such/folder/field.png", {"/no/such/folder/field.png"});
+  expect_mistake("run walk --duration 1 --pictures /proc/no/such/folder", {"/proc/no/such/folder"});
+  expect_mistake("run walk --duration 1 --pictures /dev/null", {"/dev/null"});
+  expect_mistake("run walk --duration 1 --pictures " + scratch("pictures").string() + " --picture-every 0",
+                 {"--picture-every 0: must be at least 0.001 s"});
+  expect_mistake("run walk --duration 1 --picture-every 1", {"--pictures"});
   expect_mistake("run walk --duration 1 --json /tmp", {"cannot write '/tmp'"});
 }
 

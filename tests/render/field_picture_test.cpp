@@ -9,18 +9,16 @@ TEST(FieldPicture, IsWritten) { GTEST_SKIP() << "this build has no cairo"; }
 
 #else
 
-#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <limits>
-#include <memory>
 
-#include <cairo/cairo.h>
 #include <unistd.h>
 
 #include "murosimf/io/field.h"
 #include "murosimf/io/output_file.h"
 #include "murosimf/model/error.h"
+#include "tests/render/picture.h"
 
 namespace murosimf::render {
 namespace {
@@ -28,38 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr Color red{0.85, 0.15, 0.15}, blue{0.15, 0.4, 0.85}, orange{1, 0.5, 0};
-
-/// A picture read back; colors 0..255.
-class Picture {
- public:
-  Picture(const fs::path& file, double scale)
-      : surface_(cairo_image_surface_create_from_png(file.c_str()), cairo_surface_destroy), scale_(scale) {}
-
-  [[nodiscard]] int columns() const { return cairo_image_surface_get_width(surface_.get()); }
-  [[nodiscard]] int rows() const { return cairo_image_surface_get_height(surface_.get()); }
-
-  /// At a place on the ground [m].
-  [[nodiscard]] Color at(double x, double y) const {
-    return pixel(static_cast<int>(columns() / 2.0 + x * scale_), static_cast<int>(rows() / 2.0 - y * scale_));
-  }
-  [[nodiscard]] Color pixel(int column, int row) const {
-    const unsigned char* data = cairo_image_surface_get_data(surface_.get());
-    const int stride = cairo_image_surface_get_stride(surface_.get());
-    const auto* line = reinterpret_cast<const std::uint32_t*>(data + row * stride);
-    const std::uint32_t value = line[column];
-    const auto channel = [value](int shift) { return static_cast<double>((value >> shift) & 0xff); };
-    return {channel(16), channel(8), channel(0)};
-  }
-
- private:
-  std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
-  double scale_;
-};
-
-bool is_white(const Color& c) { return c.red > 230 && c.green > 230 && c.blue > 230; }
-bool is_green(const Color& c) { return c.green > 1.5 * c.red && c.green > 1.5 * c.blue; }
-bool is_reddish(const Color& c) { return c.red > 1.5 * c.green && c.red > 1.5 * c.blue; }
-bool is_bluish(const Color& c) { return c.blue > 1.3 * c.green && c.blue > 1.5 * c.red; }
 
 class FieldPicture : public testing::Test {
  protected:
