@@ -47,8 +47,7 @@ bool find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d&
 
 double lowest_point(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane) {
   double lowest = std::numeric_limits<double>::infinity();
-  const geometry::LowPoints points{r + R * shape.placed.position, R * shape.placed.orientation, plane.normal,
-                                   plane.height};
+  const geometry::LowPoints points{r + R * shape.placed.position, R * shape.placed.orientation, plane.normal};
   const auto emit = [&](std::uint32_t, const Vec3d& point, double) {
     lowest = std::min(lowest, dot(plane.normal, point) - plane.height);
   };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 #include "murosimf/geometry/spread.h"
 #include "murosimf/model/shape.h"
@@ -10,12 +11,14 @@
 namespace murosimf::geometry {
 
 /// Calls `emit(feature, point, radius)` for each point of the shape that may be the lowest; world frame. The lowest point
-/// of the shape is always among them. Features rise from point to point. `radius` [m]: of the surface that rolls there.
+/// of the shape is always among them; of a polyhedron with more than eight vertices below the plane only one about as deep
+/// (spread.h). Features rise from point to point. `radius` [m]: of the surface that rolls there.
 struct LowPoints {
-  Vec3d center;       ///< [m] of the shape, world frame
-  Mat3d R;            ///< shape axes to world axes
-  Vec3d n;            ///< [1] the plane's normal
-  double height = 0;  ///< [m] of the plane: n . x of its points. Only polyhedra of more than eight vertices ask for it
+  Vec3d center;  ///< [m] of the shape, world frame
+  Mat3d R;       ///< shape axes to world axes
+  Vec3d n;       ///< [1] the plane's normal
+  /// [m] of the plane: n . x of its points. Only polyhedra ask for it; at minus infinity they have only the lowest.
+  double height = -std::numeric_limits<double>::infinity();
 
   template <class Emit>
   void operator()(const Sphere& s, const Emit& emit) const {
@@ -60,7 +63,7 @@ struct LowPoints {
   }
   template <class Emit>
   void operator()(const Plane&, const Emit&) const {}
-  /// Of a polyhedron the lowest vertex and up to seven others that are below the plane.
+  /// Of a polyhedron up to eight vertices that are below the plane, or the lowest if none is.
   template <class Emit>
   void operator()(const Convex& s, const Emit& emit) const {
     const auto& vertices = s.hull->vertices;

@@ -3,6 +3,7 @@
 #include "murosimf/geometry/low_points.h"
 #include "murosimf/geometry/pair_tests.h"
 #include "murosimf/geometry/sphere_contact.h"
+#include "murosimf/geometry/support.h"
 
 namespace murosimf::geometry {
 
@@ -29,6 +30,10 @@ bool collide_with_plane(const Shape& a, const Pose& at_a, const Pose& at_b, Mani
   };
   const LowPoints points{at_a.position, at_a.orientation, n, height};
   std::visit([&](const auto& shape) { points(shape, emit); }, a);
+  if (found.count == Manifold::most_points && std::holds_alternative<Convex>(a)) {
+    const Vec3d lowest = support(a, transposed_times(at_a.orientation, -n));
+    finish({n, height - dot(n, at_a.position + at_a.orientation * lowest)}, found);
+  }
   return any;
 }
 

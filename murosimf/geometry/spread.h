@@ -17,6 +17,10 @@ struct Chosen {
 
 namespace detail {
 
+constexpr double clearly_farther = 1.1;  // else the first one: regular polygons are full of ties
+/// Limits below which a deeper point does not count: of its depth, and of the width of all points.
+constexpr double clearly_deeper = 0.05, clearly_leaning = 1e-3;
+
 /// The point of positive depth that is farthest from all chosen ones; -1 if none is left.
 template <class PointAt, class DepthAt>
 int farthest(int count, const PointAt& point, const DepthAt& depth, const Chosen& chosen) {
@@ -29,7 +33,7 @@ int farthest(int count, const PointAt& point, const DepthAt& depth, const Chosen
       const Vec3d way = point(i) - point(chosen.index[k]);
       square = std::min(square, dot(way, way));
     }
-    if (square > best_square) {
+    if (square > clearly_farther * best_square) {
       best_square = square;
       best = i;
     }
@@ -40,8 +44,9 @@ int farthest(int count, const PointAt& point, const DepthAt& depth, const Chosen
 }  // namespace detail
 
 /// Up to eight of the points 0 .. count-1 whose depth is positive: all, if there are no more; else one, the farthest from
-/// it, the farthest from both, and so on, and the deepest in any case. Begins with the first and not with the deepest:
-/// on a flat side, where all are about equally deep, the choice must not depend on how the body rocks.
+/// it, the farthest from both, and so on; and the deepest, unless one of these is about as deep. It begins with the first
+/// and not with the deepest: on a flat side, where all are about equally deep, the choice must not depend on how the body
+/// rocks.
 template <class PointAt, class DepthAt>
 Chosen choose_spread(int count, const PointAt& point, const DepthAt& depth) {
   Chosen chosen;
@@ -60,7 +65,12 @@ Chosen choose_spread(int count, const PointAt& point, const DepthAt& depth) {
     chosen.index[chosen.count] = next;
   }
   const auto end = chosen.index.begin() + chosen.count;
-  if (std::find(chosen.index.begin(), end, deepest) == end) chosen.index[chosen.count - 1] = deepest;
+  const auto shallower = [&](int i, int k) { return depth(i) < depth(k); };
+  const int deepest_chosen = *std::max_element(chosen.index.begin(), end, shallower);
+  const double width = norm(point(chosen.index[std::min(1, chosen.count - 1)]) - point(chosen.index[0]));
+  const double missing = depth(deepest) - depth(deepest_chosen);
+  if (missing > std::min(detail::clearly_deeper * depth(deepest), detail::clearly_leaning * width))
+    chosen.index[chosen.count - 1] = deepest;
   std::sort(chosen.index.begin(), end);
   return chosen;
 }

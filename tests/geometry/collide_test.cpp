@@ -30,7 +30,7 @@ void for_pairs(const char* name, int poses, const Visit& visit) {
       if (std::holds_alternative<Plane>(a) && std::holds_alternative<Plane>(b)) continue;
       Dice dice(pair_name(a, b) + name);
       for (int i = 0; i < poses; ++i) {
-        const Pose at_a = random_pose(dice, 0.1), at_b = random_pose(dice, 0.1);
+        const Pose at_a = random_pose(dice, 0.14), at_b = random_pose(dice, 0.14);
         visit(a, at_a, b, at_b);
       }
     }
