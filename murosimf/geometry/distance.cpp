@@ -49,7 +49,8 @@ CoreGap gap_of_axes(const Capsule& a, const Pose& at_a, const Capsule& b, const 
   const Segment u{at_a.position, a.half_length * at_a.orientation.z};
   const Segment v{at_b.position, b.half_length * at_b.orientation.z};
   const auto [s, t] = closest_places(u, v);
-  return {u.at(s), v.at(t), norm(u.at(s) - v.at(t))};
+  const Vec3d way = u.at(s) - v.at(t);
+  return {u.at(s), v.at(t), way, norm(way)};
 }
 
 }  // namespace

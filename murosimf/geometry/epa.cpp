@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "murosimf/geometry/descent.h"
+
 namespace murosimf::geometry {
 namespace {
 
@@ -114,24 +116,51 @@ class Polyhedron {
   std::array<std::array<int, 2>, most_faces> edges_;
 };
 
+bool is_curved(const Body& body) {
+  return std::holds_alternative<Cylinder>(body.shape()) || std::holds_alternative<Ellipsoid>(body.shape());
+}
+
+/// The least shift so far.
+struct Least {
+  Deepest deepest;
+  bool settled = false;  // at a local minimum, and with its points
+};
+
+/// Takes a direction in, if it is better. For curved bodies the local minimum below it, once the polyhedron is no longer
+/// coarse: with its surface point as a vertex, the faces around lie about as high, and need not be made finer.
+void take(const Descent& descent, const Face& face, double shift, double coarse, Polyhedron& polyhedron, Least& least) {
+  Parting& parting = least.deepest.parting;
+  if (!(shift < parting.depth)) return;
+  if (shift - face.height > coarse) {
+    parting = {face.normal, shift};
+    least.settled = false;
+    return;
+  }
+  const Deepest here = descent.from(face.normal);
+  if (!(here.parting.depth < parting.depth)) return;
+  least = {here, true};
+  (void)polyhedron.grow(polyhedron.support(here.parting.normal));
+}
+
 }  // namespace
 
-Vec3d parting_direction(const Body& a, const Body& b, double size, double tolerance) {
+Deepest deepest_of_cores(const Body& a, const Body& b, double size) {
+  const Descent descent(a, b, size);
+  const double tolerance = 1e-5 * size;
+  const double coarse = is_curved(a) || is_curved(b) ? 0.02 * size : -1;
   Polyhedron polyhedron(a, b, size);
   polyhedron.start();
-  Vec3d best{0, 0, 1};
-  double least = std::numeric_limits<double>::infinity();
+  Least least;
+  least.deepest.parting = {{0, 0, 1}, std::numeric_limits<double>::infinity()};
+  const double& depth = least.deepest.parting.depth;
   while (true) {
     const Face face = polyhedron.face(polyhedron.lowest());
-    if (!(least - face.height > tolerance)) return best;
+    if (!(depth - face.height > tolerance)) break;
     const Vec3d vertex = polyhedron.support(face.normal);
-    const double shift = dot(vertex, face.normal);
-    if (shift < least) {
-      least = shift;
-      best = face.normal;
-    }
-    if (!(least - face.height > tolerance) || !polyhedron.grow(vertex)) return best;
+    take(descent, face, dot(vertex, face.normal), coarse, polyhedron, least);
+    if (!(depth - face.height > tolerance) || !polyhedron.grow(vertex)) break;
   }
+  return least.settled ? least.deepest : descent.from(least.deepest.parting.normal);
 }
 
 }  // namespace murosimf::geometry

@@ -13,10 +13,11 @@ namespace murosimf::geometry {
 /// Closest points of two cores; world frame.
 struct CoreGap {
   Vec3d on_a, on_b;     ///< [m]
+  Vec3d way;            ///< [m] from the one on B to that on A
   double distance = 0;  ///< [m]; zero if the cores overlap, and then the points have no meaning
 
   /// Unit, from B to A; only if the distance is not zero.
-  [[nodiscard]] Vec3d direction() const { return (1 / distance) * (on_a - on_b); }
+  [[nodiscard]] Vec3d direction() const { return (1 / distance) * way; }
 };
 
 /// Gap between the core of A, moved by `shift` [m], and that of B. `guess`: about from B to A, any length but zero. A gap
