@@ -32,6 +32,13 @@ struct CheckOptions {
 
 int check(const CheckOptions& options);
 
+struct BenchOptions {
+  std::string json;  ///< file, "-" for standard output
+};
+
+/// Collision detection: tests and time per step.
+int bench(const BenchOptions& options);
+
 /// `what`: levels, contacts, body_contacts, integrators, servo_laws, controllers, sensors, properties.
 int list(const std::string& what);
 

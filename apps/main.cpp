@@ -52,6 +52,13 @@ void add_check(CLI::App& app, CheckOptions& options, int& exit_code) {
   check_command->callback([&] { exit_code = check(options); });
 }
 
+void add_bench(CLI::App& app, BenchOptions& options, std::string& what, int& exit_code) {
+  CLI::App* bench_command = app.add_subcommand("bench", "Measure what a part of the simulation costs");
+  bench_command->add_option("what", what, "collision")->required()->check(CLI::IsMember({"collision"}));
+  bench_command->add_option("--json", options.json, "Write JSON to this file, or to standard output with '-'");
+  bench_command->callback([&] { exit_code = bench(options); });
+}
+
 void add_list(CLI::App& app, std::string& what, int& exit_code) {
   CLI::App* list_command = app.add_subcommand("list", "List the names that there are");
   list_command
@@ -65,7 +72,7 @@ void add_list(CLI::App& app, std::string& what, int& exit_code) {
 
 /// The parser would only say that a command is required.
 void refuse_unknown_command(int argc, char** argv) {
-  const std::vector<std::string_view> commands{"run", "check", "list"};
+  const std::vector<std::string_view> commands{"run", "check", "list", "bench"};
   if (argc < 2 || argv[1][0] == '-') return;
   if (std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     throw murosimf::SetupError(murosimf::unknown_name("command", argv[1], commands));
@@ -80,11 +87,13 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", MUROSIMF_VERSION);
   RunOptions run_options;
   CheckOptions check_options;
-  std::string what;
+  BenchOptions bench_options;
+  std::string what, what_to_bench;
   int exit_code = 0;
   add_run(app, run_options, exit_code);
   add_check(app, check_options, exit_code);
   add_list(app, what, exit_code);
+  add_bench(app, bench_options, what_to_bench, exit_code);
   try {
     refuse_unknown_command(argc, argv);
     app.parse(argc, argv);

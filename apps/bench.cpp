@@ -1,0 +1,101 @@
+// `murosimf bench collision`: what collision detection tests and costs, in the paper's scene, on a full field, in a heap.
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "apps/collision_probe.h"
+#include "apps/commands.h"
+#include "apps/standard_output.h"
+#include "murosimf/io/collision_report.h"
+#include "murosimf/io/output_file.h"
+#include "murosimf/io/scene.h"
+
+namespace murosimf::app {
+namespace {
+
+/// A scene to measure, and when: [s] of simulated time.
+struct Case {
+  std::string scene;
+  double from, until;
+};
+
+double median(std::vector<double> numbers) {
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
+io::CollisionReport summed_up(const std::vector<CollisionProbe::Sample>& samples, std::int64_t naive) {
+  io::CollisionReport report;
+  report.steps = static_cast<std::int64_t>(samples.size());
+  report.naive_tests = naive;
+  std::vector<double> times;
+  for (const CollisionProbe::Sample& sample : samples) {
+    const double share = static_cast<double>(sample.volumes + sample.objects) / static_cast<double>(naive);
+    report.mean_volume_tests += static_cast<double>(sample.volumes);
+    report.mean_object_tests += static_cast<double>(sample.objects);
+    report.mean_contacts += static_cast<double>(sample.contacts);
+    report.worst_share = std::max(report.worst_share, share);
+    ++report.histogram[std::min(io::CollisionReport::bins - 1, static_cast<int>(share * io::CollisionReport::bins))];
+    times.push_back(sample.us);
+  }
+  for (double* sum : {&report.mean_volume_tests, &report.mean_object_tests, &report.mean_contacts}) {
+    *sum /= static_cast<double>(samples.size());
+  }
+  report.detection_us = median(times);
+  return report;
+}
+
+std::vector<Entity*> movers_of(World& world, const Entity& environment) {
+  std::vector<Entity*> movers;
+  for (const auto& entity : world.entities()) {
+    if (entity.get() != &environment) movers.push_back(entity.get());
+  }
+  return movers;
+}
+
+/// Time of the same scene without the probe [us per step].
+double step_us(const Case& measured) {
+  io::Scene scene(measured.scene);
+  Simulation& simulation = scene.simulation();
+  simulation.run(from_seconds(measured.from));
+  const auto start = std::chrono::steady_clock::now();
+  simulation.run(from_seconds(measured.until - measured.from));
+  const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
+  return time.count() / ((measured.until - measured.from) * scene.spec().rate);
+}
+
+io::CollisionReport measure(const Case& measured) {
+  io::Scene scene(measured.scene);
+  Simulation& simulation = scene.simulation();
+  Entity& field = simulation.world().entity("field");
+  const auto& probe = simulation.attach<CollisionProbe>("collision_probe", field, scene.spec().rate,
+                                                        movers_of(simulation.world(), field), scene.spec().materials);
+  simulation.run(from_seconds(measured.until));
+  const auto first = static_cast<std::ptrdiff_t>(measured.from * scene.spec().rate);
+  io::CollisionReport report = summed_up({probe.samples().begin() + first, probe.samples().end()}, probe.naive_tests());
+  report.scene = measured.scene;
+  report.robots = static_cast<int>(scene.spec().robots.size());
+  report.step_us = step_us(measured);
+  return report;
+}
+
+}  // namespace
+
+int bench(const BenchOptions& options) {
+  if (!options.json.empty() && options.json != "-") io::check_writable(options.json);
+  std::vector<io::CollisionReport> reports;
+  for (const Case& measured : {Case{"duel", 0, 60}, Case{"eleven_a_side", 1, 4}, Case{"heap", 4, 8}}) {
+    reports.push_back(measure(measured));
+  }
+  if (options.json == "-") {
+    write_standard_output(io::to_json(reports));
+  } else {
+    write_standard_output(io::to_text(reports));
+    if (!options.json.empty()) io::write_file(options.json, io::to_json(reports));
+  }
+  return 0;
+}
+
+}  // namespace murosimf::app

@@ -1,0 +1,42 @@
+/// collision_probe.h - algorithm: counts and times what collision detection does for the present poses of a scene.
+///
+/// It finds all contacts once more, with trees and working memory of its own, and changes nothing.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "murosimf/collision/ground_finder.h"
+#include "murosimf/collision/pair_finder.h"
+#include "murosimf/model/algorithm.h"
+
+namespace murosimf::app {
+
+class CollisionProbe final : public Algorithm {
+ public:
+  struct Sample {
+    std::int64_t volumes = 0, objects = 0;  ///< tests
+    std::size_t contacts = 0;
+    double us = 0;  ///< all transforms and tests
+  };
+
+  /// `setup` is that of the environment.
+  CollisionProbe(Setup& setup, const std::vector<Entity*>& movers, const MaterialTable& materials);
+
+  void step(const Instant& instant) noexcept override;
+
+  [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+  /// Tests without any bounding volumes: every shape against every one of others, of the environment, and planes.
+  [[nodiscard]] std::int64_t naive_tests() const { return naive_; }
+
+ private:
+  std::vector<collision::Mover> movers_;
+  std::vector<collision::GroundFinder> ground_finders_;
+  collision::PairFinder pair_finder_;
+  collision::PairSet pairs_;
+  std::vector<collision::ContactPoint> points_;
+  std::int64_t naive_ = 0;
+  std::vector<Sample> samples_;
+};
+
+}  // namespace murosimf::app

@@ -1,0 +1,37 @@
+/// collision_report.h - what collision detection costs in a scene: tests per step, and time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace murosimf::io {
+
+struct CollisionReport {
+  static constexpr int bins = 20;
+
+  std::string scene;
+  int robots = 0;
+  std::int64_t steps = 0;
+  std::int64_t naive_tests = 0;  ///< of every shape against every other, and against field and ground
+  double mean_volume_tests = 0, mean_object_tests = 0;
+  double worst_share = 0;                      ///< of the naive tests, in a step
+  std::array<std::int64_t, bins> histogram{};  ///< steps by their share of the naive tests, in bins of 5 %
+  double mean_contacts = 0;                    ///< points
+  double detection_us = 0;                     ///< a step: all transforms and tests, median
+  double step_us = 0;                          ///< the whole simulation, mean
+
+  [[nodiscard]] double mean_share() const {
+    return (mean_volume_tests + mean_object_tests) / static_cast<double>(naive_tests);
+  }
+};
+
+/// A table, and a histogram of the first report.
+[[nodiscard]] std::string to_text(const std::vector<CollisionReport>& reports);
+
+/// One JSON object: scenes [{scene, robots, steps, naive_tests, mean_volume_tests, mean_object_tests, mean_share,
+/// worst_share, histogram [], mean_contacts, detection_us, step_us}].
+[[nodiscard]] std::string to_json(const std::vector<CollisionReport>& reports);
+
+}  // namespace murosimf::io
