@@ -28,18 +28,18 @@ std::string histogram_text(const CollisionReport& report) {
 toml::table table_of(const CollisionReport& report) {
   toml::array histogram;
   for (const std::int64_t steps : report.histogram) histogram.push_back(steps);
-  return {{"scene", report.scene},
-          {"robots", report.robots},
-          {"steps", report.steps},
-          {"naive_tests", report.naive_tests},
-          {"mean_volume_tests", report.mean_volume_tests},
-          {"mean_object_tests", report.mean_object_tests},
-          {"mean_share", report.mean_share()},
-          {"worst_share", report.worst_share},
-          {"histogram", std::move(histogram)},
-          {"mean_contacts", report.mean_contacts},
-          {"detection_us", report.detection_us},
-          {"step_us", report.step_us}};
+  return toml::table{{"scene", report.scene},
+                     {"robots", report.robots},
+                     {"steps", report.steps},
+                     {"naive_tests", report.naive_tests},
+                     {"mean_volume_tests", report.mean_volume_tests},
+                     {"mean_object_tests", report.mean_object_tests},
+                     {"mean_share", report.mean_share()},
+                     {"worst_share", report.worst_share},
+                     {"histogram", std::move(histogram)},
+                     {"mean_contacts", report.mean_contacts},
+                     {"detection_us", report.detection_us},
+                     {"step_us", report.step_us}};
 }
 
 }  // namespace
