@@ -53,7 +53,7 @@ void BodyContact::step(const Instant& instant) noexcept {
   const double dt = seconds(instant.period);
   for (Mover& mover : movers_) mover.start_step();
   finder_.find(movers_, set_);
-  keep_apart(movers_, environment_, set_.tests);
+  keep_apart(movers_, environment_, set_);
   switch (options_.law) {
     case PairLaw::carry: return push_by_carry(movers_, set_, dt);
     case PairLaw::kelvin_voigt:

@@ -21,6 +21,7 @@ struct PairContact : ContactPoint {
 struct PairSet {
   std::vector<PairContact> points;            ///< sorted by shapes, then by feature
   std::vector<ContactParameters> parameters;  ///< by Contact::surface
+  std::vector<PairContact> blocked;           ///< between two that cannot be pushed: no force (keep_apart.h)
   std::vector<PairContact> previous;          ///< of the step before; working memory
   TestCounts tests;                           ///< of this step
 };

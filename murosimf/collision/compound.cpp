@@ -14,7 +14,7 @@ geometry::AnyTree make_tree(const Model& model, std::span<const CollidingShape> 
   }
   const auto layout =
       options.structured ? robot_tree(model, shapes) : geometry::split_top_down(rest_spheres(model, shapes));
-  return geometry::make_tree(options.volume, parts, layout);
+  return geometry::make_tree(options.volume, parts, layout, options.margin);
 }
 
 }  // namespace
@@ -22,6 +22,10 @@ geometry::AnyTree make_tree(const Model& model, std::span<const CollidingShape> 
 Compound::Compound(const Model& model, const CompoundOptions& options, const ShapesTouch& touch)
     : shapes_(colliding_shapes(model)), tree_(make_tree(model, shapes_, options)), reach_(farthest_reach(model)) {
   if (options.inner) inner_pairs_ = InnerPairs(model, shapes_, options.excluded, touch);
+}
+
+bool Compound::still_fits(std::span<const Vec3d> r, std::span<const Mat3d> R) const noexcept {
+  return std::visit([&](const auto& tree) { return tree.still_fits(r, R); }, tree_);
 }
 
 void Compound::refit(std::span<const Vec3d> r, std::span<const Mat3d> R) noexcept {

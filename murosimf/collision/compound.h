@@ -14,6 +14,7 @@ namespace murosimf::collision {
 
 struct CompoundOptions {
   std::string volume = "sphere";       ///< kind of bounding volume: one of geometry::volume_names()
+  double margin = 0;                   ///< [m] of the volumes: they stay right while nothing moves farther
   bool structured = true;              ///< the tree follows the robot's own; false: split top-down (the field)
   bool inner = false;                  ///< shapes of this entity can touch each other
   std::vector<ExcludedPair> excluded;  ///< but for these
@@ -36,6 +37,8 @@ class Compound {
   /// About the root of the tree: a cheap first test whatever the kind of volume.
   [[nodiscard]] const geometry::BoundingSphere& around() const { return around_; }
 
+  /// False if some shape has moved by more than the margin since the volumes were worked out.
+  [[nodiscard]] bool still_fits(std::span<const Vec3d> r, std::span<const Mat3d> R) const noexcept;
   /// Works out all volumes; r [m], R: poses of the entity's objects, world frame.
   void refit(std::span<const Vec3d> r, std::span<const Mat3d> R) noexcept;
   /// Where shape i is in the world.

@@ -10,77 +10,58 @@ namespace {
 
 constexpr double longest_way = 1e-3;  // [m] in one step
 
-/// The deepest overlap that has been seen.
-class Deepest {
- public:
-  void see(const Shape& a, const geometry::Pose& at_a, const Shape& b, const geometry::Pose& at_b) noexcept {
-    geometry::Manifold found;
-    if (!geometry::collide(a, at_a, b, at_b, found)) return;
-    for (int k = 0; k < found.count; ++k) {
-      if (found.points[k].depth > depth_) {
-        depth_ = found.points[k].depth;
-        normal_ = found.normal;
-      }
-    }
-  }
-
-  /// Way [m] along the ground that takes A out of B; one on top of the other is not helped.
-  [[nodiscard]] Vec3d way_out() const noexcept {
-    const double across = std::hypot(normal_.x, normal_.y);
-    if (across < 1e-3) return {};
-    return (depth_ / across) * Vec3d{normal_.x, normal_.y, 0};
-  }
-
- private:
-  double depth_ = 0;
-  Vec3d normal_;
-};
+/// Way [m] along the ground that takes A out of B; one on top of the other is not helped.
+Vec3d way_out(const Vec3d& normal, double depth) {
+  const double across = std::sqrt(normal.x * normal.x + normal.y * normal.y);
+  if (across < 1e-3) return {};
+  return (depth / across) * Vec3d{normal.x, normal.y, 0};
+}
 
 Vec3d part_of(double share, const Vec3d& way) {
   const double length = share * norm(way);
   return length > longest_way ? (share * longest_way / length) * way : share * way;
 }
 
-void part(Mover& a, Mover& b, TestCounts& tests) noexcept {
-  ++tests.volumes;
-  if (!a.is_near(b)) return;
-  a.refit();
-  b.refit();
-  Deepest deepest;
-  tests.volumes += for_pairs(a.compound, b.compound, [&](int i, int j) {
-    ++tests.objects;
-    deepest.see(a.compound.shapes()[i].placed.shape, a.pose(i), b.compound.shapes()[j].placed.shape, b.pose(j));
-    return true;
-  });
-  const Vec3d half = part_of(0.5, deepest.way_out());
-  a.separation[0] += half;
-  b.separation[0] -= half;
+/// Half of the way out for either, by the deepest of the points from `first` on that belong to the same two.
+std::size_t part(std::vector<Mover>& movers, const std::vector<PairContact>& points, std::size_t first) noexcept {
+  std::size_t deepest = first, i = first;
+  for (; i < points.size() && points[i].a == points[first].a && points[i].b == points[first].b; ++i) {
+    if (points[i].depth > points[deepest].depth) deepest = i;
+  }
+  const PairContact& c = points[deepest];
+  const Vec3d half = part_of(0.5, way_out(c.normal, c.depth));
+  movers[c.a].separation[0] += half;
+  movers[c.b].separation[0] -= half;
+  return i;
 }
 
 void leave(Mover& mover, const StaticCompound& environment, TestCounts& tests) noexcept {
   if (!environment.is_near(mover.r[0], mover.compound.reach(), tests.volumes)) return;
   mover.refit();
-  Deepest deepest;
+  geometry::Manifold found;
+  geometry::ManifoldPoint deepest;
+  Vec3d normal;
   tests.volumes += for_pairs(mover.compound, environment.compound(), [&](int i, int j) {
     ++tests.objects;
-    const CollidingShape &own = mover.compound.shapes()[i], &other = environment.shape(j);
-    deepest.see(own.placed.shape, mover.pose(i), other.placed.shape, environment.pose(j));
+    const Shape &own = mover.compound.shapes()[i].placed.shape, &other = environment.shape(j).placed.shape;
+    if (!geometry::collide(own, mover.pose(i), other, environment.pose(j), found)) return true;
+    for (int k = 0; k < found.count; ++k) {
+      if (found.points[k].depth <= deepest.depth) continue;
+      deepest = found.points[k];
+      normal = found.normal;
+    }
     return true;
   });
-  mover.separation[0] += part_of(1, deepest.way_out());
+  mover.separation[0] += part_of(1, way_out(normal, deepest.depth));
 }
 
 }  // namespace
 
-void keep_apart(std::vector<Mover>& movers, const StaticCompound& environment, TestCounts& tests) noexcept {
-  const auto stands_fast = [](const Mover& mover) { return !mover.can_be_pushed() && !mover.entity->frozen(); };
+void keep_apart(std::vector<Mover>& movers, const StaticCompound& environment, PairSet& set) noexcept {
   for (Mover& mover : movers) mover.separation[0] = {};
-  for (std::size_t a = 0; a < movers.size(); ++a) {
-    if (!stands_fast(movers[a])) continue;
-    for (std::size_t b = a + 1; b < movers.size(); ++b) {
-      if (stands_fast(movers[b])) part(movers[a], movers[b], tests);
-    }
-    leave(movers[a], environment, tests);
+  for (std::size_t i = 0; i < set.blocked.size();) i = part(movers, set.blocked, i);
+  for (Mover& mover : movers) {
+    if (!mover.can_be_pushed() && !mover.entity->frozen()) leave(mover, environment, set.tests);
   }
 }
 

@@ -12,7 +12,7 @@
 
 namespace murosimf::collision {
 
-/// Renews the `separation` of all movers.
-void keep_apart(std::vector<Mover>& movers, const StaticCompound& environment, TestCounts& tests) noexcept;
+/// Renews the `separation` of all movers, by set.blocked and the environment; counts its tests in set.tests.
+void keep_apart(std::vector<Mover>& movers, const StaticCompound& environment, PairSet& set) noexcept;
 
 }  // namespace murosimf::collision

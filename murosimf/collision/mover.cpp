@@ -10,6 +10,9 @@ namespace murosimf::collision {
 
 namespace {
 
+// [m] A tree then lasts for some steps, and so do the pairs of shapes that it found near each other.
+constexpr double margin = 0.008;
+
 bool shapes_touch(const Shape& a, const geometry::Pose& at_a, const Shape& b, const geometry::Pose& at_b) {
   geometry::Manifold found;
   return geometry::collide(a, at_a, b, at_b, found);
@@ -17,7 +20,7 @@ bool shapes_touch(const Shape& a, const geometry::Pose& at_a, const Shape& b, co
 
 CompoundOptions compound_options(const Entity& entity) {
   const CollisionOptions& options = entity.options().collision;
-  return {.volume = options.volume, .inner = options.self_collision, .excluded = options.never};
+  return {.volume = options.volume, .margin = margin, .inner = options.self_collision, .excluded = options.never};
 }
 
 }  // namespace
@@ -36,6 +39,7 @@ Mover::Mover(Setup setup)
       ledger(setup.write(properties::absorbed_impulse)),
       separation(setup.write(properties::separation)),
       contacts(setup.write(collision::contacts)[0]) {
+  poses_.resize(compound.shapes().size());
   pushed_.reserve(static_cast<std::size_t>(setup.model().size()));
   setup.claim();  // levels make their free pass for the island solver
 }
@@ -46,12 +50,23 @@ bool Mover::limbs_can_touch() const {
 }
 
 void Mover::refit() noexcept {
-  if (!refitted_) compound.refit(r, R);
+  if (refitted_) return;
   refitted_ = true;
+  if (fits_ > 0 && compound.still_fits(r, R)) return;
+  compound.refit(r, R);
+  ++fits_;
+}
+
+const geometry::Pose& Mover::pose(int shape) noexcept {
+  auto& [step, pose] = poses_[shape];
+  if (step != step_) pose = compound.pose(shape, r, R);
+  step = step_;
+  return pose;
 }
 
 void Mover::start_step() noexcept {
   refitted_ = false;
+  ++step_;
   for (const int object : pushed_) {
     interaction_force[object] = Forced{};
     if (contacts.law) continue;

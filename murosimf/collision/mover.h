@@ -18,15 +18,14 @@ struct Mover {
   [[nodiscard]] bool can_be_pushed() const { return pushable[0] != 0; }
   /// Self-collision is wanted and can move something: where joints are given, it could not.
   [[nodiscard]] bool limbs_can_touch() const;
-  /// In any posture of either.
-  [[nodiscard]] bool is_near(const Mover& other) const {
-    const Vec3d way = r[0] - other.r[0];
-    const double reach = compound.reach() + other.compound.reach();
-    return dot(way, way) < reach * reach;
-  }
-  /// Brings the tree to the present poses, unless it has been in this step.
+  /// Around it in any posture.
+  [[nodiscard]] geometry::BoundingSphere reach() const { return {r[0], compound.reach()}; }
+  /// Has the tree enclose the present poses.
   void refit() noexcept;
-  [[nodiscard]] geometry::Pose pose(int shape) const noexcept { return compound.pose(shape, r, R); }
+  /// How often the tree had to change.
+  [[nodiscard]] std::uint64_t fits() const { return fits_; }
+  /// Of a shape in the world; worked out when somebody asks, once in a step.
+  [[nodiscard]] const geometry::Pose& pose(int shape) noexcept;
   /// Velocity [m/s] of the point of a body at `arm` [m] from its origin; world axes.
   [[nodiscard]] Vec3d velocity_at(int object, const Vec3d& arm) const { return v[object] + cross(w[object], arm); }
 
@@ -52,6 +51,13 @@ struct Mover {
  private:
   std::vector<int> pushed_;  // objects with an interaction force
   bool refitted_ = false;    // in this step
+  std::uint64_t fits_ = 0;
+  std::uint64_t step_ = 0;
+  struct KnownPose {
+    std::uint64_t step = 0;  // of which
+    geometry::Pose pose;
+  };
+  std::vector<KnownPose> poses_;  // of each shape
 };
 
 }  // namespace murosimf::collision

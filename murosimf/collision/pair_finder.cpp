@@ -43,7 +43,8 @@ void remember(PairSet& set) {
 
 }  // namespace
 
-PairFinder::PairFinder(const std::vector<Mover>& movers, const MaterialTable& materials, double gravity, double dt) {
+PairFinder::PairFinder(const std::vector<Mover>& movers, const MaterialTable& materials, double gravity, double dt)
+    : neighbors_(movers.size() * movers.size()) {
   for (const Mover& mover : movers) {
     auto& kinds = kinds_of_shapes_.emplace_back();
     for (const CollidingShape& shape : mover.compound.shapes())
@@ -69,48 +70,50 @@ std::size_t PairFinder::kind_of(const Model& model, const Surface& surface) {
 void PairFinder::find(std::vector<Mover>& movers, PairSet& set) noexcept {
   set.previous.swap(set.points);
   set.points.clear();
+  set.blocked.clear();
   set.tests = {};
-  for (int a = 0; a < static_cast<int>(movers.size()); ++a) {
+  const int count = static_cast<int>(movers.size());
+  reach_.clear();
+  for (const Mover& mover : movers) reach_.push_back(mover.reach());
+  for (int a = 0; a < count; ++a) {
     if (movers[a].entity->frozen()) continue;
-    if (movers[a].limbs_can_touch()) find_within(movers, a, set);
-    for (int b = a + 1; b < static_cast<int>(movers.size()); ++b) {
-      if (movers[b].entity->frozen() || !(movers[a].can_be_pushed() || movers[b].can_be_pushed())) continue;
+    if (movers[a].limbs_can_touch()) find_between(movers, a, a, set);
+    for (int b = a + 1; b < count; ++b) {
       ++set.tests.volumes;
-      if (movers[a].is_near(movers[b])) find_between(movers, a, b, set);
+      if (overlap(reach_[a], reach_[b]) && !movers[b].entity->frozen()) find_between(movers, a, b, set);
     }
   }
   remember(set);
 }
 
 void PairFinder::find_between(std::vector<Mover>& movers, int a, int b, PairSet& set) noexcept {
-  movers[a].refit();
-  movers[b].refit();
-  candidates_.clear();
-  set.tests.volumes += for_pairs(movers[a].compound, movers[b].compound, [&](int i, int j) {
-    candidates_.emplace_back(i, j);
-    return true;
-  });
-  test_candidates(movers, a, b, set);
+  Mover &first = movers[a], &second = movers[b];
+  first.refit();
+  second.refit();
+  Neighbors& near = neighbors_[static_cast<std::size_t>(a) * movers.size() + static_cast<std::size_t>(b)];
+  if (near.fits_a != first.fits() || near.fits_b != second.fits()) {
+    near.fits_a = first.fits();
+    near.fits_b = second.fits();
+    near.shapes.clear();
+    const auto add = [&](int i, int j) {
+      near.shapes.emplace_back(i, j);
+      return true;
+    };
+    set.tests.volumes +=
+        a == b ? for_inner_pairs(first.compound, add) : for_pairs(first.compound, second.compound, add);
+    std::sort(near.shapes.begin(), near.shapes.end());
+  }
+  test(movers, a, b, near.shapes, set);
 }
 
-void PairFinder::find_within(std::vector<Mover>& movers, int a, PairSet& set) noexcept {
-  movers[a].refit();
-  candidates_.clear();
-  set.tests.volumes += for_inner_pairs(movers[a].compound, [&](int i, int j) {
-    candidates_.emplace_back(i, j);
-    return true;
-  });
-  test_candidates(movers, a, a, set);
-}
-
-void PairFinder::test_candidates(const std::vector<Mover>& movers, int a, int b, PairSet& set) noexcept {
-  std::sort(candidates_.begin(), candidates_.end());
-  const Mover &first = movers[a], &second = movers[b];
+void PairFinder::test(std::vector<Mover>& movers, int a, int b, const std::vector<std::pair<int, int>>& shapes,
+                      PairSet& set) noexcept {
+  Mover &first = movers[a], &second = movers[b];
   PairContact pair;
   pair.a = a;
   pair.b = b;
   geometry::Manifold manifold;
-  for (const auto& [i, j] : candidates_) {
+  for (const auto& [i, j] : shapes) {
     ++set.tests.objects;
     const CollidingShape &shape_a = first.compound.shapes()[i], &shape_b = second.compound.shapes()[j];
     if (!geometry::collide(shape_a.placed.shape, first.pose(i), shape_b.placed.shape, second.pose(j), manifold)) {
@@ -127,12 +130,14 @@ void PairFinder::test_candidates(const std::vector<Mover>& movers, int a, int b,
 void PairFinder::add_contacts(const std::vector<Mover>& movers, const PairContact& pair, geometry::Manifold& manifold,
                               PairSet& set) const noexcept {
   const Mover &first = movers[pair.a], &second = movers[pair.b];
+  const bool pushes = first.can_be_pushed() || second.can_be_pushed();
+  std::vector<PairContact>& points = pushes ? set.points : set.blocked;
   // the deepest comes first, then those farthest from it
   manifold.count = std::min(manifold.count, most_points);
   sort_by_feature(manifold);
   for (int k = 0; k < manifold.count; ++k) {
     const geometry::ManifoldPoint& found = manifold.points[k];
-    PairContact& c = set.points.emplace_back(pair);
+    PairContact& c = points.emplace_back(pair);
     c.feature = found.feature;
     c.point = found.point;
     c.normal = manifold.normal;

@@ -1,7 +1,8 @@
 /// pair_finder.h - which bodies of moving entities touch, with the memory that their contacts had in the step before.
 ///
-/// Entities whose spheres of reach meet have their trees refitted and descended (compound.h); shapes whose volumes
-/// overlap get the exact test (geometry/collide.h). Contacts take the constants of the lighter entity.
+/// Entities whose spheres of reach meet have their trees refitted and descended (compound.h), unless both have moved by
+/// less than the trees' margin since the last time; shapes whose volumes overlap get the exact test (geometry/collide.h).
+/// Contacts take the constants of the lighter entity.
 #pragma once
 
 #include <utility>
@@ -20,7 +21,7 @@ class PairFinder {
 
   /// Constants of all pairs of surfaces that can meet.
   [[nodiscard]] const std::vector<ContactParameters>& parameters() const { return parameters_; }
-  /// Renews set.points; those of the step before go to set.previous.
+  /// Renews set.points and set.blocked; points of the step before go to set.previous.
   void find(std::vector<Mover>& movers, PairSet& set) noexcept;
 
  private:
@@ -29,17 +30,23 @@ class PairFinder {
     const Model* model;
     Surface surface;
   };
+  /// Pairs of shapes of two entities whose volumes overlap; right as long as neither tree has changed since.
+  struct Neighbors {
+    std::uint64_t fits_a = 0, fits_b = 0;
+    std::vector<std::pair<int, int>> shapes;
+  };
   [[nodiscard]] std::size_t kind_of(const Model& model, const Surface& surface);
   void find_between(std::vector<Mover>& movers, int a, int b, PairSet& set) noexcept;
-  void find_within(std::vector<Mover>& movers, int a, PairSet& set) noexcept;
-  void test_candidates(const std::vector<Mover>& movers, int a, int b, PairSet& set) noexcept;
+  void test(std::vector<Mover>& movers, int a, int b, const std::vector<std::pair<int, int>>& shapes,
+            PairSet& set) noexcept;
   void add_contacts(const std::vector<Mover>& movers, const PairContact& pair, geometry::Manifold& manifold,
                     PairSet& set) const noexcept;
 
   std::vector<Kind> kinds_;
   std::vector<std::vector<std::size_t>> kinds_of_shapes_;  // by mover and shape
   std::vector<ContactParameters> parameters_;              // of kinds i and j at i * kinds + j
-  std::vector<std::pair<int, int>> candidates_;            // shapes whose volumes overlap; working memory
+  std::vector<Neighbors> neighbors_;                       // of entities a and b at a * entities + b
+  std::vector<geometry::BoundingSphere> reach_;            // of each entity; working memory
 };
 
 }  // namespace murosimf::collision

@@ -8,10 +8,10 @@ namespace murosimf::geometry {
 namespace {
 
 template <class V>
-BoundingTree<V> tree_of(std::span<const TreePart> parts, const TreeLayout& layout) {
+BoundingTree<V> tree_of(std::span<const TreePart> parts, const TreeLayout& layout, double margin) {
   std::vector<typename BoundingTree<V>::Leaf> leaves;
   for (const TreePart& part : parts) leaves.push_back({part.object, fit<V>(*part.shape, part.at)});
-  return {std::move(leaves), layout};
+  return {std::move(leaves), layout, margin};
 }
 
 }  // namespace
@@ -21,12 +21,12 @@ const std::vector<std::string_view>& volume_names() {
   return names;
 }
 
-AnyTree make_tree(std::string_view volume, std::span<const TreePart> parts, const TreeLayout& layout) {
+AnyTree make_tree(std::string_view volume, std::span<const TreePart> parts, const TreeLayout& layout, double margin) {
   assert(layout.depth() <= TreeLayout::most_depth);
-  if (volume == "sphere") return tree_of<BoundingSphere>(parts, layout);
-  if (volume == "aabb") return tree_of<Aabb>(parts, layout);
-  if (volume == "obb") return tree_of<Obb>(parts, layout);
-  if (volume == "capsule") return tree_of<BoundingCapsule>(parts, layout);
+  if (volume == "sphere") return tree_of<BoundingSphere>(parts, layout, margin);
+  if (volume == "aabb") return tree_of<Aabb>(parts, layout, margin);
+  if (volume == "obb") return tree_of<Obb>(parts, layout, margin);
+  if (volume == "capsule") return tree_of<BoundingCapsule>(parts, layout, margin);
   throw SetupError(unknown_name("bounding volume", volume, volume_names()));
 }
 

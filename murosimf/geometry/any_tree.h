@@ -22,7 +22,8 @@ struct TreePart {
   Pose at;
 };
 
-/// A tree of `volume`s, one leaf for each part. Throws SetupError with the nearest name if there is no such volume.
-[[nodiscard]] AnyTree make_tree(std::string_view volume, std::span<const TreePart> parts, const TreeLayout& layout);
+/// A tree of `volume`s with a margin [m], one leaf for each part. Throws SetupError with the nearest name if there is no such volume.
+[[nodiscard]] AnyTree make_tree(std::string_view volume, std::span<const TreePart> parts, const TreeLayout& layout,
+                                double margin = 0);
 
 }  // namespace murosimf::geometry

@@ -61,6 +61,21 @@ inline Vec3d componentwise_abs(const Vec3d& v) { return {abs(v.x), abs(v.y), abs
   return {r + R * local.middle, R * local.half_axis, local.radius};
 }
 
+// grown: encloses everything within `margin` [m] of the volume.
+
+[[nodiscard]] inline BoundingSphere grown(const BoundingSphere& v, double margin) {
+  return {v.center, v.radius + margin};
+}
+[[nodiscard]] inline Aabb grown(const Aabb& v, double margin) {
+  return {v.center, v.half + Vec3d{margin, margin, margin}};
+}
+[[nodiscard]] inline Obb grown(const Obb& v, double margin) {
+  return {v.center, v.axes, v.half + Vec3d{margin, margin, margin}};
+}
+[[nodiscard]] inline BoundingCapsule grown(const BoundingCapsule& v, double margin) {
+  return {v.middle, v.half_axis, v.radius + margin};
+}
+
 // merged: encloses both.
 
 /// The smallest sphere about two.
