@@ -79,9 +79,20 @@ void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3
   }
 }
 
+/// The answer holds while the base has not moved far: it was asked for a sphere that is bigger by as much.
+bool GroundFinder::is_near_statics(const Vec3d& base, TestCounts& tests) noexcept {
+  constexpr double margin = 0.05;  // [m]
+  const Vec3d way = asked_at_ ? base - *asked_at_ : Vec3d{};
+  if (!asked_at_ || !(dot(way, way) < margin * margin)) {
+    asked_at_ = base;
+    near_ = environment_.is_near(base, own_.reach() + margin, tests.volumes);
+  }
+  return near_;
+}
+
 void GroundFinder::find_on_statics(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                                    TestCounts& tests) noexcept {
-  if (!environment_.is_near(r[0], own_.reach(), tests.volumes)) return;
+  if (!is_near_statics(r[0], tests)) return;
   own_.refit(r, R);
   candidates_.clear();
   tests.volumes += for_pairs(environment_.compound(), own_, [&](int other, int own) {

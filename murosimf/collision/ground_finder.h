@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,6 +40,7 @@ class GroundFinder {
  private:
   void find_on_planes(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                       TestCounts& tests) const noexcept;
+  [[nodiscard]] bool is_near_statics(const Vec3d& base, TestCounts& tests) noexcept;
   void find_on_statics(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                        TestCounts& tests) noexcept;
   void add_contacts(int own, int other, const geometry::Manifold& manifold,
@@ -48,6 +50,8 @@ class GroundFinder {
   std::vector<GroundPlane> planes_;
   Compound own_;
   StaticCompound environment_;
+  std::optional<Vec3d> asked_at_;                // [m] of the base, when it was last asked whether anything is near
+  bool near_ = false;                            // the answer
   std::vector<std::pair<int, int>> candidates_;  // shapes, of the environment and its own, whose volumes overlap
 };
 

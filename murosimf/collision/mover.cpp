@@ -40,6 +40,7 @@ Mover::Mover(Setup setup)
       separation(setup.write(properties::separation)),
       contacts(setup.write(collision::contacts)[0]) {
   poses_.resize(compound.shapes().size());
+  for (const CollidingShape& shape : compound.shapes()) radii_.push_back(bounding_radius(shape.placed.shape));
   pushed_.reserve(static_cast<std::size_t>(setup.model().size()));
   setup.claim();  // levels make their free pass for the island solver
 }
@@ -55,6 +56,11 @@ void Mover::refit() noexcept {
   if (fits_ > 0 && compound.still_fits(r, R)) return;
   compound.refit(r, R);
   ++fits_;
+}
+
+geometry::BoundingSphere Mover::sphere(int shape) const noexcept {
+  const CollidingShape& s = compound.shapes()[shape];
+  return {r[s.object] + R[s.object] * s.placed.position, radii_[shape]};
 }
 
 const geometry::Pose& Mover::pose(int shape) noexcept {

@@ -24,6 +24,8 @@ struct Mover {
   void refit() noexcept;
   /// How often the tree had to change.
   [[nodiscard]] std::uint64_t fits() const { return fits_; }
+  /// Around a shape, without margin.
+  [[nodiscard]] geometry::BoundingSphere sphere(int shape) const noexcept;
   /// Of a shape in the world; worked out when somebody asks, once in a step.
   [[nodiscard]] const geometry::Pose& pose(int shape) noexcept;
   /// Velocity [m/s] of the point of a body at `arm` [m] from its origin; world axes.
@@ -58,6 +60,7 @@ struct Mover {
     geometry::Pose pose;
   };
   std::vector<KnownPose> poses_;  // of each shape
+  std::vector<double> radii_;     // [m] of each shape
 };
 
 }  // namespace murosimf::collision

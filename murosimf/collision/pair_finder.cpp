@@ -114,6 +114,8 @@ void PairFinder::test(std::vector<Mover>& movers, int a, int b, const std::vecto
   pair.b = b;
   geometry::Manifold manifold;
   for (const auto& [i, j] : shapes) {
+    ++set.tests.volumes;
+    if (!overlap(first.sphere(i), second.sphere(j))) continue;
     ++set.tests.objects;
     const CollidingShape &shape_a = first.compound.shapes()[i], &shape_b = second.compound.shapes()[j];
     if (!geometry::collide(shape_a.placed.shape, first.pose(i), shape_b.placed.shape, second.pose(j), manifold)) {
