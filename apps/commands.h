@@ -39,7 +39,7 @@ struct BenchOptions {
 /// Collision detection: tests and time per step.
 int bench(const BenchOptions& options);
 
-/// `what`: levels, contacts, body_contacts, integrators, servo_laws, controllers, sensors, properties.
+/// `what`: levels, contacts, body_contacts, volumes, integrators, servo_laws, controllers, sensors, properties.
 int list(const std::string& what);
 
 }  // namespace murosimf::app

@@ -4,6 +4,7 @@
 #include "apps/commands.h"
 #include "apps/standard_output.h"
 #include "murosimf/collision/pair_law.h"
+#include "murosimf/geometry/any_tree.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/integrator.h"
@@ -36,6 +37,9 @@ int list(const std::string& what) {
   if (what == "levels") text = names_and_meanings(io::levels());
   if (what == "contacts") text = names_and_meanings(io::contacts());
   if (what == "body_contacts") text = names_and_meanings(collision::pair_laws());
+  if (what == "volumes") {
+    for (const auto& name : geometry::volume_names()) text += fmt::format("{}\n", name);
+  }
   if (what == "integrators") text = names_and_meanings(motion::integrators());
   if (what == "servo_laws") text = names_and_meanings(motion::servo_laws());
   if (what == "controllers") text = names_and_meanings(io::controllers());
