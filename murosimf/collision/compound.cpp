@@ -19,9 +19,9 @@ geometry::AnyTree make_tree(const Model& model, std::span<const CollidingShape> 
 
 }  // namespace
 
-Compound::Compound(const Model& model, const CompoundOptions& options, const ShapesTouch& touch)
+Compound::Compound(const Model& model, const CompoundOptions& options)
     : shapes_(colliding_shapes(model)), tree_(make_tree(model, shapes_, options)), reach_(farthest_reach(model)) {
-  if (options.inner) inner_pairs_ = InnerPairs(model, shapes_, options.excluded, touch);
+  if (options.inner) inner_pairs_ = InnerPairs(model, shapes_, options.excluded);
 }
 
 void Compound::refit(std::span<const Vec3d> r, std::span<const Mat3d> R) noexcept {

@@ -21,10 +21,9 @@ struct CompoundOptions {
 
 class Compound {
  public:
-  /// Throws SetupError if there is no such kind of volume or an excluded object does not exist. `touch` is asked which
-  /// shapes overlap at rest, while the compound is made, and only if inner collisions are on. The compound keeps no
-  /// reference to the model.
-  explicit Compound(const Model& model, const CompoundOptions& options = {}, const ShapesTouch& touch = {});
+  /// Throws SetupError if there is no such kind of volume or an excluded object does not exist. The
+  /// compound keeps no reference to the model.
+  explicit Compound(const Model& model, const CompoundOptions& options = {});
 
   /// In the order of colliding_shapes(); shape i is leaf i of the tree.
   [[nodiscard]] const std::vector<CollidingShape>& shapes() const { return shapes_; }

@@ -3,17 +3,11 @@
 #include <algorithm>
 
 #include "murosimf/collision/impulse_response.h"
-#include "murosimf/geometry/collide.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
 
 namespace {
-
-bool shapes_touch(const Shape& a, const geometry::Pose& at_a, const Shape& b, const geometry::Pose& at_b) {
-  geometry::Manifold found;
-  return geometry::collide(a, at_a, b, at_b, found);
-}
 
 CompoundOptions compound_options(const Entity& entity) {
   const CollisionOptions& options = entity.options().collision;
@@ -24,7 +18,7 @@ CompoundOptions compound_options(const Entity& entity) {
 
 Mover::Mover(Setup setup)
     : entity(&setup.entity()),
-      compound(setup.model(), compound_options(setup.entity()), shapes_touch),
+      compound(setup.model(), compound_options(setup.entity())),
       r(setup.read(properties::position)),
       v(setup.read(properties::linear_velocity)),
       w(setup.read(properties::angular_velocity)),
