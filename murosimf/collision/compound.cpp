@@ -24,6 +24,10 @@ Compound::Compound(const Model& model, const CompoundOptions& options)
   if (options.inner) inner_pairs_ = InnerPairs(model, shapes_, options.excluded);
 }
 
+Compound compound_of(const Entity& entity, const CompoundOptions& options) {
+  return at("entity '" + entity.name() + "'", [&] { return Compound(entity.model(), options); });
+}
+
 void Compound::refit(std::span<const Vec3d> r, std::span<const Mat3d> R) noexcept {
   const auto refit_tree = [&](auto& tree) {
     tree.refit(r, R);

@@ -9,6 +9,7 @@
 #include "murosimf/collision/inner_pairs.h"
 #include "murosimf/geometry/any_tree.h"
 #include "murosimf/geometry/traversal.h"
+#include "murosimf/model/entity.h"
 
 namespace murosimf::collision {
 
@@ -50,6 +51,9 @@ class Compound {
   double reach_ = 0;
   geometry::BoundingSphere around_;
 };
+
+/// The compound of an entity's model. Throws SetupError that names the entity.
+[[nodiscard]] Compound compound_of(const Entity& entity, const CompoundOptions& options);
 
 /// Calls visit(shape of a, shape of b) for pairs of shapes whose bounding volumes overlap, until it returns false;
 /// returns the number of pairs of volumes tested. Both compounds must have been refitted.

@@ -44,7 +44,7 @@ std::vector<GroundPlane> ground_planes(const Entity* environment) {
 GroundFinder::GroundFinder(const Entity& entity, const Entity* environment)
     : shapes_(ground_shapes(entity.model())),
       planes_(ground_planes(environment)),
-      own_(entity.model(), {.volume = entity.options().collision.volume}),
+      own_(compound_of(entity, {.volume = entity.options().collision.volume})),
       environment_(environment) {}
 
 std::size_t GroundFinder::most_on_planes() const { return 8 * shapes_.size() * planes_.size(); }

@@ -41,12 +41,26 @@ Vec3d part_of(double share, const Vec3d& way) {
   return length > longest_way ? (share * longest_way / length) * way : share * way;
 }
 
+/// Feet are held apart as seen from above, whatever their height: else one would come down on another.
+void see_feet(const Mover& a, const Mover& b, Deepest& deepest, TestCounts& tests) noexcept {
+  for (const int i : a.feet) {
+    for (const int j : b.feet) {
+      ++tests.objects;
+      geometry::Pose lifted = b.pose(j);
+      const geometry::Pose foot = a.pose(i);
+      lifted.position.z = foot.position.z;
+      deepest.see(a.compound.shapes()[i].placed.shape, foot, b.compound.shapes()[j].placed.shape, lifted);
+    }
+  }
+}
+
 void part(Mover& a, Mover& b, TestCounts& tests) noexcept {
   ++tests.volumes;
   if (!a.is_near(b)) return;
   a.refit();
   b.refit();
   Deepest deepest;
+  see_feet(a, b, deepest, tests);
   tests.volumes += for_pairs(a.compound, b.compound, [&](int i, int j) {
     ++tests.objects;
     deepest.see(a.compound.shapes()[i].placed.shape, a.pose(i), b.compound.shapes()[j].placed.shape, b.pose(j));

@@ -9,16 +9,28 @@ namespace murosimf::collision {
 
 namespace {
 
-CompoundOptions compound_options(const Entity& entity) {
+std::vector<int> find_feet(const Model& model, const Compound& compound) {
+  std::vector<int> feet;
+  const auto& link_of = model.tree().link_of;
+  for (const int sole : model.having(properties::sole)) {
+    for (std::size_t i = 0; i < compound.shapes().size(); ++i) {
+      if (link_of[compound.shapes()[i].object] == link_of[sole]) feet.push_back(static_cast<int>(i));
+    }
+  }
+  return feet;
+}
+
+Compound make_compound(const Entity& entity) {
   const CollisionOptions& options = entity.options().collision;
-  return {.volume = options.volume, .inner = options.self_collision, .excluded = options.never};
+  return compound_of(entity, {.volume = options.volume, .inner = options.self_collision, .excluded = options.never});
 }
 
 }  // namespace
 
 Mover::Mover(Setup setup)
     : entity(&setup.entity()),
-      compound(setup.model(), compound_options(setup.entity())),
+      compound(make_compound(setup.entity())),
+      feet(find_feet(setup.model(), compound)),
       r(setup.read(properties::position)),
       v(setup.read(properties::linear_velocity)),
       w(setup.read(properties::angular_velocity)),
