@@ -38,6 +38,7 @@ BodyContact::BodyContact(Setup& setup, const std::vector<Entity*>& movers, const
 void BodyContact::initialize() {
   set_ = PairSet{};
   set_.parameters = finder_.parameters();
+  for (const Mover& mover : movers_) set_.entities.push_back(mover.entity);
   for (Mover& mover : movers_) {
     std::fill(mover.interaction_force.begin(), mover.interaction_force.end(), Forced{});
     std::fill(mover.external_force.begin(), mover.external_force.end(), Forced{});

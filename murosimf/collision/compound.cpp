@@ -19,9 +19,13 @@ geometry::AnyTree make_tree(const Model& model, std::span<const CollidingShape> 
 
 }  // namespace
 
-Compound::Compound(const Model& model, const CompoundOptions& options, const ShapesTouch& touch)
+Compound::Compound(const Model& model, const CompoundOptions& options)
     : shapes_(colliding_shapes(model)), tree_(make_tree(model, shapes_, options)), reach_(farthest_reach(model)) {
-  if (options.inner) inner_pairs_ = InnerPairs(model, shapes_, options.excluded, touch);
+  if (options.inner) inner_pairs_ = InnerPairs(model, shapes_, options.excluded);
+}
+
+Compound compound_of(const Entity& entity, const CompoundOptions& options) {
+  return at("entity '" + entity.name() + "'", [&] { return Compound(entity.model(), options); });
 }
 
 bool Compound::still_fits(std::span<const Vec3d> r, std::span<const Mat3d> R) const noexcept {

@@ -9,6 +9,7 @@
 #include "murosimf/collision/inner_pairs.h"
 #include "murosimf/geometry/any_tree.h"
 #include "murosimf/geometry/traversal.h"
+#include "murosimf/model/entity.h"
 
 namespace murosimf::collision {
 
@@ -22,10 +23,9 @@ struct CompoundOptions {
 
 class Compound {
  public:
-  /// Throws SetupError if there is no such kind of volume or an excluded object does not exist. `touch` is asked which
-  /// shapes overlap at rest, while the compound is made, and only if inner collisions are on. The compound keeps no
-  /// reference to the model.
-  explicit Compound(const Model& model, const CompoundOptions& options = {}, const ShapesTouch& touch = {});
+  /// Throws SetupError if there is no such kind of volume or an excluded object does not exist. The
+  /// compound keeps no reference to the model.
+  explicit Compound(const Model& model, const CompoundOptions& options = {});
 
   /// In the order of colliding_shapes(); shape i is leaf i of the tree.
   [[nodiscard]] const std::vector<CollidingShape>& shapes() const { return shapes_; }
@@ -54,6 +54,9 @@ class Compound {
   double reach_ = 0;
   geometry::BoundingSphere around_;
 };
+
+/// The compound of an entity's model. Throws SetupError that names the entity.
+[[nodiscard]] Compound compound_of(const Entity& entity, const CompoundOptions& options);
 
 /// Calls visit(shape of a, shape of b) for pairs of shapes whose bounding volumes overlap, until it returns false;
 /// returns the number of pairs of volumes tested. Both compounds must have been refitted.

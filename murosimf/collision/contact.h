@@ -14,6 +14,10 @@
 #include "murosimf/model/property.h"
 #include "murosimf/model/value.h"
 
+namespace murosimf {
+class Entity;
+}
+
 namespace murosimf::collision {
 
 /// What collision detection finds: geometry only.
@@ -72,6 +76,8 @@ class ImpulseResponse;
 struct ContactSet {
   std::vector<ContactPoint> points;           ///< sorted by feature
   std::vector<ContactParameters> parameters;  ///< by Contact::surface
+  const Entity* environment = nullptr;        ///< what is touched
+  std::vector<int> environment_objects;       ///< by Contact::surface: which body of the environment
   const ContactLaw* law = nullptr;
   double dt = 0;                        ///< [s] of contact's steps; motion must have the same. 0: no contact attached
   ImpulseResponse* response = nullptr;  ///< of the level that moves the entity, for island solvers; null: none

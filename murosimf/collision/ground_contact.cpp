@@ -12,6 +12,7 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
     : model_(setup.model()),
       law_(std::move(law)),
       finder_(setup.entity(), environment),
+      environment_(environment),
       period_(seconds(setup.period())),
       r_(setup.read(properties::position)),
       R_(setup.read(properties::orientation)),
@@ -22,10 +23,11 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       external_damping_(setup.write(properties::external_damping)),
       set_(setup.write(contacts)[0]) {
   const double gravity = norm(setup.world().gravity);
-  finder_.for_surfaces([&](const Surface& own, const Surface& other, const Vec3d& grain) {
+  finder_.for_surfaces([&](const Surface& own, const Surface& other, const Vec3d& grain, int object) {
     const PairSurface pair = materials.find(own, other);
     parameters_.push_back(contact_parameters(model_, pair, gravity, period_));
     parameters_.back().grain = pair.grain_effect * grain;
+    environment_objects_.push_back(object);
   });
 }
 
@@ -34,6 +36,8 @@ void GroundContact::initialize() {
   set_.law = law_.get();
   set_.dt = period_;
   set_.parameters = parameters_;
+  set_.environment = environment_;
+  set_.environment_objects = environment_objects_;
   set_.rest_force.resize(static_cast<std::size_t>(model_.size()));
   const std::size_t most = finder_.most_on_planes();
   set_.points.reserve(most);

@@ -34,13 +34,15 @@ class GroundContact final : public Algorithm {
   const Model& model_;
   std::shared_ptr<const ContactLaw> law_;
   GroundFinder finder_;
-  std::vector<ContactParameters> parameters_;
-  double period_;                          // [s]
-  std::span<const Vec3d> r_;               // [m] origins, world
-  std::span<const Mat3d> R_;               // orientations
-  std::span<const Vec3d> v_;               // [m/s] of the origins, world
-  std::span<const Vec3d> w_;               // [rad/s] world
-  std::span<const Forced> applied_force_;  // [N m, N] users' pushes
+  const Entity* environment_;
+  std::vector<ContactParameters> parameters_;  // by Contact::surface
+  std::vector<int> environment_objects_;       // likewise
+  double period_;                              // [s]
+  std::span<const Vec3d> r_;                   // [m] origins, world
+  std::span<const Mat3d> R_;                   // orientations
+  std::span<const Vec3d> v_;                   // [m/s] of the origins, world
+  std::span<const Vec3d> w_;                   // [rad/s] world
+  std::span<const Forced> applied_force_;      // [N m, N] users' pushes
   std::span<Forced> external_force_;
   std::span<Sym6d> external_damping_;
   ContactSet& set_;

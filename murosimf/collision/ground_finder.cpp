@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "murosimf/geometry/collide.h"
-#include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
 namespace {
@@ -32,16 +31,12 @@ std::vector<GroundPlane> ground_planes(const Entity* environment) {
   std::vector<GroundPlane> planes;
   if (!environment) return planes;
   const Model& model = environment->model();
-  for (const int object : model.bodies()) {
-    const Shapes* shapes = model.find(properties::shapes, object);
-    if (!shapes) continue;
-    const FixedObject place = model.placement(object);
-    for (const PlacedShape& placed : *shapes) {
-      if (!std::holds_alternative<Plane>(placed.shape)) continue;
-      const Mat3d R = place.turn * placed.orientation;
-      const double height = dot(R.z, place.offset + place.turn * placed.position);
-      planes.push_back({R.z, height, direction_in_plane(R * placed.surface.grain, R.z), placed.surface});
-    }
+  for (const CollidingShape& plane : colliding_planes(model)) {
+    const PlacedShape& placed = plane.placed;
+    const FixedObject place = model.placement(plane.object);
+    const Mat3d R = place.turn * placed.orientation;
+    const double height = dot(R.z, place.offset + place.turn * placed.position);
+    planes.push_back({R.z, height, direction_in_plane(R * placed.surface.grain, R.z), placed.surface, plane.object});
   }
   return planes;
 }
@@ -49,7 +44,7 @@ std::vector<GroundPlane> ground_planes(const Entity* environment) {
 GroundFinder::GroundFinder(const Entity& entity, const Entity* environment)
     : shapes_(ground_shapes(entity.model())),
       planes_(ground_planes(environment)),
-      own_(entity.model(), {.volume = entity.options().collision.volume}),
+      own_(compound_of(entity, {.volume = entity.options().collision.volume})),
       environment_(environment) {}
 
 std::size_t GroundFinder::most_on_planes() const { return 8 * shapes_.size() * planes_.size(); }

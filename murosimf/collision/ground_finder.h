@@ -20,14 +20,16 @@ class GroundFinder {
   /// `environment`: null for none.
   GroundFinder(const Entity& entity, const Entity* environment);
 
-  /// Calls add(surface of the entity, surface of the environment, grain) for each value that Contact::surface can take.
+  /// Calls add(surface of the entity, surface of the environment, grain, object of the environment) for each value that
+  /// Contact::surface can take.
   template <class Add>
   void for_surfaces(const Add& add) const {
     for (const GroundPlane& plane : planes_) {
-      for (const GroundShape& shape : shapes_) add(shape.placed.surface, plane.surface, plane.grain);
+      for (const GroundShape& shape : shapes_) add(shape.placed.surface, plane.surface, plane.grain, plane.object);
     }
     for (const CollidingShape& other : environment_.compound().shapes()) {
-      for (const CollidingShape& shape : own_.shapes()) add(shape.placed.surface, other.placed.surface, Vec3d{});
+      for (const CollidingShape& shape : own_.shapes())
+        add(shape.placed.surface, other.placed.surface, Vec3d{}, other.object);
     }
   }
   /// How many contacts there can be with planes.
@@ -55,7 +57,7 @@ class GroundFinder {
   std::vector<std::pair<int, int>> candidates_;  // shapes, of the environment and its own, whose volumes overlap
 };
 
-/// The ground planes among the shapes of an environment.
+/// The ground planes among the shapes of an environment that collide.
 [[nodiscard]] std::vector<GroundPlane> ground_planes(const Entity* environment);
 
 }  // namespace murosimf::collision

@@ -16,6 +16,7 @@ struct GroundPlane {
   double height = 0;      ///< [m]
   Vec3d grain;            ///< [1] where the pile leans: unit, in the plane, world frame; or zero
   Surface surface;
+  int object = 0;  ///< of the environment
 };
 
 /// The points of one shape that can touch a plane first.

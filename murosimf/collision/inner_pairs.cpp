@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "murosimf/geometry/collide.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::collision {
@@ -31,7 +32,7 @@ std::vector<int> shapes_of(const Model& model, std::span<const CollidingShape> s
 }  // namespace
 
 InnerPairs::InnerPairs(const Model& model, std::span<const CollidingShape> shapes,
-                       const std::vector<ExcludedPair>& excluded, const ShapesTouch& touch)
+                       const std::vector<ExcludedPair>& excluded)
     : count_(shapes.size()), may_touch_(count_ * count_, true) {
   const auto objects = rest_poses(model);
   std::vector<geometry::Pose> at_rest;
@@ -39,10 +40,11 @@ InnerPairs::InnerPairs(const Model& model, std::span<const CollidingShape> shape
     at_rest.push_back(placed_in(objects[shape.object], {shape.placed.position, shape.placed.orientation}));
   }
   const int count = static_cast<int>(count_);
+  geometry::Manifold overlap;
   for (int a = 0; a < count; ++a) {
     for (int b = a; b < count; ++b) {
       if (neighbors(model.tree(), shapes[a].object, shapes[b].object) ||
-          touch(shapes[a].placed.shape, at_rest[a], shapes[b].placed.shape, at_rest[b])) {
+          geometry::collide(shapes[a].placed.shape, at_rest[a], shapes[b].placed.shape, at_rest[b], overlap)) {
         exclude(a, b);
       }
     }

@@ -1,7 +1,6 @@
 /// inner_pairs.h - which shapes of one entity may touch each other (paper 5: inner collisions, off by default).
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -10,9 +9,6 @@
 #include "murosimf/collision/colliding_shapes.h"
 
 namespace murosimf::collision {
-
-/// True if two shapes overlap.
-using ShapesTouch = std::function<bool(const Shape&, const geometry::Pose&, const Shape&, const geometry::Pose&)>;
 
 /// Two objects of a model, by name, that shall never touch.
 using ExcludedPair = std::pair<std::string, std::string>;
@@ -24,8 +20,7 @@ class InnerPairs {
   /// All pairs but those of one link, of a link and its parent, of shapes that overlap while all joints are at zero, and
   /// `excluded` ones. An object without shapes stands for everything that is fixed to the same link. Throws SetupError
   /// with the nearest name if an excluded object does not exist.
-  InnerPairs(const Model& model, std::span<const CollidingShape> shapes, const std::vector<ExcludedPair>& excluded,
-             const ShapesTouch& touch);
+  InnerPairs(const Model& model, std::span<const CollidingShape> shapes, const std::vector<ExcludedPair>& excluded);
 
   /// Shapes by their numbers in colliding_shapes().
   [[nodiscard]] bool may_touch(int a, int b) const { return may_touch_[static_cast<std::size_t>(a) * count_ + b]; }

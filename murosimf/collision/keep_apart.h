@@ -2,7 +2,8 @@
 ///
 /// No force acts between them (both are kinematic walkers): they get a `separation`, a way along the ground that their
 /// level adds to the place of the standing foot. It is the horizontal part of the deepest overlap, half for either of
-/// two walkers, all for one that runs into a goal, and at most 1 mm in a step, so that nobody jumps.
+/// two walkers, all for one that runs into a goal, and at most 1 mm in a step, so that nobody jumps. Feet are compared as seen
+/// from above: no walker steps on another one's.
 #pragma once
 
 #include <vector>

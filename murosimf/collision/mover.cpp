@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "murosimf/collision/impulse_response.h"
-#include "murosimf/geometry/collide.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
@@ -13,21 +12,29 @@ namespace {
 // [m] A tree then lasts for some steps, and so do the pairs of shapes that it found near each other.
 constexpr double margin = 0.008;
 
-bool shapes_touch(const Shape& a, const geometry::Pose& at_a, const Shape& b, const geometry::Pose& at_b) {
-  geometry::Manifold found;
-  return geometry::collide(a, at_a, b, at_b, found);
+std::vector<int> find_feet(const Model& model, const Compound& compound) {
+  std::vector<int> feet;
+  const auto& link_of = model.tree().link_of;
+  for (const int sole : model.having(properties::sole)) {
+    for (std::size_t i = 0; i < compound.shapes().size(); ++i) {
+      if (link_of[compound.shapes()[i].object] == link_of[sole]) feet.push_back(static_cast<int>(i));
+    }
+  }
+  return feet;
 }
 
-CompoundOptions compound_options(const Entity& entity) {
+Compound make_compound(const Entity& entity) {
   const CollisionOptions& options = entity.options().collision;
-  return {.volume = options.volume, .margin = margin, .inner = options.self_collision, .excluded = options.never};
+  return compound_of(
+      entity, {.volume = options.volume, .margin = margin, .inner = options.self_collision, .excluded = options.never});
 }
 
 }  // namespace
 
 Mover::Mover(Setup setup)
     : entity(&setup.entity()),
-      compound(setup.model(), compound_options(setup.entity()), shapes_touch),
+      compound(make_compound(setup.entity())),
+      feet(find_feet(setup.model(), compound)),
       r(setup.read(properties::position)),
       v(setup.read(properties::linear_velocity)),
       w(setup.read(properties::angular_velocity)),

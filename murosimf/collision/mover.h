@@ -40,6 +40,7 @@ struct Mover {
 
   Entity* entity;
   Compound compound;
+  std::vector<int> feet;  ///< shapes of the links that have a sole
   std::span<const Vec3d> r, v, w;
   std::span<const Mat3d> R;
   std::span<const double> pushable;

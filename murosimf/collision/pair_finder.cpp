@@ -7,7 +7,6 @@
 namespace murosimf::collision {
 namespace {
 
-constexpr int most_points = 4;          // of two bodies: more only cost
 constexpr double fastest_walker = 3.0;  // [m/s] speed of an unpushable body's point that counts
 
 /// The one of less mass; a model without any can only be moved kinematically and does not count.
@@ -134,8 +133,6 @@ void PairFinder::add_contacts(const std::vector<Mover>& movers, const PairContac
   const Mover &first = movers[pair.a], &second = movers[pair.b];
   const bool pushes = first.can_be_pushed() || second.can_be_pushed();
   std::vector<PairContact>& points = pushes ? set.points : set.blocked;
-  // the deepest comes first, then those farthest from it
-  manifold.count = std::min(manifold.count, most_points);
   sort_by_feature(manifold);
   for (int k = 0; k < manifold.count; ++k) {
     const geometry::ManifoldPoint& found = manifold.points[k];

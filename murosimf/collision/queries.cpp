@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "murosimf/geometry/collide.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
@@ -39,7 +40,7 @@ Pose QueryScene::Member::pose(const CollidingShape& shape) const {
   return placed_in({r[shape.object], R[shape.object]}, {shape.placed.position, shape.placed.orientation});
 }
 
-QueryScene::QueryScene(const World& world, ShapeTests tests, const std::string& volume) : tests_(std::move(tests)) {
+QueryScene::QueryScene(const World& world, const std::string& volume) {
   members_.reserve(world.entities().size());
   for (const auto& entity : world.entities()) members_.emplace_back(*entity, volume);
   refresh();
@@ -109,7 +110,8 @@ std::vector<BodyRef> QueryScene::overlapping(const Shape& shape, const Pose& at)
   for (Member& member : members_) {
     std::vector<int> objects;
     const auto test = [&](const CollidingShape& other) {
-      if (tests_.touch(shape, at, other.placed.shape, member.pose(other))) objects.push_back(other.object);
+      geometry::Manifold found;
+      if (geometry::collide(shape, at, other.placed.shape, member.pose(other), found)) objects.push_back(other.object);
       return true;
     };
     for (const CollidingShape& plane : member.planes) test(plane);
@@ -129,22 +131,23 @@ std::vector<BodyRef> QueryScene::overlapping(const Shape& shape, const Pose& at)
 struct QueryScene::NearestSearch {
   const BodyRef &a, &b;
   const Member &first, &second;
-  const ShapeTests& tests;
+  static constexpr double touching = 1e-9;  // [m]
   double least = std::numeric_limits<double>::infinity();
   std::optional<Separation> best;
 
   static bool belongs(const BodyRef& body, const CollidingShape& shape) {
     return body.object == BodyRef::all || body.object == shape.object;
   }
+  /// Returns the distance, but never less than `touching`: so all pairs whose volumes overlap are looked at.
   double see(const CollidingShape& shape_a, const CollidingShape& shape_b) {
     if (!belongs(a, shape_a) || !belongs(b, shape_b)) return std::numeric_limits<double>::infinity();
-    const ClosestPoints found =
-        tests.nearest(shape_a.placed.shape, first.pose(shape_a), shape_b.placed.shape, second.pose(shape_b));
+    const geometry::Gap found =
+        geometry::distance(shape_a.placed.shape, first.pose(shape_a), shape_b.placed.shape, second.pose(shape_b));
     if (found.distance < least) {
       best = Separation{found, {a.entity, shape_a.object}, {b.entity, shape_b.object}};
       least = found.distance;
     }
-    return found.distance;
+    return std::max(found.distance, touching);
   }
   void see_planes() {
     for (const CollidingShape& plane : first.planes) {
@@ -158,11 +161,11 @@ struct QueryScene::NearestSearch {
 
 std::optional<Separation> QueryScene::distance(const BodyRef& a, const BodyRef& b) {
   Member &first = member(a.entity), &second = member(b.entity);
-  NearestSearch search{a, b, first, second, tests_, std::numeric_limits<double>::infinity(), {}};
+  NearestSearch search{a, b, first, second, std::numeric_limits<double>::infinity(), {}};
   search.see_planes();
   const auto through = [&](const auto& tree_a, const auto& tree_b) {
     const auto see = [&](int i, int j) { return search.see(first.compound.shapes()[i], second.compound.shapes()[j]); };
-    geometry::nearest_pair(tree_a, tree_b, search.least, see);
+    geometry::nearest_pair(tree_a, tree_b, std::max(search.least, NearestSearch::touching), see);
   };
   std::visit(through, first.fresh().tree(), second.fresh().tree());
   return search.best;

@@ -1,17 +1,17 @@
 /// queries.h - questions about where bodies are: rays, distances and overlaps, for users and sensors.
 ///
-///     QueryScene scene(world, {.touch = ..., .nearest = ...});
+///     QueryScene scene(world);
 ///     scene.refresh();  // after every step
 ///     if (const auto hit = scene.cast({eye, forward}, {.without = &robot})) ...
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "murosimf/collision/compound.h"
+#include "murosimf/geometry/distance.h"
 #include "murosimf/model/world.h"
 
 namespace murosimf::collision {
@@ -24,18 +24,6 @@ struct BodyRef {
   int object = all;
 
   friend bool operator==(const BodyRef&, const BodyRef&) = default;
-};
-
-/// The two points of two shapes that are nearest to each other.
-struct ClosestPoints {
-  double distance = 0;  ///< [m] not positive if the shapes overlap
-  Vec3d on_a, on_b;     ///< [m] world frame
-};
-
-/// Exact tests of two shapes that queries stand on.
-struct ShapeTests {
-  ShapesTouch touch;
-  std::function<ClosestPoints(const Shape&, const geometry::Pose&, const Shape&, const geometry::Pose&)> nearest;
 };
 
 struct RayHit {
@@ -51,8 +39,9 @@ struct RayLimits {
   const Entity* without = nullptr;                         ///< the robot that carries the sensor
 };
 
-struct Separation : ClosestPoints {
-  BodyRef a, b;  ///< which bodies are nearest; of entities that overlap in several places, two that do
+/// The nearest points of two bodies; of bodies that overlap, where they do deepest (geometry/distance.h).
+struct Separation : geometry::Gap {
+  BodyRef a, b;  ///< which bodies these are; of several that are equally near, any
 };
 
 /// All shapes of a world's entities that collide, planes too. Entities whose level keeps poses are where their columns
@@ -60,7 +49,7 @@ struct Separation : ClosestPoints {
 class QueryScene {
  public:
   /// Of the entities that the world has now; it must outlive the scene. Throws SetupError if there is no such volume.
-  QueryScene(const World& world, ShapeTests tests, const std::string& volume = "sphere");
+  explicit QueryScene(const World& world, const std::string& volume = "sphere");
 
   /// To be called after something has moved; the work is done when a question comes near an entity.
   void refresh() noexcept;
@@ -99,7 +88,6 @@ class QueryScene {
   void for_ray(const geometry::Ray& ray, const RayLimits& limits, double& range, const Found& found);
   struct NearestSearch;
 
-  ShapeTests tests_;
   std::vector<Member> members_;
 };
 

@@ -3,16 +3,14 @@
 namespace murosimf::collision {
 namespace {
 
-ModelPtr empty_model() {
-  static const auto model = std::make_shared<const Model>("nothing", Chain{}.base());
-  return model;
+Compound make_compound(const Entity* environment) {
+  if (!environment) return Compound(Model("nothing", Chain{}.base()));
+  return compound_of(*environment, {.volume = environment->options().collision.volume, .structured = false});
 }
 
 }  // namespace
 
-StaticCompound::StaticCompound(const Entity* environment)
-    : compound_(environment ? environment->model() : *empty_model(),
-                {.volume = environment ? environment->options().collision.volume : "sphere", .structured = false}) {
+StaticCompound::StaticCompound(const Entity* environment) : compound_(make_compound(environment)) {
   if (!environment) return;
   const Model& model = environment->model();
   std::vector<Vec3d> r;

@@ -25,16 +25,12 @@ Model arm() {
   return Model("arm", chain);
 }
 
-bool balls_touch(const Shape& a, const geometry::Pose& at_a, const Shape& b, const geometry::Pose& at_b) {
-  return norm(at_a.position - at_b.position) < std::get<Sphere>(a).radius + std::get<Sphere>(b).radius;
-}
-
 using Names = std::pair<std::string, std::string>;
 
 /// Names of the objects whose shapes may touch.
 std::set<Names> allowed(const Model& model, const std::vector<ExcludedPair>& excluded) {
   const auto shapes = colliding_shapes(model);
-  const InnerPairs inner(model, shapes, excluded, balls_touch);
+  const InnerPairs inner(model, shapes, excluded);
   std::set<Names> result;
   for (int a = 0; a < static_cast<int>(shapes.size()); ++a) {
     EXPECT_FALSE(inner.may_touch(a, a));
@@ -55,7 +51,7 @@ TEST(InnerPairs, NeighborsAndOverlapsAtRestNeverTouch) {
   EXPECT_EQ(allowed(arm(), {}), expected);
   const Model model = arm();
   const auto shapes = colliding_shapes(model);
-  const InnerPairs inner(model, shapes, {}, balls_touch);
+  const InnerPairs inner(model, shapes, {});
   const int spur = 4;
   ASSERT_EQ(model.objects()[shapes[spur].object].name, "spur");
   EXPECT_FALSE(inner.may_touch(0, spur));
@@ -83,7 +79,7 @@ TEST(InnerPairs, UnknownObjectNamesTheNearest) {
 /// Pairs of shapes that the compound finds when the arm is rolled up in one place.
 std::set<std::pair<int, int>> pairs_when_rolled_up(const CompoundOptions& options) {
   const Model model = arm();
-  Compound compound(model, options, balls_touch);
+  Compound compound(model, options);
   compound.refit(std::vector<Vec3d>(static_cast<std::size_t>(model.size())),
                  std::vector<Mat3d>(static_cast<std::size_t>(model.size())));
   std::set<std::pair<int, int>> found;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "murosimf/geometry/collide.h"
 #include "murosimf/multibody/kinematics.h"
 #include "tests/fixtures.h"
 
@@ -14,16 +15,6 @@ using fixtures::Dice;
 using fixtures::placed;
 using geometry::Pose;
 using geometry::Ray;
-
-/// Stand-ins for the exact tests that other tests prove: a shape overlaps the middle of the first, and is as near as the
-/// two middles are. Bounding volumes must let all of these through as well.
-bool holds_middle(const Shape&, const Pose& at_a, const Shape& b, const Pose& at_b) {
-  return fixtures::outside(b, transposed_times(at_b.orientation, at_a.position - at_b.position)) < 0;
-}
-ClosestPoints between_middles(const Shape&, const Pose& at_a, const Shape&, const Pose& at_b) {
-  return {norm(at_a.position - at_b.position), at_a.position, at_b.position};
-}
-ShapeTests stand_ins() { return {holds_middle, between_middles}; }
 
 /// All shapes in the world, for a walk over all of them.
 struct InWorld {
@@ -121,7 +112,7 @@ TEST(Queries, RaysAgreeWithBruteForce) {
   std::size_t found = 0;
   for (const auto volume : geometry::volume_names()) {
     Pitch pitch;
-    QueryScene scene(pitch.world, stand_ins(), std::string(volume));
+    QueryScene scene(pitch.world, std::string(volume));
     for (int i = 0; i < 200; ++i) {
       pitch.shake(dice);
       scene.refresh();
@@ -148,32 +139,36 @@ TEST(Queries, RaysAgreeWithBruteForce) {
   EXPECT_GT(found, 200u);
 }
 
-// Law: a point finds the bodies that hold it.
+// Law: a shape of any kind, a plane too, finds the bodies that it overlaps.
 TEST(Queries, OverlapsAgreeWithBruteForce) {
   Dice dice("overlaps");
+  auto kinds = fixtures::shapes_of_all_kinds();
+  kinds.push_back(Plane{});
   int found = 0;
   for (const auto volume : geometry::volume_names()) {
     Pitch pitch;
-    QueryScene scene(pitch.world, stand_ins(), std::string(volume));
+    QueryScene scene(pitch.world, std::string(volume));
     for (int i = 0; i < 1000; ++i) {
       if (i % 20 == 0) pitch.shake(dice);
       scene.refresh();
+      const Shape shape = kinds[static_cast<std::size_t>(i) % kinds.size()];
       const auto near = pitch.all()[static_cast<std::size_t>(dice.pick(12))];
       const Pose at{near.at.position + dice.vector(0.2), dice.turn()};
       std::vector<BodyRef> expected;
       for (const InWorld& it : pitch.all()) {
         const BodyRef body{it.entity, it.object};
         const bool again = std::find(expected.begin(), expected.end(), body) != expected.end();
-        if (!again && holds_middle({}, at, it.shape, it.at)) expected.push_back(body);
+        geometry::Manifold overlap;
+        if (!again && geometry::collide(shape, at, it.shape, it.at, overlap)) expected.push_back(body);
       }
-      EXPECT_EQ(scene.overlapping(Sphere{0.01}, at), expected) << volume;
+      EXPECT_EQ(scene.overlapping(shape, at), expected) << volume;
       found += static_cast<int>(expected.size());
     }
   }
   EXPECT_GT(found, 500);
 }
 
-/// The least distance of the middles of two bodies' shapes.
+/// The least distance of two bodies' shapes; below 0, the deepest overlap.
 double least_distance(const Pitch& pitch, const BodyRef& a, const BodyRef& b) {
   double least = std::numeric_limits<double>::infinity();
   for (const InWorld& one : pitch.all()) {
@@ -181,7 +176,9 @@ double least_distance(const Pitch& pitch, const BodyRef& a, const BodyRef& b) {
       const bool first = one.entity == a.entity && (a.object == BodyRef::all || a.object == one.object);
       const bool second = other.entity == b.entity && (b.object == BodyRef::all || b.object == other.object);
       const bool planes = std::holds_alternative<Plane>(one.shape) && std::holds_alternative<Plane>(other.shape);
-      if (first && second && !planes) least = std::fmin(least, norm(one.at.position - other.at.position));
+      if (first && second && !planes) {
+        least = std::fmin(least, geometry::distance(one.shape, one.at, other.shape, other.at).distance);
+      }
     }
   }
   return least;
@@ -190,9 +187,10 @@ double least_distance(const Pitch& pitch, const BodyRef& a, const BodyRef& b) {
 // Law: the least distance over all shapes, of whole entities and of single bodies, with planes.
 TEST(Queries, DistancesAgreeWithBruteForce) {
   Dice dice("distances");
+  int overlapping = 0, apart = 0;
   for (const auto volume : geometry::volume_names()) {
     Pitch pitch;
-    QueryScene scene(pitch.world, stand_ins(), std::string(volume));
+    QueryScene scene(pitch.world, std::string(volume));
     const auto& entities = pitch.world.entities();
     for (int i = 0; i < 200; ++i) {
       pitch.shake(dice);
@@ -207,12 +205,15 @@ TEST(Queries, DistancesAgreeWithBruteForce) {
       const auto found = scene.distance(a, b);
       ASSERT_TRUE(found);
       EXPECT_EQ(found->distance, least_distance(pitch, a, b)) << volume;
-      EXPECT_NEAR(norm(found->on_a - found->on_b), found->distance, 1e-15);
+      EXPECT_NEAR(norm(found->on_a - found->on_b), std::fabs(found->distance), 1e-6);
+      (found->distance < 0 ? overlapping : apart) += 1;
       EXPECT_EQ(found->a.entity, a.entity);
       EXPECT_EQ(found->b.entity, b.entity);
       EXPECT_TRUE(a.object == BodyRef::all || found->a.object == a.object);
     }
   }
+  EXPECT_GT(overlapping, 20);
+  EXPECT_GT(apart, 20);
 }
 
 // Rule: after a refresh, bodies are where they are now.
@@ -222,7 +223,7 @@ TEST(Queries, RefreshFollowsMotion) {
   pitch.shake(dice);
   Entity& ball = *pitch.world.find("ball");
   ball.column(properties::position).values[0] = {7, 7, 5};
-  QueryScene scene(pitch.world, stand_ins());
+  QueryScene scene(pitch.world);
   const Ray down{{7, 7, 9}, {0, 0, -1}};
   EXPECT_NEAR(scene.cast(down)->distance, 3.9, 1e-14);
   ball.column(properties::position).values[0] = {7, 7, 7};
@@ -233,7 +234,7 @@ TEST(Queries, RefreshFollowsMotion) {
 
 TEST(Queries, EntityAddedLaterIsAMistakeWithAName) {
   Pitch pitch;
-  QueryScene scene(pitch.world, stand_ins());
+  QueryScene scene(pitch.world);
   const auto& late = pitch.world.add("late", std::make_shared<const Model>(fixtures::ball_model(0.1, 1)));
   const BodyRef ball{pitch.world.find("ball"), 0};
   EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { (void)scene.distance({&late, 0}, ball); }), {"'late'"}));
@@ -242,7 +243,7 @@ TEST(Queries, EntityAddedLaterIsAMistakeWithAName) {
 TEST(Queries, BodiesWithoutShapesHaveNoDistance) {
   Pitch pitch;
   pitch.world.add("ghost", std::make_shared<const Model>("ghost", Chain{}.base().with(properties::mass, 1.0)));
-  QueryScene scene(pitch.world, stand_ins());
+  QueryScene scene(pitch.world);
   EXPECT_FALSE(scene.distance({pitch.world.find("ghost")}, {pitch.world.find("ball")}));
 }
 

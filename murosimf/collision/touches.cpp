@@ -1,0 +1,48 @@
+#include "murosimf/collision/touches.h"
+
+#include "murosimf/collision/body_pairs.h"
+
+namespace murosimf::collision {
+namespace {
+
+/// As A of the contact feels it.
+Touch touch_of(const Entity& entity, const ContactPoint& c, const Entity* other, int other_object) {
+  return {&entity, c.object, other, other_object, c.point, c.normal, c.force, c.depth};
+}
+
+Touch seen_from_other(const Touch& touch) {
+  return {touch.other, touch.other_object, touch.entity, touch.object,
+          touch.point, -touch.normal,      -touch.force, touch.depth};
+}
+
+void add_static(const Entity& entity, std::vector<Touch>& found) {
+  const auto* column = entity.find(contacts);
+  if (!column) return;
+  const ContactSet& set = column->values[0];
+  for (const ContactPoint& c : set.points) {
+    found.push_back(touch_of(entity, c, set.environment, set.environment_objects[c.surface]));
+  }
+}
+
+void add_pairs(const PairSet& set, const Entity& entity, std::vector<Touch>& found) {
+  for (const PairContact& c : set.points) {
+    const Entity &a = *set.entities[static_cast<std::size_t>(c.a)], &b = *set.entities[static_cast<std::size_t>(c.b)];
+    const Touch touch = touch_of(a, c, &b, c.object_b);
+    if (&a == &entity) found.push_back(touch);
+    if (&b == &entity) found.push_back(seen_from_other(touch));
+  }
+}
+
+}  // namespace
+
+std::vector<Touch> touches(const World& world, const Entity& entity) {
+  std::vector<Touch> found;
+  if (entity.frozen()) return found;
+  add_static(entity, found);
+  for (const auto& holder : world.entities()) {
+    if (const auto* column = holder->find(pair_contacts)) add_pairs(column->values[0], entity, found);
+  }
+  return found;
+}
+
+}  // namespace murosimf::collision

@@ -1,0 +1,142 @@
+// What stands on a box stands still, as high as its shape says, and its weight goes through to the ground.
+#include <gtest/gtest.h>
+
+#include "murosimf/collision/touches.h"
+#include "murosimf/geometry/hull.h"
+#include "tests/law.h"
+#include "tests/physics/rig.h"
+
+namespace murosimf::test {
+namespace {
+
+constexpr double least = 1e-4;      // [m] mean overlap of two bodies that carry weight, below which nothing was carried
+constexpr double deepest = 1.3e-3;  // [m] three boxes on the lowest one: 0.4 mm each, and rounding of 10 sweeps
+constexpr double box_mass = 4.3, box_height = 0.1;
+
+/// A body of 1 kg and 0.1 m height.
+ModelPtr solid(const Shape& shape) {
+  PlacedShape placed;
+  placed.shape = shape;
+  return std::make_shared<const Model>("solid", Chain{}
+                                                    .base("solid")
+                                                    .with(properties::mass, 1)
+                                                    .with(properties::inertia, diagonal(2e-3))
+                                                    .with(properties::shapes, {placed}));
+}
+
+/// A frustum of six sides.
+Shape frustum() {
+  std::vector<Vec3d> points;
+  for (int i = 0; i < 6; ++i) {
+    const Vec3d out = rotation_z(i * pi / 3).x;
+    points.push_back(0.06 * out - Vec3d{0, 0, 0.05});
+    points.push_back(0.03 * out + Vec3d{0, 0, 0.05});
+  }
+  return Convex{std::make_shared<const ConvexHull>(geometry::make_hull(points).hull)};
+}
+
+/// Things one on top of the other, the lowest on the ground.
+struct Stack {
+  Stack(const std::string& level, double rate_hz, const std::vector<ModelPtr>& models, double slope = 0)
+      : rig(0.8, slope, rate_hz) {
+    std::vector<Rig::Together> all;
+    for (std::size_t i = 0; i < models.size(); ++i) {
+      Entity& entity = rig.add("part" + std::to_string(i), models[i],
+                               {.position = {0.005 * static_cast<double>(i), 0, box_height * static_cast<double>(i)}});
+      parts.push_back(&entity);
+      all.push_back({&entity, {.level = level}});
+    }
+    rig.attach_together(all);
+  }
+  double ground_force() {
+    double sum = 0;
+    for (const auto& touch : collision::touches(rig.simulation.world(), *parts[0])) {
+      if (touch.other == rig.ground) sum += touch.force.z;
+    }
+    return sum;
+  }
+  /// Largest speed [m/s] of a base in the next `seconds`.
+  law::Worst largest_speed(double seconds) {
+    law::Worst speed;
+    for (int i = 0; i < std::lround(rig.rate * seconds); ++i) {
+      rig.simulation.step();
+      for (Entity* part : parts) speed.see(norm(Rig::velocity(*part)), part->name());
+    }
+    return speed;
+  }
+  double weight() {
+    double sum = 0;
+    for (Entity* part : parts) sum += g * part->base().get(properties::total_mass);
+    return sum;
+  }
+  Rig rig;
+  std::vector<Entity*> parts;
+};
+
+/// A level and a rate [Hz].
+using LevelAndRate = std::tuple<std::string, int>;
+
+class Stacks : public testing::TestWithParam<LevelAndRate> {
+ protected:
+  static std::string words(const std::string& what) {
+    return fmt::format("{}, {} ms, {}", std::get<0>(GetParam()), 1000 / std::get<1>(GetParam()), what);
+  }
+  static void expect_at_rest(Stack& stack, const std::string& what) {
+    stack.rig.run(2);
+    law::expect_below({.law = "stack: largest speed after 2 s", .level = words(what), .source = "it rests"},
+                      stack.largest_speed(1), 1e-4, "m/s");
+    law::expect_near({.law = "stack: force of the ground on the lowest", .level = words(what), .source = "all weight"},
+                     stack.ground_force(), stack.weight(), 1e-4 * stack.weight(), "N");
+    law::Worst sunk, risen;
+    for (std::size_t i = 0; i < stack.parts.size(); ++i) {
+      const double height = box_height * (static_cast<double>(i) + 0.5);
+      const double depth = (height - Rig::place(*stack.parts[i]).z) / static_cast<double>(i + 1);
+      sunk.see(depth, "part", i);
+      risen.see(-depth, "part", i);
+    }
+    law::expect_below({.law = "stack: how deep its parts have sunk, per contact below",
+                       .level = words(what),
+                       .source = "0.4 mm under one weight, three on the lowest"},
+                      sunk, deepest, "m");
+    EXPECT_LT(law::Measured(risen).value, -least);
+  }
+};
+
+TEST_P(Stacks, OfThreeBoxesRest) {
+  const auto& [level, rate] = GetParam();
+  Stack stack(level, rate, {box_model(), box_model(), box_model()});
+  expect_at_rest(stack, "three boxes");
+}
+
+TEST_P(Stacks, CarryACylinderAndAHull) {
+  const auto& [level, rate] = GetParam();
+  Stack cylinder(level, rate, {box_model(), solid(Cylinder{0.05, 0.05})});
+  expect_at_rest(cylinder, "cylinder on a box");
+  Stack hull(level, rate, {box_model(), solid(frustum())});
+  expect_at_rest(hull, "hull on a box");
+}
+
+// Friction remembers its contacts from step to step by their features: nothing creeps.
+TEST_P(Stacks, DoNotCreepOnASlope) {
+  const auto& [level, rate] = GetParam();
+  for (const auto& [top, what] : std::vector<std::pair<ModelPtr, std::string>>{
+           {box_model(), "box"}, {solid(Cylinder{0.05, 0.05}), "cylinder"}, {solid(frustum()), "hull"}}) {
+    Stack stack(level, rate, {box_model(), top}, 3 * degree);
+    stack.rig.run(2);
+    const Vec3d before = Rig::place(*stack.parts[1]);
+    stack.rig.run(2);
+    law::expect_below({.law = "stack on a slope of 3 degrees: mean speed of the upper part",
+                       .level = words(what),
+                       .source = "friction holds: none"},
+                      norm(Rig::place(*stack.parts[1]) - before) / 2, 1e-5, "m/s");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bodies, Stacks,
+                         testing::Combine(testing::ValuesIn(dynamic_levels()), testing::Values(1000, 500, 200)),
+                         [](const auto& test) {
+                           return fmt::format("{}_{}Hz", std::get<0>(test.param), std::get<1>(test.param));
+                         });
+
+}  // namespace
+}  // namespace murosimf::test
