@@ -15,10 +15,10 @@ namespace murosimf::collision {
 
 struct CompoundOptions {
   std::string volume = "sphere";       ///< kind of bounding volume: one of geometry::volume_names()
-  double margin = 0;                   ///< [m] of the volumes: they stay right while nothing moves farther
   bool structured = true;              ///< the tree follows the robot's own; false: split top-down (the field)
   bool inner = false;                  ///< shapes of this entity can touch each other
   std::vector<ExcludedPair> excluded;  ///< but for these
+  double margin = 0;                   ///< [m] of the volumes: they stay right while nothing moves farther
 };
 
 class Compound {

@@ -26,7 +26,7 @@ std::vector<int> find_feet(const Model& model, const Compound& compound) {
 Compound make_compound(const Entity& entity) {
   const CollisionOptions& options = entity.options().collision;
   return compound_of(
-      entity, {.volume = options.volume, .margin = margin, .inner = options.self_collision, .excluded = options.never});
+      entity, {.volume = options.volume, .inner = options.self_collision, .excluded = options.never, .margin = margin});
 }
 
 }  // namespace
