@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "murosimf/collision/contact_parameters.h"
+#include "murosimf/geometry/four_points.h"
 
 namespace murosimf::collision {
 namespace {
@@ -127,6 +128,7 @@ void PairFinder::add_contacts(const std::vector<Mover>& movers, const PairContac
                               PairSet& set) const noexcept {
   const Mover &first = movers[pair.a], &second = movers[pair.b];
   sort_by_feature(manifold);
+  keep_four(manifold);  // more only cost
   for (int k = 0; k < manifold.count; ++k) {
     const geometry::ManifoldPoint& found = manifold.points[k];
     PairContact& c = set.points.emplace_back(pair);
