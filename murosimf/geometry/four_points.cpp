@@ -20,6 +20,8 @@ int farthest(const Manifold& manifold, const Measure& measure) {
   return best;
 }
 
+double square(double x) { return x * x; }
+
 int deepest_of(const Manifold& manifold, const Chosen& among) {
   int best = among.index[0];
   for (int k = 1; k < among.count; ++k) {
@@ -56,12 +58,12 @@ void keep_four(Manifold& manifold) noexcept {
   };
   const Vec3d first = manifold.points[0].point;
   choose(0);
-  choose(farthest(manifold, [&](const Vec3d& p) { return norm(p - first); }));
+  choose(farthest(manifold, [&](const Vec3d& p) { return square(norm(p - first)); }));
   if (chosen.count < 2) return void(manifold.count = 1);  // all in one place
   const Vec3d along = manifold.points[chosen.index[1]].point - first;
   const Vec3d aside = cross(manifold.normal, along);
-  choose(farthest(manifold, [&](const Vec3d& p) { return dot(aside, p - first); }));
-  choose(farthest(manifold, [&](const Vec3d& p) { return -dot(aside, p - first); }));
+  choose(farthest(manifold, [&](const Vec3d& p) { return square(std::max(0.0, dot(aside, p - first))); }));
+  choose(farthest(manifold, [&](const Vec3d& p) { return square(std::max(0.0, -dot(aside, p - first))); }));
   take_deepest(manifold, all, norm(along), chosen);
   std::sort(chosen.index.begin(), chosen.index.begin() + chosen.count);
   for (int k = 0; k < chosen.count; ++k) manifold.points[k] = manifold.points[chosen.index[k]];
