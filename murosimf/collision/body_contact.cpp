@@ -75,9 +75,12 @@ void BodyContact::solve_islands(double dt) noexcept {
 
 void BodyContact::solve_island(int island, double dt) noexcept {
   solver_.start(dt);
+  bool stands = false;
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     member_[i] = outside;
-    if (islands_.of(static_cast<int>(i)) == island) member_[i] = start_member(movers_[i], dt);
+    if (islands_.of(static_cast<int>(i)) != island) continue;
+    member_[i] = start_member(movers_[i], dt);
+    stands |= !movers_[i].contacts.points.empty();
   }
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     ContactSet& ground = movers_[i].contacts;
@@ -101,7 +104,7 @@ void BodyContact::solve_island(int island, double dt) noexcept {
     movers_[c.b].push(c.object_b, c.point, -c.force, dt);
   }
   for (std::size_t i = 0; i < movers_.size(); ++i) {
-    if (member_[i] != outside) finish_member(movers_[i]);
+    if (member_[i] != outside) finish_member(movers_[i], stands);
   }
 }
 
@@ -122,7 +125,7 @@ int BodyContact::start_member(Mover& mover, double dt) noexcept {
 }
 
 /// Memory of a law that is no rows, and forces as they acted, for motion's report and for sensors.
-void BodyContact::finish_member(Mover& mover) noexcept {
+void BodyContact::finish_member(Mover& mover, bool island_stands) noexcept {
   ContactSet& ground = mover.contacts;
   if (ground.law) {
     if (!ground_becomes_rows(ground)) {
@@ -136,6 +139,7 @@ void BodyContact::finish_member(Mover& mover) noexcept {
     for (const int object : ground.loaded) mover.external_damping[object] = Sym6d{};
   }
   ground.solved = true;
+  ground.island_stands = island_stands;
 }
 
 IslandSolver::Side BodyContact::side(int mover, int object, const Vec3d& velocity) const {

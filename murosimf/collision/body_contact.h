@@ -43,7 +43,7 @@ class BodyContact final : public Algorithm {
   void solve_islands(double dt) noexcept;
   void solve_island(int island, double dt) noexcept;
   [[nodiscard]] int start_member(Mover& mover, double dt) noexcept;
-  void finish_member(Mover& mover) noexcept;
+  void finish_member(Mover& mover, bool island_stands) noexcept;
   [[nodiscard]] IslandSolver::Side side(int mover, int object, const Vec3d& velocity) const;
 
   BodyContactOptions options_;

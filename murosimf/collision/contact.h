@@ -83,7 +83,8 @@ struct ContactSet {
   ImpulseResponse* response = nullptr;  ///< of the level that moves the entity, for island solvers; null: none
   bool damped_by_others = false;        ///< contact between bodies adds external damping: motion must be implicit in it
   TestCounts tests;                     ///< of collision detection in this step
-  bool solved = false;  ///< an island solver has settled this step already; motion takes it over and resets this
+  bool solved = false;         ///< an island solver has settled this step already; motion takes it over and resets this
+  bool island_stands = false;  ///< in that case: somebody in the island touches the environment
 
   // working memory, kept to avoid allocation
   std::vector<ContactPoint> previous;

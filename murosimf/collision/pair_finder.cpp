@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "murosimf/collision/contact_parameters.h"
+#include "murosimf/geometry/four_points.h"
 
 namespace murosimf::collision {
 namespace {
@@ -134,6 +135,7 @@ void PairFinder::add_contacts(const std::vector<Mover>& movers, const PairContac
   const bool pushes = first.can_be_pushed() || second.can_be_pushed();
   std::vector<PairContact>& points = pushes ? set.points : set.blocked;
   sort_by_feature(manifold);
+  keep_four(manifold);  // more only cost
   for (int k = 0; k < manifold.count; ++k) {
     const geometry::ManifoldPoint& found = manifold.points[k];
     PairContact& c = points.emplace_back(pair);

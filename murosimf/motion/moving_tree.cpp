@@ -115,7 +115,7 @@ void MovingTree::place_base(const multibody::FreeBody<double>& base) noexcept {
 void MovingTree::commit_contacts() noexcept { collision::commit_contacts(contacts, columns.r, external_force); }
 
 bool MovingTree::in_flight() const noexcept {
-  return contacts.points.empty() &&
+  return contacts.points.empty() && !(contacts.solved && contacts.island_stands) &&
          std::all_of(external_damping.begin(), external_damping.end(), [](const Sym6d& d) { return is_zero(d); });
 }
 
