@@ -16,9 +16,22 @@ namespace {
 
 /// A scene to measure, and when: [s] of simulated time.
 struct Case {
-  std::string scene;
+  std::string name, scene;
   double from, until;
+  std::vector<std::string> overrides;
 };
+
+std::vector<Case> cases() {
+  return {{"duel", "duel", 0, 60, {}},
+          {"duel, aabb", "duel", 0, 60, {"blue1.volume=aabb", "red1.volume=aabb"}},
+          {"duel, standing",
+           "duel",
+           1,
+           4,
+           {"blue1.controller=none", "red1.controller=none", "blue1.position=[-1, 0]", "red1.position=[1, 0]"}},
+          {"eleven a side", "eleven_a_side", 1, 4, {}},
+          {"heap", "heap", 4, 8, {}}};
+}
 
 double median(std::vector<double> numbers) {
   const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
@@ -30,7 +43,7 @@ io::CollisionReport summed_up(const std::vector<CollisionProbe::Sample>& samples
   io::CollisionReport report;
   report.steps = static_cast<std::int64_t>(samples.size());
   report.naive_tests = naive;
-  std::vector<double> times;
+  std::vector<double> pairs, ground;
   for (const CollisionProbe::Sample& sample : samples) {
     const double share = static_cast<double>(sample.volumes + sample.objects) / static_cast<double>(naive);
     report.mean_volume_tests += static_cast<double>(sample.volumes);
@@ -38,12 +51,14 @@ io::CollisionReport summed_up(const std::vector<CollisionProbe::Sample>& samples
     report.mean_contacts += static_cast<double>(sample.contacts);
     report.worst_share = std::max(report.worst_share, share);
     ++report.histogram[std::min(io::CollisionReport::bins - 1, static_cast<int>(share * io::CollisionReport::bins))];
-    times.push_back(sample.us);
+    pairs.push_back(sample.pairs_us);
+    ground.push_back(sample.ground_us);
   }
   for (double* sum : {&report.mean_volume_tests, &report.mean_object_tests, &report.mean_contacts}) {
     *sum /= static_cast<double>(samples.size());
   }
-  report.detection_us = median(times);
+  report.pairs_us = median(pairs);
+  report.ground_us = median(ground);
   return report;
 }
 
@@ -57,7 +72,7 @@ std::vector<Entity*> movers_of(World& world, const Entity& environment) {
 
 /// Time of the same scene without the probe [us per step].
 double step_us(const Case& measured) {
-  io::Scene scene(measured.scene);
+  io::Scene scene(measured.scene, {.overrides = measured.overrides});
   Simulation& simulation = scene.simulation();
   simulation.run(from_seconds(measured.from));
   const auto start = std::chrono::steady_clock::now();
@@ -67,7 +82,7 @@ double step_us(const Case& measured) {
 }
 
 io::CollisionReport measure(const Case& measured) {
-  io::Scene scene(measured.scene);
+  io::Scene scene(measured.scene, {.overrides = measured.overrides});
   Simulation& simulation = scene.simulation();
   Entity& field = simulation.world().entity("field");
   const auto& probe = simulation.attach<CollisionProbe>("collision_probe", field, scene.spec().rate,
@@ -75,7 +90,7 @@ io::CollisionReport measure(const Case& measured) {
   simulation.run(from_seconds(measured.until));
   const auto first = static_cast<std::ptrdiff_t>(measured.from * scene.spec().rate);
   io::CollisionReport report = summed_up({probe.samples().begin() + first, probe.samples().end()}, probe.naive_tests());
-  report.scene = measured.scene;
+  report.scene = measured.name;
   report.robots = static_cast<int>(scene.spec().robots.size());
   report.step_us = step_us(measured);
   return report;
@@ -86,7 +101,7 @@ io::CollisionReport measure(const Case& measured) {
 int bench(const BenchOptions& options) {
   if (!options.json.empty() && options.json != "-") io::check_writable(options.json);
   std::vector<io::CollisionReport> reports;
-  for (const Case& measured : {Case{"duel", 0, 60}, Case{"eleven_a_side", 1, 4}, Case{"heap", 4, 8}}) {
+  for (const Case& measured : cases()) {
     reports.push_back(measure(measured));
   }
   if (options.json == "-") {

@@ -36,15 +36,18 @@ void CollisionProbe::step(const Instant&) noexcept {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   collision::TestCounts ground;
-  points_.clear();
+  std::size_t contacts = 0;
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     movers_[i].start_step();
+    points_.clear();
     ground_finders_[i].find(movers_[i].r, movers_[i].R, points_, ground);
+    contacts += points_.size();
   }
+  const auto middle = Clock::now();
   pair_finder_.find(movers_, pairs_);
-  const std::chrono::duration<double, std::micro> time = Clock::now() - start;
+  const std::chrono::duration<double, std::micro> on_ground = middle - start, among = Clock::now() - middle;
   samples_.push_back({ground.volumes + pairs_.tests.volumes, ground.objects + pairs_.tests.objects,
-                      points_.size() + pairs_.points.size(), time.count()});
+                      contacts + pairs_.points.size(), among.count(), on_ground.count()});
 }
 
 }  // namespace murosimf::app

@@ -38,20 +38,22 @@ toml::table table_of(const CollisionReport& report) {
                      {"worst_share", report.worst_share},
                      {"histogram", std::move(histogram)},
                      {"mean_contacts", report.mean_contacts},
-                     {"detection_us", report.detection_us},
+                     {"pairs_us", report.pairs_us},
+                     {"ground_us", report.ground_us},
                      {"step_us", report.step_us}};
 }
 
 }  // namespace
 
 std::string to_text(const std::vector<CollisionReport>& reports) {
-  std::string text = fmt::format("{:<16} {:>6} {:>8} {:>8} {:>8} {:>7} {:>7} {:>9} {:>13} {:>11}\n", "scene", "robots",
-                                 "naive", "volumes", "objects", "share", "worst", "contacts", "detection", "step");
+  std::string text =
+      fmt::format("{:<16} {:>6} {:>8} {:>8} {:>8} {:>7} {:>7} {:>9} {:>11} {:>11} {:>11}\n", "scene", "robots", "naive",
+                  "volumes", "objects", "share", "worst", "contacts", "pairs", "ground", "step");
   for (const CollisionReport& r : reports) {
-    text +=
-        fmt::format("{:<16} {:>6} {:>8} {:>8.1f} {:>8.1f} {:>5.1f} % {:>5.1f} % {:>9.1f} {:>10.2f} us {:>8.1f} us\n",
-                    r.scene, r.robots, r.naive_tests, r.mean_volume_tests, r.mean_object_tests, 100 * r.mean_share(),
-                    100 * r.worst_share, r.mean_contacts, r.detection_us, r.step_us);
+    text += fmt::format(
+        "{:<16} {:>6} {:>8} {:>8.1f} {:>8.1f} {:>5.1f} % {:>5.1f} % {:>9.1f} {:>8.2f} us {:>8.2f} us {:>8.1f} us\n",
+        r.scene, r.robots, r.naive_tests, r.mean_volume_tests, r.mean_object_tests, 100 * r.mean_share(),
+        100 * r.worst_share, r.mean_contacts, r.pairs_us, r.ground_us, r.step_us);
   }
   if (!reports.empty()) text += histogram_text(reports.front());
   return text;

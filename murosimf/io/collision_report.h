@@ -19,6 +19,8 @@ struct CollisionReport {
   double worst_share = 0;                      ///< of the naive tests, in a step
   std::array<std::int64_t, bins> histogram{};  ///< steps by their share of the naive tests, in bins of 5 %
   double mean_contacts = 0;                    ///< points
+  double pairs_us = 0;                         ///< a step: all transforms and tests among robots and ball, median
+  double ground_us = 0;                        ///< a step: the same with goals and ground, median
   double detection_us = 0;                     ///< a step: all transforms and tests, median
   double step_us = 0;                          ///< the whole simulation, mean
 
@@ -31,7 +33,7 @@ struct CollisionReport {
 [[nodiscard]] std::string to_text(const std::vector<CollisionReport>& reports);
 
 /// One JSON object: scenes [{scene, robots, steps, naive_tests, mean_volume_tests, mean_object_tests, mean_share,
-/// worst_share, histogram [], mean_contacts, detection_us, step_us}].
+/// worst_share, histogram [], mean_contacts, pairs_us, ground_us, step_us}].
 [[nodiscard]] std::string to_json(const std::vector<CollisionReport>& reports);
 
 }  // namespace murosimf::io

@@ -122,7 +122,7 @@ std::vector<GoalBox> goal_boxes(const FieldSize& size, double side) {
           {"bar_rear", {{w, y + w, w}}, {side * rear, 0, w}}};
 }
 
-ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& grain) {
+ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& grain, bool goals) {
   PlacedShape ground;
   ground.shape = Plane{};
   ground.surface.material = ground_material;
@@ -131,8 +131,10 @@ ModelPtr field_model(const FieldSize& size, const std::string& ground_material, 
   Chain chain;
   chain.base("field").with(properties::shapes, {ground}).with(properties::markings, field_markings(size));
   std::vector<Chain> boxes;
-  for (const GoalBox& part : goal_boxes(size, -1)) boxes.push_back(goal_box(part, "goal_left"));
-  for (const GoalBox& part : goal_boxes(size, 1)) boxes.push_back(goal_box(part, "goal_right"));
+  if (goals) {
+    for (const GoalBox& part : goal_boxes(size, -1)) boxes.push_back(goal_box(part, "goal_left"));
+    for (const GoalBox& part : goal_boxes(size, 1)) boxes.push_back(goal_box(part, "goal_right"));
+  }
   chain.fork(boxes);
   return std::make_shared<const Model>(std::string(size.name), std::move(chain));
 }

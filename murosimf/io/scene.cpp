@@ -47,7 +47,8 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
 
 void Scene::add_entities() {
   World& world = simulation_->world();
-  field_ = &world.add("field", field_model(field_size(spec_.field.size), spec_.field.surface, spec_.field.grain));
+  field_ = &world.add("field", field_model(field_size(spec_.field.size), spec_.field.surface, spec_.field.grain,
+                                           spec_.field.goals));
   check_materials(field_->model());
   if (spec_.ball) {
     EntityOptions options;

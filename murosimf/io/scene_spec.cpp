@@ -54,6 +54,7 @@ void read_field(const TomlTable& scene, SceneSpec& spec) {
   field.read("size", spec.field.size);
   field.read("surface", spec.field.surface);
   field.read("grain", spec.field.grain);
+  field.read("goals", spec.field.goals);
   require(spec.field.grain.z == 0, field, "grain", "lies in the ground: [x, y]");
   at(field.where("size"), [&] { return field_size(spec.field.size); });
 }

@@ -23,6 +23,7 @@ struct FieldSpec {
   std::string size = "kid_size_2008";
   std::string surface = "carpet";
   Vec3d grain;  ///< [1] where its pile leans, in the ground; zero: nowhere
+  bool goals = true;
 };
 
 struct BallSpec {

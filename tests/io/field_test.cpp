@@ -222,5 +222,10 @@ TEST(Field, UnknownNameSuggestsTheNearest) {
   }
 }
 
+TEST(FieldModel, StandsWithoutGoalsIfAsked) {
+  const ModelPtr model = field_model(kid_size_2008, "carpet", {}, false);
+  EXPECT_EQ(model->bodies().size(), 1u);
+}
+
 }  // namespace
 }  // namespace murosimf::io
