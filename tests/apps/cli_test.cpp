@@ -190,4 +190,22 @@ TEST(CliMistakes, AFullDiskIsReported) {
   EXPECT_NE(read_file(err).find("cannot write to standard output"), std::string::npos);
 }
 
+TEST(Cli, RefusesToBenchWhatItDoesNotKnow) {
+  expect_mistake("bench", {"what"});
+  expect_mistake("bench colision", {"colision", "collision"});
+  expect_mistake("bench collision --json /nowhere/b.json", {"/nowhere/b.json"});
+}
+
+TEST(Cli, ListsBoundingVolumes) {
+  const Result result = murosimf("list volumes");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.output, "sphere\naabb\nobb\ncapsule\n");
+}
+
+TEST(Cli, SaysWhichBoundingVolumesThereAre) {
+  expect_mistake("run walk --set 'walker.volume=spere'", {"walker", "spere", "sphere"});
+  expect_mistake("run walk --set 'walker.no_contact=[[\"l_foot\",\"r_fot\"]]' --set walker.self_collision=true",
+                 {"walker", "r_fot", "r_foot"});
+}
+
 }  // namespace
