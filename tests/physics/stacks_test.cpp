@@ -82,9 +82,9 @@ class Stacks : public testing::TestWithParam<LevelAndRate> {
     return fmt::format("{}, {} ms, {}", std::get<0>(GetParam()), 1000 / std::get<1>(GetParam()), what);
   }
   static void expect_at_rest(Stack& stack, const std::string& what) {
-    stack.rig.run(2);
-    law::expect_below({.law = "stack: largest speed after 2 s", .level = words(what), .source = "it rests"},
-                      stack.largest_speed(1), 1e-4, "m/s");
+    stack.rig.run(4);
+    law::expect_below({.law = "stack: largest speed after 4 s", .level = words(what), .source = "it rests"},
+                      stack.largest_speed(1), 1e-6, "m/s");
     law::expect_near({.law = "stack: force of the ground on the lowest", .level = words(what), .source = "all weight"},
                      stack.ground_force(), stack.weight(), 1e-4 * stack.weight(), "N");
     law::Worst sunk, risen;
