@@ -8,7 +8,6 @@
 #include "apps/commands.h"
 #include "apps/standard_output.h"
 #include "murosimf/io/collision_report.h"
-#include "murosimf/io/output_file.h"
 #include "murosimf/io/scene.h"
 
 namespace murosimf::app {
@@ -99,17 +98,12 @@ io::CollisionReport measure(const Case& measured) {
 }  // namespace
 
 int bench(const BenchOptions& options) {
-  if (!options.json.empty() && options.json != "-") io::check_writable(options.json);
+  check_json_file(options.json);
   std::vector<io::CollisionReport> reports;
   for (const Case& measured : cases()) {
     reports.push_back(measure(measured));
   }
-  if (options.json == "-") {
-    write_standard_output(io::to_json(reports));
-  } else {
-    write_standard_output(io::to_text(reports));
-    if (!options.json.empty()) io::write_file(options.json, io::to_json(reports));
-  }
+  write_result(options.json, io::to_text(reports), io::to_json(reports));
   return 0;
 }
 

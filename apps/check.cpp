@@ -6,21 +6,15 @@
 #include "murosimf/io/data_path.h"
 #include "murosimf/io/mjcf_reader.h"
 #include "murosimf/io/model_report.h"
-#include "murosimf/io/output_file.h"
 
 namespace murosimf::app {
 
 int check(const CheckOptions& options) {
-  if (!options.json.empty() && options.json != "-") io::check_writable(options.json);
+  check_json_file(options.json);
   const auto file = io::find_data_file(options.model, "models", ".xml");
   const io::MjcfResult result = io::read_mjcf(file, {.lenient = options.lenient});
   const io::ModelReport report = io::make_report(*result.model, result.warnings, result.notes);
-  if (options.json == "-") {
-    write_standard_output(io::to_json(report));
-  } else {
-    write_standard_output(io::to_text(report));
-    if (!options.json.empty()) io::write_file(options.json, io::to_json(report));
-  }
+  write_result(options.json, io::to_text(report), io::to_json(report));
   return 0;
 }
 

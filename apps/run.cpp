@@ -66,7 +66,7 @@ int run(const RunOptions& options) {
   Clock clock(speed_of(options.speed));
   if (options.duration) duration_of(*options.duration);
   // where results go is checked before anything is computed, so that no result is lost
-  if (!options.json.empty() && options.json != "-") io::check_writable(options.json);
+  check_json_file(options.json);
   if (!options.picture.empty()) io::check_writable(options.picture);
   std::optional<PictureSequence> pictures;
   if (!options.pictures.empty()) pictures.emplace(options.pictures, options.picture_every);
@@ -95,12 +95,7 @@ int run(const RunOptions& options) {
   }
   const io::RunReport report = scene.report(wall, clock.lateness());
 
-  if (options.json == "-") {
-    write_standard_output(io::to_json(report));
-  } else {
-    write_standard_output(io::to_text(report));
-    if (!options.json.empty()) io::write_file(options.json, io::to_json(report));
-  }
+  write_result(options.json, io::to_text(report), io::to_json(report));
   if (!options.picture.empty()) scene.write_picture(options.picture);
   return 0;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/output_file.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
@@ -15,6 +16,16 @@ void write_standard_output(const std::string& text) {
   if (!written || std::fflush(stdout) != 0) {
     throw SetupError(fmt::format("cannot write to standard output: {}", std::generic_category().message(errno)));
   }
+}
+
+void check_json_file(const std::string& json_file) {
+  if (!json_file.empty() && json_file != "-") io::check_writable(json_file);
+}
+
+void write_result(const std::string& json_file, const std::string& text, const std::string& json) {
+  if (json_file == "-") return write_standard_output(json);
+  write_standard_output(text);
+  if (!json_file.empty()) io::write_file(json_file, json);
 }
 
 }  // namespace murosimf::app

@@ -1,4 +1,4 @@
-/// standard_output.h - writing results to standard output.
+/// standard_output.h - where results go: standard output, and a JSON file.
 #pragma once
 
 #include <string>
@@ -7,5 +7,12 @@ namespace murosimf::app {
 
 /// Throws SetupError if standard output is closed or full.
 void write_standard_output(const std::string& text);
+
+/// `json_file` as users give it: empty for none, "-" for standard output. To be called before anything is computed, so that
+/// no result is lost. Throws SetupError if the file could not be written.
+void check_json_file(const std::string& json_file);
+
+/// `json` alone to standard output if the user asked for that there; else `text`, and `json` to the file if there is one.
+void write_result(const std::string& json_file, const std::string& text, const std::string& json);
 
 }  // namespace murosimf::app
