@@ -16,19 +16,39 @@ using Names = std::vector<std::string_view>;
 
 struct Number {
   std::string_view key;
-  double Servo::*member;
+  double& (*of)(Servo&);
 };
-constexpr std::array numbers{Number{"voltage", &Servo::voltage},
-                             Number{"stall_torque", &Servo::stall_torque},
-                             Number{"no_load_rate", &Servo::no_load_rate},
-                             Number{"position_gain", &Servo::position_gain},
-                             Number{"velocity_gain", &Servo::velocity_gain},
-                             Number{"duty_limit", &Servo::duty_limit},
-                             Number{"torque_limit", &Servo::torque_limit},
-                             Number{"rotor_inertia", &Servo::rotor_inertia},
-                             Number{"coulomb_friction", &Servo::coulomb_friction},
-                             Number{"viscous_friction", &Servo::viscous_friction},
-                             Number{"command_delay", &Servo::command_delay}};
+template <auto member>
+double& of_servo(Servo& servo) {
+  return servo.*member;
+}
+template <auto member>
+double& of_friction(Servo& servo) {
+  return servo.friction.*member;
+}
+constexpr std::array numbers{Number{"voltage", of_servo<&Servo::voltage>},
+                             Number{"stall_torque", of_servo<&Servo::stall_torque>},
+                             Number{"no_load_rate", of_servo<&Servo::no_load_rate>},
+                             Number{"position_gain", of_servo<&Servo::position_gain>},
+                             Number{"firmware_gain", of_servo<&Servo::firmware_gain>},
+                             Number{"velocity_gain", of_servo<&Servo::velocity_gain>},
+                             Number{"duty_limit", of_servo<&Servo::duty_limit>},
+                             Number{"torque_limit", of_servo<&Servo::torque_limit>},
+                             Number{"rotor_inertia", of_servo<&Servo::rotor_inertia>},
+                             Number{"coulomb_friction", of_friction<&GearFriction::coulomb>},
+                             Number{"viscous_friction", of_friction<&GearFriction::viscous>},
+                             Number{"stribeck_friction", of_friction<&GearFriction::stribeck>},
+                             Number{"stribeck_rate", of_friction<&GearFriction::stribeck_rate>},
+                             Number{"stribeck_exponent", of_friction<&GearFriction::stribeck_exponent>},
+                             Number{"motor_load_friction", of_friction<&GearFriction::motor_load>},
+                             Number{"external_load_friction", of_friction<&GearFriction::external_load>},
+                             Number{"stribeck_motor_load_friction", of_friction<&GearFriction::stribeck_motor_load>},
+                             Number{"stribeck_external_load_friction",
+                                    of_friction<&GearFriction::stribeck_external_load>},
+                             Number{"quadratic_motor_load_friction", of_friction<&GearFriction::quadratic_motor_load>},
+                             Number{"quadratic_external_load_friction",
+                                    of_friction<&GearFriction::quadratic_external_load>},
+                             Number{"command_delay", of_servo<&Servo::command_delay>}};
 
 /// What a servo law needs, and what means nothing to it.
 struct Law {
@@ -123,7 +143,7 @@ void ServoDraft::take_number(const toml::key& key, const toml::node& node) {
   if (key == "current_limit") {
     current_limit_ = value;
   } else {
-    servo_.*std::ranges::find(numbers, key.str(), &Number::key)->member = value;
+    std::ranges::find(numbers, key.str(), &Number::key)->of(servo_) = value;
     if (key == "torque_limit") current_limit_.reset();
   }
   given_.emplace(key.str());
@@ -143,7 +163,7 @@ Servo ServoDraft::finish(std::string_view name, const toml::source_region& sourc
     servo.torque_limit = *current_limit_ * servo.voltage / servo.no_load_rate;
   }
   for (const Number& number : numbers) {
-    if (!std::isfinite(servo.*number.member)) {
+    if (!std::isfinite(number.of(servo))) {
       fail_at(source, fmt::format("{} of servo '{}' is not finite; voltage or current is too large", number.key, name));
     }
   }

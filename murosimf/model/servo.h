@@ -1,11 +1,29 @@
 /// servo.h - data of a servo motor, on the output side of its gear. What moves with it is motion's business.
 ///
-/// Stall torque, no-load rate and gain hold at `voltage`; a servo law (motion/servo_law.h) makes torque of them.
+/// Stall torque, no-load rate and gain hold at `voltage`; a servo law (motion/servo_law.h) makes torque of them. The
+/// textbook's constants of the motor, seen at the output, follow: k_t = voltage / no_load_rate [N m/A = V s/rad] and
+/// R = k_t voltage / stall_torque [ohm].
 #pragma once
 
 #include <string>
 
 namespace murosimf {
+
+/// The largest torque that a gear's friction can muster: a budget (multibody/joint_friction.h has the equation and its
+/// source). The numbers without unit are shares of a load. All zero: none.
+struct GearFriction {
+  double coulomb = 0;                  ///< [N m] K_c
+  double viscous = 0;                  ///< [N m s/rad] K_v
+  double stribeck = 0;                 ///< [N m] K_cs: more at rest
+  double stribeck_rate = 0;            ///< [rad/s] v_s; 0: nothing is more at rest
+  double stribeck_exponent = 1;        ///< [1] alpha
+  double motor_load = 0;               ///< [1] K_m: of the motor's torque
+  double external_load = 0;            ///< [1] K_e: of the load's torque
+  double stribeck_motor_load = 0;      ///< [1] K_ms
+  double stribeck_external_load = 0;   ///< [1] K_es
+  double quadratic_motor_load = 0;     ///< [1/(N m)] K_mq
+  double quadratic_external_load = 0;  ///< [1/(N m)] K_eq
+};
 
 struct Servo {
   std::string type;              ///< name of the table it came from, for example "mx64"
@@ -14,13 +32,13 @@ struct Servo {
   double stall_torque = 0;       ///< [N m] at rest and full duty; 0: unlimited (ideal_pd only)
   double no_load_rate = 0;       ///< [rad/s] at full duty, without friction; 0: not known (ideal_pd only)
   double position_gain = 0;      ///< [N m/rad] torque at rest per angle between target and position
+  double firmware_gain = 0;      ///< [1] the integer P gain of the firmware that gives position_gain; 0: not known
   double velocity_gain = 0;      ///< [N m s/rad] of the controller (ideal_pd only)
   double duty_limit = 1;         ///< [1] largest duty cycle that the firmware gives
   double torque_limit = 0;       ///< [N m] of the motor, from its current limit; 0: none
   double rotor_inertia = 0;      ///< [kg m^2]
-  double coulomb_friction = 0;   ///< [N m]
-  double viscous_friction = 0;   ///< [N m s/rad]
-  double command_delay = 0;      ///< [s] from the controller's target to the motor
+  GearFriction friction;
+  double command_delay = 0;  ///< [s] from the controller's target to the motor
 };
 
 /// The moment at which a servo was too weak by the most for what a motion takes; all zero if it never was.

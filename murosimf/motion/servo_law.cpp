@@ -16,11 +16,11 @@ namespace {
 
 /// What the servo loses in itself at a rate [rad/s] that is not small.
 double friction(const Servo& servo, double qd) {
-  return servo.coulomb_friction + servo.viscous_friction * std::abs(qd);
+  return servo.friction.coulomb + servo.friction.viscous * std::abs(qd);
 }
 
 void add_friction(JointDrive& drive, const Servo& servo, double qd, double dt) {
-  const double b = coulomb_damping(servo.coulomb_friction, qd) + servo.viscous_friction;
+  const double b = coulomb_damping(servo.friction.coulomb, qd) + servo.friction.viscous;
   drive.torque -= b * qd;
   drive.inertia += dt * b;
 }

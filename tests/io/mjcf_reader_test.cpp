@@ -398,8 +398,8 @@ TEST(MjcfReader, RotorAndFrictionOfTheFileStayWithTheJoint) {
   EXPECT_EQ(*model->find(properties::joint_friction, j), 0.2);
   const Servo& servo = *model->find(properties::servo, j);
   EXPECT_EQ(servo.rotor_inertia, 0);
-  EXPECT_EQ(servo.coulomb_friction, 0);
-  EXPECT_EQ(servo.viscous_friction, 0);
+  EXPECT_EQ(servo.friction.coulomb, 0);
+  EXPECT_EQ(servo.friction.viscous, 0);
 }
 
 TEST(MjcfReader, TheForceRangeOfAJointLimitsItsServo) {

@@ -54,7 +54,7 @@ TEST(RobotTable, ReadsWhatIsThere) {
   EXPECT_EQ(b.no_load_rate, 5);
   EXPECT_EQ(b.position_gain, 4);
   EXPECT_EQ(b.rotor_inertia, 0.1);
-  EXPECT_EQ(b.coulomb_friction, 0.2);
+  EXPECT_EQ(b.friction.coulomb, 0.2);
   EXPECT_EQ(b.law, "dc_motor");
   EXPECT_EQ(b.duty_limit, 1);
   EXPECT_EQ(b.torque_limit, 0);
@@ -72,7 +72,7 @@ TEST(RobotTable, ReadsWhatAServoMayHaveToo) {
   EXPECT_EQ(a.voltage, 12);
   EXPECT_EQ(a.duty_limit, 0.9);
   EXPECT_EQ(a.torque_limit, 3);
-  EXPECT_EQ(a.viscous_friction, 0.3);
+  EXPECT_EQ(a.friction.viscous, 0.3);
   EXPECT_EQ(a.command_delay, 0.01);
 }
 
@@ -80,8 +80,8 @@ TEST(RobotTable, StartsFromAReadyMadeServo) {
   const Servo mx64 = read_servo("mx64");
   const Servo a = servo_of("type = 'mx64'\ncoulomb_friction = 0.2");
   EXPECT_EQ(a.type, "mx64");
-  EXPECT_EQ(a.coulomb_friction, 0.2);
-  EXPECT_EQ(a.viscous_friction, mx64.viscous_friction);
+  EXPECT_EQ(a.friction.coulomb, 0.2);
+  EXPECT_EQ(a.friction.viscous, mx64.friction.viscous);
   EXPECT_EQ(a.stall_torque, mx64.stall_torque);
   EXPECT_EQ(a.position_gain, mx64.position_gain);
 }
@@ -93,7 +93,7 @@ TEST(RobotTable, AnotherVoltageScalesAReadyMadeServo) {
   EXPECT_DOUBLE_EQ(a.stall_torque, 1.5 * mx64.stall_torque);
   EXPECT_DOUBLE_EQ(a.no_load_rate, 1.5 * mx64.no_load_rate);
   EXPECT_EQ(a.position_gain, 7);  // said for the new voltage
-  EXPECT_EQ(a.coulomb_friction, mx64.coulomb_friction);
+  EXPECT_EQ(a.friction.coulomb, mx64.friction.coulomb);
   EXPECT_DOUBLE_EQ(servo_of("type = 'mx64'\nvoltage = 6").position_gain, 0.5 * mx64.position_gain);
 }
 

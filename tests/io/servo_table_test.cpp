@@ -36,8 +36,8 @@ TEST(ServoTable, ShippedServosArePlausible) {
     expect_between(servo.stall_torque * servo.no_load_rate / servo.voltage, 0.5, 10);           // [A] at stall
     expect_between(servo.stall_torque / servo.position_gain, 0.05, 1.5);                        // [rad] to full duty
     expect_between(servo.rotor_inertia * servo.no_load_rate / servo.stall_torque, 0.002, 0.2);  // [s] to run up
-    expect_between(servo.coulomb_friction / servo.stall_torque, 0.002, 0.2);
-    expect_between(servo.viscous_friction * servo.no_load_rate / servo.stall_torque, 0, 0.2);
+    expect_between(servo.friction.coulomb / servo.stall_torque, 0.002, 0.2);
+    expect_between(servo.friction.viscous * servo.no_load_rate / servo.stall_torque, 0, 0.2);
     expect_between(servo.duty_limit, 0.5, 1);
     EXPECT_EQ(servo.velocity_gain, 0);
   }
@@ -61,8 +61,8 @@ TEST(ServoTable, FittedServosAreWhatTheirFilesDerive) {
   const Servo servo = read_servo("mx64");
   EXPECT_EQ(servo.duty_limit, 0.9625);
   EXPECT_EQ(servo.rotor_inertia, 0.01195);
-  EXPECT_EQ(servo.coulomb_friction, 0.09039);
-  EXPECT_EQ(servo.viscous_friction, 0.01169);
+  EXPECT_EQ(servo.friction.coulomb, 0.09039);
+  EXPECT_EQ(servo.friction.viscous, 0.01169);
 }
 
 /// Fits and data sheets come from different hands; the largest differences are 20 % (no-load rate of the xl330, without
