@@ -15,6 +15,7 @@ struct RunOptions {
   int threads = 1;
   std::optional<std::int64_t> seed;  ///< from 0
   std::vector<std::string> overrides;
+  std::vector<std::string> events;
   std::string json;            ///< file, "-" for standard output
   std::string picture;         ///< PNG file
   std::string pictures;        ///< folder for a sequence of PNG files

@@ -30,6 +30,10 @@ void add_run(CLI::App& app, RunOptions& options, int& exit_code) {
       ->add_option("--set", options.overrides,
                    "PATH=VALUE: change the scene, for example 'blue.*.level=simplified_dynamics'")
       ->allow_extra_args(false);
+  run_command
+      ->add_option("--at", options.events,
+                   "TIME:PATH=VALUE: change the scene while it runs, for example '3:blue1.level=articulated_dynamics'")
+      ->allow_extra_args(false);
   run_command->add_option("--json", options.json,
                           "Write the report as JSON to this file, or to standard output with '-'");
   run_command->add_option("--picture", options.picture, "Write a PNG picture of the field from above");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "murosimf/collision/contact_law.h"
+#include "murosimf/io/scene_spec.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/motion/simplified_dynamics.h"
 #include "murosimf/runtime/simulation.h"
@@ -27,7 +28,7 @@ struct Level {
   std::string_view name, meaning;
   bool dynamic;              ///< forces move it: it needs contact with the ground
   std::string_view options;  ///< keys of a robot that it uses, besides those that all levels use
-  void (*attach)(Simulation&, Entity&, double rate_hz, const LevelOptions&);
+  std::unique_ptr<MotionLevel> (*make)(Setup&, const LevelOptions&);
 };
 
 struct Contact {
@@ -53,6 +54,9 @@ struct Controller {
 struct Sensor {
   std::string_view name, meaning;
 };
+
+/// The options that a robot of a scene asks for.
+[[nodiscard]] LevelOptions level_options(const RobotSpec& robot);
 
 [[nodiscard]] std::span<const Level> levels();
 [[nodiscard]] std::span<const Contact> contacts();

@@ -62,6 +62,8 @@ inline constexpr Property<Vec3d>  common_center_of_mass_velocity {{"common_cente
 inline constexpr Property<SymMat3d> common_inertia   {{"common_inertia", "kg m^2", "world, at the common center of mass", "xx yy zz xy xz yz", Scope::base}};
 inline constexpr Property<Vec3d>  stance_pose        {{"stance_pose", "m, m, rad", "world", "x, y and heading of the standing sole", Scope::base}};
 inline constexpr Property<double> stance_foot        {{"stance_foot", "1", "-", "0: first sole of the model stands, 1: second", Scope::base}};
+inline constexpr Property<Vec3d>  remaining_shift    {{"remaining_shift", "m", "world", "of the base from its pinned place, since kinematic walking took over", Scope::base}};
+inline constexpr Property<Vec3d>  remaining_turn     {{"remaining_turn", "rad", "world", "of the base from its pinned attitude, likewise, as rotation vector", Scope::base}};
 inline constexpr Property<double> pushable           {{"pushable", "1", "-", "1: forces move the entity, 0: it pushes and is never pushed", Scope::base}};
 inline constexpr Property<Vec3d>  separation         {{"separation", "m", "world, horizontal", "way in this step out of bodies that are not pushed either", Scope::base}};
 inline constexpr Property<Forced> absorbed_impulse   {{"absorbed_impulse", "N m s, N s", "world, at the world's origin", "what contacts gave to a body that cannot be pushed", Scope::base}};

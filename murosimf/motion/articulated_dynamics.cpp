@@ -33,6 +33,14 @@ void ArticulatedDynamics::initialize() {
   tree_.contacts.response = this;
 }
 
+void ArticulatedDynamics::take_over(const Momentum& momentum) {
+  drives_.take_over();
+  tree_.take_over(momentum);
+  std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
+  check_inertias();
+  tree_.contacts.response = this;
+}
+
 void ArticulatedDynamics::check_inertias() {
   const auto& links = tree_.columns.model.tree().links;
   std::vector<RigidInertia<double>> composite;

@@ -5,20 +5,22 @@
 /// Source: paper, outlook (7); Featherstone 2008, ch. 7.
 #pragma once
 
-#include "murosimf/model/algorithm.h"
+#include "murosimf/model/motion_level.h"
 #include "murosimf/motion/joint_drives.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/multibody/articulated_body.h"
 
 namespace murosimf::motion {
 
-class ArticulatedDynamics final : public Algorithm, private collision::ImpulseResponse {
+class ArticulatedDynamics final : public MotionLevel, private collision::ImpulseResponse {
  public:
   /// Throws SetupError if the model has no mass, a servo is impossible, or a joint moves no inertia at all.
   explicit ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options = {});
 
   void initialize() override;
   void step(const Instant& instant) noexcept override;
+  [[nodiscard]] Momentum hand_over() noexcept override { return tree_.hand_over(); }
+  void take_over(const Momentum& momentum) override;
 
  private:
   [[nodiscard]] bool free_pass(double dt) noexcept override;

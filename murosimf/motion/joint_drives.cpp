@@ -58,6 +58,12 @@ void JointDrives::initialize(std::span<double> q, std::span<double> qd) noexcept
     const Joint& joint = joints_[i];
     q[i] = joint.stop_stiffness > 0 ? std::clamp(target_[i], joint.lowest, joint.highest) : target_[i];
     qd[i] = 0;
+  }
+  take_over();
+}
+
+void JointDrives::take_over() noexcept {
+  for (const int i : objects_) {
     present_[i] = target(i);
     delayed_[i].fill(present_[i]);
   }

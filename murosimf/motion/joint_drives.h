@@ -28,6 +28,8 @@ class JointDrives {
 
   /// Joints stand where their targets are, at rest.
   void initialize(std::span<double> q, std::span<double> qd) noexcept;
+  /// Joints stay as they are; all motors know the present targets.
+  void take_over() noexcept;
   /// To be called once per step: takes the targets on their way to the motors. False if one is no sensible number.
   [[nodiscard]] bool take_targets() noexcept;
   /// Takes whole turns out of the positions [rad] of wheels (turning_joints.h).
