@@ -7,8 +7,9 @@
 namespace murosimf::multibody {
 namespace {
 
-constexpr double locked = 1e30;  // [kg m^2 | kg]
-constexpr double slow = 1e-3;    // [rad/s | m/s] below this, friction of islands is a damper
+constexpr double locked = 1e30;     // [kg m^2 | kg]
+constexpr double tolerated = 0.25;  // [1] of F, in one step
+constexpr double slow = 1e-3;       // [rad/s | m/s] below this, friction of islands is a damper
 
 /// How the sweep sees a joint: 1/D and u.
 template <class S>
@@ -37,12 +38,12 @@ template <class S>
           select(sticks, stop, j.torque - damping * j.rate + j.own_load)};
 }
 
-/// Whether p still says what the sweep decided.
+/// Whether friction is off by more than the tolerated share of F, as p stands now.
 template <class S>
-[[gnu::always_inline]] inline auto differs(const DryJoint<S>& j) {
+[[gnu::always_inline]] inline auto is_wrong(const DryJoint<S>& j) {
   const S push = j.drive + j.load;
   const S along = select(j.direction == S(0.0), j.budget - abs(push), j.direction * push - j.budget);
-  return along < S(0.0);
+  return (along < -tolerated * j.budget) & (j.budget > S(0.0));
 }
 
 }  // namespace
@@ -79,7 +80,7 @@ S accelerate_with_friction(const Tree& tree, std::span<const LinkMotion<S>> link
     body.joint_acceleration = (body.u - carried) * body.inverse_D;
     body.acceleration = a + body.joint_acceleration * links[l].axis;
     joints[l].load = joints[l].own_load - carried;
-    wrong = wrong + select(differs(joints[l]), S(1.0), S(0.0));
+    wrong = wrong + select(is_wrong(joints[l]), S(1.0), S(0.0));
   }
   return wrong;
 }

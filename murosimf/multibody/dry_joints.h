@@ -9,7 +9,8 @@
 ///     |p| < F: it sticks, qdd = -qd / h;   else it slides, tau -= sign(p) F
 ///
 /// so one joint alone ends at the rate sign(p) max(0, |p| - F) h / D. a'_p is not known before the sweep is over: the sweep takes that
-/// of the last pass. If p with the true a'_p decides otherwise for some joint, the pass has to be repeated.
+/// of the last pass. If with the true a'_p friction of some joint is off by more than a quarter of F, the pass has to be
+/// repeated; with less, the next step decides better.
 ///
 /// Inside an island of touching robots (collision/impulse_response.h) there is one pass, and forces of contacts come
 /// afterwards: tau_e is that of the step before. A sliding joint then feels -b (rate after the step), b = F over the
