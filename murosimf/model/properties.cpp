@@ -14,7 +14,7 @@ constexpr std::array entries{
     constant(servo), constant(joint_damping), constant(joint_armature), constant(joint_friction), constant(sole),
     constant(markings), variable(position), variable(orientation), variable(linear_velocity),
     variable(angular_velocity), variable(joint_position), variable(joint_rate), variable(joint_target), variable(joint_rate_target),
-    variable(joint_torque), variable(torque_need), variable(overload),
+    variable(joint_torque), variable(joint_load), variable(felt_acceleration), variable(torque_need), variable(overload),
     variable(cycle_target), variable(applied_force), variable(interaction_force), variable(external_force),
     variable(external_damping), variable(base_quaternion), variable(total_mass), variable(common_center_of_mass),
     variable(common_center_of_mass_velocity), variable(common_inertia), variable(stance_pose),

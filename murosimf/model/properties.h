@@ -45,7 +45,9 @@ inline constexpr Property<double> joint_position     {{"joint_position", "rad | 
 inline constexpr Property<double> joint_rate         {{"joint_rate", "rad/s | m/s", "joint", "rate of joint_position"}};
 inline constexpr Property<double> joint_target       {{"joint_target", "rad | m", "joint", "desired position, set by control software"}};
 inline constexpr Property<double> joint_rate_target {{"joint_rate_target", "rad/s | m/s", "joint", "desired rate of a joint whose servo has no position gain, set by control software"}};
-inline constexpr Property<double> joint_torque     {{"joint_torque", "N m | N", "joint", "of the servo; at full_dynamics what the motion would take"}};
+inline constexpr Property<double> joint_torque     {{"joint_torque", "N m | N", "joint", "of servo and gear; at full_dynamics what the motion would take"}};
+inline constexpr Property<double> joint_load       {{"joint_load", "N m | N", "joint", "all that a joint feels besides its own servo, friction, dampers and end"}};
+inline constexpr Property<Motiond> felt_acceleration {{"felt_acceleration", "rad/s^2, m/s^2", "world, at the base's origin", "of a link: what forces add to its gravity and velocity products"}};
 inline constexpr Property<double> torque_need      {{"torque_need", "N m | N", "joint", "joint_torque, smoothed over 20 ms"}};
 inline constexpr Property<Overload> overload       {{"overload", "N m, N m, rad/s, s", "joint", "where torque_need exceeded the servo the most: needed, given, rate, time"}};
 inline constexpr Property<double> cycle_target       {{"cycle_target", "rad | m", "joint", "target that the present control cycle runs to"}};

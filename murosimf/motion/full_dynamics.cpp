@@ -48,6 +48,7 @@ void FullDynamics::step(const Instant& instant) noexcept {
     settle_contacts(tree_.contacts, tree_.columns.r, tree_.external_force, tree_.external_damping, [&] {
       solve_base(dt_);
       predict_contacts(dt_);
+      return true;
     });
   }
   if (!joints_sane_) return tree_.halt("a joint position or target is no sensible number");

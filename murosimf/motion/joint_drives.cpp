@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/motion/coulomb_damping.h"
 #include "murosimf/motion/torque_watch.h"
 
 namespace murosimf::motion {
@@ -16,6 +15,16 @@ constexpr double stop_shift = 0.5e-3;          // [m]
 constexpr double stop_damping_time = 5e-3;     // [s] damper over spring
 
 double value_or_zero(const double* number) { return number ? *number : 0; }
+
+bool has_dry_part(const GearFriction& k) {
+  return k.coulomb > 0 || k.stribeck > 0 || k.motor_load > 0 || k.external_load > 0 || k.stribeck_motor_load > 0 ||
+         k.stribeck_external_load > 0 || k.quadratic_motor_load > 0 || k.quadratic_external_load > 0;
+}
+
+void damp(JointDrive& drive, double damping, double qd, double dt) {
+  drive.torque -= damping * qd;
+  drive.inertia += dt * damping;
+}
 
 }  // namespace
 
@@ -37,11 +46,13 @@ JointDrives::Joint JointDrives::make_joint(const Model& model, int i, double wei
   Joint joint;
   joint.rotor = rotor_inertia(model, i);
   joint.damping = value_or_zero(model.find(properties::joint_damping, i));
-  joint.friction = value_or_zero(model.find(properties::joint_friction, i));
+  joint.coulomb = value_or_zero(model.find(properties::joint_friction, i));
   const Servo* servo = model.find(properties::servo, i);
   if (servo) {
     joint.law = make_servo_law(*servo);
     joint.command_delay = servo->command_delay;
+    joint.viscous = servo->friction.viscous;
+    if (has_dry_part(servo->friction)) joint.gear = &servo->friction;
   }
   if (const Vec3d* range = model.find(properties::joint_range, i)) {
     joint.lowest = range->x;
@@ -82,15 +93,15 @@ bool JointDrives::take_targets() noexcept {
 
 JointDrives::Answer JointDrives::drive(int i, double q, double qd, double dt) const noexcept {
   const Joint& joint = joints_[i];
-  Answer answer;
-  if (joint.law) answer.servo = joint.law->drive(present_[i], q, qd, dt);
+  Answer answer{.gear = joint.gear, .coulomb = joint.coulomb};
+  if (joint.law) {
+    answer.servo = joint.law->drive(present_[i], q, qd, dt);
+    answer.motor_torque = answer.servo.torque;
+    damp(answer.servo, joint.viscous, qd, dt);
+  }
   JointDrive& all = answer.all;
   all = {answer.servo.torque, answer.servo.inertia + joint.rotor};
-  if (joint.damping > 0 || joint.friction > 0) {
-    const double b = joint.damping + coulomb_damping(joint.friction, qd);
-    all.torque -= b * qd;
-    all.inertia += dt * b;
-  }
+  damp(all, joint.damping, qd, dt);
   if (joint.stop_stiffness > 0) {
     const double next = q + dt * qd;
     const double beyond = next - std::clamp(next, joint.lowest, joint.highest);

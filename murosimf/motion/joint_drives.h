@@ -1,5 +1,5 @@
-/// joint_drives.h - everything that acts on the joints of a robot from inside: servos, passive damping and friction,
-/// the ends of their range.
+/// joint_drives.h - everything that acts on the joints of a robot from inside: servos, dampers and dry friction, the
+/// ends of their range.
 ///
 /// A joint without servo is free. At an end of its range a joint meets a spring and a damper, implicit as the servo is,
 ///
@@ -34,10 +34,13 @@ class JointDrives {
   [[nodiscard]] bool take_targets() noexcept;
   /// Takes whole turns out of the positions [rad] of wheels (turning_joints.h).
   void wrap(std::span<double> q) const noexcept { turning_.wrap(q); }
-  /// Torque and added inertia of a joint.
+  /// What acts in a joint.
   struct Answer {
-    JointDrive servo;  ///< of the servo alone, without rotor
-    JointDrive all;    ///< with rotor, passive damping and friction, and the end of the range
+    double motor_torque = 0;             ///< [N m] of the motor, now
+    JointDrive servo;                    ///< motor and viscous friction of the gear, without rotor
+    JointDrive all;                      ///< with rotor, dampers, and the end of the range
+    const GearFriction* gear = nullptr;  ///< dry friction of the servo; null: none
+    double coulomb = 0;                  ///< [N m | N] dry friction of the joint itself
   };
   /// Joint `i` (an object of the model), for a step of `dt` [s].
   [[nodiscard]] Answer drive(int i, double q, double qd, double dt) const noexcept;
@@ -45,12 +48,14 @@ class JointDrives {
  private:
   struct Joint {
     std::unique_ptr<ServoLaw> law;
-    double rotor = 0;                // [kg m^2 | kg]
-    double damping = 0;              // [N m s/rad | N s/m]
-    double friction = 0;             // [N m | N]
-    double lowest = 0, highest = 0;  // [rad | m]
-    double stop_stiffness = 0;       // [N m/rad | N/m]; 0: no ends
-    double command_delay = 0;        // [s]
+    double rotor = 0;                    // [kg m^2 | kg]
+    double damping = 0;                  // [N m s/rad | N s/m] of the joint itself
+    double viscous = 0;                  // [N m s/rad] of the servo
+    double coulomb = 0;                  // [N m | N] dry friction of the joint itself
+    const GearFriction* gear = nullptr;  // dry friction of the servo; null: none
+    double lowest = 0, highest = 0;      // [rad | m]
+    double stop_stiffness = 0;           // [N m/rad | N/m]; 0: no ends
+    double command_delay = 0;            // [s]
   };
   [[nodiscard]] static Joint make_joint(const Model& model, int i, double weight);
 

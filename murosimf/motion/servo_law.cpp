@@ -9,20 +9,16 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/motion/coulomb_damping.h"
+#include "murosimf/multibody/joint_friction.h"
 
 namespace murosimf::motion {
 namespace {
 
-/// What the servo loses in itself at a rate [rad/s] that is not small.
-double friction(const Servo& servo, double qd) {
-  return servo.friction.coulomb + servo.friction.viscous * std::abs(qd);
-}
-
-void add_friction(JointDrive& drive, const Servo& servo, double qd, double dt) {
-  const double b = coulomb_damping(servo.friction.coulomb, qd) + servo.friction.viscous;
-  drive.torque -= b * qd;
-  drive.inertia += dt * b;
+/// What is left of a motor's torque [N m] behind the gear, while it drives a load at a rate [rad/s].
+double behind_gear(const Servo& servo, double torque, double qd) {
+  const double load = -torque;  // nearly
+  const double lost = multibody::dry_friction(servo.friction, qd, torque, load) + servo.friction.viscous * std::abs(qd);
+  return std::max(0.0, torque - lost);
 }
 
 class IdealPd final : public ServoLaw {
@@ -36,10 +32,9 @@ class IdealPd final : public ServoLaw {
     const double kp = servo_.position_gain, kd = servo_.velocity_gain;
     JointDrive drive{by_rate_ ? kd * (target - qd) : kp * (target - q - dt * qd) - kd * qd, dt * kd + dt * dt * kp};
     if (std::abs(drive.torque) > limit_) drive = {std::copysign(limit_, drive.torque), 0};
-    add_friction(drive, servo_, qd, dt);
     return drive;
   }
-  [[nodiscard]] double available(double qd, double) const noexcept override { return limit_ - friction(servo_, qd); }
+  [[nodiscard]] double available(double qd, double) const noexcept override { return behind_gear(servo_, limit_, qd); }
 
  private:
   Servo servo_;
@@ -67,11 +62,10 @@ class DcMotor final : public ServoLaw {
     } else if (duty != for_current) {
       drive.inertia = dt * damping_;  // full duty: the back-EMF still follows the rate
     }
-    add_friction(drive, servo_, qd, dt);
     return drive;
   }
   [[nodiscard]] double available(double qd, double direction) const noexcept override {
-    return std::max(0.0, std::min(torque_limit_, duty_limit_ - direction * damping_ * qd) - friction(servo_, qd));
+    return behind_gear(servo_, std::min(torque_limit_, duty_limit_ - direction * damping_ * qd), qd);
   }
 
  private:

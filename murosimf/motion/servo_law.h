@@ -13,10 +13,10 @@
 ///             tau_m = stall u - (stall/no_load) qd                         back-EMF: the speed-torque line
 ///             |tau_m| <= torque_limit, as far as the duty allows           current limit
 ///             without kp, as a wheel's drive: tau = kd (rate target - qd)
-/// both:       friction -(F_c / max(|qd|, 0.05 rad/s) + F_v) qd             Coulomb (regularized) and viscous
 ///
+/// Friction of the gear is not in it: joint_drives.h, multibody/dry_joints.h.
 /// Source: textbook permanent-magnet DC motor (stall = k_t V/R, stall/no_load = k_t^2/R); order of the two limits as
-/// firmware has it: it can only move the duty. The regularized Coulomb friction lets a loaded joint creep.
+/// firmware has it: it can only move the duty.
 #pragma once
 
 #include <memory>
@@ -36,9 +36,9 @@ class ServoLaw {
  public:
   virtual ~ServoLaw() = default;
 
-  /// `target` [rad], or [rad/s] if the servo follows a rate; `q` [rad], `qd` [rad/s] at the beginning of the step of `dt` [s]. Rotor inertia is not in the answer.
+  /// `target` [rad], or [rad/s] if the servo follows a rate; `q` [rad], `qd` [rad/s] at the beginning of the step of `dt` [s]. Rotor inertia and friction are not in the answer.
   [[nodiscard]] virtual JointDrive drive(double target, double q, double qd, double dt) const noexcept = 0;
-  /// Largest torque [N m] that the servo can give to the joint, its own friction taken off, in the direction of `direction` (+1 or -1) at rate `qd` [rad/s].
+  /// Largest torque [N m] that the servo can give to a joint that it drives, friction of its gear taken off, in the direction of `direction` (+1 or -1) at rate `qd` [rad/s].
   [[nodiscard]] virtual double available(double qd, double direction) const noexcept = 0;
 };
 

@@ -83,6 +83,7 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
     settle_contacts(contacts_, columns_.r, external_force_, external_damping_, [&] {
       solve(dt_);
       predict_contacts();
+      return true;
     });
   }
   multibody::FreeBody<double> body{center_, velocity_, columns_.Q[0], columns_.w[0]};
