@@ -144,7 +144,7 @@ const std::vector<std::string_view>& robot_keys() {
                                                   "contact",        "controller", "position",   "command",
                                                   "heading_deg",    "roll_deg",   "pitch_deg",  "volume",
                                                   "self_collision", "no_contact", "base_rigid", "joint_reference",
-                                                  "integrator",     "fixed_base"};
+                                                  "integrator",     "fixed_base", "motion"};
   return keys;
 }
 

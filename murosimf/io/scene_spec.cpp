@@ -120,6 +120,7 @@ void read_robot(const TomlTable& table, RobotSpec& robot) {
   table.read("level", robot.level);
   table.read("contact", robot.contact);
   table.read("controller", robot.controller);
+  table.read("motion", robot.motion);
   table.read("joint_reference", robot.joint_reference);
   table.read("base_rigid", robot.base_rigid);
   table.read("fixed_base", robot.fixed_base);

@@ -55,6 +55,7 @@ struct RobotSpec {
   std::string level = "kinematic_walking";
   std::string contact = "implicit_stick";
   std::string controller = "walk";
+  std::string motion;  ///< name or file, for the controller "keyframes"; empty for none
   std::string joint_reference = "filter";
   motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
   bool base_rigid = false;
