@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/io/compare_runs.h"
+
 namespace murosimf::app {
 
 struct RunOptions {
@@ -39,6 +41,16 @@ struct BenchOptions {
 
 /// Collision detection: tests and time per step.
 int bench(const BenchOptions& options);
+
+struct CompareCommand {
+  io::CompareOptions options;
+  std::vector<std::string> thresholds;  ///< NAME=VALUE
+  std::string json;                     ///< file, "-" for standard output
+  std::string plots;                    ///< folder for PNG files
+};
+
+/// The same experiment at several levels of detail.
+int compare(const CompareCommand& command);
 
 /// `what`: levels, contacts, body_contacts, volumes, integrators, servo_laws, controllers, sensors, properties.
 int list(const std::string& what);

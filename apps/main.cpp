@@ -13,6 +13,7 @@
 namespace {
 
 using namespace murosimf::app;
+namespace io = murosimf::io;
 
 void add_run(CLI::App& app, RunOptions& options, int& exit_code) {
   CLI::App* run_command = app.add_subcommand("run", "Run a scene and say what happened");
@@ -47,6 +48,35 @@ void add_run(CLI::App& app, RunOptions& options, int& exit_code) {
   run_command->callback([&] { exit_code = run(options); });
 }
 
+void add_compare(CLI::App& app, CompareCommand& command, int& exit_code) {
+  io::CompareOptions& options = command.options;
+  CLI::App* compare_command = app.add_subcommand("compare", "Run a scene at several levels and say which is adequate");
+  compare_command
+      ->add_option("scene", options.scene, "Scene file (TOML), or the name of one that comes with the program")
+      ->required();
+  compare_command->add_option("--entity", options.entity, "The robot whose level changes")->required();
+  compare_command->add_option("--levels", options.levels, "Levels, separated by commas; all if not given")
+      ->delimiter(',');
+  compare_command
+      ->add_option("--contacts", options.contacts, "Contact laws, separated by commas; the scene's if not given")
+      ->delimiter(',');
+  compare_command
+      ->add_option("--set", options.overrides, "PATH=VALUE: change the scene, for example 'field.surface=grass'")
+      ->allow_extra_args(false);
+  compare_command->add_option("--duration", options.duration, "Simulated seconds, instead of the scene's");
+  compare_command->add_option("--seed", options.seed, "Seed of all random numbers, instead of the scene's")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
+  compare_command->add_option("--repeat", options.repeat, "Timed runs per level; their median counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  compare_command->add_option("--threshold", command.thresholds, "NAME=VALUE: what still counts as the same")
+      ->allow_extra_args(false);
+  compare_command->add_option("--json", command.json, "Write JSON to this file, or to standard output with '-'");
+  compare_command->add_option("--plots", command.plots, "Write PNG plots to this folder");
+  compare_command->add_flag("--lenient", options.lenient, "Accept unknown elements in model files, with a warning");
+  compare_command->callback([&] { exit_code = compare(command); });
+}
+
 void add_check(CLI::App& app, CheckOptions& options, int& exit_code) {
   CLI::App* check_command = app.add_subcommand("check", "Read a robot model and show what is in it");
   check_command->add_option("model", options.model, "Model file (MJCF), or the name of one that comes with the program")
@@ -77,7 +107,7 @@ void add_list(CLI::App& app, std::string& what, int& exit_code) {
 
 /// The parser would only say that a command is required.
 void refuse_unknown_command(int argc, char** argv) {
-  const std::vector<std::string_view> commands{"run", "check", "list", "bench"};
+  const std::vector<std::string_view> commands{"run", "compare", "check", "list", "bench"};
   if (argc < 2 || argv[1][0] == '-') return;
   if (std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     throw murosimf::SetupError(murosimf::unknown_name("command", argv[1], commands));
@@ -91,11 +121,13 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", MUROSIMF_VERSION);
   RunOptions run_options;
+  CompareCommand compare_command;
   CheckOptions check_options;
   BenchOptions bench_options;
   std::string what, what_to_bench;
   int exit_code = 0;
   add_run(app, run_options, exit_code);
+  add_compare(app, compare_command, exit_code);
   add_check(app, check_options, exit_code);
   add_list(app, what, exit_code);
   add_bench(app, bench_options, what_to_bench, exit_code);

@@ -7,6 +7,7 @@
 #include "murosimf/collision/paper_law.h"
 #include "murosimf/control/ball_chaser.h"
 #include "murosimf/control/drive.h"
+#include "murosimf/control/keyframe_player.h"
 #include "murosimf/control/walk_engine.h"
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/motion/full_dynamics.h"
@@ -40,6 +41,12 @@ void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
 
 void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, options.command);
+}
+
+void attach_keyframes(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  if (!options.motion) throw SetupError("controller 'keyframes' needs a motion: motion = \"get_up_front\"");
+  simulation.attach<control::KeyframePlayer>("keyframe_player", robot, control::KeyframePlayer::rate_hz,
+                                             *options.motion);
 }
 
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
@@ -91,6 +98,7 @@ constexpr std::array contact_entries{
 constexpr std::array controller_entries{
     Controller{"none", "joints stay where they are put", attach_none},
     Controller{"walk", "walks with the velocity in walk_command", attach_walk},
+    Controller{"keyframes", "plays the key frames of a motion once", attach_keyframes},
     Controller{"drive", "drives a car with the speed and turning rate in walk_command", attach_drive},
     Controller{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth",
                attach_ball_chaser},

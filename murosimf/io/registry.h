@@ -5,11 +5,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "murosimf/collision/contact_law.h"
+#include "murosimf/control/keyframe_motion.h"
 #include "murosimf/io/scene_spec.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/motion/simplified_dynamics.h"
@@ -44,6 +46,7 @@ struct ControllerOptions {
   Vec3d half_field{3, 2, 0};       ///< [m] from the middle to the touch and goal lines
   double attacks = 1;              ///< +1: the robot's team plays towards positive x, -1: the other way
   Vec3d command;                   ///< [m/s, m/s, rad/s] first walk_command
+  std::optional<control::KeyframeMotion> motion;
 };
 
 struct Controller {

@@ -11,6 +11,7 @@
 #include "murosimf/io/data_path.h"
 #include "murosimf/io/field.h"
 #include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/motion_file.h"
 #include "murosimf/io/output_file.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/io/viewed_shapes.h"
@@ -140,6 +141,10 @@ void Scene::attach_controllers() {
     options.half_field = {0.5 * field.length, 0.5 * field.width, 0};
     for (const TeamSpec& team : spec_.teams) {
       if (team.name == robot.team) options.attacks = team.attacks;
+    }
+    if (!robot.motion.empty()) {
+      options.motion =
+          at(robot.where, [&] { return read_motion(find_motion(robot.motion, spec_.file.parent_path())); });
     }
     const Controller& controller = find_entry(controllers(), "controller", robot.controller);
     at(robot.where, [&] { controller.attach(*simulation_, *robots_[i], options); });

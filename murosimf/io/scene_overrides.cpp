@@ -53,7 +53,7 @@ const std::vector<std::string_view>& robot_keys() {
                                                   "contact",        "controller", "position",   "command",
                                                   "heading_deg",    "roll_deg",   "pitch_deg",  "volume",
                                                   "self_collision", "no_contact", "base_rigid", "joint_reference",
-                                                  "integrator",     "fixed_base", "servo_law"};
+                                                  "integrator",     "fixed_base", "servo_law",  "motion"};
   return keys;
 }
 

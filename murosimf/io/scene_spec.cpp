@@ -123,6 +123,7 @@ void read_robot(const TomlTable& table, RobotSpec& robot) {
   table.read("contact", robot.contact);
   table.read("controller", robot.controller);
   table.read("servo_law", robot.servo_law);
+  table.read("motion", robot.motion);
   table.read("joint_reference", robot.joint_reference);
   table.read("base_rigid", robot.base_rigid);
   table.read("fixed_base", robot.fixed_base);

@@ -56,6 +56,7 @@ struct RobotSpec {
   std::string contact = "implicit_stick";
   std::string controller = "walk";
   std::string servo_law;  ///< instead of what the model's servos say; empty: those
+  std::string motion;     ///< name or file, for the controller "keyframes"; empty for none
   std::string joint_reference = "filter";
   motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
   bool base_rigid = false;

@@ -33,19 +33,23 @@ ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& 
 void ArticulatedDynamics::initialize() {
   drives_.initialize(tree_.columns.q, tree_.columns.qd);
   tree_.start();
-  std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
-  std::fill(joint_load_.begin(), joint_load_.end(), 0.0);
-  std::fill(felt_acceleration_.begin(), felt_acceleration_.end(), Motiond{{}, -tree_.gravity});
-  check_inertias();
+  begin();
   tree_.contacts.response = this;
 }
 
 void ArticulatedDynamics::take_over(const Momentum& momentum) {
   drives_.take_over();
   tree_.take_over(momentum);
-  std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
-  check_inertias();
+  begin();
   tree_.contacts.response = this;
+}
+
+/// Nothing is known yet about the loads of the joints.
+void ArticulatedDynamics::begin() {
+  std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
+  std::fill(joint_load_.begin(), joint_load_.end(), 0.0);
+  std::fill(felt_acceleration_.begin(), felt_acceleration_.end(), Motiond{{}, -tree_.gravity});
+  check_inertias();
 }
 
 void ArticulatedDynamics::check_inertias() {

@@ -48,6 +48,7 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void report_torques() noexcept;
   void advance_joints(double dt) noexcept;
   [[nodiscard]] bool accelerations_are_sane() const noexcept;
+  void begin();
   void check_inertias();
 
   MovingTree tree_;

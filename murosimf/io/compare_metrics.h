@@ -1,0 +1,47 @@
+/// compare_metrics.h - what one run of a robot shows, and how far it is from a more detailed one (docs/compare.md).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "murosimf/motion/motion_recorder.h"
+
+namespace murosimf::io {
+
+/// The torso went down (it leans more than 60 degrees) or came up again (less than 30). A run's first event is how it begins,
+/// at time 0.
+struct PostureEvent {
+  double time = 0;  ///< [s]
+  bool down = false;
+};
+
+struct Measures {
+  double path_length = 0;  ///< [m] horizontal way of the base, sampled twice a second so that swaying does not count
+  Vec3d end;               ///< [m] where the base was last
+  std::vector<PostureEvent> events;
+  int falls = 0;           ///< how often it went down after it had been up
+  double slip = 0;         ///< [m] of both soles
+  double clearance = 0;    ///< [m] how high a sole came at most
+  double peak_torque = 0;  ///< [N m | N] largest mean over a sample; 0 if the level knows none
+  std::string peak_joint;  ///< where; empty if the level knows no torques
+};
+
+[[nodiscard]] Measures measures_of(const motion::MotionRecord& record);
+
+/// How far a run is from the reference, sample by sample until the shorter one ends.
+struct Deviations {
+  double path_length =
+      0;            ///< [1] difference of the lengths, as a share of the reference's (of 0.5 m if that is shorter)
+  double path = 0;  ///< [m] largest distance from the reference's path, whenever it was there; horizontal
+  double center_mean = 0;  ///< [m] distance of the centers of mass at the same time, mean
+  double center_max = 0;   ///< [m] the same, largest
+  double pitch = 0;        ///< [rad] rms of the difference
+  double rate = 0;         ///< [rad/s] rms of the length of the difference
+  double slip = 0;         ///< [m] difference
+  double clearance = 0;    ///< [m] difference of the largest clearances
+  double torque = 0;  ///< [1] difference of peak torques as a share of the reference's; NaN if one level knows none
+};
+
+[[nodiscard]] Deviations deviations_of(const motion::MotionRecord& record, const motion::MotionRecord& reference);
+
+}  // namespace murosimf::io

@@ -1,0 +1,159 @@
+#include "murosimf/io/compare_report.h"
+
+#include <cmath>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+namespace murosimf::io {
+namespace {
+
+std::string law(const CompareEntry& entry) { return entry.contact.empty() ? "-" : entry.contact; }
+
+std::string head(const Comparison& c) {
+  return fmt::format("{}: {} for {:g} s, seed {}; reference: {}\n", c.scene, c.entity, c.duration, c.seed,
+                     c.entries[c.reference].level);
+}
+
+std::string happened(const Comparison& c) {
+  std::string text =
+      fmt::format("\n{:<20} {:<19} {:>9} {:>5} {:>7} {:>7} {:>7} {:>9} {:>5} {:>14}  {}\n", "level", "contact",
+                  "us per s", "cost", "path", "slip", "lift", "torque", "falls", "end at", "servos");
+  const double full_cost = c.entries[c.reference].cost;
+  for (const CompareEntry& e : c.entries) {
+    if (!e.ran()) {
+      text += fmt::format("{:<20} {:<19} could not start: {}\n", e.level, law(e), e.refusal);
+      continue;
+    }
+    const Measures& m = e.measures;
+    const std::string torque = m.peak_joint.empty() ? "-" : fmt::format("{:.2f} Nm", m.peak_torque);
+    std::string servos = e.level == "articulated_dynamics"
+                             ? fmt::format("{:.1f} % of the time at full duty", 100 * e.record.full_duty)
+                         : e.overload.empty() ? "-"
+                                              : "too weak";
+    if (!e.frozen.empty()) servos = "frozen";
+    text += fmt::format(
+        "{:<20} {:<19} {:>9.0f} {:>5.2f} {:>5.2f} m {:>5.3f} m {:>5.3f} m {:>9} {:>5} {:>6.2f} {:>5.2f} m  {}\n",
+        e.level, law(e), e.cost, e.cost / full_cost, m.path_length, m.slip, m.clearance, torque, m.falls, m.end.x,
+        m.end.y, servos);
+  }
+  return text;
+}
+
+/// As the table prints a deviation: NaN means that a level does not have the quantity.
+std::string cell(double value, std::string_view unit) {
+  return std::isnan(value) ? "-" : fmt::format("{:.3g} {}", value, unit);
+}
+
+std::string deviated(const Comparison& c, const Recommendation& r) {
+  std::string text = fmt::format("\n{:<20} {:<19}", "deviation of", "contact");
+  for (const Quantity& q : quantities()) text += fmt::format(" {:>12}", q.name);
+  text += fmt::format(" {:>8}\n", "torque");
+  for (std::size_t i = 0; i < c.entries.size(); ++i) {
+    const CompareEntry& e = c.entries[i];
+    if (!e.ran() || i == c.reference) continue;
+    text += fmt::format("{:<20} {:<19}", e.level, law(e));
+    for (const Quantity& q : quantities())
+      text += fmt::format(" {:>12}", cell(q.scale * (e.deviations.*q.deviation), q.unit));
+    text += fmt::format(" {:>8}\n", cell(100 * e.deviations.torque, "%"));
+  }
+  text += "\n";
+  for (std::size_t i = 0; i < c.entries.size(); ++i) {
+    const CompareEntry& e = c.entries[i];
+    if (!e.ran() || i == c.reference) continue;
+    text +=
+        fmt::format("{:<20} {:<19} {}\n", e.level, law(e),
+                    r.verdicts[i].adequate ? "adequate"
+                                           : fmt::format("not adequate: {}", fmt::join(r.verdicts[i].reasons, "; ")));
+  }
+  return text;
+}
+
+toml::array events_array(const Measures& measures) {
+  toml::array events;
+  for (const PostureEvent& event : measures.events) {
+    events.push_back(toml::table{{"time_s", event.time}, {"posture", event.down ? "down" : "up"}});
+  }
+  return events;
+}
+
+toml::table deviations_table(const Deviations& deviations) {
+  toml::table table;
+  for (const Quantity& q : quantities()) table.insert(q.name, q.scale * (deviations.*q.deviation));
+  if (!std::isnan(deviations.torque)) table.insert("torque", 100 * deviations.torque);
+  return table;
+}
+
+toml::table entry_table(const Comparison& c, std::size_t i) {
+  const CompareEntry& e = c.entries[i];
+  toml::table table{{"level", e.level}, {"contact", e.contact}, {"ran", e.ran()}, {"reference", i == c.reference}};
+  if (!e.ran()) {
+    table.insert("refusal", e.refusal);
+    return table;
+  }
+  const Measures& m = e.measures;
+  table.insert("cost_us_per_s", e.cost);
+  table.insert("cost_share", e.cost / c.entries[c.reference].cost);
+  table.insert("path_length_m", m.path_length);
+  table.insert("end_m", toml::array{m.end.x, m.end.y, m.end.z});
+  table.insert("slip_m", m.slip);
+  table.insert("clearance_m", m.clearance);
+  table.insert("falls", m.falls);
+  table.insert("events", events_array(m));
+  if (!m.peak_joint.empty()) table.insert("peak_torque_Nm", m.peak_torque);
+  if (!m.peak_joint.empty()) table.insert("peak_joint", m.peak_joint);
+  if (e.level == "articulated_dynamics") table.insert("full_duty_share", e.record.full_duty);
+  if (!e.overload.empty()) table.insert("overload", e.overload);
+  if (!e.frozen.empty()) table.insert("frozen", e.frozen);
+  table.insert("deviations", deviations_table(e.deviations));
+  return table;
+}
+
+toml::table recommendation_table(const Comparison& c, const Recommendation& r) {
+  toml::array levels;
+  for (std::size_t i = 0; i < c.entries.size(); ++i) {
+    toml::array reasons;
+    for (const std::string& reason : r.verdicts[i].reasons) reasons.push_back(reason);
+    levels.push_back(toml::table{{"level", c.entries[i].level},
+                                 {"contact", c.entries[i].contact},
+                                 {"adequate", r.verdicts[i].adequate},
+                                 {"reasons", std::move(reasons)}});
+  }
+  return toml::table{{"sentence", r.sentence},
+                     {"level", r.level},
+                     {"contact", r.contact},
+                     {"levels", std::move(levels)}};
+}
+
+}  // namespace
+
+std::string to_text(const Comparison& comparison, const Recommendation& recommendation) {
+  std::string text = head(comparison) + happened(comparison) + deviated(comparison, recommendation);
+  for (const CompareEntry& entry : comparison.entries) {
+    if (!entry.overload.empty()) text += fmt::format("{}: {}\n", entry.level, entry.overload);
+    if (!entry.frozen.empty()) text += fmt::format("{}: frozen: {}\n", entry.level, entry.frozen);
+  }
+  return text + "\n" + recommendation.sentence + "\n";
+}
+
+std::string to_json(const Comparison& c, const Recommendation& recommendation, const Thresholds& thresholds) {
+  toml::table limits;
+  for (std::size_t q = 0; q < thresholds.values.size(); ++q) limits.insert(quantities()[q].name, thresholds.values[q]);
+  limits.insert("fall_time", thresholds.fall_time);
+  toml::array entries;
+  for (std::size_t i = 0; i < c.entries.size(); ++i) entries.push_back(entry_table(c, i));
+  const toml::table root{{"scene", c.scene},
+                         {"entity", c.entity},
+                         {"duration_s", c.duration},
+                         {"seed", static_cast<std::int64_t>(c.seed)},
+                         {"timed_runs", c.repeat},
+                         {"entries", std::move(entries)},
+                         {"thresholds", std::move(limits)},
+                         {"recommendation", recommendation_table(c, recommendation)}};
+  std::stringstream stream;
+  stream << toml::json_formatter(root) << "\n";
+  return stream.str();
+}
+
+}  // namespace murosimf::io

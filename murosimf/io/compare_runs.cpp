@@ -1,0 +1,177 @@
+#include "murosimf/io/compare_runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include <fmt/format.h>
+
+#include "murosimf/io/registry.h"
+#include "murosimf/io/scene.h"
+#include "murosimf/motion/torque_watch.h"
+
+namespace murosimf::io {
+namespace {
+
+constexpr double longest_record = 36000;  // [s] of which memory could be set aside
+
+/// [s] of processor time that this thread has taken: other programs on the machine do not count.
+double processor_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+std::unique_ptr<Scene> build(const CompareOptions& options, const CompareEntry& entry) {
+  SceneOptions scene{.seed = options.seed, .overrides = options.overrides, .lenient = options.lenient};
+  scene.overrides.push_back(fmt::format("{}.level={}", options.entity, entry.level));
+  if (!entry.contact.empty()) scene.overrides.push_back(fmt::format("{}.contact={}", options.entity, entry.contact));
+  return std::make_unique<Scene>(options.scene, scene);
+}
+
+/// The robot that is to change, from the scene as it is.
+const RobotSpec& find_robot(const SceneSpec& spec, const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const RobotSpec& robot : spec.robots) {
+    if (robot.name == name) return robot;
+    names.emplace_back(robot.name);
+  }
+  if (name == "ball" && spec.ball) throw SetupError("--entity 'ball': a ball has one level; name a robot");
+  if (name == "field") throw SetupError("--entity 'field': the field does not move; name a robot");
+  if (names.empty()) throw SetupError(fmt::format("--entity '{}': the scene has no robots", name));
+  throw SetupError(fmt::format("--entity '{}': {}", name, unknown_name("robot", name, names)));
+}
+
+std::vector<CompareEntry> entries_for(const CompareOptions& options, const RobotSpec& robot) {
+  for (const std::string& name : options.levels) at("--levels", [&] { return &find_entry(levels(), "level", name); });
+  std::vector<std::string> laws = options.contacts;
+  if (laws.empty()) laws.push_back(robot.contact);
+  for (const std::string& name : laws) at("--contacts", [&] { return &find_entry(contacts(), "contact law", name); });
+  std::vector<CompareEntry> entries;
+  for (const Level& level : levels()) {
+    const std::string name(level.name);
+    const auto& wanted = options.levels;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
+    for (const std::string& law : laws) {
+      CompareEntry entry;
+      entry.level = name;
+      if (level.dynamic) entry.contact = law;
+      entries.push_back(std::move(entry));
+      if (!level.dynamic) break;  // it has no contact: one run is enough
+    }
+  }
+  return entries;
+}
+
+bool has_servos(const Model& model) { return !model.having(properties::servo).empty(); }
+
+/// Runs it once with an observer.
+void observe(const CompareOptions& options, double duration, CompareEntry& entry) {
+  const auto scene = build(options, entry);
+  Simulation& simulation = scene->simulation();
+  Entity& robot = simulation.world().entity(options.entity);
+  const bool servos = entry.level == "articulated_dynamics";
+  if (servos && !robot.model().joints().empty() && !has_servos(robot.model())) {
+    throw SetupError(fmt::format("model '{}' has no servos", robot.model().name()));
+  }
+  const auto& recorder =
+      simulation.attach<motion::MotionRecorder>("motion_recorder", robot, scene->spec().rate,
+                                                motion::MotionRecorderOptions{.servos = servos, .longest = duration});
+  simulation.run(from_seconds(duration));
+  entry.record = recorder.record();
+  entry.measures = measures_of(entry.record);
+  if (robot.frozen()) entry.frozen = *robot.frozen_reason();
+  entry.overload = motion::overload_message(robot);
+}
+
+void observe_all(const CompareOptions& options, Comparison& result) {
+  for (CompareEntry& entry : result.entries) {
+    if (options.progress) options.progress(fmt::format("{} {}", entry.level, entry.contact));
+    try {
+      observe(options, result.duration, entry);
+    } catch (const SetupError& error) {
+      entry.refusal = error.what();
+    }
+  }
+  const auto& entries = result.entries;
+  if (std::none_of(entries.begin(), entries.end(), [](const CompareEntry& e) { return e.ran(); })) {
+    throw SetupError(fmt::format("no level of '{}' can start; {}: {}", options.entity, entries.back().level,
+                                 entries.back().refusal));
+  }
+}
+
+/// The most detailed level that ran; of its laws the first.
+std::size_t find_reference(const std::vector<CompareEntry>& entries) {
+  std::size_t best = 0;
+  bool found = false;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (!entries[i].ran() || (found && entries[best].level == entries[i].level)) continue;
+    best = i;
+    found = true;
+  }
+  return best;
+}
+
+double timed_run(const CompareOptions& options, double duration, const CompareEntry& entry) {
+  const auto scene = build(options, entry);
+  scene->simulation().initialize();
+  const double start = processor_time();
+  scene->simulation().run(from_seconds(duration));
+  return processor_time() - start;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+/// Levels take turns, so that a machine that becomes slower does not make one of them look dear.
+void measure_cost(const CompareOptions& options, Comparison& result) {
+  std::vector<std::vector<double>> times(result.entries.size());
+  for (int round = 0; round < options.repeat; ++round) {
+    if (options.progress) options.progress(fmt::format("timing {} of {}", round + 1, options.repeat));
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      if (result.entries[i].ran()) times[i].push_back(timed_run(options, result.duration, result.entries[i]));
+    }
+  }
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!times[i].empty()) result.entries[i].cost = 1e6 * median(times[i]) / result.duration;
+  }
+}
+
+double checked_duration(const CompareOptions& options, const SceneSpec& spec) {
+  const double duration = options.duration.value_or(spec.duration);
+  if (!(duration > 0) || duration > longest_record) {
+    throw SetupError(fmt::format("--duration {}: must be a number above 0 and up to {}", duration, longest_record));
+  }
+  return duration;
+}
+
+}  // namespace
+
+Comparison compare(const CompareOptions& options) {
+  if (options.repeat < 1) throw SetupError(fmt::format("--repeat {}: must be at least 1", options.repeat));
+  Comparison result;
+  {
+    const Scene scene(options.scene,
+                      {.seed = options.seed, .overrides = options.overrides, .lenient = options.lenient});
+    const SceneSpec& spec = scene.spec();
+    result.scene = spec.name;
+    result.entity = options.entity;
+    result.duration = checked_duration(options, spec);
+    result.seed = spec.seed;
+    result.repeat = options.repeat;
+    result.entries = entries_for(options, find_robot(spec, options.entity));
+  }
+  observe_all(options, result);
+  result.reference = find_reference(result.entries);
+  const motion::MotionRecord& reference = result.entries[result.reference].record;
+  for (CompareEntry& entry : result.entries) {
+    if (entry.ran()) entry.deviations = deviations_of(entry.record, reference);
+  }
+  measure_cost(options, result);
+  return result;
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,94 @@
+/// motion_recorder.h - algorithm: writes down how one entity moves, to compare runs of it.
+///
+/// It reads what every level has and changes nothing. Samples are taken a hundred times a second, the first one at the
+/// start. Torso means the base. With u = R^T e_z, the vertical in base axes:
+///     pitch = atan2(-u_x, u_z)      roll = asin(u_y)          turns yaw, roll, pitch: no trouble at a pitch of 90 degrees
+/// Clearance of a sole: height of its lowest corner above the plane z = 0. Slip: horizontal way of the soles' contact points that
+/// were there in the sample before too, averaged by load, summed over both soles; zero at levels without contact.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "murosimf/collision/contact.h"
+#include "murosimf/model/algorithm.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::motion {
+
+struct MotionSample {
+  double time = 0;                    ///< [s]
+  Vec3d base, center;                 ///< [m] world: origin of the base, common center of mass
+  double pitch = 0, roll = 0;         ///< [rad] of the torso
+  Vec3d rate;                         ///< [rad/s] of the torso, base axes
+  std::array<double, 2> clearance{};  ///< [m] of the first two soles
+  double slip = 0;                    ///< [m] of the soles since the start
+};
+
+struct MotionRecord {
+  std::vector<MotionSample> samples;
+  std::size_t soles = 0;            ///< how many clearances count: at most two
+  std::vector<std::string> joints;  ///< names; empty if the level knows no torques
+  std::vector<double> torques;      ///< [N m | N] joints.size() numbers per sample: means since the sample before
+  double full_duty = 0;             ///< [1] share of time in which some servo asked for all that it has
+};
+
+struct MotionRecorderOptions {
+  bool servos = false;    ///< servos move the joints: watch whether they ask for full duty
+  double longest = 60.0;  ///< [s] for which memory is set aside
+};
+
+class MotionRecorder final : public Algorithm {
+ public:
+  explicit MotionRecorder(Setup& setup, const MotionRecorderOptions& options = {});
+
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+  [[nodiscard]] const MotionRecord& record() const { return record_; }
+
+  static constexpr double samples_per_second = 100;
+
+ private:
+  struct Foot {
+    int object = 0;
+    int link = 0;
+    Sole sole;
+  };
+  struct Servoed {
+    int object = 0;
+    double full_at = 0;  // [rad] between target and position
+    double limit = 0;    // [N m]; 0: none
+  };
+  struct Grip {
+    std::uint64_t feature = 0;
+    Vec3d point;
+    double load = 0;
+  };
+
+  void find_feet(const Model& model);
+  void find_servos(const Model& model);
+  void take_sample(Duration now) noexcept;
+  void take_torques() noexcept;
+  void watch_servos() noexcept;
+  [[nodiscard]] double clearance(const Foot& foot) const noexcept;
+  [[nodiscard]] double slip(std::size_t foot) noexcept;
+
+  const Model& model_;
+  MotionRecord record_;
+  std::vector<Foot> feet_;
+  std::vector<Servoed> servos_;
+  std::array<std::vector<Grip>, 2> grips_, new_grips_;
+  std::vector<double> torque_sum_;  // [N m | N] by joint since the last sample
+  std::int64_t stride_;             // steps per sample
+  std::int64_t steps_ = 0, full_steps_ = 0;
+  double slip_ = 0;
+  std::span<const Vec3d> r_, v_, w_;
+  std::span<const Mat3d> R_;
+  std::span<const double> q_, target_, torque_;  // empty where the level has none
+  const collision::ContactSet* contacts_ = nullptr;
+};
+
+}  // namespace murosimf::motion
