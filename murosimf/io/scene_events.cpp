@@ -41,7 +41,10 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
   const Assignment change = split_assignment(text, where);
   auto [robots, used] = robots_of(scene, change.path);
   std::vector<std::string> entities = names_of(robots);
-  if (entities.empty() && change.path[0] == "ball" && scene.contains("ball")) entities = {"ball"};
+  if (entities.empty() && change.path[0] == "ball" && scene.contains("ball")) {
+    entities = {"ball"};
+    used = 1;
+  }
   const std::size_t rest = change.path.size() - std::min(change.path.size(), used);
   if (entities.empty() || rest == 0) {
     const auto names = entity_names(scene);

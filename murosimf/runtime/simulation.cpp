@@ -123,7 +123,6 @@ void Simulation::make_timed_calls() {
     try {
       call();
     } catch (const SetupError& error) {
-      record(error.what());
       warnings_.push_back(fmt::format("at {:.3f} s: {}", seconds(now_), error.what()));
     }
   }

@@ -81,7 +81,7 @@ class Simulation {
   MotionLevel& exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make);
 
   /// Has `call` done between two steps, when simulated time has come to `time` (at once if it has passed). A SetupError
-  /// that it throws becomes an event and a warning; the run goes on.
+  /// that it throws becomes a warning; the run goes on.
   void at(Duration time, std::function<void()> call);
 
   /// Has `call` done at the end of initialize(), when all columns exist and have their first values.
