@@ -10,8 +10,9 @@
 ///
 /// The firmware can only move the duty, so the current limit clamps tau_0 to d w +- limit first and the duty limit, +-u T s c, last:
 /// at high rates the current is what it is. With torque switched off the bridge is open: tau_m is 0, nothing brakes.
-/// In a step of h, tau_m falls with the acceleration by h d, and by h^2 kp s c more while no limit holds the duty; the
-/// encoder's steps count by their mean slope.
+/// In a step of h, tau_m falls with the acceleration by h d, and by h^2 kp s c more while no limit holds the duty at its
+/// end (decided at its beginning, a stiff servo bounces from one limit to the other); the encoder's steps count by
+/// their mean slope.
 ///
 /// Heat: C dT/dt = R i^2 - (T - T_a)/R_th with R = R_25/c, 1/c = 1 + 0.0039/K (T - 25 C), i = tau_m/k_t. Above a
 /// temperature the firmware lowers the current limit, in proportion, down to nothing at a higher one.
@@ -56,7 +57,7 @@ struct MotorInput {
 template <class S>
 struct MotorTorque {
   S now{};      ///< [N m] tau_m
-  S torque{};   ///< [N m] tau_m after a step without acceleration
+  S torque{};   ///< [N m] after a step without acceleration
   S inertia{};  ///< [kg m^2] how fast that falls with the acceleration
 };
 
@@ -87,19 +88,21 @@ template <class S>
   const S strength = in.supply * in.conductance, d = motor.line * in.conductance;
   const S gain = motor.gain * strength, most = motor.most * strength, back_emf = d * in.rate;
   const S error = position_error(motor.encoder_step, motor.dead_band, in.target, in.q);
-  const S wanted = gain * error;
+  S slope = gain;
+  if (motor.dead_band > 0) slope = select(error == S(0.0), S(0.0), gain);
+  const S ahead = (h * slope) * in.rate;
+  const S wanted = gain * error - ahead;
   const S range = select(in.allowed < S(1.0), in.allowed * motor.warm_limit, S(motor.torque_limit));
   const S for_current = clamped<S>(wanted, back_emf - range, back_emf + range);
   const S given = clamped<S>(for_current, -most, most);
 
   const auto free = given == wanted;
-  S stiffness = select(free, gain, S(0.0));
-  if (motor.dead_band > 0) stiffness = select(error == S(0.0), S(0.0), stiffness);
   const S damping = select(free, d, select(given == for_current, S(0.0), d));
+  const S inertia = h * damping + select(free, (h * h) * slope, S(0.0));
+  const S torque = given - back_emf;
   const auto off = in.enabled == S(0.0);
-  const S now = select(off, S(0.0), given - back_emf);
-  return {now, select(off, S(0.0), now - (h * stiffness) * in.rate),
-          select(off, S(0.0), h * damping + (h * h) * stiffness)};
+  return {select(off, S(0.0), select(free, torque + ahead, torque)), select(off, S(0.0), torque),
+          select(off, S(0.0), inertia)};
 }
 
 /// c of a winding at a temperature [C].
