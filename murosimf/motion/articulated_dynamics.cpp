@@ -18,38 +18,44 @@ constexpr double farthest_joint = 1e4;  // [rad | m] sines lose their precision 
 
 }  // namespace
 
-ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options)
+ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options, const std::string& servo_law)
     : tree_(setup, options, "articulated_dynamics"),
-      drives_(setup),
+      drives_(setup, servo_law),
       joint_torque_(setup.write(properties::joint_torque)),
       joint_load_(setup.write(properties::joint_load)),
       felt_acceleration_(setup.write(properties::felt_acceleration)),
+      motor_(tree_.links.size()),
       servo_(tree_.links.size()),
       friction_(tree_.links.size()),
       bodies_(tree_.links.size()),
       change_(tree_.links.size()),
-      root_(tree_.links.size()) {}
+      root_(tree_.links.size()) {
+  if (options.integrator == Integrator::rk4 && !drives_.remembering().empty()) {
+    throw SetupError("integrator 'rk4' does not go with servos that have backlash or get warm");
+  }
+}
 
 void ArticulatedDynamics::initialize() {
   drives_.initialize(tree_.columns.q, tree_.columns.qd);
   tree_.start();
-  begin();
+  start_loads();
+  check_inertias();
   tree_.contacts.response = this;
 }
 
 void ArticulatedDynamics::take_over(const Momentum& momentum) {
-  drives_.take_over();
+  drives_.take_over(tree_.columns.qd);
   tree_.take_over(momentum);
-  begin();
+  start_loads();
+  check_inertias();
   tree_.contacts.response = this;
 }
 
-/// Nothing is known yet about the loads of the joints.
-void ArticulatedDynamics::begin() {
+/// Friction expects that everything is held.
+void ArticulatedDynamics::start_loads() {
   std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
   std::fill(joint_load_.begin(), joint_load_.end(), 0.0);
   std::fill(felt_acceleration_.begin(), felt_acceleration_.end(), Motiond{{}, -tree_.gravity});
-  check_inertias();
 }
 
 void ArticulatedDynamics::check_inertias() {
@@ -59,7 +65,7 @@ void ArticulatedDynamics::check_inertias() {
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     const int i = links[l].object;
     const double carried = dot(tree_.links[l].axis, composite[l] * tree_.links[l].axis);
-    if (!(carried + drives_.drive(i, tree_.columns.q[i], 0, 0).all.inertia > 1e-12)) {
+    if (!(carried + drives_.firm_inertia(i) > 1e-12)) {
       throw SetupError(
           fmt::format("model '{}': joint '{}' moves no inertia; give a body behind it mass and inertia, or "
                       "the joint an armature or a servo with rotor_inertia",
@@ -95,6 +101,7 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
   const Motiond base = bodies_[0].acceleration;
   if (!tree_.advance_base(base, dt_)) return tree_.halt(too_fast);
   advance_joints(dt_);
+  finish_drives();
   tree_.finish_step();
 }
 
@@ -184,6 +191,7 @@ void ArticulatedDynamics::drive_joints(double dt) noexcept {
   for (std::size_t l = 1; l < links.size(); ++l) {
     const int i = links[l].object;
     const auto drive = drives_.drive(i, columns.q[i], columns.qd[i], dt);
+    motor_[l] = drive.motor;
     servo_[l] = drive.servo;
     auto& joint = friction_[l];
     joint.gear = drive.gear;
@@ -279,6 +287,16 @@ void ArticulatedDynamics::report_torques() noexcept {
       torque += (1 - joint.coulomb / joint.budget) * multibody::friction_torque(joint);
     }
     joint_torque_[links[l].object] = torque;
+  }
+}
+
+/// Memory of the servos.
+void ArticulatedDynamics::finish_drives() noexcept {
+  const PoseColumns& columns = tree_.columns;
+  for (const int i : drives_.remembering()) {
+    const int l = columns.model.tree().link_of[i];
+    const double motor = motor_[l].torque - motor_[l].inertia * bodies_[l].joint_acceleration;
+    drives_.finish(i, {motor, joint_torque_[i], columns.q[i], columns.qd[i]}, dt_);
   }
 }
 

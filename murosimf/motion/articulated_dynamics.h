@@ -19,7 +19,8 @@ namespace murosimf::motion {
 class ArticulatedDynamics final : public MotionLevel, private collision::ImpulseResponse {
  public:
   /// Throws SetupError if the model has no mass, a servo is impossible, or a joint moves no inertia at all.
-  explicit ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options = {});
+  /// `servo_law`: of all servos, instead of their own (empty: their own).
+  explicit ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options = {}, const std::string& servo_law = {});
 
   void initialize() override;
   void step(const Instant& instant) noexcept override;
@@ -45,10 +46,11 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void solve_explicitly() noexcept;
   [[nodiscard]] Motiond base_acceleration() noexcept;
   void predict_contacts(double dt) noexcept;
+  void start_loads();
   void report_torques() noexcept;
+  void finish_drives() noexcept;
   void advance_joints(double dt) noexcept;
   [[nodiscard]] bool accelerations_are_sane() const noexcept;
-  void begin();
   void check_inertias();
 
   MovingTree tree_;
@@ -56,7 +58,7 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   std::span<double> joint_torque_;
   std::span<double> joint_load_;
   std::span<Motiond> felt_acceleration_;
-  std::vector<JointDrive> servo_;                      // by link
+  std::vector<JointDrive> motor_, servo_;              // by link
   std::vector<multibody::DryJoint<double>> friction_;  // by link
   std::vector<multibody::ArticulatedLink<double>> bodies_;
   std::vector<Motiond> change_;  // by link: what impulses add to a'; working memory
