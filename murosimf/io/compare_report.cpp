@@ -98,6 +98,7 @@ toml::table entry_table(const Comparison& c, std::size_t i) {
   table.insert("path_length_m", m.path_length);
   table.insert("end_m", toml::array{m.end.x, m.end.y, m.end.z});
   table.insert("slip_m", m.slip);
+  table.insert("torso_rate_rms_rad_s", m.rate);
   table.insert("clearance_m", m.clearance);
   table.insert("falls", m.falls);
   table.insert("events", events_array(m));

@@ -14,14 +14,14 @@ namespace murosimf::io {
 namespace {
 
 constexpr std::array all{
-    Quantity{"path_length", "path length", "%", 100, 15, &Deviations::path_length},
-    Quantity{"path", "path", "m", 1, 0.15, &Deviations::path},
+    Quantity{"path_length", "path length", "%", 100, 20, &Deviations::path_length},
+    Quantity{"path", "path", "m", 1, 0.12, &Deviations::path},
     Quantity{"center_mean", "center of mass on average", "m", 1, 0.10, &Deviations::center_mean},
     Quantity{"center_max", "center of mass", "m", 1, 0.20, &Deviations::center_max},
-    Quantity{"pitch", "torso pitch", "deg", 180 / pi, 3, &Deviations::pitch},
-    Quantity{"rate", "torso angular rate", "rad/s", 1, 0.6, &Deviations::rate},
-    Quantity{"slip", "foot slip", "m", 1, 0.10, &Deviations::slip},
-    Quantity{"clearance", "foot clearance", "m", 1, 0.015, &Deviations::clearance},
+    Quantity{"pitch", "torso pitch", "deg", 180 / pi, 5, &Deviations::pitch},
+    Quantity{"rate", "torso angular rate", "rad/s", 1, 0.7, &Deviations::rate},
+    Quantity{"slip", "foot slip", "mm/s", 1000, 20, &Deviations::slip},
+    Quantity{"clearance", "foot clearance", "mm", 1000, 20, &Deviations::clearance},
 };
 
 std::string label(const Comparison& comparison, const CompareEntry& entry) {
