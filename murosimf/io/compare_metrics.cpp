@@ -10,8 +10,7 @@ namespace {
 using motion::MotionRecord;
 using motion::MotionSample;
 
-constexpr std::size_t stride = 50;   // samples between two of the path's length
-constexpr double shortest_path = 1;  // [m] that a share counts against: swaying on the spot is no path
+constexpr std::size_t stride = 50;  // samples between two of the path's length
 const double cos_down = std::cos(pi / 3);
 const double cos_up = std::cos(pi / 6);
 

@@ -8,6 +8,9 @@
 
 namespace murosimf::io {
 
+/// [m] Deviations of shorter paths are told as shares of this one: swaying on the spot is no path.
+inline constexpr double shortest_path = 1;
+
 /// The torso went down (it leans more than 60 degrees) or came up again (less than 30). A run's first event is how it begins,
 /// at time 0.
 struct PostureEvent {
@@ -31,7 +34,8 @@ struct Measures {
 
 /// How far a run is from the reference, sample by sample until the shorter one ends.
 struct Deviations {
-  double path_length = 0;  ///< [1] difference of the lengths, as a share of the reference's (of 1 m if that is shorter)
+  double path_length =
+      0;  ///< [1] difference of the lengths, as a share of the reference's (of shortest_path if that is shorter)
   double path = 0;         ///< [m] largest distance from the reference's path, whenever it was there; horizontal
   double center_mean = 0;  ///< [m] distance of the centers of mass at the same time, mean
   double center_max = 0;   ///< [m] the same, largest
