@@ -10,8 +10,7 @@ namespace {
 using motion::MotionRecord;
 using motion::MotionSample;
 
-constexpr std::size_t stride = 50;     // samples between two of the path's length
-constexpr double shortest_path = 0.5;  // [m] that a share counts against: swaying on the spot is no path
+constexpr std::size_t stride = 50;  // samples between two of the path's length
 const double cos_down = std::cos(pi / 3);
 const double cos_up = std::cos(pi / 6);
 
@@ -68,6 +67,12 @@ double largest_distance(const std::vector<MotionSample>& samples, const std::vec
   return samples.empty() ? largest : std::max(largest, distance(samples.back().base, path));
 }
 
+/// [m/s]
+double slip_rate(const MotionRecord& record) {
+  if (record.samples.size() < 2) return 0;
+  return record.samples.back().slip / record.samples.back().time;
+}
+
 double share(double value, double reference, double least) {
   return std::abs(value - reference) / std::max(std::abs(reference), least);
 }
@@ -81,6 +86,8 @@ Measures measures_of(const MotionRecord& record) {
   m.end = record.samples.back().base;
   m.slip = record.samples.back().slip;
   m.events = events_of(record.samples);
+  for (const MotionSample& sample : record.samples) m.rate += dot(sample.rate, sample.rate);
+  m.rate = std::sqrt(m.rate / static_cast<double>(record.samples.size()));
   for (std::size_t i = 1; i < m.events.size(); ++i) m.falls += m.events[i].down ? 1 : 0;
   for (std::size_t foot = 0; foot < record.soles; ++foot) m.clearance = std::max(m.clearance, highest(record, foot));
   for (std::size_t i = 0; i < record.torques.size(); ++i) {
@@ -97,7 +104,7 @@ Deviations deviations_of(const MotionRecord& record, const MotionRecord& referen
   const Measures mine = measures_of(record), other = measures_of(reference);
   d.path_length = share(mine.path_length, other.path_length, shortest_path);
   d.path = largest_distance(record.samples, reference.samples);
-  d.slip = std::abs(mine.slip - other.slip);
+  d.slip = std::abs(slip_rate(record) - slip_rate(reference));
   d.clearance = std::abs(mine.clearance - other.clearance);
   const bool torques = !mine.peak_joint.empty() && !other.peak_joint.empty();
   d.torque = torques ? share(mine.peak_torque, other.peak_torque, 1e-9) : std::numeric_limits<double>::quiet_NaN();

@@ -8,6 +8,9 @@
 
 namespace murosimf::io {
 
+/// [m] Deviations of shorter paths are told as shares of this one: swaying on the spot is no path.
+inline constexpr double shortest_path = 1;
+
 /// The torso went down (it leans more than 60 degrees) or came up again (less than 30). A run's first event is how it begins,
 /// at time 0.
 struct PostureEvent {
@@ -21,6 +24,7 @@ struct Measures {
   std::vector<PostureEvent> events;
   int falls = 0;           ///< how often it went down after it had been up
   double slip = 0;         ///< [m] of both soles
+  double rate = 0;         ///< [rad/s] rms of the torso's angular rate
   double clearance = 0;    ///< [m] how high a sole came at most
   double peak_torque = 0;  ///< [N m | N] largest mean over a sample; 0 if the level knows none
   std::string peak_joint;  ///< where; empty if the level knows no torques
@@ -31,13 +35,13 @@ struct Measures {
 /// How far a run is from the reference, sample by sample until the shorter one ends.
 struct Deviations {
   double path_length =
-      0;            ///< [1] difference of the lengths, as a share of the reference's (of 0.5 m if that is shorter)
-  double path = 0;  ///< [m] largest distance from the reference's path, whenever it was there; horizontal
+      0;  ///< [1] difference of the lengths, as a share of the reference's (of shortest_path if that is shorter)
+  double path = 0;         ///< [m] largest distance from the reference's path, whenever it was there; horizontal
   double center_mean = 0;  ///< [m] distance of the centers of mass at the same time, mean
   double center_max = 0;   ///< [m] the same, largest
   double pitch = 0;        ///< [rad] rms of the difference
   double rate = 0;         ///< [rad/s] rms of the length of the difference
-  double slip = 0;         ///< [m] difference
+  double slip = 0;         ///< [m/s] difference of the mean rates: slip per simulated second
   double clearance = 0;    ///< [m] difference of the largest clearances
   double torque = 0;  ///< [1] difference of peak torques as a share of the reference's; NaN if one level knows none
 };

@@ -16,12 +16,6 @@ using motion::MotionSample;
 
 constexpr double degrees = 180 / pi;
 
-std::string label(const Comparison& c, const CompareEntry& entry) {
-  const auto other_law = [&](const CompareEntry& e) { return e.level == entry.level && e.contact != entry.contact; };
-  const bool several = std::any_of(c.entries.begin(), c.entries.end(), other_law);
-  return several ? entry.level + ", " + entry.contact : entry.level;
-}
-
 /// `value` of every sample against `across` of it, one curve per run.
 template <class Across, class Value>
 Panel panel(const Comparison& c, std::string y_label, const Across& across, const Value& value) {

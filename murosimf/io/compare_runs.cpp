@@ -150,6 +150,12 @@ double checked_duration(const CompareOptions& options, const SceneSpec& spec) {
 
 }  // namespace
 
+std::string label(const Comparison& comparison, const CompareEntry& entry) {
+  const auto other_law = [&](const CompareEntry& e) { return e.level == entry.level && e.contact != entry.contact; };
+  const bool several = std::any_of(comparison.entries.begin(), comparison.entries.end(), other_law);
+  return several ? fmt::format("{} with {}", entry.level, entry.contact) : entry.level;
+}
+
 Comparison compare(const CompareOptions& options) {
   if (options.repeat < 1) throw SetupError(fmt::format("--repeat {}: must be at least 1", options.repeat));
   Comparison result;

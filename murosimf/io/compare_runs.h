@@ -47,6 +47,9 @@ struct Comparison {
   std::size_t reference = 0;          ///< the most detailed level that ran, under the first law
 };
 
+/// "full_dynamics", or "full_dynamics with paper" if the level ran under several laws.
+[[nodiscard]] std::string label(const Comparison& comparison, const CompareEntry& entry);
+
 /// Throws SetupError for users' mistakes: unknown scene, entity, level or law (with the nearest name), an entity without levels,
 /// no level that can start. A level that the model or the scene cannot have is no mistake: its entry says why.
 [[nodiscard]] Comparison compare(const CompareOptions& options);

@@ -90,7 +90,7 @@ std::string gnuplot_script(const Plot& all) {
       write_data(script, block_name(p, i), plot.panels[p].curves[i]);
     }
   }
-  script += "set grid linecolor rgb '#d0d0d0'\nset key outside right top\nset lmargin 12\n";
+  script += "set grid linecolor rgb '#d0d0d0'\nset key outside top center horizontal\nset lmargin 12\n";
   script += fmt::format("set multiplot layout {},1 title {}\n", plot.panels.size(), as_text(plot.title));
   for (std::size_t p = 0; p < plot.panels.size(); ++p) {
     if (p + 1 == plot.panels.size()) script += "set xlabel " + as_text(plot.x_label) + "\n";
