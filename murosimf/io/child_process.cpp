@@ -1,0 +1,74 @@
+#include "murosimf/io/child_process.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+using FilePtr = std::unique_ptr<std::FILE, decltype(&std::fclose)>;
+
+[[noreturn]] void refuse(const std::string& program, int error) {
+  throw SetupError(fmt::format("cannot run '{}': {}", program, std::generic_category().message(error)));
+}
+
+FilePtr temporary(const std::string& program) {
+  FilePtr file(std::tmpfile(), std::fclose);
+  if (!file) refuse(program, errno);
+  return file;
+}
+
+std::string contents(std::FILE* file) {
+  std::string text;
+  std::array<char, 65536> buffer{};
+  std::rewind(file);
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file)) text.append(buffer.data(), n);
+  return text;
+}
+
+/// 0, or errno of what failed.
+int start(const std::vector<std::string>& arguments, const std::array<std::FILE*, 3>& streams, pid_t& child) {
+  std::vector<char*> argv;
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  for (int i = 0; i < 3; ++i) posix_spawn_file_actions_adddup2(&actions, fileno(streams[i]), i);
+  const int error = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return error;
+}
+
+}  // namespace
+
+std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments, const std::string& input) {
+  const std::string& program = arguments.at(0);
+  const FilePtr in = temporary(program), out = temporary(program), err = temporary(program);
+  if (std::fwrite(input.data(), 1, input.size(), in.get()) != input.size() || std::fflush(in.get()) != 0) {
+    refuse(program, errno);
+  }
+  std::rewind(in.get());
+  pid_t child = 0;
+  if (const int error = start(arguments, {in.get(), out.get(), err.get()}, child); error != 0) {
+    if (error == ENOENT || error == EACCES) return std::nullopt;
+    refuse(program, error);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) refuse(program, errno);
+  }
+  return ProcessResult{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out.get()), contents(err.get())};
+}
+
+}  // namespace murosimf::io
