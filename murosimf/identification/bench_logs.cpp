@@ -42,7 +42,7 @@ class InputReader {
 
 }  // namespace
 
-Piece whole(const ServoLog& log) { return {&log, 0, log.samples.size() - 1}; }
+Piece whole(const ServoLog& log) { return {&log, 0, log.samples.size() - 1, log.samples.front().rate}; }
 
 BenchLogs::BenchLogs(std::vector<Piece> pieces, double duty_per_gain, double step)
     : pieces_(std::move(pieces)), step_(step), packs_((pieces_.size() + lanes_per_pack - 1) / lanes_per_pack) {
@@ -66,7 +66,7 @@ void BenchLogs::fill_lane(Lanes& lanes, int lane, const Piece& piece, double dut
   lanes.bench.weight.set_lane(lane, bench.weight);
   lanes.bench.gain.set_lane(lane, bench.gain);
   lanes.start.position.set_lane(lane, log.samples[piece.first].position);
-  lanes.start.rate.set_lane(lane, log.samples[piece.first].rate);
+  lanes.start.rate.set_lane(lane, piece.rate);
   InputReader reader(piece);
   for (std::size_t k = 0; k < lanes.inputs.size(); ++k) {
     const ServoSample sample = reader.at(start_of(piece) + (static_cast<double>(k) + 0.5) * step_);

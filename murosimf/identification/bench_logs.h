@@ -18,6 +18,7 @@ namespace murosimf::identification {
 struct Piece {
   const ServoLog* log = nullptr;
   std::size_t first = 0, last = 0;
+  double rate = 0;  ///< [rad/s] at the first
 };
 
 /// All entries.
