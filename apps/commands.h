@@ -52,7 +52,7 @@ struct FitServoOptions {
   std::string cross_validate;         ///< "trajectory" or "gain"; empty: no
   std::int64_t seed = 1;
   int starts = 8;
-  int threads = 1;
+  int threads = 0;  ///< 0: as many as the machine has
   std::string json;  ///< file, "-" for standard output
 };
 

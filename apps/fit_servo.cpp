@@ -1,5 +1,7 @@
 // `murosimf fit-servo`: finds the numbers of a servo that explain logs of it.
+#include <algorithm>
 #include <filesystem>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -52,6 +54,11 @@ Task task_of(const FitServoOptions& options, const Logs& logs) {
   return {options, identification::friction_model(options.model), type, prior, base, io::read_prior(prior)};
 }
 
+int threads_of(const FitServoOptions& options) {
+  const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return std::min(options.starts, options.threads > 0 ? options.threads : all);
+}
+
 struct Result {
   io::FittedServo servo;
   std::vector<double> costs;
@@ -68,7 +75,7 @@ Result fit(const Task& task, const Logs& logs, const std::string& what) {
       identification::search(objective,
                              {.seed = static_cast<std::uint64_t>(task.options.seed),
                               .starts = task.options.starts,
-                              .threads = task.options.threads},
+                              .threads = threads_of(task.options)},
                              [&](double share, double best) {
                                line.show(fmt::format("{}: {:3.0f} %, cost {:.1f} mrad", what, 100 * share, 1e3 * best));
                              });
