@@ -29,11 +29,11 @@ std::vector<Piece> whole_logs(std::span<const ServoLog> logs) {
   return pieces;
 }
 
-/// Windows that overlap by half. A log shorter than one has none.
+/// One after the other. A log shorter than one has none.
 std::vector<Piece> windows_of(std::span<const ServoLog> logs) {
   std::vector<Piece> pieces;
   for (const ServoLog& log : logs) {
-    for (double start = 2 * rate_interval; start + window < log.samples.back().time; start += window / 2) {
+    for (double start = 2 * rate_interval; start + window < log.samples.back().time; start += window) {
       const std::size_t first = entry_at(log, start), last = entry_at(log, start + window);
       if (last > first) pieces.push_back({&log, first, last, rate_at(log, first)});
     }
