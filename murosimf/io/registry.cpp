@@ -34,7 +34,7 @@ std::unique_ptr<MotionLevel> make_full_dynamics(Setup& setup, const LevelOptions
 }
 
 std::unique_ptr<MotionLevel> make_articulated_dynamics(Setup& setup, const LevelOptions& options) {
-  return std::make_unique<motion::ArticulatedDynamics>(setup, options.tree);
+  return std::make_unique<motion::ArticulatedDynamics>(setup, options.tree, options.servo_law);
 }
 
 void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
@@ -78,8 +78,8 @@ constexpr std::array level_entries{
           "joint_reference base_rigid integrator", make_simplified_dynamics},
     Level{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)", true,
           "joint_reference fixed_base integrator", make_full_dynamics},
-    Level{"articulated_dynamics", "servos make torque, the whole tree moves as it must", true, "fixed_base integrator",
-          make_articulated_dynamics},
+    Level{"articulated_dynamics", "servos make torque, the whole tree moves as it must", true,
+          "fixed_base integrator servo_law", make_articulated_dynamics},
 };
 
 constexpr std::array contact_entries{
@@ -113,6 +113,7 @@ constexpr std::array sensor_entries{
 LevelOptions level_options(const RobotSpec& robot) {
   LevelOptions options;
   options.base_rigid = robot.base_rigid;
+  options.servo_law = robot.servo_law;
   options.tree.integrator = robot.integrator;
   options.tree.fixed_base = robot.fixed_base;
   if (robot.joint_reference == "linear") options.reference.kind = motion::ReferenceKind::linear;

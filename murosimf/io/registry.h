@@ -23,6 +23,7 @@ namespace murosimf::io {
 struct LevelOptions {
   motion::JointReferenceOptions reference;
   bool base_rigid = false;         ///< simplified_dynamics: the paper's literal reading
+  std::string servo_law;           ///< articulated_dynamics: of all servos; empty: their own
   motion::MovingTreeOptions tree;  ///< full_dynamics, articulated_dynamics; its integrator: simplified_dynamics too
 };
 

@@ -176,6 +176,7 @@ void Scene::warn_about(const RobotSpec& robot, const Model& model) {
   };
   unused(robot.fixed_base, "fixed_base");
   unused(robot.base_rigid, "base_rigid");
+  unused(!robot.servo_law.empty(), "servo_law");
   unused(robot.integrator != motion::Integrator::semi_implicit_euler, "integrator");
   unused(robot.joint_reference != "filter", "joint_reference");
 

@@ -84,7 +84,7 @@ const Law& law_of(const Servo& servo) { return *std::ranges::find(laws(), servo.
 bool contains(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
 Names known_keys(const Names& others) {
-  Names keys{"law", "current_limit"};
+  Names keys{"law", "current_limit", "fit"};
   for (const Number& number : numbers) keys.push_back(number.key);
   keys.insert(keys.end(), others.begin(), others.end());
   return keys;
@@ -152,7 +152,8 @@ void ServoDraft::take(const toml::table& table, const Names& others) {
   const Names known = known_keys(others);
   for (const auto& [key, node] : table) {
     if (!contains(known, key.str())) fail_at(key.source(), unknown_name("key of a servo", key.str(), known));
-    if (key != "law" && !contains(others, key.str())) take_number(key, node);
+    if (key == "fit" && !node.is_table()) fail_at(node.source(), "[fit] says where the numbers come from: a table");
+    if (key != "law" && key != "fit" && !contains(others, key.str())) take_number(key, node);
   }
   if (table.contains("torque_limit") && table.contains("current_limit")) {
     fail_at(table.get("current_limit")->source(), "'current_limit' and 'torque_limit' limit the same; keep one");
