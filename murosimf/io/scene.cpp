@@ -166,34 +166,39 @@ void Scene::attach_contact() {
                                               collision::BodyContactOptions{.law = spec_.body_contact});
 }
 
-void Scene::warn_about(const RobotSpec& robot, const Model& model) {
-  const auto warn = [&](const std::string& text) { warnings_.push_back(fmt::format("{}: {}", robot.name, text)); };
+void Scene::warn(const RobotSpec& robot, const std::string& text) {
+  warnings_.push_back(fmt::format("{}: {}", robot.name, text));
+}
+
+void Scene::warn_about_unused_keys(const RobotSpec& robot) {
   const Level& level = find_entry(levels(), "level", robot.level);
   const auto unused = [&](bool given, std::string_view key) {
-    if (given && level.options.find(key) == std::string_view::npos) {
-      warn(fmt::format("{} has no '{}'; it changes nothing", robot.level, key));
-    }
+    if (!given || level.options.find(key) != std::string_view::npos) return;
+    warn(robot, fmt::format("{} has no '{}'; it changes nothing", robot.level, key));
   };
   unused(robot.fixed_base, "fixed_base");
   unused(robot.base_rigid, "base_rigid");
   unused(!robot.servo_law.empty(), "servo_law");
   unused(robot.integrator != motion::Integrator::semi_implicit_euler, "integrator");
   unused(robot.joint_reference != "filter", "joint_reference");
+}
 
+void Scene::warn_about(const RobotSpec& robot, const Model& model) {
+  const Level& level = find_entry(levels(), "level", robot.level);
   const bool servos = robot.level == "articulated_dynamics";
   if (level.dynamic) {
     const Contact& law = find_entry(contacts(), "contact law", robot.contact);
     const double longest = servos ? law.longest_servo_step : law.longest_step;
     if (1 / spec_.rate > longest * (1 + 1e-9)) {
-      warn(fmt::format("{} under {} is stable with steps up to {:.0f} ms; these are {:.3g} ms long", robot.contact,
-                       robot.level, 1e3 * longest, 1e3 / spec_.rate));
+      warn(robot, fmt::format("{} under {} is stable with steps up to {:.0f} ms; these are {:.3g} ms long",
+                              robot.contact, robot.level, 1e3 * longest, 1e3 / spec_.rate));
     }
   }
   if (!servos) return;
   const auto joints = model.joints();
   const auto without =
       std::count_if(joints.begin(), joints.end(), [&](int i) { return model.find(properties::servo, i) == nullptr; });
-  if (without > 0) warn(fmt::format("{} of its {} joints have no servo and hang free", without, joints.size()));
+  if (without > 0) warn(robot, fmt::format("{} of its {} joints have no servo and hang free", without, joints.size()));
 }
 
 void Scene::attach_motion() {
@@ -204,6 +209,7 @@ void Scene::attach_motion() {
   if (ball_) attach(*ball_, {});
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const RobotSpec& robot = spec_.robots[i];
+    warn_about_unused_keys(robot);
     warn_about(robot, robots_[i]->model());
     at(robot.where, [&] { attach(*robots_[i], level_options(robot)); });
   }

@@ -60,7 +60,9 @@ class Scene {
   void scatter_postures();
   void attach_controllers();
   void attach_contact();
-  /// What a user may have overlooked: options that the level does not have, steps too long, joints without servos.
+  void warn(const RobotSpec& robot, const std::string& text);
+  void warn_about_unused_keys(const RobotSpec& robot);
+  /// What a user may have overlooked: steps too long, joints without servos.
   void warn_about(const RobotSpec& robot, const Model& model);
   void attach_motion();
   void attach_observers();
