@@ -76,10 +76,12 @@ TEST(CompareMetrics, AnglesAreComparedByTheRootOfTheMeanSquare) {
   const auto still = run(2, [](MotionSample&) {});
   const auto nods = run(2, [](MotionSample& s) {
     s.pitch = 0.1 * std::sin(2 * pi * s.time);
+    s.roll = 0.3;
     s.rate = {0, 3, 4};
   });
   const Deviations d = deviations_of(nods, still);
   EXPECT_NEAR(d.pitch, 0.1 / std::sqrt(2), 2e-4) << "201 samples, of which 200 are two periods";
+  EXPECT_NEAR(d.roll, 0.3, 1e-12);
   EXPECT_NEAR(d.rate, 5, 1e-12);
   EXPECT_NEAR(measures_of(nods).rate, 5, 1e-12);
 }

@@ -71,10 +71,12 @@ TEST(MotionRecorder, TakesAHundredSamplesASecondAndTheStart) {
 
 TEST(MotionRecorder, SeesPitchAndRollAtAnyHeading) {
   const double degree = pi / 180;
-  const auto lying = StandingRobot("pitch_deg = -90\nheading_deg = 70\n").record({}, 0.01).samples[0];
+  const auto lying =
+      StandingRobot("controller = \"none\"\npitch_deg = -90\nheading_deg = 70\n").record({}, 0.01).samples[0];
   EXPECT_NEAR(lying.pitch, -90 * degree, 1e-9);
   EXPECT_NEAR(lying.roll, 0, 1e-7);
-  const auto leaning = StandingRobot("roll_deg = 30\nheading_deg = -40\n").record({}, 0.01).samples[0];
+  const auto leaning =
+      StandingRobot("controller = \"none\"\nroll_deg = 30\nheading_deg = -40\n").record({}, 0.01).samples[0];
   EXPECT_NEAR(leaning.roll, 30 * degree, 1e-9);
   EXPECT_NEAR(leaning.pitch, 0, 1e-9);
 }
