@@ -18,7 +18,7 @@ if main_lines >= 15:
 
 for page in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
     text = page.read_text()
-    names = set(re.findall(r"`((?:docs|murosimf|examples|scripts|models|scenes|servos|tests|benchmarks|apps)/[\w./]+)`", text))
+    names = set(re.findall(r"`((?:docs|murosimf|examples|scripts|models|motions|scenes|servos|tests|benchmarks|apps)/[\w./]+)`", text))
     links = set(re.findall(r"\]\(([\w./]+)\)", text))
     missing = {name for name in names if not (root / name).exists()}
     missing |= {link for link in links if not (page.parent / link).exists()}

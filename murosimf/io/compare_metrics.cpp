@@ -77,6 +77,25 @@ double share(double value, double reference, double least) {
   return std::abs(value - reference) / std::max(std::abs(reference), least);
 }
 
+/// What is compared sample by sample.
+void compare_in_time(Deviations& d, const std::vector<MotionSample>& ours, const std::vector<MotionSample>& theirs) {
+  const std::size_t count = std::min(ours.size(), theirs.size());
+  double pitches = 0, rolls = 0, rates = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const MotionSample &a = ours[i], &b = theirs[i];
+    const double center = norm(a.center - b.center), pitch = std::remainder(a.pitch - b.pitch, 2 * pi);
+    d.center_mean += center / static_cast<double>(count);
+    d.center_max = std::max(d.center_max, center);
+    pitches += pitch * pitch;
+    rolls += (a.roll - b.roll) * (a.roll - b.roll);
+    rates += dot(a.rate - b.rate, a.rate - b.rate);
+  }
+  const double samples = std::max(1.0, static_cast<double>(count));
+  d.pitch = std::sqrt(pitches / samples);
+  d.roll = std::sqrt(rolls / samples);
+  d.rate = std::sqrt(rates / samples);
+}
+
 }  // namespace
 
 Measures measures_of(const MotionRecord& record) {
@@ -108,19 +127,7 @@ Deviations deviations_of(const MotionRecord& record, const MotionRecord& referen
   d.clearance = std::abs(mine.clearance - other.clearance);
   const bool torques = !mine.peak_joint.empty() && !other.peak_joint.empty();
   d.torque = torques ? share(mine.peak_torque, other.peak_torque, 1e-9) : std::numeric_limits<double>::quiet_NaN();
-  const std::size_t count = std::min(record.samples.size(), reference.samples.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const MotionSample &a = record.samples[i], &b = reference.samples[i];
-    const double center = norm(a.center - b.center), pitch = std::remainder(a.pitch - b.pitch, 2 * pi);
-    d.center_mean += center;
-    d.center_max = std::max(d.center_max, center);
-    d.pitch += pitch * pitch;
-    d.rate += dot(a.rate - b.rate, a.rate - b.rate);
-  }
-  if (count == 0) return d;
-  d.center_mean /= static_cast<double>(count);
-  d.pitch = std::sqrt(d.pitch / static_cast<double>(count));
-  d.rate = std::sqrt(d.rate / static_cast<double>(count));
+  compare_in_time(d, record.samples, reference.samples);
   return d;
 }
 

@@ -40,6 +40,7 @@ struct Deviations {
   double center_mean = 0;  ///< [m] distance of the centers of mass at the same time, mean
   double center_max = 0;   ///< [m] the same, largest
   double pitch = 0;        ///< [rad] rms of the difference
+  double roll = 0;         ///< [rad] rms of the difference
   double rate = 0;         ///< [rad/s] rms of the length of the difference
   double slip = 0;         ///< [m/s] difference of the mean rates: slip per simulated second
   double clearance = 0;    ///< [m] difference of the largest clearances

@@ -19,7 +19,7 @@ constexpr double degrees = 180 / pi;
 /// `value` of every sample against `across` of it, one curve per run.
 template <class Across, class Value>
 Panel panel(const Comparison& c, std::string y_label, const Across& across, const Value& value) {
-  Panel result{std::move(y_label), {}};
+  Panel result{.y_label = std::move(y_label), .curves = {}};
   for (const CompareEntry& entry : c.entries) {
     if (!entry.ran()) continue;
     Curve curve{label(c, entry), {}, {}};
@@ -76,7 +76,8 @@ Curve peak_curve(const MotionRecord& record, const std::string& name) {
 void write_torques(const Comparison& c, const std::filesystem::path& folder, const std::string& title) {
   const std::string joint = busiest_joint(c);
   if (joint.empty()) return;
-  Panel of_joint{joint + " [N m]", {}}, largest{"largest of all joints [N m]", {}};
+  Panel of_joint{.y_label = joint + " [N m]", .curves = {}};
+  Panel largest{.y_label = "largest of all joints [N m]", .curves = {}};
   for (const CompareEntry& entry : c.entries) {
     if (!entry.ran()) continue;
     of_joint.curves.push_back(torque_curve(entry.record, label(c, entry), joint));
@@ -105,9 +106,11 @@ void write_plots(const Comparison& c, const std::filesystem::path& folder) {
        {over_time(c, "forward x [m]", [](const MotionSample& s) { return s.center.x; }),
         over_time(c, "left y [m]", [](const MotionSample& s) { return s.center.y; }),
         over_time(c, "height z [m]", [](const MotionSample& s) { return s.center.z; })});
+  Panel pitch = over_time(c, "pitch [deg]", [](const MotionSample& s) { return degrees * s.pitch; });
+  Panel roll = over_time(c, "roll [deg]", [](const MotionSample& s) { return degrees * s.roll; });
+  pitch.y_at_least = roll.y_at_least = 1;
   plot("torso.png", "torso",
-       {over_time(c, "pitch [deg]", [](const MotionSample& s) { return degrees * s.pitch; }),
-        over_time(c, "roll [deg]", [](const MotionSample& s) { return degrees * s.roll; }),
+       {std::move(pitch), std::move(roll),
         over_time(c, "angular rate [rad/s]", [](const MotionSample& s) { return norm(s.rate); })});
   if (c.entries[c.reference].record.soles == 2) {
     plot("foot_clearance.png", "foot clearance",

@@ -17,6 +17,7 @@ constexpr std::array all{
     Quantity{"center_mean", "mean place of the center of mass", "m", 1, 3, 0.10, &Deviations::center_mean},
     Quantity{"center_max", "center of mass", "m", 1, 3, 0.20, &Deviations::center_max},
     Quantity{"pitch", "torso pitch", "deg", 180 / pi, 1, 5, &Deviations::pitch},
+    Quantity{"roll", "torso roll", "deg", 180 / pi, 1, 5, &Deviations::roll},
     Quantity{"rate", "torso angular rate", "rad/s", 1, 2, 0.7, &Deviations::rate},
     Quantity{"slip", "foot slip", "mm/s", 1000, 1, 20, &Deviations::slip},
     Quantity{"clearance", "foot clearance", "mm", 1000, 0, 20, &Deviations::clearance},

@@ -49,7 +49,7 @@ LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference, con
   for (std::size_t q = 0; reference.measures.falls == 0 && q < quantities().size(); ++q) {
     const Quantity& quantity = quantities()[q];
     const double value = quantity.of(entry.deviations);
-    if (value <= thresholds.values[q]) continue;
+    if (value <= thresholds.values[q]) continue;  // NaN is not
     verdict.reasons.push_back(
         fmt::format("{} {} off, more than {:g}", quantity.words, number_of(quantity, value), thresholds.values[q]));
   }

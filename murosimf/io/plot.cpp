@@ -78,6 +78,19 @@ std::string plot_command(const Panel& panel, std::size_t index) {
   return fmt::format("plot {}\n", fmt::join(curves, ", "));
 }
 
+/// The legend above holds for both.
+bool same_names(const Panel& a, const Panel& b) {
+  return std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(),
+                    [](const Curve& x, const Curve& y) { return x.name == y.name; });
+}
+
+void write_panel(std::string& script, const Panel& panel, std::size_t index) {
+  const double least = panel.y_at_least;
+  script += "set ylabel " + as_text(panel.y_label) + "\n";
+  script += least > 0 ? fmt::format("set yrange [*<{:g}:{:g}<*]\n", -least, least) : "set yrange [*:*]\n";
+  script += plot_command(panel, index);
+}
+
 }  // namespace
 
 std::string gnuplot_script(const Plot& all) {
@@ -90,12 +103,14 @@ std::string gnuplot_script(const Plot& all) {
       write_data(script, block_name(p, i), plot.panels[p].curves[i]);
     }
   }
-  script += "set grid linecolor rgb '#d0d0d0'\nset key outside top center horizontal\nset lmargin 12\n";
-  script += fmt::format("set multiplot layout {},1 title {}\n", plot.panels.size(), as_text(plot.title));
+  script += "set grid linecolor rgb '#d0d0d0'\nset lmargin 12\nset key outside top center horizontal\n";
+  script += fmt::format("set multiplot layout {},1\nset title {}\n", plot.panels.size(), as_text(plot.title));
   for (std::size_t p = 0; p < plot.panels.size(); ++p) {
+    if (p > 0 && same_names(plot.panels[p], plot.panels[0])) script += "unset key\n";
+    if (p > 0 && !same_names(plot.panels[p], plot.panels[0])) script += "set key outside top center horizontal\n";
     if (p + 1 == plot.panels.size()) script += "set xlabel " + as_text(plot.x_label) + "\n";
-    script += "set ylabel " + as_text(plot.panels[p].y_label) + "\n";
-    script += plot_command(plot.panels[p], p);
+    write_panel(script, plot.panels[p], p);
+    script += "unset title\n";
   }
   return script + "unset multiplot\n";
 }

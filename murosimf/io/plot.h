@@ -22,6 +22,8 @@ struct Curve {
 struct Panel {
   std::string y_label;  ///< with unit: "height [m]"
   std::vector<Curve> curves;
+  double y_at_least =
+      0;  ///< the vertical axis reaches at least from minus this to this: noise stays small. 0: as data are
 };
 
 struct Plot {

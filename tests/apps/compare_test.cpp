@@ -1,0 +1,71 @@
+// `murosimf compare` as a user meets it: tables, JSON, plots, one clear line for every mistake.
+#include "tests/apps/program.h"
+
+namespace murosimf::test {
+namespace {
+
+const std::string short_push = "compare push --entity robot --duration 1 --repeat 1 ";
+
+TEST(CompareCommand, PrintsTablesAndEndsWithARecommendation) {
+  const Result result = murosimf(short_push);
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(result.errors, "");
+  for (const char* part : {"Push: robot for 1 s, seed 1; reference: articulated_dynamics", "us per s", "center_max",
+                           "kinematic_walking    -                   not adequate: does not fall"}) {
+    EXPECT_NE(result.output.find(part), std::string::npos) << part << " in " << result.output;
+  }
+  const std::string last = result.output.substr(result.output.rfind('\n', result.output.size() - 2) + 1);
+  EXPECT_NE(last.find(" is adequate: falls"), std::string::npos) << last;
+}
+
+TEST(CompareCommand, WritesJsonWithOneEntryPerLevel) {
+  const std::string json = murosimf(short_push + "--levels kinematic_walking,full_dynamics --json -").output;
+  ASSERT_FALSE(json.empty());
+  EXPECT_EQ(json.front(), '{');
+  for (const char* key :
+       {"\"entries\"", "\"cost_us_per_s\"", "\"deviations\"", "\"center_max\"", "\"events\"", "\"falls\"",
+        "\"thresholds\"", "\"recommendation\"", "\"sentence\"", "\"adequate\"", "\"reasons\"", "\"peak_torque_Nm\""}) {
+    EXPECT_NE(json.find(key), std::string::npos) << key;
+  }
+  std::size_t entries = 0;
+  for (auto at = json.find("\"cost_us_per_s\""); at != std::string::npos; at = json.find("\"cost_us_per_s\"", at + 1))
+    ++entries;
+  EXPECT_EQ(entries, 2U);
+}
+
+TEST(CompareCommand, DrawsPlots) {
+  if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot here";
+  const fs::path folder = scratch("plots");
+  fs::remove_all(folder);
+  const Result result = murosimf(short_push + "--plots " + folder.string());
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  for (const char* name : {"center_of_mass.png", "torso.png", "foot_clearance.png", "torque.png"}) {
+    EXPECT_EQ(read_file(folder / name).substr(1, 3), "PNG") << name;
+  }
+  fs::remove_all(folder);
+}
+
+TEST(CompareCommand, RefusesMistakes) {
+  expect_mistake("compare", {"scene"});
+  expect_mistake("compare push", {"--entity"});
+  expect_mistake("compare pusj --entity robot", {"no file 'pusj'"});
+  expect_mistake("compare push --entity robt", {"--entity 'robt'", "did you mean 'robot'?"});
+  expect_mistake("compare push --entity ball", {"a ball has one level"});
+  expect_mistake(short_push + "--levels full", {"--levels", "did you mean 'full_dynamics'?"});
+  expect_mistake(short_push + "--contacts papr", {"--contacts", "did you mean 'paper'?"});
+  expect_mistake(short_push + "--threshold pich=3", {"--threshold 'pich=3'", "did you mean 'pitch'?"});
+  expect_mistake(short_push + "--threshold pitch=many", {"must be a number from 0"});
+  expect_mistake(short_push + "--duration 0", {"--duration 0"});
+  expect_mistake(short_push + "--repeat 0", {"--repeat"});
+  expect_mistake(short_push + "--set robot.levl=x", {"did you mean 'level'?"});
+  expect_mistake(short_push + "--json /no/such/folder/a.json", {"cannot write '/no/such/folder/a.json'"});
+}
+
+TEST(CompareCommand, ChecksTheFolderOfPlotsBeforeItComputes) {
+  if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot here";
+  expect_mistake(short_push + "--plots /proc/no/such/folder", {"/proc/no/such/folder"});
+  expect_mistake(short_push + "--plots /dev/null", {"/dev/null"});
+}
+
+}  // namespace
+}  // namespace murosimf::test

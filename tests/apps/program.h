@@ -1,0 +1,61 @@
+/// program.h - runs the program from outside and looks at what it says.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace murosimf::test {
+
+namespace fs = std::filesystem;
+
+struct Result {
+  int exit_code = 0;
+  std::string output, errors;
+};
+
+inline std::string read_file(const fs::path& file) {
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+inline fs::path scratch(const std::string& name) {
+  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+  return fs::path(testing::TempDir()) / (std::string("cli_") + info->name() + "_" + name);
+}
+
+inline Result murosimf(const std::string& arguments) {
+  const fs::path out = scratch("out"), err = scratch("err");
+  const std::string command =
+      std::string(MUROSIMF_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
+}
+
+/// One line on standard error that has all the parts; non-zero exit, no crash, no output.
+inline void expect_mistake(const std::string& arguments, const std::vector<std::string>& parts) {
+  const Result result = murosimf(arguments);
+  EXPECT_GT(result.exit_code, 0) << arguments;
+  EXPECT_LT(result.exit_code, 128) << "crashed: " << arguments;
+  EXPECT_EQ(result.output, "") << arguments;
+  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+  for (const std::string& part : parts)
+    EXPECT_NE(result.errors.find(part), std::string::npos) << arguments << " said: " << result.errors;
+}
+
+inline fs::path write(const std::string& name, const std::string& text) {
+  const fs::path file = scratch(name);
+  std::ofstream(file) << text;
+  return file;
+}
+
+}  // namespace murosimf::test
