@@ -17,6 +17,7 @@ struct RunOptions {
   int threads = 1;
   std::optional<std::int64_t> seed;  ///< from 0
   std::vector<std::string> overrides;
+  std::vector<std::string> events;
   std::string json;            ///< file, "-" for standard output
   std::string picture;         ///< PNG file
   std::string pictures;        ///< folder for a sequence of PNG files
@@ -53,5 +54,32 @@ int compare(const CompareCommand& command);
 
 /// `what`: levels, contacts, body_contacts, volumes, integrators, servo_laws, controllers, sensors, properties.
 int list(const std::string& what);
+
+struct FitServoOptions {
+  std::vector<std::string> logs;      ///< files and folders
+  std::string model = "m4";           ///< of friction: m1 to m6
+  std::string out;                    ///< servo file
+  std::string servo;                  ///< type that firmware and voltage are taken from; empty: what the logs name
+  std::string prior;                  ///< "none", a type or a file; empty: that of the type, if there is one
+  std::vector<std::string> validate;  ///< logs that are not fitted
+  std::string cross_validate;         ///< "trajectory" or "gain"; empty: no
+  std::int64_t seed = 1;
+  int starts = 8;
+  int threads = 0;  ///< 0: as many as the machine has
+  std::string json;  ///< file, "-" for standard output
+};
+
+/// Finds the numbers of a servo that explain logs of it.
+int fit_servo(const FitServoOptions& options);
+
+struct ReplayServoOptions {
+  std::vector<std::string> logs;  ///< files and folders
+  std::string servo;              ///< type or file
+  std::string json;               ///< file, "-" for standard output
+  std::string plot;               ///< folder for PNG files
+};
+
+/// Simulates a servo as logs drove a real one, and says how far it is off.
+int replay_servo(const ReplayServoOptions& options);
 
 }  // namespace murosimf::app

@@ -31,6 +31,10 @@ void add_run(CLI::App& app, RunOptions& options, int& exit_code) {
       ->add_option("--set", options.overrides,
                    "PATH=VALUE: change the scene, for example 'blue.*.level=simplified_dynamics'")
       ->allow_extra_args(false);
+  run_command
+      ->add_option("--at", options.events,
+                   "TIME:PATH=VALUE: change the scene while it runs, for example '3:blue1.level=articulated_dynamics'")
+      ->allow_extra_args(false);
   run_command->add_option("--json", options.json,
                           "Write the report as JSON to this file, or to standard output with '-'");
   run_command->add_option("--picture", options.picture, "Write a PNG picture of the field from above");
@@ -101,9 +105,42 @@ void add_list(CLI::App& app, std::string& what, int& exit_code) {
   list_command->callback([&] { exit_code = list(what); });
 }
 
+void add_fit_servo(CLI::App& app, FitServoOptions& options, int& exit_code) {
+  CLI::App* fit = app.add_subcommand("fit-servo", "Find the numbers of a servo that explain recordings of it");
+  fit->add_option("logs", options.logs, "Recordings (JSON), or folders of them")->required();
+  fit->add_option("--model", options.model, "Friction model, m1 to m6")->capture_default_str();
+  fit->add_option("--out", options.out, "Servo file (TOML) to write")->required();
+  fit->add_option("--servo", options.servo,
+                  "Type that firmware and voltage are taken from, instead of the recordings'");
+  fit->add_option("--prior", options.prior, "What is known before: a servo type, a file (TOML), or 'none'");
+  fit->add_option("--validate", options.validate, "Recordings that are not fitted, to see the error there");
+  fit->add_option("--cross-validate", options.cross_validate,
+                  "'trajectory' or 'gain': leave each of them out once, and say how well it is foreseen");
+  fit->add_option("--seed", options.seed, "Seed of the search; the same seed finds the same servo")
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1000000000}))
+      ->capture_default_str();
+  fit->add_option("--starts", options.starts, "Searches from different points")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  fit->add_option("--threads", options.threads, "Threads, instead of all; results do not depend on their number")
+      ->check(CLI::Range(1, 256));
+  fit->add_option("--json", options.json, "Write JSON to this file, or to standard output with '-'");
+  fit->callback([&] { exit_code = fit_servo(options); });
+}
+
+void add_replay_servo(CLI::App& app, ReplayServoOptions& options, int& exit_code) {
+  CLI::App* replay = app.add_subcommand("replay-servo", "Simulate a servo as recordings drove a real one");
+  replay->add_option("logs", options.logs, "Recordings (JSON), or folders of them")->required();
+  replay->add_option("--servo", options.servo, "Servo file (TOML), or the name of one that comes with the program")
+      ->required();
+  replay->add_option("--json", options.json, "Write JSON to this file, or to standard output with '-'");
+  replay->add_option("--plot", options.plot, "Write a PNG plot of each recording to this folder (needs gnuplot)");
+  replay->callback([&] { exit_code = replay_servo(options); });
+}
+
 /// The parser would only say that a command is required.
 void refuse_unknown_command(int argc, char** argv) {
-  const std::vector<std::string_view> commands{"run", "compare", "check", "list", "bench"};
+  const std::vector<std::string_view> commands{"run", "compare", "check", "list", "bench", "fit-servo", "replay-servo"};
   if (argc < 2 || argv[1][0] == '-') return;
   if (std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     throw murosimf::SetupError(murosimf::unknown_name("command", argv[1], commands));
@@ -120,6 +157,8 @@ int main(int argc, char** argv) {
   CompareCommand compare_command;
   CheckOptions check_options;
   BenchOptions bench_options;
+  FitServoOptions fit_servo_options;
+  ReplayServoOptions replay_servo_options;
   std::string what, what_to_bench;
   int exit_code = 0;
   add_run(app, run_options, exit_code);
@@ -127,6 +166,8 @@ int main(int argc, char** argv) {
   add_check(app, check_options, exit_code);
   add_list(app, what, exit_code);
   add_bench(app, bench_options, what_to_bench, exit_code);
+  add_fit_servo(app, fit_servo_options, exit_code);
+  add_replay_servo(app, replay_servo_options, exit_code);
   try {
     refuse_unknown_command(argc, argv);
     app.parse(argc, argv);

@@ -74,6 +74,7 @@ int run(const RunOptions& options) {
   io::Scene scene(options.scene, {.threads = options.threads,
                                   .seed = options.seed,
                                   .overrides = options.overrides,
+                                  .events = options.events,
                                   .lenient = options.lenient});
   const Duration duration = duration_of(options.duration.value_or(scene.spec().duration));
   Simulation& simulation = scene.simulation();

@@ -21,6 +21,7 @@ allowed = {
     "motion": {"math", "model", "multibody", "geometry", "collision"},
     "sensors": {"math", "model"},
     "control": {"math", "model", "multibody", "geometry", "collision", "motion", "sensors"},
+    "identification": {"math", "model", "multibody"},
     "runtime": {"math", "model"},
     "render": {"math", "model", "sensors"},
 }

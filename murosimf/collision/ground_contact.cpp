@@ -19,6 +19,7 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       v_(setup.read(properties::linear_velocity)),
       w_(setup.read(properties::angular_velocity)),
       applied_force_(setup.input(properties::applied_force, {})),
+      pushable_(setup.input(properties::pushable, 1)[0]),
       external_force_(setup.write(properties::external_force)),
       external_damping_(setup.write(properties::external_damping)),
       set_(setup.write(contacts)[0]) {
@@ -48,10 +49,31 @@ void GroundContact::initialize() {
   std::fill(external_damping_.begin(), external_damping_.end(), Sym6d{});
 }
 
-void GroundContact::step(const Instant&) noexcept {
+void GroundContact::exchange_law(std::shared_ptr<const ContactLaw> law) {
+  const bool same_memory = law_->island_use() != IslandUse::never && law->island_use() != IslandUse::never;
+  law_ = std::move(law);
+  if (set_.law) set_.law = law_.get();  // else initialize() is still to come
+  if (!same_memory) set_.points.clear();
+}
+
+void GroundContact::clear_loads() noexcept {
   for (const int object : set_.loaded) external_damping_[object] = Sym6d{};
   for (const auto& [object, damping] : set_.rest_damping) external_damping_[object] = Sym6d{};
   set_.rest_damping.clear();
+}
+
+/// Takes its hands off an entity that another kind of level moves now.
+void GroundContact::rest() noexcept {
+  if (set_.loaded.empty() && set_.points.empty()) return;
+  clear_loads();
+  for (const int object : model_.bodies()) external_force_[object] = set_.rest_force[object] = Forced{};
+  set_.points.clear();
+  set_.loaded.clear();
+}
+
+void GroundContact::step(const Instant&) noexcept {
+  if (pushable_ == 0) return rest();
+  clear_loads();
   for (const int object : model_.bodies()) {
     external_force_[object] = set_.rest_force[object] = applied_force_[object];
   }

@@ -17,25 +17,24 @@
 namespace murosimf::io {
 namespace {
 
-void attach_kinematic_walking(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
-  simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, rate_hz, options.reference);
+std::unique_ptr<MotionLevel> make_kinematic_walking(Setup& setup, const LevelOptions& options) {
+  return std::make_unique<motion::KinematicWalking>(setup, options.reference);
 }
 
-void attach_simplified_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
-  simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", robot, rate_hz,
-                                                motion::SimplifiedDynamicsOptions{.integrator = options.tree.integrator,
-                                                                                  .base_rigid = options.base_rigid,
-                                                                                  .reference = options.reference});
+std::unique_ptr<MotionLevel> make_simplified_dynamics(Setup& setup, const LevelOptions& options) {
+  return std::make_unique<motion::SimplifiedDynamics>(
+      setup, motion::SimplifiedDynamicsOptions{.integrator = options.tree.integrator,
+                                               .base_rigid = options.base_rigid,
+                                               .reference = options.reference});
 }
 
-void attach_full_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
-  simulation.attach<motion::FullDynamics>("full_dynamics", robot, rate_hz,
-                                          motion::FullDynamicsOptions{.reference = options.reference,
-                                                                      .tree = options.tree});
+std::unique_ptr<MotionLevel> make_full_dynamics(Setup& setup, const LevelOptions& options) {
+  return std::make_unique<motion::FullDynamics>(setup, motion::FullDynamicsOptions{.reference = options.reference,
+                                                                                   .tree = options.tree});
 }
 
-void attach_articulated_dynamics(Simulation& simulation, Entity& robot, double rate_hz, const LevelOptions& options) {
-  simulation.attach<motion::ArticulatedDynamics>("articulated_dynamics", robot, rate_hz, options.tree);
+std::unique_ptr<MotionLevel> make_articulated_dynamics(Setup& setup, const LevelOptions& options) {
+  return std::make_unique<motion::ArticulatedDynamics>(setup, options.tree, options.servo_law);
 }
 
 void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
@@ -74,13 +73,13 @@ std::shared_ptr<const collision::ContactLaw> make_paper_multipoint() {
 
 constexpr std::array level_entries{
     Level{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
-          false, "joint_reference", attach_kinematic_walking},
+          false, "joint_reference", make_kinematic_walking},
     Level{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)", true,
-          "joint_reference base_rigid integrator", attach_simplified_dynamics},
+          "joint_reference base_rigid integrator", make_simplified_dynamics},
     Level{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)", true,
-          "joint_reference fixed_base integrator", attach_full_dynamics},
-    Level{"articulated_dynamics", "servos make torque, the whole tree moves as it must", true, "fixed_base integrator",
-          attach_articulated_dynamics},
+          "joint_reference fixed_base integrator", make_full_dynamics},
+    Level{"articulated_dynamics", "servos make torque, the whole tree moves as it must", true,
+          "fixed_base integrator servo_law", make_articulated_dynamics},
 };
 
 constexpr std::array contact_entries{
@@ -110,6 +109,16 @@ constexpr std::array sensor_entries{
 };
 
 }  // namespace
+
+LevelOptions level_options(const RobotSpec& robot) {
+  LevelOptions options;
+  options.base_rigid = robot.base_rigid;
+  options.servo_law = robot.servo_law;
+  options.tree.integrator = robot.integrator;
+  options.tree.fixed_base = robot.fixed_base;
+  if (robot.joint_reference == "linear") options.reference.kind = motion::ReferenceKind::linear;
+  return options;
+}
 
 std::span<const Level> levels() { return level_entries; }
 std::span<const Contact> contacts() { return contact_entries; }

@@ -12,6 +12,7 @@
 
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/control/keyframe_motion.h"
+#include "murosimf/io/scene_spec.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/motion/simplified_dynamics.h"
 #include "murosimf/runtime/simulation.h"
@@ -22,6 +23,7 @@ namespace murosimf::io {
 struct LevelOptions {
   motion::JointReferenceOptions reference;
   bool base_rigid = false;         ///< simplified_dynamics: the paper's literal reading
+  std::string servo_law;           ///< articulated_dynamics: of all servos; empty: their own
   motion::MovingTreeOptions tree;  ///< full_dynamics, articulated_dynamics; its integrator: simplified_dynamics too
 };
 
@@ -29,7 +31,7 @@ struct Level {
   std::string_view name, meaning;
   bool dynamic;              ///< forces move it: it needs contact with the ground
   std::string_view options;  ///< keys of a robot that it uses, besides those that all levels use
-  void (*attach)(Simulation&, Entity&, double rate_hz, const LevelOptions&);
+  std::unique_ptr<MotionLevel> (*make)(Setup&, const LevelOptions&);
 };
 
 struct Contact {
@@ -56,6 +58,9 @@ struct Controller {
 struct Sensor {
   std::string_view name, meaning;
 };
+
+/// The options that a robot of a scene asks for.
+[[nodiscard]] LevelOptions level_options(const RobotSpec& robot);
 
 [[nodiscard]] std::span<const Level> levels();
 [[nodiscard]] std::span<const Contact> contacts();

@@ -42,6 +42,7 @@ std::string to_text(const RunReport& report) {
   text += fmt::format("\n{:.2f} s simulated in {:.3f} s: {:.0f} times real time on {} thread{}\n", report.simulated,
                       report.wall, report.real_time_factor, report.threads, report.threads == 1 ? "" : "s");
   text += fmt::format("seed {}, state hash {:016x}\n", report.seed, report.state_hash);
+  for (const Event& event : report.events) text += fmt::format("{:.3f} s: {}\n", seconds(event.time), event.text);
   for (const std::string& warning : report.warnings) text += fmt::format("warning: {}\n", warning);
   return text;
 }
@@ -54,12 +55,16 @@ std::string to_json(const RunReport& report) {
                    {"threads", report.threads},
                    {"seed", static_cast<std::int64_t>(report.seed)},
                    {"state_hash", fmt::format("{:016x}", report.state_hash)}};
-  toml::array entities, algorithms, warnings;
+  toml::array entities, algorithms, events, warnings;
   for (const EntityReport& e : report.entities) entities.push_back(entity_table(e));
   for (const AlgorithmStatistics& a : report.algorithms) algorithms.push_back(algorithm_table(a));
+  for (const Event& event : report.events) {
+    events.push_back(toml::table{{"time_s", seconds(event.time)}, {"text", event.text}});
+  }
   for (const std::string& warning : report.warnings) warnings.push_back(warning);
   root.insert("entities", std::move(entities));
   root.insert("algorithms", std::move(algorithms));
+  root.insert("events", std::move(events));
   root.insert("warnings", std::move(warnings));
   std::stringstream stream;
   stream << toml::json_formatter(root) << "\n";

@@ -28,15 +28,16 @@ struct RunReport {
   std::uint64_t state_hash = 0;
   std::vector<EntityReport> entities;
   std::vector<AlgorithmStatistics> algorithms;
+  std::vector<Event> events;
   std::vector<std::string> warnings;
 };
 
-/// Tables with aligned columns: entities, algorithms, sums, warnings.
+/// Tables with aligned columns: entities, algorithms, sums, events, warnings.
 [[nodiscard]] std::string to_text(const RunReport& report);
 
 /// One JSON object: simulated_s, wall_s, real_time_factor, threads, seed, state_hash (hexadecimal text),
 /// entities [{name, model, level, contact, controller, team, position, distance_m, falls, frozen}],
-/// algorithms [{name, rate_hz, calls, us_per_call}], warnings [].
+/// algorithms [{name, rate_hz, calls, us_per_call}], events [{time_s, text}], warnings [].
 [[nodiscard]] std::string to_json(const RunReport& report);
 
 }  // namespace murosimf::io

@@ -32,7 +32,7 @@ int trailing_number(const std::string& name) {
 }  // namespace
 
 Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
-    : spec_(read_scene(find_data_file(name.string(), "scenes", ".toml"), options.overrides)),
+    : spec_(read_scene(find_data_file(name.string(), "scenes", ".toml"), options.overrides, options.events)),
       options_(options),
       simulation_(std::make_unique<Simulation>(options.threads)) {
   if (options.seed) spec_.seed = *options.seed;
@@ -44,6 +44,7 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
   attach_observers();
   scatter_postures();
   simulation_->after_initialize([this] { apply_settings(); });
+  schedule_events();
 }
 
 void Scene::add_entities() {
@@ -151,11 +152,13 @@ void Scene::attach_controllers() {
 }
 
 void Scene::attach_contact() {
+  // also those that no force moves: they may change their level
   const auto attach = [&](Entity& entity, const std::string& level, const std::string& law) {
-    if (!find_entry(levels(), "level", level).dynamic) return;
-    entity.contact = law;
-    simulation_->attach<collision::GroundContact>("ground_contact", entity, spec_.rate, field_,
-                                                  find_entry(contacts(), "contact law", law).make(), spec_.materials);
+    if (find_entry(levels(), "level", level).dynamic) entity.contact = law;
+    ground_contacts_.push_back(
+        &simulation_->attach<collision::GroundContact>("ground_contact", entity, spec_.rate, field_,
+                                                       find_entry(contacts(), "contact law", law).make(),
+                                                       spec_.materials));
   };
   if (ball_) attach(*ball_, ball_->level, spec_.ball->contact);
   for (std::size_t i = 0; i < robots_.size(); ++i) attach(*robots_[i], robots_[i]->level, spec_.robots[i].contact);
@@ -173,6 +176,7 @@ void Scene::warn_about(const RobotSpec& robot, const Model& model) {
   };
   unused(robot.fixed_base, "fixed_base");
   unused(robot.base_rigid, "base_rigid");
+  unused(!robot.servo_law.empty(), "servo_law");
   unused(robot.integrator != motion::Integrator::semi_implicit_euler, "integrator");
   unused(robot.joint_reference != "filter", "joint_reference");
 
@@ -194,18 +198,14 @@ void Scene::warn_about(const RobotSpec& robot, const Model& model) {
 
 void Scene::attach_motion() {
   const auto attach = [&](Entity& entity, const LevelOptions& options) {
-    find_entry(levels(), "level", entity.level).attach(*simulation_, entity, spec_.rate, options);
+    const Level& level = find_entry(levels(), "level", entity.level);
+    simulation_->attach(entity.level, entity, spec_.rate, [&](Setup& setup) { return level.make(setup, options); });
   };
   if (ball_) attach(*ball_, {});
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const RobotSpec& robot = spec_.robots[i];
     warn_about(robot, robots_[i]->model());
-    LevelOptions options;
-    options.tree.integrator = robot.integrator;
-    options.base_rigid = robot.base_rigid;
-    options.tree.fixed_base = robot.fixed_base;
-    if (robot.joint_reference == "linear") options.reference.kind = motion::ReferenceKind::linear;
-    at(robot.where, [&] { attach(*robots_[i], options); });
+    at(robot.where, [&] { attach(*robots_[i], level_options(robot)); });
   }
 }
 
@@ -219,10 +219,7 @@ void Scene::apply_settings() {
     ball_->base().set(properties::linear_velocity, spec_.ball->velocity);
   }
   for (const PropertySetting& setting : spec_.settings) {
-    for (const std::string& name : setting.entities) {
-      at(setting.where,
-         [&] { simulation_->world().entity(name).object(setting.object).set(setting.property, setting.numbers); });
-    }
+    for (const std::string& name : setting.entities) apply(setting, name);
   }
 }
 
@@ -251,6 +248,7 @@ RunReport Scene::report(Duration wall, const Lateness& lateness) const {
     report.entities.push_back(std::move(e));
   }
   report.algorithms = simulation_->statistics();
+  report.events = simulation_->events();
   report.warnings = warnings_;
   const auto& frozen = simulation_->warnings();
   report.warnings.insert(report.warnings.end(), frozen.begin(), frozen.end());

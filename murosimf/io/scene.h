@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/collision/ground_contact.h"
 #include "murosimf/io/run_report.h"
 #include "murosimf/io/scene_spec.h"
 #include "murosimf/math/random.h"
@@ -22,6 +23,7 @@ struct SceneOptions {
   int threads = 1;
   std::optional<std::uint64_t> seed;   ///< instead of the scene's
   std::vector<std::string> overrides;  ///< PATH=VALUE, as for --set
+  std::vector<std::string> events;     ///< TIME:PATH=VALUE, as for --at
   bool lenient = false;                ///< accept unknown elements in model files
 };
 
@@ -34,6 +36,13 @@ class Scene {
 
   [[nodiscard]] const SceneSpec& spec() const { return spec_; }
   [[nodiscard]] Simulation& simulation() { return *simulation_; }
+
+  // Changes of a robot (of the contact: also of the ball) between two steps. They are events of the report. All throw
+  // SetupError, and change nothing, for unknown names and if the robot cannot change as it is now.
+  void exchange_level(std::string_view robot, std::string_view level);
+  void exchange_contact(std::string_view entity, std::string_view law);
+  /// Of all servos of a robot at articulated_dynamics; the others remember it.
+  void exchange_servo_law(std::string_view robot, std::string_view law);
 
   /// What has happened so far. `wall` is the wall time that it took.
   [[nodiscard]] RunReport report(Duration wall, const Lateness& lateness = {}) const;
@@ -55,7 +64,12 @@ class Scene {
   void warn_about(const RobotSpec& robot, const Model& model);
   void attach_motion();
   void attach_observers();
+  void schedule_events();
   void apply_settings();
+  void apply(const PropertySetting& setting, const std::string& entity);
+  void apply(const SceneEvent& event, const std::string& entity);
+  [[nodiscard]] RobotSpec& spec_of(std::string_view robot);
+  void renew_level(const RobotSpec& robot);
   void check_materials(const Model& model) const;
   [[nodiscard]] ModelPtr model(const std::string& name, const std::string& where);
 
@@ -66,8 +80,9 @@ class Scene {
   std::vector<std::string> warnings_;       // from reading models
   Entity* field_ = nullptr;
   Entity* ball_ = nullptr;
-  std::vector<Entity*> robots_;  // in the order of the spec
-  std::vector<Entity*> movers_;  // robots and ball
+  std::vector<Entity*> robots_;                             // in the order of the spec
+  std::vector<Entity*> movers_;                             // robots and ball
+  std::vector<collision::GroundContact*> ground_contacts_;  // by mover
   const PathRecorder* recorder_ = nullptr;
 };
 

@@ -6,8 +6,10 @@
 
 #include "murosimf/io/field.h"
 #include "murosimf/io/registry.h"
+#include "murosimf/io/scene_events.h"
 #include "murosimf/io/scene_overrides.h"
 #include "murosimf/io/toml_reader.h"
+#include "murosimf/motion/servo_law.h"
 
 namespace murosimf::io {
 namespace {
@@ -120,6 +122,7 @@ void read_robot(const TomlTable& table, RobotSpec& robot) {
   table.read("level", robot.level);
   table.read("contact", robot.contact);
   table.read("controller", robot.controller);
+  table.read("servo_law", robot.servo_law);
   table.read("motion", robot.motion);
   table.read("joint_reference", robot.joint_reference);
   table.read("base_rigid", robot.base_rigid);
@@ -147,6 +150,9 @@ void read_robot(const TomlTable& table, RobotSpec& robot) {
   require(norm(robot.position) <= farthest_place, table, "position", "is further than 10 km away");
   at(table.where("level"), [&] { return &find_entry(levels(), "level", robot.level); });
   at(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", robot.contact); });
+  if (!robot.servo_law.empty()) {
+    at(table.where("servo_law"), [&] { return &find_entry(motion::servo_laws(), "servo law", robot.servo_law); });
+  }
   at(table.where("controller"), [&] { return &find_entry(controllers(), "controller", robot.controller); });
   require(robot.joint_reference == "filter" || robot.joint_reference == "linear", table, "joint_reference",
           "must be \"filter\" or \"linear\"");
@@ -200,7 +206,8 @@ void read_materials(const TomlTable& scene, SceneSpec& spec) {
 
 }  // namespace
 
-SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                     const std::vector<std::string>& at_options) {
   SceneSpec spec;
   toml::table document = parse_toml_file(file);
   if (document.empty()) throw SetupError(fmt::format("{}: the file is empty", file.string()));
@@ -229,6 +236,7 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   read_teams(scene, spec);
   read_robots(scene, spec);
   read_materials(scene, spec);
+  spec.events = read_events(document, at_options);
   return spec;
 }
 

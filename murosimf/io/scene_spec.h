@@ -55,7 +55,8 @@ struct RobotSpec {
   std::string level = "kinematic_walking";
   std::string contact = "implicit_stick";
   std::string controller = "walk";
-  std::string motion;  ///< name or file, for the controller "keyframes"; empty for none
+  std::string servo_law;  ///< instead of what the model's servos say; empty: those
+  std::string motion;     ///< name or file, for the controller "keyframes"; empty for none
   std::string joint_reference = "filter";
   motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
   bool base_rigid = false;
@@ -67,12 +68,21 @@ struct RobotSpec {
   CollisionOptions collision;
 };
 
-/// A property to set before the first step: --set 'blue1.pelvis.applied_force=[0,0,0,5,0,0]'.
+/// A property to set: --set 'blue1.pelvis.applied_force=[0,0,0,5,0,0]'.
 struct PropertySetting {
   std::string where;
   std::vector<std::string> entities;
-  std::string object, property;
+  std::string object, property;  ///< no object: the base
   std::vector<double> numbers;
+};
+
+/// Something that changes while the scene runs: another level, law or command, or a property.
+struct SceneEvent {
+  double time = 0;  ///< [s]
+  std::string where;
+  std::vector<std::string> entities;
+  std::string key, value;  ///< of a robot; with `setting`, only for messages
+  std::optional<PropertySetting> setting;
 };
 
 struct SceneSpec {
@@ -94,11 +104,14 @@ struct SceneSpec {
   std::vector<RobotSpec> robots;
   MaterialTable materials = MaterialTable::standard();
   std::vector<PropertySetting> settings;
+  std::vector<SceneEvent> events;  ///< in the order of time
 };
 
 /// Reads a scene file (docs/scenes.md). `overrides` are PATH=VALUE as for --set: a key of the file ("duration=5",
 /// "field.surface=grass"), a key of robots ("blue1.level=...", "blue.*.level=..."), or a property
-/// ("blue1.pelvis.applied_force=[0,0,0,5,0,0]"). Throws SetupError with file:line:column.
-[[nodiscard]] SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+/// ("blue1.pelvis.applied_force=[0,0,0,5,0,0]"). `at_options` are TIME:PATH=VALUE as for --at (scene_events.h). Throws
+/// SetupError with file:line:column.
+[[nodiscard]] SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {},
+                                   const std::vector<std::string>& at_options = {});
 
 }  // namespace murosimf::io

@@ -26,6 +26,10 @@ template <auto member>
 double& of_friction(Servo& servo) {
   return servo.friction.*member;
 }
+template <auto member>
+double& of_heat(Servo& servo) {
+  return servo.heat.*member;
+}
 constexpr std::array numbers{Number{"voltage", of_servo<&Servo::voltage>},
                              Number{"stall_torque", of_servo<&Servo::stall_torque>},
                              Number{"no_load_rate", of_servo<&Servo::no_load_rate>},
@@ -48,7 +52,16 @@ constexpr std::array numbers{Number{"voltage", of_servo<&Servo::voltage>},
                              Number{"quadratic_motor_load_friction", of_friction<&GearFriction::quadratic_motor_load>},
                              Number{"quadratic_external_load_friction",
                                     of_friction<&GearFriction::quadratic_external_load>},
-                             Number{"command_delay", of_servo<&Servo::command_delay>}};
+                             Number{"backlash", of_servo<&Servo::backlash>},
+                             Number{"encoder_step", of_servo<&Servo::encoder_step>},
+                             Number{"dead_band", of_servo<&Servo::dead_band>},
+                             Number{"command_period", of_servo<&Servo::command_period>},
+                             Number{"command_delay", of_servo<&Servo::command_delay>},
+                             Number{"heat_capacity", of_heat<&ServoHeat::heat_capacity>},
+                             Number{"thermal_resistance", of_heat<&ServoHeat::thermal_resistance>},
+                             Number{"ambient_temperature", of_heat<&ServoHeat::ambient_temperature>},
+                             Number{"derating_temperature", of_heat<&ServoHeat::derating_temperature>},
+                             Number{"temperature_limit", of_heat<&ServoHeat::temperature_limit>}};
 
 /// What a servo law needs, and what means nothing to it.
 struct Law {
@@ -56,13 +69,14 @@ struct Law {
   Names needed, useless;
 };
 const std::array<Law, 2>& laws() {
-  static const std::array<Law, 2> all{Law{"dc_motor",
-                                          {"stall_torque", "no_load_rate", "position_gain", "rotor_inertia",
-                                           "coulomb_friction"},
-                                          {"velocity_gain"}},
-                                      Law{"ideal_pd",
-                                          {"position_gain", "rotor_inertia"},
-                                          {"no_load_rate", "duty_limit", "torque_limit", "current_limit"}}};
+  static const std::array<Law, 2> all{
+      Law{"dc_motor",
+          {"stall_torque", "no_load_rate", "position_gain", "rotor_inertia", "coulomb_friction"},
+          {"velocity_gain"}},
+      Law{"ideal_pd",
+          {"position_gain", "rotor_inertia"},
+          {"no_load_rate", "duty_limit", "torque_limit", "current_limit", "heat_capacity", "thermal_resistance",
+           "ambient_temperature", "derating_temperature", "temperature_limit"}}};
   return all;
 }
 const Law& law_of(const Servo& servo) { return *std::ranges::find(laws(), servo.law, &Law::name); }
@@ -70,15 +84,34 @@ const Law& law_of(const Servo& servo) { return *std::ranges::find(laws(), servo.
 bool contains(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
 Names known_keys(const Names& others) {
-  Names keys{"law", "current_limit"};
+  Names keys{"law", "current_limit", "fit"};
   for (const Number& number : numbers) keys.push_back(number.key);
   keys.insert(keys.end(), others.begin(), others.end());
   return keys;
 }
 
-constexpr double longest_delay = 1;  // [s]
+/// Numbers beyond these were meant in another unit.
+struct Largest {
+  std::string_view key;
+  double value;
+  std::string_view meaning;
+};
+constexpr std::array largest{Largest{"command_delay", 1, "is in seconds; more than 1 is no delay of a bus"},
+                             Largest{"command_period", 1, "is in seconds; more than 1 is no rate of a bus"},
+                             Largest{"backlash", 0.5, "is in radians; more than 0.5 is no play of a gear"},
+                             Largest{"encoder_step", 0.5, "is in radians; more than 0.5 is no step of an encoder"},
+                             Largest{"dead_band", 0.5, "is in radians; more than 0.5 is no dead band"}};
+
+double read_temperature(std::string_view key, const toml::node& node) {
+  const double number = node.is_number() ? node.value_or(1e9) : 1e9;
+  if (!(std::abs(number) <= 200)) {  // NaN is not either
+    fail_at(node.source(), fmt::format("'{}' must be a temperature in degrees Celsius, at most 200", key));
+  }
+  return number;
+}
 
 double read_number(std::string_view key, const toml::node& node) {
+  if (key.ends_with("temperature") || key == "temperature_limit") return read_temperature(key, node);
   const double number = node.is_number() ? node.value_or(-1.0) : -1.0;
   const bool finite = std::isfinite(number);
   if (key == "duty_limit" && !(finite && number > 0 && number <= 1)) {
@@ -88,11 +121,25 @@ double read_number(std::string_view key, const toml::node& node) {
     fail_at(node.source(), fmt::format("'{}' must be a finite number above 0", key));
   }
   if (!finite || number < 0) fail_at(node.source(), fmt::format("'{}' must be a finite number, at least 0", key));
-  if (key == "command_delay" && number > longest_delay) {
-    fail_at(node.source(),
-            fmt::format("'command_delay' is in seconds; more than {} is no delay of a bus", longest_delay));
+  for (const Largest& most : largest) {
+    if (key == most.key && number > most.value) fail_at(node.source(), fmt::format("'{}' {}", key, most.meaning));
   }
   return number;
+}
+
+/// Says what is missing or impossible in thermal numbers; empty: nothing.
+std::string complaint_about_heat(const Servo& servo) {
+  const ServoHeat& heat = servo.heat;
+  const bool derates = heat.derating_temperature != 0 || heat.temperature_limit != 0;
+  if (heat.heat_capacity == 0 && heat.thermal_resistance == 0 && !derates) return {};
+  if (heat.heat_capacity <= 0 || heat.thermal_resistance <= 0) {
+    return "gets warm: it needs heat_capacity and thermal_resistance, both above 0";
+  }
+  if (servo.voltage <= 0) return "gets warm: it needs voltage, from which its current follows";
+  if (derates && !(heat.derating_temperature > 0 && heat.derating_temperature < heat.temperature_limit)) {
+    return "gets warm: derating_temperature must be above 0 and below temperature_limit";
+  }
+  return {};
 }
 
 }  // namespace
@@ -105,7 +152,8 @@ void ServoDraft::take(const toml::table& table, const Names& others) {
   const Names known = known_keys(others);
   for (const auto& [key, node] : table) {
     if (!contains(known, key.str())) fail_at(key.source(), unknown_name("key of a servo", key.str(), known));
-    if (key != "law" && !contains(others, key.str())) take_number(key, node);
+    if (key == "fit" && !node.is_table()) fail_at(node.source(), "[fit] says where the numbers come from: a table");
+    if (key != "law" && key != "fit" && !contains(others, key.str())) take_number(key, node);
   }
   if (table.contains("torque_limit") && table.contains("current_limit")) {
     fail_at(table.get("current_limit")->source(), "'current_limit' and 'torque_limit' limit the same; keep one");
@@ -161,6 +209,9 @@ Servo ServoDraft::finish(std::string_view name, const toml::source_region& sourc
   if (current_limit_) {
     if (servo.voltage <= 0) fail_at(source, fmt::format("servo '{}' needs voltage, because of current_limit", name));
     servo.torque_limit = *current_limit_ * servo.voltage / servo.no_load_rate;
+  }
+  if (const std::string complaint = complaint_about_heat(servo); !complaint.empty()) {
+    fail_at(source, fmt::format("servo '{}' {}", name, complaint));
   }
   for (const Number& number : numbers) {
     if (!std::isfinite(number.of(servo))) {

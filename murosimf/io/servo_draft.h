@@ -1,6 +1,6 @@
 /// servo_draft.h - a servo while it is read from TOML: the numbers of a ready-made one, then what a robot says instead.
 ///
-/// Only for .cpp files: it brings toml++ in. The keys are those of docs/robots.md, "Servos".
+/// Only for .cpp files: it brings toml++ in. The keys are those of docs/robots.md, "Servos"; a table [fit] (fitted_servo.h) is skipped.
 #pragma once
 
 #include <filesystem>

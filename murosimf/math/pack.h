@@ -95,6 +95,26 @@ class Pack8 {
       return reinterpret_cast<Register>(reinterpret_cast<MaskRegister>(a.part_[i]) & magnitude);
     });
   }
+  friend Pack8 binary_exponent(const Pack8& a) {
+    return each<Pack8>([&](int i) {
+      const MaskRegister shifted =
+          (reinterpret_cast<MaskRegister>(a.part_[i]) >> 52) | (MaskRegister{} + two_to_52_bits);
+      return reinterpret_cast<Register>(shifted) - exponent_bias;
+    });
+  }
+  friend Pack8 binary_fraction(const Pack8& a) {
+    return each<Pack8>([&](int i) {
+      const MaskRegister fraction = reinterpret_cast<MaskRegister>(a.part_[i]) & (MaskRegister{} + fraction_mask);
+      return reinterpret_cast<Register>(fraction | (MaskRegister{} + one_bits));
+    });
+  }
+  friend Pack8 times_power_of_two(const Pack8& a, const Pack8& n) {
+    return each<Pack8>([&](int i) {
+      const Register biased = n.part_[i] + round_bias;
+      return reinterpret_cast<Register>(reinterpret_cast<MaskRegister>(a.part_[i]) +
+                                        (reinterpret_cast<MaskRegister>(biased) << 52));
+    });
+  }
 
  private:
   template <class Result, class F>

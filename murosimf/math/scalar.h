@@ -6,7 +6,9 @@
 /// a lane equals the robot stepped alone bit for bit.
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace murosimf {
@@ -23,6 +25,26 @@ inline bool all(bool mask) { return mask; }
 inline double sqrt(double x) { return std::sqrt(x); }
 inline double abs(double x) { return std::fabs(x); }
 
+inline constexpr double round_bias = 6755399441055744.0;            // 1.5 * 2^52: adding it rounds to an integer
+inline constexpr double exponent_bias = 4503599627370496.0 + 1023;  // 2^52 and the bias of IEEE 754 binary64
+inline constexpr std::int64_t two_to_52_bits = 0x4330000000000000;  // of 2^52: small integers go below
+inline constexpr std::int64_t fraction_mask = 0x000fffffffffffff;   // bits of the fraction
+inline constexpr std::int64_t one_bits = 0x3ff0000000000000;        // of 1.0
+
+/// e of x = f 2^e with 1 <= f < 2, for positive normal x.
+inline double binary_exponent(double x) {
+  return std::bit_cast<double>((std::bit_cast<std::int64_t>(x) >> 52) | two_to_52_bits) - exponent_bias;
+}
+/// f of x = f 2^e with 1 <= f < 2, for positive normal x.
+inline double binary_fraction(double x) {
+  return std::bit_cast<double>((std::bit_cast<std::int64_t>(x) & fraction_mask) | one_bits);
+}
+/// x 2^n for an integer n, if x and the result are normal.
+inline double times_power_of_two(double x, double n) {
+  const auto shift = std::bit_cast<std::uint64_t>(n + round_bias) << 52;
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + shift);
+}
+
 template <class S>
 struct SinCos {
   S sin, cos;
@@ -36,7 +58,6 @@ template <class S>
   constexpr double half_pi_a = 1.57079625129699707031;
   constexpr double half_pi_b = 7.54978941586159635335e-8;
   constexpr double half_pi_c = 5.39030252995776476554e-15;
-  constexpr double round_bias = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to the nearest integer
 
   const S turns = (angle * (2.0 / pi) + round_bias) - round_bias;
   const S x = ((angle - turns * half_pi_a) - turns * half_pi_b) - turns * half_pi_c;

@@ -95,6 +95,13 @@ class Entity {
 
   /// From now on no column can be added; spans stay valid for good.
   void freeze_columns() { columns_frozen_ = true; }
+  /// Columns can be added again, as before freeze_columns().
+  void thaw_columns() { columns_frozen_ = false; }
+  /// Removes columns for which unused(column) is true: nobody may have spans of them any more.
+  template <class Unused>
+  void drop_columns(const Unused& unused) {
+    std::erase_if(columns_, [&](const auto& item) { return unused(item.second.get()); });
+  }
 
   [[nodiscard]] ObjectAccess object(std::string_view name);
   /// The first object; it carries the properties that the whole entity has once.

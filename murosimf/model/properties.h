@@ -45,7 +45,17 @@ inline constexpr Property<double> joint_position     {{"joint_position", "rad | 
 inline constexpr Property<double> joint_rate         {{"joint_rate", "rad/s | m/s", "joint", "rate of joint_position"}};
 inline constexpr Property<double> joint_target       {{"joint_target", "rad | m", "joint", "desired position, set by control software"}};
 inline constexpr Property<double> joint_rate_target {{"joint_rate_target", "rad/s | m/s", "joint", "desired rate of a joint whose servo has no position gain, set by control software"}};
-inline constexpr Property<double> joint_torque     {{"joint_torque", "N m | N", "joint", "of the servo; at full_dynamics what the motion would take"}};
+inline constexpr Property<double> joint_torque     {{"joint_torque", "N m | N", "joint", "of servo and gear; at full_dynamics what the motion would take"}};
+inline constexpr Property<double> joint_load       {{"joint_load", "N m | N", "joint", "all that a joint feels besides its own servo, friction, dampers and end"}};
+inline constexpr Property<Motiond> felt_acceleration {{"felt_acceleration", "rad/s^2, m/s^2", "world, at the base's origin", "of a link: what forces add to its gravity and velocity products"}};
+inline constexpr Property<double> supply_voltage   {{"supply_voltage", "V", "joint", "of a servo, set by users or a battery; starts with the servo's own"}};
+inline constexpr Property<double> torque_enabled   {{"torque_enabled", "1", "joint", "0: the servo's torque is switched off, nothing but friction brakes"}};
+inline constexpr Property<double> servo_temperature {{"servo_temperature", "C", "joint", "of a servo's winding"}};
+inline constexpr Property<double> sent_target      {{"sent_target", "rad | m", "joint", "target that went over the bus last"}};
+inline constexpr Property<double> sent_target_age  {{"sent_target_age", "1", "joint", "steps since then"}};
+inline constexpr Property<double> backlash_play    {{"backlash_play", "rad", "joint", "where the motor side is in the play of the gear; 0: in the middle"}};
+inline constexpr Property<double> backlash_side    {{"backlash_side", "1", "joint", "1, -1: the motor side touches the output there; 0: it does not"}};
+inline constexpr Property<double> rotor_rate       {{"rotor_rate", "rad/s", "joint", "of the motor side of a gear with backlash"}};
 inline constexpr Property<double> torque_need      {{"torque_need", "N m | N", "joint", "joint_torque, smoothed over 20 ms"}};
 inline constexpr Property<Overload> overload       {{"overload", "N m, N m, rad/s, s", "joint", "where torque_need exceeded the servo the most: needed, given, rate, time"}};
 inline constexpr Property<double> cycle_target       {{"cycle_target", "rad | m", "joint", "target that the present control cycle runs to"}};
@@ -62,6 +72,8 @@ inline constexpr Property<Vec3d>  common_center_of_mass_velocity {{"common_cente
 inline constexpr Property<SymMat3d> common_inertia   {{"common_inertia", "kg m^2", "world, at the common center of mass", "xx yy zz xy xz yz", Scope::base}};
 inline constexpr Property<Vec3d>  stance_pose        {{"stance_pose", "m, m, rad", "world", "x, y and heading of the standing sole", Scope::base}};
 inline constexpr Property<double> stance_foot        {{"stance_foot", "1", "-", "0: first sole of the model stands, 1: second", Scope::base}};
+inline constexpr Property<Vec3d>  remaining_shift    {{"remaining_shift", "m", "world", "of the base from its pinned place, since kinematic walking took over", Scope::base}};
+inline constexpr Property<Vec3d>  remaining_turn     {{"remaining_turn", "rad", "world", "of the base from its pinned attitude, likewise, as rotation vector", Scope::base}};
 inline constexpr Property<double> pushable           {{"pushable", "1", "-", "1: forces move the entity, 0: it pushes and is never pushed", Scope::base}};
 inline constexpr Property<Vec3d>  separation         {{"separation", "m", "world, horizontal", "way in this step out of bodies that are not pushed either", Scope::base}};
 inline constexpr Property<Forced> absorbed_impulse   {{"absorbed_impulse", "N m s, N s", "world, at the world's origin", "what contacts gave to a body that cannot be pushed", Scope::base}};

@@ -25,6 +25,15 @@ struct GearFriction {
   double quadratic_external_load = 0;  ///< [1/(N m)] K_eq
 };
 
+/// A servo's temperature: one body that is heated by its winding and cooled by the air. All zero: always 25 C.
+struct ServoHeat {
+  double heat_capacity = 0;         ///< [J/K]
+  double thermal_resistance = 0;    ///< [K/W] from winding to air
+  double ambient_temperature = 25;  ///< [C] of the air, and of a servo at the start
+  double derating_temperature = 0;  ///< [C] above it the firmware gives less torque; 0: never
+  double temperature_limit = 0;     ///< [C] where derating ends: no torque from here on
+};
+
 struct Servo {
   std::string type;              ///< name of the table it came from, for example "mx64"
   std::string law = "dc_motor";  ///< name of the servo law
@@ -38,7 +47,12 @@ struct Servo {
   double torque_limit = 0;       ///< [N m] of the motor, from its current limit; 0: none
   double rotor_inertia = 0;      ///< [kg m^2]
   GearFriction friction;
-  double command_delay = 0;  ///< [s] from the controller's target to the motor
+  double backlash = 0;        ///< [rad] free play between motor and output, from one side to the other
+  double encoder_step = 0;    ///< [rad] position and target are known in whole steps; 0: exactly
+  double dead_band = 0;       ///< [rad] an error up to this counts as none; a larger one is as much smaller
+  double command_period = 0;  ///< [s] a target is taken over every so often, and held; 0: at once
+  double command_delay = 0;   ///< [s] from the controller's target to the motor
+  ServoHeat heat;
 };
 
 /// The moment at which a servo was too weak by the most for what a motion takes; all zero if it never was.

@@ -28,6 +28,10 @@ void World::freeze_columns() {
   for (const auto& entity : entities_) entity->freeze_columns();
 }
 
+void World::thaw_columns() {
+  for (const auto& entity : entities_) entity->thaw_columns();
+}
+
 std::uint64_t World::state_hash() const {
   Hasher hasher;
   for (const auto& entity : entities_) entity->append_to(hasher);

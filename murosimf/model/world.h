@@ -19,6 +19,7 @@ class World {
   [[nodiscard]] const std::vector<std::unique_ptr<Entity>>& entities() const { return entities_; }
 
   void freeze_columns();
+  void thaw_columns();
 
   /// Hash of every column of every entity: equal states give equal hashes.
   [[nodiscard]] std::uint64_t state_hash() const;

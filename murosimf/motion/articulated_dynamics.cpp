@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "murosimf/motion/contact_trials.h"
+#include "murosimf/motion/coulomb_damping.h"
+#include "murosimf/multibody/joint_friction.h"
 
 namespace murosimf::motion {
 namespace {
@@ -16,21 +18,44 @@ constexpr double farthest_joint = 1e4;  // [rad | m] sines lose their precision 
 
 }  // namespace
 
-ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options)
+ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options, const std::string& servo_law)
     : tree_(setup, options, "articulated_dynamics"),
-      drives_(setup),
+      drives_(setup, servo_law),
       joint_torque_(setup.write(properties::joint_torque)),
+      joint_load_(setup.write(properties::joint_load)),
+      felt_acceleration_(setup.write(properties::felt_acceleration)),
+      motor_(tree_.links.size()),
       servo_(tree_.links.size()),
+      friction_(tree_.links.size()),
       bodies_(tree_.links.size()),
       change_(tree_.links.size()),
-      root_(tree_.links.size()) {}
+      root_(tree_.links.size()) {
+  if (options.integrator == Integrator::rk4 && !drives_.remembering().empty()) {
+    throw SetupError("integrator 'rk4' does not go with servos that have backlash or get warm");
+  }
+}
 
 void ArticulatedDynamics::initialize() {
   drives_.initialize(tree_.columns.q, tree_.columns.qd);
   tree_.start();
-  std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
+  start_loads();
   check_inertias();
   tree_.contacts.response = this;
+}
+
+void ArticulatedDynamics::take_over(const Momentum& momentum) {
+  drives_.take_over(tree_.columns.qd);
+  tree_.take_over(momentum);
+  start_loads();
+  check_inertias();
+  tree_.contacts.response = this;
+}
+
+/// Friction expects that everything is held.
+void ArticulatedDynamics::start_loads() {
+  std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
+  std::fill(joint_load_.begin(), joint_load_.end(), 0.0);
+  std::fill(felt_acceleration_.begin(), felt_acceleration_.end(), Motiond{{}, -tree_.gravity});
 }
 
 void ArticulatedDynamics::check_inertias() {
@@ -40,7 +65,7 @@ void ArticulatedDynamics::check_inertias() {
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     const int i = links[l].object;
     const double carried = dot(tree_.links[l].axis, composite[l] * tree_.links[l].axis);
-    if (!(carried + drives_.drive(i, tree_.columns.q[i], 0, 0).all.inertia > 1e-12)) {
+    if (!(carried + drives_.firm_inertia(i) > 1e-12)) {
       throw SetupError(
           fmt::format("model '{}': joint '{}' moves no inertia; give a body behind it mass and inertia, or "
                       "the joint an armature or a servo with rotor_inertia",
@@ -49,8 +74,8 @@ void ArticulatedDynamics::check_inertias() {
     composite[links[l].parent] += composite[l];
   }
   if (!tree_.is_free()) return;
-  drive_joints(0);
-  solve(0);
+  drive_joints_explicitly();
+  solve_explicitly();
   if (!is_firmly_positive(bodies_[0].inertia)) {
     throw SetupError(
         fmt::format("model '{}': its base '{}' can move without moving any inertia; give it mass and inertia",
@@ -63,27 +88,31 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
   if (!tree_.contacts.solved) {
     begin_step(seconds(instant.period));
     settle_contacts(tree_.contacts, tree_.columns.r, tree_.external_force, tree_.external_damping, [&] {
-      solve(dt_);
+      const bool settled = solve(multibody::Loads::of_last_pass);
       predict_contacts(dt_);
+      return settled;
     });
   }
   if (!targets_sane_) return tree_.halt("a joint position or target is no sensible number");
   if (!accelerations_are_sane()) return tree_.halt(too_fast);
   report_torques();
+  keep_loads();
   tree_.commit_contacts();
   const Motiond base = bodies_[0].acceleration;
   if (!tree_.advance_base(base, dt_)) return tree_.halt(too_fast);
   advance_joints(dt_);
+  finish_drives();
   tree_.finish_step();
 }
 
 void ArticulatedDynamics::step_rk4(double dt) noexcept {
   tree_.take_changes();
   if (!drives_.take_targets()) return tree_.halt("a joint position or target is no sensible number");
+  recall_loads();
   bool first = true;
   const auto accelerations = [&] {
-    drive_joints(0);
-    solve(0);
+    drive_joints_explicitly();
+    solve_explicitly();
     if (std::exchange(first, false)) {
       predict_contacts(dt);
       tree_.commit_contacts();
@@ -96,6 +125,7 @@ void ArticulatedDynamics::step_rk4(double dt) noexcept {
   if (!tree_.advance_rk4(dt, accelerations, joint_acceleration)) return tree_.halt(too_fast);
   drives_.wrap(tree_.columns.q);
   report_torques();
+  keep_loads();
   tree_.finish_step();
 }
 
@@ -108,11 +138,12 @@ void ArticulatedDynamics::begin_step(double dt) noexcept {
   tree_.take_changes();
   targets_sane_ = drives_.take_targets();
   drive_joints(dt);
+  recall_loads();
 }
 
 bool ArticulatedDynamics::free_pass(double dt) noexcept {
   begin_step(dt);
-  solve(dt);
+  (void)solve(multibody::Loads::of_last_step);
   tree_.factor_base();
   for (std::size_t l = 1; l < bodies_.size(); ++l) root_[l] = std::sqrt(bodies_[l].inverse_D);
   return targets_sane_ && accelerations_are_sane();
@@ -150,6 +181,7 @@ void ArticulatedDynamics::apply(std::span<const double> z) noexcept {
     change_[l] = parent + joint * tree_.links[l].axis;
     body.joint_acceleration += joint;
     body.acceleration += change_[l];
+    friction_[l].load += z[5 + l] / (root_[l] * dt_) - dot(parent, body.U);
   }
 }
 
@@ -159,21 +191,79 @@ void ArticulatedDynamics::drive_joints(double dt) noexcept {
   for (std::size_t l = 1; l < links.size(); ++l) {
     const int i = links[l].object;
     const auto drive = drives_.drive(i, columns.q[i], columns.qd[i], dt);
+    motor_[l] = drive.motor;
     servo_[l] = drive.servo;
-    bodies_[l].torque = drive.all.torque;
-    bodies_[l].added_inertia = drive.all.inertia;
+    auto& joint = friction_[l];
+    joint.gear = drive.gear;
+    joint.coulomb = drive.coulomb;
+    joint.rate = columns.qd[i];
+    joint.motor_torque = drive.motor_torque;
+    joint.torque = drive.all.torque;
+    joint.inertia = drive.all.inertia;
   }
 }
 
-void ArticulatedDynamics::solve(double dt) noexcept {
-  const Tree& tree = tree_.columns.model.tree();
+/// What friction expects of this step is in columns, so that the same state makes the same step.
+void ArticulatedDynamics::recall_loads() noexcept {
+  const auto& links = tree_.columns.model.tree().links;
+  for (std::size_t l = 0; l < links.size(); ++l) {
+    bodies_[l].acceleration = felt_acceleration_[links[l].object];
+    friction_[l].load = joint_load_[links[l].object];
+  }
+}
+
+void ArticulatedDynamics::keep_loads() noexcept {
+  const auto& links = tree_.columns.model.tree().links;
+  for (std::size_t l = 0; l < links.size(); ++l) {
+    felt_acceleration_[links[l].object] = bodies_[l].acceleration;
+    joint_load_[links[l].object] = friction_[l].load;
+  }
+}
+
+void ArticulatedDynamics::gather_loads(double dt) noexcept {
   multibody::clear_loads<double>(bodies_);
   tree_.for_loads(dt, [&](int link, const Forced& load, const Sym6d& damping) {
     multibody::add_load(bodies_[link], load, damping);
   });
+}
+
+Motiond ArticulatedDynamics::base_acceleration() noexcept {
+  return tree_.base_acceleration(bodies_[0].inertia, -1.0 * bodies_[0].force);
+}
+
+/// A trial step. False if some joint has to slide that sticks, or the other way round.
+bool ArticulatedDynamics::solve(multibody::Loads loads) noexcept {
+  const Tree& tree = tree_.columns.model.tree();
+  gather_loads(dt_);
+  multibody::sweep_with_friction<double>(tree, tree_.links, bodies_, friction_, loads, dt_);
+  return multibody::accelerate_with_friction<double>(tree, tree_.links, bodies_, friction_, base_acceleration()) == 0;
+}
+
+/// The torques of this instant; friction as a damper.
+void ArticulatedDynamics::drive_joints_explicitly() noexcept {
+  drive_joints(0);
+  for (std::size_t l = 1; l < bodies_.size(); ++l) {
+    auto& joint = friction_[l];
+    const double share = coulomb_damping(1, joint.rate) * std::abs(joint.rate);
+    joint.budget = joint.coulomb *= share;
+    if (joint.gear) {
+      joint.budget += share * multibody::dry_friction(*joint.gear, joint.rate, joint.motor_torque, joint.load);
+    }
+    joint.direction = std::copysign(1.0, joint.rate);
+    bodies_[l].torque = joint.torque + multibody::friction_torque(joint);
+    bodies_[l].added_inertia = joint.inertia;
+  }
+}
+
+void ArticulatedDynamics::solve_explicitly() noexcept {
+  const Tree& tree = tree_.columns.model.tree();
+  gather_loads(0);
   multibody::sweep_to_base<double>(tree, tree_.links, bodies_);
-  const Motiond base = tree_.base_acceleration(bodies_[0].inertia, -1.0 * bodies_[0].force);
-  multibody::accelerate<double>(tree, tree_.links, bodies_, base);
+  multibody::accelerate<double>(tree, tree_.links, bodies_, base_acceleration());
+  for (std::size_t l = 1; l < bodies_.size(); ++l) {
+    const auto& parent = bodies_[tree.links[l].parent];
+    friction_[l].load = -dot(tree_.links[l].axis, bodies_[l].force) - dot(parent.acceleration, bodies_[l].U);
+  }
 }
 
 void ArticulatedDynamics::advance_joints(double dt) noexcept {
@@ -181,7 +271,8 @@ void ArticulatedDynamics::advance_joints(double dt) noexcept {
   const auto& links = columns.model.tree().links;
   for (std::size_t l = 1; l < links.size(); ++l) {
     const int i = links[l].object;
-    columns.qd[i] += dt * bodies_[l].joint_acceleration;
+    const double rate = columns.qd[i] + dt * bodies_[l].joint_acceleration;
+    columns.qd[i] = friction_[l].direction == 0 ? 0 : rate;
     columns.q[i] += dt * columns.qd[i];
   }
   drives_.wrap(columns.q);
@@ -190,7 +281,22 @@ void ArticulatedDynamics::advance_joints(double dt) noexcept {
 void ArticulatedDynamics::report_torques() noexcept {
   const auto& links = tree_.columns.model.tree().links;
   for (std::size_t l = 1; l < links.size(); ++l) {
-    joint_torque_[links[l].object] = servo_[l].torque - servo_[l].inertia * bodies_[l].joint_acceleration;
+    const auto& joint = friction_[l];
+    double torque = servo_[l].torque - servo_[l].inertia * bodies_[l].joint_acceleration;
+    if (joint.gear && joint.budget > 0) {
+      torque += (1 - joint.coulomb / joint.budget) * multibody::friction_torque(joint);
+    }
+    joint_torque_[links[l].object] = torque;
+  }
+}
+
+/// Memory of the servos.
+void ArticulatedDynamics::finish_drives() noexcept {
+  const PoseColumns& columns = tree_.columns;
+  for (const int i : drives_.remembering()) {
+    const int l = columns.model.tree().link_of[i];
+    const double motor = motor_[l].torque - motor_[l].inertia * bodies_[l].joint_acceleration;
+    drives_.finish(i, {motor, joint_torque_[i], columns.q[i], columns.qd[i]}, dt_);
   }
 }
 

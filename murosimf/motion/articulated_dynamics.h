@@ -2,23 +2,30 @@
 ///
 /// Forward dynamics by the articulated-body algorithm (multibody/articulated_body.h); servos, stops and contacts
 /// enter linearly implicit, as inertia of the joint or of the body. Joints: qd += h qdd, q += h qd.
+/// Friction of joints sticks (multibody/dry_joints.h): which joint sticks and which slides is settled together with the contacts of the
+/// step. In an island of touching robots the step before decides. rk4 has it as a damper, which lets loaded joints creep
+/// (motion/coulomb_damping.h).
 /// Source: paper, outlook (7); Featherstone 2008, ch. 7.
 #pragma once
 
-#include "murosimf/model/algorithm.h"
+#include "murosimf/model/motion_level.h"
 #include "murosimf/motion/joint_drives.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/multibody/articulated_body.h"
+#include "murosimf/multibody/dry_joints.h"
 
 namespace murosimf::motion {
 
-class ArticulatedDynamics final : public Algorithm, private collision::ImpulseResponse {
+class ArticulatedDynamics final : public MotionLevel, private collision::ImpulseResponse {
  public:
   /// Throws SetupError if the model has no mass, a servo is impossible, or a joint moves no inertia at all.
-  explicit ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options = {});
+  /// `servo_law`: of all servos, instead of their own (empty: their own).
+  explicit ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options = {}, const std::string& servo_law = {});
 
   void initialize() override;
   void step(const Instant& instant) noexcept override;
+  [[nodiscard]] Momentum hand_over() noexcept override { return tree_.hand_over(); }
+  void take_over(const Momentum& momentum) override;
 
  private:
   [[nodiscard]] bool free_pass(double dt) noexcept override;
@@ -31,9 +38,17 @@ class ArticulatedDynamics final : public Algorithm, private collision::ImpulseRe
   void step_rk4(double dt) noexcept;
   void begin_step(double dt) noexcept;
   void drive_joints(double dt) noexcept;
-  void solve(double dt) noexcept;
+  void recall_loads() noexcept;
+  void keep_loads() noexcept;
+  void gather_loads(double dt) noexcept;
+  [[nodiscard]] bool solve(multibody::Loads loads) noexcept;
+  void drive_joints_explicitly() noexcept;
+  void solve_explicitly() noexcept;
+  [[nodiscard]] Motiond base_acceleration() noexcept;
   void predict_contacts(double dt) noexcept;
+  void start_loads();
   void report_torques() noexcept;
+  void finish_drives() noexcept;
   void advance_joints(double dt) noexcept;
   [[nodiscard]] bool accelerations_are_sane() const noexcept;
   void check_inertias();
@@ -41,7 +56,10 @@ class ArticulatedDynamics final : public Algorithm, private collision::ImpulseRe
   MovingTree tree_;
   JointDrives drives_;
   std::span<double> joint_torque_;
-  std::vector<JointDrive> servo_;  // by link
+  std::span<double> joint_load_;
+  std::span<Motiond> felt_acceleration_;
+  std::vector<JointDrive> motor_, servo_;              // by link
+  std::vector<multibody::DryJoint<double>> friction_;  // by link
   std::vector<multibody::ArticulatedLink<double>> bodies_;
   std::vector<Motiond> change_;  // by link: what impulses add to a'; working memory
   std::vector<double> root_;     // by link: square root of inverse_D, for responses

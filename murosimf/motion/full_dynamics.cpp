@@ -24,9 +24,21 @@ void FullDynamics::initialize() {
   reference_.check(tree_.integrator());
   reference_.initialize(tree_.columns);
   tree_.start();
+  start_observing();
+  tree_.contacts.response = this;
+}
+
+void FullDynamics::take_over(const Momentum& momentum) {
+  reference_.check(tree_.integrator());
+  reference_.take_over(tree_.columns);
+  tree_.take_over(momentum);
+  start_observing();
+  tree_.contacts.response = this;
+}
+
+void FullDynamics::start_observing() noexcept {
   watch_.initialize();
   std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
-  tree_.contacts.response = this;
 }
 
 void FullDynamics::step(const Instant& instant) noexcept {
@@ -36,6 +48,7 @@ void FullDynamics::step(const Instant& instant) noexcept {
     settle_contacts(tree_.contacts, tree_.columns.r, tree_.external_force, tree_.external_damping, [&] {
       solve_base(dt_);
       predict_contacts(dt_);
+      return true;
     });
   }
   if (!joints_sane_) return tree_.halt("a joint position or target is no sensible number");

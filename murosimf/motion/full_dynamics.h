@@ -11,7 +11,7 @@
 /// Differs: joint motion is smoothed by the filter unless asked for the paper's `linear`.
 #pragma once
 
-#include "murosimf/model/algorithm.h"
+#include "murosimf/model/motion_level.h"
 #include "murosimf/motion/joint_reference.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/motion/torque_watch.h"
@@ -23,15 +23,18 @@ struct FullDynamicsOptions {
   MovingTreeOptions tree;
 };
 
-class FullDynamics final : public Algorithm, private collision::ImpulseResponse {
+class FullDynamics final : public MotionLevel, private collision::ImpulseResponse {
  public:
   /// Throws SetupError if the model has no mass.
   explicit FullDynamics(Setup& setup, const FullDynamicsOptions& options = {});
 
   void initialize() override;
   void step(const Instant& instant) noexcept override;
+  [[nodiscard]] Momentum hand_over() noexcept override { return tree_.hand_over(); }
+  void take_over(const Momentum& momentum) override;
 
  private:
+  void start_observing() noexcept;
   [[nodiscard]] bool free_pass(double dt) noexcept override;
   [[nodiscard]] std::size_t coordinates() const noexcept override { return 6; }
   [[nodiscard]] Vec3d free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept override;

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "murosimf/motion/coulomb_damping.h"
+#include "murosimf/model/properties.h"
 #include "murosimf/motion/torque_watch.h"
 
 namespace murosimf::motion {
@@ -17,31 +15,41 @@ constexpr double stop_damping_time = 5e-3;     // [s] damper over spring
 
 double value_or_zero(const double* number) { return number ? *number : 0; }
 
+bool has_dry_part(const GearFriction& k) {
+  return k.coulomb > 0 || k.stribeck > 0 || k.motor_load > 0 || k.external_load > 0 || k.stribeck_motor_load > 0 ||
+         k.stribeck_external_load > 0 || k.quadratic_motor_load > 0 || k.quadratic_external_load > 0;
+}
+
+void damp(JointDrive& drive, double damping, double qd, double dt) {
+  drive.torque -= damping * qd;
+  drive.inertia += dt * damping;
+}
+
 }  // namespace
 
-JointDrives::JointDrives(Setup& setup)
+JointDrives::JointDrives(Setup& setup, const std::string& law)
     : joints_(static_cast<std::size_t>(setup.model().size())),
-      turning_(setup),
       objects_(setup.model().joints()),
-      target_(setup.input(properties::joint_target, 0.0)),
-      delayed_(setup.write(delayed_target)),
-      present_(joints_.size()) {
+      bus_(setup),
+      condition_(setup, law),
+      backlash_(setup) {
   const double weight = setup.model().tree().mass * 9.81;
   for (const int i : objects_) {
-    joints_[i] = make_joint(setup.model(), i, weight);
-    delayed_[i].reset(static_cast<std::size_t>(std::lround(joints_[i].command_delay / seconds(setup.period()))), 0);
+    joints_[i] = make_joint(setup.model(), i, weight, law);
+    if (backlash_.at(i) || condition_.heats(i)) remembering_.push_back(i);
   }
 }
 
-JointDrives::Joint JointDrives::make_joint(const Model& model, int i, double weight) {
+JointDrives::Joint JointDrives::make_joint(const Model& model, int i, double weight, const std::string& law) {
   Joint joint;
   joint.rotor = rotor_inertia(model, i);
   joint.damping = value_or_zero(model.find(properties::joint_damping, i));
-  joint.friction = value_or_zero(model.find(properties::joint_friction, i));
+  joint.coulomb = value_or_zero(model.find(properties::joint_friction, i));
   const Servo* servo = model.find(properties::servo, i);
   if (servo) {
-    joint.law = make_servo_law(*servo);
-    joint.command_delay = servo->command_delay;
+    joint.law = make_servo_law(with_law(*servo, law));
+    joint.viscous = servo->friction.viscous;
+    if (has_dry_part(servo->friction)) joint.gear = &servo->friction;
   }
   if (const Vec3d* range = model.find(properties::joint_range, i)) {
     joint.lowest = range->x;
@@ -56,45 +64,70 @@ JointDrives::Joint JointDrives::make_joint(const Model& model, int i, double wei
 void JointDrives::initialize(std::span<double> q, std::span<double> qd) noexcept {
   for (const int i : objects_) {
     const Joint& joint = joints_[i];
-    q[i] = joint.stop_stiffness > 0 ? std::clamp(target_[i], joint.lowest, joint.highest) : target_[i];
+    const double target = bus_.position_target(i);
+    q[i] = joint.stop_stiffness > 0 ? std::clamp(target, joint.lowest, joint.highest) : target;
     qd[i] = 0;
-    present_[i] = target(i);
-    delayed_[i].fill(present_[i]);
   }
+  condition_.cool_down();
+  take_over(qd);
 }
 
-bool JointDrives::take_targets() noexcept {
-  constexpr double largest = 1e4;  // [rad | m | rad/s | m/s]
-  bool sane = true;
-  for (const int i : objects_) {
-    const double wanted = target(i);
-    sane &= std::abs(wanted) < largest;  // NaN is not less
-    present_[i] = delayed_[i].pass(wanted);
-  }
-  return sane;
+void JointDrives::take_over(std::span<const double> qd) noexcept {
+  bus_.start();
+  condition_.take_over();
+  backlash_.start(qd);
+}
+
+MotorTorque JointDrives::motor(int i, double q, double rate, double dt) const noexcept {
+  MotorInput input{.target = bus_.target(i), .q = q, .rate = rate};
+  condition_.fill(i, input);
+  return joints_[i].law->torque(input, dt);
+}
+
+void JointDrives::drive_servo(int i, double q, double qd, double dt, Answer& answer) const noexcept {
+  const Joint& joint = joints_[i];
+  const MotorTorque torque = motor(i, q, qd, dt);
+  answer.gear = joint.gear;
+  answer.motor_torque = torque.now;
+  answer.motor = {torque.torque, torque.inertia};
+  answer.servo = answer.motor;
+  damp(answer.servo, joint.viscous, qd, dt);
+  answer.all = answer.servo;
 }
 
 JointDrives::Answer JointDrives::drive(int i, double q, double qd, double dt) const noexcept {
   const Joint& joint = joints_[i];
-  Answer answer;
-  if (joint.law) answer.servo = joint.law->drive(present_[i], q, qd, dt);
+  Answer answer{.coulomb = joint.coulomb};
   JointDrive& all = answer.all;
-  all = {answer.servo.torque, answer.servo.inertia + joint.rotor};
-  if (joint.damping > 0 || joint.friction > 0) {
-    const double b = joint.damping + coulomb_damping(joint.friction, qd);
-    all.torque -= b * qd;
-    all.inertia += dt * b;
+  if (backlash_.touches(i)) {
+    if (joint.law) drive_servo(i, q, qd, dt, answer);
+    all.inertia += joint.rotor;
+    if (backlash_.at(i) && dt > 0) all.torque += backlash_.arrival(i, qd, dt);
   }
-  if (joint.stop_stiffness > 0) {
-    const double next = q + dt * qd;
-    const double beyond = next - std::clamp(next, joint.lowest, joint.highest);
-    if (beyond != 0) {
-      const double d = joint.stop_stiffness * stop_damping_time;
-      all.torque -= joint.stop_stiffness * beyond + d * qd;
-      all.inertia += dt * d + dt * dt * joint.stop_stiffness;
-    }
-  }
+  damp(all, joint.damping, qd, dt);
+  if (joint.stop_stiffness > 0) stop(joint, q, qd, dt, all);
   return answer;
+}
+
+void JointDrives::stop(const Joint& joint, double q, double qd, double dt, JointDrive& all) const noexcept {
+  const double next = q + dt * qd;
+  const double beyond = next - std::clamp(next, joint.lowest, joint.highest);
+  if (beyond == 0) return;
+  const double d = joint.stop_stiffness * stop_damping_time;
+  all.torque -= joint.stop_stiffness * beyond + d * qd;
+  all.inertia += dt * d + dt * dt * joint.stop_stiffness;
+}
+
+void JointDrives::finish(int i, const Outcome& outcome, double dt) noexcept {
+  double torque = outcome.motor_torque;
+  if (backlash_.touches(i)) {
+    if (backlash_.at(i)) backlash_.follow(i, outcome.torque, outcome.rate, dt);
+  } else {
+    const MotorTorque alone = motor(i, outcome.position, backlash_.rate(i), dt);
+    torque = alone.now;
+    backlash_.turn(i, alone, outcome.rate, dt);
+  }
+  if (condition_.heats(i)) condition_.warm(i, torque, dt);
 }
 
 }  // namespace murosimf::motion

@@ -1,5 +1,5 @@
-/// joint_drives.h - everything that acts on the joints of a robot from inside: servos, passive damping and friction,
-/// the ends of their range.
+/// joint_drives.h - everything that acts on the joints of a robot from inside: servos, dampers and dry friction, the
+/// ends of their range.
 ///
 /// A joint without servo is free. At an end of its range a joint meets a spring and a damper, implicit as the servo is,
 ///
@@ -7,60 +7,90 @@
 ///
 /// with T the larger of the servo's stall torque and the robot's weight times 0.1 m (its weight, for a slider): a fallen
 /// robot bends its stops by less than a degree.
+///
+/// Torques are linearly implicit in the joint's acceleration of this step, tau = torque - inertia qdd: implicit Euler of
+/// the linearized drive. With h = 0 the answer is the plain torque of this instant. Dry friction is a budget that the
+/// level spends (multibody/dry_joints.h).
 #pragma once
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "murosimf/model/properties.h"
-#include "murosimf/model/setup.h"
-#include "murosimf/motion/delay_line.h"
+#include "murosimf/motion/backlash.h"
+#include "murosimf/motion/servo_bus.h"
+#include "murosimf/motion/servo_condition.h"
 #include "murosimf/motion/servo_law.h"
-#include "murosimf/motion/turning_joints.h"
 
 namespace murosimf::motion {
 
+struct JointDrive {
+  double torque = 0;   ///< [N m | N]
+  double inertia = 0;  ///< [kg m^2 | kg] how fast the torque falls with the joint's acceleration
+};
+
 class JointDrives {
  public:
-  /// Throws SetupError if a servo is impossible.
-  explicit JointDrives(Setup& setup);
+  /// `law`: of all servos, instead of their own (empty: their own). Throws SetupError if a servo is impossible.
+  explicit JointDrives(Setup& setup, const std::string& law = {});
 
   /// Joints stand where their targets are, at rest.
   void initialize(std::span<double> q, std::span<double> qd) noexcept;
+  /// Joints stay as they are; all motors know the present targets. qd [rad/s | m/s] by object.
+  void take_over(std::span<const double> qd) noexcept;
   /// To be called once per step: takes the targets on their way to the motors. False if one is no sensible number.
-  [[nodiscard]] bool take_targets() noexcept;
+  [[nodiscard]] bool take_targets() noexcept { return bus_.step(); }
   /// Takes whole turns out of the positions [rad] of wheels (turning_joints.h).
-  void wrap(std::span<double> q) const noexcept { turning_.wrap(q); }
-  /// Torque and added inertia of a joint.
+  void wrap(std::span<double> q) const noexcept { bus_.turning().wrap(q); }
+
+  /// What acts in a joint.
   struct Answer {
-    JointDrive servo;  ///< of the servo alone, without rotor
-    JointDrive all;    ///< with rotor, passive damping and friction, and the end of the range
+    double motor_torque = 0;             ///< [N m] of the motor, now
+    JointDrive motor;                    ///< of the motor alone
+    JointDrive servo;                    ///< motor and viscous friction of the gear, without rotor
+    JointDrive all;                      ///< with rotor, dampers, and the end of the range
+    const GearFriction* gear = nullptr;  ///< dry friction of the servo; null: none
+    double coulomb = 0;                  ///< [N m | N] dry friction of the joint itself
   };
   /// Joint `i` (an object of the model), for a step of `dt` [s].
   [[nodiscard]] Answer drive(int i, double q, double qd, double dt) const noexcept;
+  /// The inertia [kg m^2 | kg] that always turns with the joint, besides links.
+  [[nodiscard]] double firm_inertia(int i) const noexcept { return backlash_.at(i) ? 0 : joints_[i].rotor; }
+
+  /// What became of a joint in a step.
+  struct Outcome {
+    double motor_torque = 0;  ///< [N m] on average
+    double torque = 0;        ///< [N m] of motor and gear
+    double position = 0;      ///< [rad] after the step
+    double rate = 0;          ///< [rad/s] after the step
+  };
+  /// Joints whose servo has a memory; only these need `finish`.
+  [[nodiscard]] std::span<const int> remembering() const { return remembering_; }
+  void finish(int i, const Outcome& outcome, double dt) noexcept;
 
  private:
   struct Joint {
     std::unique_ptr<ServoLaw> law;
-    double rotor = 0;                // [kg m^2 | kg]
-    double damping = 0;              // [N m s/rad | N s/m]
-    double friction = 0;             // [N m | N]
-    double lowest = 0, highest = 0;  // [rad | m]
-    double stop_stiffness = 0;       // [N m/rad | N/m]; 0: no ends
-    double command_delay = 0;        // [s]
+    double rotor = 0;                    // [kg m^2 | kg]
+    double damping = 0;                  // [N m s/rad | N s/m] of the joint itself
+    double viscous = 0;                  // [N m s/rad] of the servo
+    double coulomb = 0;                  // [N m | N] dry friction of the joint itself
+    const GearFriction* gear = nullptr;  // dry friction of the servo; null: none
+    double lowest = 0, highest = 0;      // [rad | m]
+    double stop_stiffness = 0;           // [N m/rad | N/m]; 0: no ends
   };
-  [[nodiscard]] static Joint make_joint(const Model& model, int i, double weight);
-
-  /// What control software wants of a joint: its position, or the rate of one that follows a rate.
-  [[nodiscard]] double target(int i) const noexcept { return turning_.contains(i) ? turning_.target(i) : target_[i]; }
+  [[nodiscard]] static Joint make_joint(const Model& model, int i, double weight, const std::string& law);
+  [[nodiscard]] MotorTorque motor(int i, double q, double rate, double dt) const noexcept;
+  void drive_servo(int i, double q, double qd, double dt, Answer& answer) const noexcept;
+  void stop(const Joint& joint, double q, double qd, double dt, JointDrive& all) const noexcept;
 
   std::vector<Joint> joints_;  // by object
-  TurningJoints turning_;
   std::span<const int> objects_;
-  std::span<const double> target_;
-  std::span<DelayLine> delayed_;
-  std::vector<double> present_;  // [rad | m | rad/s | m/s] by object: the target that the motor knows
+  ServoBus bus_;
+  ServoCondition condition_;
+  Backlash backlash_;
+  std::vector<int> remembering_;
 };
 
 }  // namespace murosimf::motion

@@ -27,6 +27,11 @@ void JointReference::initialize(PoseColumns& columns) noexcept {
   }
 }
 
+void JointReference::take_over(const PoseColumns& columns) noexcept {
+  // no cycle has begun: the next step begins one for every joint that is not where it should be
+  for (std::size_t i = 0; i < cycle_target_.size(); ++i) cycle_target_[i] = columns.q[i];
+}
+
 double JointReference::target(int joint) const noexcept {
   return std::clamp(target_[joint], range_[joint].lowest, range_[joint].highest);
 }

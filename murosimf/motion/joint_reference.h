@@ -36,6 +36,8 @@ class JointReference {
 
   /// Joints start at their targets, at rest.
   void initialize(PoseColumns& columns) noexcept;
+  /// Goes on from the joints as they are.
+  void take_over(const PoseColumns& columns) noexcept;
   /// Positions and targets are sensible numbers.
   [[nodiscard]] bool is_sane(const PoseColumns& columns) const noexcept;
   /// Advances q and qd by dt [s]. False, and nothing changed, if a position or target is no sensible number.

@@ -1,6 +1,7 @@
 #include "murosimf/motion/kinematic_walking.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -10,7 +11,10 @@
 namespace murosimf::motion {
 namespace {
 
-constexpr double penetration = -1e-6;  // [m] rounding of a foot that just touches is no landing
+constexpr double penetration = -1e-6;       // [m] rounding of a foot that just touches is no landing
+constexpr double fading_time = 0.1;         // [s] of what a robot is away from its pinned pose when it is taken over
+constexpr double steepest = 30 * pi / 180;  // [rad] lean of a robot that can be taken over
+constexpr double highest_sole = 0.02;       // [m] of its lower foot, from the plane
 
 std::vector<int> two_soles(const Model& model) {
   auto soles = model.having(properties::sole);
@@ -31,10 +35,13 @@ KinematicWalking::KinematicWalking(Setup& setup, const JointReferenceOptions& re
       reference_(setup, reference),
       stance_pose_(setup.write(properties::stance_pose)[0]),
       stance_foot_(setup.write(properties::stance_foot)[0]),
+      remaining_shift_(setup.write(properties::remaining_shift)[0]),
+      remaining_turn_(setup.write(properties::remaining_turn)[0]),
       separation_(setup.input(properties::separation, {})[0]),
       pushable_(setup.write(properties::pushable)[0]) {
   const auto soles = two_soles(setup.model());
   feet_ = {foot(soles[0]), foot(soles[1])};
+  up_ = upright_axis();
 }
 
 KinematicWalking::Foot KinematicWalking::foot(int object) const {
@@ -52,10 +59,49 @@ void KinematicWalking::initialize() {
   reference_.initialize(columns_);
   place_at_start(columns_, entity_);
   pushable_ = 0;
-  const bool second_lower = lowest_corner(feet_[1]) < lowest_corner(feet_[0]) + penetration;
-  stand_on(second_lower ? 1 : 0);
+  remaining_shift_ = remaining_turn_ = {};
+  stand_on(lower_foot());
   pin();
   set_base_twist();
+  columns_.update_velocities();
+  columns_.remember_base();
+}
+
+Vec3d KinematicWalking::upright_axis() const {
+  const std::vector<double> zero(static_cast<std::size_t>(columns_.model.size()));
+  return multibody::pose_in_base<double>(columns_.model.tree(), feet_[0].path, feet_[0].place, zero).R * Vec3d{0, 0, 1};
+}
+
+int KinematicWalking::lower_foot() const noexcept {
+  return lowest_corner(feet_[1]) < lowest_corner(feet_[0]) + penetration ? 1 : 0;
+}
+
+std::string KinematicWalking::refusal() const {
+  const double lean = std::acos(std::clamp((columns_.R[0] * up_).z, -1.0, 1.0));
+  if (!(lean <= steepest)) {
+    return fmt::format("it leans {:.0f} degrees, more than {:.0f}; only a jump could make it stand on a foot",
+                       lean * 180 / pi, steepest * 180 / pi);
+  }
+  const double height = lowest_corner(feet_[lower_foot()]);
+  if (!(std::abs(height) <= highest_sole)) {
+    return fmt::format("its lower sole is {:.0f} mm away from the plane z = 0, more than {:.0f}", 1e3 * height,
+                       1e3 * highest_sole);
+  }
+  return {};
+}
+
+void KinematicWalking::take_over(const Momentum&) {
+  const Vec3d place = columns_.r[0];
+  const Mat3d attitude = columns_.R[0];
+  reference_.take_over(columns_);
+  pushable_ = 0;
+  stand_on(lower_foot());
+  pin();
+  swap_if_other_foot_penetrates();
+  set_base_twist();
+  remaining_shift_ = place - columns_.r[0];
+  remaining_turn_ = rotation_vector(from_matrix(attitude * transpose(columns_.R[0])));
+  add_remainder();
   columns_.update_velocities();
   columns_.remember_base();
 }
@@ -70,6 +116,7 @@ void KinematicWalking::step(const Instant& instant) noexcept {
   pin();
   swap_if_other_foot_penetrates();
   set_base_twist();
+  fade_remainder(seconds(instant.period));
   columns_.update_velocities();
   columns_.remember_base();
   const Vec3d& r = columns_.r[0];
@@ -119,6 +166,27 @@ void KinematicWalking::set_base_twist() noexcept {
                                                              columns_.r, columns_.R);
   columns_.w[0] = -sole.w;
   columns_.v[0] = -sole.v - cross(columns_.w[0], columns_.r[foot.object] - columns_.r[0]);
+}
+
+void KinematicWalking::fade_remainder(double dt) noexcept {
+  constexpr double nothing = 1e-9;  // [m | rad]
+  const double size = dot(remaining_shift_, remaining_shift_) + dot(remaining_turn_, remaining_turn_);
+  if (size == 0) return;
+  const double rest = size > nothing * nothing ? 1 / (1 + dt / fading_time) : 0;
+  remaining_shift_ = rest * remaining_shift_;
+  remaining_turn_ = rest * remaining_turn_;
+  add_remainder();
+}
+
+/// On top of the pinned pose and its twist.
+void KinematicWalking::add_remainder() noexcept {
+  const Quaterniond turn = exponential(remaining_turn_);
+  columns_.r[0] += remaining_shift_;
+  columns_.Q[0] = normalized(turn * columns_.Q[0]);
+  columns_.R[0] = to_matrix(columns_.Q[0]);
+  columns_.v[0] -= (1 / fading_time) * remaining_shift_;
+  columns_.w[0] = to_matrix(turn) * columns_.w[0] - (1 / fading_time) * remaining_turn_;
+  columns_.update_poses();
 }
 
 }  // namespace murosimf::motion

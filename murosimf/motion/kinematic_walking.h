@@ -8,6 +8,15 @@
 ///     w_0 = -w_S               v_0 = -v_S - w_0 x (r_S - r_0)      so that the standing sole is at rest
 ///
 /// The twist is that of the present stance, analytic; it is never differentiated across a swap.
+///
+/// Taking over a robot that moves (model/motion_level.h): the lower foot stands from now on. It is hardly ever exactly
+/// flat and at height 0, so what the base is away from its pinned pose stays as a remainder on top of that pose and
+/// decays,
+///
+///     r_0 = r_pinned + s      R_0 = exp(t) R_pinned      s' = -s / 0.1 s      t' = -t / 0.1 s
+///
+/// and nobody sees a jump. A robot that leans more than 30 degrees, or whose soles are both more than 20 mm away from
+/// the plane, is not taken over: only a jump could make it stand.
 /// Source:  paper 4.1.
 /// Differs: the paper leaves open the heading (here: that of the foot when it lands), the tested point (lowest corner
 ///          of the other sole, below -1 um), and the first stance (the lower foot).
@@ -16,19 +25,22 @@
 
 #include <array>
 
-#include "murosimf/model/algorithm.h"
+#include "murosimf/model/motion_level.h"
 #include "murosimf/motion/joint_reference.h"
 #include "murosimf/motion/pose_columns.h"
 
 namespace murosimf::motion {
 
-class KinematicWalking final : public Algorithm {
+class KinematicWalking final : public MotionLevel {
  public:
   /// Throws SetupError if the model does not have exactly two soles.
   explicit KinematicWalking(Setup& setup, const JointReferenceOptions& reference = {});
 
   void initialize() override;
   void step(const Instant& instant) noexcept override;
+  [[nodiscard]] std::string refusal() const override;
+  [[nodiscard]] Momentum hand_over() noexcept override { return columns_.momentum(); }
+  void take_over(const Momentum& momentum) override;
 
  private:
   /// A foot: its sole frame and the links between the base and it.
@@ -41,18 +53,25 @@ class KinematicWalking final : public Algorithm {
 
   [[nodiscard]] Foot foot(int object) const;
   [[nodiscard]] const Foot& standing_foot() const noexcept;
+  [[nodiscard]] Vec3d upright_axis() const;
+  [[nodiscard]] int lower_foot() const noexcept;
   void pin() noexcept;
   void stand_on(int foot) noexcept;
   void swap_if_other_foot_penetrates() noexcept;
   [[nodiscard]] double lowest_corner(const Foot& foot) const noexcept;
   void set_base_twist() noexcept;
+  void fade_remainder(double dt) noexcept;
+  void add_remainder() noexcept;
 
   Entity& entity_;
   PoseColumns columns_;
   JointReference reference_;
   std::array<Foot, 2> feet_;
-  Vec3d& stance_pose_;   // [m, m, rad] x, y, heading of the standing sole
-  double& stance_foot_;  // 0 or 1
+  Vec3d up_;                // [1] axis of the base that is vertical when the robot stands with its joints at 0
+  Vec3d& stance_pose_;      // [m, m, rad] x, y, heading of the standing sole
+  double& stance_foot_;     // 0 or 1
+  Vec3d& remaining_shift_;  // [m] s
+  Vec3d& remaining_turn_;   // [rad] t
   const Vec3d& separation_;
   double& pushable_;
 };

@@ -36,10 +36,28 @@ void MovingTree::start() {
   check_contacts(options_.integrator, contacts, period_);
   std::fill(external_force.begin(), external_force.end(), Forced{});
   std::fill(external_damping.begin(), external_damping.end(), Sym6d{});
-  if (!options_.fixed_base && !is_positive_definite(common_inertia_)) {
-    throw SetupError(
-        fmt::format("model '{}' has no inertia about some axis; give its masses an inertia", columns.model.name()));
-  }
+  check_inertia();
+}
+
+void MovingTree::check_inertia() const {
+  if (options_.fixed_base || is_positive_definite(common_inertia_)) return;
+  throw SetupError(
+      fmt::format("model '{}' has no inertia about some axis; give its masses an inertia", columns.model.name()));
+}
+
+void MovingTree::take_over(const Momentum& momentum) {
+  check_contacts(options_.integrator, contacts, period_);
+  seen_revision_ = entity_.revision();
+  if (options_.fixed_base) columns.v[0] = columns.w[0] = {};
+  refresh();
+  check_inertia();
+  pushable_ = 1;
+  if (!options_.fixed_base) correct_momentum({momentum, center_});
+}
+
+Momentum MovingTree::hand_over() noexcept {
+  contacts.response = nullptr;
+  return momentum();
 }
 
 void MovingTree::take_changes() noexcept {
@@ -119,14 +137,14 @@ bool MovingTree::in_flight() const noexcept {
          std::all_of(external_damping.begin(), external_damping.end(), [](const Sym6d& d) { return is_zero(d); });
 }
 
-MovingTree::Momentum MovingTree::momentum() const noexcept {
+MovingTree::CenterMotion MovingTree::momentum() const noexcept {
   const Forced about_base = multibody::momentum<double>(links);
   const Vec3d c = center_ - columns.r[0];
-  return {about_base.f + total_mass_ * columns.v[0], about_base.n - cross(c, about_base.f), center_};
+  return {{about_base.f + total_mass_ * columns.v[0], about_base.n - cross(c, about_base.f)}, center_};
 }
 
-MovingTree::Momentum MovingTree::momentum_after(double dt) const noexcept {
-  Momentum after = momentum();
+MovingTree::CenterMotion MovingTree::momentum_after(double dt) const noexcept {
+  CenterMotion after = momentum();
   after.linear += (dt * total_mass_) * gravity;
   for (const int object : columns.model.bodies()) {
     const Forced push = moved(external_force[object], center_ - columns.r[object]);
@@ -137,8 +155,8 @@ MovingTree::Momentum MovingTree::momentum_after(double dt) const noexcept {
   return after;
 }
 
-void MovingTree::correct_momentum(const Momentum& wanted) noexcept {
-  const Momentum now = momentum();
+void MovingTree::correct_momentum(const CenterMotion& wanted) noexcept {
+  const CenterMotion now = momentum();
   const Vec3d linear = wanted.linear - now.linear;
   const Vec3d angular = wanted.angular - now.angular;
   const Vec3d c = center_ - columns.r[0];

@@ -47,6 +47,10 @@ class MovingTree {
 
   /// Places the robot; joint positions must be set. Throws SetupError if some axis has no inertia.
   void start();
+  /// Goes on from the columns instead, with the base's velocity that gives the whole robot `momentum`. Throws likewise.
+  void take_over(const Momentum& momentum);
+  /// Lets go of the contacts.
+  [[nodiscard]] Momentum hand_over() noexcept;
   /// To be called first in a step: takes over what users have changed since the last one.
   void take_changes() noexcept;
 
@@ -98,16 +102,15 @@ class MovingTree {
   const Vec3d gravity;  // [m/s^2]
 
  private:
-  struct Momentum {
-    Vec3d linear;   // [N s]
-    Vec3d angular;  // [N m s] about the center of mass
-    Vec3d center;   // [m] common center of mass
+  struct CenterMotion : Momentum {
+    Vec3d center;  // [m] common center of mass
   };
+  void check_inertia() const;
   [[nodiscard]] Vec3d reference_acceleration(int object, const Motiond& extra, Vec3d& alpha) const noexcept;
   [[nodiscard]] bool in_flight() const noexcept;
-  [[nodiscard]] Momentum momentum() const noexcept;
-  [[nodiscard]] Momentum momentum_after(double dt) const noexcept;
-  void correct_momentum(const Momentum& wanted) noexcept;
+  [[nodiscard]] CenterMotion momentum() const noexcept;
+  [[nodiscard]] CenterMotion momentum_after(double dt) const noexcept;
+  void correct_momentum(const CenterMotion& wanted) noexcept;
   [[nodiscard]] multibody::FreeBody<double> base() const noexcept;
   void place_base(const multibody::FreeBody<double>& base) noexcept;
   void refresh() noexcept;
@@ -126,8 +129,8 @@ class MovingTree {
   std::vector<double> row_;          // the state while Runge-Kutta works on it
   std::uint64_t seen_revision_ = 0;  // of the entity, when the links were last worked out
   Sym6d base_inertia_;
-  std::optional<Cholesky6<double>> factor_;  // of it, for responses
-  std::optional<Momentum> wanted_momentum_;  // after the present step, in flight
+  std::optional<Cholesky6<double>> factor_;      // of it, for responses
+  std::optional<CenterMotion> wanted_momentum_;  // after the present step, in flight
 };
 
 // ---- definitions ----

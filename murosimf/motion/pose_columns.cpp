@@ -5,6 +5,7 @@
 
 #include "murosimf/collision/ground_points.h"
 #include "murosimf/multibody/kinematics.h"
+#include "murosimf/multibody/link_motion.h"
 
 namespace murosimf::motion {
 
@@ -23,6 +24,14 @@ PoseColumns::PoseColumns(Setup& setup)
 void PoseColumns::update_poses() noexcept { multibody::poses<double>(model.tree(), q, r, R); }
 
 void PoseColumns::update_velocities() noexcept { multibody::velocities<double>(model.tree(), qd, r, R, v, w); }
+
+Momentum PoseColumns::momentum() const {
+  std::vector<multibody::LinkMotion<double>> links(model.tree().links.size());
+  multibody::link_motions<double>(model.tree(), r, R, w[0], qd, links);
+  const auto whole = multibody::composite_inertia<double>(links);
+  const Forced about_base = multibody::momentum<double>(links);
+  return {about_base.f + whole.mass * v[0], about_base.n - (1 / whole.mass) * cross(whole.first, about_base.f)};
+}
 
 void PoseColumns::stop() noexcept {
   std::fill(v.begin(), v.end(), Vec3d{});

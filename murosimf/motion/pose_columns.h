@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "murosimf/model/motion_level.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
 
@@ -15,6 +16,8 @@ struct PoseColumns {
   void update_poses() noexcept;
   /// Velocities of all objects from row 0, the poses and the joint rates.
   void update_velocities() noexcept;
+  /// Of all links as the columns say they move.
+  [[nodiscard]] Momentum momentum() const;
   /// No motion at all: what a frozen entity shows to the others.
   void stop() noexcept;
 

@@ -9,20 +9,16 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/motion/coulomb_damping.h"
+#include "murosimf/multibody/joint_friction.h"
 
 namespace murosimf::motion {
 namespace {
 
-/// What the servo loses in itself at a rate [rad/s] that is not small.
-double friction(const Servo& servo, double qd) {
-  return servo.friction.coulomb + servo.friction.viscous * std::abs(qd);
-}
-
-void add_friction(JointDrive& drive, const Servo& servo, double qd, double dt) {
-  const double b = coulomb_damping(servo.friction.coulomb, qd) + servo.friction.viscous;
-  drive.torque -= b * qd;
-  drive.inertia += dt * b;
+/// What is left of a motor's torque [N m] behind the gear, while it drives a load at a rate [rad/s].
+double behind_gear(const Servo& servo, double torque, double qd) {
+  const double load = -torque;  // nearly
+  const double lost = multibody::dry_friction(servo.friction, qd, torque, load) + servo.friction.viscous * std::abs(qd);
+  return std::max(0.0, torque - lost);
 }
 
 class IdealPd final : public ServoLaw {
@@ -32,16 +28,25 @@ class IdealPd final : public ServoLaw {
         by_rate_(follows_rate(servo)),
         limit_(servo.stall_torque > 0 ? servo.stall_torque : std::numeric_limits<double>::infinity()) {}
 
-  [[nodiscard]] JointDrive drive(double target, double q, double qd, double dt) const noexcept override {
+  [[nodiscard]] MotorTorque torque(const MotorInput& in, double dt) const noexcept override {
+    if (in.enabled == 0) return {};
     const double kp = servo_.position_gain, kd = servo_.velocity_gain;
-    JointDrive drive{by_rate_ ? kd * (target - qd) : kp * (target - q - dt * qd) - kd * qd, dt * kd + dt * dt * kp};
-    if (std::abs(drive.torque) > limit_) drive = {std::copysign(limit_, drive.torque), 0};
-    add_friction(drive, servo_, qd, dt);
-    return drive;
+    const double error = by_rate_ ? 0 : position_error(in);
+    const double stiffness = error == 0 && servo_.dead_band > 0 ? 0 : kp;
+    const double wanted = by_rate_ ? kd * (in.target - in.rate) : kp * error - kd * in.rate;
+    const double linear = wanted - dt * stiffness * in.rate;
+    const double now = std::clamp(wanted, -limit_, limit_);
+    // a stiff servo is not bounced from one limit to the other if the end of the step decides
+    if (std::abs(linear) > limit_) return {now, std::copysign(limit_, linear), 0};
+    return {now, linear, dt * kd + dt * dt * stiffness};
   }
-  [[nodiscard]] double available(double qd, double) const noexcept override { return limit_ - friction(servo_, qd); }
+  [[nodiscard]] double available(double qd, double) const noexcept override { return behind_gear(servo_, limit_, qd); }
 
  private:
+  [[nodiscard]] double position_error(const MotorInput& in) const noexcept {
+    return multibody::position_error(servo_.encoder_step, servo_.dead_band, in.target, in.q);
+  }
+
   Servo servo_;
   bool by_rate_;
   double limit_;  // [N m]
@@ -49,36 +54,18 @@ class IdealPd final : public ServoLaw {
 
 class DcMotor final : public ServoLaw {
  public:
-  explicit DcMotor(const Servo& servo)
-      : servo_(servo),
-        damping_(servo.stall_torque / servo.no_load_rate),
-        duty_limit_(servo.duty_limit * servo.stall_torque),
-        torque_limit_(servo.torque_limit > 0 ? servo.torque_limit : std::numeric_limits<double>::infinity()) {}
+  explicit DcMotor(const Servo& servo) : servo_(servo), motor_(servo) {}
 
-  [[nodiscard]] JointDrive drive(double target, double q, double qd, double dt) const noexcept override {
-    const double kp = servo_.position_gain;
-    const double wanted = kp * (target - q - dt * qd);  // torque at rest, which is proportional to the duty
-    const double braking = damping_ * qd;
-    const double for_current = std::clamp(wanted, braking - torque_limit_, braking + torque_limit_);
-    const double duty = std::clamp(for_current, -duty_limit_, duty_limit_);
-    JointDrive drive{duty - braking, 0};
-    if (duty == wanted) {
-      drive.inertia = dt * damping_ + dt * dt * kp;
-    } else if (duty != for_current) {
-      drive.inertia = dt * damping_;  // full duty: the back-EMF still follows the rate
-    }
-    add_friction(drive, servo_, qd, dt);
-    return drive;
+  [[nodiscard]] MotorTorque torque(const MotorInput& in, double dt) const noexcept override {
+    return multibody::motor_torque(motor_, in, dt);
   }
   [[nodiscard]] double available(double qd, double direction) const noexcept override {
-    return std::max(0.0, std::min(torque_limit_, duty_limit_ - direction * damping_ * qd) - friction(servo_, qd));
+    return behind_gear(servo_, std::min(motor_.torque_limit, motor_.most - direction * motor_.line * qd), qd);
   }
 
  private:
   Servo servo_;
-  double damping_;       // [N m s/rad] back-EMF
-  double duty_limit_;    // [N m] at rest
-  double torque_limit_;  // [N m]
+  multibody::ServoMotor motor_;
 };
 
 template <class Law>
@@ -88,13 +75,24 @@ std::unique_ptr<ServoLaw> make(const Servo& servo) {
 
 constexpr std::array entries{
     ServoLawEntry{"ideal_pd", "torque proportional to error and rate, with a limit; no motor", make<IdealPd>},
-    ServoLawEntry{"dc_motor", "firmware P gain, duty and current limit, speed-torque line, friction", make<DcMotor>},
+    ServoLawEntry{"dc_motor", "firmware P gain, duty and current limit, speed-torque line, supply and heat",
+                  make<DcMotor>},
 };
 
 }  // namespace
 
 bool follows_rate(const Servo& servo) {
   return servo.law == "ideal_pd" && servo.position_gain == 0 && servo.velocity_gain > 0;
+}
+
+Servo with_law(const Servo& servo, std::string_view law) {
+  Servo other = servo;
+  if (law.empty() || law == servo.law) return other;
+  other.law = law;
+  if (law == "ideal_pd" && servo.velocity_gain == 0 && servo.no_load_rate > 0) {
+    other.velocity_gain = servo.stall_torque / servo.no_load_rate;
+  }
+  return other;
 }
 
 std::span<const ServoLawEntry> servo_laws() { return entries; }

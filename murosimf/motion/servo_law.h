@@ -8,42 +8,44 @@
 /// the step without acceleration, a spring kp and a damper b give torque = kp e - b qd, inertia = h b + h^2 kp.
 /// With h = 0 the answer is the plain torque of this instant.
 ///
-/// ideal_pd:   tau = kp (target - q) - kd qd, at most stall_torque if that is given.
-/// dc_motor:   duty u = clamp(kp/stall (target - q), +-duty_limit)          firmware, P only
-///             tau_m = stall u - (stall/no_load) qd                         back-EMF: the speed-torque line
-///             |tau_m| <= torque_limit, as far as the duty allows           current limit
-///             without kp, as a wheel's drive: tau = kd (rate target - qd)
-/// both:       friction -(F_c / max(|qd|, 0.05 rad/s) + F_v) qd             Coulomb (regularized) and viscous
+/// ideal_pd:   tau = kp (target - q) - kd qd, at most stall_torque if that is given; without kp, as a wheel's drive:
+///             tau = kd (rate target - qd). No motor: neither supply nor heat matter
+/// dc_motor:   firmware and motor of multibody/servo_motor.h
 ///
+/// Both know positions in the encoder's steps and have the dead band; both make exactly no torque while that is switched
+/// off.
+/// Friction of the gear is not in it: joint_drives.h, multibody/dry_joints.h.
 /// Source: textbook permanent-magnet DC motor (stall = k_t V/R, stall/no_load = k_t^2/R); order of the two limits as
-/// firmware has it: it can only move the duty. The regularized Coulomb friction lets a loaded joint creep.
+/// firmware has it: it can only move the duty.
 #pragma once
 
 #include <memory>
 #include <span>
 #include <string_view>
 
-#include "murosimf/model/servo.h"
+#include "murosimf/multibody/servo_motor.h"
 
 namespace murosimf::motion {
 
-struct JointDrive {
-  double torque = 0;   ///< [N m]
-  double inertia = 0;  ///< [kg m^2] how fast the torque falls with the joint's acceleration
-};
+using MotorInput = multibody::MotorInput<double>;
+using MotorTorque = multibody::MotorTorque<double>;
 
 class ServoLaw {
  public:
   virtual ~ServoLaw() = default;
 
-  /// `target` [rad], or [rad/s] if the servo follows a rate; `q` [rad], `qd` [rad/s] at the beginning of the step of `dt` [s]. Rotor inertia is not in the answer.
-  [[nodiscard]] virtual JointDrive drive(double target, double q, double qd, double dt) const noexcept = 0;
-  /// Largest torque [N m] that the servo can give to the joint, its own friction taken off, in the direction of `direction` (+1 or -1) at rate `qd` [rad/s].
+  /// At the beginning of a step of `dt` [s]; the target is a rate [rad/s] if the servo follows one. Rotor inertia and
+  /// friction are not in the answer.
+  [[nodiscard]] virtual MotorTorque torque(const MotorInput& input, double dt) const noexcept = 0;
+  /// Largest torque [N m] that the servo can give to a joint that it drives, friction of its gear taken off, in the direction of `direction` (+1 or -1) at rate `qd` [rad/s].
   [[nodiscard]] virtual double available(double qd, double direction) const noexcept = 0;
 };
 
 /// True for a servo without position gain but with velocity gain: its joint follows joint_rate_target.
 [[nodiscard]] bool follows_rate(const Servo& servo);
+
+/// The servo with another law; empty: with its own. A motor that becomes an ideal_pd keeps the damping of its back-EMF.
+[[nodiscard]] Servo with_law(const Servo& servo, std::string_view law);
 
 struct ServoLawEntry {
   std::string_view name, meaning;

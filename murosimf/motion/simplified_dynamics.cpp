@@ -33,8 +33,6 @@ SimplifiedDynamics::SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOpt
 }
 
 void SimplifiedDynamics::initialize() {
-  reference_.check(options_.integrator);
-  check_contacts(options_.integrator, contacts_, period_);
   reference_.initialize(columns_);
   place_at_start(columns_, entity_);
   columns_.update_velocities();
@@ -45,10 +43,36 @@ void SimplifiedDynamics::initialize() {
   columns_.remember_base();
   std::fill(external_force_.begin(), external_force_.end(), Forced{});
   std::fill(external_damping_.begin(), external_damping_.end(), Sym6d{});
-  if (!is_positive_definite(inertia_)) {
-    throw SetupError(
-        fmt::format("model '{}' has no inertia about some axis; give its masses an inertia", columns_.model.name()));
-  }
+  check();
+  contacts_.response = this;
+}
+
+void SimplifiedDynamics::check() const {
+  reference_.check(options_.integrator);
+  check_contacts(options_.integrator, contacts_, period_);
+  if (is_positive_definite(inertia_)) return;
+  throw SetupError(
+      fmt::format("model '{}' has no inertia about some axis; give its masses an inertia", columns_.model.name()));
+}
+
+Momentum SimplifiedDynamics::hand_over() noexcept {
+  contacts_.response = nullptr;
+  return {mass_ * velocity_, inertia_ * columns_.w[0]};
+}
+
+void SimplifiedDynamics::take_over(const Momentum& momentum) {
+  const auto common_body = [&] {
+    return multibody::common_body<double>(columns_.model.tree(), columns_.r, columns_.R, columns_.v, columns_.w);
+  };
+  store_common_body(common_body());
+  check();
+  reference_.take_over(columns_);
+  columns_.w[0] = inverse(inertia_) * momentum.angular;
+  columns_.update_velocities();
+  velocity_ = (1 / mass_) * momentum.linear;
+  multibody::shift_all(columns_.v, velocity_ - common_body().velocity);
+  pushable_ = 1;
+  columns_.remember_base();
   contacts_.response = this;
 }
 
@@ -59,6 +83,7 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
     settle_contacts(contacts_, columns_.r, external_force_, external_damping_, [&] {
       solve(dt_);
       predict_contacts();
+      return true;
     });
   }
   multibody::FreeBody<double> body{center_, velocity_, columns_.Q[0], columns_.w[0]};

@@ -21,7 +21,7 @@
 
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/collision/impulse_response.h"
-#include "murosimf/model/algorithm.h"
+#include "murosimf/model/motion_level.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/joint_reference.h"
 #include "murosimf/motion/pose_columns.h"
@@ -36,13 +36,16 @@ struct SimplifiedDynamicsOptions {
   JointReferenceOptions reference;
 };
 
-class SimplifiedDynamics final : public Algorithm, private collision::ImpulseResponse {
+class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseResponse {
  public:
   /// Throws SetupError if the model has no mass.
   explicit SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOptions& options = {});
 
   void initialize() override;
   void step(const Instant& instant) noexcept override;
+  [[nodiscard]] Momentum hand_over() noexcept override;
+  /// The base turns from now on as a rigid body with this angular momentum does.
+  void take_over(const Momentum& momentum) override;
 
  private:
   [[nodiscard]] bool free_pass(double dt) noexcept override;
@@ -52,6 +55,7 @@ class SimplifiedDynamics final : public Algorithm, private collision::ImpulseRes
                collision::ResponseRows& y) const noexcept override;
   void apply(std::span<const double> z) noexcept override;
 
+  void check() const;
   void step_rk4(double dt) noexcept;
   void begin_step(double dt) noexcept;
   void solve(double dt) noexcept;

@@ -20,6 +20,114 @@ Simulation::Simulation(int threads) : world_(std::make_unique<World>()), pool_(t
 
 Simulation::~Simulation() = default;
 
+Algorithm& Simulation::attach(std::string name, Entity& entity, double rate_hz, const Maker<Algorithm>& make) {
+  if (initialized_) throw SetupError(fmt::format("'{}' is attached after the first step", name));
+  auto task = new_task(std::move(name), entity, rate_hz);
+  Setup setup(*world_, entity, task->access, task->period);
+  task->algorithm = make(setup);
+  task->level = dynamic_cast<MotionLevel*>(task->algorithm.get());
+  if (task->level && task_of_level(entity) != tasks_.end()) {
+    throw SetupError(
+        fmt::format("'{}' cannot move '{}', which another level moves already", task->name, entity.name()));
+  }
+  if (task->level) entity.level = task->name;
+  tasks_.push_back(std::move(task));  // last: a constructor that throws leaves nothing behind
+  return *tasks_.back()->algorithm;
+}
+
+MotionLevel& Simulation::exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make) {
+  const auto present = task_of_level(entity);
+  if (present == tasks_.end()) {
+    throw SetupError(fmt::format("'{}' has no level that could be exchanged", entity.name()));
+  }
+  auto next = new_task(name, entity, 1 / seconds((*present)->period));
+  next->period = (*present)->period;  // without rounding
+  try {
+    if (entity.frozen()) throw SetupError(fmt::format("it was frozen ({})", *entity.frozen_reason()));
+    construct_level(*next, entity, make);
+    put_in_place_of(*present, next);
+  } catch (const SetupError& error) {
+    drop_columns_of(*next);
+    throw SetupError(
+        fmt::format("'{}' stays at {}: no {}: {}", entity.name(), (*present)->name, next->name, error.what()));
+  }
+  // `next` is now what was there before
+  drop_columns_of(*next);
+  entity.level = name;
+  if (name != next->name) record(fmt::format("{}: {} -> {}", entity.name(), next->name, name));
+  next->algorithm.reset();
+  retired_.push_back(std::move(next));
+  return *(*present)->level;
+}
+
+/// Leaves `task` without algorithm if that refuses.
+void Simulation::construct_level(Task& task, Entity& entity, const Maker<MotionLevel>& make) {
+  world_->thaw_columns();
+  Setup setup(*world_, entity, task.access, task.period);
+  try {
+    auto level = make(setup);
+    task.level = level.get();
+    task.algorithm = std::move(level);
+  } catch (const SetupError&) {
+    if (initialized_) world_->freeze_columns();
+    throw;
+  }
+  if (!initialized_) return;
+  world_->freeze_columns();
+  if (const std::string why = task.level->refusal(); !why.empty()) throw SetupError(why);
+}
+
+/// Swaps the two, and has the motion handed over; on an error everything is as before.
+void Simulation::put_in_place_of(std::unique_ptr<Task>& present, std::unique_ptr<Task>& next) {
+  std::swap(present, next);
+  if (!initialized_) return;
+  std::optional<Momentum> momentum;
+  try {
+    check_and_plan();
+    momentum = next->level->hand_over();
+    present->level->take_over(*momentum);
+  } catch (const SetupError&) {
+    std::swap(present, next);
+    check_and_plan();
+    if (momentum) present->level->take_over(*momentum);
+    throw;
+  }
+}
+
+/// Columns that only this task has used.
+void Simulation::drop_columns_of(const Task& task) {
+  for (const Access& access : task.access.all()) {
+    const auto uses = [&](const auto& other) { return other.get() != &task && other->access.touches(access.column); };
+    if (std::any_of(tasks_.begin(), tasks_.end(), uses)) continue;
+    for (const auto& entity : world_->entities()) {
+      entity->drop_columns([&](const ColumnBase* column) { return column == access.column; });
+    }
+  }
+}
+
+auto Simulation::task_of_level(const Entity& entity) -> std::vector<std::unique_ptr<Task>>::iterator {
+  return std::find_if(tasks_.begin(), tasks_.end(),
+                      [&](const auto& task) { return task->level && task->entity == &entity; });
+}
+
+void Simulation::at(Duration time, std::function<void()> call) {
+  const auto later = [&](const TimedCall& other) { return other.time > time; };
+  const auto place = std::find_if(timed_calls_.begin(), timed_calls_.end(), later);
+  timed_calls_.insert(place, {time, std::move(call)});
+}
+
+void Simulation::make_timed_calls() {
+  while (!timed_calls_.empty() && timed_calls_.front().time <= now_) {
+    const auto call = std::move(timed_calls_.front().call);
+    timed_calls_.erase(timed_calls_.begin());  // first: the call may add others
+    try {
+      call();
+    } catch (const SetupError& error) {
+      warnings_.push_back(fmt::format("at {:.3f} s: {}", seconds(now_), error.what()));
+    }
+  }
+}
+
 void Simulation::run(Duration duration, Clock& clock, const std::function<void(Duration)>& progress) {
   if (duration < Duration{}) throw SetupError(fmt::format("duration {} s is negative", seconds(duration)));
   initialize();
@@ -42,6 +150,7 @@ void Simulation::run(Duration duration) {
 
 void Simulation::step() {
   initialize();
+  make_timed_calls();
   take_over_frozen();
   for (const Wave& wave : plan_.due(ticks_)) {
     pool_.for_each(wave.size(), [&](std::size_t i) { execute(*tasks_[wave[i]]); });
@@ -53,26 +162,29 @@ void Simulation::step() {
 
 void Simulation::initialize() {
   if (initialized_) return;
+  check_and_plan();
+  world_->freeze_columns();
+  for (const auto& task : tasks_) murosimf::at(full_name(*task), [&] { task->algorithm->initialize(); });
+  initialized_ = true;
+  for (const auto& call : after_initialize_) call();
+}
+
+void Simulation::check_and_plan() {
   std::vector<NamedAccess> named;
   std::vector<const AccessSet*> access;
   std::vector<Duration> periods;
   std::vector<std::string> names;
   for (const auto& task : tasks_) {
-    named.push_back({fmt::format("{} of {}", task->name, task->entity->name()), &task->access});
+    named.push_back({full_name(*task), &task->access});
     access.push_back(&task->access);
     periods.push_back(task->period);
     names.push_back(task->name);
   }
   check_every_read_is_written(named);
   plan_ = Plan(std::move(access), periods, names);
-  world_->freeze_columns();
-  for (std::size_t i = 0; i < tasks_.size(); ++i) at(named[i].algorithm, [&] { tasks_[i]->algorithm->initialize(); });
-  initialized_ = true;
-  for (const auto& call : after_initialize_) call();
 }
 
 std::unique_ptr<Simulation::Task> Simulation::new_task(std::string name, const Entity& entity, double rate_hz) const {
-  if (initialized_) throw SetupError(fmt::format("'{}' is attached after the first step", name));
   if (!(rate_hz >= slowest_rate && rate_hz <= fastest_rate)) {
     throw SetupError(
         fmt::format("the rate of '{}', {} Hz, is not between {} and {} Hz", name, rate_hz, slowest_rate, fastest_rate));
@@ -83,6 +195,8 @@ std::unique_ptr<Simulation::Task> Simulation::new_task(std::string name, const E
   task->period = from_seconds(1.0 / rate_hz);
   return task;
 }
+
+std::string Simulation::full_name(const Task& task) { return fmt::format("{} of {}", task.name, task.entity->name()); }
 
 void Simulation::execute(Task& task) noexcept {
   if (task.frozen) return;
@@ -116,7 +230,7 @@ std::vector<AlgorithmStatistics> Simulation::statistics() const {
     Duration time{};
   };
   std::vector<Sum> sums;
-  for (const auto& task : tasks_) {
+  const auto add = [&](const std::unique_ptr<Task>& task) {
     const double rate = 1.0 / seconds(task->period);
     auto sum = std::find_if(sums.begin(), sums.end(),
                             [&](const Sum& s) { return s.row.name == task->name && s.row.rate_hz == rate; });
@@ -124,7 +238,9 @@ std::vector<AlgorithmStatistics> Simulation::statistics() const {
     sum->row.calls += task->calls;
     sum->timed += task->timed_calls;
     sum->time += task->time;
-  }
+  };
+  std::for_each(tasks_.begin(), tasks_.end(), add);
+  std::for_each(retired_.begin(), retired_.end(), add);
   std::vector<AlgorithmStatistics> rows;
   for (Sum& sum : sums) {
     if (sum.timed > 0) sum.row.us_per_call = 1e6 * seconds(sum.time) / static_cast<double>(sum.timed);

@@ -8,15 +8,23 @@
 ///
 /// Attaching runs the algorithm's constructor, which takes its columns; the first step freezes the columns, checks
 /// that whatever is read is written, lets every algorithm initialize what it writes, and plans the waves.
+///
+/// The level that moves a robot can be exchanged at any time between two steps:
+///
+///     simulation.exchange<ArticulatedDynamics>("articulated_dynamics", robot);
+///     simulation.at(3s, [&] { simulation.exchange<KinematicWalking>("kinematic_walking", robot); });
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "murosimf/model/algorithm.h"
+#include "murosimf/model/motion_level.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/model/world.h"
 #include "murosimf/runtime/clock.h"
@@ -33,8 +41,17 @@ struct AlgorithmStatistics {
   double us_per_call = 0;  ///< mean over every eighth call; taking the time of all would slow the shortest ones down
 };
 
+/// Something that happened once: a level was exchanged, or refused.
+struct Event {
+  Duration time{};
+  std::string text;
+};
+
 class Simulation {
  public:
+  template <class A>
+  using Maker = std::function<std::unique_ptr<A>(Setup&)>;
+
   explicit Simulation(int threads = 1);
   ~Simulation();
 
@@ -46,14 +63,26 @@ class Simulation {
   /// the order of attaching. Throws SetupError if the rate is not positive and finite, or after the first step.
   template <class A, class... Arguments>
   A& attach(std::string name, Entity& entity, double rate_hz, Arguments&&... arguments) {
-    auto task = new_task(std::move(name), entity, rate_hz);
-    Setup setup(*world_, entity, task->access, task->period);
-    auto algorithm = std::make_unique<A>(setup, std::forward<Arguments>(arguments)...);
-    A& reference = *algorithm;
-    task->algorithm = std::move(algorithm);
-    tasks_.push_back(std::move(task));  // last: a constructor that throws leaves nothing behind
-    return reference;
+    const auto make = [&](Setup& setup) { return std::make_unique<A>(setup, std::forward<Arguments>(arguments)...); };
+    return static_cast<A&>(attach(std::move(name), entity, rate_hz, Maker<Algorithm>(make)));
   }
+  /// The same for an algorithm that make(setup) constructs.
+  Algorithm& attach(std::string name, Entity& entity, double rate_hz, const Maker<Algorithm>& make);
+
+  /// Has another level move `entity` from now on, at the same rate and in the same place of the order: constructs an L
+  /// with (Setup&, arguments...), which takes over the motion as it is (model/motion_level.h). Columns that nobody uses
+  /// any more are removed. Throws SetupError, and leaves everything as it was, if the level refuses, or if somebody
+  /// reads what it does not write. To be called between steps only.
+  template <std::derived_from<MotionLevel> L, class... Arguments>
+  L& exchange(std::string name, Entity& entity, Arguments&&... arguments) {
+    const auto make = [&](Setup& setup) { return std::make_unique<L>(setup, std::forward<Arguments>(arguments)...); };
+    return static_cast<L&>(exchange(std::move(name), entity, Maker<MotionLevel>(make)));
+  }
+  MotionLevel& exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make);
+
+  /// Has `call` done between two steps, when simulated time has come to `time` (at once if it has passed). A SetupError
+  /// that it throws becomes a warning; the run goes on.
+  void at(Duration time, std::function<void()> call);
 
   /// Has `call` done at the end of initialize(), when all columns exist and have their first values.
   void after_initialize(std::function<void()> call) { after_initialize_.push_back(std::move(call)); }
@@ -76,7 +105,10 @@ class Simulation {
 
   /// One row per name and rate, in the order of attaching.
   [[nodiscard]] std::vector<AlgorithmStatistics> statistics() const;
-  /// What went wrong on the way, one line each: frozen entities.
+  /// What happened on the way, in the order of time: exchanges, and whatever record() was called with.
+  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  void record(std::string text) { events_.push_back({now_, std::move(text)}); }
+  /// What went wrong on the way, one line each: frozen entities, calls that were refused.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
@@ -85,19 +117,34 @@ class Simulation {
     const Entity* entity = nullptr;
     Duration period{};
     std::unique_ptr<Algorithm> algorithm;
+    MotionLevel* level = nullptr;  ///< the algorithm, if it is one
     AccessSet access;
     bool frozen = false;  ///< of the entity, taken over between ticks so that it cannot change during one
     std::int64_t calls = 0;
     std::int64_t timed_calls = 0;
     Duration time{};
   };
+  struct TimedCall {
+    Duration time{};
+    std::function<void()> call;
+  };
 
   [[nodiscard]] std::unique_ptr<Task> new_task(std::string name, const Entity& entity, double rate_hz) const;
+  [[nodiscard]] static std::string full_name(const Task& task);
+  [[nodiscard]] std::vector<std::unique_ptr<Task>>::iterator task_of_level(const Entity& entity);
+  void construct_level(Task& task, Entity& entity, const Maker<MotionLevel>& make);
+  void put_in_place_of(std::unique_ptr<Task>& present, std::unique_ptr<Task>& next);
+  void drop_columns_of(const Task& task);
+  void check_and_plan();
+  void make_timed_calls();
   void execute(Task& task) noexcept;
   void take_over_frozen();
 
   std::unique_ptr<World> world_;  // outlives the tasks, which point into it
   std::vector<std::unique_ptr<Task>> tasks_;
+  std::vector<std::unique_ptr<Task>> retired_;  // exchanged; without algorithm, for the statistics
+  std::vector<TimedCall> timed_calls_;          // those to come, the next one first
+  std::vector<Event> events_;
   Plan plan_;
   ThreadPool pool_;
   Duration now_{};

@@ -159,5 +159,79 @@ TEST(Cli, SaysWhichBoundingVolumesThereAre) {
                  {"walker", "r_fot", "r_foot"});
 }
 
+/// A recording of a servo at rest whose goal jumps and which follows in part; 1 s.
+std::string servo_log(const std::string& trajectory = "step", const std::string& motor = "xl330") {
+  std::ostringstream text;
+  text << "{\"mass\": 0.49, \"length\": 0.1, \"kp\": 400, \"motor\": \"" << motor << "\", \"trajectory\": \""
+       << trajectory << "\", \"entries\": [";
+  for (int i = 0; i <= 200; ++i) {
+    const double t = 0.005 * i, position = t < 0.2 ? 0.0 : 0.35 * (1 - 1 / (1 + 60 * (t - 0.2) * (t - 0.2)));
+    text << (i ? ",\n" : "\n") << "{\"timestamp\": " << t << ", \"position\": " << position
+         << ", \"speed\": 0, \"input_volts\": 7.3, \"goal_position\": " << (t < 0.2 ? 0.0 : 0.6)
+         << ", \"torque_enable\": true}";
+  }
+  return text.str() + "]}";
+}
+
+TEST(Cli, FitsAServoAndReplaysIt) {
+  const fs::path log = write("log.json", servo_log()), servo = scratch("servo.toml"), again = scratch("again.toml");
+  const std::string command = "fit-servo " + log.string() + " --model m1 --starts 2 --seed 3";
+  const Result fit = murosimf(command + " --threads 1 --json - --out " + servo.string());
+  EXPECT_EQ(fit.exit_code, 0) << fit.errors;
+  EXPECT_EQ(fit.errors, "") << "no progress where there is no terminal";
+  EXPECT_NE(fit.output.find("\"prior\" : \"xl330\""), std::string::npos) << fit.output;
+  EXPECT_EQ(murosimf(command + " --threads 2 --out " + again.string()).exit_code, 0);
+  EXPECT_EQ(read_file(servo), read_file(again)) << "the same seed, the same file";
+
+  const Result replay = murosimf("replay-servo " + log.string() + " --servo " + servo.string() + " --json -");
+  EXPECT_EQ(replay.exit_code, 0) << replay.errors;
+  const auto error_in = [](const std::string& json) {
+    const auto place = json.find("\"mean_error_rad\" : ");
+    return json.substr(place, json.find_first_of(",\n", place) - place);
+  };
+  EXPECT_EQ(error_in(replay.output), error_in(fit.output)) << "the file holds the servo that was fitted";
+}
+
+TEST(Cli, SaysWhatAFitHasNotSeen) {
+  const fs::path folder = scratch("logs");
+  fs::create_directories(folder);
+  std::ofstream(folder / "a.json") << servo_log("step");
+  std::ofstream(folder / "b.json") << servo_log("jump");
+  const Result result =
+      murosimf("fit-servo " + folder.string() + " --model m1 --starts 1 --prior none --cross-validate trajectory" +
+               " --validate " + (folder / "b.json").string() + " --out " + scratch("servo.toml").string());
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  for (const char* part :
+       {"mean of step, fitted to the others", "mean of logs that were not fitted", "left out: jump"}) {
+    EXPECT_NE(result.output.find(part), std::string::npos) << part << " in\n" << result.output;
+  }
+}
+
+TEST(CliMistakes, InServoFits) {
+  const std::string log = write("log.json", servo_log()).string(), out = " --out " + scratch("s.toml").string();
+  expect_mistake("fit-servo " + log + " --model m7" + out, {"unknown friction model 'm7'"});
+  expect_mistake("fit-servo " + log + " --servo xl333" + out, {"unknown servo type 'xl333'", "xl330"});
+  expect_mistake("fit-servo " + log + " --servo mx28" + out, {"mx28", "firmware_gain"});
+  expect_mistake("fit-servo " + log + " --prior xl33" + out, {"unknown prior 'xl33'", "xl330"});
+  expect_mistake("fit-servo " + log + " --out /nowhere/s.toml", {"/nowhere"});
+  expect_mistake("fit-servo " + log + " --cross-validate gain" + out, {"all logs have the same gain"});
+  expect_mistake("fit-servo " + log + " --cross-validate color" + out, {"unknown split 'color'"});
+  expect_mistake("fit-servo none.json" + out, {"there is no log 'none.json'"});
+  expect_mistake("fit-servo " + write("cut.json", servo_log().substr(0, 300)).string() + out, {"cut.json", "no JSON"});
+  const std::string other = write("other.json", servo_log("step", "mx64")).string();
+  expect_mistake("fit-servo " + log + " " + other + out, {"other motors"});
+  expect_mistake("replay-servo " + log + " --servo xl333", {"unknown servo type 'xl333'", "xl330"});
+  expect_mistake("replay-servo " + log + " --servo mx28", {"firmware_gain"});
+  expect_mistake("replay-servo " + log, {"--servo"});
+}
+
+TEST(CliMistakes, PlotsNeedGnuplot) {
+  const std::string log = write("log.json", servo_log()).string();
+  const char* path = std::getenv("PATH");
+  setenv("PATH", "/nowhere", 1);
+  expect_mistake("replay-servo " + log + " --servo xl330 --plot " + scratch("plots").string(), {"gnuplot"});
+  setenv("PATH", path, 1);
+}
+
 }  // namespace
 }  // namespace murosimf::test

@@ -125,6 +125,12 @@ struct Rig {
     for (const auto& [entity, dynamics] : all) attach_level(*entity, dynamics);
   }
 
+  /// Another level moves the entity from now on.
+  void exchange(Entity& entity, const std::string& level, const io::LevelOptions& options = {}) {
+    const io::Level& entry = io::find_entry(io::levels(), "level", level);
+    simulation.exchange(level, entity, [&](Setup& setup) { return entry.make(setup, options); });
+  }
+
   void run(double s) { simulation.run(from_seconds(s)); }
 
   /// Sets the velocity [m/s] of the center of mass and the angular velocity [rad/s], world frame.
@@ -145,7 +151,8 @@ struct Rig {
   void attach_level(Entity& entity, const Dynamics& dynamics) {
     io::LevelOptions options = dynamics.options;
     options.tree = dynamics.tree;
-    io::find_entry(io::levels(), "level", dynamics.level).attach(simulation, entity, rate, options);
+    const io::Level& level = io::find_entry(io::levels(), "level", dynamics.level);
+    simulation.attach(dynamics.level, entity, rate, [&](Setup& setup) { return level.make(setup, options); });
   }
 };
 

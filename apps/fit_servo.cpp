@@ -1,0 +1,117 @@
+// `murosimf fit-servo`: finds the numbers of a servo that explain logs of it.
+#include <algorithm>
+#include <filesystem>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/progress_line.h"
+#include "apps/servo_logs.h"
+#include "apps/standard_output.h"
+#include "murosimf/identification/bench_servo.h"
+#include "murosimf/identification/folds.h"
+#include "murosimf/identification/search.h"
+#include "murosimf/io/fit_report.h"
+#include "murosimf/io/output_file.h"
+#include "murosimf/io/prior_file.h"
+#include "murosimf/io/servo_log.h"
+#include "murosimf/io/servo_table.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::app {
+namespace {
+
+namespace fs = std::filesystem;
+using identification::ServoLog;
+using Logs = std::vector<ServoLog>;
+
+/// The type that all logs name.
+std::string motor_of(const Logs& logs) {
+  for (const ServoLog& log : logs) {
+    if (log.motor.empty()) throw SetupError(fmt::format("log '{}' names no motor; say --servo TYPE", log.name));
+    if (log.motor != logs.front().motor) {
+      throw SetupError(fmt::format("logs '{}' and '{}' are of other motors; fit each alone, or say --servo TYPE",
+                                   logs.front().name, log.name));
+    }
+  }
+  return logs.front().motor;
+}
+
+/// Everything that stays the same from fit to fit.
+struct Task {
+  const FitServoOptions& options;
+  const identification::FrictionModel& model;
+  std::string base_name, prior_name;
+  Servo base;
+  identification::Prior prior;
+};
+
+Task task_of(const FitServoOptions& options, const Logs& logs) {
+  const std::string type = options.servo.empty() ? motor_of(logs) : options.servo;
+  const Servo base = io::read_servo(type);
+  const std::string prior = options.prior.empty() ? io::prior_of_type(base.type) : options.prior;
+  return {options, identification::friction_model(options.model), type, prior, base, io::read_prior(prior)};
+}
+
+int threads_of(const FitServoOptions& options) {
+  const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return std::min(options.starts, options.threads > 0 ? options.threads : all);
+}
+
+struct Result {
+  io::FittedServo servo;
+  std::vector<double> costs;
+};
+
+Result fit(const Task& task, const Logs& logs, const std::string& what) {
+  const auto bench = identification::bench_servo(task.base, 0);
+  const identification::Objective objective(task.model, task.prior, logs,
+                                            {.duty_per_gain = identification::duty_per_gain(task.base),
+                                             .duty_limit = bench.duty_limit,
+                                             .current_limit = bench.current_limit});
+  const ProgressLine line;
+  const auto found =
+      identification::search(objective,
+                             {.seed = static_cast<std::uint64_t>(task.options.seed),
+                              .starts = task.options.starts,
+                              .threads = threads_of(task.options)},
+                             [&](double share, double best) {
+                               line.show(fmt::format("{}: {:3.0f} %, cost {:.1f} mrad", what, 100 * share, 1e3 * best));
+                             });
+  return {{.servo = identification::servo_of(found.servo, task.base),
+           .friction_model = std::string(task.model.name),
+           .encoder_offset = found.servo.encoder_offset,
+           .base = fs::path(task.base_name).stem().string(),
+           .prior = fs::path(task.prior_name).stem().string(),
+           .fitted = {}},
+          found.costs};
+}
+
+}  // namespace
+
+int fit_servo(const FitServoOptions& options) {
+  identification::check_search();
+  (void)identification::friction_model(options.model);
+  check_json_file(options.json);
+  io::check_writable(options.out);
+  const Logs logs = io::read_servo_logs(options.logs);
+  const Logs unseen = options.validate.empty() ? Logs{} : io::read_servo_logs(options.validate);
+  const Task task = task_of(options, logs);
+  std::vector<identification::Fold> folds;
+  if (!options.cross_validate.empty()) folds = identification::folds(logs, options.cross_validate);
+
+  const Result result = fit(task, logs, "fit");
+  io::FitReport report{.servo = result.servo, .seed = static_cast<std::uint64_t>(options.seed), .costs = result.costs};
+  report.servo.fitted = ServoReplay(report.servo, logs).errors();
+  if (!unseen.empty()) report.validated = ServoReplay(report.servo, unseen).errors();
+  for (const identification::Fold& fold : folds) {
+    const Result other = fit(task, fold.fitted, "without " + fold.unseen);
+    report.cross_validated.push_back({fold.unseen, ServoReplay(other.servo, fold.left_out).errors()});
+  }
+  io::write_file(options.out, io::to_toml(report.servo));
+  write_result(options.json, io::to_text(report), io::to_json(report));
+  return 0;
+}
+
+}  // namespace murosimf::app

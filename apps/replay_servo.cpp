@@ -1,0 +1,68 @@
+// `murosimf replay-servo`: simulates a servo as logs drove a real one, and compares.
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/servo_logs.h"
+#include "apps/standard_output.h"
+#include "murosimf/io/fit_report.h"
+#include "murosimf/io/output_file.h"
+#include "murosimf/io/plot.h"
+#include "murosimf/io/servo_log.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::app {
+namespace {
+
+namespace fs = std::filesystem;
+using identification::ServoLog;
+
+fs::path picture_of(const std::string& folder, const ServoLog& log) { return fs::path(folder) / (log.name + ".png"); }
+
+/// Found out before anything is computed.
+void check_plots(const std::string& folder, const std::vector<ServoLog>& logs) {
+  io::check_gnuplot();
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw SetupError(fmt::format("cannot make the folder '{}': {}", folder, error.message()));
+  for (const ServoLog& log : logs) io::check_writable(picture_of(folder, log));
+}
+
+void plot(const fs::path& file, const ServoLog& log, const std::vector<double>& simulated, double error) {
+  std::vector<double> time, goal, measured, off;
+  for (std::size_t i = 0; i < simulated.size(); ++i) {
+    const auto& sample = log.samples[i];
+    time.push_back(sample.time);
+    goal.push_back(sample.enabled ? sample.goal : std::nan(""));
+    measured.push_back(sample.position);
+    off.push_back(1e3 * (simulated[i] - sample.position));
+  }
+  io::write_plot(
+      file,
+      {.title = fmt::format("{}: {}, gain {:g}, mean error {:.1f} mrad", log.name, log.trajectory, log.firmware_gain,
+                            1e3 * error),
+       .x_label = "time [s]",
+       .panels = {{.y_label = "position [rad]",
+                   .curves = {{"measured", time, measured}, {"simulated", time, simulated}, {"goal", time, goal}}},
+                  {.y_label = "simulated - measured [mrad]", .curves = {{"", time, off}}}}});
+}
+
+}  // namespace
+
+int replay_servo(const ReplayServoOptions& options) {
+  check_json_file(options.json);
+  const std::vector<ServoLog> logs = io::read_servo_logs(options.logs);
+  const io::FittedServo servo = io::read_fitted_servo(options.servo);
+  if (!options.plot.empty()) check_plots(options.plot, logs);
+  const ServoReplay replay(servo, logs);
+  const io::ReplayReport report{servo.servo.type, replay.errors()};
+  for (std::size_t i = 0; i < logs.size() && !options.plot.empty(); ++i) {
+    plot(picture_of(options.plot, logs[i]), logs[i], replay.positions(i), report.logs[i].error);
+  }
+  write_result(options.json, io::to_text(report), io::to_json(report));
+  return 0;
+}
+
+}  // namespace murosimf::app

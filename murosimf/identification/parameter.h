@@ -1,0 +1,40 @@
+/// parameter.h - the numbers of a servo that a fit looks for, and the friction models that are made of them.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/multibody/servo_pendulum.h"
+
+namespace murosimf::identification {
+
+/// One number of a servo. Search bounds are wide: they keep a search from what no servo is like.
+struct Parameter {
+  std::string_view name;  ///< as in servo files where there is one
+  std::string_view unit;
+  double low, high;
+  bool by_ratio;  ///< looked for by ratios, not by differences: a positive number of unknown size
+  void (*set)(multibody::BenchServo&, double);
+  double (*get)(const multibody::BenchServo&);
+};
+
+/// Friction model M1 to M6 (multibody/joint_friction.h) and its parameters, those of the motor first.
+struct FrictionModel {
+  std::string_view name, meaning;
+  std::vector<const Parameter*> parameters;
+};
+
+[[nodiscard]] std::span<const FrictionModel> friction_models();
+
+/// The model called "m1" to "m6". Throws SetupError.
+[[nodiscard]] const FrictionModel& friction_model(std::string_view name);
+
+/// All parameters of all models. Load friction of M3 and M4 is one parameter for motor and load.
+[[nodiscard]] std::span<const Parameter> parameters();
+
+/// Where between its bounds a parameter's value lies, 0 to 1, and back.
+[[nodiscard]] double place_of(const Parameter& parameter, double value);
+[[nodiscard]] double value_at(const Parameter& parameter, double place);
+
+}  // namespace murosimf::identification

@@ -1,0 +1,116 @@
+#include "murosimf/identification/search.h"
+
+#include <nlopt.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "murosimf/math/random.h"
+
+namespace murosimf::identification {
+namespace {
+
+constexpr int evaluations_per_report = 100;
+constexpr double global_share = 0.75;  // of the evaluations; the rest polishes
+
+/// What all starts together have done.
+class Board {
+ public:
+  Board(const Progress& progress, int evaluations) : progress_(progress), evaluations_(evaluations) {}
+  void report(double cost) {
+    const std::scoped_lock lock(mutex_);
+    done_ += evaluations_per_report;
+    best_ = std::min(best_, cost);
+    if (progress_) progress_(std::min(1.0, static_cast<double>(done_) / evaluations_), best_);
+  }
+
+ private:
+  const Progress& progress_;
+  int evaluations_;
+  std::mutex mutex_;
+  int done_ = 0;
+  double best_ = std::numeric_limits<double>::infinity();
+};
+
+/// One start: its own copy of the objective, and the best point so far.
+struct Start {
+  Objective objective;
+  Board& board;
+  std::vector<double> places;
+  double cost = std::numeric_limits<double>::infinity();
+  int evaluations = 0;
+};
+
+double evaluate(unsigned count, const double* places, double* /*gradient*/, void* data) {
+  Start& start = *static_cast<Start*>(data);
+  const double cost = start.objective({places, count});
+  if (cost < start.cost) {
+    start.cost = cost;
+    start.places.assign(places, places + count);
+  }
+  if (++start.evaluations % evaluations_per_report == 0) start.board.report(start.cost);
+  return cost;
+}
+
+/// From start.places on; the best point is left there.
+void minimize(Start& start, nlopt_algorithm algorithm, double evaluations) {
+  const auto count = static_cast<unsigned>(start.places.size());
+  const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> search(nlopt_create(algorithm, count), nlopt_destroy);
+  nlopt_set_lower_bounds1(search.get(), 0);
+  nlopt_set_upper_bounds1(search.get(), 1);
+  nlopt_set_min_objective(search.get(), evaluate, &start);
+  nlopt_set_maxeval(search.get(), static_cast<int>(evaluations));
+  nlopt_set_ftol_rel(search.get(), 1e-5);
+  nlopt_set_xtol_rel(search.get(), 1e-6);
+  nlopt_set_initial_step1(search.get(), 0.03);
+  std::vector<double> point = start.places;
+  double cost = 0;
+  nlopt_optimize(search.get(), point.data(), &cost);
+}
+
+/// What is expected, where something is, and chance for the rest.
+std::vector<double> first_point(const Objective& objective, std::uint64_t seed) {
+  const RandomStream dice(seed, "first point of a fit");
+  std::vector<double> places;
+  for (const Parameter* parameter : objective.model().parameters) {
+    const bool known =
+        std::ranges::find(objective.prior(), parameter->name, &Expectation::parameter) != objective.prior().end();
+    const double chance = dice.uniform(places.size(), 0.05, 0.95);
+    places.push_back(known ? place_of(*parameter, expected_value(objective.prior(), *parameter)) : chance);
+  }
+  return places;
+}
+
+void run(Start& start, const SearchOptions& options, std::uint64_t number) {
+  const std::uint64_t seed = options.seed * 1000003 + number;
+  nlopt_srand(static_cast<unsigned long>(seed));  // of this thread
+  start.places = first_point(start.objective, seed);
+  minimize(start, NLOPT_GN_CRS2_LM, global_share * options.evaluations);
+  minimize(start, NLOPT_LN_SBPLX, (1 - global_share) * options.evaluations);
+}
+
+}  // namespace
+
+Found search(const Objective& objective, const SearchOptions& options, const Progress& progress) {
+  Board board(progress, options.starts * options.evaluations);
+  std::vector<Start> starts(static_cast<std::size_t>(options.starts), Start{objective, board, {}});
+  const auto work = [&](std::size_t first) {
+    for (std::size_t i = first; i < starts.size(); i += static_cast<std::size_t>(options.threads))
+      run(starts[i], options, i);
+  };
+  std::vector<std::thread> threads;
+  for (int i = 0; i < options.threads; ++i) threads.emplace_back(work, static_cast<std::size_t>(i));
+  for (std::thread& thread : threads) thread.join();
+
+  const auto best = std::ranges::min_element(starts, {}, &Start::cost);
+  Found found{.servo = objective.servo_at(best->places), .cost = best->cost, .costs = {}};
+  for (const Start& start : starts) found.costs.push_back(start.cost);
+  return found;
+}
+
+void check_search() {}
+
+}  // namespace murosimf::identification

@@ -1,0 +1,53 @@
+#include "murosimf/motion/backlash.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "murosimf/model/properties.h"
+#include "murosimf/motion/torque_watch.h"
+#include "murosimf/multibody/joint_friction.h"
+
+namespace murosimf::motion {
+
+Backlash::Backlash(Setup& setup) : gears_(static_cast<std::size_t>(setup.model().size())) {
+  const Model& model = setup.model();
+  bool any = false;
+  for (const int i : model.having(properties::servo)) {
+    const Servo& servo = *model.find(properties::servo, i);
+    if (servo.backlash <= 0) continue;
+    gears_[i] = {servo.backlash / 2, rotor_inertia(model, i), &servo.friction};
+    any = true;
+  }
+  if (!any) return;
+  play_ = setup.write(properties::backlash_play);
+  rate_ = setup.write(properties::rotor_rate);
+  side_ = setup.write(properties::backlash_side);
+}
+
+void Backlash::start(std::span<const double> qd) noexcept {
+  for (std::size_t i = 0; i < side_.size(); ++i) {
+    play_[i] = side_[i] = 0;
+    rate_[i] = gears_[i].half_play > 0 ? qd[i] : 0;
+  }
+}
+
+void Backlash::follow(int i, double torque, double qd, double dt) noexcept {
+  const double given = torque + gears_[i].inertia * (rate_[i] - qd) / dt;
+  rate_[i] = qd;
+  if (side_[i] * given < 0) side_[i] = 0;
+}
+
+void Backlash::turn(int i, const MotorTorque& motor, double qd, double dt) noexcept {
+  const Gear& gear = gears_[i];
+  const double viscous = gear.friction->viscous;
+  const double w = rate_[i], D = gear.inertia + motor.inertia + dt * viscous;
+  const double push = (gear.inertia + motor.inertia) * w + dt * motor.torque;
+  const double most = dt * multibody::dry_friction(*gear.friction, w, motor.now, 0.0);
+  rate_[i] = std::abs(push) <= most ? 0 : (push - std::copysign(most, push)) / D;
+  play_[i] += dt * (rate_[i] - qd);
+  if (std::abs(play_[i]) < gear.half_play) return;
+  side_[i] = std::copysign(1.0, play_[i]);
+  play_[i] = std::copysign(gear.half_play, play_[i]);
+}
+
+}  // namespace murosimf::motion

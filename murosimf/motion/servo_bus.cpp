@@ -1,0 +1,64 @@
+#include "murosimf/motion/servo_bus.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "murosimf/model/properties.h"
+
+namespace murosimf::motion {
+
+ServoBus::ServoBus(Setup& setup)
+    : turning_(setup),
+      objects_(setup.model().joints()),
+      period_(static_cast<std::size_t>(setup.model().size())),
+      target_(setup.input(properties::joint_target, 0.0)),
+      delayed_(setup.write(delayed_target)),
+      present_(period_.size()) {
+  const double step = seconds(setup.period());
+  bool holds = false;
+  for (const int i : objects_) {
+    const Servo* servo = setup.model().find(properties::servo, i);
+    delayed_[i].reset(servo ? static_cast<std::size_t>(std::lround(servo->command_delay / step)) : 0, 0);
+    if (!servo || servo->command_period <= 0) continue;
+    period_[i] = std::max(1.0, std::round(servo->command_period / step));
+    holds = true;
+  }
+  if (!holds) return;
+  sent_ = setup.write(properties::sent_target);
+  age_ = setup.write(properties::sent_target_age);
+}
+
+void ServoBus::start() noexcept {
+  std::fill(sent_.begin(), sent_.end(), 0.0);
+  std::fill(age_.begin(), age_.end(), 0.0);
+  for (const int i : objects_) {
+    present_[i] = wanted(i);
+    delayed_[i].fill(present_[i]);
+    if (period_[i] <= 0) continue;
+    sent_[i] = present_[i];
+    age_[i] = period_[i];  // the next step sends
+  }
+}
+
+double ServoBus::sent(int i) noexcept {
+  if (period_[i] <= 0) return wanted(i);
+  if (age_[i] >= period_[i]) {
+    sent_[i] = wanted(i);
+    age_[i] = 0;
+  }
+  age_[i] += 1;
+  return sent_[i];
+}
+
+bool ServoBus::step() noexcept {
+  constexpr double largest = 1e4;  // [rad | m | rad/s | m/s]
+  bool sane = true;
+  for (const int i : objects_) {
+    const double now = sent(i);
+    sane &= std::abs(now) < largest;  // NaN is not less
+    present_[i] = delayed_[i].pass(now);
+  }
+  return sane;
+}
+
+}  // namespace murosimf::motion

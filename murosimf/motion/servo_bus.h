@@ -1,0 +1,44 @@
+/// servo_bus.h - how targets get from the controller to the motors: sent every so often, held, delayed.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "murosimf/model/setup.h"
+#include "murosimf/motion/delay_line.h"
+#include "murosimf/motion/turning_joints.h"
+
+namespace murosimf::motion {
+
+class ServoBus {
+ public:
+  explicit ServoBus(Setup& setup);
+
+  /// All motors know the present targets.
+  void start() noexcept;
+  /// To be called once per step. False if a target is no sensible number.
+  [[nodiscard]] bool step() noexcept;
+  /// What the motor of a joint (an object of the model) knows: its position [rad | m], or the rate [rad/s | m/s] of one
+  /// that follows a rate.
+  [[nodiscard]] double target(int object) const noexcept { return present_[static_cast<std::size_t>(object)]; }
+  /// What control software wants of it.
+  [[nodiscard]] double wanted(int object) const noexcept {
+    return turning_.contains(object) ? turning_.target(object) : target_[static_cast<std::size_t>(object)];
+  }
+  /// [rad | m] where a joint is to stand, also one that follows a rate.
+  [[nodiscard]] double position_target(int object) const noexcept { return target_[static_cast<std::size_t>(object)]; }
+  [[nodiscard]] const TurningJoints& turning() const { return turning_; }
+
+ private:
+  [[nodiscard]] double sent(int object) noexcept;
+
+  TurningJoints turning_;
+  std::span<const int> objects_;
+  std::vector<double> period_;  // [steps] by object; 0: every step
+  std::span<const double> target_;
+  std::span<DelayLine> delayed_;
+  std::span<double> sent_, age_;  // empty if no servo has a period
+  std::vector<double> present_;   // by object
+};
+
+}  // namespace murosimf::motion

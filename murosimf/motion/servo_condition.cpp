@@ -1,0 +1,73 @@
+#include "murosimf/motion/servo_condition.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::motion {
+namespace {
+
+/// An input whose rows start with different numbers.
+template <class Start>
+std::span<const double> input_of_servos(Setup& setup, const Property<double>& property, const Start& start) {
+  const bool fresh = setup.entity().find(property) == nullptr;
+  const auto values = setup.input(property, 0.0);
+  if (!fresh) return values;
+  Column<double>& column = setup.entity().column(property);
+  for (const int i : setup.model().having(properties::servo)) {
+    column.values[i] = start(*setup.model().find(properties::servo, i));
+  }
+  return values;
+}
+
+}  // namespace
+
+ServoCondition::ServoCondition(Setup& setup, std::string_view law)
+    : motors_(static_cast<std::size_t>(setup.model().size())) {
+  const Model& model = setup.model();
+  if (model.having(properties::servo).empty()) return;
+  supply_ = input_of_servos(setup, properties::supply_voltage, [](const Servo& servo) { return servo.voltage; });
+  enabled_ = input_of_servos(setup, properties::torque_enabled, [](const Servo&) { return 1.0; });
+  bool heat = false;
+  for (const int i : model.having(properties::servo)) {
+    const Servo& servo = *model.find(properties::servo, i);
+    if (servo.voltage > 0) motors_[i].per_volt = 1 / servo.voltage;
+    if (servo.heat.heat_capacity <= 0 || with_law(servo, law).law != "dc_motor") continue;
+    if (servo.voltage <= 0) {
+      throw SetupError(fmt::format("servo '{}' needs voltage, because of heat_capacity", servo.type));
+    }
+    motors_[i].heats = heat = true;
+    motors_[i].numbers = multibody::ServoMotor(servo);
+  }
+  if (!heat) return;
+  fresh_ = setup.entity().find(properties::servo_temperature) == nullptr;
+  temperature_ = setup.write(properties::servo_temperature);
+}
+
+void ServoCondition::cool_down() noexcept {
+  for (std::size_t i = 0; i < temperature_.size(); ++i) {
+    temperature_[i] = motors_[i].numbers.heat.ambient_temperature;
+  }
+}
+
+void ServoCondition::take_over() noexcept {
+  if (fresh_) cool_down();
+}
+
+void ServoCondition::fill(int i, MotorInput& input) const noexcept {
+  const Motor& motor = motors_[i];
+  input.enabled = enabled_[i];
+  if (motor.per_volt > 0) input.supply = supply_[i] * motor.per_volt;
+  if (!motor.heats) return;
+  input.conductance = multibody::winding_conductance(temperature_[i]);
+  input.allowed = multibody::allowed_share(motor.numbers.heat, temperature_[i]);
+}
+
+void ServoCondition::warm(int i, double torque, double dt) noexcept {
+  temperature_[i] = multibody::next_temperature(motors_[i].numbers, temperature_[i], torque, dt);
+}
+
+}  // namespace murosimf::motion

@@ -1,0 +1,44 @@
+/// servo_condition.h - what a robot's motors have before them: supply, whether torque is on, temperature.
+///
+/// `supply_voltage` and `torque_enabled` are inputs: a battery, a user or control software may change them at any time.
+/// Temperature is worked out for servos with thermal numbers only (multibody/servo_motor.h); it stays if another level or
+/// law takes over that has it too.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/model/setup.h"
+#include "murosimf/motion/servo_law.h"
+
+namespace murosimf::motion {
+
+class ServoCondition {
+ public:
+  /// `law` as in JointDrives. Throws SetupError if a servo has thermal numbers but no voltage.
+  ServoCondition(Setup& setup, std::string_view law);
+
+  /// All servos have the temperature of the air.
+  void cool_down() noexcept;
+  /// Those that have none yet.
+  void take_over() noexcept;
+  /// Supply, conductance, heat and switch of a servo (an object of the model).
+  void fill(int object, MotorInput& input) const noexcept;
+  [[nodiscard]] bool heats(int object) const noexcept { return motors_[static_cast<std::size_t>(object)].heats; }
+  /// Warms the winding for a step of `dt` [s] with this torque [N m].
+  void warm(int object, double torque, double dt) noexcept;
+
+ private:
+  struct Motor {
+    double per_volt = 0;  // [1/V] of the nominal voltage; 0: not known
+    bool heats = false;
+    multibody::ServoMotor numbers;
+  };
+  std::vector<Motor> motors_;  // by object
+  std::span<const double> supply_, enabled_;
+  std::span<double> temperature_;  // [C] empty if no servo heats
+  bool fresh_ = true;              // nobody has had temperatures before
+};
+
+}  // namespace murosimf::motion

@@ -1,0 +1,133 @@
+/// servo_motor.h - firmware and motor of a servo: what torque a target makes, at a supply voltage and a temperature.
+///
+/// Everything on the output side of the gear. With the nominal numbers of model/servo.h (stall torque T, no-load rate
+/// w_0, gain kp, duty limit u), the share s that the supply is of its nominal voltage, and the conductance c of the
+/// winding as a share of that at 25 C:
+///
+///     e = target - q, in whole steps of the encoder, less the dead band       firmware, P only
+///     tau_0 = kp e s c                                                        duty cycle times stall torque T s c
+///     tau_m = tau_0 - d w,  d = c T/w_0                                       back-EMF: the speed-torque line
+///
+/// The firmware can only move the duty, so the current limit clamps tau_0 to d w +- limit first and the duty limit, +-u T s c, last:
+/// at high rates the current is what it is. With torque switched off the bridge is open: tau_m is 0, nothing brakes.
+/// In a step of h, tau_m falls with the acceleration by h d, and by h^2 kp s c more while no limit holds the duty at its
+/// end (decided at its beginning, a stiff servo bounces from one limit to the other); the encoder's steps count by
+/// their mean slope.
+///
+/// Heat: C dT/dt = R i^2 - (T - T_a)/R_th with R = R_25/c, 1/c = 1 + 0.0039/K (T - 25 C), i = tau_m/k_t. Above a
+/// temperature the firmware lowers the current limit, in proportion, down to nothing at a higher one.
+/// Source: textbook permanent-magnet DC motor (stall = k_t V/R, stall/no_load = k_t^2/R) and one thermal node;
+/// temperature coefficient of copper.
+#pragma once
+
+#include "murosimf/math/scalar.h"
+#include "murosimf/model/servo.h"
+
+namespace murosimf::multibody {
+
+/// Numbers of a servo of law dc_motor, the same for all lanes.
+struct ServoMotor {
+  ServoMotor() = default;
+  explicit ServoMotor(const Servo& servo);
+
+  double gain = 0;             ///< [N m/rad] kp
+  double line = 0;             ///< [N m s/rad] T/w_0
+  double most = 0;             ///< [N m] u T
+  double torque_limit = 0;     ///< [N m] by the current limit; infinite: none
+  double warm_limit = 0;       ///< [N m] what derating lowers
+  double encoder_step = 0;     ///< [rad] 0: exact
+  double dead_band = 0;        ///< [rad]
+  double torque_constant = 0;  ///< [N m/A] k_t; 0: not known
+  double resistance = 0;       ///< [ohm] R_25
+  ServoHeat heat;
+};
+
+/// What a motor has before it and what it is allowed.
+template <class S>
+struct MotorInput {
+  S target{};           ///< [rad]
+  S q{};                ///< [rad] of the output
+  S rate{};             ///< [rad/s] w of the output
+  S supply = 1.0;       ///< [1] s
+  S conductance = 1.0;  ///< [1] c
+  S allowed = 1.0;      ///< [1] what heat leaves of the torque
+  S enabled = 1.0;      ///< [1] 0: torque is switched off
+};
+
+template <class S>
+struct MotorTorque {
+  S now{};      ///< [N m] tau_m
+  S torque{};   ///< [N m] after a step without acceleration
+  S inertia{};  ///< [kg m^2] how fast that falls with the acceleration
+};
+
+template <class S>
+[[nodiscard]] S clamped(const S& x, const S& low, const S& high) {
+  const S cut = select(x < low, low, x);
+  return select(cut > high, high, cut);
+}
+
+/// What firmware that counts in steps [rad] knows of an angle [rad].
+template <class S>
+[[nodiscard]] S in_whole_steps(double step, const S& angle) {
+  if (step <= 0) return angle;
+  return ((angle * (1 / step) + round_bias) - round_bias) * step;
+}
+
+/// The error [rad] that the firmware acts upon.
+template <class S>
+[[nodiscard]] S position_error(double encoder_step, double dead_band, const S& target, const S& q) {
+  const S error = in_whole_steps(encoder_step, target) - in_whole_steps(encoder_step, q);
+  if (dead_band <= 0) return error;
+  return error - clamped<S>(error, -dead_band, dead_band);
+}
+
+/// A servo of law dc_motor, for a step of h [s].
+template <class S>
+[[nodiscard]] MotorTorque<S> motor_torque(const ServoMotor& motor, const MotorInput<S>& in, double h) {
+  const S strength = in.supply * in.conductance, d = motor.line * in.conductance;
+  const S gain = motor.gain * strength, most = motor.most * strength, back_emf = d * in.rate;
+  const S error = position_error(motor.encoder_step, motor.dead_band, in.target, in.q);
+  S slope = gain;
+  if (motor.dead_band > 0) slope = select(error == S(0.0), S(0.0), gain);
+  const S ahead = (h * slope) * in.rate;
+  const S wanted = gain * error - ahead;
+  const S range = select(in.allowed < S(1.0), in.allowed * motor.warm_limit, S(motor.torque_limit));
+  const S for_current = clamped<S>(wanted, back_emf - range, back_emf + range);
+  const S given = clamped<S>(for_current, -most, most);
+
+  const auto free = given == wanted;
+  const S damping = select(free, d, select(given == for_current, S(0.0), d));
+  const S inertia = h * damping + select(free, (h * h) * slope, S(0.0));
+  const S torque = given - back_emf;
+  const auto off = in.enabled == S(0.0);
+  return {select(off, S(0.0), select(free, torque + ahead, torque)), select(off, S(0.0), torque),
+          select(off, S(0.0), inertia)};
+}
+
+/// c of a winding at a temperature [C].
+template <class S>
+[[nodiscard]] S winding_conductance(const S& temperature) {
+  constexpr double per_kelvin = 0.0039, reference = 25;
+  return 1.0 / (1.0 + per_kelvin * (temperature - reference));
+}
+
+/// What firmware leaves of the torque at a temperature [C]: 1 while it is cool, 0 from the limit on.
+template <class S>
+[[nodiscard]] S allowed_share(const ServoHeat& heat, const S& temperature) {
+  if (heat.derating_temperature <= 0) return 1.0;
+  const S share = (heat.temperature_limit - temperature) * (1 / (heat.temperature_limit - heat.derating_temperature));
+  return clamped<S>(share, 0.0, 1.0);
+}
+
+/// Temperature [C] after a step of h [s] in which the motor made `torque` [N m]: implicit Euler.
+template <class S>
+[[nodiscard]] S next_temperature(const ServoMotor& motor, const S& temperature, const S& torque, double h) {
+  const ServoHeat& heat = motor.heat;
+  const S i = torque * (1 / motor.torque_constant);
+  const S losses = motor.resistance * i * i / winding_conductance(temperature);
+  const double share = h / heat.heat_capacity, cooling = 1 / heat.thermal_resistance;
+  return (temperature + share * (losses + heat.ambient_temperature * cooling)) * (1 / (1 + share * cooling));
+}
+
+}  // namespace murosimf::multibody

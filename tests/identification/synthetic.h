@@ -1,0 +1,76 @@
+/// synthetic.h - recordings of a servo whose numbers are known, made by simulation in fine steps.
+#pragma once
+
+#include <cmath>
+#include <functional>
+
+#include "murosimf/identification/servo_log.h"
+#include "murosimf/math/scalar.h"
+#include "murosimf/multibody/servo_pendulum.h"
+
+namespace murosimf::synthetic {
+
+inline constexpr double duty_per_gain = 0.002877;  ///< [1/rad] of an XL-330
+
+struct Course {
+  std::string name;
+  std::function<double(double)> goal;   ///< [rad] at a time [s]
+  std::function<bool(double)> enabled;  ///< at a time [s]
+};
+
+inline bool always(double /*t*/) { return true; }
+
+/// The bench's courses: two sines, up and down, a chirp; and a swing whose torque goes off on both sides.
+inline Course two_sines() {
+  return {"sin_sin", [](double t) { return pi / 2 * std::sin(t) + 0.5 * std::sin(5 * t) * std::sin(2 * t); }, always};
+}
+inline Course up_and_down() {
+  return {"up_and_down",
+          [](double t) {
+            return t < 3 ? pi / 2 * (t * t * (9 - 2 * t) / 27) : pi / 2 * (1 - 0.2 * std::sin((t - 3) / 2));
+          },
+          always};
+}
+inline Course chirp() {
+  return {"sin_time_square", [](double t) { return std::sin(t * t); }, always};
+}
+inline Course drops() {
+  return {"lift_and_drop", [](double t) { return t < 3 ? 1.2 : -1.2; },
+          [](double t) { return std::fmod(t, 3.0) < 1.5; }};
+}
+
+struct Setting {
+  double gain = 400, voltage = 7.4, duration = 6, period = 5e-3, mass = 0.49;
+};
+
+/// What a perfect encoder records, every `period`, or every 5 to 8 ms if that is 0.
+inline identification::ServoLog record(const multibody::BenchServo& servo, const Course& course,
+                                       const Setting& setting = {}) {
+  constexpr double fine = 2.5e-4, length = 0.1;
+  identification::ServoLog log{.name = course.name,
+                               .motor = "xl330",
+                               .trajectory = course.name,
+                               .mass = setting.mass,
+                               .length = length,
+                               .arm_mass = 0,
+                               .firmware_gain = setting.gain,
+                               .samples = {}};
+  const multibody::Bench<double> bench{.inertia = setting.mass * length * length,
+                                       .weight = setting.mass * 9.80665 * length,
+                                       .gain = duty_per_gain * setting.gain};
+  multibody::BenchState<double> state;
+  double next = 0;
+  for (int k = 0; k * fine <= setting.duration; ++k) {
+    const double t = k * fine;
+    const bool on = course.enabled(t);
+    if (t >= next - 1e-9) {
+      log.samples.push_back({t, state.position, state.rate, setting.voltage, course.goal(t), on});
+      next = t + (setting.period > 0 ? setting.period : 5e-3 + 1e-3 * static_cast<double>(log.samples.size() % 4));
+    }
+    const multibody::BenchInput<double> input{course.goal(t + fine / 2), setting.voltage, on ? 1.0 : 0.0};
+    multibody::advance(servo, bench, input, fine, state);
+  }
+  return log;
+}
+
+}  // namespace murosimf::synthetic

@@ -1,0 +1,123 @@
+#include "murosimf/multibody/joint_friction.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "murosimf/math/pack.h"
+#include "tests/fixtures.h"
+
+namespace murosimf::multibody {
+namespace {
+
+using fixtures::Dice;
+using fixtures::same_bits;
+
+/// The published M6 of the XL-330 (bam), as an example with every term.
+const GearFriction m6{.coulomb = 0.00477,
+                      .viscous = 0.00536,
+                      .stribeck = 0.00468,
+                      .stribeck_rate = 2.890,
+                      .stribeck_exponent = 8.683,
+                      .motor_load = 0.2668,
+                      .external_load = 9e-6,
+                      .stribeck_motor_load = 1e-5,
+                      .stribeck_external_load = 0.0808,
+                      .quadratic_motor_load = 0.00997,
+                      .quadratic_external_load = 0.00490};
+
+/// The budget as the paper writes it, with the library's exp and pow.
+double by_the_book(const GearFriction& k, double w, double m, double e) {
+  const double s = k.stribeck_rate > 0 ? std::exp(-std::pow(std::fabs(w) / k.stribeck_rate, k.stribeck_exponent)) : 0;
+  const double larger =
+      std::fabs(m) < std::fabs(e) ? k.quadratic_motor_load * m * m : k.quadratic_external_load * e * e;
+  const double q = m * e < 0 ? larger : 0;
+  return k.coulomb + std::fabs(k.motor_load * m - k.external_load * e) +
+         s * (k.stribeck + std::fabs(k.stribeck_motor_load * m - k.stribeck_external_load * e) + q);
+}
+
+GearFriction random_friction(Dice& dice) {
+  return {.coulomb = dice.uniform(0, 0.1),
+          .viscous = dice.uniform(0, 0.1),
+          .stribeck = dice.uniform(0, 0.1),
+          .stribeck_rate = dice.uniform(0.02, 3),
+          .stribeck_exponent = dice.chance(0.2) ? 1 : dice.uniform(0.5, 10),
+          .motor_load = dice.chance(0.3) ? 0 : dice.uniform(0, 0.5),
+          .external_load = dice.chance(0.3) ? 0 : dice.uniform(0, 0.5),
+          .stribeck_motor_load = dice.chance(0.3) ? 0 : dice.uniform(0, 0.5),
+          .stribeck_external_load = dice.chance(0.3) ? 0 : dice.uniform(0, 0.5),
+          .quadratic_motor_load = dice.chance(0.3) ? 0 : dice.uniform(0, 0.1),
+          .quadratic_external_load = dice.chance(0.3) ? 0 : dice.uniform(0, 0.1)};
+}
+
+// Law: the budget is the paper's, for any numbers. Tolerance: rounding, of exp(-x^alpha) with x^alpha up to 40.
+TEST(JointFriction, IsThePapersBudget) {
+  Dice dice("budget");
+  for (int i = 0; i < 100000; ++i) {
+    const GearFriction k = random_friction(dice);
+    const double w = dice.uniform(-6, 6), m = dice.uniform(-2, 2), e = dice.uniform(-2, 2);
+    ASSERT_NEAR(dry_friction(k, w, m, e), by_the_book(k, w, m, e), 1e-14);
+  }
+}
+
+// Law: M1 is a constant, and viscous friction is not in the budget.
+TEST(JointFriction, OfCoulombIsAConstant) {
+  const GearFriction k{.coulomb = 0.01283, .viscous = 0.00366};
+  for (const double w : {-10.0, 0.0, 1e-9, 3.0}) EXPECT_EQ(dry_friction(k, w, 0.3, -0.2), 0.01283);
+}
+
+// Law: M3 takes the load's share of the torque that goes through the gear: |tau_m - tau_e|.
+TEST(JointFriction, FollowsTheTransmittedLoad) {
+  const GearFriction k{.coulomb = 0.01, .motor_load = 0.1, .external_load = 0.1};
+  EXPECT_DOUBLE_EQ(dry_friction(k, 1.0, 0.5, -0.5), 0.01 + 0.1);
+  EXPECT_DOUBLE_EQ(dry_friction(k, 1.0, 0.5, 0.5), 0.01);
+}
+
+// Law: the Stribeck part is whole at rest, 1/e of itself at v_s, gone at many times v_s.
+TEST(JointFriction, FallsWithTheRate) {
+  for (const double alpha : {0.5, 1.0, 2.0, 8.0}) {
+    const GearFriction k{.stribeck = 0.2, .stribeck_rate = 0.5, .stribeck_exponent = alpha};
+    EXPECT_EQ(dry_friction(k, 0.0, 0.0, 0.0), 0.2);
+    EXPECT_NEAR(dry_friction(k, -0.5, 0.0, 0.0), 0.2 / std::exp(1.0), 1e-15);
+    EXPECT_EQ(dry_friction(k, 1000.0, 0.0, 0.0), 0.0);
+  }
+}
+
+// Rule: without v_s nothing is more at rest.
+TEST(JointFriction, WithoutARateHasNoStribeckPart) {
+  EXPECT_EQ(dry_friction(GearFriction{.coulomb = 0.1, .stribeck = 0.2}, 0.0, 0.0, 0.0), 0.1);
+}
+
+// Law: a mirrored joint has the same friction, bit for bit: left and right legs mirror each other.
+TEST(JointFriction, IsTheSameInBothDirections) {
+  Dice dice("mirror");
+  for (int i = 0; i < 10000; ++i) {
+    const GearFriction k = random_friction(dice);
+    const double w = dice.uniform(-6, 6), m = dice.uniform(-2, 2), e = dice.uniform(-2, 2);
+    ASSERT_TRUE(same_bits(dry_friction(k, w, m, e), dry_friction(k, -w, -m, -e)));
+  }
+}
+
+// Rule: a lane has the bits of the scalar, among lanes at rest, fast lanes and NaN. No tolerance.
+TEST(JointFriction, LanesAreScalars) {
+  Dice dice("friction lanes");
+  const std::array rates{0.0, -0.0, 1e-12, 1.0, -3.0, 200.0, std::numeric_limits<double>::quiet_NaN(), 40.0};
+  for (int i = 0; i < 20000; ++i) {
+    const GearFriction k = i == 0 ? m6 : random_friction(dice);
+    Pack8 w, m, e;
+    for (int lane = 0; lane < Pack8::lanes; ++lane) {
+      w.set_lane(lane, dice.chance(0.7) ? rates[static_cast<std::size_t>(dice.pick(8))] : dice.uniform(-3, 3));
+      m.set_lane(lane, dice.uniform(-2, 2));
+      e.set_lane(lane, dice.uniform(-2, 2));
+    }
+    const Pack8 budget = dry_friction(k, w, m, e);
+    for (int lane = 0; lane < Pack8::lanes; ++lane) {
+      ASSERT_TRUE(same_bits(budget.lane(lane), dry_friction(k, w.lane(lane), m.lane(lane), e.lane(lane)))) << lane;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace murosimf::multibody
