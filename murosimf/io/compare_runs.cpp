@@ -22,8 +22,16 @@ double processor_time() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+SceneOptions scene_options(const CompareOptions& options) {
+  SceneOptions result;
+  result.seed = options.seed;
+  result.overrides = options.overrides;
+  result.lenient = options.lenient;
+  return result;
+}
+
 std::unique_ptr<Scene> build(const CompareOptions& options, const CompareEntry& entry) {
-  SceneOptions scene{.seed = options.seed, .overrides = options.overrides, .lenient = options.lenient};
+  SceneOptions scene = scene_options(options);
   scene.overrides.push_back(fmt::format("{}.level={}", options.entity, entry.level));
   if (!entry.contact.empty()) scene.overrides.push_back(fmt::format("{}.contact={}", options.entity, entry.contact));
   return std::make_unique<Scene>(options.scene, scene);
@@ -61,6 +69,16 @@ std::vector<CompareEntry> entries_for(const CompareOptions& options, const Robot
     }
   }
   return entries;
+}
+
+/// A level that changes on the way is none that could be compared.
+void check_events(const SceneSpec& spec, const std::string& robot) {
+  for (const SceneEvent& event : spec.events) {
+    const bool concerned = std::find(event.entities.begin(), event.entities.end(), robot) != event.entities.end();
+    if (!concerned || (event.key != "level" && event.key != "contact")) continue;
+    throw SetupError(fmt::format("{}: the {} of '{}' changes on the way; take the event out of the scene to compare it",
+                                 event.where, event.key, robot));
+  }
 }
 
 bool has_servos(const Model& model) { return !model.having(properties::servo).empty(); }
@@ -160,8 +178,7 @@ Comparison compare(const CompareOptions& options) {
   if (options.repeat < 1) throw SetupError(fmt::format("--repeat {}: must be at least 1", options.repeat));
   Comparison result;
   {
-    const Scene scene(options.scene,
-                      {.seed = options.seed, .overrides = options.overrides, .lenient = options.lenient});
+    const Scene scene(options.scene, scene_options(options));
     const SceneSpec& spec = scene.spec();
     result.scene = spec.name;
     result.entity = options.entity;
@@ -169,6 +186,7 @@ Comparison compare(const CompareOptions& options) {
     result.seed = spec.seed;
     result.repeat = options.repeat;
     result.entries = entries_for(options, find_robot(spec, options.entity));
+    check_events(spec, options.entity);
   }
   observe_all(options, result);
   result.reference = find_reference(result.entries);

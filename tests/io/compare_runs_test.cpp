@@ -198,6 +198,7 @@ TEST(Compare, SaysWhatIsWrong) {
     EXPECT_NE(with([&](auto& o) { o.duration = duration; }).find("--duration"), std::string::npos) << duration;
   }
   EXPECT_NE(with([](auto& o) { o.repeat = 0; }).find("--repeat 0"), std::string::npos);
+  EXPECT_NE(refusal(experiment("changing_levels", "walker")).find("changes on the way"), std::string::npos);
   CompareOptions car = experiment("car_crash", "car");
   car.levels = {"kinematic_walking"};
   EXPECT_NE(refusal(car).find("no level of 'car' can start; kinematic_walking: "), std::string::npos);
