@@ -30,7 +30,7 @@ Model two_links() {
         .with(properties::mass, 0.2)
         .with(properties::center_of_mass, {0, 0, -0.05})
         .with(properties::inertia, diagonal(1e-4));
-    chain.translation("", {0, 0, -0.1});
+    chain.translation({0, 0, -0.1});
   }
   return Model("arms", std::move(chain));
 }

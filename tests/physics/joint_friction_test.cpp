@@ -3,7 +3,8 @@
 
 #include "tests/law.h"
 #include "tests/physics/friction_sets.h"
-#include "tests/physics/rig.h"
+#include "tests/physics/servo_variants.h"
+#include "tests/physics/walk.h"
 
 namespace murosimf::test {
 namespace {
@@ -114,7 +115,7 @@ TEST(Friction, NeverGivesEnergy) {
         .with(properties::mass, 0.5)
         .with(properties::center_of_mass, {0, 0, -0.1})
         .with(properties::inertia, diagonal(1e-4));
-    chain.translation("", {0, 0, -0.2});
+    chain.translation({0, 0, -0.2});
   }
   Rig rig;
   rig.simulation.world().gravity = {};
@@ -353,6 +354,21 @@ TEST(Backlash, NeverGivesEnergy) {
                      .level = level,
                      .source = "inelastic"},
                     growth, 1e-15, "J");
+}
+
+// The gain is that of the P gain 32 of the set (0.158/rad * 32 * stall torque). Loads take a third of the torque away.
+TEST(Friction, OfAPublishedServoLetsTheRobotWalk) {
+  const ModelPtr model = kid21_with_m6();
+  ASSERT_GT(model->find(properties::servo, *model->find_object("j_l_shin"))->friction.motor_load, 0.3);
+  const Walk result = walk({.dynamics = {.level = level}, .command = {0.2, 0, 0}, .seconds = 20, .model = model});
+  law::expect_below({.law = "walk of 20 s at 0.2 m/s with servos of friction model M6: largest lean",
+                     .level = level,
+                     .source = "it does not fall"},
+                    result.lean, 20, "deg");
+  law::expect_above({.law = "walk of 20 s at 0.2 m/s with servos of friction model M6: way forward",
+                     .level = level,
+                     .source = "it gets ahead"},
+                    result.moved.x, 2.5, "m");
 }
 
 }  // namespace
