@@ -87,8 +87,9 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
   if (tree_.integrator() == Integrator::rk4 && !tree_.contacts.solved) return step_rk4(seconds(instant.period));
   if (!tree_.contacts.solved) {
     begin_step(seconds(instant.period));
+    auto loads = multibody::Loads::of_last_pass;
     settle_contacts(tree_.contacts, tree_.columns.r, tree_.external_force, tree_.external_damping, [&] {
-      const bool settled = solve(multibody::Loads::of_last_pass);
+      const bool settled = solve(std::exchange(loads, multibody::Loads::of_repeated_pass));
       predict_contacts(dt_);
       return settled;
     });

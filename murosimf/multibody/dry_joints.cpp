@@ -59,7 +59,7 @@ void sweep_with_friction(const Tree& tree, std::span<const LinkMotion<S>> links,
     parts::add_link(links[l], body);
     body.U = body.inertia * s;
     joint.own_load = -dot(s, body.force);
-    if (loads == Loads::of_last_pass) joint.load = joint.own_load - dot(parent.acceleration, body.U);
+    if (loads != Loads::of_last_step) joint.load = joint.own_load - dot(parent.acceleration, body.U);
     const Axle<S> axle = decide(joint, dot(s, body.U) + joint.inertia, loads, dt);
     body.inverse_D = axle.inverse_D;
     body.u = axle.u;

@@ -10,11 +10,11 @@
 ///
 /// so one joint alone ends at the rate sign(p) max(0, |p| - F) h / D. a'_p is not known before the sweep is over: the sweep takes that
 /// of the last pass. If with the true a'_p friction of some joint is off by more than a quarter of F, the pass has to be
-/// repeated; with less, the next step decides better.
+/// repeated; with less, the next step decides better. In a repeated pass a sliding joint feels -b (rate after the step), b = F
+/// over the rate at which it should end: should passes run out before all joints agree, friction has driven none.
 ///
 /// Inside an island of touching robots (collision/impulse_response.h) there is one pass, and forces of contacts come
-/// afterwards: tau_e is that of the step before. A sliding joint then feels -b (rate after the step), b = F over the
-/// rate at which it would end with this tau_e, which never drives it.
+/// afterwards: tau_e is that of the step before, and sliding joints feel the same damper.
 ///
 /// A sticking joint counts as one of the inertia 1e30 kg m^2: what acts on it passes on to its parent as through a rigid link.
 /// Source: Duclusaud, Passault, Padois, Ly, "Extended Friction Models for the Physics Simulation of Servo Actuators",
@@ -43,8 +43,8 @@ struct DryJoint {
   S direction{};                       ///< of the sliding, -1 or 1; 0: it sticks; out
 };
 
-/// Where tau_e comes from.
-enum class Loads { of_last_pass, of_last_step };
+/// Where tau_e comes from, and so how a sliding joint is braked: by F in the first pass, by a damper in all others.
+enum class Loads { of_last_pass, of_repeated_pass, of_last_step };
 
 /// Leaves to base, like sweep_to_base. The bodies' `acceleration` is that of the last pass; `torque` and `added_inertia` are not used. `dt` [s] > 0.
 template <class S>

@@ -76,6 +76,22 @@ TEST(RobotTable, ReadsWhatAServoMayHaveToo) {
   EXPECT_EQ(a.command_delay, 0.01);
 }
 
+TEST(RobotTable, ReadsFirmwareBacklashAndHeatOfAServo) {
+  const Servo a = servo_of(
+      "type = 'mx64'\nbacklash = 0.01\nencoder_step = 0.0015\ndead_band = 0.002\ncommand_period = 0.008\n"
+      "heat_capacity = 40\nthermal_resistance = 8\nambient_temperature = -5\nderating_temperature = 60\n"
+      "temperature_limit = 80");
+  EXPECT_EQ(a.backlash, 0.01);
+  EXPECT_EQ(a.encoder_step, 0.0015);
+  EXPECT_EQ(a.dead_band, 0.002);
+  EXPECT_EQ(a.command_period, 0.008);
+  EXPECT_EQ(a.heat.heat_capacity, 40);
+  EXPECT_EQ(a.heat.thermal_resistance, 8);
+  EXPECT_EQ(a.heat.ambient_temperature, -5);
+  EXPECT_EQ(a.heat.derating_temperature, 60);
+  EXPECT_EQ(a.heat.temperature_limit, 80);
+}
+
 TEST(RobotTable, StartsFromAReadyMadeServo) {
   const Servo mx64 = read_servo("mx64");
   const Servo a = servo_of("type = 'mx64'\ncoulomb_friction = 0.2");
@@ -187,6 +203,15 @@ TEST(RobotTable, NamesBadNumbersOfServos) {
   EXPECT_EQ(complaint(section("type = 'mx64'\nviscous_friction = inf")), ":3:20: " + infinite);
   EXPECT_EQ(complaint(section("type = 'mx64'\nviscous_friction = -0.1")), ":3:20: " + infinite);
   EXPECT_EQ(complaint(section("type = 'mx64'\nviscous_friction = true")), ":3:20: " + infinite);
+  EXPECT_EQ(complaint(section("type = 'mx64'\nbacklash = 2")),
+            ":3:12: 'backlash' is in radians; more than 0.5 is no play of a gear");
+  EXPECT_EQ(complaint(section("type = 'mx64'\nheat_capacity = 40")),
+            ":1:2: servo 'x' gets warm: it needs heat_capacity and thermal_resistance, both above 0");
+  EXPECT_EQ(complaint(section("type = 'mx64'\nheat_capacity = 40\nthermal_resistance = 8\nderating_temperature = 90\n"
+                              "temperature_limit = 80")),
+            ":1:2: servo 'x' gets warm: derating_temperature must be above 0 and below temperature_limit");
+  EXPECT_EQ(complaint(section("type = 'mx64'\nambient_temperature = 300")),
+            ":3:23: 'ambient_temperature' must be a temperature in degrees Celsius, at most 200");
   EXPECT_EQ(complaint(section("type = 'mx64'\ncommand_delay = 1e6")),
             ":3:17: 'command_delay' is in seconds; more than 1 is no delay of a bus");
   const std::string duty = ":3:14: 'duty_limit' must be a number above 0, at most 1";

@@ -30,7 +30,7 @@ Model two_links() {
         .with(properties::mass, 0.2)
         .with(properties::center_of_mass, {0, 0, -0.05})
         .with(properties::inertia, diagonal(1e-4));
-    chain.translation("", {0, 0, -0.1});
+    chain.translation({0, 0, -0.1});
   }
   return Model("arms", std::move(chain));
 }
@@ -67,20 +67,20 @@ struct Arms {
       joints[l].inertia = torque.inertia + servo.rotor_inertia + h * viscous;
     }
   }
-  S pass() {
+  S pass(Loads loads) {
     clear_loads<S>(bodies);
-    sweep_with_friction<S>(tree, links, bodies, joints, Loads::of_last_pass, h);
+    sweep_with_friction<S>(tree, links, bodies, joints, loads, h);
     return accelerate_with_friction<S>(tree, links, bodies, joints, Motion<S>{{}, {0.0, 0.0, 9.81}});
   }
   /// Lanes that are settled keep what they have: a robot alone makes no further pass.
   void step() {
     place();
     drive();
-    S wrong = pass();
+    S wrong = pass(Loads::of_last_pass);
     for (int again = 1; again < 6 && any(wrong > S(0.0)); ++again) {
       const std::vector<ArticulatedLink<S>> settled = bodies;
       const std::vector<DryJoint<S>> decided = joints;
-      const S next = pass();
+      const S next = pass(Loads::of_repeated_pass);
       for (std::size_t l = 0; l < links.size(); ++l) {
         const auto choose = [&](const S& old, S& now) { now = select(wrong > S(0.0), now, old); };
         choose(settled[l].joint_acceleration, bodies[l].joint_acceleration);

@@ -3,7 +3,8 @@
 
 #include "tests/law.h"
 #include "tests/physics/friction_sets.h"
-#include "tests/physics/rig.h"
+#include "tests/physics/servo_variants.h"
+#include "tests/physics/walk.h"
 
 namespace murosimf::test {
 namespace {
@@ -17,7 +18,9 @@ struct Arm {
   static constexpr double at_hinge = inertia + mass * length * length;
   static constexpr double weight = mass * g * length;  // [N m] when it lies horizontally
 
-  explicit Arm(const Servo& servo, double coulomb = 0, double rate_hz = 1000) : rig(0.8, 0, rate_hz) {
+  explicit Arm(const Servo& servo, double coulomb = 0, double rate_hz = 1000, bool heavy = true)
+      : rig(0.8, 0, rate_hz) {
+    if (!heavy) rig.simulation.world().gravity = {};
     Chain chain;
     chain.base("ceiling").revolute("hinge", {0, 1, 0});
     if (!servo.type.empty()) chain.with(properties::servo, servo);
@@ -90,8 +93,7 @@ TEST(Friction, BreaksLooseAtTheAngleThatItsBudgetHolds) {
 // off by half a step of the start rate.
 TEST(Friction, StopsAMovingArmWithAConstantTorque) {
   constexpr double budget = 0.05, start = 4;
-  Arm arm({}, budget);
-  arm.rig.simulation.world().gravity = {};
+  Arm arm({}, budget, 1000, false);
   arm.place(0, start);
   arm.rig.run(0.05);
   const double deceleration = (start - arm.rate()) / 0.05;
@@ -114,7 +116,7 @@ TEST(Friction, NeverGivesEnergy) {
         .with(properties::mass, 0.5)
         .with(properties::center_of_mass, {0, 0, -0.1})
         .with(properties::inertia, diagonal(1e-4));
-    chain.translation("", {0, 0, -0.2});
+    chain.translation({0, 0, -0.2});
   }
   Rig rig;
   rig.simulation.world().gravity = {};
@@ -134,7 +136,9 @@ TEST(Friction, NeverGivesEnergy) {
     }
     return sum;
   };
-  double before = energy(), first = before;
+  rig.simulation.step();
+  double before = energy();
+  const double first = before;
   law::Worst growth;
   for (int i = 0; i < 2000; ++i) {
     rig.simulation.step();
@@ -162,7 +166,7 @@ Servo motor() {
 
 /// An arm without gravity.
 struct Weightless : Arm {
-  explicit Weightless(const Servo& servo) : Arm(servo) { rig.simulation.world().gravity = {}; }
+  explicit Weightless(const Servo& servo) : Arm(servo, 0, 1000, false) {}
 };
 
 TEST(ServoMotor, CoastsWithFrictionOnlyWhileTorqueIsOff) {
@@ -353,6 +357,21 @@ TEST(Backlash, NeverGivesEnergy) {
                      .level = level,
                      .source = "inelastic"},
                     growth, 1e-15, "J");
+}
+
+// The gain is that of the P gain 32 of the set (0.158/rad * 32 * stall torque). Loads take a third of the torque away.
+TEST(Friction, OfAPublishedServoLetsTheRobotWalk) {
+  const ModelPtr model = kid21_with_m6();
+  ASSERT_GT(model->find(properties::servo, *model->find_object("j_l_shin"))->friction.motor_load, 0.3);
+  const Walk result = walk({.dynamics = {.level = level}, .command = {0.2, 0, 0}, .seconds = 20, .model = model});
+  law::expect_below({.law = "walk of 20 s at 0.2 m/s with servos of friction model M6: largest lean",
+                     .level = level,
+                     .source = "it does not fall"},
+                    result.lean, 20, "deg");
+  law::expect_above({.law = "walk of 20 s at 0.2 m/s with servos of friction model M6: way forward",
+                     .level = level,
+                     .source = "it gets ahead"},
+                    result.moved.x, 2.5, "m");
 }
 
 }  // namespace
