@@ -64,9 +64,10 @@ struct FitServoOptions {
   std::vector<std::string> validate;  ///< logs that are not fitted
   std::string cross_validate;         ///< "trajectory" or "gain"; empty: no
   std::int64_t seed = 1;
-  int starts = 8;
-  int threads = 0;  ///< 0: as many as the machine has
-  std::string json;  ///< file, "-" for standard output
+  int starts = 4;
+  double windows = 0.5;  ///< share of windows in what is minimized, 0 to 1
+  int threads = 0;       ///< 0: as many as the machine has
+  std::string json;      ///< file, "-" for standard output
 };
 
 /// Finds the numbers of a servo that explain logs of it.

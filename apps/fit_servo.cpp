@@ -69,7 +69,8 @@ Result fit(const Task& task, const Logs& logs, const std::string& what) {
   const identification::Objective objective(task.model, task.prior, logs,
                                             {.duty_per_gain = identification::duty_per_gain(task.base),
                                              .duty_limit = bench.duty_limit,
-                                             .current_limit = bench.current_limit});
+                                             .current_limit = bench.current_limit,
+                                             .window_share = task.options.windows});
   const ProgressLine line;
   const auto found =
       identification::search(objective,

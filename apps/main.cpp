@@ -122,6 +122,9 @@ void add_fit_servo(CLI::App& app, FitServoOptions& options, int& exit_code) {
   fit->add_option("--starts", options.starts, "Searches from different points")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  fit->add_option("--windows", options.windows, "Share of short windows in what is minimized, against whole recordings")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   fit->add_option("--threads", options.threads, "Threads, instead of all; results do not depend on their number")
       ->check(CLI::Range(1, 256));
   fit->add_option("--json", options.json, "Write JSON to this file, or to standard output with '-'");

@@ -15,7 +15,7 @@ namespace murosimf::identification {
 
 struct SearchOptions {
   std::uint64_t seed = 1;
-  int starts = 8;
+  int starts = 4;
   int evaluations = 8000;  ///< of the objective, per start
   int threads = 1;
 };

@@ -10,23 +10,22 @@ namespace murosimf {
 inline constexpr double ln_2_high = 6.93147180369123816490e-01;  // its last 20 bits are zero: products with n are exact
 inline constexpr double ln_2_low = 1.90821492927058770002e-10;
 
-/// e^x for |x| <= 700; relative error below 2.3e-16 + 1.1e-16.
-/// Method: x = n ln 2 + r, |r| <= ln 2/2; e^r = 1 + 2 r/(c - r) with c = r coth(r/2), an even function whose minimax
-/// polynomial has the public figures of fdlibm's e_exp.c (Sun Microsystems 1993).
+/// e^x for |x| <= 700; relative error below 5e-16.
+/// Method: x = n ln 2 + r, |r| <= ln 2/2 (Cody and Waite); Taylor's series of e^r to degree 12, whose rest is below 2e-16,
+/// added up in pairs, so that the processor can do several at once. No division.
 template <class S>
 [[gnu::always_inline]] inline S exponential(const S& x) {
   const S n = (x * std::numbers::log2e + round_bias) - round_bias;
-  const S high = x - n * ln_2_high;
-  const S low = n * ln_2_low;
-  const S r = high - low;
-  const S z = r * r;
+  const S r = (x - n * ln_2_high) - n * ln_2_low;
+  const S r2 = r * r;
+  const S r4 = r2 * r2;
   // clang-format off
-  const S c = r - z * (1.66666666666666019037e-01 + z * (-2.77777777770155933842e-03
-                + z * (6.61375632143793436117e-05 + z * (-1.65339022054652515390e-06
-                + z * 4.13813679705723846039e-08))));
+  const S low   = r2 * (1.0 / 2 + r * (1.0 / 6));
+  const S mid   = (1.0 / 24 + r * (1.0 / 120)) + r2 * (1.0 / 720 + r * (1.0 / 5040));
+  const S high  = (1.0 / 40320 + r * (1.0 / 362880)) + r2 * (1.0 / 3628800 + r * (1.0 / 39916800));
   // clang-format on
-  const S y = 1.0 - ((low - (r * c) / (2.0 - c)) - high);
-  return times_power_of_two(y, n);
+  const S rest = r4 * (mid + r4 * (high + r4 * (1.0 / 479001600)));
+  return times_power_of_two(1.0 + (r + (low + rest)), n);
 }
 
 /// Natural logarithm of a positive normal number; relative error below 1e-15 where |log x| > 1e-10, absolute 1e-16.

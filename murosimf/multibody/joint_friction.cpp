@@ -9,7 +9,15 @@ namespace murosimf::multibody {
 namespace {
 
 constexpr double least_exponent = 0.5, largest_exponent = 10, least_rate = 0.01;
-constexpr double decayed = 40;  // exp(-40) = 4e-18 adds nothing to a sum
+constexpr double decayed = 20;  // x in s = exp(-x) from which on s counts as 0: it is 2e-9
+
+/// A ratio |w|/v_s that is fast for this exponent: its power is above `decayed`. No power is needed to say so.
+double fast_ratio(double alpha) {
+  if (alpha >= 4) return 2.12;
+  if (alpha >= 2) return 4.48;
+  if (alpha >= 1.5) return 7.37;
+  return alpha >= 1 ? 20.01 : 400.1;
+}
 
 bool rises_at_rest(const GearFriction& k) {
   return k.stribeck_rate > 0 && (k.stribeck > 0 || k.stribeck_motor_load > 0 || k.stribeck_external_load > 0 ||
@@ -22,7 +30,7 @@ S power(const S& ratio, double alpha) {
   if (alpha == 1) return select(ratio > S(decayed), S(decayed), ratio);
   const S positive = select(ratio < S(1e-30), S(1e-30), ratio);
   const S exponent = alpha * logarithm(positive);
-  const S largest = 3.6888794541139363;  // log(decayed)
+  const S largest = 2.9957322735539909;  // log(decayed)
   return exponential(select(exponent > largest, largest, exponent));
 }
 
@@ -34,9 +42,9 @@ S stribeck_share(const GearFriction& k, const S& rate) {
   const auto moves = ratio > S(0.0);
   if (!any(moves)) return 1.0;
   S share = 0.0;
-  if (alpha < 1 || any(ratio < S(decayed))) {
+  if (any(ratio < S(fast_ratio(alpha)))) {
     const S x = power(ratio, alpha);
-    share = select(x < S(0.999 * decayed), exponential(-x), S(0.0));
+    share = select(x < S((1 - 1e-9) * decayed), exponential(-x), S(0.0));
   }
   return select(moves, share, S(1.0));
 }
