@@ -21,8 +21,10 @@ struct Axle {
 template <class S>
 [[gnu::always_inline]] inline Axle<S> decide(DryJoint<S>& j, const S& D, Loads loads, double dt) {
   j.drive = D * j.rate * (1 / dt) + j.torque;
-  j.budget = j.coulomb;
-  if (j.gear) j.budget = j.budget + dry_friction(*j.gear, j.rate, j.motor_torque, j.load);
+  if (loads != Loads::of_repeated_pass) {  // F follows the load, and would make joints change their minds once more
+    j.budget = j.coulomb;
+    if (j.gear) j.budget = j.budget + dry_friction(*j.gear, j.rate, j.motor_torque, j.load);
+  }
   const S push = j.drive + j.load;
   const S size = abs(push);
   const auto sticks = size < j.budget;

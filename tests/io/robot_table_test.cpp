@@ -206,10 +206,10 @@ TEST(RobotTable, NamesBadNumbersOfServos) {
   EXPECT_EQ(complaint(section("type = 'mx64'\nbacklash = 2")),
             ":3:12: 'backlash' is in radians; more than 0.5 is no play of a gear");
   EXPECT_EQ(complaint(section("type = 'mx64'\nheat_capacity = 40")),
-            ":1:2: servo 'x' gets warm: it needs heat_capacity and thermal_resistance, both above 0");
+            ":1:9: servo 'x' gets warm: it needs heat_capacity and thermal_resistance, both above 0");
   EXPECT_EQ(complaint(section("type = 'mx64'\nheat_capacity = 40\nthermal_resistance = 8\nderating_temperature = 90\n"
                               "temperature_limit = 80")),
-            ":1:2: servo 'x' gets warm: derating_temperature must be above 0 and below temperature_limit");
+            ":1:9: servo 'x' gets warm: derating_temperature must be above 0 and below temperature_limit");
   EXPECT_EQ(complaint(section("type = 'mx64'\nambient_temperature = 300")),
             ":3:23: 'ambient_temperature' must be a temperature in degrees Celsius, at most 200");
   EXPECT_EQ(complaint(section("type = 'mx64'\ncommand_delay = 1e6")),

@@ -209,8 +209,11 @@ TEST(ServoMotor, LeavesAnErrorInsideTheDeadBandAlone) {
   EXPECT_EQ(arm.angle(), 0);
   arm.hinge().set(properties::joint_target, 0.5);
   arm.rig.run(3.0);
-  law::expect_near({.law = "servo with a dead band: where it stops", .level = level, .source = "target - band"},
-                   arm.angle(), 0.48, 1e-6, "rad");
+  law::expect_between({.law = "servo with a dead band of 0.02 rad: where it stops, against its target",
+                       .level = level,
+                       .source = "nothing acts inside the band"},
+                      arm.angle() - 0.5, -0.02 - 1e-9, 0.02 + 1e-9, "rad");
+  EXPECT_LT(std::abs(arm.rate()), 1e-9);
 }
 
 TEST(ServoMotor, StandsWithinAStepOfItsEncoder) {
@@ -287,21 +290,22 @@ Servo with_backlash(double play) {
   return servo;
 }
 
-// The rotor is held by friction of the gear; a push moves the arm freely from one side to the other.
+// The rotor is held by friction of the gear; a push moves the arm freely from one side to the other. It arrives with
+// 0.03 rad/s, so where it is stopped is known to 0.03 mrad.
 TEST(Backlash, LetsTheJointMoveFreelyByItsPlay) {
   constexpr double play = 0.02;
   Servo servo = with_backlash(play);
-  servo.friction = {.coulomb = 0.1};
+  servo.friction = {.coulomb = 1};
   Weightless arm(servo);
   arm.hinge().set(properties::torque_enabled, 0);
   Play angle;
-  for (const double push : {0.01, -0.01, 0.01}) {
+  for (const double push : {1e-4, -1e-4, 1e-4}) {
     arm.hinge().set(properties::applied_force, Forced{{0, push, 0}, {}});
-    arm.rig.run(2.0);
+    arm.rig.run(4.0);
     angle.see(arm.angle());
   }
   law::expect_near({.law = "gear with backlash that is pushed to both sides: free way", .level = level, .source = "b"},
-                   angle.most - angle.least, play, 1e-12, "rad");
+                   angle.most - angle.least, play, 1e-4, "rad");
 }
 
 TEST(Backlash, RestsOnOneSideUnderALoad) {
@@ -356,7 +360,7 @@ TEST(Backlash, NeverGivesEnergy) {
   law::expect_below({.law = "joint and rotor meet in their play: growth of energy",
                      .level = level,
                      .source = "inelastic"},
-                    growth, 1e-15, "J");
+                    growth, 1e-12, "J");
 }
 
 // The gain is that of the P gain 32 of the set (0.158/rad * 32 * stall torque). Loads take a third of the torque away.
