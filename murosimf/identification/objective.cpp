@@ -50,21 +50,20 @@ double mean(const std::vector<double>& numbers) {
 
 Objective::Objective(const FrictionModel& model, const Prior& prior, std::span<const ServoLog> logs,
                      const ObjectiveOptions& options)
-    : model_(model),
-      prior_(prior),
+    : prior_(prior),
       options_(options),
       logs_(whole_logs(logs), options.duty_per_gain, options.step),
       windows_(windows_of(logs), options.duty_per_gain, options.step),
       errors_(logs_.size()),
       window_errors_(windows_.size()) {
   if (windows_.size() == 0) options_.window_share = 0;
+  for (const Parameter* parameter : model.parameters) parameters_.push_back(narrowed(prior, *parameter));
 }
 
 multibody::BenchServo Objective::servo_at(std::span<const double> places) const {
   multibody::BenchServo servo{.duty_limit = options_.duty_limit, .current_limit = options_.current_limit};
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const Parameter& parameter = *model_.parameters[i];
-    parameter.set(servo, value_at(parameter, places[i]));
+    parameters_[i].set(servo, value_at(parameters_[i], places[i]));
   }
   return servo;
 }
@@ -73,7 +72,7 @@ double Objective::operator()(std::span<const double> places) {
   const multibody::BenchServo servo = servo_at(places);
   double cost = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    cost += cost_of(prior_, *model_.parameters[i], value_at(*model_.parameters[i], places[i]));
+    cost += cost_of(prior_, parameters_[i], value_at(parameters_[i], places[i]));
   }
   logs_.errors(servo, errors_);
   cost += (1 - options_.window_share) * mean(errors_);

@@ -27,20 +27,21 @@ struct ObjectiveOptions {
 
 class Objective {
  public:
-  /// Keeps references to all three.
+  /// Keeps references to model, prior and logs.
   Objective(const FrictionModel& model, const Prior& prior, std::span<const ServoLog> logs,
             const ObjectiveOptions& options);
 
-  /// For places of the model's parameters between their bounds, each 0 to 1.
+  /// For places of the parameters between their bounds, each 0 to 1.
   double operator()(std::span<const double> places);
 
   [[nodiscard]] multibody::BenchServo servo_at(std::span<const double> places) const;
-  [[nodiscard]] const FrictionModel& model() const { return model_; }
+  /// Those of the model, with bounds that the prior narrows.
+  [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
   [[nodiscard]] const Prior& prior() const { return prior_; }
 
  private:
-  const FrictionModel& model_;
   const Prior& prior_;
+  std::vector<Parameter> parameters_;
   ObjectiveOptions options_;
   BenchLogs logs_, windows_;
   std::vector<double> errors_, window_errors_;

@@ -5,6 +5,7 @@
 /// square. So logs decide what they can tell, and the prior what they cannot.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,10 @@ using Prior = std::vector<Expectation>;
 /// [rad] what the value of a parameter costs; 0 if nothing is expected of it.
 [[nodiscard]] double cost_of(const Prior& prior, const Parameter& parameter, double value);
 
-/// What is expected of the parameter, or the middle of its bounds.
-[[nodiscard]] double expected_value(const Prior& prior, const Parameter& parameter);
+/// What is expected of the parameter; nothing if the prior does not name it.
+[[nodiscard]] std::optional<double> expected_value(const Prior& prior, const Parameter& parameter);
+
+/// The parameter with bounds at most five widths from what is expected: a search need not look farther.
+[[nodiscard]] Parameter narrowed(const Prior& prior, const Parameter& parameter);
 
 }  // namespace murosimf::identification

@@ -75,11 +75,10 @@ void minimize(Start& start, nlopt_algorithm algorithm, double evaluations) {
 std::vector<double> first_point(const Objective& objective, std::uint64_t seed) {
   const RandomStream dice(seed, "first point of a fit");
   std::vector<double> places;
-  for (const Parameter* parameter : objective.model().parameters) {
-    const bool known =
-        std::ranges::find(objective.prior(), parameter->name, &Expectation::parameter) != objective.prior().end();
+  for (const Parameter& parameter : objective.parameters()) {
+    const auto known = expected_value(objective.prior(), parameter);
     const double chance = dice.uniform(places.size(), 0.05, 0.95);
-    places.push_back(known ? place_of(*parameter, expected_value(objective.prior(), *parameter)) : chance);
+    places.push_back(known ? place_of(parameter, *known) : chance);
   }
   return places;
 }

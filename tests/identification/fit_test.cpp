@@ -58,6 +58,35 @@ TEST(Fit, FindsTheNumbersOfALoadDependentServo) {
   expect_recovered("m3", m3_servo, fit("m3", recordings(m3_servo), {.starts = 1, .evaluations = 2500}).servo);
 }
 
+/// [rad] how far `servo` is off on one recording.
+double error_on(const ServoLog& log, const multibody::BenchServo& servo) {
+  BenchLogs bench({whole(log)}, synthetic::duty_per_gain, 1e-3);
+  std::vector<double> error(1);
+  bench.errors(servo, error);
+  return error[0];
+}
+
+// Law: with a prior near the truth, a fit to two sines and to up and down foresees a chirp, and drops with the torque off,
+// which it has not seen. Tolerance: a tenth of the way that a perfect servo would be off there.
+TEST(Fit, ForeseesOtherTrajectories) {
+  const Prior prior{{.parameter = "resistance", .value = 3.2, .width = 0.2, .relative = true},
+                    {.parameter = "viscous_friction", .value = 0.0045, .width = 0.5, .relative = true},
+                    {.parameter = "rotor_inertia", .value = 0.0018, .width = 0.1, .relative = true}};
+  const std::vector<ServoLog> logs{record(m3_servo, synthetic::two_sines(), {.gain = 200}),
+                                   record(m3_servo, synthetic::up_and_down(), {.gain = 400})};
+  const Objective objective(friction_model("m3"), prior, logs, of_xl330);
+  const Found found = search(objective, {.starts = 1, .evaluations = 2500});
+  for (const auto& course : {synthetic::chirp(), synthetic::drops()}) {
+    const ServoLog unseen = record(m3_servo, course);
+    double perfect = 0;
+    for (const ServoSample& sample : unseen.samples) perfect += std::fabs(sample.goal - sample.position);
+    perfect /= static_cast<double>(unseen.samples.size());
+    law::expect_below({"fit to recordings of two trajectories: mean error on one that it has not seen", course.name,
+                       "the servo that made them"},
+                      error_on(unseen, found.servo), 0.1 * perfect, "rad");
+  }
+}
+
 // Rule: the same seed finds the same servo, with any number of threads; another seed takes another way. No tolerance.
 TEST(Fit, TheSeedDecides) {
   const std::vector<ServoLog> logs{record(m1_servo, synthetic::two_sines(), {.duration = 2})};

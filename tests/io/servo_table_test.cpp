@@ -11,7 +11,7 @@
 namespace murosimf::io {
 namespace {
 
-const std::vector<std::string> shipped{"mx106", "mx28", "mx64", "xl330", "xm430_w350"};
+const std::vector<std::string> shipped{"mx106", "mx28", "mx64", "xl330", "xl330_m4", "xm430_w350"};
 
 TEST(ServoTable, NamesAllThatCome) {
   const auto types = servo_types();
