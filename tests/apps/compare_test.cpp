@@ -55,8 +55,8 @@ TEST(CompareCommand, RefusesMistakes) {
   expect_mistake(short_push + "--contacts papr", {"--contacts", "did you mean 'paper'?"});
   expect_mistake(short_push + "--threshold pich=3", {"--threshold 'pich=3'", "did you mean 'pitch'?"});
   expect_mistake(short_push + "--threshold pitch=many", {"must be a number from 0"});
-  expect_mistake(short_push + "--duration 0", {"--duration 0"});
-  expect_mistake(short_push + "--repeat 0", {"--repeat"});
+  expect_mistake("compare push --entity robot --duration 0", {"--duration 0"});
+  expect_mistake("compare push --entity robot --repeat 0", {"--repeat", "0 not in range"});
   expect_mistake(short_push + "--set robot.levl=x", {"did you mean 'level'?"});
   expect_mistake(short_push + "--json /no/such/folder/a.json", {"cannot write '/no/such/folder/a.json'"});
 }
