@@ -27,6 +27,18 @@ const multibody::BenchServo m3_servo{
     .encoder_offset = -0.03,
     .friction = {.coulomb = 0.012, .viscous = 0.006, .motor_load = 0.2, .external_load = 0.2}};
 
+/// Skips where there is nothing to search with.
+class Fit : public testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      check_search();
+    } catch (const SetupError& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+};
+
 const ObjectiveOptions of_xl330{.duty_per_gain = synthetic::duty_per_gain, .window_share = 0.2};
 const Prior nothing;
 
@@ -51,10 +63,10 @@ Found fit(const char* model, const std::vector<ServoLog>& logs, const SearchOpti
 
 // Law: recordings with torque off and both directions in them determine all numbers. Without prior, from a point that
 // knows nothing. Tolerance: the demand.
-TEST(Fit, FindsTheNumbersOfACoulombServo) {
+TEST_F(Fit, FindsTheNumbersOfACoulombServo) {
   expect_recovered("m1", m1_servo, fit("m1", recordings(m1_servo), {.starts = 1, .evaluations = 2000}).servo);
 }
-TEST(Fit, FindsTheNumbersOfALoadDependentServo) {
+TEST_F(Fit, FindsTheNumbersOfALoadDependentServo) {
   expect_recovered("m3", m3_servo, fit("m3", recordings(m3_servo), {.starts = 1, .evaluations = 2500}).servo);
 }
 
@@ -68,7 +80,7 @@ double error_on(const ServoLog& log, const multibody::BenchServo& servo) {
 
 // Law: with a prior near the truth, a fit to two sines and to up and down foresees a chirp, and drops with the torque off,
 // which it has not seen. Tolerance: a tenth of the way that a perfect servo would be off there.
-TEST(Fit, ForeseesOtherTrajectories) {
+TEST_F(Fit, ForeseesOtherTrajectories) {
   const Prior prior{{.parameter = "resistance", .value = 3.2, .width = 0.2, .relative = true},
                     {.parameter = "viscous_friction", .value = 0.0045, .width = 0.5, .relative = true},
                     {.parameter = "rotor_inertia", .value = 0.0018, .width = 0.1, .relative = true}};
@@ -88,7 +100,7 @@ TEST(Fit, ForeseesOtherTrajectories) {
 }
 
 // Rule: the same seed finds the same servo, with any number of threads; another seed takes another way. No tolerance.
-TEST(Fit, TheSeedDecides) {
+TEST_F(Fit, TheSeedDecides) {
   const std::vector<ServoLog> logs{record(m1_servo, synthetic::two_sines(), {.duration = 2})};
   const SearchOptions options{.seed = 5, .starts = 3, .evaluations = 300};
   SearchOptions threads = options, other = options;
@@ -103,7 +115,7 @@ TEST(Fit, TheSeedDecides) {
 }
 
 // Rule: what is reported grows to the whole, and the best cost only falls.
-TEST(Fit, ProgressGrows) {
+TEST_F(Fit, ProgressGrows) {
   const std::vector<ServoLog> logs{record(m1_servo, synthetic::two_sines(), {.duration = 1})};
   const Objective objective(friction_model("m1"), nothing, logs, of_xl330);
   double done = 0, least = 1e9;
@@ -118,7 +130,7 @@ TEST(Fit, ProgressGrows) {
 
 // Law: where logs say nothing, the prior decides: of k_t and R alone nothing is known while torque is on (M1). Tolerance:
 // the width.
-TEST(Fit, ThePriorDecidesWhatLogsDoNot) {
+TEST_F(Fit, ThePriorDecidesWhatLogsDoNot) {
   const std::vector<ServoLog> logs{record(m1_servo, synthetic::two_sines()), record(m1_servo, synthetic::chirp())};
   const Prior prior{{.parameter = "resistance", .value = 3.2, .width = 0.05, .relative = true}};
   const Found found =
