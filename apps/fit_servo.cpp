@@ -66,13 +66,13 @@ struct Result {
 
 Result fit(const Task& task, const Logs& logs, const std::string& what) {
   const auto bench = identification::bench_servo(task.base, 0);
-  const identification::Objective objective(task.model, task.prior, logs,
-                                            {.duty_per_gain = identification::duty_per_gain(task.base),
-                                             .duty_limit = bench.duty_limit,
-                                             .current_limit = bench.current_limit,
-                                             .window_share = task.options.windows});
+  identification::ObjectiveOptions objective_options{.duty_per_gain = identification::duty_per_gain(task.base),
+                                                     .duty_limit = bench.duty_limit,
+                                                     .current_limit = bench.current_limit,
+                                                     .window_share = task.options.windows};
+  const identification::Objective objective(task.model, task.prior, logs, objective_options);
   const ProgressLine line;
-  const auto found =
+  const auto coarse =
       identification::search(objective,
                              {.seed = static_cast<std::uint64_t>(task.options.seed),
                               .starts = task.options.starts,
@@ -80,6 +80,11 @@ Result fit(const Task& task, const Logs& logs, const std::string& what) {
                              [&](double share, double best) {
                                line.show(fmt::format("{}: {:3.0f} %, cost {:.1f} mrad", what, 100 * share, 1e3 * best));
                              });
+  // with the step of a replay: where an arm stops must not depend on the step of the search
+  constexpr int refinement = 1500;
+  objective_options.step = replay_step;
+  const identification::Objective fine(task.model, task.prior, logs, objective_options);
+  const auto found = identification::refine(coarse, fine, refinement);
   return {{.servo = identification::servo_of(found.servo, task.base),
            .friction_model = std::string(task.model.name),
            .encoder_offset = found.servo.encoder_offset,

@@ -13,4 +13,9 @@ Found search(const Objective& /*objective*/, const SearchOptions& /*options*/, c
   return {};
 }
 
+Found refine(const Found& /*found*/, const Objective& /*objective*/, int /*evaluations*/) {
+  check_search();
+  return {};
+}
+
 }  // namespace murosimf::identification

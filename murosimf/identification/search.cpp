@@ -105,9 +105,17 @@ Found search(const Objective& objective, const SearchOptions& options, const Pro
   for (std::thread& thread : threads) thread.join();
 
   const auto best = std::ranges::min_element(starts, {}, &Start::cost);
-  Found found{.servo = objective.servo_at(best->places), .cost = best->cost, .costs = {}};
+  Found found{.servo = objective.servo_at(best->places), .places = best->places, .cost = best->cost, .costs = {}};
   for (const Start& start : starts) found.costs.push_back(start.cost);
   return found;
+}
+
+Found refine(const Found& found, const Objective& objective, int evaluations) {
+  const Progress nobody;
+  Board board(nobody, evaluations);
+  Start start{objective, board, found.places};
+  minimize(start, NLOPT_LN_SBPLX, evaluations);
+  return {objective.servo_at(start.places), start.places, start.cost, found.costs};
 }
 
 void check_search() {}

@@ -22,8 +22,9 @@ struct SearchOptions {
 
 struct Found {
   multibody::BenchServo servo;
-  double cost = 0;            ///< [rad] of the objective
-  std::vector<double> costs;  ///< [rad] of every start: if they differ much, more starts are needed
+  std::vector<double> places;  ///< of the objective
+  double cost = 0;             ///< [rad] of the objective
+  std::vector<double> costs;   ///< [rad] of every start: if they differ much, more starts are needed
 };
 
 /// Gets the share that is done, 0 to 1, and the lowest cost [rad] so far; one call at a time, from any thread.
@@ -31,6 +32,9 @@ using Progress = std::function<void(double share, double best)>;
 
 /// Throws SetupError in a build without NLopt.
 [[nodiscard]] Found search(const Objective& objective, const SearchOptions& options, const Progress& progress = {});
+
+/// A local search with another objective of the same parameters, one with finer steps, from where `found` is.
+[[nodiscard]] Found refine(const Found& found, const Objective& objective, int evaluations);
 
 /// Throws SetupError in a build without NLopt: found out before logs are read.
 void check_search();

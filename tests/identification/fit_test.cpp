@@ -27,6 +27,12 @@ const multibody::BenchServo m3_servo{
     .encoder_offset = -0.03,
     .friction = {.coulomb = 0.012, .viscous = 0.006, .motor_load = 0.2, .external_load = 0.2}};
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
 /// Skips where there is nothing to search with.
 class Fit : public testing::Test {
  protected:
@@ -36,6 +42,15 @@ class Fit : public testing::Test {
     } catch (const SetupError& error) {
       GTEST_SKIP() << error.what();
     }
+  }
+};
+
+/// Thousands of evaluations; the short fits run the same code under the sanitizers.
+class LongFit : public Fit {
+ protected:
+  void SetUp() override {
+    if (sanitized) GTEST_SKIP() << "takes half a minute with the address sanitizer";
+    Fit::SetUp();
   }
 };
 
@@ -63,10 +78,10 @@ Found fit(const char* model, const std::vector<ServoLog>& logs, const SearchOpti
 
 // Law: recordings with torque off and both directions in them determine all numbers. Without prior, from a point that
 // knows nothing. Tolerance: the demand.
-TEST_F(Fit, FindsTheNumbersOfACoulombServo) {
+TEST_F(LongFit, FindsTheNumbersOfACoulombServo) {
   expect_recovered("m1", m1_servo, fit("m1", recordings(m1_servo), {.starts = 1, .evaluations = 2000}).servo);
 }
-TEST_F(Fit, FindsTheNumbersOfALoadDependentServo) {
+TEST_F(LongFit, FindsTheNumbersOfALoadDependentServo) {
   expect_recovered("m3", m3_servo, fit("m3", recordings(m3_servo), {.starts = 1, .evaluations = 2500}).servo);
 }
 
@@ -80,7 +95,7 @@ double error_on(const ServoLog& log, const multibody::BenchServo& servo) {
 
 // Law: with a prior near the truth, a fit to two sines and to up and down foresees a chirp, and drops with the torque off,
 // which it has not seen. Tolerance: a tenth of the way that a perfect servo would be off there.
-TEST_F(Fit, ForeseesOtherTrajectories) {
+TEST_F(LongFit, ForeseesOtherTrajectories) {
   const Prior prior{{.parameter = "resistance", .value = 3.2, .width = 0.2, .relative = true},
                     {.parameter = "viscous_friction", .value = 0.0045, .width = 0.5, .relative = true},
                     {.parameter = "rotor_inertia", .value = 0.0018, .width = 0.1, .relative = true}};
@@ -97,6 +112,19 @@ TEST_F(Fit, ForeseesOtherTrajectories) {
                        "the servo that made them"},
                       error_on(unseen, found.servo), 0.1 * perfect, "rad");
   }
+}
+
+// Rule: a refinement starts where the search ended, and the objective only falls.
+TEST_F(Fit, ARefinementMakesNothingWorse) {
+  const std::vector<ServoLog> logs{record(m1_servo, synthetic::two_sines(), {.duration = 2})};
+  const Found coarse = fit("m1", logs, {.starts = 1, .evaluations = 300});
+  ObjectiveOptions finer = of_xl330;
+  finer.step = 1e-3;
+  Objective fine(friction_model("m1"), nothing, logs, finer);
+  const Found found = refine(coarse, fine, 200);
+  EXPECT_LT(found.cost, fine(coarse.places));
+  EXPECT_EQ(found.cost, fine(found.places));
+  EXPECT_EQ(found.costs, coarse.costs) << "of the starts";
 }
 
 // Rule: the same seed finds the same servo, with any number of threads; another seed takes another way. No tolerance.
@@ -130,7 +158,7 @@ TEST_F(Fit, ProgressGrows) {
 
 // Law: where logs say nothing, the prior decides: of k_t and R alone nothing is known while torque is on (M1). Tolerance:
 // the width.
-TEST_F(Fit, ThePriorDecidesWhatLogsDoNot) {
+TEST_F(LongFit, ThePriorDecidesWhatLogsDoNot) {
   const std::vector<ServoLog> logs{record(m1_servo, synthetic::two_sines()), record(m1_servo, synthetic::chirp())};
   const Prior prior{{.parameter = "resistance", .value = 3.2, .width = 0.05, .relative = true}};
   const Found found =

@@ -36,7 +36,7 @@ TEST(ServoTable, ShippedServosArePlausible) {
     expect_between(servo.stall_torque * servo.no_load_rate / servo.voltage, 0.5, 10);           // [A] at stall
     expect_between(servo.stall_torque / servo.position_gain, 0.05, 1.5);                        // [rad] to full duty
     expect_between(servo.rotor_inertia * servo.no_load_rate / servo.stall_torque, 0.002, 0.2);  // [s] to run up
-    expect_between(servo.friction.coulomb / servo.stall_torque, 0.002, 0.2);
+    expect_between((servo.friction.coulomb + servo.friction.stribeck) / servo.stall_torque, 0.002, 0.2);
     expect_between(servo.friction.viscous * servo.no_load_rate / servo.stall_torque, 0, 0.2);
     expect_between(servo.duty_limit, 0.5, 1);
     EXPECT_EQ(servo.velocity_gain, 0);

@@ -9,6 +9,7 @@
 #include "murosimf/io/mjcf_reader.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/runtime/simulation.h"
 #include "tests/oracle/state_file.h"
 
@@ -49,7 +50,7 @@ std::string fly(const ModelPtr& model, const oracle::StateFile& file, const orac
   simulation.attach<collision::GroundContact>("ground_contact", robot, rate, nullptr,
                                               io::find_entry(io::contacts(), "contact", "implicit_stick").make(),
                                               MaterialTable{});
-  io::find_entry(io::levels(), "level", "articulated_dynamics").attach(simulation, robot, rate, {});
+  simulation.attach<motion::ArticulatedDynamics>("articulated_dynamics", robot, rate);
   set_targets(robot, file, state);
   simulation.initialize();
   set_state(robot, file, state);
