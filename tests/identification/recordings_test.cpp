@@ -66,7 +66,7 @@ TEST_F(Recordings, APerfectServoIsAsFarOffAsElsewhere) {
   EXPECT_NEAR(sum / 8, 0.539, 0.0006);
 }
 
-// Law: the servo that comes with the program, fitted to them, explains them. Tolerance: its file says 37.7 mrad.
+// Law: the servo that comes with the program, fitted to them, explains them. Tolerance: its file says 37.3 mrad.
 TEST_F(Recordings, TheShippedServoExplainsThem) { EXPECT_LT(error_of("xl330_m4"), 0.038); }
 
 // Law: the step hardly matters: from 1 ms to 0.1 ms the error of a published servo changes by less than 1 mrad.
