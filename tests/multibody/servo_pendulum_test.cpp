@@ -64,7 +64,8 @@ TEST(ServoPendulum, AStuckLoadStaysWhereItIs) {
       advance(with(friction), bench, hold, ms, state);
       moved = std::fmax(moved, std::fabs(state.position - stuck));
     }
-    law::expect_below({"a loaded joint that sticks: how far it moves in 60 s", std::string("friction ") + name, "friction takes what stops it"},
+    law::expect_below({"a loaded joint that sticks: how far it moves in 60 s", std::string("friction ") + name,
+                       "friction takes what stops it"},
                       moved, 1e-9, "rad");
   }
 }
