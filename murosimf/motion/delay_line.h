@@ -1,7 +1,6 @@
 /// delay_line.h - a number that arrives a fixed number of steps after it was sent.
 #pragma once
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -17,8 +16,6 @@ class DelayLine {
     values_.assign(steps, value);
     next_ = 0;
   }
-  /// Has `value` on the whole way.
-  void fill(double value) { std::fill(values_.begin(), values_.end(), value); }
   /// Sends `value`; what arrives in return was sent `steps` calls ago.
   [[nodiscard]] double pass(double value) noexcept {
     if (values_.empty()) return value;

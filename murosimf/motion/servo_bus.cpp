@@ -11,6 +11,7 @@ ServoBus::ServoBus(Setup& setup)
     : turning_(setup),
       objects_(setup.model().joints()),
       period_(static_cast<std::size_t>(setup.model().size())),
+      delay_(period_.size()),
       target_(setup.input(properties::joint_target, 0.0)),
       delayed_(setup.write(delayed_target)),
       present_(period_.size()) {
@@ -18,7 +19,7 @@ ServoBus::ServoBus(Setup& setup)
   bool holds = false;
   for (const int i : objects_) {
     const Servo* servo = setup.model().find(properties::servo, i);
-    delayed_[i].reset(servo ? static_cast<std::size_t>(std::lround(servo->command_delay / step)) : 0, 0);
+    if (servo) delay_[i] = static_cast<std::size_t>(std::lround(servo->command_delay / step));
     if (!servo || servo->command_period <= 0) continue;
     period_[i] = std::max(1.0, std::round(servo->command_period / step));
     holds = true;
@@ -33,7 +34,7 @@ void ServoBus::start() noexcept {
   std::fill(age_.begin(), age_.end(), 0.0);
   for (const int i : objects_) {
     present_[i] = wanted(i);
-    delayed_[i].fill(present_[i]);
+    delayed_[i].reset(delay_[i], present_[i]);
     if (period_[i] <= 0) continue;
     sent_[i] = present_[i];
     age_[i] = period_[i];  // the next step sends

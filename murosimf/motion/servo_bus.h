@@ -34,7 +34,8 @@ class ServoBus {
 
   TurningJoints turning_;
   std::span<const int> objects_;
-  std::vector<double> period_;  // [steps] by object; 0: every step
+  std::vector<double> period_;      // [steps] by object; 0: every step
+  std::vector<std::size_t> delay_;  // [steps] by object
   std::span<const double> target_;
   std::span<DelayLine> delayed_;
   std::span<double> sent_, age_;  // empty if no servo has a period
