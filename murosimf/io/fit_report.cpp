@@ -90,12 +90,12 @@ std::string to_text(const FitReport& report) {
   for (const double cost : report.costs) costs.push_back(mrad * cost);
   std::string text = head() + rows(report.servo.fitted, "fitted") + rows(report.validated, "not fitted");
   for (const UnseenGroup& group : report.cross_validated) text += rows(group.logs, "left out: " + group.name);
-  text += "\n" + mean_row("mean of fitted logs", mean_error(report.servo.fitted));
+  text += fmt::format("\n{}", mean_row("mean of fitted logs", mean_error(report.servo.fitted)));
   if (!report.validated.empty()) text += mean_row("mean of logs that were not fitted", mean_error(report.validated));
   for (const UnseenGroup& group : report.cross_validated) {
     text += mean_row(fmt::format("mean of {}, fitted to the others", group.name), mean_error(group.logs));
   }
-  text += "\n" + parameter_rows(report.servo);
+  text += fmt::format("\n{}", parameter_rows(report.servo));
   return text + fmt::format("\nmodel {}, prior {}, seed {}; cost of each start [mrad]: {:.1f}\n",
                             report.servo.friction_model, report.servo.prior, report.seed, fmt::join(costs, " "));
 }
