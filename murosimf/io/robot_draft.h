@@ -1,0 +1,114 @@
+/// robot_draft.h - a robot as a file describes it, before it becomes a Model: what the readers of MJCF and URDF make,
+/// and what the model doctor and the converter look at.
+///
+/// Everything is resolved: SI units, angles in rad, classes and includes applied, meshes read. Every part knows where it
+/// is written ("robot.xml:12"), so that later complaints can say so. Names are those of the file.
+///
+/// Bodies form a tree, parents first; body 0 is the base and has no joints. A body is placed in the frame of its parent
+/// and then moved by its joints in their order; a body without joints is welded to its parent (weld_fixed_bodies).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/model/object.h"
+#include "murosimf/model/servo.h"
+#include "murosimf/model/shape.h"
+
+namespace murosimf::io {
+
+/// A frame in another: axes of the frame to axes of the other.
+struct Place {
+  Vec3d position;  ///< [m]
+  Mat3d orientation = Mat3d::identity();
+};
+
+/// Mass, center and inertia of a body or of a part of it.
+struct MassProperties {
+  double mass = 0;   ///< [kg]
+  Vec3d center;      ///< [m] body frame
+  SymMat3d inertia;  ///< [kg m^2] at the center, body axes
+};
+
+struct DraftJoint {
+  std::string name, where;
+  Kind kind = Kind::revolute;   ///< or prismatic
+  Vec3d anchor;                 ///< [m] body frame
+  Vec3d axis;                   ///< any length but zero, body frame
+  std::optional<Vec3d> range;   ///< [rad | m] lowest, highest, 0
+  double reference = 0;         ///< [rad | m] joint position in the pose of the file
+  double armature = 0;          ///< [kg m^2 | kg]
+  double damping = 0;           ///< [N m s/rad | N s/m]
+  double friction = 0;          ///< [N m | N] dry
+  double stiffness = 0;         ///< [N m/rad | N/m] of a spring at the joint
+  double spring_reference = 0;  ///< [rad | m] joint position at which that spring is at rest
+  /// [N m | N] The file's own limit of what moves the joint (URDF effort, MJCF actuatorfrcrange); 0: none.
+  double effort_limit = 0;
+  double rate_limit = 0;       ///< [rad/s | m/s] URDF velocity; 0: none
+  std::optional<Servo> servo;  ///< of its actuators
+};
+
+/// A joint that follows another: position = offset + ratio * position of the other.
+struct DraftMimic {
+  std::string joint, leader, where;
+  double ratio = 1;   ///< [1]
+  double offset = 0;  ///< [rad | m]
+};
+
+/// One shape; of a mesh with several convex parts one for each.
+struct DraftShape {
+  std::string name, where;  ///< name may be empty
+  PlacedShape placed;       ///< in the frame of the body
+  std::string mesh;         ///< name of the mesh that it is made of; empty: a primitive
+};
+
+/// A named frame on a body: a site, a welded body or link, a camera.
+struct DraftFrame {
+  std::string name, where;
+  Place place;
+  std::optional<Sole> sole;
+};
+
+struct DraftBody {
+  std::string name, where;
+  int parent = -1;  ///< index; -1: the base
+  Place place;      ///< in the parent's frame, joints in the pose of the file
+  std::vector<DraftJoint> joints;
+  MassProperties solid;     ///< mass 0: massless
+  std::string solid_where;  ///< where its mass is written; empty: nowhere, or worked out from shapes
+  std::vector<DraftShape> shapes;
+  std::vector<DraftFrame> frames;
+};
+
+/// A mesh that shapes are made of.
+struct DraftMesh {
+  std::string name, where;
+  std::filesystem::path file;  ///< empty: the vertices stand in the robot file
+  std::size_t triangles = 0;
+};
+
+/// A sensor or camera that the file mentions.
+struct DraftSensor {
+  std::string kind, name, frame, where;  ///< kind as the file calls it; frame: site, body or link
+};
+
+/// Two bodies whose shapes never touch each other (MJCF exclude).
+struct DraftExclusion {
+  std::string body1, body2, where;
+};
+
+struct RobotDraft {
+  std::string name;
+  std::filesystem::path file;
+  std::vector<DraftBody> bodies;
+  std::vector<DraftMimic> mimics;
+  std::vector<DraftMesh> meshes;
+  std::vector<DraftSensor> sensors;
+  std::vector<DraftExclusion> exclusions;
+  std::vector<std::string> warnings;  ///< file:line: what looks wrong, or is dropped because of `lenient`
+  std::vector<std::string> notes;     ///< file:line: what means nothing here
+};
+
+}  // namespace murosimf::io
