@@ -22,7 +22,7 @@ namespace murosimf::io {
 /// A frame in another: axes of the frame to axes of the other.
 struct Place {
   Vec3d position;  ///< [m]
-  Mat3d orientation = Mat3d::identity();
+  Mat3d orientation;
 };
 
 /// Mass, center and inertia of a body or of a part of it.
@@ -64,6 +64,15 @@ struct DraftShape {
   std::string mesh;         ///< name of the mesh that it is made of; empty: a primitive
 };
 
+/// A mesh for the eye, which is not read while loading: nothing of the physics depends on it.
+struct DraftVisual {
+  std::string name, where;  ///< name may be empty
+  std::filesystem::path file;
+  Vec3d scale{1, 1, 1};  ///< [m] of one unit of the file
+  Place place;           ///< in the frame of the body
+  Color color;
+};
+
 /// A named frame on a body: a site, a welded body or link, a camera.
 struct DraftFrame {
   std::string name, where;
@@ -79,6 +88,7 @@ struct DraftBody {
   MassProperties solid;     ///< mass 0: massless
   std::string solid_where;  ///< where its mass is written; empty: nowhere, or worked out from shapes
   std::vector<DraftShape> shapes;
+  std::vector<DraftVisual> visuals;  ///< meshes only; simple shapes for the eye are shapes that do not collide
   std::vector<DraftFrame> frames;
 };
 
@@ -89,9 +99,20 @@ struct DraftMesh {
   std::size_t triangles = 0;
 };
 
+/// What a file says about the picture of a camera; 0: nothing.
+struct DraftCamera {
+  double horizontal_view = 0;     ///< [rad] from the left to the right border
+  int width = 0, height = 0;      ///< [px]
+  double k1 = 0, k2 = 0, k3 = 0;  ///< [1] radial distortion (Brown)
+  double p1 = 0, p2 = 0;          ///< [1] tangential distortion
+};
+
 /// A sensor or camera that the file mentions.
 struct DraftSensor {
-  std::string kind, name, frame, where;  ///< kind as the file calls it; frame: site, body or link
+  std::string kind, name, frame, where;  ///< kind as the file calls it; frame: site, body, link or joint
+  Place place;                           ///< in that frame
+  double rate = 0;                       ///< [Hz] 0: the file does not say
+  std::optional<DraftCamera> camera;
 };
 
 /// Two bodies whose shapes never touch each other (MJCF exclude).
