@@ -59,9 +59,12 @@ void scale_mesh(geometry::TriangleMesh& mesh, const Vec3d& scale) {
 
 SolidMesh make_solid_mesh(MeshFile file, bool part_per_group) {
   SolidMesh mesh;
-  if (!part_per_group) file.part_begin = {0};
   try {
-    for (const auto& part : split_parts(file)) mesh.parts.push_back(make_part(part));
+    if (part_per_group) {
+      for (const auto& part : split_parts(file)) mesh.parts.push_back(make_part(part));
+    } else {
+      mesh.parts.push_back(make_part(file.mesh));
+    }
   } catch (const SetupError& error) {
     mesh.parts.clear();
     mesh.flat = error.what();
