@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/io/principal_moments.h"
 #include "murosimf/io/urdf_value.h"
 
 namespace murosimf::io {
@@ -13,6 +12,9 @@ SymMat3d read_tensor(const XmlElement& inertial) {
   return {needed_number(element, "ixx"), needed_number(element, "iyy"), needed_number(element, "izz"),
           number_or(element, "ixy", 0),  number_or(element, "ixz", 0),  number_or(element, "iyz", 0)};
 }
+
+/// No solid body has it. Files carry about six digits.
+bool breaks_triangle(const Vec3d& moments) { return moments.x + moments.y < moments.z * (1.0 - 1e-5); }
 
 constexpr double frame_mass = 0.01;  // [kg] below it, a link without inertia is taken for a frame
 
@@ -32,20 +34,20 @@ void balance_moments(const UrdfLink& link, const XmlElement& inertial, MassPrope
 
 void check_tensor(const UrdfLink& link, const XmlElement& inertial, bool welded, bool balance, MassProperties& solid,
                   UrdfLog& log) {
-  const auto moments = principal_moments(solid.inertia);
-  const bool thin = welded && moments[0] >= -1e-6 * moments[2];
-  if (!(moments[0] > 0) && !thin) {
+  const Vec3d moments = principal_moments(solid.inertia);
+  const bool thin = welded && moments.x >= -1e-6 * moments.z;
+  if (!(moments.x > 0) && !thin) {
     inertial.fail(
         fmt::format("inertia of link '{}' is not positive definite (smallest principal moment {:.3g} kg m^2); "
                     "correct it",
-                    link.name, moments[0]));
+                    link.name, moments.x));
   }
-  if (!breaks_triangle_inequality(moments)) return;
+  if (!breaks_triangle(moments)) return;
   if (balance) return balance_moments(link, inertial, solid, log);
   log.warn(inertial,
            fmt::format("no solid body has the principal moments {:.4g} {:.4g} {:.4g} kg m^2 of link '{}': two "
                        "of them must not be less than the third",
-                       moments[0], moments[1], moments[2], link.name));
+                       moments.x, moments.y, moments.z, link.name));
 }
 
 }  // namespace

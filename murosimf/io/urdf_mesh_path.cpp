@@ -65,10 +65,10 @@ std::optional<std::string> package_part(const std::string& name) {
 
 }  // namespace
 
-UrdfMeshPaths::UrdfMeshPaths(const fs::path& file, std::map<std::string, fs::path> package_map,
+UrdfMeshPaths::UrdfMeshPaths(const fs::path& file, std::map<std::string, fs::path> packages,
                              std::vector<fs::path> search_paths)
     : folder_(fs::absolute(file).lexically_normal().parent_path()),
-      package_map_(std::move(package_map)),
+      packages_(std::move(packages)),
       search_paths_(std::move(search_paths)) {
   for (fs::path& folder : folders_of_environment()) search_paths_.push_back(std::move(folder));
 }
@@ -112,10 +112,10 @@ std::optional<fs::path> UrdfMeshPaths::find_in_package(const std::string& packag
 }
 
 const std::vector<fs::path>& UrdfMeshPaths::folders_of(const std::string& package) {
-  const auto [entry, is_new] = packages_.try_emplace(package);
+  const auto [entry, is_new] = package_folders_.try_emplace(package);
   auto& folders = entry->second;
   if (!is_new) return folders;
-  if (const auto mapped = package_map_.find(package); mapped != package_map_.end()) folders.push_back(mapped->second);
+  if (const auto mapped = packages_.find(package); mapped != packages_.end()) folders.push_back(mapped->second);
   for (fs::path folder = folder_;; folder = folder.parent_path()) {
     add_if_package(folder, package, folders);
     if (folder == folder.parent_path()) break;

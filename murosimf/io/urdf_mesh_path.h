@@ -17,7 +17,7 @@ namespace murosimf::io {
 class UrdfMeshPaths {
  public:
   /// `file`: the URDF file.
-  UrdfMeshPaths(const std::filesystem::path& file, std::map<std::string, std::filesystem::path> package_map,
+  UrdfMeshPaths(const std::filesystem::path& file, std::map<std::string, std::filesystem::path> packages,
                 std::vector<std::filesystem::path> search_paths);
 
   /// A folder to look in for what is not found otherwise, relative to the URDF file; with `strip`, for the last part
@@ -38,12 +38,12 @@ class UrdfMeshPaths {
   [[nodiscard]] const std::vector<std::filesystem::path>& folders_of(const std::string& package);
 
   std::filesystem::path folder_;  ///< of the URDF file, absolute
-  std::map<std::string, std::filesystem::path> package_map_;
+  std::map<std::string, std::filesystem::path> packages_;
   std::vector<std::filesystem::path> search_paths_;
   std::optional<std::filesystem::path> mesh_folder_;
   bool strip_ = false;
-  std::map<std::string, std::vector<std::filesystem::path>> packages_;  ///< found so far
-  std::map<std::string, std::optional<std::filesystem::path>> files_;   ///< found so far
+  std::map<std::string, std::vector<std::filesystem::path>> package_folders_;  ///< found so far
+  std::map<std::string, std::optional<std::filesystem::path>> files_;          ///< found so far
 };
 
 }  // namespace murosimf::io

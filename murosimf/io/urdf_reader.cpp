@@ -58,8 +58,8 @@ void check_vocabulary(const XmlElement& robot, bool lenient, RobotDraft& draft) 
   draft.warnings = found.refused;
 }
 
-UrdfMeshPaths mesh_paths(const std::filesystem::path& file, const UrdfOptions& options, const Compiler& compiler) {
-  UrdfMeshPaths paths(file, options.package_map, options.search_paths);
+UrdfMeshPaths mesh_paths(const std::filesystem::path& file, const ReaderOptions& options, const Compiler& compiler) {
+  UrdfMeshPaths paths(file, options.packages, options.search_paths);
   if (compiler.mesh_folder) paths.also_look_in(*compiler.mesh_folder, compiler.strip_path);
   return paths;
 }
@@ -101,7 +101,7 @@ void read_bodies(const UrdfTree& tree, bool balance, UrdfShapes& shapes, RobotDr
 
 }  // namespace
 
-RobotDraft read_urdf(const std::filesystem::path& file, const UrdfOptions& options) {
+RobotDraft read_urdf(const std::filesystem::path& file, const ReaderOptions& options) {
   const XmlFile xml(file);
   const XmlElement robot = xml.root();
   check_root(robot);
@@ -112,7 +112,8 @@ RobotDraft read_urdf(const std::filesystem::path& file, const UrdfOptions& optio
   UrdfLog log(draft, options.lenient);
   const UrdfTree tree = read_tree(robot, log);
   const Compiler compiler = read_compiler(robot);
-  UrdfShapes shapes(read_colors(robot), mesh_paths(file, options, compiler), draft, log);
+  UrdfMeshes meshes(mesh_paths(file, options, compiler), options.part_per_group, draft, log);
+  UrdfShapes shapes(read_colors(robot), std::move(meshes), log);
   read_bodies(tree, compiler.balance, shapes, draft, log);
   draft.mimics = read_mimics(tree, log);
   read_gazebo(robot, tree, draft, log);

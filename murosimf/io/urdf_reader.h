@@ -9,22 +9,12 @@
 /// Source: URDF XML specification.
 #pragma once
 
-#include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
-
+#include "murosimf/io/reader_options.h"
 #include "murosimf/io/robot_draft.h"
 
 namespace murosimf::io {
 
-struct UrdfOptions {
-  bool lenient = false;  ///< what is unknown or not supported becomes a warning, where a robot remains without it
-  std::map<std::string, std::filesystem::path> package_map{};  ///< folders of packages that mesh names speak of
-  std::vector<std::filesystem::path> search_paths{};           ///< folders in which packages and meshes are looked for
-};
-
 /// Throws SetupError: file, line, what is wrong, what to do.
-[[nodiscard]] RobotDraft read_urdf(const std::filesystem::path& file, const UrdfOptions& options = {});
+[[nodiscard]] RobotDraft read_urdf(const std::filesystem::path& file, const ReaderOptions& options = {});
 
 }  // namespace murosimf::io

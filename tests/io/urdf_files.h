@@ -31,7 +31,7 @@ inline std::filesystem::path write(const std::string& name, const std::string& t
   return file;
 }
 
-inline RobotDraft read(const std::string& text, const UrdfOptions& options = {}) {
+inline RobotDraft read(const std::string& text, const ReaderOptions& options = {}) {
   return read_urdf(write("robot.urdf", text), options);
 }
 

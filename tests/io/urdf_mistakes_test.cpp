@@ -99,7 +99,7 @@ std::vector<Mistake> mistakes() {
       {"UnsupportedShape", with_link(collision("<ellipsoid/>")), 2, "element 'ellipsoid' is not supported"},
       {"UnknownAttribute", with_link(collision("<sphere radis='1'/>")), 2, "did you mean 'radius'?"},
       {"UnknownElement", with_joint("continuous", "<limmit/>"), 3, "did you mean 'limit'?"},
-      {"MissingMesh", with_link(collision("<mesh filename='gone.stl'/>")), 2, "there is no mesh 'gone.stl'"},
+      {"MissingMesh", with_link(collision("<mesh filename='gone.stl'/>")), 2, "there is no mesh file 'gone.stl'"},
       {"MissingPackage", with_link(collision("<mesh filename='package://gone/a.stl'/>")), 2,
        "folder of package 'gone'"},
       {"UnknownLeader", two_limbs("", "<mimic joint='jx'/>"), 5, "unknown joint 'jx'"},
