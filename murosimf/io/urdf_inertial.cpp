@@ -7,8 +7,19 @@
 namespace murosimf::io {
 namespace {
 
-SymMat3d read_tensor(const XmlElement& inertial) {
+/// Some files write both halves of the tensor.
+void compare_halves(const UrdfLink& link, const XmlElement& element, UrdfLog& log) {
+  constexpr const char* halves[][2] = {{"ixy", "iyx"}, {"ixz", "izx"}, {"iyz", "izy"}};
+  for (const auto& [upper, lower] : halves) {
+    if (!element.attribute(lower) || needed_number(element, lower) == number_or(element, upper, 0)) continue;
+    log.warn(element, fmt::format("inertia of link '{0}' is not symmetric: {2} is not {1}; {1} is taken", link.name,
+                                  upper, lower));
+  }
+}
+
+SymMat3d read_tensor(const UrdfLink& link, const XmlElement& inertial, UrdfLog& log) {
   const XmlElement element = needed_child(inertial, "inertia");
+  compare_halves(link, element, log);
   return {needed_number(element, "ixx"), needed_number(element, "iyy"), needed_number(element, "izz"),
           number_or(element, "ixy", 0),  number_or(element, "ixz", 0),  number_or(element, "iyz", 0)};
 }
@@ -59,7 +70,7 @@ MassProperties read_inertial(const UrdfLink& link, bool welded, bool balance, Ur
   const Place place = read_origin(*inertial);
   solid.mass = read_mass(link, *inertial);
   solid.center = place.position;
-  solid.inertia = rotated(place.orientation, read_tensor(*inertial));
+  solid.inertia = rotated(place.orientation, read_tensor(link, *inertial, log));
   if (is_zero(solid.inertia)) {
     if (solid.mass >= frame_mass && !welded) {
       log.refuse(*inertial, fmt::format("link '{}' moves and has mass but no inertia; write its inertia", link.name));
