@@ -32,12 +32,12 @@ void WalkEngine::initialize() {
   std::fill(target_.begin(), target_.end(), 0.0);
   velocity_ = {};
   phase_ = amplitude_ = 0;
-  write_targets();
+  write_targets(home_pose(legs_));
 }
 
 void WalkEngine::step(const Instant& instant) noexcept {
   advance(seconds(instant.period));
-  write_targets();
+  write_targets(last_pose());
 }
 
 void WalkEngine::advance(double dt) noexcept {
@@ -50,11 +50,21 @@ void WalkEngine::advance(double dt) noexcept {
   phase_ = amplitude_ > 0 ? std::fmod(phase_ + 2 * pi * dt / parameters_.period, 2 * pi) : 0.0;
 }
 
-void WalkEngine::write_targets() noexcept {
-  const GaitPose pose = gait_pose(legs_, parameters_, phase_, amplitude_, velocity_);
+/// As the targets are: what was looked for in the cycle before.
+GaitPose WalkEngine::last_pose() const noexcept {
+  GaitPose pose;
   for (std::size_t side = 0; side < 2; ++side) {
-    const Leg& leg = legs_[side];
-    for (std::size_t i = 0; i < 6; ++i) target_[leg.joints[i]] = leg.signs[i] * pose.q[side][i];
+    const auto& joints = legs_[side].joints;
+    for (std::size_t i = 0; i < joints.size(); ++i) pose.q[side][i] = target_[joints[i]];
+  }
+  return pose;
+}
+
+void WalkEngine::write_targets(const GaitPose& start) noexcept {
+  const GaitPose pose = gait_pose(legs_, parameters_, phase_, amplitude_, velocity_, start);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto& joints = legs_[side].joints;
+    for (std::size_t i = 0; i < joints.size(); ++i) target_[joints[i]] = pose.q[side][i];
   }
 }
 

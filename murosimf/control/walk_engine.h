@@ -25,7 +25,8 @@ class WalkEngine final : public Algorithm {
 
  private:
   void advance(double dt) noexcept;
-  void write_targets() noexcept;
+  [[nodiscard]] GaitPose last_pose() const noexcept;
+  void write_targets(const GaitPose& start) noexcept;
 
   std::array<Leg, 2> legs_;
   WalkParameters parameters_;
