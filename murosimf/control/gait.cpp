@@ -3,26 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/control/stride.h"
+
 namespace murosimf::control {
 namespace {
-
-/// Progress of one foot through its half steps.
-struct Stride {
-  double xi = 0;    ///< [1] place along the stride, +1/2 front, -1/2 back
-  double lift = 0;  ///< [1] 0 on the ground, 1 at the top
-};
-
-/// p: phase of this foot, its swing is inside (0, pi).
-Stride stride(double p, double d) {
-  if (p < 0) p += 2 * pi;
-  if (p > d && p < pi - d) {
-    const double u = (p - d) / (pi - 2 * d);
-    return {-0.5 * std::cos(pi * u), 0.5 * (1 - std::cos(2 * pi * u))};
-  }
-  double since_landing = p - (pi - d);
-  if (since_landing < 0) since_landing += 2 * pi;
-  return {0.5 - since_landing / (pi + 2 * d), 0};
-}
 
 /// Both feet get everywhere at this walking velocity.
 bool reaches(const std::array<Leg, 2>& legs, const WalkParameters& p, const Vec3d& velocity) {
@@ -35,16 +19,30 @@ bool reaches(const std::array<Leg, 2>& legs, const WalkParameters& p, const Vec3
   return true;
 }
 
+/// Full speed forward while turning half as fast as possible, back, sideways and turning on the spot.
 bool reaches_at_full_speed(const std::array<Leg, 2>& legs, const WalkParameters& p) {
   const auto& [x, y, z] = p.fastest;
-  return reaches(legs, p, {x, 0, 0.5 * z}) && reaches(legs, p, {-x, 0, 0}) && reaches(legs, p, {0, y, 0});
+  return reaches(legs, p, {x, 0, 0.5 * z}) && reaches(legs, p, {-x, 0, 0}) && reaches(legs, p, {0, y, 0}) &&
+         reaches(legs, p, {0, 0, z});
+}
+
+/// Where the legs do not reach: less of what alone is too fast already, or less of everything.
+void slow_down(const std::array<Leg, 2>& legs, WalkParameters& p) {
+  constexpr double slower = 0.8;
+  auto& [x, y, z] = p.fastest;
+  const bool forward = reaches(legs, p, {x, 0, 0}) && reaches(legs, p, {-x, 0, 0});
+  const bool sideways = reaches(legs, p, {0, y, 0}), turning = reaches(legs, p, {0, 0, z});
+  const bool alone = forward && sideways && turning;
+  if (!forward || alone) x *= slower;
+  if (!sideways || alone) y *= slower;
+  if (!turning || alone) z *= slower;
 }
 
 /// Bends the knees more where ranges or offsets of the hinges keep the feet from the ends of their strides; if that does
 /// not help, makes strides shorter.
 void fit_to_reach(const std::array<Leg, 2>& legs, WalkParameters& p) {
-  constexpr double lower = 0.99, shorter = 0.8;
-  constexpr int heights = 12, lengths = 5;
+  constexpr double lower = 0.99;
+  constexpr int heights = 12, lengths = 12;
   WalkParameters tried = p;
   for (int i = 0; i < lengths; ++i) {
     tried.hip_height = p.hip_height;
@@ -55,7 +53,8 @@ void fit_to_reach(const std::array<Leg, 2>& legs, WalkParameters& p) {
       }
       tried.hip_height = legs[0].ankle_height + lower * (tried.hip_height - legs[0].ankle_height);
     }
-    tried.fastest = shorter * tried.fastest;
+    tried.hip_height = p.hip_height;
+    slow_down(legs, tried);
   }
 }
 

@@ -1,11 +1,8 @@
 /// gait.h - an omnidirectional open-loop walk: where both feet are at every phase.
 ///
-/// Phase ph in [0, 2 pi); the left foot stands during (0, pi). With p = ph - pi (left) or ph (right) and
-/// d = double_support pi/2:
-///     swing (d < p < pi - d), u = (p - d)/(pi - 2 d):   xi = -cos(pi u)/2      lift = hz (1 - cos 2 pi u)/2
-///     stance:                                           xi runs linearly from +1/2 to -1/2, lift = 0
-/// Ankle in the level frame of the pelvis, x and z from the hip center, y from the middle:
-///     x = xi vx Ts - x0                        z = -h + ankle height + lift
+/// Phase ph in [0, 2 pi); the left foot stands during (0, pi). With xi and lift of stride.h for p = ph - pi (left) or ph
+/// (right) and d = double_support pi/2, the ankle in the level frame of the pelvis, x and z from the hip center, y from the middle:
+///     x = xi vx Ts - x0                        z = -h + ankle height + hz lift
 ///     y = +-fy + xi vy Ts - ay sin(ph + lead)  yaw = xi wz Ts
 /// with Ts = T (pi + 2 d)/(2 pi); the pelvis leans forward by `pitch`, and the standing leg's hip roll lifts the
 /// swinging side by `hip_roll` sin(ph) against the droop of its servos.

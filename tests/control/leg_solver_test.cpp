@@ -187,7 +187,7 @@ TEST(LegSolver, WalksWithLegsOfAnyKind) {
     GaitPose pose = gait_pose(legs, p, 0, 1, fast);
     law::Worst jump;
     for (double phase = 0.01; phase < 4 * pi; phase += 0.01) {
-      const GaitPose before = std::exchange(pose, gait_pose(legs, p, phase, 1, fast, pose));
+      const GaitPose before = std::exchange(pose, gait_pose(legs, p, std::fmod(phase, 2 * pi), 1, fast, pose));
       EXPECT_TRUE(pose.reachable) << name << ' ' << phase;
       for (std::size_t side = 0; side < 2; ++side) {
         for (std::size_t k = 0; k < 6; ++k)
