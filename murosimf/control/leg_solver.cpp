@@ -11,11 +11,11 @@ namespace {
 
 using Angles = std::array<double, most_hinges>;
 
-constexpr double first_damping = 1e-4;   // [m^2] mu
+constexpr double first_damping = 1e-7;   // [m^2] mu
 constexpr double least_damping = 1e-14;  // [m^2]
 constexpr double most_damping = 1e4;     // [m^2] steps are below any number that counts
 constexpr double longest_step = 0.5;     // [rad] longer ones may lead to another solution
-constexpr double exact = 1e-13;          // [m] of |e|: rounding
+constexpr double exact = 1e-12;          // [m] of |e|: rounding
 
 /// e, and the chain's pose that it belongs to.
 struct Miss {
