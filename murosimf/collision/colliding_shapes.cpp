@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "murosimf/math/quaternion.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
@@ -12,6 +13,14 @@ namespace {
 double longest_travel(const Model& model, int joint) {
   const Vec3d* range = model.find(properties::joint_range, joint);
   return range ? std::max(std::abs(range->x), std::abs(range->y)) : std::numeric_limits<double>::infinity();
+}
+
+/// What a joint adds at the position nearest to zero that it can have.
+geometry::Pose moved(const Object& joint, const Vec3d& range) {
+  const double q = std::clamp(0.0, range.x, range.y);
+  if (q == 0) return {};
+  if (joint.kind == Kind::prismatic) return {q * joint.vector, {}};
+  return {{}, to_matrix(exponential(q * joint.vector))};
 }
 
 std::vector<CollidingShape> shapes_where(const Model& model, bool planes) {
@@ -57,6 +66,7 @@ std::vector<geometry::Pose> rest_poses(const Model& model) {
     geometry::Pose step;
     if (object.kind == Kind::translation) step.position = object.vector;
     if (object.kind == Kind::rotation) step.orientation = object.turn;
+    if (const Vec3d* range = model.find(properties::joint_range, i)) step = moved(object, *range);
     poses[i] = placed_in(poses[object.parent], step);
   }
   return poses;

@@ -24,7 +24,7 @@ struct CollidingShape {
 /// No shape of colliding_shapes() is farther [m] from the base's origin, in any posture within the joints' ranges.
 [[nodiscard]] double farthest_reach(const Model& model);
 
-/// Poses of all objects in the base's frame with all joints at zero.
+/// Poses of all objects in the base's frame with all joints at zero, or as near to it as their range lets them.
 [[nodiscard]] std::vector<geometry::Pose> rest_poses(const Model& model);
 
 /// `inner` stands in the frame of `outer`: where it is in the frame that `outer` is in.

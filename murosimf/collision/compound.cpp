@@ -21,6 +21,7 @@ geometry::AnyTree make_tree(const Model& model, std::span<const CollidingShape> 
 
 Compound::Compound(const Model& model, const CompoundOptions& options)
     : shapes_(colliding_shapes(model)), tree_(make_tree(model, shapes_, options)), reach_(farthest_reach(model)) {
+  for (const CollidingShape& shape : shapes_) all_touch_ = all_touch_ && is_usual(shape.placed);
   if (options.inner) inner_pairs_ = InnerPairs(model, shapes_, options.excluded);
 }
 

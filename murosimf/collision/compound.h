@@ -14,11 +14,11 @@
 namespace murosimf::collision {
 
 struct CompoundOptions {
-  std::string volume = "sphere";       ///< kind of bounding volume: one of geometry::volume_names()
-  bool structured = true;              ///< the tree follows the robot's own; false: split top-down (the field)
-  bool inner = false;                  ///< shapes of this entity can touch each other
-  std::vector<ExcludedPair> excluded;  ///< but for these
-  double margin = 0;                   ///< [m] of the volumes: they stay right while nothing moves farther
+  std::string volume = "sphere";  ///< kind of bounding volume: one of geometry::volume_names()
+  bool structured = true;         ///< the tree follows the robot's own; false: split top-down (the field)
+  bool inner = false;             ///< shapes of this entity can touch each other
+  ExcludedPairs excluded;         ///< but for these
+  double margin = 0;              ///< [m] of the volumes: they stay right while nothing moves farther
 };
 
 class Compound {
@@ -30,6 +30,8 @@ class Compound {
   /// In the order of colliding_shapes(); shape i is leaf i of the tree.
   [[nodiscard]] const std::vector<CollidingShape>& shapes() const { return shapes_; }
   [[nodiscard]] const geometry::AnyTree& tree() const { return tree_; }
+  /// Every shape is of the one kind that is usual, and touches it.
+  [[nodiscard]] bool all_touch() const { return all_touch_; }
   [[nodiscard]] const InnerPairs& inner_pairs() const { return inner_pairs_; }
   /// No shape is farther [m] from the base's origin, in any posture: who is near nobody needs no refit.
   [[nodiscard]] double reach() const { return reach_; }
@@ -52,8 +54,17 @@ class Compound {
   geometry::AnyTree tree_;
   InnerPairs inner_pairs_;
   double reach_ = 0;
+  bool all_touch_ = true;
   geometry::BoundingSphere around_;
 };
+
+/// Calls of visit(shape of a, shape of b) for pairs of shapes that are not to touch by their kinds (model/shape.h) are left out.
+template <class Visit>
+auto only_touching(const Compound& a, const Compound& b, Visit visit) {
+  return [&a, &b, visit, all = a.all_touch() && b.all_touch()](int i, int j) {
+    return !(all || may_touch(a.shapes()[i].placed, b.shapes()[j].placed)) || visit(i, j);
+  };
+}
 
 /// The compound of an entity's model. Throws SetupError that names the entity.
 [[nodiscard]] Compound compound_of(const Entity& entity, const CompoundOptions& options);

@@ -36,7 +36,8 @@ std::vector<GroundPlane> ground_planes(const Entity* environment) {
     const FixedObject place = model.placement(plane.object);
     const Mat3d R = place.turn * placed.orientation;
     const double height = dot(R.z, place.offset + place.turn * placed.position);
-    planes.push_back({R.z, height, direction_in_plane(R * placed.surface.grain, R.z), placed.surface, plane.object});
+    planes.push_back({R.z, height, direction_in_plane(R * placed.surface.grain, R.z), placed.surface, plane.object,
+                      placed.contact_type, placed.contact_affinity});
   }
   return planes;
 }
@@ -45,7 +46,8 @@ GroundFinder::GroundFinder(const Entity& entity, const Entity* environment)
     : shapes_(ground_shapes(entity.model())),
       planes_(ground_planes(environment)),
       own_(compound_of(entity, {.volume = entity.options().collision.volume})),
-      environment_(environment) {}
+      environment_(environment),
+      all_touch_planes_(own_.all_touch() && std::all_of(planes_.begin(), planes_.end(), is_usual<GroundPlane>)) {}
 
 std::size_t GroundFinder::most_on_planes() const { return 8 * shapes_.size() * planes_.size(); }
 
@@ -63,6 +65,10 @@ void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3
     for (const GroundShape& shape : shapes_) {
       const std::size_t first = found.size();
       ++tests.volumes;
+      if (!(all_touch_planes_ || may_touch(shape.placed, plane))) {
+        ++surface;
+        continue;
+      }
       if (find_ground_contacts(shape, r[shape.object], R[shape.object], plane, found)) ++tests.objects;
       for (std::size_t i = first; i < found.size(); ++i) {
         found[i].surface = surface;
@@ -90,10 +96,11 @@ void GroundFinder::find_on_statics(std::span<const Vec3d> r, std::span<const Mat
   if (!is_near_statics(r[0], tests)) return;
   own_.refit(r, R);
   candidates_.clear();
-  tests.volumes += for_pairs(environment_.compound(), own_, [&](int other, int own) {
+  const auto add = [&](int other, int own) {
     candidates_.emplace_back(other, own);
     return true;
-  });
+  };
+  tests.volumes += for_pairs(environment_.compound(), own_, only_touching(environment_.compound(), own_, add));
   std::sort(candidates_.begin(), candidates_.end());
   geometry::Manifold manifold;
   for (const auto& [other, own] : candidates_) {

@@ -52,6 +52,7 @@ class GroundFinder {
   std::vector<GroundPlane> planes_;
   Compound own_;
   StaticCompound environment_;
+  bool all_touch_planes_;
   std::optional<Vec3d> asked_at_;                // [m] of the base, when it was last asked whether anything is near
   bool near_ = false;                            // the answer
   std::vector<std::pair<int, int>> candidates_;  // shapes, of the environment and its own, whose volumes overlap

@@ -16,7 +16,8 @@ struct GroundPlane {
   double height = 0;      ///< [m]
   Vec3d grain;            ///< [1] where the pile leans: unit, in the plane, world frame; or zero
   Surface surface;
-  int object = 0;  ///< of the environment
+  int object = 0;                                        ///< of the environment
+  std::uint32_t contact_type = 1, contact_affinity = 1;  ///< model/shape.h
 };
 
 /// The points of one shape that can touch a plane first.

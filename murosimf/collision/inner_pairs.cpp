@@ -1,9 +1,9 @@
 #include "murosimf/collision/inner_pairs.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 #include "murosimf/geometry/collide.h"
-#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
 namespace {
@@ -29,11 +29,33 @@ std::vector<int> shapes_of(const Model& model, std::span<const CollidingShape> s
   return numbers([&](int other) { return link_of[other] == link_of[object]; });
 }
 
+/// Number of one shape.
+int number_of(const Model& model, std::span<const CollidingShape> shapes, const ShapeOfObject& wanted) {
+  const int object = at("allowed pair", [&] { return model.object_index(wanted.object); });
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes[i].object == object && shapes[i].index == static_cast<int>(wanted.index)) return static_cast<int>(i);
+  }
+  throw SetupError(
+      fmt::format("allowed pair: '{}' has no shape {} that collides", model.objects()[object].name, wanted.index));
+}
+
+template <class Pairs>
+Pairs of_base(const Model& model, const Property<Pairs>& property) {
+  const Pairs* pairs = model.find(property, 0);
+  return pairs ? *pairs : Pairs{};
+}
+
 }  // namespace
 
-InnerPairs::InnerPairs(const Model& model, std::span<const CollidingShape> shapes,
-                       const std::vector<ExcludedPair>& excluded)
+InnerPairs::InnerPairs(const Model& model, std::span<const CollidingShape> shapes, const ExcludedPairs& excluded)
     : count_(shapes.size()), may_touch_(count_ * count_, true) {
+  exclude_near(model, shapes);
+  exclude(model, shapes, of_base(model, properties::excluded_pairs));
+  exclude(model, shapes, excluded);
+  allow(model, shapes, of_base(model, properties::allowed_pairs));
+}
+
+void InnerPairs::exclude_near(const Model& model, std::span<const CollidingShape> shapes) {
   const auto objects = rest_poses(model);
   std::vector<geometry::Pose> at_rest;
   for (const CollidingShape& shape : shapes) {
@@ -44,16 +66,27 @@ InnerPairs::InnerPairs(const Model& model, std::span<const CollidingShape> shape
   for (int a = 0; a < count; ++a) {
     for (int b = a; b < count; ++b) {
       if (neighbors(model.tree(), shapes[a].object, shapes[b].object) ||
+          !murosimf::may_touch(shapes[a].placed, shapes[b].placed) ||
           geometry::collide(shapes[a].placed.shape, at_rest[a], shapes[b].placed.shape, at_rest[b], overlap)) {
-        exclude(a, b);
+        set(a, b, false);
       }
     }
   }
-  for (const auto& [first, second] : excluded) {
+}
+
+void InnerPairs::exclude(const Model& model, std::span<const CollidingShape> shapes, const ExcludedPairs& pairs) {
+  for (const auto& [first, second] : pairs) {
     const auto others = shapes_of(model, shapes, second);
     for (const int a : shapes_of(model, shapes, first)) {
-      for (const int b : others) exclude(a, b);
+      for (const int b : others) set(a, b, false);
     }
+  }
+}
+
+void InnerPairs::allow(const Model& model, std::span<const CollidingShape> shapes, const AllowedPairs& pairs) {
+  for (const auto& [first, second] : pairs) {
+    const int a = number_of(model, shapes, first), b = number_of(model, shapes, second);
+    if (a != b) set(a, b, true);
   }
 }
 

@@ -73,10 +73,11 @@ struct MjcfMeshes::Mesh {
 };
 
 MjcfMeshes::MjcfMeshes(const std::filesystem::path& file, const XmlElement& root, const MjcfDefaults& defaults,
-                       const MjcfCompiler& compiler, const RobotTable& table, std::vector<std::string>& warnings)
+                       const MjcfCompiler& compiler, const std::vector<std::string>& part_per_group,
+                       std::vector<std::string>& warnings)
     : folder_(file.parent_path() / compiler.mesh_folder),
       strip_path_(compiler.strip_path),
-      table_(table),
+      part_per_group_(part_per_group),
       warnings_(warnings) {
   for (const XmlElement& asset : root.children("asset")) {
     for (const XmlElement& element : asset.children("mesh")) {
@@ -91,21 +92,34 @@ MjcfMeshes::MjcfMeshes(const std::filesystem::path& file, const XmlElement& root
 
 MjcfMeshes::~MjcfMeshes() = default;
 
-std::vector<std::string> MjcfMeshes::names() const {
-  std::vector<std::string> names;
-  for (const auto& [name, mesh] : meshes_) names.push_back(name);
-  return names;
+std::vector<DraftMesh> MjcfMeshes::drafts() const {
+  std::vector<DraftMesh> drafts;
+  for (const auto& [name, mesh] : meshes_) {
+    const MjcfAttributes& attributes = mesh->attributes;
+    DraftMesh draft{name, attributes.element().where()};
+    if (attributes.has("file")) draft.file = path_of(attributes);
+    draft.scale = attributes.vector("scale", {1, 1, 1});
+    draft.origin = {attributes.vector("refpos", {}), read_quaternion(attributes, "refquat")};
+    drafts.push_back(draft);
+  }
+  return drafts;
 }
 
-const std::vector<MeshPart>& MjcfMeshes::parts(const std::string& name, const XmlElement& user, bool collides) {
+const std::vector<MeshPart>& MjcfMeshes::parts(const std::string& name, const XmlElement& user) {
   const Mesh& mesh = loaded(name, user);
-  if (!mesh.flat.empty()) {
-    if (collides) mesh.fail(mesh.flat);
-    warn(mesh, mesh.flat + "; it is for the eye only and left out");
-  } else if (collides) {
-    warn_about_parts(mesh);
-  }
+  if (!mesh.flat.empty()) mesh.fail(mesh.flat);
+  warn_about_parts(mesh);
   return mesh.parts;
+}
+
+void MjcfMeshes::check_file(const std::string& name, const XmlElement& user) {
+  Mesh& mesh = find(name, user);
+  mesh.what = "mesh '" + name + "'";
+  if (!mesh.attributes.has("file")) return;
+  const auto path = path_of(mesh.attributes);
+  if (!std::filesystem::is_regular_file(path)) {
+    warn(mesh, fmt::format("there is no file {}; it is for the eye only and left out", path.string()));
+  }
 }
 
 geometry::SolidMass MjcfMeshes::mass(const std::string& name, const XmlElement& user) {
@@ -134,13 +148,16 @@ geometry::SolidMass MjcfMeshes::exact_mass(const Mesh& mesh) {
   return solid;
 }
 
-MjcfMeshes::Mesh& MjcfMeshes::loaded(const std::string& name, const XmlElement& user) {
+MjcfMeshes::Mesh& MjcfMeshes::find(const std::string& name, const XmlElement& user) {
   const auto found = meshes_.find(name);
-  if (found == meshes_.end()) {
-    const auto known = names();
-    user.fail(unknown_name("mesh", name, {known.begin(), known.end()}));
-  }
-  Mesh& mesh = *found->second;
+  if (found != meshes_.end()) return *found->second;
+  std::vector<std::string_view> known;
+  for (const auto& [other, mesh] : meshes_) known.push_back(other);
+  user.fail(unknown_name("mesh", name, known));
+}
+
+MjcfMeshes::Mesh& MjcfMeshes::loaded(const std::string& name, const XmlElement& user) {
+  Mesh& mesh = find(name, user);
   if (!std::exchange(mesh.read, true)) {
     at(mesh.attributes.element().where() + ": mesh '" + name + "'", [&] { load(name, mesh); });
   }
@@ -156,7 +173,7 @@ void MjcfMeshes::load(const std::string& name, Mesh& mesh) {
   place_mesh(file.mesh, attributes);
   mesh.triangles = file.mesh;
   mesh.seams = geometry::find_seams(mesh.triangles);
-  const bool split = std::ranges::any_of(table_.part_per_group, [&](const auto& entry) { return entry.name == name; });
+  const bool split = std::ranges::find(part_per_group_, name) != part_per_group_.end();
   if (!split) file.part_begin = {0};
   try {
     for (const auto& part : split_parts(file)) mesh.parts.push_back(make_part(part));
@@ -169,10 +186,13 @@ void MjcfMeshes::load(const std::string& name, Mesh& mesh) {
   }
 }
 
+std::filesystem::path MjcfMeshes::path_of(const MjcfAttributes& attributes) const {
+  const std::filesystem::path name = attributes.text("file");
+  return folder_ / (strip_path_ ? name.filename() : name);
+}
+
 const MeshFile& MjcfMeshes::file_of(const MjcfAttributes& attributes) {
-  std::filesystem::path name = attributes.text("file");
-  if (strip_path_) name = name.filename();
-  const auto path = folder_ / name;
+  const auto path = path_of(attributes);
   const auto found = files_.find(path);
   return found != files_.end() ? found->second : files_.emplace(path, read_mesh_file(path)).first->second;
 }

@@ -21,6 +21,7 @@ struct ElementRule {
   Words children{};     // the same three, of elements inside
   Words unused_children{};
   Words unsupported_children{};
+  Words open_children{};  // elements that are used, whatever stands in them
 };
 
 const Words actuators{"position", "velocity", "motor", "general"};
@@ -30,50 +31,65 @@ Words operator+(Words a, const Words& b) {
   return a;
 }
 
-std::map<std::string_view, ElementRule> make_rules() {
+std::map<std::string, ElementRule, std::less<>> make_rules() {
   const Words frame{"name", "class", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"};
-  const Words unsupported_bodies{"composite", "flexcomp", "frame", "replicate", "attach", "plugin", "include"};
+  const Words unsupported_bodies{"composite", "flexcomp", "replicate", "attach", "plugin"};
   const Words look{"group", "material", "user"};
-  std::map<std::string_view, ElementRule> rules;
+  std::map<std::string, ElementRule, std::less<>> rules;
   rules["mujoco"] = {.used = {"model"},
-                     .children = {"compiler", "default", "asset", "worldbody", "actuator"},
-                     .unused_children = {"option", "size", "visual", "statistic", "sensor", "keyframe", "custom"},
-                     .unsupported_children = {"contact", "equality", "tendon", "deformable", "extension", "include"}};
+                     .children = {"compiler", "default", "asset", "worldbody", "actuator", "contact", "equality"},
+                     .unused_children = {"option", "size", "visual", "statistic", "keyframe", "custom"},
+                     .unsupported_children = {"tendon", "deformable", "extension"},
+                     .open_children = {"sensor"}};
   rules["compiler"] = {.used = {"angle", "eulerseq", "autolimits", "inertiafromgeom", "coordinate", "meshdir",
-                                "assetdir", "strippath"},
+                                "assetdir", "strippath", "boundmass", "boundinertia", "settotalmass", "balanceinertia"},
                        .unused = {"texturedir", "discardvisual", "fusestatic", "usethread", "convexhull",
                                   "exactmeshinertia", "saveinertial", "fitaabb"},
-                       .unsupported = {"boundmass", "boundinertia", "settotalmass", "balanceinertia",
-                                       "inertiagrouprange", "alignfree"},
+                       .unsupported = {"inertiagrouprange", "alignfree"},
                        .unused_children = {"lengthrange"}};
   rules["default"] = {.used = {"class"},
                       .children = Words{"default", "geom", "joint", "site", "mesh"} + actuators,
-                      .unused_children = {"material", "camera", "light", "pair", "equality", "tendon"},
-                      .unsupported_children = {"include"}};
+                      .unused_children = {"material", "camera", "light", "pair", "equality", "tendon"}};
   rules["asset"] = {.children = {"mesh"},
                     .unused_children = {"texture", "material", "hfield", "skin"},
-                    .unsupported_children = {"model", "include"}};
+                    .unsupported_children = {"model"}};
   rules["mesh"] = {.used = {"name", "class", "file", "vertex", "face", "scale", "refpos", "refquat", "inertia"},
                    .unused = {"content_type", "smoothnormal", "maxhullvert", "normal", "texcoord", "material",
                               "octree"},
                    .unsupported = {"builtin", "params"},
                    .unsupported_children = {"plugin"}};
   rules["worldbody"] = {.used = {"childclass"},
-                        .children = {"body", "geom", "site"},
+                        .children = {"body", "geom", "site", "frame"},
                         .unused_children = {"light", "camera"},
                         .unsupported_children = unsupported_bodies};
   rules["body"] = {.used = Words{"childclass"} + frame,
                    .unused = {"user"},
                    .unsupported = {"gravcomp", "mocap", "sleep"},
-                   .children = {"body", "joint", "freejoint", "inertial", "geom", "site"},
-                   .unused_children = {"light", "camera"},
+                   .children = {"body", "joint", "freejoint", "inertial", "geom", "site", "camera", "frame"},
+                   .unused_children = {"light"},
                    .unsupported_children = unsupported_bodies};
+  rules["frame"] = {.used = Words{"childclass"} + frame,
+                    .children = {"body", "geom", "site", "camera", "frame"},
+                    .unused_children = {"light"},
+                    .unsupported_children = unsupported_bodies};
+  rules["camera"] = {.used = frame,
+                     .unused = {"mode", "target", "fovy", "ipd", "resolution", "focal", "focalpixel", "principal",
+                                "principalpixel", "sensorsize", "orthographic", "projection", "output", "user"}};
+  rules["contact"] = {.children = {"exclude", "pair"}};
+  rules["exclude"] = {.used = {"body1", "body2"}, .unused = {"name"}};
+  rules["pair"] = {.used = {"geom1", "geom2"},
+                   .unused = {"name", "class", "condim", "friction", "solref", "solreffriction", "solimp", "gap",
+                              "margin"}};
+  rules["equality"] = {.children = {"joint"}, .unsupported_children = {"connect", "weld", "tendon", "flex", "plugin"}};
+  rules["equality/joint"] = {.used = {"joint1", "joint2", "polycoef"},
+                             .unused = {"name", "class", "solref", "solimp"},
+                             .unsupported = {"active"}};
   rules["freejoint"] = {.used = {"name"}, .unused = {"group"}, .unsupported = {"align"}};
   rules["joint"] = {.used = {"name", "class", "type", "pos", "axis", "range", "limited", "armature", "damping",
-                             "frictionloss", "actuatorfrcrange", "actuatorfrclimited"},
+                             "frictionloss", "actuatorfrcrange", "actuatorfrclimited", "ref", "stiffness", "springref"},
                     .unused = {"group", "user", "solreflimit", "solimplimit", "solreffriction", "solimpfriction",
                                "margin"},
-                    .unsupported = {"ref", "stiffness", "springref", "springdamper", "actuatorgravcomp"},
+                    .unsupported = {"springdamper", "actuatorgravcomp"},
                     .unsupported_children = {"plugin"}};
   rules["inertial"] = {.used = Words{"mass", "diaginertia", "fullinertia"} + frame};
   rules["geom"] = {.used = Words{"type", "size", "fromto", "friction", "rgba", "mass", "density", "contype",
@@ -84,12 +100,12 @@ std::map<std::string_view, ElementRule> make_rules() {
                    .unsupported_children = {"plugin"}};
   rules["site"] = {.used = Words{"type", "size"} + frame, .unused = look + Words{"rgba"}, .unsupported = {"fromto"}};
   for (const std::string_view actuator : actuators) {
-    rules[actuator] = {.used = {"name", "class", "joint", "kp", "kv", "forcerange", "forcelimited", "ctrlrange",
-                                "ctrllimited", "gear", "gainprm", "biasprm", "gaintype", "biastype"},
-                       .unused = {"dampratio", "timeconst", "group", "user", "inheritrange", "lengthrange", "dyntype",
-                                  "dynprm", "actlimited", "actrange", "actdim", "actearly"},
-                       .unsupported = {"tendon", "site", "body", "refsite", "jointinparent", "slidersite", "cranksite",
-                                       "cranklength"}};
+    rules[std::string(actuator)] = {
+        .used = {"name", "class", "joint", "kp", "kv", "forcerange", "forcelimited", "ctrlrange", "ctrllimited", "gear",
+                 "dampratio", "gainprm", "biasprm", "gaintype", "biastype"},
+        .unused = {"group", "user", "inheritrange", "lengthrange", "actlimited", "actrange", "actdim", "actearly"},
+        .unsupported = {"timeconst", "dyntype", "dynprm", "tendon", "site", "body", "refsite", "jointinparent",
+                        "slidersite", "cranksite", "cranklength"}};
   }
   rules["actuator"] = {.children = actuators,
                        .unsupported_children = {"intvelocity", "damper", "cylinder", "muscle", "adhesion", "dcmotor",
@@ -101,12 +117,15 @@ bool contains(const Words& words, std::string_view word) { return std::ranges::f
 
 class Checker {
  public:
-  void check(const XmlElement& element) {
-    const ElementRule& rule = rules_.at(element.tag());
+  void check(const XmlElement& element, const std::string& parent = {}) {
+    const auto special = rules_.find(parent + "/" + element.tag());
+    const ElementRule& rule = special != rules_.end() ? special->second : rules_.at(element.tag());
     check_attributes(element, rule);
     for (const XmlElement& child : element.children()) {
       if (contains(rule.children, child.tag())) {
-        check(child);
+        check(child, element.tag());
+      } else if (contains(rule.open_children, child.tag())) {
+        continue;
       } else if (contains(rule.unused_children, child.tag())) {
         note(child, fmt::format("element '{}'", child.tag()));
       } else {
@@ -147,7 +166,7 @@ class Checker {
     findings.refused.push_back(one_line(fmt::format("{}: {}", at.where(), what)));
   }
 
-  std::map<std::string_view, ElementRule> rules_ = make_rules();
+  std::map<std::string, ElementRule, std::less<>> rules_ = make_rules();
   std::set<std::string> noted_;
 };
 

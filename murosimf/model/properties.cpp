@@ -11,10 +11,12 @@ constexpr CatalogEntry variable(const PropertyInfo& info) { return {info, false}
 // clang-format off
 constexpr std::array entries{
     constant(mass), constant(center_of_mass), constant(inertia), constant(shapes), constant(joint_range),
-    constant(servo), constant(joint_damping), constant(joint_armature), constant(joint_friction), constant(sole),
+    constant(servo), constant(joint_damping), constant(joint_armature), constant(joint_friction),
+    constant(joint_stiffness), constant(joint_spring_reference),
+    constant(joint_coupling), constant(excluded_pairs), constant(allowed_pairs), constant(sole),
     constant(markings), variable(position), variable(orientation), variable(linear_velocity),
     variable(angular_velocity), variable(joint_position), variable(joint_rate), variable(joint_target), variable(joint_rate_target),
-    variable(joint_torque), variable(joint_load), variable(felt_acceleration), variable(supply_voltage), variable(torque_enabled),
+    variable(joint_torque), variable(joint_load), variable(coupling_torque), variable(felt_acceleration), variable(supply_voltage), variable(torque_enabled),
     variable(servo_temperature), variable(sent_target), variable(sent_target_age), variable(backlash_play),
     variable(backlash_side), variable(rotor_rate), variable(torque_need), variable(overload),
     variable(cycle_target), variable(applied_force), variable(interaction_force), variable(external_force),

@@ -7,6 +7,7 @@
 
 #include <span>
 
+#include "murosimf/model/coupling.h"
 #include "murosimf/model/property.h"
 #include "murosimf/model/servo.h"
 #include "murosimf/model/shape.h"
@@ -33,6 +34,11 @@ inline constexpr Property<Servo>    servo            {{"servo", "-", "joint", "m
 inline constexpr Property<double>   joint_damping    {{"joint_damping", "N m s/rad | N s/m", "joint", "viscous friction"}};
 inline constexpr Property<double>   joint_armature   {{"joint_armature", "kg m^2 | kg", "joint", "inertia of the rotor behind the gear"}};
 inline constexpr Property<double>   joint_friction   {{"joint_friction", "N m | N", "joint", "Coulomb friction"}};
+inline constexpr Property<double>   joint_stiffness  {{"joint_stiffness", "N m/rad | N/m", "joint", "of a spring that acts whatever the servo does"}};
+inline constexpr Property<double>   joint_spring_reference {{"joint_spring_reference", "rad | m", "joint", "position at which that spring is slack"}};
+inline constexpr Property<JointCoupling> joint_coupling {{"joint_coupling", "-", "joint", "the joint that this one follows, and how"}};
+inline constexpr Property<ExcludedPairs> excluded_pairs {{"excluded_pairs", "-", "-", "objects of the robot that never touch each other", Scope::base}};
+inline constexpr Property<AllowedPairs> allowed_pairs {{"allowed_pairs", "-", "-", "shapes of the robot that touch each other whatever else forbids it", Scope::base}};
 inline constexpr Property<Sole>     sole             {{"sole", "m", "object", "bottom of a foot, centered at the object"}};
 inline constexpr Property<Markings> markings         {{"markings", "m", "object", "lines painted on the ground"}};
 
@@ -46,7 +52,8 @@ inline constexpr Property<double> joint_rate         {{"joint_rate", "rad/s | m/
 inline constexpr Property<double> joint_target       {{"joint_target", "rad | m", "joint", "desired position, set by control software"}};
 inline constexpr Property<double> joint_rate_target {{"joint_rate_target", "rad/s | m/s", "joint", "desired rate of a joint whose servo has no position gain, set by control software"}};
 inline constexpr Property<double> joint_torque     {{"joint_torque", "N m | N", "joint", "of servo and gear; at full_dynamics what the motion would take"}};
-inline constexpr Property<double> joint_load       {{"joint_load", "N m | N", "joint", "all that a joint feels besides its own servo, friction, dampers and end"}};
+inline constexpr Property<double> joint_load       {{"joint_load", "N m | N", "joint", "all that a joint feels besides its own servo, friction, damper, spring, coupling and end"}};
+inline constexpr Property<double> coupling_torque  {{"coupling_torque", "N m | N", "joint", "on a joint that follows another one, by the coupling"}};
 inline constexpr Property<Motiond> felt_acceleration {{"felt_acceleration", "rad/s^2, m/s^2", "world, at the base's origin", "of a link: what forces add to its gravity and velocity products"}};
 inline constexpr Property<double> supply_voltage   {{"supply_voltage", "V", "joint", "of a servo, set by users or a battery; starts with the servo's own"}};
 inline constexpr Property<double> torque_enabled   {{"torque_enabled", "1", "joint", "0: the servo's torque is switched off, nothing but friction brakes"}};

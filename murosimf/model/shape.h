@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -71,9 +72,34 @@ struct PlacedShape {
   Surface surface;
   Color color;
   bool collides = true;  ///< false: for the eye only
+  /// Which kinds of shapes this one is, and which it touches; one bit per kind (`may_touch`).
+  std::uint32_t contact_type = 1, contact_affinity = 1;
 };
 
+/// Two shapes touch if one of them touches a kind that the other one is, as MJCF's contype and conaffinity say.
+template <class A, class B>
+[[nodiscard]] bool may_touch(const A& a, const B& b) {
+  return (a.contact_type & b.contact_affinity) != 0 || (b.contact_type & a.contact_affinity) != 0;
+}
+
+/// The shape's kinds are the defaults: of such shapes all touch each other.
+template <class A>
+[[nodiscard]] bool is_usual(const A& shape) {
+  return shape.contact_type == 1 && shape.contact_affinity == 1;
+}
+
 using Shapes = std::vector<PlacedShape>;
+
+/// Two objects of a model, by name.
+using ObjectPair = std::pair<std::string, std::string>;
+using ExcludedPairs = std::vector<ObjectPair>;
+
+/// A shape of a model: one of those of an object.
+struct ShapeOfObject {
+  std::string object;     ///< name
+  std::size_t index = 0;  ///< among all shapes of the object
+};
+using AllowedPairs = std::vector<std::pair<ShapeOfObject, ShapeOfObject>>;
 
 /// The flat bottom of a foot; a property of the frame at its center, x forward, z up.
 struct Sole {

@@ -21,6 +21,7 @@ constexpr double farthest_joint = 1e4;  // [rad | m] sines lose their precision 
 ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options, const std::string& servo_law)
     : tree_(setup, options, "articulated_dynamics"),
       drives_(setup, servo_law),
+      couplings_(setup),
       joint_torque_(setup.write(properties::joint_torque)),
       joint_load_(setup.write(properties::joint_load)),
       felt_acceleration_(setup.write(properties::felt_acceleration)),
@@ -32,6 +33,10 @@ ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& 
       root_(tree_.links.size()) {
   if (options.integrator == Integrator::rk4 && !drives_.remembering().empty()) {
     throw SetupError("integrator 'rk4' does not go with servos that have backlash or get warm");
+  }
+  if (options.integrator == Integrator::rk4 && !couplings_.empty()) {
+    throw SetupError(
+        "integrator 'rk4' does not go with coupled joints: their coupling is stiffer than its steps allow");
   }
 }
 
@@ -53,6 +58,7 @@ void ArticulatedDynamics::take_over(const Momentum& momentum) {
 
 /// Friction expects that everything is held.
 void ArticulatedDynamics::start_loads() {
+  couplings_.start();
   std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
   std::fill(joint_load_.begin(), joint_load_.end(), 0.0);
   std::fill(felt_acceleration_.begin(), felt_acceleration_.end(), Motiond{{}, -tree_.gravity});
@@ -139,14 +145,14 @@ void ArticulatedDynamics::begin_step(double dt) noexcept {
   tree_.take_changes();
   targets_sane_ = drives_.take_targets();
   drive_joints(dt);
+  couplings_.drive(friction_);
   recall_loads();
 }
 
 bool ArticulatedDynamics::free_pass(double dt) noexcept {
   begin_step(dt);
   (void)solve(multibody::Loads::of_last_step);
-  tree_.factor_base();
-  for (std::size_t l = 1; l < bodies_.size(); ++l) root_[l] = std::sqrt(bodies_[l].inverse_D);
+  factor();
   return targets_sane_ && accelerations_are_sane();
 }
 
@@ -237,7 +243,22 @@ bool ArticulatedDynamics::solve(multibody::Loads loads) noexcept {
   const Tree& tree = tree_.columns.model.tree();
   gather_loads(dt_);
   multibody::sweep_with_friction<double>(tree, tree_.links, bodies_, friction_, loads, dt_);
-  return multibody::accelerate_with_friction<double>(tree, tree_.links, bodies_, friction_, base_acceleration()) == 0;
+  const double wrong =
+      multibody::accelerate_with_friction<double>(tree, tree_.links, bodies_, friction_, base_acceleration());
+  if (couplings_.empty()) return wrong == 0;
+  couple();
+  return multibody::wrong_decisions<double>(friction_) == 0;
+}
+
+void ArticulatedDynamics::factor() noexcept {
+  tree_.factor_base();
+  for (std::size_t l = 1; l < bodies_.size(); ++l) root_[l] = std::sqrt(bodies_[l].inverse_D);
+}
+
+void ArticulatedDynamics::couple() noexcept {
+  factor();
+  apply(couplings_.solve(tree_, bodies_, root_, dt_));
+  couplings_.count_as_drive(friction_);
 }
 
 /// The torques of this instant; friction as a damper.

@@ -4,11 +4,12 @@
 /// enter linearly implicit, as inertia of the joint or of the body. Joints: qd += h qdd, q += h qd.
 /// Friction of joints sticks (multibody/dry_joints.h): which joint sticks and which slides is settled together with the contacts of the
 /// step. In an island of touching robots the step before decides. rk4 has it as a damper, which lets loaded joints creep
-/// (motion/coulomb_damping.h).
+/// (motion/coulomb_damping.h). Coupled joints are held together after every pass (coupling_forces.h).
 /// Source: paper, outlook (7); Featherstone 2008, ch. 7.
 #pragma once
 
 #include "murosimf/model/motion_level.h"
+#include "murosimf/motion/coupling_forces.h"
 #include "murosimf/motion/joint_drives.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/multibody/articulated_body.h"
@@ -42,6 +43,8 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void keep_loads() noexcept;
   void gather_loads(double dt) noexcept;
   [[nodiscard]] bool solve(multibody::Loads loads) noexcept;
+  void factor() noexcept;
+  void couple() noexcept;
   void drive_joints_explicitly() noexcept;
   void solve_explicitly() noexcept;
   [[nodiscard]] Motiond base_acceleration() noexcept;
@@ -55,6 +58,7 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
 
   MovingTree tree_;
   JointDrives drives_;
+  CouplingForces couplings_;
   std::span<double> joint_torque_;
   std::span<double> joint_load_;
   std::span<Motiond> felt_acceleration_;

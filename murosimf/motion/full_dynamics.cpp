@@ -16,8 +16,13 @@ FullDynamics::FullDynamics(Setup& setup, const FullDynamicsOptions& options)
       old_rate_(static_cast<std::size_t>(setup.model().size())),
       joint_acceleration_(tree_.links.size()),
       joint_motion_(tree_.links.size()),
-      link_force_(tree_.links.size()) {
-  for (const Link& link : setup.model().tree().links) rotor_.push_back(rotor_inertia(setup.model(), link.object));
+      link_force_(tree_.links.size()),
+      has_servo_(old_rate_.size()) {
+  for (const int i : setup.model().having(properties::servo)) has_servo_[i] = true;
+  for (const Link& link : setup.model().tree().links) {
+    rotor_.push_back(rotor_inertia(setup.model(), link.object));
+    passive_.push_back(passive_joint(setup.model(), link.object));
+  }
 }
 
 void FullDynamics::initialize() {
@@ -81,6 +86,7 @@ void FullDynamics::step_rk4(const Instant& instant) noexcept {
   if (!tree_.advance_rk4(seconds(instant.period), accelerations, joint_acceleration)) {
     return tree_.halt(too_fast);
   }
+  reference_.stop_at_limits(tree_.columns);
   tree_.finish_step();
 }
 
@@ -151,10 +157,21 @@ void FullDynamics::find_torques(const Instant& instant) noexcept {
   });
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     const int i = links[l].object;
-    joint_torque_[i] = dot(tree_.links[l].axis, link_force_[l]) + rotor_[l] * joint_acceleration_[l];
+    joint_torque_[i] = dot(tree_.links[l].axis, link_force_[l]) + rotor_[l] * joint_acceleration_[l] -
+                       passive_[l].torque(tree_.columns.q[i], tree_.columns.qd[i]);
     link_force_[links[l].parent] += link_force_[l];
   }
+  load_leaders();
   watch_.look(instant, joint_torque_, old_rate_);
+}
+
+/// A coupled joint without servo hands what its motion takes over to its leader.
+void FullDynamics::load_leaders() noexcept {
+  for (const auto& pair : reference_.coupled().pairs()) {
+    if (has_servo_[pair.follower]) continue;
+    joint_torque_[pair.leader] += pair.ratio * joint_torque_[pair.follower];
+    joint_torque_[pair.follower] = 0;
+  }
 }
 
 }  // namespace murosimf::motion

@@ -6,7 +6,8 @@
 ///     (sum I_i + h D) a'_0 = F_ext - sum (I_i J_i qdd + p_i + h D J_i qdd)
 ///
 /// The torques that this motion takes, tau_i = s_i . sum over the links behind joint i of (I a' + p - F_ext + h D a')
-/// plus rotor inertia times qdd, are the property `joint_torque`; what exceeds the servo is counted (torque_watch.h).
+/// plus rotor inertia times qdd, less what the joint's damper and spring give at the end of the step (passive_joint.h), are
+/// the property `joint_torque` (of a coupled joint without servo, its leader's); what exceeds the servo is counted (torque_watch.h).
 /// Source: paper 4.3, eq. (3); joint torques by the recursive Newton-Euler algorithm (multibody/inverse_dynamics.h).
 /// Differs: joint motion is smoothed by the filter unless asked for the paper's `linear`.
 #pragma once
@@ -14,6 +15,7 @@
 #include "murosimf/model/motion_level.h"
 #include "murosimf/motion/joint_reference.h"
 #include "murosimf/motion/moving_tree.h"
+#include "murosimf/motion/passive_joint.h"
 #include "murosimf/motion/torque_watch.h"
 
 namespace murosimf::motion {
@@ -49,16 +51,19 @@ class FullDynamics final : public MotionLevel, private collision::ImpulseRespons
   void prepare_base() noexcept;
   void solve_base(double dt) noexcept;
   void find_torques(const Instant& instant) noexcept;
+  void load_leaders() noexcept;
 
   MovingTree tree_;
   JointReference reference_;
   TorqueWatch watch_;
   std::span<double> joint_torque_;
   std::vector<double> rotor_;               // [kg m^2 | kg] by link
+  std::vector<PassiveJoint> passive_;       // by link
   std::vector<double> old_rate_;            // [rad/s | m/s] by object
   std::vector<double> joint_acceleration_;  // [rad/s^2 | m/s^2] by link
   std::vector<Motiond> joint_motion_;       // J_i qdd by link: a' that the joints alone make
   std::vector<Forced> link_force_;          // [N m, N] about O, by link
+  std::vector<bool> has_servo_;             // by object
   RigidInertia<double> inertia_;            // of all links
   Forced bias_;                             // [N m, N] force that the joints take of the base
   double dt_ = 0;                           // [s] of the present step

@@ -9,10 +9,6 @@
 namespace murosimf::motion {
 namespace {
 
-constexpr double stop_bend = 0.25 * pi / 180;  // [rad]
-constexpr double stop_shift = 0.5e-3;          // [m]
-constexpr double stop_damping_time = 5e-3;     // [s] damper over spring
-
 double value_or_zero(const double* number) { return number ? *number : 0; }
 
 bool has_dry_part(const GearFriction& k) {
@@ -25,6 +21,20 @@ void damp(JointDrive& drive, double damping, double qd, double dt) {
   drive.inertia += dt * damping;
 }
 
+/// Torque of this instant, and the inertia that makes the step that of the average force (joint_drives.h).
+void pull(JointDrive& drive, const PassiveJoint& spring, double q, double dt) {
+  drive.torque -= spring.stiffness * (q - spring.rest);
+  drive.inertia += 0.25 * dt * dt * spring.stiffness;
+}
+
+void stop(JointDrive& drive, const JointStop& end, double q, double qd, double dt) {
+  const double next = q + dt * qd;
+  const double beyond = next - std::clamp(next, end.lowest, end.highest);
+  if (beyond == 0) return;
+  drive.torque -= end.stiffness * beyond + end.damping * qd;
+  drive.inertia += dt * end.damping + dt * dt * end.stiffness;
+}
+
 }  // namespace
 
 JointDrives::JointDrives(Setup& setup, const std::string& law)
@@ -33,17 +43,18 @@ JointDrives::JointDrives(Setup& setup, const std::string& law)
       bus_(setup),
       condition_(setup, law),
       backlash_(setup) {
-  const double weight = setup.model().tree().mass * 9.81;
   for (const int i : objects_) {
-    joints_[i] = make_joint(setup.model(), i, weight, law);
+    joints_[i] = make_joint(setup.model(), i, law);
+    const auto& [lowest, highest] = bus_.coupled().range(i);
+    joints_[i].end = joint_stop(setup.model(), i, lowest, highest);
     if (backlash_.at(i) || condition_.heats(i)) remembering_.push_back(i);
   }
 }
 
-JointDrives::Joint JointDrives::make_joint(const Model& model, int i, double weight, const std::string& law) {
+JointDrives::Joint JointDrives::make_joint(const Model& model, int i, const std::string& law) {
   Joint joint;
   joint.rotor = rotor_inertia(model, i);
-  joint.damping = value_or_zero(model.find(properties::joint_damping, i));
+  joint.passive = passive_joint(model, i);
   joint.coulomb = value_or_zero(model.find(properties::joint_friction, i));
   const Servo* servo = model.find(properties::servo, i);
   if (servo) {
@@ -51,23 +62,16 @@ JointDrives::Joint JointDrives::make_joint(const Model& model, int i, double wei
     joint.viscous = servo->friction.viscous;
     if (has_dry_part(servo->friction)) joint.gear = &servo->friction;
   }
-  if (const Vec3d* range = model.find(properties::joint_range, i)) {
-    joint.lowest = range->x;
-    joint.highest = range->y;
-    const double stall = servo ? servo->stall_torque : 0;
-    const bool slider = model.objects()[i].kind == Kind::prismatic;
-    joint.stop_stiffness = slider ? std::max(stall, weight) / stop_shift : std::max(stall, 0.1 * weight) / stop_bend;
-  }
   return joint;
 }
 
 void JointDrives::initialize(std::span<double> q, std::span<double> qd) noexcept {
   for (const int i : objects_) {
-    const Joint& joint = joints_[i];
-    const double target = bus_.position_target(i);
-    q[i] = joint.stop_stiffness > 0 ? std::clamp(target, joint.lowest, joint.highest) : target;
+    const auto& [lowest, highest] = bus_.coupled().range(i);
+    q[i] = std::clamp(bus_.position_target(i), lowest, highest);
     qd[i] = 0;
   }
+  bus_.coupled().follow(q, qd);
   condition_.cool_down();
   take_over(qd);
 }
@@ -104,18 +108,10 @@ JointDrives::Answer JointDrives::drive(int i, double q, double qd, double dt) co
     all.inertia += joint.rotor;
     if (backlash_.at(i) && dt > 0) all.torque += backlash_.arrival(i, qd, dt);
   }
-  damp(all, joint.damping, qd, dt);
-  if (joint.stop_stiffness > 0) stop(joint, q, qd, dt, all);
+  damp(all, joint.passive.damping, qd, dt);
+  if (joint.passive.stiffness > 0) pull(all, joint.passive, q, dt);
+  if (joint.end.stiffness > 0) stop(all, joint.end, q, qd, dt);
   return answer;
-}
-
-void JointDrives::stop(const Joint& joint, double q, double qd, double dt, JointDrive& all) const noexcept {
-  const double next = q + dt * qd;
-  const double beyond = next - std::clamp(next, joint.lowest, joint.highest);
-  if (beyond == 0) return;
-  const double d = joint.stop_stiffness * stop_damping_time;
-  all.torque -= joint.stop_stiffness * beyond + d * qd;
-  all.inertia += dt * d + dt * dt * joint.stop_stiffness;
 }
 
 void JointDrives::finish(int i, const Outcome& outcome, double dt) noexcept {

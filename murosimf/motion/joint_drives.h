@@ -1,16 +1,16 @@
-/// joint_drives.h - everything that acts on the joints of a robot from inside: servos, dampers and dry friction, the
-/// ends of their range.
+/// joint_drives.h - everything that acts on the joints of a robot from inside: servos, dampers, springs and dry friction,
+/// the ends of their range (joint_stop.h).
 ///
-/// A joint without servo is free. At an end of its range a joint meets a spring and a damper, implicit as the servo is,
+/// A joint without servo is free. Torques are linearly implicit in the joint's acceleration of this step, tau = torque -
+/// inertia qdd: implicit Euler of the linearized drive. With h = 0 the answer is the plain torque of this instant. Dry
+/// friction is a budget that the level spends (multibody/dry_joints.h).
+/// Springs are the exception: implicit Euler would brake what swings, like a damper of h k. They are average
+/// acceleration,
 ///
-///     torque = k (end - q - h qd) - d qd,   k = T / 0.25 degree (T / 0.5 mm),  d = k * 5 ms
+///     torque = k (rest - q),   inertia = h^2 k / 4
 ///
-/// with T the larger of the servo's stall torque and the robot's weight times 0.1 m (its weight, for a slider): a fallen
-/// robot bends its stops by less than a degree.
-///
-/// Torques are linearly implicit in the joint's acceleration of this step, tau = torque - inertia qdd: implicit Euler of
-/// the linearized drive. With h = 0 the answer is the plain torque of this instant. Dry friction is a budget that the
-/// level spends (multibody/dry_joints.h).
+/// which with the semi-implicit step of the joint loses no energy at any h, and swings slower by the share (h w)^2 / 12.
+/// Source: Newmark's method with beta = 1/4, gamma = 1/2 (Hughes, The Finite Element Method, sec. 9.1).
 #pragma once
 
 #include <memory>
@@ -19,6 +19,8 @@
 #include <vector>
 
 #include "murosimf/motion/backlash.h"
+#include "murosimf/motion/joint_stop.h"
+#include "murosimf/motion/passive_joint.h"
 #include "murosimf/motion/servo_bus.h"
 #include "murosimf/motion/servo_condition.h"
 #include "murosimf/motion/servo_law.h"
@@ -49,7 +51,7 @@ class JointDrives {
     double motor_torque = 0;             ///< [N m] of the motor, now
     JointDrive motor;                    ///< of the motor alone
     JointDrive servo;                    ///< motor and viscous friction of the gear, without rotor
-    JointDrive all;                      ///< with rotor, dampers, and the end of the range
+    JointDrive all;                      ///< with rotor, damper, spring, and the end of the range
     const GearFriction* gear = nullptr;  ///< dry friction of the servo; null: none
     double coulomb = 0;                  ///< [N m | N] dry friction of the joint itself
   };
@@ -73,17 +75,15 @@ class JointDrives {
   struct Joint {
     std::unique_ptr<ServoLaw> law;
     double rotor = 0;                    // [kg m^2 | kg]
-    double damping = 0;                  // [N m s/rad | N s/m] of the joint itself
+    PassiveJoint passive;                // damper and spring of the joint itself
     double viscous = 0;                  // [N m s/rad] of the servo
     double coulomb = 0;                  // [N m | N] dry friction of the joint itself
     const GearFriction* gear = nullptr;  // dry friction of the servo; null: none
-    double lowest = 0, highest = 0;      // [rad | m]
-    double stop_stiffness = 0;           // [N m/rad | N/m]; 0: no ends
+    JointStop end;
   };
-  [[nodiscard]] static Joint make_joint(const Model& model, int i, double weight, const std::string& law);
+  [[nodiscard]] static Joint make_joint(const Model& model, int i, const std::string& law);
   [[nodiscard]] MotorTorque motor(int i, double q, double rate, double dt) const noexcept;
   void drive_servo(int i, double q, double qd, double dt, Answer& answer) const noexcept;
-  void stop(const Joint& joint, double q, double qd, double dt, JointDrive& all) const noexcept;
 
   std::vector<Joint> joints_;  // by object
   std::span<const int> objects_;

@@ -2,19 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 #include "murosimf/model/error.h"
 
 namespace murosimf::motion {
 
 JointReference::JointReference(Setup& setup, const JointReferenceOptions& options)
-    : options_(options), turning_(setup), target_(setup.input(properties::joint_target, 0.0)) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  range_.assign(target_.size(), {-infinity, infinity});
-  for (const int i : setup.model().having(properties::joint_range)) {
-    const Vec3d& range = *setup.model().find(properties::joint_range, i);
-    range_[i] = {range.x, range.y};
+    : options_(options),
+      turning_(setup),
+      coupled_(setup.model()),
+      target_(setup.input(properties::joint_target, 0.0)),
+      leader_(target_.size()),
+      ratio_(target_.size(), 1.0) {
+  std::iota(leader_.begin(), leader_.end(), 0);
+  for (const auto& pair : coupled_.pairs()) {
+    leader_[pair.follower] = pair.leader;
+    ratio_[pair.follower] = pair.ratio;
   }
   if (options_.kind == ReferenceKind::linear) cycle_target_ = setup.write(properties::cycle_target);
 }
@@ -25,6 +29,7 @@ void JointReference::initialize(PoseColumns& columns) noexcept {
     columns.qd[i] = 0;
     if (!cycle_target_.empty()) cycle_target_[i] = target_[i];
   }
+  coupled_.follow(columns.q, columns.qd);
 }
 
 void JointReference::take_over(const PoseColumns& columns) noexcept {
@@ -33,16 +38,18 @@ void JointReference::take_over(const PoseColumns& columns) noexcept {
 }
 
 double JointReference::target(int joint) const noexcept {
-  return std::clamp(target_[joint], range_[joint].lowest, range_[joint].highest);
+  const auto& [lowest, highest] = coupled_.range(joint);
+  return std::clamp(target_[joint], lowest, highest);
 }
 
 void JointReference::stop_at_limits(PoseColumns& columns) const noexcept {
   for (const int i : columns.model.joints()) {
-    const auto& [lowest, highest] = range_[i];
+    const auto& [lowest, highest] = coupled_.range(i);
     if (columns.q[i] >= lowest && columns.q[i] <= highest) continue;
     columns.q[i] = std::clamp(columns.q[i], lowest, highest);
     columns.qd[i] = 0;
   }
+  coupled_.follow(columns.q, columns.qd);
 }
 
 bool JointReference::is_sane(const PoseColumns& columns) const noexcept {
@@ -67,6 +74,8 @@ bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
 
 double JointReference::acceleration(const PoseColumns& columns, int joint) const noexcept {
   const double wf = options_.filter_frequency;
+  const int leader = leader_[joint];
+  if (leader != joint) return ratio_[joint] * acceleration(columns, leader);
   if (turning_.contains(joint)) return wf * (turning_.target(joint) - columns.qd[joint]);
   return wf * wf * (target(joint) - columns.q[joint]) - 2 * wf * columns.qd[joint];
 }

@@ -10,12 +10,14 @@
 ///
 ///     qdd = wf (rate target - qd) / (1 + wf dt)
 ///
+/// A joint that follows another one (coupled_joints.h) is where that takes it; its own target means nothing.
 /// Joints stop at the ends of their range (joint_range), at rest. Same state (q, qd) as a simulated servo, so levels can be exchanged.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "murosimf/motion/coupled_joints.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/pose_columns.h"
 #include "murosimf/motion/turning_joints.h"
@@ -45,24 +47,24 @@ class JointReference {
   /// Acceleration [rad/s^2 | m/s^2] of the filter's differential equation, q'' = wf^2 (target - q) - 2 wf q'; of a joint
   /// that follows a rate, q'' = wf (rate target - q').
   [[nodiscard]] double acceleration(const PoseColumns& columns, int joint) const noexcept;
+  /// Joints beyond the ends of their range stand there, coupled ones where their leaders take them.
+  void stop_at_limits(PoseColumns& columns) const noexcept;
+  [[nodiscard]] const CoupledJoints& coupled() const { return coupled_; }
   /// Throws SetupError if the reference has no differential equation for `integrator`.
   void check(Integrator integrator) const;
 
  private:
-  /// Range of a joint, or all numbers.
-  struct Range {
-    double lowest, highest;
-  };
   [[nodiscard]] double target(int joint) const noexcept;
   void filter(PoseColumns& columns, double dt) const noexcept;
   void linear(PoseColumns& columns, double dt) noexcept;
   void turn(PoseColumns& columns, double dt) const noexcept;
-  void stop_at_limits(PoseColumns& columns) const noexcept;
 
   JointReferenceOptions options_;
   TurningJoints turning_;
+  CoupledJoints coupled_;
   std::span<const double> target_;  // [rad | m] desired positions
-  std::vector<Range> range_;        // [rad | m] by object
+  std::vector<int> leader_;         // [objects] whom a joint follows; itself if nobody
+  std::vector<double> ratio_;       // [objects] to that one
   std::span<double> cycle_target_;  // [rad | m] the target that the present cycle runs to (linear only)
 };
 

@@ -98,6 +98,12 @@ void MovingTree::respond_at_base(const std::array<Forced, 3>& forces, collision:
   if (!options_.fixed_base) collision::add_rigid_response(*factor_, forces, y);
 }
 
+void MovingTree::respond_at_base(const Forced& force, std::span<double> row) const noexcept {
+  if (options_.fixed_base) return;
+  const auto y = factor_->forward(force);
+  for (std::size_t i = 0; i < y.size(); ++i) row[i] += y[i];
+}
+
 Motiond MovingTree::base_change(std::span<const double> z, double dt) const noexcept {
   if (options_.fixed_base) return {};
   return (1 / dt) * factor_->backward({z[0], z[1], z[2], z[3], z[4], z[5]});

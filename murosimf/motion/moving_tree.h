@@ -73,6 +73,8 @@ class MovingTree {
   }
   /// Numbers 0 to 5 of a response (collision/impulse_response.h): of forces about O that have arrived at the base.
   void respond_at_base(const std::array<Forced, 3>& forces, collision::ResponseRows& y) const noexcept;
+  /// The same for one force, added to a row of all numbers.
+  void respond_at_base(const Forced& force, std::span<double> row) const noexcept;
   /// What the impulses z (first six numbers) add to a'_0.
   [[nodiscard]] Motiond base_change(std::span<const double> z, double dt) const noexcept;
 

@@ -9,6 +9,7 @@ namespace murosimf::motion {
 
 ServoBus::ServoBus(Setup& setup)
     : turning_(setup),
+      coupled_(setup.model()),
       objects_(setup.model().joints()),
       period_(static_cast<std::size_t>(setup.model().size())),
       delay_(period_.size()),
@@ -39,6 +40,13 @@ void ServoBus::start() noexcept {
     sent_[i] = present_[i];
     age_[i] = period_[i];  // the next step sends
   }
+  couple();
+}
+
+void ServoBus::couple() noexcept {
+  for (const auto& pair : coupled_.pairs()) {
+    present_[pair.follower] = pair.offset + pair.ratio * present_[pair.leader];
+  }
 }
 
 double ServoBus::sent(int i) noexcept {
@@ -59,6 +67,7 @@ bool ServoBus::step() noexcept {
     sane &= std::abs(now) < largest;  // NaN is not less
     present_[i] = delayed_[i].pass(now);
   }
+  couple();
   return sane;
 }
 

@@ -130,7 +130,9 @@ void SimplifiedDynamics::step_rk4(double dt) noexcept {
         body, acceleration_, columns_, [&](int joint) { return reference_.acceleration(columns_, joint); }, dy);
   });
   const bool sane = is_sane_state(row_);
-  place(read_state(sane ? row_ : start, columns_));
+  const auto end = read_state(sane ? row_ : start, columns_);
+  reference_.stop_at_limits(columns_);
+  place(end);
   columns_.remember_base();
   if (!sane) return halt(too_fast);
 }

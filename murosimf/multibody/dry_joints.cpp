@@ -87,11 +87,19 @@ S accelerate_with_friction(const Tree& tree, std::span<const LinkMotion<S>> link
   return wrong;
 }
 
+template <class S>
+S wrong_decisions(std::span<const DryJoint<S>> joints) noexcept {
+  S wrong = 0.0;
+  for (std::size_t l = 1; l < joints.size(); ++l) wrong = wrong + select(is_wrong(joints[l]), S(1.0), S(0.0));
+  return wrong;
+}
+
 #define MUROSIMF_INSTANTIATE(S)                                                                                      \
   template void sweep_with_friction<S>(const Tree&, std::span<const LinkMotion<S>>, std::span<ArticulatedLink<S>>,   \
                                        std::span<DryJoint<S>>, Loads, double) noexcept;                              \
   template S accelerate_with_friction<S>(const Tree&, std::span<const LinkMotion<S>>, std::span<ArticulatedLink<S>>, \
-                                         std::span<DryJoint<S>>, const Motion<S>&) noexcept;
+                                         std::span<DryJoint<S>>, const Motion<S>&) noexcept;                         \
+  template S wrong_decisions<S>(std::span<const DryJoint<S>>) noexcept;
 MUROSIMF_INSTANTIATE(double)
 MUROSIMF_INSTANTIATE(Pack8)
 #undef MUROSIMF_INSTANTIATE

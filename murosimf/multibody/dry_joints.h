@@ -58,6 +58,10 @@ template <class S>
                                          std::span<ArticulatedLink<S>> bodies, std::span<DryJoint<S>> joints,
                                          const Motion<S>& base) noexcept;
 
+/// The same count for what the joints feel now (`load`), if that has changed since.
+template <class S>
+[[nodiscard]] S wrong_decisions(std::span<const DryJoint<S>> joints) noexcept;
+
 /// What friction does [N m | N] at the end of the step, for what the joint feels in the end (`load`).
 template <class S>
 [[nodiscard]] S friction_torque(const DryJoint<S>& joint) noexcept {

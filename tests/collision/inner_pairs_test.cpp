@@ -28,7 +28,7 @@ Model arm() {
 using Names = std::pair<std::string, std::string>;
 
 /// Names of the objects whose shapes may touch.
-std::set<Names> allowed(const Model& model, const std::vector<ExcludedPair>& excluded) {
+std::set<Names> allowed(const Model& model, const ExcludedPairs& excluded) {
   const auto shapes = colliding_shapes(model);
   const InnerPairs inner(model, shapes, excluded);
   std::set<Names> result;
@@ -67,6 +67,83 @@ TEST(InnerPairs, PairsAreExcludedByName) {
   EXPECT_EQ(allowed(arm(), {{"three", "trunk"}, {"spur", "four"}}), expected);
   expected.erase({"two", "four"});
   EXPECT_EQ(allowed(arm(), {{"three", "trunk"}, {"mark", "four"}}), expected);
+}
+
+/// The arm with other kinds of shapes, in order, and more about its base.
+Model arm_with(const std::vector<std::uint32_t>& kinds, const ExcludedPairs& excluded, const AllowedPairs& allowed) {
+  using namespace properties;
+  std::size_t next = 0;
+  const auto ball = [&](const Vec3d& place = {}) {
+    PlacedShape shape = placed(Sphere{0.1}, place);
+    const std::uint32_t bits = kinds.empty() ? 5 : kinds[next++];
+    shape.contact_type = bits % 4;
+    shape.contact_affinity = bits / 4;
+    return shape;
+  };
+  Chain chain;
+  chain.base("trunk").with(shapes, {ball(), ball({0, 0.5, 0})});
+  chain.with(excluded_pairs, excluded).with(allowed_pairs, allowed);
+  for (const std::string name : {"one", "two", "three", "four"}) {
+    chain.translation({0.3, 0, 0}).revolute(name, {0, 1, 0}).with(shapes, {ball()});
+    if (name == "two") chain.translation({-0.5, 0, 0}, "spur").with(shapes, {ball()});
+    if (name == "two") chain.translation({0.5, 0, 0}, "mark");
+  }
+  return Model("arm", chain);
+}
+
+// Rule: kinds only take pairs away from those of the other rules.
+TEST(InnerPairs, KindsOfShapesAreCompared) {
+  const Model usual = arm();
+  const InnerPairs all(usual, colliding_shapes(usual), {});
+  fixtures::Dice dice("kinds");
+  int touching = 0, parted = 0;
+  for (int round = 0; round < 100; ++round) {
+    std::vector<std::uint32_t> kinds;
+    for (int i = 0; i < 7; ++i) kinds.push_back(static_cast<std::uint32_t>(dice.uniform(0, 15.999)));
+    const Model model = arm_with(kinds, {}, {});
+    const InnerPairs inner(model, colliding_shapes(model), {});
+    for (int a = 0; a < 7; ++a) {
+      for (int b = 0; b < 7; ++b) {
+        const bool share = ((kinds[a] % 4) & (kinds[b] / 4)) != 0 || ((kinds[b] % 4) & (kinds[a] / 4)) != 0;
+        EXPECT_EQ(inner.may_touch(a, b), all.may_touch(a, b) && share);
+        touching += inner.may_touch(a, b);
+        parted += all.may_touch(a, b) && !share;
+      }
+    }
+  }
+  EXPECT_GT(touching, 100);
+  EXPECT_GT(parted, 100);
+}
+
+// Rule: the model's own pairs count like those of the entity's options.
+TEST(InnerPairs, ModelExcludesPairsToo) {
+  auto expected = allowed(arm(), {});
+  expected.erase({"trunk", "three"});
+  EXPECT_EQ(allowed(arm_with({}, {{"three", "trunk"}}, {}), {}), expected);
+  for (const char* part : {"two", "spur"}) expected.erase({part, "four"});  // both of the link that has the mark
+  EXPECT_EQ(allowed(arm_with({}, {{"three", "trunk"}}, {}), {{"mark", "four"}}), expected);
+}
+
+// Rule: an allowed pair touches whatever forbids it: kinds, exclusion, neighborhood, overlap at rest.
+TEST(InnerPairs, AllowedPairsTouchWhateverForbidsThem) {
+  auto expected = allowed(arm(), {});
+  const AllowedPairs neighbors{{{"one"}, {"two"}}, {{"trunk", 0}, {"spur"}}};
+  expected.insert({{"one", "two"}, {"trunk", "spur"}});
+  EXPECT_EQ(allowed(arm_with({}, {{"one", "two"}}, neighbors), {}), expected);
+  const std::vector<std::uint32_t> nothing(7, 0);
+  EXPECT_EQ(allowed(arm_with(nothing, {}, {{{"trunk", 1}, {"four"}}}), {}), (std::set<Names>{{"trunk", "four"}}));
+  const Model model = arm_with(nothing, {}, {{{"trunk", 1}, {"four"}}});
+  const InnerPairs inner(model, colliding_shapes(model), {});
+  EXPECT_FALSE(inner.may_touch(0, 6));
+  EXPECT_TRUE(inner.may_touch(1, 6));
+}
+
+TEST(InnerPairs, UnknownShapeOfAnAllowedPairIsNamed) {
+  const auto error = [](const AllowedPairs& pairs) {
+    return fixtures::error_of([&] { allowed(arm_with({}, {}, pairs), {}); });
+  };
+  EXPECT_TRUE(fixtures::says(error({{{"trunk", 2}, {"one"}}}), {"allowed pair", "'trunk'", "2"}));
+  EXPECT_TRUE(fixtures::says(error({{{"trunk", 1}, {"onw"}}}), {"allowed pair", "'onw'", "'one'"}));
 }
 
 TEST(InnerPairs, UnknownObjectNamesTheNearest) {

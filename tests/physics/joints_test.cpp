@@ -3,25 +3,12 @@
 
 #include "tests/fixtures.h"
 #include "tests/law.h"
-#include "tests/physics/rig.h"
+#include "tests/physics/bolted.h"
 
 namespace murosimf::test {
 namespace {
 
 constexpr const char* level = "articulated_dynamics";
-
-/// A robot whose base is bolted to the world, without ground.
-struct Bolted {
-  explicit Bolted(Chain chain) {
-    robot = &rig.add("robot", std::make_shared<const Model>("robot", std::move(chain)));
-    rig.attach_dynamics(*robot, {.level = level, .on_ground = false, .tree = {.fixed_base = true}});
-    rig.simulation.initialize();
-  }
-  ObjectAccess joint(const std::string& name) { return robot->object(name); }
-
-  Rig rig;
-  Entity* robot;
-};
 
 // 0.5 kg at 0.3 m below a hinge. Tolerance: 1e-3 at 1 ms.
 TEST(Pendulum, HasThePeriodOfItsClosedForm) {

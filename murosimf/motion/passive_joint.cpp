@@ -1,0 +1,32 @@
+#include "murosimf/motion/passive_joint.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/properties.h"
+
+namespace murosimf::motion {
+namespace {
+
+double number(const Model& model, const Property<double>& property, int joint) {
+  const double* value = model.find(property, joint);
+  return value ? *value : 0;
+}
+
+}  // namespace
+
+PassiveJoint passive_joint(const Model& model, int joint) {
+  const PassiveJoint passive{number(model, properties::joint_damping, joint),
+                             number(model, properties::joint_stiffness, joint),
+                             number(model, properties::joint_spring_reference, joint)};
+  if (!(passive.stiffness >= 0) || !std::isfinite(passive.stiffness) || !std::isfinite(passive.rest)) {
+    throw SetupError(
+        fmt::format("model '{}', joint '{}': a spring of {} N m/rad (N/m) about {} rad (m) is none; its stiffness "
+                    "must not be negative, and both finite",
+                    model.name(), model.objects()[joint].name, passive.stiffness, passive.rest));
+  }
+  return passive;
+}
+
+}  // namespace murosimf::motion

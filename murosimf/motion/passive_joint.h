@@ -1,0 +1,24 @@
+/// passive_joint.h - what acts in a joint of itself, whatever its servo does: a damper and a spring.
+///
+///     torque = -d qd - k (q - rest)
+///
+/// Properties joint_damping, joint_stiffness and joint_spring_reference.
+#pragma once
+
+#include "murosimf/model/model.h"
+
+namespace murosimf::motion {
+
+struct PassiveJoint {
+  double damping = 0;    ///< [N m s/rad | N s/m] d
+  double stiffness = 0;  ///< [N m/rad | N/m] k
+  double rest = 0;       ///< [rad | m] where the spring is slack
+
+  /// [N m | N] at a position and rate.
+  [[nodiscard]] double torque(double q, double qd) const noexcept { return -damping * qd - stiffness * (q - rest); }
+};
+
+/// Of a joint (an object of the model). Throws SetupError if its spring is no spring.
+[[nodiscard]] PassiveJoint passive_joint(const Model& model, int joint);
+
+}  // namespace murosimf::motion
