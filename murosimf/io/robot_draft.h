@@ -63,12 +63,15 @@ struct DraftShape {
   std::string mesh;         ///< name of the mesh that it is made of; empty: a primitive
 };
 
-/// A mesh that is only looked at: it is not read until somebody draws it.
+/// A mesh that is only looked at: it is not read until somebody draws it. A vertex v of the file stands at
+/// scale * (orientation^T (v - position)) of `origin` in the mesh frame.
 struct DraftVisual {
-  std::string name, where;
-  std::string mesh;  ///< among the draft's meshes
-  Place place;       ///< of the mesh frame in the frame of the body
+  std::string name, where;     ///< name may be empty
+  std::filesystem::path file;  ///< empty: the vertices stand in the robot file
+  Vec3d scale{1, 1, 1};        ///< [m] of one unit of the file
+  Place place;                 ///< of the mesh frame in the frame of the body
   Color color;
+  Place origin;  ///< of the mesh frame, in the file's frame
 };
 
 /// A named frame on a body.
@@ -87,7 +90,7 @@ struct DraftBody {
   MassProperties solid;     ///< mass 0: massless
   std::string solid_where;  ///< where its mass is written; empty: nowhere, or worked out from shapes
   std::vector<DraftShape> shapes;
-  std::vector<DraftVisual> visuals;
+  std::vector<DraftVisual> visuals;  ///< meshes only; simple shapes for the eye are shapes that do not collide
   std::vector<DraftFrame> frames;
 };
 
@@ -99,14 +102,30 @@ struct DraftMesh {
   Place origin;                ///< of the mesh frame, in the file's frame
 };
 
+/// What a file says about the picture of a camera; 0: nothing.
+struct DraftCamera {
+  double horizontal_view = 0;     ///< [rad] from the left to the right border
+  int width = 0, height = 0;      ///< [px]
+  double k1 = 0, k2 = 0, k3 = 0;  ///< [1] radial distortion (Brown)
+  double p1 = 0, p2 = 0;          ///< [1] tangential distortion
+};
+
 /// A sensor or camera that the file mentions.
 struct DraftSensor {
-  std::string kind, name, frame, where;  ///< kind as the file calls it; frame: site, body or link
+  std::string kind, name, frame, where;  ///< kind as the file calls it; frame: site, body, link or joint
+  Place place;                           ///< in that frame
+  double rate = 0;                       ///< [Hz] 0: the file does not say
+  std::optional<DraftCamera> camera;
 };
 
 /// Two bodies whose shapes never touch each other (MJCF exclude).
 struct DraftExclusion {
   std::string body1, body2, where;
+};
+
+/// Two shapes of the robot, by name, that touch each other whatever else forbids it (MJCF pair).
+struct DraftPair {
+  std::string shape1, shape2, where;
 };
 
 struct RobotDraft {
@@ -118,6 +137,7 @@ struct RobotDraft {
   std::vector<DraftMesh> meshes;
   std::vector<DraftSensor> sensors;
   std::vector<DraftExclusion> exclusions;
+  std::vector<DraftPair> pairs;
   std::vector<std::string> warnings;  ///< file:line: what looks wrong, or is dropped because of `lenient`
   std::vector<std::string> notes;     ///< file:line: what means nothing here
 };

@@ -2,10 +2,14 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "murosimf/io/mjcf_reader.h"
 #include "murosimf/io/robot_builder.h"
 #include "murosimf/io/robot_table.h"
 #include "murosimf/io/robot_weld.h"
+#include "murosimf/io/urdf_reader.h"
+#include "murosimf/io/xml_element.h"
 
 namespace murosimf::io {
 namespace {
@@ -28,6 +32,14 @@ void check_names(const RobotTable& table, const RobotDraft& draft) {
   check_names(table, joints, bodies, frames, meshes);
 }
 
+RobotDraft read_draft(const std::filesystem::path& file, const ReaderOptions& options) {
+  const XmlFile xml(file);
+  const std::string root = xml.root().tag();
+  if (root == "mujoco") return read_mjcf(file, options);
+  if (root == "robot") return read_urdf(file, options);
+  xml.root().fail(fmt::format("the root is <{}>; a robot file has <mujoco> (MJCF) or <robot> (URDF)", root));
+}
+
 }  // namespace
 
 RobotFile read_robot(const std::filesystem::path& file, const ReaderOptions& options) {
@@ -35,7 +47,7 @@ RobotFile read_robot(const std::filesystem::path& file, const ReaderOptions& opt
   ReaderOptions all = options;
   for (const TableName& mesh : table.part_per_group) all.part_per_group.push_back(mesh.name);
   RobotFile robot;
-  robot.draft = read_mjcf(file, all);
+  robot.draft = read_draft(file, all);
   check_names(table, robot.draft);
   apply_surfaces(robot.draft, table);
   weld_fixed_bodies(robot.draft);

@@ -11,6 +11,11 @@
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+}  // namespace
 
 /// One XML file, and what its include elements bring in.
 struct XmlSource {
@@ -49,7 +54,6 @@ std::string one_line(std::string_view text) {
 }
 
 std::optional<std::vector<double>> parse_numbers(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
   std::vector<double> numbers;
   std::size_t begin = text.find_first_not_of(blanks);
   while (begin != std::string_view::npos) {
@@ -80,6 +84,14 @@ std::vector<XmlAttribute> XmlElement::attributes() const {
   std::vector<XmlAttribute> result;
   for (const auto* a = element_->FirstAttribute(); a; a = a->Next()) result.push_back({a->Name(), a->Value()});
   return result;
+}
+
+std::string XmlElement::text() const {
+  const char* start = element_->GetText();
+  std::string_view text = start ? start : "";
+  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+  text.remove_prefix(begin);
+  return std::string(text.substr(0, text.find_last_not_of(blanks) + 1));
 }
 
 std::vector<XmlElement> XmlElement::children() const {

@@ -34,6 +34,8 @@ class XmlElement {
   /// Value of an attribute; nothing if it is not there.
   [[nodiscard]] std::optional<std::string> attribute(const char* name) const;
   [[nodiscard]] std::vector<XmlAttribute> attributes() const;
+  /// The text before the first element inside, without blanks around it; empty if there is none.
+  [[nodiscard]] std::string text() const;
   /// An `include` that XmlFile has followed is replaced by what it brings in.
   [[nodiscard]] std::vector<XmlElement> children() const;
   [[nodiscard]] std::vector<XmlElement> children(std::string_view tag) const;
