@@ -88,6 +88,8 @@ Vec3d principal_moments(const SymMat3d& inertia) {
   return {moments[0], moments[1], moments[2]};
 }
 
+bool breaks_triangle_inequality(const Vec3d& moments) { return moments.x + moments.y < moments.z * (1.0 - 1e-5); }
+
 SymMat3d with_least_moment(const SymMat3d& inertia, double least) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix_of(inertia));
   const Eigen::Vector3d moments = solver.eigenvalues().cwiseMax(least);

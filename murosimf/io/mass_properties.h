@@ -25,6 +25,9 @@ struct MassProperties {
 [[nodiscard]] MassProperties moved(const MassProperties& body, const Vec3d& position, const Mat3d& orientation);
 /// [kg m^2] in rising order.
 [[nodiscard]] Vec3d principal_moments(const SymMat3d& inertia);
+/// True if the two smaller moments together are less than the largest, by more than the six digits that files have: no
+/// solid body has that. `moments` in rising order.
+[[nodiscard]] bool breaks_triangle_inequality(const Vec3d& moments);
 /// The same principal axes; moments below `least` [kg m^2] are raised to it.
 [[nodiscard]] SymMat3d with_least_moment(const SymMat3d& inertia, double least);
 

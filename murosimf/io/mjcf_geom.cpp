@@ -1,5 +1,7 @@
 #include "murosimf/io/mjcf_geom.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
@@ -63,6 +65,15 @@ MassProperties read_solid(const MjcfAttributes& attributes, const PlacedShape& p
   return {mass, placed.position, rotated(placed.orientation, mass * unit_inertia(placed.shape))};
 }
 
+/// One bit per kind of shape; -1 is all of them.
+std::uint32_t read_mask(const MjcfAttributes& attributes, const char* name) {
+  const double number = attributes.number(name, 1);
+  if (number != std::floor(number) || number < -2147483648.0 || number > 4294967295.0) {
+    attributes.source(name).fail(fmt::format("{} '{}' must be a whole number of 32 bits", name, attributes.text(name)));
+  }
+  return static_cast<std::uint32_t>(static_cast<std::int64_t>(number));
+}
+
 void read_surface(const MjcfAttributes& attributes, PlacedShape& placed) {
   placed.surface.friction = 1.0;  // default of the format
   if (const auto friction = attributes.numbers("friction", 1, 3); !friction.empty()) {
@@ -71,7 +82,9 @@ void read_surface(const MjcfAttributes& attributes, PlacedShape& placed) {
   }
   if (const auto color = attributes.numbers("rgba", 4, 4); !color.empty())
     placed.color = {color[0], color[1], color[2]};
-  placed.collides = attributes.number("contype", 1) != 0 || attributes.number("conaffinity", 1) != 0;
+  placed.contact_type = read_mask(attributes, "contype");
+  placed.contact_affinity = read_mask(attributes, "conaffinity");
+  placed.collides = placed.contact_type != 0 || placed.contact_affinity != 0;
 }
 
 /// Zero where nothing of it counts, so that a mesh for the eye needs no volume.
@@ -102,11 +115,11 @@ MjcfGeom read_mesh_geom(const MjcfAttributes& attributes, const std::string& typ
   const std::string mesh = attributes.text("mesh");
   if (!placed.collides) {
     context.meshes.check_file(mesh, element);
-    geom.visual = DraftVisual{
-        attributes.text("name"), element.where(), mesh, {placed.position, placed.orientation}, placed.color};
+    const Place place{placed.position, placed.orientation};
+    geom.visual = DraftVisual{attributes.text("name"), element.where(), mesh, place, placed.color};
     return geom;
   }
-  for (const MeshPart& part : context.meshes.parts(mesh, element)) {
+  for (const ConvexPart& part : context.meshes.parts(mesh, element)) {
     geom.shapes.push_back(placed);
     geom.shapes.back().shape = part.shape;
     geom.shapes.back().position += placed.orientation * part.middle;

@@ -18,12 +18,9 @@ SymMat3d read_tensor(const MjcfAttributes& attributes, const MjcfCompiler& compi
   return {full[0], full[1], full[2], full[3], full[4], full[5]};
 }
 
-// files carry about six digits
-bool breaks_triangle(const Vec3d& moments) { return moments.x + moments.y < moments.z * (1.0 - 1e-5); }
-
 void warn_about(const SymMat3d& tensor, const XmlElement& element, std::vector<std::string>& warnings) {
   const Vec3d moments = principal_moments(tensor);
-  if (!breaks_triangle(moments)) return;
+  if (!breaks_triangle_inequality(moments)) return;
   warnings.push_back(
       fmt::format("{}: no solid body has the principal moments {:.4g} {:.4g} {:.4g} kg m^2: two of "
                   "them must not be less than the third",
@@ -34,7 +31,7 @@ MassProperties bounded(MassProperties body, const MjcfCompiler& compiler) {
   body.mass = std::max(body.mass, compiler.least_mass);
   const Vec3d moments = principal_moments(body.inertia);
   if (moments.x < compiler.least_inertia) body.inertia = with_least_moment(body.inertia, compiler.least_inertia);
-  if (compiler.balance_inertia && breaks_triangle(moments)) {
+  if (compiler.balance_inertia && breaks_triangle_inequality(moments)) {
     const double mean = (moments.x + moments.y + moments.z) / 3;
     body.inertia = {mean, mean, mean};
   }

@@ -14,18 +14,12 @@
 #include <vector>
 
 #include "murosimf/geometry/mesh_mass.h"
-#include "murosimf/io/mesh_file.h"
+#include "murosimf/io/mesh_library.h"
 #include "murosimf/io/mjcf_frame.h"
 #include "murosimf/io/robot_draft.h"
 #include "murosimf/model/shape.h"
 
 namespace murosimf::io {
-
-/// One convex part of a mesh.
-struct MeshPart {
-  Convex shape;
-  Vec3d middle;  ///< [m] of the shape's origin, mesh frame
-};
 
 /// What the names of an MJCF file's meshes mean. Lines that look wrong go to `warnings`, each once.
 class MjcfMeshes {
@@ -41,7 +35,7 @@ class MjcfMeshes {
 
   /// Convex parts for the geom `user`, which collides.
   /// Throws SetupError: the line of the mesh, the mesh file and its line, what is wrong.
-  [[nodiscard]] const std::vector<MeshPart>& parts(const std::string& name, const XmlElement& user);
+  [[nodiscard]] const std::vector<ConvexPart>& parts(const std::string& name, const XmlElement& user);
 
   /// For a geom that is only looked at: the mesh is not read. Throws SetupError for an unknown mesh; a missing file is a
   /// warning.
@@ -63,7 +57,6 @@ class MjcfMeshes {
   [[nodiscard]] std::filesystem::path path_of(const MjcfAttributes& attributes) const;
   const MeshFile& file_of(const MjcfAttributes& attributes);
   void warn(const Mesh& mesh, const std::string& message);
-  void warn_about_parts(const Mesh& mesh);
 
   std::map<std::string, std::unique_ptr<Mesh>> meshes_;
   std::map<std::filesystem::path, MeshFile> files_;  ///< read so far

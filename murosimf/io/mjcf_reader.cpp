@@ -19,16 +19,6 @@ struct Base {
   std::string child_class;
 };
 
-void check_words(const XmlElement& root, bool lenient, RobotDraft& draft) {
-  const VocabularyFindings found = check_vocabulary(root);
-  if (!found.refused.empty() && !lenient) {
-    const std::size_t more = found.refused.size() - 1;
-    throw SetupError(found.refused.front() + (more > 0 ? fmt::format(" (and {} more like this)", more) : ""));
-  }
-  draft.notes = found.notes;
-  draft.warnings = found.refused;
-}
-
 void note_world(const XmlElement& world, std::vector<std::string>& notes) {
   for (const char* tag : {"geom", "site"}) {
     for (const XmlElement& element : world.children(tag)) {
@@ -91,7 +81,7 @@ RobotDraft read_mjcf(const std::filesystem::path& file, const ReaderOptions& opt
   RobotDraft draft;
   draft.file = file;
   draft.name = root.attribute("model").value_or(file.stem().string());
-  check_words(root, options.lenient, draft);
+  check_words(root, mjcf_vocabulary(), options.lenient, draft.warnings, draft.notes);
   for (const XmlElement& world : root.children("worldbody")) note_world(world, draft.notes);
 
   const MjcfDefaults defaults(root);

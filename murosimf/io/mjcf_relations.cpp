@@ -1,7 +1,6 @@
 #include "murosimf/io/mjcf_relations.h"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -66,18 +65,12 @@ class Pairs {
   Pairs(const XmlElement& root, RobotDraft& draft) : outside_(world_geoms(root)), draft_(draft) {}
 
   void read(const XmlElement& element) {
-    const std::array<std::vector<DraftShape*>, 2> shapes{shapes_of(element, "geom1"), shapes_of(element, "geom2")};
-    for (const auto& [mine, other] : {std::pair{shapes[0], shapes[1]}, std::pair{shapes[1], shapes[0]}}) {
-      for (DraftShape* shape : mine) {
-        if (other.empty()) {
-          shape->placed.collides = true;
-        } else if (!shape->placed.collides) {
-          element.fail(
-              fmt::format("contact pair inside the robot with geom '{}', which does not collide; give it "
-                          "contype and conaffinity",
-                          shape->name));
-        }
-      }
+    const auto first = shapes_of(element, "geom1");
+    const auto second = shapes_of(element, "geom2");
+    for (DraftShape* shape : first) collide(*shape, second.empty());
+    for (DraftShape* shape : second) collide(*shape, first.empty());
+    if (!first.empty() && !second.empty()) {
+      draft_.pairs.push_back({first[0]->name, second[0]->name, element.where()});
     }
   }
 
@@ -108,6 +101,13 @@ class Pairs {
       element.fail(unknown_name("geom", *name, known));
     }
     return shapes;
+  }
+
+  static void collide(DraftShape& shape, bool with_the_world) {
+    shape.placed.collides = true;
+    if (!with_the_world) return;
+    shape.placed.contact_type |= 1U;
+    shape.placed.contact_affinity |= 1U;
   }
 
   std::vector<std::string> outside_;  // names of geoms of the world

@@ -7,10 +7,9 @@
 
 namespace murosimf::io {
 
-/// Fills mimics, exclusions and sensors of `draft`, whose bodies are read already. Throws SetupError for unknown names,
-/// for a coupling that is not linear, and for a contact pair that cannot be had.
-/// A geom that is paired with one outside the robot, like the floor, collides from now on whatever its masks say; a pair
-/// inside the robot must be allowed by the masks anyway.
+/// Fills mimics, exclusions, pairs and sensors of `draft`, whose bodies are read already. Throws SetupError for unknown names,
+/// for a coupling that is not linear, and for a contact pair with a mesh that is only looked at.
+/// A geom that is paired with one outside the robot, like the floor, collides from now on whatever its masks say.
 void read_relations(const XmlElement& root, const MjcfNames& names, RobotDraft& draft);
 
 }  // namespace murosimf::io

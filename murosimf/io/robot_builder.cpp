@@ -32,6 +32,7 @@ class Builder {
     Chain chain;
     chain.base(draft_.bodies[0].name);
     if (!draft_.base_joint.empty() && draft_.base_joint != draft_.bodies[0].name) chain.alias(draft_.base_joint);
+    add_pairs(chain);
     finish(chain, 0);
     return chain;
   }
@@ -102,6 +103,15 @@ class Builder {
   /// A servo of the table has rotor, friction and speed-torque line of its own: the file's describe the same part.
   void add_joint_constants(Chain& chain, const DraftJoint& joint) const {
     if (joint.range) chain.with(properties::joint_range, *joint.range);
+    if (joint.stiffness > 0) {
+      chain.with(properties::joint_stiffness, joint.stiffness);
+      chain.with(properties::joint_spring_reference, joint.spring_reference);
+    }
+    for (const DraftMimic& mimic : draft_.mimics) {
+      if (mimic.joint == joint.name) {
+        chain.with(properties::joint_coupling, {mimic.leader, mimic.ratio, mimic.offset});
+      }
+    }
     if (const auto found = table_.servos.find(joint.name); found != table_.servos.end()) {
       chain.with(properties::servo, found->second.servo);
       return;
@@ -114,6 +124,31 @@ class Builder {
 
   void add_alias(Chain& chain, const DraftBody& body) {
     if (chain.objects().back().name != body.name) chain.alias(free_name(body.name, body.where, "body"));
+  }
+
+  void add_pairs(Chain& chain) const {
+    ExcludedPairs excluded;
+    for (const DraftExclusion& pair : draft_.exclusions) {
+      excluded.emplace_back(object_of(pair.body1), object_of(pair.body2));
+    }
+    AllowedPairs allowed;
+    for (const DraftPair& pair : draft_.pairs) allowed.emplace_back(find_shape(pair.shape1), find_shape(pair.shape2));
+    if (!excluded.empty()) chain.with(properties::excluded_pairs, excluded);
+    if (!allowed.empty()) chain.with(properties::allowed_pairs, allowed);
+  }
+
+  /// Name of the object that is a body, or the frame of one that is welded to another.
+  [[nodiscard]] std::string object_of(const std::string& body) const {
+    return joints_.contains(body) ? body + ".body" : body;
+  }
+
+  [[nodiscard]] ShapeOfObject find_shape(const std::string& name) const {
+    for (const DraftBody& body : draft_.bodies) {
+      for (std::size_t i = 0; i < body.shapes.size(); ++i) {
+        if (body.shapes[i].name == name) return {object_of(body.name), i};
+      }
+    }
+    return {};
   }
 
   /// Name of a body or frame; with a suffix if a joint (or for a frame, a body) has the same.

@@ -120,6 +120,11 @@ struct DraftExclusion {
   std::string body1, body2, where;
 };
 
+/// Two shapes of the robot, by name, that touch each other whatever else forbids it (MJCF pair).
+struct DraftPair {
+  std::string shape1, shape2, where;
+};
+
 struct RobotDraft {
   std::string name;
   std::string base_joint;  ///< name of the joint that makes the base free; empty: none
@@ -129,6 +134,7 @@ struct RobotDraft {
   std::vector<DraftMesh> meshes;
   std::vector<DraftSensor> sensors;
   std::vector<DraftExclusion> exclusions;
+  std::vector<DraftPair> pairs;
   std::vector<std::string> warnings;  ///< file:line: what looks wrong, or is dropped because of `lenient`
   std::vector<std::string> notes;     ///< file:line: what means nothing here
 };

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "murosimf/io/mjcf_reader.h"
 #include "murosimf/io/robot_builder.h"
 #include "murosimf/io/robot_table.h"
@@ -31,7 +33,11 @@ void check_names(const RobotTable& table, const RobotDraft& draft) {
 }
 
 RobotDraft read_draft(const std::filesystem::path& file, const ReaderOptions& options) {
-  return XmlFile(file).root().tag() == "robot" ? read_urdf(file, options) : read_mjcf(file, options);
+  const XmlFile xml(file);
+  const std::string root = xml.root().tag();
+  if (root == "mujoco") return read_mjcf(file, options);
+  if (root == "robot") return read_urdf(file, options);
+  xml.root().fail(fmt::format("the root is <{}>; a robot file has <mujoco> (MJCF) or <robot> (URDF)", root));
 }
 
 }  // namespace

@@ -48,16 +48,6 @@ void check_root(const XmlElement& robot) {
   refuse_xacro(robot);
 }
 
-void check_vocabulary(const XmlElement& robot, bool lenient, RobotDraft& draft) {
-  const XmlFindings found = check_words(robot, urdf_vocabulary());
-  if (!found.refused.empty() && !lenient) {
-    const std::size_t more = found.refused.size() - 1;
-    throw SetupError(found.refused.front() + (more > 0 ? fmt::format(" (and {} more like this)", more) : ""));
-  }
-  draft.notes = found.notes;
-  draft.warnings = found.refused;
-}
-
 UrdfMeshPaths mesh_paths(const std::filesystem::path& file, const ReaderOptions& options, const Compiler& compiler) {
   UrdfMeshPaths paths(file, options.packages, options.search_paths);
   if (compiler.mesh_folder) paths.also_look_in(*compiler.mesh_folder, compiler.strip_path);
@@ -108,7 +98,7 @@ RobotDraft read_urdf(const std::filesystem::path& file, const ReaderOptions& opt
   RobotDraft draft;
   draft.name = robot.attribute("name").value_or(file.stem().string());
   draft.file = file;
-  check_vocabulary(robot, options.lenient, draft);
+  check_words(robot, urdf_vocabulary(), options.lenient, draft.warnings, draft.notes);
   UrdfLog log(draft, options.lenient);
   const UrdfTree tree = read_tree(robot, log);
   const Compiler compiler = read_compiler(robot);

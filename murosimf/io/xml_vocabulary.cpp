@@ -21,8 +21,9 @@ class Checker {
  public:
   explicit Checker(const XmlVocabulary& vocabulary) : vocabulary_(vocabulary) {}
 
-  void check(const XmlElement& element) {
-    const auto found = vocabulary_.find(element.tag());
+  void check(const XmlElement& element, const std::string& parent = {}) {
+    auto found = vocabulary_.find(parent + "/" + element.tag());
+    if (found == vocabulary_.end()) found = vocabulary_.find(element.tag());
     if (found == vocabulary_.end()) return;
     check_attributes(element, found->second);
     check_children(element, found->second);
@@ -51,9 +52,9 @@ class Checker {
     for (const XmlElement& child : element.children()) {
       const std::string tag = child.tag();
       if (contains(rule.children, tag)) {
-        check(child);
+        check(child, element.tag());
       } else if (contains(rule.unused_children, tag)) {
-        note(child, fmt::format("element '{}' in {}", tag, element.tag()));
+        note(child, fmt::format("element '{}'", tag));
       } else if (contains(rule.unsupported_children, tag)) {
         refuse(child, fmt::format("element '{}' is not supported", tag));
       } else {
@@ -81,6 +82,17 @@ XmlFindings check_words(const XmlElement& root, const XmlVocabulary& vocabulary)
   Checker checker(vocabulary);
   checker.check(root);
   return checker.findings;
+}
+
+void check_words(const XmlElement& root, const XmlVocabulary& vocabulary, bool lenient,
+                 std::vector<std::string>& warnings, std::vector<std::string>& notes) {
+  const auto [found, refused] = check_words(root, vocabulary);
+  if (!refused.empty() && !lenient) {
+    const std::size_t more = refused.size() - 1;
+    throw SetupError(refused.front() + (more > 0 ? fmt::format(" (and {} more like this)", more) : ""));
+  }
+  notes.insert(notes.end(), found.begin(), found.end());
+  warnings.insert(warnings.end(), refused.begin(), refused.end());
 }
 
 }  // namespace murosimf::io

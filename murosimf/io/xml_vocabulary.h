@@ -6,6 +6,7 @@
 ///   unsupported  it would change the robot and is not supported: refused, as is what nobody knows.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -23,8 +24,8 @@ struct XmlRule {
   XmlWords children{}, unused_children{}, unsupported_children{};  ///< elements inside
 };
 
-/// Rules by tag. An element without a rule is not looked into.
-using XmlVocabulary = std::map<std::string_view, XmlRule>;
+/// Rules by tag, or by "parent/tag" where that says more. An element without a rule is not looked into.
+using XmlVocabulary = std::map<std::string, XmlRule, std::less<>>;
 
 /// Each entry is one line with file and line number.
 struct XmlFindings {
@@ -32,5 +33,9 @@ struct XmlFindings {
 };
 
 [[nodiscard]] XmlFindings check_words(const XmlElement& root, const XmlVocabulary& vocabulary);
+
+/// The same for a reader: appends to `warnings` what is refused if it is `lenient`, else throws SetupError for it.
+void check_words(const XmlElement& root, const XmlVocabulary& vocabulary, bool lenient,
+                 std::vector<std::string>& warnings, std::vector<std::string>& notes);
 
 }  // namespace murosimf::io

@@ -556,7 +556,7 @@ TEST(MjcfReader, NamesMissingAndBrokenFiles) {
   expect_complaint(message("<mujoco>\n<worldbody>\n</mujoco>"), 2, "not well-formed XML");
   expect_complaint(message(""), 1, "not well-formed XML");
   expect_complaint(message("just text"), 1, "not well-formed XML");
-  expect_complaint(message("<!-- -->\n<robot/>"), 2, "the root is <robot>, not <mujoco>");
+  expect_complaint(message("<!-- -->\n<sdf/>"), 2, "the root is <sdf>; a robot file has <mujoco> (MJCF) or <robot> (URDF)");
 }
 
 TEST(MjcfReader, NamesUnknownWords) {
