@@ -8,6 +8,10 @@ target_compile_options(murosimf_options INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 sees overlapping copies in the concatenation of std::string where there are none (GCC bug 105651)
   target_compile_options(murosimf_options INTERFACE -Wno-restrict)
+  if(MUROSIMF_PRECOMPILE)
+    # and more of that kind where the headers of the library come out of a precompiled one, so are no system headers
+    target_compile_options(murosimf_options INTERFACE -Wno-stringop-overflow -Wno-array-bounds)
+  endif()
 endif()
 if(MUROSIMF_WARNINGS_AS_ERRORS)
   target_compile_options(murosimf_options INTERFACE -Werror)

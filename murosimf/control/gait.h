@@ -1,11 +1,8 @@
 /// gait.h - an omnidirectional open-loop walk: where both feet are at every phase.
 ///
-/// Phase ph in [0, 2 pi); the left foot stands during (0, pi). With p = ph - pi (left) or ph (right) and
-/// d = double_support pi/2:
-///     swing (d < p < pi - d), u = (p - d)/(pi - 2 d):   xi = -cos(pi u)/2      lift = hz (1 - cos 2 pi u)/2
-///     stance:                                           xi runs linearly from +1/2 to -1/2, lift = 0
-/// Ankle in the level frame of the pelvis, x and z from the hip center, y from the middle:
-///     x = xi vx Ts - x0                        z = -h + ankle height + lift
+/// Phase ph in [0, 2 pi); the left foot stands during (0, pi). With xi and lift of stride.h for p = ph - pi (left) or ph
+/// (right) and d = double_support pi/2, the ankle in the level frame of the pelvis, x and z from the hip center, y from the middle:
+///     x = xi vx Ts - x0                        z = -h + ankle height + hz lift
 ///     y = +-fy + xi vy Ts - ay sin(ph + lead)  yaw = xi wz Ts
 /// with Ts = T (pi + 2 d)/(2 pi); the pelvis leans forward by `pitch`, and the standing leg's hip roll lifts the
 /// swinging side by `hip_roll` sin(ph) against the droop of its servos.
@@ -35,17 +32,24 @@ struct WalkParameters {
 
 /// Parameters for a robot with these legs: those of kid21 scaled by the leg's length (lengths by l, times by sqrt(l)),
 /// the sway from the linear inverted pendulum: ay = b (1 - 1/cosh(w T/4)), w = sqrt(g / z_c), b half the hip width,
-/// z_c = 1.072 h the height of the center of mass.
+/// z_c = 1.072 h the height of the center of mass. Where the legs do not reach the ends of the strides at full speed, hips
+/// are lowered and strides made shorter until they do.
 /// Source: Kajita et al., "The 3D Linear Inverted Pendulum Mode", IROS 2001, for the pendulum's periodic orbit.
 [[nodiscard]] WalkParameters seeded_parameters(const std::array<Leg, 2>& legs);
 
-/// Joint angles [rad] of both legs (left first; hip yaw, roll, pitch, knee, ankle pitch, roll).
+/// Joint positions [rad] of both legs, left first, in the order of their joints.
 struct GaitPose {
-  std::array<std::array<double, 6>, 2> q{};
+  std::array<std::array<double, most_hinges>, 2> q{};
   bool reachable = true;
 };
 
-/// `amplitude` 0 stands, 1 walks; `velocity` [m/s, m/s, rad/s] forward, left, turning left.
+/// Both legs at home.
+[[nodiscard]] GaitPose home_pose(const std::array<Leg, 2>& legs) noexcept;
+
+/// `amplitude` 0 stands, 1 walks; `velocity` [m/s, m/s, rad/s] forward, left, turning left. `start` is where legs without
+/// a closed form begin to look: the pose of the cycle before, or home.
+[[nodiscard]] GaitPose gait_pose(const std::array<Leg, 2>& legs, const WalkParameters& parameters, double phase,
+                                 double amplitude, const Vec3d& velocity, const GaitPose& start) noexcept;
 [[nodiscard]] GaitPose gait_pose(const std::array<Leg, 2>& legs, const WalkParameters& parameters, double phase,
                                  double amplitude, const Vec3d& velocity) noexcept;
 

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/control/leg_ik.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::control {
@@ -81,15 +80,16 @@ void KeyframePlayer::place_feet() noexcept {
   std::array<FootPlace, 2> places{};
   for (const FootSink& sink : foot_sinks_) places[sink.side][sink.axis] += sink.sign * values_[sink.column];
   const Mat3d level_to_pelvis = rotation_y(-stance_.pitch);
+  GaitPose pose = home_pose(legs_);
   for (std::size_t side = 0; side < 2; ++side) {
     const Leg& leg = legs_[side];
     const auto& [x, y, z, pitch] = places[side];
     const double outward = side == 0 ? 1 : -1;
     const Vec3d ankle{x - stance_.setback, outward * stance_.half_width - leg.hip.y + y,
                       z - stance_.hip_height + leg.ankle_height};
-    const LegAngles angles =
-        leg_angles(leg.thigh, leg.shin, level_to_pelvis * ankle, level_to_pelvis * rotation_y(pitch));
-    for (std::size_t i = 0; i < 6; ++i) target_[leg.joints[i]] = leg.signs[i] * angles.q[i];
+    const FootTarget target{.ankle = level_to_pelvis * ankle, .sole = level_to_pelvis * rotation_y(pitch)};
+    bend(leg, target, std::span(pose.q[side]).first(leg.joints.size()));
+    for (std::size_t i = 0; i < leg.joints.size(); ++i) target_[leg.joints[i]] = pose.q[side][i];
   }
 }
 

@@ -1,7 +1,7 @@
 /// keyframe_player.h - algorithm: plays a key-frame motion once, then holds its last frame.
 ///
 /// Writes `joint_target` of all joints: those that the motion does not name stay at zero. If the motion moves feet, both
-/// legs follow by inverse kinematics (leg_ik.h) from the stance in which the walk engine stands (gait.h): x forward, y to the left, z up,
+/// legs follow by inverse kinematics (leg.h) from the stance in which the walk engine stands (gait.h): x forward, y to the left, z up,
 /// each in the level frame of the pelvis; angles that the motion gives to leg joints come on top.
 #pragma once
 

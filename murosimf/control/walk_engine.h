@@ -5,6 +5,7 @@
 #pragma once
 
 #include "murosimf/control/gait.h"
+#include "murosimf/control/gait_clock.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
@@ -24,15 +25,12 @@ class WalkEngine final : public Algorithm {
   static constexpr double rate_hz = 100;
 
  private:
-  void advance(double dt) noexcept;
-  void write_targets() noexcept;
+  [[nodiscard]] GaitPose last_pose() const noexcept;
+  void write_targets(const GaitPose& start) noexcept;
 
   std::array<Leg, 2> legs_;
   WalkParameters parameters_;
-  const Vec3d& command_;      // [m/s, m/s, rad/s]
-  Vec3d& velocity_;           // [m/s, m/s, rad/s] after the slew limits
-  double& phase_;             // [rad]
-  double& amplitude_;         // [1]
+  GaitClock clock_;
   std::span<double> target_;  // [rad] by object
 };
 

@@ -1,159 +1,127 @@
 #include "murosimf/io/mjcf_body.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
+#include "murosimf/io/mjcf_children.h"
 #include "murosimf/io/mjcf_inertia.h"
 #include "murosimf/io/mjcf_joint.h"
-#include "murosimf/model/properties.h"
 
 namespace murosimf::io {
 namespace {
 
-/// One object to come, with the joint it stands for.
-struct Step {
-  Object object;
-  const MjcfJoint* joint = nullptr;
-};
-
-class BodyBuilder {
+class BodyReader {
  public:
-  explicit BodyBuilder(const MjcfContext& context) : context_(context) {}
+  BodyReader(const MjcfContext& context, RobotDraft& draft) : context_(context), draft_(draft) {}
 
-  /// The base or the last object of a body: mass and shapes, then everything that hangs on it.
-  void finish(Chain& chain, const XmlElement& body, const std::string& child_class) const {
-    add_mass_and_shapes(chain, body, child_class);
-    std::vector<Chain> branches;
-    for (const XmlElement& child : body.children()) {
-      if (child.tag() == "body") branches.push_back(build_body(child, child_class));
-      if (child.tag() == "site") branches.push_back(build_site(child, child_class));
+  void read_base(const XmlElement& base, const std::string& outer_class) {
+    int joints = 0;
+    for (const XmlElement& joint : base.children()) {
+      if (joint.tag() != "joint" && joint.tag() != "freejoint") continue;
+      if (++joints > 1) joint.fail("the base has a second joint; besides its free joint it can have none");
+      draft_.base_joint = joint.attribute("name").value_or("");
     }
-    chain.fork(branches);
+    DraftBody body;
+    body.name = context_.names.of(base);
+    body.where = base.where();
+    finish(base, context_.defaults.child_class(base, outer_class), std::move(body));
   }
 
  private:
-  [[nodiscard]] Chain build_body(const XmlElement& body, const std::string& outer_class) const {
-    const std::string child_class = context_.defaults.child_class(body, outer_class);
-    if (!body.children("freejoint").empty()) {
-      body.children("freejoint")[0].fail("freejoint inside the robot; only its base may be free");
+  /// Mass, shapes and sites of a body, then the bodies that hang on it.
+  void finish(const XmlElement& element, const std::string& child_class, DraftBody body) {
+    const auto children = children_in(element, child_class, context_.defaults, context_.compiler);
+    read_solid(element, children, body);
+    for (const MjcfChild& child : children) {
+      if (child.element.tag() == "site") body.frames.push_back(read_site(child));
+      if (child.element.tag() == "camera") add_camera(child, body);
     }
-    std::vector<MjcfJoint> joints;
-    for (const XmlElement& joint : body.children("joint")) joints.push_back(read_joint(joint, child_class, context_));
-    Chain chain;
-    for (const Step& step : name_last(steps(body, joints), body)) add(chain, step);
-    if (chain.objects().back().is_joint()) add_alias(chain, body);
-    finish(chain, body, child_class);
-    return chain;
-  }
-
-  [[nodiscard]] std::vector<Step> steps(const XmlElement& body, const std::vector<MjcfJoint>& joints) const {
-    MjcfAttributes attributes(body);
-    attributes.overlay(body);
-    const std::string& name = context_.names.of(body);
-    const Vec3d offset = attributes.vector("pos", {});
-    const Mat3d turn = read_orientation(attributes, context_.compiler);
-    std::vector<Step> result;
-    if (!is_zero(offset)) result.push_back({{Kind::translation, -1, offset, {}, name + ".offset", true}});
-    if (!is_identity(turn)) result.push_back({{Kind::rotation, -1, {}, turn, name + ".turn", true}});
-    for (const MjcfJoint& joint : joints) {
-      const bool away = !is_zero(joint.anchor);
-      if (away) result.push_back({{Kind::translation, -1, joint.anchor, {}, joint.name + ".anchor", true}});
-      result.push_back({{joint.kind, -1, joint.axis, {}, joint.name}, &joint});
-      if (away) result.push_back({{Kind::translation, -1, -joint.anchor, {}, joint.name + ".back", true}});
+    const int index = static_cast<int>(draft_.bodies.size());
+    draft_.bodies.push_back(std::move(body));
+    for (const MjcfChild& child : children) {
+      if (child.element.tag() == "body") read_body(child, index);
     }
-    if (result.empty()) result.push_back({{Kind::translation, -1, {}, {}, {}}});
-    return result;
   }
 
-  /// The body's name for the last object, if it is no joint.
-  [[nodiscard]] std::vector<Step> name_last(std::vector<Step> steps, const XmlElement& body) const {
-    Object& last = steps.back().object;
-    if (!steps.back().joint) last.name = free_name(body, ".body");
-    last.structural = false;  // it is the body, and somebody may look at it
-    return steps;
+  void read_body(const MjcfChild& child, int parent) {
+    const XmlElement& element = child.element;
+    DraftBody body;
+    body.name = context_.names.of(element);
+    body.where = element.where();
+    body.parent = parent;
+    body.place = inside(child.frame, place_of(own_attributes(element)));
+    const std::string child_class = context_.defaults.child_class(element, child.child_class);
+    for (const XmlElement& joint : element.children()) {
+      if (joint.tag() == "freejoint") joint.fail("freejoint inside the robot; only its base may be free");
+      if (joint.tag() == "joint") body.joints.push_back(read_joint(joint, child_class, context_));
+    }
+    finish(element, child_class, std::move(body));
   }
 
-  void add(Chain& chain, const Step& step) const {
-    const Object& object = step.object;
-    if (object.kind == Kind::translation) chain.translation(object.vector, object.name);
-    if (object.kind == Kind::rotation) chain.rotation(object.turn, object.name);
-    if (object.kind == Kind::revolute) chain.revolute(object.name, object.vector);
-    if (object.kind == Kind::prismatic) chain.prismatic(object.name, object.vector);
-    if (object.structural) chain.structural();
-    if (step.joint) add_joint_constants(chain, *step.joint, context_);
-  }
-
-  void add_alias(Chain& chain, const XmlElement& body) const {
-    if (chain.objects().back().name != context_.names.of(body)) chain.alias(free_name(body, ".body"));
-  }
-
-  /// Name of a body or site; with the suffix if a joint (or for a site, a body) has the same.
-  [[nodiscard]] std::string free_name(const XmlElement& element, const char* suffix) const {
-    const std::string& name = context_.names.of(element);
-    const bool site = element.tag() == "site";
-    if (!context_.names.is_joint(name) && !(site && context_.names.is_body(name))) return name;
-    context_.warnings.push_back(
-        one_line(fmt::format("{}: {} '{}' is called '{}{}' here, since a {} has the same name", element.where(),
-                             element.tag(), name, name, suffix, context_.names.is_joint(name) ? "joint" : "body")));
-    return name + suffix;
-  }
-
-  void add_mass_and_shapes(Chain& chain, const XmlElement& body, const std::string& child_class) const {
+  void read_solid(const XmlElement& element, const std::vector<MjcfChild>& children, DraftBody& body) {
     std::vector<MassProperties> solids;
-    Shapes shapes;
-    const MjcfGeomContext geom_context{context_.compiler, context_.meshes, mass_from_geoms(body, context_.compiler),
+    const MjcfGeomContext geom_context{context_.compiler, context_.meshes, mass_from_geoms(element, context_.compiler),
                                        context_.lenient, context_.warnings};
-    for (const XmlElement& element : body.children("geom")) {
-      for (MjcfGeom& geom : read_geom(context_.defaults.resolve(element, child_class), geom_context)) {
-        if (std::holds_alternative<Plane>(geom.placed.shape))
-          element.fail("a plane cannot be part of a robot; use a box");
-        geom.placed.surface.material = context_.table.surface(context_.names.of(body));
-        shapes.push_back(geom.placed);
-        solids.push_back(geom.solid);
-      }
+    for (const MjcfChild& child : children) {
+      if (child.element.tag() != "geom") continue;
+      const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
+      const MjcfGeom geom = read_geom(attributes, geom_context);
+      solids.push_back(moved(geom.solid, child.frame.position, child.frame.orientation));
+      for (const PlacedShape& placed : geom.shapes) body.shapes.push_back(make_shape(child, attributes, placed));
+      if (geom.visual) body.visuals.push_back(placed_visual(child, *geom.visual));
     }
-    if (!shapes.empty()) chain.with(properties::shapes, shapes);
-    const MassProperties total = read_mass(body, solids, context_.compiler, context_.warnings);
-    if (total.mass > 0) {
-      chain.with(properties::mass, total.mass);
-      chain.with(properties::center_of_mass, total.center);
-      chain.with(properties::inertia, total.inertia);
-    } else if (chain.objects().back().is_joint() || chain.objects().back().kind == Kind::base) {
-      context_.warnings.push_back(one_line(
-          fmt::format("{}: body '{}' moves but has no mass; add an inertial", body.where(), context_.names.of(body))));
-    }
+    body.solid = read_mass(element, solids, context_.compiler, context_.warnings);
+    const auto inertials = element.children("inertial");
+    if (!mass_from_geoms(element, context_.compiler) && !inertials.empty()) body.solid_where = inertials[0].where();
   }
 
-  [[nodiscard]] Chain build_site(const XmlElement& element, const std::string& child_class) const {
-    const MjcfAttributes attributes = context_.defaults.resolve(element, child_class);
-    const std::string name = free_name(element, ".site");
-    const Vec3d offset = attributes.vector("pos", {});
-    const Mat3d turn = read_orientation(attributes, context_.compiler);
-    Chain chain;
-    if (!is_zero(offset)) chain.translation(offset, name + ".offset").structural();
-    if (!is_identity(turn)) chain.rotation(turn, name + ".turn").structural();
-    chain.endpoint(name);
-    if (is_sole(attributes)) chain.with(properties::sole, read_sole(attributes));
-    return chain;
-  }
-
-  [[nodiscard]] bool is_sole(const MjcfAttributes& site) const {
-    const std::string& name = context_.names.of(site.element());
-    if (context_.table.names_soles()) return context_.table.is_sole(name);
-    return name.ends_with("sole") && site.text("type") == "box";
-  }
-
-  [[nodiscard]] static Sole read_sole(const MjcfAttributes& site) {
-    const bool box = site.text("type") == "box" && site.has("size");
-    const auto size = box ? site.numbers("size", 2, 3) : std::vector<double>(2);
-    if (!(size[0] > 0 && size[1] > 0)) {
-      site.element().fail("a sole needs type=\"box\" and size=\"half_length half_width half_height\"");
+  [[nodiscard]] DraftShape make_shape(const MjcfChild& child, const MjcfAttributes& attributes,
+                                      PlacedShape placed) const {
+    if (std::holds_alternative<Plane>(placed.shape)) {
+      child.element.fail("a plane cannot be part of a robot; use a box");
     }
-    return {size[0], size[1]};
+    const Place place = inside(child.frame, {placed.position, placed.orientation});
+    placed.position = place.position;
+    placed.orientation = place.orientation;
+    return {child.element.attribute("name").value_or(""), child.element.where(), placed, attributes.text("mesh")};
+  }
+
+  [[nodiscard]] static DraftVisual placed_visual(const MjcfChild& child, DraftVisual visual) {
+    visual.place = inside(child.frame, visual.place);
+    return visual;
+  }
+
+  [[nodiscard]] DraftFrame read_site(const MjcfChild& child) const {
+    const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
+    DraftFrame frame{context_.names.of(child.element), child.element.where()};
+    frame.place = inside(child.frame, place_of(attributes));
+    const bool box = attributes.text("type") == "box" && attributes.has("size");
+    const auto size = box ? attributes.numbers("size", 2, 3) : std::vector<double>(2);
+    if (size[0] > 0 && size[1] > 0) frame.box = Sole{size[0], size[1]};
+    return frame;
+  }
+
+  /// MJCF cameras look along -z with y up; the frame here is theirs.
+  void add_camera(const MjcfChild& child, DraftBody& body) {
+    const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
+    const auto name = child.element.attribute("name");
+    draft_.sensors.push_back({"camera", name.value_or(""), name.value_or(body.name), child.element.where()});
+    if (!name) return;
+    DraftFrame frame{*name, child.element.where(), "camera"};
+    frame.place = inside(child.frame, place_of(attributes));
+    body.frames.push_back(frame);
+  }
+
+  [[nodiscard]] static MjcfAttributes own_attributes(const XmlElement& element) {
+    MjcfAttributes attributes(element);
+    attributes.overlay(element);
+    return attributes;
+  }
+  [[nodiscard]] Place place_of(const MjcfAttributes& attributes) const {
+    return {attributes.vector("pos", {}), read_orientation(attributes, context_.compiler)};
   }
 
   const MjcfContext& context_;
+  RobotDraft& draft_;
 };
 
 }  // namespace
@@ -163,18 +131,9 @@ bool is_free_joint(const XmlElement& joint, const std::string& child_class, cons
   return joint.tag() == "joint" && defaults.resolve(joint, child_class).text("type") == "free";
 }
 
-Chain build_robot(const XmlElement& base, const std::string& outer_class, const MjcfContext& context) {
-  const std::string child_class = context.defaults.child_class(base, outer_class);
-  Chain chain;
-  chain.base(context.names.of(base));
-  int joints = 0;
-  for (const XmlElement& joint : base.children()) {
-    if (joint.tag() != "joint" && joint.tag() != "freejoint") continue;
-    if (++joints > 1) joint.fail("the base has a second joint; besides its free joint it can have none");
-    if (const auto name = joint.attribute("name")) chain.alias(*name);
-  }
-  BodyBuilder(context).finish(chain, base, child_class);
-  return chain;
+void read_bodies(const XmlElement& base, const std::string& child_class, const MjcfContext& context,
+                 RobotDraft& draft) {
+  BodyReader(context, draft).read_base(base, child_class);
 }
 
 }  // namespace murosimf::io

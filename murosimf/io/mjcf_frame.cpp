@@ -50,6 +50,15 @@ bool is_euler_sequence(const std::string& text) {
   return text.size() == 3 && text.find_first_not_of("xyzXYZ") == std::string::npos;
 }
 
+void read_mass_rules(const MjcfAttributes& attributes, MjcfCompiler& compiler) {
+  compiler.least_mass = attributes.number("boundmass", compiler.least_mass);
+  compiler.least_inertia = attributes.number("boundinertia", compiler.least_inertia);
+  compiler.total_mass = std::max(0.0, attributes.number("settotalmass", compiler.total_mass));
+  if (attributes.has("balanceinertia")) {
+    compiler.balance_inertia = attributes.choice("balanceinertia", {"false", "true"}) == "true";
+  }
+}
+
 }  // namespace
 
 MjcfCompiler read_compiler(const XmlElement& root) {
@@ -74,6 +83,7 @@ MjcfCompiler read_compiler(const XmlElement& root) {
     }
     compiler.mesh_folder = attributes.text("meshdir", attributes.text("assetdir", compiler.mesh_folder));
     if (attributes.has("strippath")) compiler.strip_path = attributes.choice("strippath", {"false", "true"}) == "true";
+    read_mass_rules(attributes, compiler);
     if (attributes.text("coordinate", "local") != "local") {
       element.fail("only coordinate=\"local\" is supported; save the file anew with MuJoCo");
     }
@@ -100,10 +110,6 @@ Mat3d read_orientation(const MjcfAttributes& attributes, const MjcfCompiler& com
   if (attributes.has("xyaxes")) return from_xy_axes(attributes);
   if (attributes.has("zaxis")) return turn_of_z(unit(attributes, "zaxis", attributes.vector("zaxis", {})));
   return {};
-}
-
-bool is_identity(const Mat3d& turn) {
-  return is_zero(turn.x - Vec3d{1, 0, 0}) && is_zero(turn.y - Vec3d{0, 1, 0}) && is_zero(turn.z - Vec3d{0, 0, 1});
 }
 
 Mat3d turn_of_z(const Vec3d& axis) {

@@ -20,8 +20,12 @@ struct MjcfCompiler {
   std::string euler_sequence = "xyz";
   bool auto_limits = true;  ///< a range without `limited` counts
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::if_missing;
-  std::string mesh_folder;  ///< where mesh files are, seen from the MJCF file's folder
-  bool strip_path = false;  ///< only the last part of a mesh file's path counts
+  std::string mesh_folder;       ///< where mesh files are, seen from the MJCF file's folder
+  bool strip_path = false;       ///< only the last part of a mesh file's path counts
+  double least_mass = 0;         ///< [kg] boundmass: no body is lighter
+  double least_inertia = 0;      ///< [kg m^2] boundinertia: no principal moment is smaller
+  double total_mass = 0;         ///< [kg] settotalmass: masses and inertias are scaled to it; 0: as they are
+  bool balance_inertia = false;  ///< an impossible inertia becomes a ball's of the same mean moment
 };
 
 /// Throws SetupError where a setting has an impossible value.
@@ -31,7 +35,6 @@ struct MjcfCompiler {
 [[nodiscard]] Mat3d read_quaternion(const MjcfAttributes& attributes, std::string_view name);
 /// Element axes to parent axes; the identity if the element has no orientation.
 [[nodiscard]] Mat3d read_orientation(const MjcfAttributes& attributes, const MjcfCompiler& compiler);
-[[nodiscard]] bool is_identity(const Mat3d& turn);
 
 /// The shortest turn that takes z to the direction of `axis` (any length but zero).
 [[nodiscard]] Mat3d turn_of_z(const Vec3d& axis);

@@ -1,6 +1,6 @@
 #include "murosimf/io/mjcf_geom.h"
 
-#include <utility>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -8,52 +8,6 @@
 
 namespace murosimf::io {
 namespace {
-
-double cube(double x) { return x * x * x; }
-
-/// Diagonal of a box-like or ellipsoid-like inertia: factor * (b^2 + c^2, a^2 + c^2, a^2 + b^2).
-SymMat3d from_squares(double factor, const Vec3d& a) {
-  const double xx = a.x * a.x, yy = a.y * a.y, zz = a.z * a.z;
-  return {factor * (yy + zz), factor * (xx + zz), factor * (xx + yy)};
-}
-
-struct Volume {
-  double operator()(const Sphere& s) const { return 4.0 / 3.0 * pi * cube(s.radius); }
-  double operator()(const Box& s) const { return 8.0 * s.half_size.x * s.half_size.y * s.half_size.z; }
-  double operator()(const Capsule& s) const {
-    return (*this)(Sphere{s.radius}) + (*this)(Cylinder{s.radius, s.half_length});
-  }
-  double operator()(const Cylinder& s) const { return 2.0 * pi * s.radius * s.radius * s.half_length; }
-  double operator()(const Ellipsoid& s) const { return 4.0 / 3.0 * pi * s.semi_axes.x * s.semi_axes.y * s.semi_axes.z; }
-  double operator()(const Plane&) const { return 0; }
-  double operator()(const Convex& s) const { return geometry::solid_mass(*s.hull).volume; }
-};
-
-// Source: tables of moments of inertia of homogeneous solids, as in Goldstein, Classical Mechanics, or any
-// handbook of mechanics; the capsule is a cylinder and two half balls, whose centers lie 3/8 r behind their flat side.
-struct UnitInertia {
-  SymMat3d operator()(const Sphere& s) const { return diagonal(0.4 * s.radius * s.radius); }
-  SymMat3d operator()(const Box& s) const { return from_squares(1.0 / 3.0, s.half_size); }
-  SymMat3d operator()(const Ellipsoid& s) const { return from_squares(0.2, s.semi_axes); }
-  SymMat3d operator()(const Cylinder& s) const {
-    const double rr = s.radius * s.radius;
-    const double across = 0.25 * rr + s.half_length * s.half_length / 3.0;
-    return {across, across, 0.5 * rr};
-  }
-  SymMat3d operator()(const Capsule& s) const {
-    const double r = s.radius, h = s.half_length;
-    const double balls = volume(Sphere{r}) / volume(Shape{s});  // share of the mass
-    // half balls: 2/5 r^2 about the middle of their flat side, moved to the middle of the capsule
-    const double across = 0.4 * r * r + h * h + 0.75 * h * r;
-    const SymMat3d caps{across, across, 0.4 * r * r};
-    return balls * caps + (1.0 - balls) * (*this)(Cylinder{r, h});
-  }
-  SymMat3d operator()(const Plane&) const { return {}; }
-  SymMat3d operator()(const Convex& s) const {
-    const auto solid = geometry::solid_mass(*s.hull);
-    return (1.0 / solid.volume) * solid.inertia;
-  }
-};
 
 std::vector<double> sizes(const MjcfAttributes& attributes, std::size_t needed) {
   const auto size = attributes.numbers("size", 1, 3);
@@ -111,6 +65,15 @@ MassProperties read_solid(const MjcfAttributes& attributes, const PlacedShape& p
   return {mass, placed.position, rotated(placed.orientation, mass * unit_inertia(placed.shape))};
 }
 
+/// One bit per kind of shape; -1 is all of them.
+std::uint32_t read_mask(const MjcfAttributes& attributes, const char* name) {
+  const double number = attributes.number(name, 1);
+  if (number != std::floor(number) || number < -2147483648.0 || number > 4294967295.0) {
+    attributes.source(name).fail(fmt::format("{} '{}' must be a whole number of 32 bits", name, attributes.text(name)));
+  }
+  return static_cast<std::uint32_t>(static_cast<std::int64_t>(number));
+}
+
 void read_surface(const MjcfAttributes& attributes, PlacedShape& placed) {
   placed.surface.friction = 1.0;  // default of the format
   if (const auto friction = attributes.numbers("friction", 1, 3); !friction.empty()) {
@@ -119,7 +82,9 @@ void read_surface(const MjcfAttributes& attributes, PlacedShape& placed) {
   }
   if (const auto color = attributes.numbers("rgba", 4, 4); !color.empty())
     placed.color = {color[0], color[1], color[2]};
-  placed.collides = attributes.number("contype", 1) != 0 || attributes.number("conaffinity", 1) != 0;
+  placed.contact_type = read_mask(attributes, "contype");
+  placed.contact_affinity = read_mask(attributes, "conaffinity");
+  placed.collides = placed.contact_type != 0 || placed.contact_affinity != 0;
 }
 
 /// Zero where nothing of it counts, so that a mesh for the eye needs no volume.
@@ -134,8 +99,7 @@ MassProperties read_mesh_solid(const MjcfAttributes& attributes, const PlacedSha
           rotated(placed.orientation, (mass / solid.volume) * solid.inertia)};
 }
 
-std::vector<MjcfGeom> read_mesh_geom(const MjcfAttributes& attributes, const std::string& type,
-                                     const MjcfGeomContext& context) {
+MjcfGeom read_mesh_geom(const MjcfAttributes& attributes, const std::string& type, const MjcfGeomContext& context) {
   const XmlElement& element = attributes.element();
   if (!attributes.has("mesh")) element.fail("geom of type mesh without a mesh; add mesh=\"...\"");
   if (type != "mesh") {
@@ -146,18 +110,25 @@ std::vector<MjcfGeom> read_mesh_geom(const MjcfAttributes& attributes, const std
   placed.position = attributes.vector("pos", {});
   placed.orientation = read_orientation(attributes, context.compiler);
   read_surface(attributes, placed);
-  MassProperties solid = read_mesh_solid(attributes, placed, context);
-  std::vector<MjcfGeom> geoms;
-  for (const MeshPart& part : context.meshes.parts(attributes.text("mesh"), element, placed.collides)) {
-    geoms.push_back({placed, std::exchange(solid, {})});
-    geoms.back().placed.shape = part.shape;
-    geoms.back().placed.position += placed.orientation * part.middle;
+  MjcfGeom geom;
+  geom.solid = read_mesh_solid(attributes, placed, context);
+  const std::string mesh = attributes.text("mesh");
+  if (!placed.collides) {
+    context.meshes.check_file(mesh, element);
+    const Place place{placed.position, placed.orientation};
+    geom.visual = DraftVisual{attributes.text("name"), element.where(), mesh, place, placed.color};
+    return geom;
   }
-  return geoms;
+  for (const ConvexPart& part : context.meshes.parts(mesh, element)) {
+    geom.shapes.push_back(placed);
+    geom.shapes.back().shape = part.shape;
+    geom.shapes.back().position += placed.orientation * part.middle;
+  }
+  return geom;
 }
 
-std::vector<MjcfGeom> read_mesh_unless_unfit(const MjcfAttributes& attributes, const std::string& type,
-                                             const MjcfGeomContext& context) {
+MjcfGeom read_mesh_unless_unfit(const MjcfAttributes& attributes, const std::string& type,
+                                const MjcfGeomContext& context) {
   try {
     return read_mesh_geom(attributes, type, context);
   } catch (const SetupError& error) {
@@ -170,38 +141,20 @@ std::vector<MjcfGeom> read_mesh_unless_unfit(const MjcfAttributes& attributes, c
 
 }  // namespace
 
-double volume(const Shape& shape) { return std::visit(Volume{}, shape); }
-
-SymMat3d unit_inertia(const Shape& shape) { return std::visit(UnitInertia{}, shape); }
-
-MassProperties combined(const std::vector<MassProperties>& parts) {
-  MassProperties sum;
-  for (const MassProperties& part : parts) {
-    sum.mass += part.mass;
-    sum.center += part.mass * part.center;
-  }
-  if (sum.mass > 0) sum.center = (1.0 / sum.mass) * sum.center;
-  for (const MassProperties& part : parts) {
-    sum.inertia += part.inertia + part.mass * inertia_of_point(part.center - sum.center);
-  }
-  return sum;
-}
-
-std::vector<MjcfGeom> read_geom(const MjcfAttributes& attributes, const MjcfGeomContext& context) {
+MjcfGeom read_geom(const MjcfAttributes& attributes, const MjcfGeomContext& context) {
   const auto type = attributes.choice("type", {"sphere", "box", "capsule", "cylinder", "ellipsoid", "plane", "mesh"});
   check_mass(attributes);
   if (type == "mesh" || attributes.has("mesh")) return read_mesh_unless_unfit(attributes, type, context);
-  MjcfGeom geom;
+  PlacedShape placed;
   if (attributes.has("fromto")) {
-    geom.placed.shape = read_from_to(attributes, type, geom.placed);
+    placed.shape = read_from_to(attributes, type, placed);
   } else {
-    geom.placed.shape = read_shape(attributes, type);
-    geom.placed.position = attributes.vector("pos", {});
-    geom.placed.orientation = read_orientation(attributes, context.compiler);
+    placed.shape = read_shape(attributes, type);
+    placed.position = attributes.vector("pos", {});
+    placed.orientation = read_orientation(attributes, context.compiler);
   }
-  geom.solid = read_solid(attributes, geom.placed);
-  read_surface(attributes, geom.placed);
-  return {geom};
+  read_surface(attributes, placed);
+  return {{placed}, std::nullopt, read_solid(attributes, placed)};
 }
 
 }  // namespace murosimf::io

@@ -1,6 +1,7 @@
 #include "murosimf/io/mjcf_inertia.h"
 
-#include <Eigen/Eigenvalues>
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace murosimf::io {
@@ -17,31 +18,27 @@ SymMat3d read_tensor(const MjcfAttributes& attributes, const MjcfCompiler& compi
   return {full[0], full[1], full[2], full[3], full[4], full[5]};
 }
 
-/// Principal moments in rising order.
-Eigen::Vector3d principal_moments(const SymMat3d& I) {
-  Eigen::Matrix3d matrix;
-  matrix << I.xx, I.xy, I.xz, I.xy, I.yy, I.yz, I.xz, I.yz, I.zz;
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+void warn_about(const SymMat3d& tensor, const XmlElement& element, std::vector<std::string>& warnings) {
+  const Vec3d moments = principal_moments(tensor);
+  if (!breaks_triangle_inequality(moments)) return;
+  warnings.push_back(
+      fmt::format("{}: no solid body has the principal moments {:.4g} {:.4g} {:.4g} kg m^2: two of "
+                  "them must not be less than the third",
+                  element.where(), moments.x, moments.y, moments.z));
 }
 
-void check_tensor(const XmlElement& element, const SymMat3d& tensor, std::vector<std::string>& warnings) {
-  const Eigen::Vector3d moments = principal_moments(tensor);
-  if (!(moments[0] > 0)) {
-    element.fail(fmt::format("inertia is not positive definite (smallest principal moment {:.3g} kg m^2)", moments[0]));
+MassProperties bounded(MassProperties body, const MjcfCompiler& compiler) {
+  body.mass = std::max(body.mass, compiler.least_mass);
+  const Vec3d moments = principal_moments(body.inertia);
+  if (moments.x < compiler.least_inertia) body.inertia = with_least_moment(body.inertia, compiler.least_inertia);
+  if (compiler.balance_inertia && breaks_triangle_inequality(moments)) {
+    const double mean = (moments.x + moments.y + moments.z) / 3;
+    body.inertia = {mean, mean, mean};
   }
-  // files carry about six digits
-  if (moments[0] + moments[1] < moments[2] * (1.0 - 1e-5)) {
-    warnings.push_back(
-        fmt::format("{}: no solid body has the principal moments {:.4g} {:.4g} {:.4g} kg m^2: two of "
-                    "them must not be less than the third",
-                    element.where(), moments[0], moments[1], moments[2]));
-  }
+  return body;
 }
 
-}  // namespace
-
-MassProperties read_inertial(const XmlElement& element, const MjcfCompiler& compiler,
-                             std::vector<std::string>& warnings) {
+MassProperties read_inertial(const XmlElement& element, const MjcfCompiler& compiler) {
   MjcfAttributes attributes(element);
   attributes.overlay(element);
   if (!attributes.has("mass")) element.fail("inertial without mass; add mass=\"...\" in kg");
@@ -50,9 +47,14 @@ MassProperties read_inertial(const XmlElement& element, const MjcfCompiler& comp
   if (!(body.mass > 0)) element.fail(fmt::format("mass {} kg is not positive; correct it", body.mass));
   body.center = attributes.vector("pos", {});
   body.inertia = read_tensor(attributes, compiler);
-  check_tensor(element, body.inertia, warnings);
+  const double least = principal_moments(body.inertia).x;
+  if (!(least > 0) && !(compiler.least_inertia > 0)) {
+    element.fail(fmt::format("inertia is not positive definite (smallest principal moment {:.3g} kg m^2)", least));
+  }
   return body;
 }
+
+}  // namespace
 
 bool mass_from_geoms(const XmlElement& body, const MjcfCompiler& compiler) {
   if (compiler.inertia_from_geom != InertiaFromGeom::if_missing) {
@@ -65,8 +67,12 @@ MassProperties read_mass(const XmlElement& body, const std::vector<MassPropertie
                          const MjcfCompiler& compiler, std::vector<std::string>& warnings) {
   const auto inertials = body.children("inertial");
   if (inertials.size() > 1) inertials[1].fail("second inertial of the same body; keep one");
-  if (mass_from_geoms(body, compiler)) return combined(solids);
-  return inertials.empty() ? MassProperties{} : read_inertial(inertials[0], compiler, warnings);
+  if (mass_from_geoms(body, compiler)) return bounded(combined(solids), compiler);
+  if (inertials.empty()) return bounded({}, compiler);
+  const MassProperties solid = read_inertial(inertials[0], compiler);
+  const MassProperties result = bounded(solid, compiler);
+  if (!compiler.balance_inertia) warn_about(result.inertia, inertials[0], warnings);
+  return result;
 }
 
 }  // namespace murosimf::io

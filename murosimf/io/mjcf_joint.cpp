@@ -1,11 +1,9 @@
 #include "murosimf/io/mjcf_joint.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
-
-#include "murosimf/model/properties.h"
-
 namespace murosimf::io {
 namespace {
 
@@ -28,52 +26,54 @@ Vec3d read_axis(const MjcfAttributes& attributes, const std::string& name, const
   return axis;
 }
 
-void add_range(Chain& chain, const MjcfJoint& joint, const MjcfCompiler& compiler) {
-  if (!is_limited(joint.attributes, "limited", "range", compiler)) return;
-  const auto range = joint.attributes.numbers("range", 2, 2);
-  const double unit = joint.kind == Kind::revolute ? compiler.angle_unit : 1.0;
-  chain.with(properties::joint_range, {unit * range[0], unit * range[1], 0});
+/// [rad | m] of one unit of the file.
+double unit_of(const DraftJoint& joint, const MjcfContext& context) {
+  return joint.kind == Kind::revolute ? context.compiler.angle_unit : 1.0;
 }
 
-/// The servo of the joint's actuators; nothing if there are none.
-void add_actuated_servo(Chain& chain, const MjcfJoint& joint, const MjcfContext& context) {
-  const auto found = context.servos.find(joint.name);
-  if (found == context.servos.end()) return;
-  Servo servo = found->second;
-  if (is_limited(joint.attributes, "actuatorfrclimited", "actuatorfrcrange", context.compiler)) {
-    const auto range = joint.attributes.numbers("actuatorfrcrange", 2, 2);
-    const double limit = std::max(std::abs(range[0]), std::abs(range[1]));
-    servo.stall_torque = servo.stall_torque > 0 ? std::min(servo.stall_torque, limit) : limit;
-  }
-  chain.with(properties::servo, servo);
+void read_spring(const MjcfAttributes& attributes, DraftJoint& joint, double unit) {
+  joint.reference = unit * attributes.number("ref", 0);
+  joint.stiffness = at_least_zero(attributes, "stiffness");
+  joint.spring_reference = unit * attributes.number("springref", 0);
+}
+
+/// What limits the torque of all actuators together.
+void limit_effort(const MjcfAttributes& attributes, DraftJoint& joint, const MjcfContext& context) {
+  if (!is_limited(attributes, "actuatorfrclimited", "actuatorfrcrange", context.compiler)) return;
+  const auto range = attributes.numbers("actuatorfrcrange", 2, 2);
+  joint.effort_limit = std::max(std::abs(range[0]), std::abs(range[1]));
+  if (!joint.servo) return;
+  double& stall = joint.servo->stall_torque;
+  stall = stall > 0 ? std::min(stall, joint.effort_limit) : joint.effort_limit;
 }
 
 }  // namespace
 
-MjcfJoint read_joint(const XmlElement& element, const std::string& child_class, const MjcfContext& context) {
+DraftJoint read_joint(const XmlElement& element, const std::string& child_class, const MjcfContext& context) {
   const MjcfAttributes attributes = context.defaults.resolve(element, child_class);
   const auto type = attributes.choice("type", {"hinge", "slide", "ball", "free"});
-  const std::string& name = context.names.of(element);
-  if (type == "ball") element.fail(fmt::format("ball joint '{}' is not supported; use three hinges", name));
-  if (type == "free") element.fail(fmt::format("free joint '{}' inside the robot; only its base may be free", name));
-  const Kind kind = type == "slide" ? Kind::prismatic : Kind::revolute;
-  return {name, kind, attributes.vector("pos", {}), read_axis(attributes, name, context), attributes};
-}
-
-void add_joint_constants(Chain& chain, const MjcfJoint& joint, const MjcfContext& context) {
-  const double armature = at_least_zero(joint.attributes, "armature");
-  const double damping = at_least_zero(joint.attributes, "damping");
-  const double friction = at_least_zero(joint.attributes, "frictionloss");
-  add_range(chain, joint, context.compiler);
-  if (const auto found = context.table.servos.find(joint.name); found != context.table.servos.end()) {
-    // it has rotor, friction and speed-torque line of its own: the file's describe the same part
-    chain.with(properties::servo, found->second.servo);
-    return;
+  DraftJoint joint;
+  joint.name = context.names.of(element);
+  joint.where = element.where();
+  if (type == "ball") element.fail(fmt::format("ball joint '{}' is not supported; use three hinges", joint.name));
+  if (type == "free") {
+    element.fail(fmt::format("free joint '{}' inside the robot; only its base may be free", joint.name));
   }
-  if (armature > 0) chain.with(properties::joint_armature, armature);
-  if (damping > 0) chain.with(properties::joint_damping, damping);
-  if (friction > 0) chain.with(properties::joint_friction, friction);
-  add_actuated_servo(chain, joint, context);
+  joint.kind = type == "slide" ? Kind::prismatic : Kind::revolute;
+  joint.anchor = attributes.vector("pos", {});
+  joint.axis = read_axis(attributes, joint.name, context);
+  joint.armature = at_least_zero(attributes, "armature");
+  joint.damping = at_least_zero(attributes, "damping");
+  joint.friction = at_least_zero(attributes, "frictionloss");
+  const double unit = unit_of(joint, context);
+  if (is_limited(attributes, "limited", "range", context.compiler)) {
+    const auto range = attributes.numbers("range", 2, 2);
+    joint.range = Vec3d{unit * range[0], unit * range[1], 0};
+  }
+  read_spring(attributes, joint, unit);
+  if (const auto found = context.servos.find(joint.name); found != context.servos.end()) joint.servo = found->second;
+  limit_effort(attributes, joint, context);
+  return joint;
 }
 
 }  // namespace murosimf::io

@@ -4,6 +4,7 @@
 
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
+#include "murosimf/io/mesh_library.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
@@ -66,13 +67,8 @@ void place_mesh(geometry::TriangleMesh& mesh, const MjcfAttributes& attributes) 
   }
   const Vec3d origin = attributes.vector("refpos", {});
   const Mat3d turn = read_quaternion(attributes, "refquat");
-  for (Vec3d& vertex : mesh.vertices) {
-    const Vec3d v = transposed_times(turn, vertex - origin);
-    vertex = {scale.x * v.x, scale.y * v.y, scale.z * v.z};
-  }
-  const bool mirrored = (scale.x < 0) != ((scale.y < 0) != (scale.z < 0));
-  if (!mirrored) return;
-  for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  for (Vec3d& vertex : mesh.vertices) vertex = transposed_times(turn, vertex - origin);
+  scale_mesh(mesh, scale);
 }
 
 }  // namespace murosimf::io

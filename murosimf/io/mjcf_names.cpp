@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/mjcf_children.h"
+
 namespace murosimf::io {
 
 MjcfNames::MjcfNames(const XmlElement& base) { walk(base); }
@@ -14,12 +16,12 @@ void MjcfNames::walk(const XmlElement& body) {
   }
   name_all(body, "site", sites_);
   name_all(body, "geom", geoms_);
-  for (const XmlElement& child : body.children("body")) walk(child);
+  for (const XmlElement& child : elements_in(body, "body")) walk(child);
 }
 
 void MjcfNames::name_all(const XmlElement& body, const char* tag, Names& names) {
   int unnamed = 0;
-  for (const XmlElement& element : body.children(tag)) {
+  for (const XmlElement& element : elements_in(body, tag)) {
     std::string otherwise = fmt::format("{}.{}", of(body), tag);
     if (!element.attribute("name") && ++unnamed > 1) otherwise += fmt::format("{}", unnamed);
     add(element, names, otherwise);

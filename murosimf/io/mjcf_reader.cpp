@@ -6,7 +6,9 @@
 
 #include "murosimf/io/mjcf_actuator.h"
 #include "murosimf/io/mjcf_body.h"
+#include "murosimf/io/mjcf_relations.h"
 #include "murosimf/io/mjcf_vocabulary.h"
+#include "murosimf/model/error.h"
 
 namespace murosimf::io {
 namespace {
@@ -16,16 +18,6 @@ struct Base {
   XmlElement body;
   std::string child_class;
 };
-
-void check_words(const XmlElement& root, bool lenient, MjcfResult& result) {
-  const VocabularyFindings found = check_vocabulary(root);
-  if (!found.refused.empty() && !lenient) {
-    const std::size_t more = found.refused.size() - 1;
-    throw SetupError(found.refused.front() + (more > 0 ? fmt::format(" (and {} more like this)", more) : ""));
-  }
-  result.notes = found.notes;
-  result.warnings = found.refused;
-}
 
 void note_world(const XmlElement& world, std::vector<std::string>& notes) {
   for (const char* tag : {"geom", "site"}) {
@@ -65,38 +57,45 @@ Base find_base(const XmlElement& root, const MjcfDefaults& defaults, bool lenien
                                   bodies[0].body.attribute("name").value_or("")));
 }
 
-ModelPtr make_model(const std::string& name, const Chain& chain, const XmlElement& base) {
-  try {
-    return std::make_shared<const Model>(name, chain);
-  } catch (const SetupError& error) {
-    base.fail(error.what());
+/// settotalmass: masses and inertias in proportion.
+void scale_masses(const MjcfCompiler& compiler, RobotDraft& draft) {
+  double total = 0;
+  for (const DraftBody& body : draft.bodies) total += body.solid.mass;
+  if (!(compiler.total_mass > 0) || !(total > 0)) return;
+  const double factor = compiler.total_mass / total;
+  for (DraftBody& body : draft.bodies) {
+    body.solid.mass *= factor;
+    body.solid.inertia = factor * body.solid.inertia;
   }
 }
 
 }  // namespace
 
-MjcfResult read_mjcf(const std::filesystem::path& file, const MjcfOptions& options) {
-  const XmlFile xml(file);
+RobotDraft read_mjcf(const std::filesystem::path& file, const ReaderOptions& options) {
+  XmlFile xml(file);
   const XmlElement root = xml.root();
-  if (root.tag() != "mujoco")
+  if (root.tag() != "mujoco") {
     root.fail(fmt::format("the root is <{}>, not <mujoco>; this is no MJCF file", root.tag()));
-  MjcfResult result;
-  check_words(root, options.lenient, result);
-  for (const XmlElement& world : root.children("worldbody")) note_world(world, result.notes);
+  }
+  xml.follow_includes();
+  RobotDraft draft;
+  draft.file = file;
+  draft.name = root.attribute("model").value_or(file.stem().string());
+  check_words(root, mjcf_vocabulary(), options.lenient, draft.warnings, draft.notes);
+  for (const XmlElement& world : root.children("worldbody")) note_world(world, draft.notes);
 
   const MjcfDefaults defaults(root);
   const MjcfCompiler compiler = read_compiler(root);
-  const auto [base, child_class] = find_base(root, defaults, options.lenient, result.warnings);
+  const auto [base, child_class] = find_base(root, defaults, options.lenient, draft.warnings);
   const MjcfNames names(base);
-  const RobotTable table = read_table_beside(file);
-  MjcfMeshes meshes(file, root, defaults, compiler, table, result.warnings);
-  check_names(table, names.joints(), names.bodies(), names.sites(), meshes.names());
-
-  const auto servos = read_actuators(root, defaults, compiler, names, options.lenient, result.warnings);
-  const MjcfContext context{defaults, compiler, names, table, servos, options.lenient, meshes, result.warnings};
-  const Chain robot = build_robot(base, child_class, context);
-  result.model = make_model(root.attribute("model").value_or(file.stem().string()), robot, base);
-  return result;
+  MjcfMeshes meshes(file, root, defaults, compiler, options.part_per_group, draft.warnings);
+  draft.meshes = meshes.drafts();
+  const auto servos = read_actuators(root, defaults, compiler, names, options.lenient, draft.warnings);
+  const MjcfContext context{defaults, compiler, names, servos, options.lenient, meshes, draft.warnings};
+  read_bodies(base, child_class, context, draft);
+  scale_masses(compiler, draft);
+  read_relations(root, names, draft);
+  return draft;
 }
 
 }  // namespace murosimf::io

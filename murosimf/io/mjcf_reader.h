@@ -1,33 +1,19 @@
-/// mjcf_reader.h - a robot from an MJCF file, the format of MuJoCo, as a Model.
+/// mjcf_reader.h - a robot from an MJCF file, the format of MuJoCo, as a draft.
 ///
 /// The robot is the body under worldbody that has a free joint. Read are bodies, joints, inertials, geoms, meshes, sites,
-/// actuators, default classes and the compiler's angle settings; how they become objects stands in mjcf_body.h. What
-/// means nothing to a robot's model (solver options, textures, the floor) is a note; what is unknown or would change
-/// the motion is an error. Servos, surfaces and soles come from a TOML file beside the model (robot_table.h).
+/// frames, cameras, actuators, sensors, default classes, includes, linear couplings of joints, contact masks, exclusions
+/// and the compiler's settings. What means nothing to a robot's model (solver options, textures, the floor) is a note;
+/// what is unknown or would change the motion is an error.
 /// Source: XML reference of the MuJoCo documentation.
-/// Limits: no ball joints, tendons, equality constraints, includes and frames.
+/// Limits: no ball joints, tendons, other equality constraints, replicate and attach.
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
-#include "murosimf/model/model.h"
+#include "murosimf/io/reader_options.h"
+#include "murosimf/io/robot_draft.h"
 
 namespace murosimf::io {
 
-struct MjcfOptions {
-  bool lenient = false;  ///< what is unknown or not supported becomes a warning, where a robot remains without it
-};
-
-struct MjcfResult {
-  ModelPtr model;
-  std::vector<std::string>
-      warnings;                    ///< one line each: file:line: what looks wrong, or is dropped because of `lenient`
-  std::vector<std::string> notes;  ///< one line each: file:line: what means nothing here
-};
-
 /// Throws SetupError: file, line, what is wrong, what to do.
-[[nodiscard]] MjcfResult read_mjcf(const std::filesystem::path& file, const MjcfOptions& options = {});
+[[nodiscard]] RobotDraft read_mjcf(const std::filesystem::path& file, const ReaderOptions& options = {});
 
 }  // namespace murosimf::io

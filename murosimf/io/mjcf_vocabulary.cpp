@@ -1,95 +1,94 @@
 #include "murosimf/io/mjcf_vocabulary.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
-#include <set>
-
-#include <fmt/format.h>
-
-#include "murosimf/model/error.h"
 
 namespace murosimf::io {
 namespace {
 
-using Words = std::vector<std::string_view>;
+const XmlWords actuators{"position", "velocity", "motor", "general"};
 
-struct ElementRule {
-  Words used{};         // attributes that the reader acts on
-  Words unused{};       // attributes that mean nothing here
-  Words unsupported{};  // attributes that MuJoCo knows and that would change the robot
-  Words children{};     // the same three, of elements inside
-  Words unused_children{};
-  Words unsupported_children{};
-};
-
-const Words actuators{"position", "velocity", "motor", "general"};
-
-Words operator+(Words a, const Words& b) {
+XmlWords operator+(XmlWords a, const XmlWords& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
 
-std::map<std::string_view, ElementRule> make_rules() {
-  const Words frame{"name", "class", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"};
-  const Words unsupported_bodies{"composite", "flexcomp", "frame", "replicate", "attach", "plugin", "include"};
-  const Words look{"group", "material", "user"};
-  std::map<std::string_view, ElementRule> rules;
+XmlVocabulary make_rules() {
+  const XmlWords frame{"name", "class", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"};
+  const XmlWords unsupported_bodies{"composite", "flexcomp", "replicate", "attach", "plugin"};
+  const XmlWords look{"group", "material", "user"};
+  XmlVocabulary rules;
   rules["mujoco"] = {.used = {"model"},
-                     .children = {"compiler", "default", "asset", "worldbody", "actuator"},
-                     .unused_children = {"option", "size", "visual", "statistic", "sensor", "keyframe", "custom"},
-                     .unsupported_children = {"contact", "equality", "tendon", "deformable", "extension", "include"}};
+                     .children = {"compiler", "default", "asset", "worldbody", "actuator", "contact", "equality",
+                                  "sensor"},
+                     .unused_children = {"option", "size", "visual", "statistic", "keyframe", "custom"},
+                     .unsupported_children = {"tendon", "deformable", "extension"}};
   rules["compiler"] = {.used = {"angle", "eulerseq", "autolimits", "inertiafromgeom", "coordinate", "meshdir",
-                                "assetdir", "strippath"},
+                                "assetdir", "strippath", "boundmass", "boundinertia", "settotalmass", "balanceinertia"},
                        .unused = {"texturedir", "discardvisual", "fusestatic", "usethread", "convexhull",
                                   "exactmeshinertia", "saveinertial", "fitaabb"},
-                       .unsupported = {"boundmass", "boundinertia", "settotalmass", "balanceinertia",
-                                       "inertiagrouprange", "alignfree"},
+                       .unsupported = {"inertiagrouprange", "alignfree"},
                        .unused_children = {"lengthrange"}};
   rules["default"] = {.used = {"class"},
-                      .children = Words{"default", "geom", "joint", "site", "mesh"} + actuators,
-                      .unused_children = {"material", "camera", "light", "pair", "equality", "tendon"},
-                      .unsupported_children = {"include"}};
+                      .children = XmlWords{"default", "geom", "joint", "site", "mesh"} + actuators,
+                      .unused_children = {"material", "camera", "light", "pair", "equality", "tendon"}};
   rules["asset"] = {.children = {"mesh"},
                     .unused_children = {"texture", "material", "hfield", "skin"},
-                    .unsupported_children = {"model", "include"}};
+                    .unsupported_children = {"model"}};
   rules["mesh"] = {.used = {"name", "class", "file", "vertex", "face", "scale", "refpos", "refquat", "inertia"},
                    .unused = {"content_type", "smoothnormal", "maxhullvert", "normal", "texcoord", "material",
                               "octree"},
                    .unsupported = {"builtin", "params"},
                    .unsupported_children = {"plugin"}};
   rules["worldbody"] = {.used = {"childclass"},
-                        .children = {"body", "geom", "site"},
+                        .children = {"body", "geom", "site", "frame"},
                         .unused_children = {"light", "camera"},
                         .unsupported_children = unsupported_bodies};
-  rules["body"] = {.used = Words{"childclass"} + frame,
+  rules["body"] = {.used = XmlWords{"childclass"} + frame,
                    .unused = {"user"},
                    .unsupported = {"gravcomp", "mocap", "sleep"},
-                   .children = {"body", "joint", "freejoint", "inertial", "geom", "site"},
-                   .unused_children = {"light", "camera"},
+                   .children = {"body", "joint", "freejoint", "inertial", "geom", "site", "camera", "frame"},
+                   .unused_children = {"light"},
                    .unsupported_children = unsupported_bodies};
+  rules["frame"] = {.used = XmlWords{"childclass"} + frame,
+                    .children = {"body", "geom", "site", "camera", "frame"},
+                    .unused_children = {"light"},
+                    .unsupported_children = unsupported_bodies};
+  rules["camera"] = {.used = frame,
+                     .unused = {"mode", "target", "fovy", "ipd", "resolution", "focal", "focalpixel", "principal",
+                                "principalpixel", "sensorsize", "orthographic", "projection", "output", "user"}};
+  rules["contact"] = {.children = {"exclude", "pair"}};
+  rules["exclude"] = {.used = {"body1", "body2"}, .unused = {"name"}};
+  rules["pair"] = {.used = {"geom1", "geom2"},
+                   .unused = {"name", "class", "condim", "friction", "solref", "solreffriction", "solimp", "gap",
+                              "margin"}};
+  rules["equality"] = {.children = {"joint"}, .unsupported_children = {"connect", "weld", "tendon", "flex", "plugin"}};
+  rules["equality/joint"] = {.used = {"joint1", "joint2", "polycoef"},
+                             .unused = {"name", "class", "solref", "solimp"},
+                             .unsupported = {"active"}};
   rules["freejoint"] = {.used = {"name"}, .unused = {"group"}, .unsupported = {"align"}};
   rules["joint"] = {.used = {"name", "class", "type", "pos", "axis", "range", "limited", "armature", "damping",
-                             "frictionloss", "actuatorfrcrange", "actuatorfrclimited"},
+                             "frictionloss", "actuatorfrcrange", "actuatorfrclimited", "ref", "stiffness", "springref"},
                     .unused = {"group", "user", "solreflimit", "solimplimit", "solreffriction", "solimpfriction",
                                "margin"},
-                    .unsupported = {"ref", "stiffness", "springref", "springdamper", "actuatorgravcomp"},
+                    .unsupported = {"springdamper", "actuatorgravcomp"},
                     .unsupported_children = {"plugin"}};
-  rules["inertial"] = {.used = Words{"mass", "diaginertia", "fullinertia"} + frame};
-  rules["geom"] = {.used = Words{"type", "size", "fromto", "friction", "rgba", "mass", "density", "contype",
-                                 "conaffinity", "mesh"} +
+  rules["inertial"] = {.used = XmlWords{"mass", "diaginertia", "fullinertia"} + frame};
+  rules["geom"] = {.used = XmlWords{"type", "size", "fromto", "friction", "rgba", "mass", "density", "contype",
+                                    "conaffinity", "mesh"} +
                            frame,
-                   .unused = look + Words{"condim", "priority", "solmix", "solref", "solimp", "margin", "gap"},
+                   .unused = look + XmlWords{"condim", "priority", "solmix", "solref", "solimp", "margin", "gap"},
                    .unsupported = {"hfield", "fitscale", "shellinertia", "fluidshape", "fluidcoef"},
                    .unsupported_children = {"plugin"}};
-  rules["site"] = {.used = Words{"type", "size"} + frame, .unused = look + Words{"rgba"}, .unsupported = {"fromto"}};
+  rules["site"] = {.used = XmlWords{"type", "size"} + frame,
+                   .unused = look + XmlWords{"rgba"},
+                   .unsupported = {"fromto"}};
   for (const std::string_view actuator : actuators) {
-    rules[actuator] = {.used = {"name", "class", "joint", "kp", "kv", "forcerange", "forcelimited", "ctrlrange",
-                                "ctrllimited", "gear", "gainprm", "biasprm", "gaintype", "biastype"},
-                       .unused = {"dampratio", "timeconst", "group", "user", "inheritrange", "lengthrange", "dyntype",
-                                  "dynprm", "actlimited", "actrange", "actdim", "actearly"},
-                       .unsupported = {"tendon", "site", "body", "refsite", "jointinparent", "slidersite", "cranksite",
-                                       "cranklength"}};
+    rules[std::string(actuator)] = {
+        .used = {"name", "class", "joint", "kp", "kv", "forcerange", "forcelimited", "ctrlrange", "ctrllimited", "gear",
+                 "dampratio", "gainprm", "biasprm", "gaintype", "biastype"},
+        .unused = {"group", "user", "inheritrange", "lengthrange", "actlimited", "actrange", "actdim", "actearly"},
+        .unsupported = {"timeconst", "dyntype", "dynprm", "tendon", "site", "body", "refsite", "jointinparent",
+                        "slidersite", "cranksite", "cranklength"}};
   }
   rules["actuator"] = {.children = actuators,
                        .unsupported_children = {"intvelocity", "damper", "cylinder", "muscle", "adhesion", "dcmotor",
@@ -97,68 +96,13 @@ std::map<std::string_view, ElementRule> make_rules() {
   return rules;
 }
 
-bool contains(const Words& words, std::string_view word) { return std::ranges::find(words, word) != words.end(); }
-
-class Checker {
- public:
-  void check(const XmlElement& element) {
-    const ElementRule& rule = rules_.at(element.tag());
-    check_attributes(element, rule);
-    for (const XmlElement& child : element.children()) {
-      if (contains(rule.children, child.tag())) {
-        check(child);
-      } else if (contains(rule.unused_children, child.tag())) {
-        note(child, fmt::format("element '{}'", child.tag()));
-      } else {
-        refuse_child(child, element, rule);
-      }
-    }
-  }
-
-  VocabularyFindings findings;
-
- private:
-  void check_attributes(const XmlElement& element, const ElementRule& rule) {
-    for (const auto& [name, value] : element.attributes()) {
-      if (contains(rule.used, name)) continue;
-      if (contains(rule.unused, name)) {
-        note(element, fmt::format("attribute '{}' of {}", name, element.tag()));
-      } else if (contains(rule.unsupported, name)) {
-        refuse(element, fmt::format("attribute '{}' of {} is not supported", name, element.tag()));
-      } else {
-        refuse(element, unknown_name(fmt::format("attribute of {}", element.tag()), name, rule.used + rule.unused));
-      }
-    }
-  }
-
-  void refuse_child(const XmlElement& child, const XmlElement& parent, const ElementRule& rule) {
-    if (contains(rule.unsupported_children, child.tag())) {
-      return refuse(child, fmt::format("element '{}' is not supported", child.tag()));
-    }
-    const auto kind = fmt::format("element in {}", parent.tag());
-    refuse(child, unknown_name(kind, child.tag(), rule.children + rule.unused_children));
-  }
-
-  void note(const XmlElement& at, const std::string& what) {
-    if (noted_.insert(what).second) findings.notes.push_back(fmt::format("{}: {} is not used", at.where(), what));
-  }
-
-  void refuse(const XmlElement& at, const std::string& what) {
-    findings.refused.push_back(one_line(fmt::format("{}: {}", at.where(), what)));
-  }
-
-  std::map<std::string_view, ElementRule> rules_ = make_rules();
-  std::set<std::string> noted_;
-};
-
 }  // namespace
 
-bool is_actuator(std::string_view tag) { return contains(actuators, tag); }
+bool is_actuator(std::string_view tag) { return std::ranges::find(actuators, tag) != actuators.end(); }
 
-VocabularyFindings check_vocabulary(const XmlElement& root) {
-  Checker checker;
-  checker.check(root);
-  return checker.findings;
+const XmlVocabulary& mjcf_vocabulary() {
+  static const XmlVocabulary rules = make_rules();
+  return rules;
 }
 
 }  // namespace murosimf::io

@@ -8,6 +8,7 @@
 #include "murosimf/control/ball_chaser.h"
 #include "murosimf/control/drive.h"
 #include "murosimf/control/keyframe_player.h"
+#include "murosimf/control/trot.h"
 #include "murosimf/control/walk_engine.h"
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/motion/full_dynamics.h"
@@ -51,6 +52,10 @@ void attach_keyframes(Simulation& simulation, Entity& robot, const ControllerOpt
 
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
   simulation.attach<control::Drive>("drive", car, control::Drive::rate_hz, options.command);
+}
+
+void attach_trot(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  simulation.attach<control::Trot>("trot", robot, control::Trot::rate_hz, options.command);
 }
 
 void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
@@ -98,6 +103,7 @@ constexpr std::array contact_entries{
 constexpr std::array controller_entries{
     Controller{"none", "joints stay where they are put", attach_none},
     Controller{"walk", "walks with the velocity in walk_command", attach_walk},
+    Controller{"trot", "trots on four legs with the velocity in walk_command", attach_trot},
     Controller{"keyframes", "plays the key frames of a motion once", attach_keyframes},
     Controller{"drive", "drives a car with the speed and turning rate in walk_command", attach_drive},
     Controller{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth",

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/io/mass_properties.h"
 #include "murosimf/model/object.h"
 #include "murosimf/model/servo.h"
 #include "murosimf/model/shape.h"
@@ -22,15 +23,13 @@ namespace murosimf::io {
 /// A frame in another: axes of the frame to axes of the other.
 struct Place {
   Vec3d position;  ///< [m]
-  Mat3d orientation = Mat3d::identity();
+  Mat3d orientation;
 };
 
-/// Mass, center and inertia of a body or of a part of it.
-struct MassProperties {
-  double mass = 0;   ///< [kg]
-  Vec3d center;      ///< [m] body frame
-  SymMat3d inertia;  ///< [kg m^2] at the center, body axes
-};
+/// `inner` stands in the frame of `outer`: where it is in the frame that `outer` is in.
+[[nodiscard]] inline Place inside(const Place& outer, const Place& inner) {
+  return {outer.position + outer.orientation * inner.position, outer.orientation * inner.orientation};
+}
 
 struct DraftJoint {
   std::string name, where;
@@ -64,11 +63,20 @@ struct DraftShape {
   std::string mesh;         ///< name of the mesh that it is made of; empty: a primitive
 };
 
-/// A named frame on a body: a site, a welded body or link, a camera.
+/// A mesh that is only looked at: it is not read until somebody draws it.
+struct DraftVisual {
+  std::string name, where;
+  std::string mesh;  ///< among the draft's meshes
+  Place place;       ///< of the mesh frame in the frame of the body
+  Color color;
+};
+
+/// A named frame on a body.
 struct DraftFrame {
   std::string name, where;
-  Place place;
-  std::optional<Sole> sole;
+  std::string kind = "site";  ///< site, body (welded to this one) or camera
+  Place place;                ///< in the frame of the body
+  std::optional<Sole> box;    ///< of a box site: it may be a sole
 };
 
 struct DraftBody {
@@ -79,19 +87,32 @@ struct DraftBody {
   MassProperties solid;     ///< mass 0: massless
   std::string solid_where;  ///< where its mass is written; empty: nowhere, or worked out from shapes
   std::vector<DraftShape> shapes;
+  std::vector<DraftVisual> visuals;  ///< meshes; other shapes for the eye are shapes that do not collide
   std::vector<DraftFrame> frames;
 };
 
-/// A mesh that shapes are made of.
+/// A mesh of the file. A vertex v of the mesh file stands at scale * (orientation^T (v - position)) in the mesh frame.
 struct DraftMesh {
   std::string name, where;
   std::filesystem::path file;  ///< empty: the vertices stand in the robot file
-  std::size_t triangles = 0;
+  Vec3d scale{1, 1, 1};        ///< [1]
+  Place origin;                ///< of the mesh frame, in the file's frame
+};
+
+/// What a file says about the picture of a camera; 0: nothing.
+struct DraftCamera {
+  double horizontal_view = 0;     ///< [rad] from the left to the right border
+  int width = 0, height = 0;      ///< [px]
+  double k1 = 0, k2 = 0, k3 = 0;  ///< [1] radial distortion (Brown)
+  double p1 = 0, p2 = 0;          ///< [1] tangential distortion
 };
 
 /// A sensor or camera that the file mentions.
 struct DraftSensor {
-  std::string kind, name, frame, where;  ///< kind as the file calls it; frame: site, body or link
+  std::string kind, name, frame, where;  ///< kind as the file calls it; frame: site, body, link or joint
+  Place place;                           ///< in that frame
+  double rate = 0;                       ///< [Hz] 0: the file does not say
+  std::optional<DraftCamera> camera;
 };
 
 /// Two bodies whose shapes never touch each other (MJCF exclude).
@@ -99,14 +120,21 @@ struct DraftExclusion {
   std::string body1, body2, where;
 };
 
+/// Two shapes of the robot, by name, that touch each other whatever else forbids it (MJCF pair).
+struct DraftPair {
+  std::string shape1, shape2, where;
+};
+
 struct RobotDraft {
   std::string name;
+  std::string base_joint;  ///< name of the joint that makes the base free; empty: none
   std::filesystem::path file;
   std::vector<DraftBody> bodies;
   std::vector<DraftMimic> mimics;
   std::vector<DraftMesh> meshes;
   std::vector<DraftSensor> sensors;
   std::vector<DraftExclusion> exclusions;
+  std::vector<DraftPair> pairs;
   std::vector<std::string> warnings;  ///< file:line: what looks wrong, or is dropped because of `lenient`
   std::vector<std::string> notes;     ///< file:line: what means nothing here
 };

@@ -10,7 +10,7 @@
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/io/data_path.h"
 #include "murosimf/io/field.h"
-#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/robot_reader.h"
 #include "murosimf/io/motion_file.h"
 #include "murosimf/io/output_file.h"
 #include "murosimf/io/registry.h"
@@ -113,7 +113,7 @@ ModelPtr Scene::model(const std::string& name, const std::string& where) {
   ModelPtr& known = models_[name];
   if (known) return known;
   const auto file = at(where, [&] { return find_data_file(name, "models", ".xml", spec_.file.parent_path()); });
-  MjcfResult result = read_mjcf(file, {.lenient = options_.lenient});
+  RobotFile result = read_robot(file, {.lenient = options_.lenient});
   warnings_.insert(warnings_.end(), result.warnings.begin(), result.warnings.end());
   check_materials(*result.model);
   return known = result.model;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 #include <tinyxml2.h>
@@ -10,6 +11,39 @@
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+}  // namespace
+
+/// One XML file, and what its include elements bring in.
+struct XmlSource {
+  std::string name;
+  tinyxml2::XMLDocument document;
+  std::map<const void*, XmlElement> included;  ///< root of the other file, by XmlElement::id
+};
+
+namespace {
+
+std::unique_ptr<XmlSource> read_source(const std::filesystem::path& file) {
+  auto source = std::make_unique<XmlSource>();
+  source->name = file.string();
+  const std::string& name = source->name;
+  tinyxml2::XMLDocument& document = source->document;
+  const auto error = document.LoadFile(name.c_str());
+  if (error == tinyxml2::XML_ERROR_FILE_NOT_FOUND || std::filesystem::is_directory(file)) {
+    throw SetupError(one_line(fmt::format("{}: there is no such file", name)));
+  }
+  if (error != tinyxml2::XML_SUCCESS || !document.RootElement()) {
+    const int line = std::max(1, document.ErrorLineNum());
+    throw SetupError(one_line(
+        fmt::format("{}:{}: not well-formed XML ({}); correct the file there", name, line, document.ErrorName())));
+  }
+  return source;
+}
+
+}  // namespace
 
 std::string one_line(std::string_view text) {
   std::string line(text);
@@ -20,7 +54,6 @@ std::string one_line(std::string_view text) {
 }
 
 std::optional<std::vector<double>> parse_numbers(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
   std::vector<double> numbers;
   std::size_t begin = text.find_first_not_of(blanks);
   while (begin != std::string_view::npos) {
@@ -40,7 +73,7 @@ std::string XmlElement::tag() const { return element_->Name(); }
 
 int XmlElement::line() const { return element_->GetLineNum(); }
 
-std::string XmlElement::where() const { return fmt::format("{}:{}", *file_, line()); }
+std::string XmlElement::where() const { return fmt::format("{}:{}", source_->name, line()); }
 
 std::optional<std::string> XmlElement::attribute(const char* name) const {
   const char* value = element_->Attribute(name);
@@ -53,9 +86,23 @@ std::vector<XmlAttribute> XmlElement::attributes() const {
   return result;
 }
 
+std::string XmlElement::text() const {
+  const char* start = element_->GetText();
+  std::string_view text = start ? start : "";
+  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+  text.remove_prefix(begin);
+  return std::string(text.substr(0, text.find_last_not_of(blanks) + 1));
+}
+
 std::vector<XmlElement> XmlElement::children() const {
   std::vector<XmlElement> result;
-  for (const auto* c = element_->FirstChildElement(); c; c = c->NextSiblingElement()) result.emplace_back(c, file_);
+  for (const auto* c = element_->FirstChildElement(); c; c = c->NextSiblingElement()) {
+    if (const auto included = source_->included.find(c); included != source_->included.end()) {
+      for (const XmlElement& child : included->second.children()) result.push_back(child);
+    } else {
+      result.emplace_back(c, source_);
+    }
+  }
   return result;
 }
 
@@ -71,21 +118,33 @@ void XmlElement::fail(std::string_view message) const {
   throw SetupError(one_line(fmt::format("{}: {}", where(), message)));
 }
 
-XmlFile::XmlFile(const std::filesystem::path& file)
-    : name_(file.string()), document_(std::make_unique<tinyxml2::XMLDocument>()) {
-  const auto error = document_->LoadFile(name_.c_str());
-  if (error == tinyxml2::XML_ERROR_FILE_NOT_FOUND || std::filesystem::is_directory(file)) {
-    throw SetupError(one_line(fmt::format("{}: there is no such file", name_)));
-  }
-  if (error != tinyxml2::XML_SUCCESS || !document_->RootElement()) {
-    const int line = std::max(1, document_->ErrorLineNum());
-    throw SetupError(one_line(
-        fmt::format("{}:{}: not well-formed XML ({}); correct the file there", name_, line, document_->ErrorName())));
-  }
-}
+XmlFile::XmlFile(const std::filesystem::path& file) { sources_.push_back(read_source(file)); }
 
 XmlFile::~XmlFile() = default;
 
-XmlElement XmlFile::root() const { return {document_->RootElement(), &name_}; }
+XmlElement XmlFile::root() const { return {sources_[0]->document.RootElement(), sources_[0].get()}; }
+
+void XmlFile::follow_includes() { follow_includes(*sources_[0], root()); }
+
+void XmlFile::follow_includes(XmlSource& source, const XmlElement& element) {
+  for (const XmlElement& child : element.children()) {
+    if (child.tag() != "include") {
+      follow_includes(source, child);
+      continue;
+    }
+    const auto name = child.attribute("file");
+    if (!name || name->empty()) child.fail("include without a file; add file=\"...\"");
+    const auto path = std::filesystem::path(sources_[0]->name).parent_path() / *name;
+    for (const auto& other : sources_) {
+      if (std::filesystem::weakly_canonical(other->name) == std::filesystem::weakly_canonical(path)) {
+        child.fail(fmt::format("'{}' is included a second time; a file can be included once", *name));
+      }
+    }
+    XmlSource& file = *sources_.emplace_back(at(child.where(), [&] { return read_source(path); }));
+    const XmlElement included(file.document.RootElement(), &file);
+    follow_includes(file, included);
+    source.included.emplace(child.id(), included);
+  }
+}
 
 }  // namespace murosimf::io

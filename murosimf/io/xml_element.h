@@ -12,7 +12,6 @@
 #include <vector>
 
 namespace tinyxml2 {
-class XMLDocument;
 class XMLElement;
 }  // namespace tinyxml2
 
@@ -22,9 +21,11 @@ struct XmlAttribute {
   std::string name, value;
 };
 
+struct XmlSource;
+
 class XmlElement {
  public:
-  XmlElement(const tinyxml2::XMLElement* element, const std::string* file) : element_(element), file_(file) {}
+  XmlElement(const tinyxml2::XMLElement* element, const XmlSource* source) : element_(element), source_(source) {}
 
   [[nodiscard]] std::string tag() const;
   [[nodiscard]] int line() const;
@@ -33,6 +34,9 @@ class XmlElement {
   /// Value of an attribute; nothing if it is not there.
   [[nodiscard]] std::optional<std::string> attribute(const char* name) const;
   [[nodiscard]] std::vector<XmlAttribute> attributes() const;
+  /// The text before the first element inside, without blanks around it; empty if there is none.
+  [[nodiscard]] std::string text() const;
+  /// An `include` that XmlFile has followed is replaced by what it brings in.
   [[nodiscard]] std::vector<XmlElement> children() const;
   [[nodiscard]] std::vector<XmlElement> children(std::string_view tag) const;
   /// Throws a SetupError of one line: where, then `message`.
@@ -43,7 +47,7 @@ class XmlElement {
 
  private:
   const tinyxml2::XMLElement* element_;
-  const std::string* file_;
+  const XmlSource* source_;
 };
 
 class XmlFile {
@@ -56,9 +60,15 @@ class XmlFile {
 
   [[nodiscard]] XmlElement root() const;
 
+  /// From now on, the children of each `include` element's file stand in its place, in included files, too. Paths are
+  /// relative to the folder of this file. Throws SetupError for a file that is missing or is included twice, so that
+  /// nothing includes itself. Source: MuJoCo documentation, XML reference, "include".
+  void follow_includes();
+
  private:
-  std::string name_;
-  std::unique_ptr<tinyxml2::XMLDocument> document_;
+  void follow_includes(XmlSource& source, const XmlElement& element);
+
+  std::vector<std::unique_ptr<XmlSource>> sources_;  ///< the file itself, then the included ones
 };
 
 /// `text` with line breaks and other control characters replaced by spaces: fit for a message of one line.

@@ -52,6 +52,11 @@ inline Mat3d rotation_x(double angle) { return rotation(Vec3d{1, 0, 0}, angle); 
 inline Mat3d rotation_y(double angle) { return rotation(Vec3d{0, 1, 0}, angle); }
 inline Mat3d rotation_z(double angle) { return rotation(Vec3d{0, 0, 1}, angle); }
 
+/// Exactly no turn.
+inline bool is_identity(const Mat3d& m) {
+  return is_zero(m.x - Vec3d{1, 0, 0}) && is_zero(m.y - Vec3d{0, 1, 0}) && is_zero(m.z - Vec3d{0, 0, 1});
+}
+
 /// Turn of the local x axis about the vertical [rad]: the heading of a frame that stands about upright.
 inline double heading(const Mat3d& m) { return std::atan2(m.x.y, m.x.x); }
 

@@ -9,7 +9,7 @@
 #include "murosimf/collision/ground_points.h"
 #include "murosimf/collision/robot_tree.h"
 #include "murosimf/io/data_path.h"
-#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/robot_reader.h"
 #include "murosimf/multibody/kinematics.h"
 #include "tests/geometry/volume_fixtures.h"
 
@@ -20,7 +20,7 @@ using fixtures::Dice;
 using fixtures::placed;
 
 const Model& kid21() {
-  static const ModelPtr model = io::read_mjcf(io::find_data_file("kid21", "models", ".xml")).model;
+  static const ModelPtr model = io::read_robot(io::find_data_file("kid21", "models", ".xml")).model;
   return *model;
 }
 

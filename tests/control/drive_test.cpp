@@ -10,7 +10,7 @@ namespace murosimf::control {
 namespace {
 
 ModelPtr car_model() {
-  static const ModelPtr model = io::read_mjcf(std::string(MUROSIMF_SOURCE_DIR) + "/models/car.xml").model;
+  static const ModelPtr model = io::read_robot(std::string(MUROSIMF_SOURCE_DIR) + "/models/car.xml").model;
   return model;
 }
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/io/mjcf_geom.h"
-#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/robot_reader.h"
 #include "murosimf/model/properties.h"
 #include "tests/fixtures.h"
 
@@ -53,10 +53,10 @@ std::string pair() {
 }
 
 /// Line 1: `assets`; line 2 on: a base without inertial, in it `geoms` from line 3 on.
-MjcfResult read(const std::string& assets, const std::string& geoms, bool lenient = false) {
-  return read_mjcf(write("robot.xml", "<mujoco model='r'>" + assets + "\n<worldbody><body name='b'><freejoint/>\n" +
-                                          geoms + "\n</body></worldbody></mujoco>"),
-                   {lenient});
+RobotFile read(const std::string& assets, const std::string& geoms, bool lenient = false) {
+  return read_robot(write("robot.xml", "<mujoco model='r'>" + assets + "\n<worldbody><body name='b'><freejoint/>\n" +
+                                           geoms + "\n</body></worldbody></mujoco>"),
+                    {lenient});
 }
 
 const std::string brick_asset = "<asset><mesh file='brick.obj'/></asset>";
@@ -70,10 +70,10 @@ std::string complaint(const std::string& assets, const std::string& geoms, bool 
   return what.substr(folder().string().size());
 }
 
-const Shapes& shapes_of(const MjcfResult& result) { return *result.model->find(properties::shapes, 0); }
-double mass_of(const MjcfResult& result) { return *result.model->find(properties::mass, 0); }
-Vec3d center_of(const MjcfResult& result) { return *result.model->find(properties::center_of_mass, 0); }
-SymMat3d inertia_of(const MjcfResult& result) { return *result.model->find(properties::inertia, 0); }
+const Shapes& shapes_of(const RobotFile& result) { return *result.model->find(properties::shapes, 0); }
+double mass_of(const RobotFile& result) { return *result.model->find(properties::mass, 0); }
+Vec3d center_of(const RobotFile& result) { return *result.model->find(properties::center_of_mass, 0); }
+SymMat3d inertia_of(const RobotFile& result) { return *result.model->find(properties::inertia, 0); }
 
 /// Lowest and highest corner of a placed hull, body frame.
 std::array<Vec3d, 2> box_of(const PlacedShape& placed) {
@@ -92,7 +92,7 @@ void expect_box(const PlacedShape& placed, const Vec3d& low, const Vec3d& high) 
   EXPECT_LT(difference(box[1], high), 1e-14) << box[1].x << ' ' << box[1].y << ' ' << box[1].z;
 }
 
-std::size_t warnings_with(const MjcfResult& result, const std::string& part) {
+std::size_t warnings_with(const RobotFile& result, const std::string& part) {
   return static_cast<std::size_t>(std::ranges::count_if(result.warnings, [&](const std::string& line) {
     return line.find(part) != std::string::npos;
   }));
@@ -228,7 +228,9 @@ TEST(MjcfMesh, OpenOneWarnsWhereItMatters) {
 TEST(MjcfMesh, ForTheEyeOnlyCountsForMassUnlessItIsZero) {
   write("brick.obj", brick());
   const auto eye = read(brick_asset, "<geom type='mesh' mesh='brick' contype='0' conaffinity='0' group='2'/>");
-  EXPECT_FALSE(shapes_of(eye)[0].collides);
+  EXPECT_EQ(eye.model->find(properties::shapes, 0), nullptr);
+  ASSERT_EQ(eye.draft.bodies[0].visuals.size(), 1U);
+  EXPECT_EQ(eye.draft.bodies[0].visuals[0].mesh, "brick");
   EXPECT_NEAR(mass_of(eye), 48, 1e-12);
   const auto massless = read(brick_asset, "<geom size='1' mass='3'/><geom type='mesh' mesh='brick' mass='0'/>");
   EXPECT_EQ(mass_of(massless), 3);
@@ -240,10 +242,16 @@ TEST(MjcfMesh, FlatOneIsOnlyForTheEye) {
   const std::string seen = "<geom type='mesh' mesh='flat' contype='0' conaffinity='0'/>";
   const auto eye = read(asset, inertial + seen);
   EXPECT_EQ(eye.model->find(properties::shapes, 0), nullptr);
-  EXPECT_EQ(warnings_with(eye, "left out"), 1U);
+  EXPECT_TRUE(eye.warnings.empty());
   EXPECT_TRUE(says(complaint(asset, inertial + "<geom type='mesh' mesh='flat'/>"),
                    {":1: mesh 'flat' (flat.obj): ", "in a plane", "needs a volume"}));
   EXPECT_TRUE(says(complaint(asset, seen), {"in a plane", "inertial"}));
+}
+
+TEST(MjcfMesh, OneThatIsOnlyLookedAtMayBeMissingButNotSilently) {
+  const std::string asset = "<asset><mesh file='nowhere.stl'/></asset>";
+  const auto eye = read(asset, inertial + "<geom type='mesh' mesh='nowhere' contype='0' conaffinity='0'/>");
+  EXPECT_EQ(warnings_with(eye, "nowhere.stl; it is for the eye only and left out"), 1U);
 }
 
 TEST(MjcfMesh, InsideOutMattersToExactInertiaOnly) {

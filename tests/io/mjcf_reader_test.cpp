@@ -1,5 +1,5 @@
 /// mjcf_reader_test - a robot file becomes the right model, and every mistake in it is named with file and line.
-#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/robot_reader.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -30,7 +30,7 @@ std::filesystem::path write(const std::string& text, const std::string& ending =
   return file;
 }
 
-MjcfResult read(const std::string& text, bool lenient = false) { return read_mjcf(write(text), {lenient}); }
+RobotFile read(const std::string& text, bool lenient = false) { return read_robot(write(text), {lenient}); }
 
 std::string message_of(const std::function<void()>& action) {
   try {
@@ -95,7 +95,7 @@ multibody::Pose<double> pose(const Model& model, const std::string& object, doub
 // ---- kid21 ----
 
 TEST(MjcfReader, Kid21HasItsMassAndParts) {
-  const auto [model, warnings, notes] = read_mjcf(kid21);
+  const auto [model, warnings, notes, draft] = read_robot(kid21);
   EXPECT_EQ(model->name(), "kid21");
   EXPECT_NEAR(model->tree().mass, 4.30, 1e-12);
   EXPECT_EQ(model->joints().size(), 21u);
@@ -107,7 +107,7 @@ TEST(MjcfReader, Kid21HasItsMassAndParts) {
 }
 
 TEST(MjcfReader, Kid21HasTheNamesOfTheFile) {
-  const auto [model, warnings, notes] = read_mjcf(kid21);
+  const auto [model, warnings, notes, draft] = read_robot(kid21);
   EXPECT_EQ(model->object_index("pelvis"), 0);
   EXPECT_EQ(model->object_index("l_foot"), model->object_index("j_l_foot"));
   EXPECT_EQ(model->objects()[model->object_index("l_foot")].name, "j_l_foot");
@@ -118,7 +118,7 @@ TEST(MjcfReader, Kid21HasTheNamesOfTheFile) {
 }
 
 TEST(MjcfReader, Kid21HasSolesInTheRightPlace) {
-  const auto [model, warnings, notes] = read_mjcf(kid21);
+  const auto [model, warnings, notes, draft] = read_robot(kid21);
   const auto soles = model->having(properties::sole);
   ASSERT_EQ(soles.size(), 2u);
   EXPECT_EQ(model->objects()[soles[0]].name, "l_sole");
@@ -130,7 +130,7 @@ TEST(MjcfReader, Kid21HasSolesInTheRightPlace) {
 }
 
 TEST(MjcfReader, Kid21HasServosOfItsTable) {
-  const auto [model, warnings, notes] = read_mjcf(kid21);
+  const auto [model, warnings, notes, draft] = read_robot(kid21);
   EXPECT_EQ(model->having(properties::servo).size(), 21u);
   const Servo& knee = *model->find(properties::servo, model->object_index("j_l_shin"));
   EXPECT_EQ(knee.type, "mx64");
@@ -146,7 +146,7 @@ TEST(MjcfReader, Kid21HasServosOfItsTable) {
 }
 
 TEST(MjcfReader, Kid21HasSurfacesOfItsTable) {
-  const auto [model, warnings, notes] = read_mjcf(kid21);
+  const auto [model, warnings, notes, draft] = read_robot(kid21);
   const Shapes& foot = *model->find(properties::shapes, model->object_index("l_foot"));
   ASSERT_EQ(foot.size(), 1u);
   EXPECT_EQ(foot[0].surface.material, "rubber");
@@ -156,7 +156,7 @@ TEST(MjcfReader, Kid21HasSurfacesOfItsTable) {
 }
 
 TEST(MjcfReader, Kid21HasTwentyBodiesWithOneShapeEach) {
-  const auto [model, warnings, notes] = read_mjcf(kid21);
+  const auto [model, warnings, notes, draft] = read_robot(kid21);
   const auto with_shapes = model->having(properties::shapes);
   EXPECT_EQ(with_shapes.size(), 20u);
   for (const int i : with_shapes) EXPECT_EQ(model->find(properties::shapes, i)->size(), 1u);
@@ -167,7 +167,7 @@ TEST(MjcfReader, Kid21HasTwentyBodiesWithOneShapeEach) {
 }
 
 TEST(MjcfReader, Kid21IgnoresTheFloorWithANote) {
-  const auto [model, warnings, notes] = read_mjcf(kid21);
+  const auto [model, warnings, notes, draft] = read_robot(kid21);
   EXPECT_TRUE(any_contains(notes, "world geom 'floor' ignored: the scene brings its own ground"));
   EXPECT_TRUE(any_contains(notes, "element 'option' is not used"));
   for (const std::string& note : notes) EXPECT_TRUE(contains(note, "kid21.xml:")) << note;
@@ -228,8 +228,9 @@ TEST(MjcfReader, BodiesWithoutJointOrNameAreFine) {
                                        "<joint axis='0 1 0'/><inertial mass='2' diaginertia='1 1 1'/></body></body>"))
                          .model;
   EXPECT_EQ(model->joints().size(), 2u);
-  EXPECT_EQ(model->objects()[model->object_index("body_2")].kind, Kind::translation);
-  EXPECT_EQ(model->objects()[model->object_index("body_3")].kind, Kind::rotation);
+  EXPECT_EQ(model->objects()[model->object_index("body_2")].kind, Kind::endpoint);
+  expect_near(pose(*model, "body_2").r, {1, 0, 0});
+  expect_near(pose(*model, "body_3").R.z, {0, 0, -1});
   EXPECT_EQ(model->object_index("body_4"), model->object_index("body_4.joint2"));
   EXPECT_EQ(model->objects()[model->object_index("body_4.joint2")].parent, model->object_index("body_4.joint"));
   EXPECT_EQ(model->object_index("root"), 0);
@@ -244,7 +245,7 @@ TEST(MjcfReader, ABodyMayShareItsNameWithAJoint) {
   const auto other =
       read(closed_robot("<body name='a'><joint name='c' axis='1 0 0'/><inertial mass='1' "
                         "diaginertia='1 1 1'/><body name='c' pos='0 0 1'><site name='a'/></body></body>"));
-  EXPECT_EQ(other.model->objects()[other.model->object_index("c.body")].kind, Kind::translation);
+  EXPECT_EQ(other.model->objects()[other.model->object_index("c.body")].kind, Kind::endpoint);
   EXPECT_EQ(other.model->objects()[other.model->object_index("a.site")].kind, Kind::endpoint);
   EXPECT_EQ(other.warnings.size(), 2u);
 }
@@ -442,15 +443,120 @@ TEST(MjcfReader, TheTableBesideMustSpeakOfTheRobot) {
   expect_complaint(complaint("[soles]\nleft = 'foot'\n"), 5, "a sole needs type=\"box\"");
 }
 
+// ---- couplings, contacts, sensors, frames, includes ----
+
+TEST(MjcfReader, ReadsSpringsAndTheReferenceOfAJoint) {
+  const auto [model, warnings, notes, draft] =
+      read(closed_robot("<body name='a' pos='0 0 1'><joint name='j' axis='0 2 0' ref='90' stiffness='3' "
+                        "springref='45'/><geom size='1'/><site name='tip' pos='0 0 -1'/></body>"));
+  const DraftJoint& joint = draft.bodies[1].joints[0];
+  EXPECT_EQ(joint.stiffness, 3);
+  EXPECT_NEAR(joint.reference, pi / 2, 1e-15);
+  EXPECT_NEAR(joint.spring_reference, pi / 4, 1e-15);
+  // at joint position 90 degrees the tip is where the file has it, at 0 it is turned back
+  expect_near(pose(*model, "tip", pi / 2).r, {0, 0, 0});
+  expect_near(pose(*model, "tip", 0).r, {1, 0, 1});
+}
+
+TEST(MjcfReader, FramesShiftAndTurnWhatStandsInThem) {
+  const auto [model, warnings, notes, draft] =
+      read(closed_robot("<frame pos='1 0 0' euler='0 0 90'><frame pos='0 1 0'><geom name='g' size='1' pos='1 0 0'/>"
+                        "</frame><body name='c' pos='2 0 0'><joint axis='0 0 1'/><geom size='1'/></body>"
+                        "<site name='s'/></frame>"));
+  expect_near(draft.bodies[0].shapes[0].placed.position, {0, 1, 0});
+  expect_near(draft.bodies[1].place.position, {1, 2, 0});
+  expect_near(draft.bodies[1].place.orientation.x, {0, 1, 0});
+  expect_near(draft.bodies[0].frames[0].place.position, {1, 0, 0});
+}
+
+TEST(MjcfReader, WeldsBodiesWithoutJointsAndKeepsTheirFrames) {
+  const auto [model, warnings, notes, draft] =
+      read(closed_robot("<body name='bar' pos='2 0 0' euler='0 0 90'>"
+                        "<inertial mass='1' pos='2 0 0' diaginertia='1 2 2'/><geom type='box' size='1 2 3'/>"
+                        "<site name='end' pos='1 0 0'/><body name='tip' pos='0 1 0'>"
+                        "<joint name='j' axis='0 0 1'/><geom size='1'/></body></body>"));
+  ASSERT_EQ(draft.bodies.size(), 2U);
+  const DraftBody& base = draft.bodies[0];
+  EXPECT_EQ(base.solid.mass, 2);
+  expect_near(base.solid.center, {1, 1, 0});
+  EXPECT_NEAR(base.solid.inertia.zz, 1 + 2 + 2 * 2, 1e-12);  // two masses of 1 kg at 1.414 m
+  EXPECT_NEAR(base.solid.inertia.yy, 1 + 1 + 2, 1e-12);      // the bar's own xx is yy here
+  EXPECT_NEAR(base.solid.inertia.xy, -2, 1e-12);
+  expect_near(base.shapes[0].placed.position, {2, 0, 0});
+  expect_near(draft.bodies[1].place.position, {1, 0, 0});
+  for (const char* frame : {"bar", "end"}) EXPECT_TRUE(model->find_object(frame)) << frame;
+}
+
+TEST(MjcfReader, ReadsCoupledJointsExclusionsAndSensors) {
+  const std::string two = limb("<joint name='a' axis='0 0 1'/><joint name='a2' axis='0 1 0'/>");
+  const auto draft =
+      read(closed(robot(two) + "<equality><joint joint1='a2' joint2='a' polycoef='0.1 -2 0 0 0'/></equality>"
+                               "<contact><exclude body1='b' body2='limb'/></contact>"
+                               "<sensor><gyro name='g' site='imu'/><jointpos joint='a'/></sensor>"))
+          .draft;
+  ASSERT_EQ(draft.mimics.size(), 1U);
+  EXPECT_EQ(draft.mimics[0].joint, "a2");
+  EXPECT_EQ(draft.mimics[0].leader, "a");
+  EXPECT_EQ(draft.mimics[0].ratio, -2);
+  EXPECT_EQ(draft.mimics[0].offset, 0.1);
+  ASSERT_EQ(draft.exclusions.size(), 1U);
+  EXPECT_EQ(draft.exclusions[0].body2, "limb");
+  ASSERT_EQ(draft.sensors.size(), 2U);
+  EXPECT_EQ(draft.sensors[0].kind, "gyro");
+  EXPECT_EQ(draft.sensors[1].frame, "a");
+}
+
+TEST(MjcfReader, AGeomPairedWithTheFloorCollides) {
+  const std::string foot = "<geom name='foot' size='1' contype='0' conaffinity='0'/>";
+  const std::string pair = "<contact><pair geom1='foot' geom2='floor'/></contact>";
+  const auto with_floor = [&](const std::string& contact) {
+    const std::string floor = "<worldbody><geom name='floor' type='plane' size='1 1 1'/></worldbody>";
+    return read(closed(robot(foot, floor) + contact));
+  };
+  EXPECT_FALSE(with_floor("").draft.bodies[0].shapes[0].placed.collides);
+  EXPECT_TRUE(with_floor(pair).draft.bodies[0].shapes[0].placed.collides);
+}
+
+TEST(MjcfReader, IncludesOtherFiles) {
+  write("<mujocoinclude><body name='part'><joint name='j' axis='0 0 1'/><geom size='1'/></body></mujocoinclude>",
+        ".inc");
+  const std::string name = test_file(".inc").filename().string();
+  EXPECT_TRUE(read(closed_robot("<include file='" + name + "'/>")).model->find_object("part"));
+  EXPECT_TRUE(contains(message(closed_robot("<include file='" + name + "'/><include file='" + name + "'/>")),
+                       "is included a second time"));
+  EXPECT_TRUE(contains(message(closed_robot("<include file='nowhere.xml'/>")), "nowhere.xml: there is no such file"));
+  write("<mujocoinclude>\n<body name='part'><joint/></body></mujocoinclude>", ".inc");
+  EXPECT_TRUE(contains(message(closed_robot("<include file='" + name + "'/>")), ".inc:2: joint"));
+  write("<mujocoinclude><include file='" + name + "'/></mujocoinclude>", ".inc");
+  EXPECT_TRUE(contains(message(closed_robot("<include file='" + name + "'/>")), "is included a second time"));
+  std::filesystem::remove(test_file(".inc"));
+}
+
+TEST(MjcfReader, MassesFollowTheCompilersRules) {
+  const auto read_with = [](const std::string& compiler, const std::string& inertial) {
+    return read(closed_robot(limb("<joint axis='0 0 1'/>", inertial), "<compiler " + compiler + "/>")).draft;
+  };
+  const std::string thin = "<inertial mass='1' diaginertia='1 1 4'/>";
+  const auto balanced = read_with("balanceinertia='true'", thin);
+  EXPECT_EQ(balanced.bodies[1].solid.inertia.zz, 2);
+  EXPECT_EQ(balanced.bodies[1].solid.inertia.xx, 2);
+  const auto bounded = read_with("boundmass='3' boundinertia='2'", thin);
+  EXPECT_EQ(bounded.bodies[1].solid.mass, 3);
+  EXPECT_NEAR(bounded.bodies[1].solid.inertia.xx, 2, 1e-14);
+  EXPECT_NEAR(bounded.bodies[1].solid.inertia.zz, 4, 1e-14);
+  const auto scaled = read_with("settotalmass='10'", thin);
+  EXPECT_NEAR(scaled.bodies[0].solid.mass + scaled.bodies[1].solid.mass, 10, 1e-14);
+}
+
 // ---- mistakes ----
 
 TEST(MjcfReader, NamesMissingAndBrokenFiles) {
-  EXPECT_TRUE(contains(message_of([] { (void)read_mjcf("nowhere.xml"); }), "nowhere.xml: there is no such file"));
-  EXPECT_TRUE(contains(message_of([] { (void)read_mjcf(testing::TempDir()); }), "there is no such file"));
+  EXPECT_TRUE(contains(message_of([] { (void)read_robot("nowhere.xml"); }), "nowhere.xml: there is no such file"));
+  EXPECT_TRUE(contains(message_of([] { (void)read_robot(testing::TempDir()); }), "there is no such file"));
   expect_complaint(message("<mujoco>\n<worldbody>\n</mujoco>"), 2, "not well-formed XML");
   expect_complaint(message(""), 1, "not well-formed XML");
   expect_complaint(message("just text"), 1, "not well-formed XML");
-  expect_complaint(message("<!-- -->\n<robot/>"), 2, "the root is <robot>, not <mujoco>");
+  expect_complaint(message("<!-- -->\n<sdf/>"), 2, "the root is <sdf>; a robot file has <mujoco> (MJCF) or <robot> (URDF)");
 }
 
 TEST(MjcfReader, NamesUnknownWords) {
@@ -458,8 +564,8 @@ TEST(MjcfReader, NamesUnknownWords) {
                    "unknown attribute of body 'nmae'; did you mean 'name'?");
   expect_complaint(message(closed_robot("<bdy/>")), 5, "unknown element in body 'bdy'; did you mean 'body'?");
   expect_complaint(message(closed_robot("<body foo='1'><bar/></body>\n<baz/>")), 5, "(and 2 more like this)");
-  expect_complaint(message(closed_robot(limb("<joint axis='0 0 1' stiffness='3'/>"))), 5,
-                   "'stiffness' of joint is not supp");
+  expect_complaint(message(closed_robot(limb("<joint axis='0 0 1' springdamper='3 1'/>"))), 5,
+                   "'springdamper' of joint is not supp");
   expect_complaint(message(closed(robot("") + "<tendon/>")), 7, "element 'tendon' is not supported");
 }
 
@@ -544,9 +650,8 @@ TEST(MjcfReader, NamesDuplicates) {
   // a name that the reader itself gives
   expect_complaint(message(closed_robot("<body name='c' pos='1 0 0'>" + limb("<joint axis='1 0 0'/>") +
                                         "</body>"
-                                        "<body name='limb.offset' pos='1 0 0'/><body name='c.offset' quat='0 1 0 0' "
-                                        "pos='0 0 1'/><body name='c.offset.offset' pos='1 1 1'/>")),
-                   3, "two objects are called 'c.offset.offset'");
+                                        "<body name='c.offset'/>")),
+                   3, "two objects are called 'c.offset'");
 }
 
 }  // namespace

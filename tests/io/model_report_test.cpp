@@ -5,14 +5,14 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/robot_reader.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::io {
 namespace {
 
 ModelReport kid21_report() {
-  const auto [model, warnings, notes] = read_mjcf(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml");
+  const auto [model, warnings, notes, draft] = read_robot(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml");
   return make_report(*model, warnings, notes);
 }
 

@@ -10,7 +10,7 @@
 /// Rotors (armature) are in all of them.
 #include <cstdio>
 
-#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/robot_reader.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/articulated_body.h"
 #include "murosimf/multibody/inverse_dynamics.h"
@@ -127,7 +127,7 @@ class Robot {
 };
 
 void dump(const char* model_file, const char* state_file) {
-  const auto model = io::read_mjcf(model_file).model;
+  const auto model = io::read_robot(model_file).model;
   const auto file = oracle::read_states(state_file);
   if (file.joints.size() != model->joints().size()) {
     throw SetupError(

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/robot_reader.h"
 #include "murosimf/model/properties.h"
 
 namespace {
@@ -44,7 +44,7 @@ std::string base(const Model& model) {
 int main(int count, char** arguments) {
   try {
     std::vector<std::string> all;
-    for (int i = 1; i < count; ++i) all.push_back(base(*io::read_mjcf(arguments[i]).model));
+    for (int i = 1; i < count; ++i) all.push_back(base(*io::read_robot(arguments[i]).model));
     fmt::print("[{}]\n", fmt::join(all, ",\n"));
   } catch (const SetupError& error) {
     fmt::print(stderr, "{}\n", error.what());

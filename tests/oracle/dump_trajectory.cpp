@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "murosimf/collision/ground_contact.h"
-#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/robot_reader.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/articulated_dynamics.h"
@@ -64,7 +64,7 @@ std::string fly(const ModelPtr& model, const oracle::StateFile& file, const orac
 }
 
 void dump(const char* model_file, const char* state_file, double rate) {
-  const auto model = io::read_mjcf(model_file).model;
+  const auto model = io::read_robot(model_file).model;
   const auto file = oracle::read_states(state_file);
   std::vector<std::string> all;
   for (const auto& state : file.states) all.push_back(fly(model, file, state, rate));

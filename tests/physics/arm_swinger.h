@@ -22,7 +22,7 @@ class ArmSwinger final : public Algorithm {
     const auto legs = control::find_legs(model_);
     const auto pose = control::gait_pose(legs, control::seeded_parameters(legs), 0, 0, {});
     for (std::size_t side = 0; side < 2; ++side) {
-      for (std::size_t i = 0; i < 6; ++i) target_[legs[side].joints[i]] = pose.q[side][i];
+      for (std::size_t i = 0; i < legs[side].joints.size(); ++i) target_[legs[side].joints[i]] = pose.q[side][i];
     }
   }
   void step(const Instant& instant) noexcept override {

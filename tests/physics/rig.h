@@ -14,7 +14,7 @@
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/control/walk_engine.h"
 #include "murosimf/io/ball.h"
-#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/robot_reader.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/motion/full_dynamics.h"
@@ -175,7 +175,7 @@ inline ModelPtr box_model(const Surface& surface) {
 inline ModelPtr box_model(double friction = 0.8) { return box_model({"", friction}); }
 
 inline ModelPtr kid21() {
-  static const ModelPtr model = io::read_mjcf(std::string(MUROSIMF_SOURCE_DIR) + "/models/kid21.xml").model;
+  static const ModelPtr model = io::read_robot(std::string(MUROSIMF_SOURCE_DIR) + "/models/kid21.xml").model;
   return model;
 }
 

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/robot_reader.h"
 
 namespace murosimf::test {
 
@@ -33,7 +33,7 @@ inline ModelPtr kid21_with(const std::string& key, double factor) {
   }
   changed.close();
   EXPECT_GT(found, 0) << "no servo says " << key;
-  ModelPtr model = io::read_mjcf(copy / "kid21.xml").model;
+  ModelPtr model = io::read_robot(copy / "kid21.xml").model;
   std::filesystem::remove_all(copy);
   return model;
 }
@@ -61,7 +61,7 @@ inline ModelPtr kid21_with_m6() {
                "quadratic_external_load_friction = 0.0100\n";
   }
   changed.close();
-  ModelPtr model = io::read_mjcf(copy / "kid21.xml").model;
+  ModelPtr model = io::read_robot(copy / "kid21.xml").model;
   std::filesystem::remove_all(copy);
   return model;
 }

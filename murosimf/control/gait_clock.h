@@ -1,0 +1,38 @@
+/// gait_clock.h - phase, amplitude and velocity of a gait: how they follow `walk_command`.
+///
+/// The velocity follows the command, clipped to the fastest, with limited accelerations. The amplitude goes to 1 while
+/// something moves and to 0 otherwise; the phase runs while it is not 0. All are columns.
+#pragma once
+
+#include "murosimf/model/properties.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::control {
+
+struct GaitLimits {
+  double period = 0;  ///< [s]
+  Vec3d slew;         ///< [m/s^2, m/s^2, rad/s^2] of the velocity
+  Vec3d fastest;      ///< [m/s, m/s, rad/s]
+};
+
+class GaitClock {
+ public:
+  /// `command` [m/s, m/s, rad/s]: walk_command until somebody sets another.
+  GaitClock(Setup& setup, const Vec3d& command);
+
+  void initialize() noexcept;
+  /// By `dt` [s].
+  void advance(double dt, const GaitLimits& limits) noexcept;
+
+  [[nodiscard]] const Vec3d& velocity() const noexcept { return velocity_; }  ///< [m/s, m/s, rad/s]
+  [[nodiscard]] double phase() const noexcept { return phase_; }              ///< [rad] 0 to 2 pi
+  [[nodiscard]] double amplitude() const noexcept { return amplitude_; }      ///< [1] 0 stands, 1 walks
+
+ private:
+  const Vec3d& command_;
+  Vec3d& velocity_;
+  double& phase_;
+  double& amplitude_;
+};
+
+}  // namespace murosimf::control

@@ -1,0 +1,215 @@
+#include "murosimf/io/robot_builder.h"
+
+#include <set>
+
+#include <fmt/format.h>
+
+#include "murosimf/io/xml_element.h"
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::io {
+namespace {
+
+/// One object to come, with the joint it stands for.
+struct Step {
+  Object object;
+  const DraftJoint* joint = nullptr;
+};
+
+class Builder {
+ public:
+  Builder(RobotDraft& draft, const RobotTable& table) : draft_(draft), table_(table), children_(draft.bodies.size()) {
+    for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
+      const DraftBody& body = draft.bodies[i];
+      bodies_.insert(body.name);
+      for (const DraftJoint& joint : body.joints) joints_.insert(joint.name);
+      if (body.parent >= 0) children_[body.parent].push_back(i);
+    }
+  }
+
+  [[nodiscard]] Chain build() {
+    Chain chain;
+    chain.base(draft_.bodies[0].name);
+    if (!draft_.base_joint.empty() && draft_.base_joint != draft_.bodies[0].name) chain.alias(draft_.base_joint);
+    add_pairs(chain);
+    finish(chain, 0);
+    return chain;
+  }
+
+ private:
+  /// The base or the last object of a body: mass and shapes, then everything that hangs on it.
+  void finish(Chain& chain, std::size_t index) {
+    const DraftBody& body = draft_.bodies[index];
+    add_mass(chain, body);
+    add_shapes(chain, body);
+    std::vector<Chain> branches;
+    for (const std::size_t child : children_[index]) branches.push_back(build_body(child));
+    for (const DraftFrame& frame : body.frames) branches.push_back(build_frame(frame));
+    chain.fork(branches);
+  }
+
+  [[nodiscard]] Chain build_body(std::size_t index) {
+    const DraftBody& body = draft_.bodies[index];
+    Chain chain;
+    for (const Step& step : name_last(steps(body), body)) add(chain, step);
+    if (chain.objects().back().is_joint()) add_alias(chain, body);
+    finish(chain, index);
+    return chain;
+  }
+
+  [[nodiscard]] static std::vector<Step> steps(const DraftBody& body) {
+    const auto& [offset, turn] = body.place;
+    std::vector<Step> result;
+    if (!is_zero(offset)) result.push_back({{Kind::translation, -1, offset, {}, body.name + ".offset", true}});
+    if (!is_identity(turn)) result.push_back({{Kind::rotation, -1, {}, turn, body.name + ".turn", true}});
+    for (const DraftJoint& joint : body.joints) {
+      const bool away = !is_zero(joint.anchor);
+      if (away) result.push_back({{Kind::translation, -1, joint.anchor, {}, joint.name + ".anchor", true}});
+      if (joint.reference != 0) result.push_back({back_to_zero(joint)});
+      result.push_back({{joint.kind, -1, joint.axis, {}, joint.name}, &joint});
+      if (away) result.push_back({{Kind::translation, -1, -joint.anchor, {}, joint.name + ".back", true}});
+    }
+    if (result.empty()) result.push_back({{Kind::translation, -1, {}, {}, {}}});
+    return result;
+  }
+
+  /// In the pose of the file the joint stands at `reference`, so this undoes it.
+  [[nodiscard]] static Object back_to_zero(const DraftJoint& joint) {
+    const Vec3d axis = (1.0 / norm(joint.axis)) * joint.axis;
+    const std::string name = joint.name + ".zero";
+    if (joint.kind == Kind::prismatic) return {Kind::translation, -1, -joint.reference * axis, {}, name, true};
+    return {Kind::rotation, -1, {}, rotation(axis, -joint.reference), name, true};
+  }
+
+  /// The body's name for the last object, if it is no joint.
+  [[nodiscard]] std::vector<Step> name_last(std::vector<Step> steps, const DraftBody& body) {
+    Object& last = steps.back().object;
+    if (!steps.back().joint) last.name = free_name(body.name, body.where, "body");
+    last.structural = false;  // it is the body, and somebody may look at it
+    return steps;
+  }
+
+  void add(Chain& chain, const Step& step) const {
+    const Object& object = step.object;
+    if (object.kind == Kind::translation) chain.translation(object.vector, object.name);
+    if (object.kind == Kind::rotation) chain.rotation(object.turn, object.name);
+    if (object.kind == Kind::revolute) chain.revolute(object.name, object.vector);
+    if (object.kind == Kind::prismatic) chain.prismatic(object.name, object.vector);
+    if (object.structural) chain.structural();
+    if (step.joint) add_joint_constants(chain, *step.joint);
+  }
+
+  /// A servo of the table has rotor, friction and speed-torque line of its own: the file's describe the same part.
+  void add_joint_constants(Chain& chain, const DraftJoint& joint) const {
+    if (joint.range) chain.with(properties::joint_range, *joint.range);
+    if (joint.stiffness > 0) {
+      chain.with(properties::joint_stiffness, joint.stiffness);
+      chain.with(properties::joint_spring_reference, joint.spring_reference);
+    }
+    for (const DraftMimic& mimic : draft_.mimics) {
+      if (mimic.joint == joint.name) {
+        chain.with(properties::joint_coupling, {mimic.leader, mimic.ratio, mimic.offset});
+      }
+    }
+    if (const auto found = table_.servos.find(joint.name); found != table_.servos.end()) {
+      chain.with(properties::servo, found->second.servo);
+      return;
+    }
+    if (joint.armature > 0) chain.with(properties::joint_armature, joint.armature);
+    if (joint.damping > 0) chain.with(properties::joint_damping, joint.damping);
+    if (joint.friction > 0) chain.with(properties::joint_friction, joint.friction);
+    if (joint.servo) chain.with(properties::servo, *joint.servo);
+  }
+
+  void add_alias(Chain& chain, const DraftBody& body) {
+    if (chain.objects().back().name != body.name) chain.alias(free_name(body.name, body.where, "body"));
+  }
+
+  void add_pairs(Chain& chain) const {
+    ExcludedPairs excluded;
+    for (const DraftExclusion& pair : draft_.exclusions) {
+      excluded.emplace_back(object_of(pair.body1), object_of(pair.body2));
+    }
+    AllowedPairs allowed;
+    for (const DraftPair& pair : draft_.pairs) allowed.emplace_back(find_shape(pair.shape1), find_shape(pair.shape2));
+    if (!excluded.empty()) chain.with(properties::excluded_pairs, excluded);
+    if (!allowed.empty()) chain.with(properties::allowed_pairs, allowed);
+  }
+
+  /// Name of the object that is a body, or the frame of one that is welded to another.
+  [[nodiscard]] std::string object_of(const std::string& body) const {
+    return joints_.contains(body) ? body + ".body" : body;
+  }
+
+  [[nodiscard]] ShapeOfObject find_shape(const std::string& name) const {
+    for (const DraftBody& body : draft_.bodies) {
+      for (std::size_t i = 0; i < body.shapes.size(); ++i) {
+        if (body.shapes[i].name == name) return {object_of(body.name), i};
+      }
+    }
+    return {};
+  }
+
+  /// Name of a body or frame; with a suffix if a joint (or for a frame, a body) has the same.
+  [[nodiscard]] std::string free_name(const std::string& name, const std::string& where, const std::string& kind) {
+    const bool is_frame = kind != "body";
+    if (!joints_.contains(name) && !(is_frame && bodies_.contains(name))) return name;
+    draft_.warnings.push_back(
+        one_line(fmt::format("{}: {} '{}' is called '{}.{}' here, since a {} has the same name", where, kind, name,
+                             name, kind, joints_.contains(name) ? "joint" : "body")));
+    return name + "." + kind;
+  }
+
+  void add_shapes(Chain& chain, const DraftBody& body) const {
+    Shapes shapes;
+    for (const DraftShape& shape : body.shapes) shapes.push_back(shape.placed);
+    if (!shapes.empty()) chain.with(properties::shapes, shapes);
+  }
+
+  void add_mass(Chain& chain, const DraftBody& body) {
+    if (body.solid.mass > 0) {
+      chain.with(properties::mass, body.solid.mass);
+      chain.with(properties::center_of_mass, body.solid.center);
+      chain.with(properties::inertia, body.solid.inertia);
+    } else {
+      draft_.warnings.push_back(
+          one_line(fmt::format("{}: body '{}' moves but has no mass; add an inertial", body.where, body.name)));
+    }
+  }
+
+  [[nodiscard]] Chain build_frame(const DraftFrame& frame) {
+    const std::string name = free_name(frame.name, frame.where, frame.kind);
+    const auto& [offset, turn] = frame.place;
+    Chain chain;
+    if (!is_zero(offset)) chain.translation(offset, name + ".offset").structural();
+    if (!is_identity(turn)) chain.rotation(turn, name + ".turn").structural();
+    chain.endpoint(name);
+    if (is_sole(frame)) {
+      if (!frame.box) {
+        throw SetupError(frame.where + ": a sole needs type=\"box\" and size=\"half_length half_width half_height\"");
+      }
+      chain.with(properties::sole, *frame.box);
+    }
+    return chain;
+  }
+
+  [[nodiscard]] bool is_sole(const DraftFrame& frame) const {
+    if (table_.names_soles()) return table_.is_sole(frame.name);
+    return frame.box && frame.name.ends_with("sole");
+  }
+
+  RobotDraft& draft_;
+  const RobotTable& table_;
+  std::vector<std::vector<std::size_t>> children_;
+  std::set<std::string> joints_, bodies_;
+};
+
+}  // namespace
+
+ModelPtr build_model(RobotDraft& draft, const RobotTable& table) {
+  const Chain chain = Builder(draft, table).build();
+  return at(draft.bodies[0].where, [&] { return std::make_shared<const Model>(draft.name, chain); });
+}
+
+}  // namespace murosimf::io

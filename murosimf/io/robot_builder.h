@@ -1,0 +1,23 @@
+/// robot_builder.h - a draft becomes a Model: a tree of the seven basic objects.
+///
+/// A body becomes translation (<body>.offset), rotation (<body>.turn) and its joints; what is the identity is left
+/// out. A joint away from the body's origin has a translation before (<joint>.anchor) and its inverse behind; one whose
+/// position is not zero in the pose of the file has a turn or shift back before (<joint>.zero). The last of these
+/// objects has the body's frame and carries its mass and shapes; it has the body's name, as an alias if it is a joint.
+/// Child bodies and frames follow as branches of a fork; a frame ends in an endpoint of its name.
+/// In a Model no two objects share a name: a joint keeps it, a body or frame of the same name gets a suffix.
+#pragma once
+
+#include "murosimf/io/robot_draft.h"
+#include "murosimf/io/robot_table.h"
+#include "murosimf/model/model.h"
+
+namespace murosimf::io {
+
+/// Takes servos, soles and surfaces of the table, which win over those of the file. Bodies without joints should be
+/// welded before. Renamed and massless bodies are lines in the draft's warnings.
+/// Throws SetupError, with the place in the file, for names of the table that the robot does not have, for a sole that
+/// is no box, and for what Model refuses.
+[[nodiscard]] ModelPtr build_model(RobotDraft& draft, const RobotTable& table);
+
+}  // namespace murosimf::io

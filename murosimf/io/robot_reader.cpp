@@ -1,0 +1,60 @@
+#include "murosimf/io/robot_reader.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/robot_builder.h"
+#include "murosimf/io/robot_table.h"
+#include "murosimf/io/robot_weld.h"
+#include "murosimf/io/urdf_reader.h"
+#include "murosimf/io/xml_element.h"
+
+namespace murosimf::io {
+namespace {
+
+/// Materials of the table, by the bodies of the file.
+void apply_surfaces(RobotDraft& draft, const RobotTable& table) {
+  for (DraftBody& body : draft.bodies) {
+    for (DraftShape& shape : body.shapes) shape.placed.surface.material = table.surface(body.name);
+  }
+}
+
+void check_names(const RobotTable& table, const RobotDraft& draft) {
+  std::vector<std::string> joints, bodies, frames, meshes;
+  for (const DraftBody& body : draft.bodies) {
+    bodies.push_back(body.name);
+    for (const DraftJoint& joint : body.joints) joints.push_back(joint.name);
+    for (const DraftFrame& frame : body.frames) frames.push_back(frame.name);
+  }
+  for (const DraftMesh& mesh : draft.meshes) meshes.push_back(mesh.name);
+  check_names(table, joints, bodies, frames, meshes);
+}
+
+RobotDraft read_draft(const std::filesystem::path& file, const ReaderOptions& options) {
+  const XmlFile xml(file);
+  const std::string root = xml.root().tag();
+  if (root == "mujoco") return read_mjcf(file, options);
+  if (root == "robot") return read_urdf(file, options);
+  xml.root().fail(fmt::format("the root is <{}>; a robot file has <mujoco> (MJCF) or <robot> (URDF)", root));
+}
+
+}  // namespace
+
+RobotFile read_robot(const std::filesystem::path& file, const ReaderOptions& options) {
+  const RobotTable table = read_table_beside(file);
+  ReaderOptions all = options;
+  for (const TableName& mesh : table.part_per_group) all.part_per_group.push_back(mesh.name);
+  RobotFile robot;
+  robot.draft = read_draft(file, all);
+  check_names(table, robot.draft);
+  apply_surfaces(robot.draft, table);
+  weld_fixed_bodies(robot.draft);
+  robot.model = build_model(robot.draft, table);
+  robot.warnings = std::move(robot.draft.warnings);
+  robot.notes = std::move(robot.draft.notes);
+  return robot;
+}
+
+}  // namespace murosimf::io

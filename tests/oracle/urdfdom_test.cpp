@@ -1,0 +1,254 @@
+/// urdfdom_test - what the reader makes of URDF files is what urdfdom, the reference reader, makes of them.
+///
+/// Files: random robots, and those of teams where they are there (robot_data.h).
+#include <fstream>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include "murosimf/io/urdf_reader.h"
+#include "murosimf/math/random.h"
+#include "tests/robot_data.h"
+
+namespace murosimf {
+namespace {
+
+constexpr int poses = 1000;
+constexpr double rounding = 1e-12;  // [m], [kg m^2], [1]: both sides compute in double
+
+Eigen::Vector3d to_eigen(const Vec3d& v) { return {v.x, v.y, v.z}; }
+Eigen::Vector3d to_eigen(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
+Eigen::Matrix3d to_eigen(const Mat3d& m) {
+  Eigen::Matrix3d result;
+  result << to_eigen(m.x), to_eigen(m.y), to_eigen(m.z);
+  return result;
+}
+
+Eigen::Isometry3d to_eigen(const io::Place& place) {
+  return Eigen::Translation3d(to_eigen(place.position)) * Eigen::Quaterniond(to_eigen(place.orientation));
+}
+Eigen::Isometry3d to_eigen(const urdf::Pose& pose) {
+  const auto& q = pose.rotation;
+  return Eigen::Translation3d(to_eigen(pose.position)) * Eigen::Quaterniond(q.w, q.x, q.y, q.z);
+}
+
+double difference(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
+}
+
+const io::DraftBody& body_of(const io::RobotDraft& draft, const std::string& name) {
+  for (const io::DraftBody& body : draft.bodies) {
+    if (body.name == name) return body;
+  }
+  throw std::runtime_error("no body " + name);
+}
+
+bool moves(const urdf::Joint& joint) { return joint.type != urdf::Joint::FIXED; }
+
+void compare_joint(const io::DraftBody& body, const urdf::Joint& joint) {
+  SCOPED_TRACE(joint.name);
+  EXPECT_LT(difference(to_eigen(body.place), to_eigen(joint.parent_to_joint_origin_transform)), rounding);
+  ASSERT_EQ(body.joints.size(), moves(joint) ? 1u : 0u);
+  if (!moves(joint)) return;
+  const io::DraftJoint& ours = body.joints[0];
+  EXPECT_EQ(ours.name, joint.name);
+  EXPECT_EQ(ours.kind == Kind::prismatic, joint.type == urdf::Joint::PRISMATIC);
+  EXPECT_LT((to_eigen(ours.axis) - to_eigen(joint.axis).normalized()).norm(), rounding);
+  EXPECT_EQ(ours.range.has_value(), joint.type != urdf::Joint::CONTINUOUS);
+  if (ours.range) {
+    EXPECT_EQ(ours.range->x, joint.limits->lower);
+    EXPECT_EQ(ours.range->y, joint.limits->upper);
+  }
+  EXPECT_EQ(ours.effort_limit, joint.limits ? joint.limits->effort : 0);
+  EXPECT_EQ(ours.rate_limit, joint.limits ? joint.limits->velocity : 0);
+  EXPECT_EQ(ours.damping, joint.dynamics ? joint.dynamics->damping : 0);
+  EXPECT_EQ(ours.friction, joint.dynamics ? joint.dynamics->friction : 0);
+}
+
+void compare_mass(const io::MassProperties& ours, const urdf::Link& link) {
+  EXPECT_EQ(ours.mass, link.inertial ? link.inertial->mass : 0);
+  if (!link.inertial) return;
+  const urdf::Inertial& theirs = *link.inertial;
+  const Eigen::Isometry3d place = to_eigen(theirs.origin);
+  EXPECT_LT((to_eigen(ours.center) - place.translation()).norm(), rounding);
+  Eigen::Matrix3d tensor;
+  tensor << theirs.ixx, theirs.ixy, theirs.ixz, theirs.ixy, theirs.iyy, theirs.iyz, theirs.ixz, theirs.iyz, theirs.izz;
+  const Eigen::Matrix3d turned = place.linear() * tensor * place.linear().transpose();
+  const SymMat3d& I = ours.inertia;
+  Eigen::Matrix3d mine;
+  mine << I.xx, I.xy, I.xz, I.xy, I.yy, I.yz, I.xz, I.yz, I.zz;
+  EXPECT_LT((mine - turned).cwiseAbs().maxCoeff(), rounding);
+}
+
+/// Half sizes of a simple shape, in the order of its numbers; empty for a mesh.
+std::vector<double> sizes(const Shape& shape) {
+  if (const auto* box = std::get_if<Box>(&shape)) return {box->half_size.x, box->half_size.y, box->half_size.z};
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) return {cylinder->radius, cylinder->half_length};
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return {sphere->radius};
+  return {};
+}
+std::vector<double> sizes(const urdf::Geometry& geometry) {
+  if (const auto* box = dynamic_cast<const urdf::Box*>(&geometry)) {
+    return {0.5 * box->dim.x, 0.5 * box->dim.y, 0.5 * box->dim.z};
+  }
+  if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
+    return {cylinder->radius, 0.5 * cylinder->length};
+  }
+  if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) return {sphere->radius};
+  return {};
+}
+
+void compare_collisions(const io::DraftBody& body, const urdf::Link& link) {
+  std::vector<const io::DraftShape*> ours;
+  for (const io::DraftShape& shape : body.shapes) {
+    if (shape.placed.collides) ours.push_back(&shape);
+  }
+  ASSERT_EQ(ours.size(), link.collision_array.size());
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const PlacedShape& placed = ours[i]->placed;
+    const urdf::Collision& collision = *link.collision_array[i];
+    EXPECT_EQ(sizes(placed.shape), sizes(*collision.geometry));
+    if (!ours[i]->mesh.empty()) continue;  // a hull is placed at its middle
+    const io::Place place{placed.position, placed.orientation};
+    EXPECT_LT(difference(to_eigen(place), to_eigen(collision.origin)), rounding);
+  }
+}
+
+/// Their pose of every link, by name, for joint positions by name.
+void their_poses(const urdf::Link& link, const Eigen::Isometry3d& pose, const std::map<std::string, double>& q,
+                 std::map<std::string, Eigen::Isometry3d>& all) {
+  all[link.name] = pose;
+  for (const auto& child : link.child_links) {
+    const urdf::Joint& joint = *child->parent_joint;
+    Eigen::Isometry3d next = pose * to_eigen(joint.parent_to_joint_origin_transform);
+    if (moves(joint)) {
+      const Eigen::Vector3d axis = to_eigen(joint.axis).normalized();
+      const double position = q.at(joint.name);
+      next = joint.type == urdf::Joint::PRISMATIC ? next * Eigen::Translation3d(position * axis)
+                                                  : next * Eigen::AngleAxisd(position, axis);
+    }
+    their_poses(*child, next, q, all);
+  }
+}
+
+std::vector<Eigen::Isometry3d> our_poses(const io::RobotDraft& draft, const std::map<std::string, double>& q) {
+  std::vector<Eigen::Isometry3d> all{Eigen::Isometry3d::Identity()};
+  for (std::size_t i = 1; i < draft.bodies.size(); ++i) {
+    const io::DraftBody& body = draft.bodies[i];
+    Vec3d shift = body.place.position;
+    Mat3d turn = body.place.orientation;
+    for (const io::DraftJoint& joint : body.joints) {
+      const double position = q.at(joint.name);
+      if (joint.kind == Kind::prismatic) {
+        shift += turn * (position * joint.axis);
+      } else {
+        turn = turn * rotation(joint.axis, position);
+      }
+    }
+    all.push_back(all[static_cast<std::size_t>(body.parent)] * to_eigen(io::Place{shift, turn}));
+  }
+  return all;
+}
+
+void compare_poses(const io::RobotDraft& draft, const urdf::ModelInterface& theirs, int count) {
+  const RandomStream random(1, "urdfdom_test");
+  std::uint64_t number = 0;
+  double worst = 0;
+  for (int i = 0; i < count; ++i) {
+    std::map<std::string, double> q;
+    for (const auto& [name, joint] : theirs.joints_) q[name] = random.uniform(number++, -3, 3);
+    std::map<std::string, Eigen::Isometry3d> expected;
+    their_poses(*theirs.getRoot(), Eigen::Isometry3d::Identity(), q, expected);
+    const auto found = our_poses(draft, q);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      worst = std::max(worst, difference(found[k], expected.at(draft.bodies[k].name)));
+    }
+  }
+  EXPECT_LT(worst, rounding);
+}
+
+void compare(const std::filesystem::path& file, int count) {
+  const auto theirs = urdf::parseURDFFile(file.string());
+  ASSERT_TRUE(theirs);
+  const io::RobotDraft draft = io::read_urdf(file);
+  EXPECT_EQ(draft.name, theirs->getName());
+  ASSERT_EQ(draft.bodies.size(), theirs->links_.size());
+  EXPECT_EQ(draft.bodies[0].name, theirs->getRoot()->name);
+  for (const auto& [name, link] : theirs->links_) {
+    SCOPED_TRACE(name);
+    const io::DraftBody& body = body_of(draft, name);
+    compare_mass(body.solid, *link);
+    compare_collisions(body, *link);
+    if (!link->parent_joint) continue;
+    EXPECT_EQ(draft.bodies[static_cast<std::size_t>(body.parent)].name, link->getParent()->name);
+    compare_joint(body, *link->parent_joint);
+  }
+  compare_poses(draft, *theirs, count);
+}
+
+/// Draws the numbers of a random robot.
+class RandomRobot {
+ public:
+  explicit RandomRobot(std::uint64_t seed) : random_(seed, "random_robot") {}
+
+  std::string text() {
+    std::string text = "<robot name='random'>" + link(0);
+    const int links = 2 + static_cast<int>(uniform(0, 15));
+    for (int i = 1; i < links; ++i) text += link(i) + joint(i);
+    return text + "</robot>";
+  }
+
+ private:
+  double uniform(double low, double high) { return random_.uniform(number_++, low, high); }
+  std::string three(double size) {
+    return fmt::format("{:.17g} {:.17g} {:.17g}", uniform(-size, size), uniform(-size, size), uniform(-size, size));
+  }
+  std::string origin() { return fmt::format("<origin xyz='{}' rpy='{}'/>", three(1), three(4)); }
+
+  std::string link(int number) {
+    const double x = uniform(1, 2), y = uniform(1, 2), z = uniform(1, 2);  // as of a box
+    return fmt::format(
+        "<link name='l{}'><inertial>{}<mass value='{}'/><inertia ixx='{}' iyy='{}' izz='{}' ixy='{}' ixz='{}' "
+        "iyz='{}'/></inertial><collision>{}<geometry><box size='{} {} {}'/></geometry></collision></link>",
+        number, origin(), uniform(0.1, 3), y + z, x + z, x + y, uniform(-0.2, 0.2), uniform(-0.2, 0.2),
+        uniform(-0.2, 0.2), origin(), x, y, z);
+  }
+
+  std::string joint(int number) {
+    constexpr const char* types[] = {"revolute", "continuous", "prismatic", "fixed"};
+    const int parent = static_cast<int>(uniform(0, number));
+    return fmt::format(
+        "<joint name='j{0}' type='{1}'><parent link='l{2}'/><child link='l{0}'/>{3}<axis xyz='{4}'/><limit lower='{5}' "
+        "upper='{6}' effort='{7}' velocity='{8}'/><dynamics damping='{9}' friction='{10}'/></joint>",
+        number, types[static_cast<int>(uniform(0, 4))], parent, origin(), three(2), uniform(-3, 0), uniform(0, 3),
+        uniform(0, 9), uniform(0, 9), uniform(0, 2), uniform(0, 2));
+  }
+
+  RandomStream random_;
+  std::uint64_t number_ = 0;
+};
+
+TEST(urdf_against_urdfdom, RandomRobots) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "urdfdom_random.urdf";
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE(seed);
+    std::ofstream(file) << RandomRobot(seed).text();
+    compare(file, 10);
+  }
+}
+
+void compare_if_there(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) {
+    GTEST_SKIP() << file << " is not there; MUROSIMF_TEST_DATA names the folder of robots";
+  }
+  compare(file, poses);
+}
+
+TEST(urdf_against_urdfdom, WolfgangOp) { compare_if_there(wolfgang_urdf()); }
+
+TEST(urdf_against_urdfdom, BoosterK1) { compare_if_there(k1_urdf()); }
+
+}  // namespace
+}  // namespace murosimf
