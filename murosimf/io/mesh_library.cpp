@@ -105,13 +105,13 @@ std::vector<std::string> mesh_doubts(const SolidMesh& mesh) {
   return doubts;
 }
 
-const SolidMesh& MeshLibrary::get(const std::filesystem::path& file, const Vec3d& scale) {
+const SolidMesh& MeshLibrary::get(const std::filesystem::path& file, const Vec3d& scale, bool part_per_group) {
   const std::pair key{file, std::array{scale.x, scale.y, scale.z}};
   if (const auto found = meshes_.find(key); found != meshes_.end()) return found->second;
   if (scale.x == 0 || scale.y == 0 || scale.z == 0) throw SetupError("a scale of 0 makes the mesh flat; correct it");
   MeshFile read = read_mesh_file(file);
   scale_mesh(read.mesh, scale);
-  return meshes_.emplace(key, make_solid_mesh(std::move(read), false)).first->second;
+  return meshes_.emplace(key, make_solid_mesh(std::move(read), part_per_group)).first->second;
 }
 
 }  // namespace murosimf::io

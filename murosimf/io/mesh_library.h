@@ -44,9 +44,10 @@ void scale_mesh(geometry::TriangleMesh& mesh, const Vec3d& scale);
 
 class MeshLibrary {
  public:
-  /// The mesh of a file with its numbers multiplied by `scale`; the same reference for the same file and scale.
-  /// Throws SetupError: mesh file, line, what is wrong; and for a scale of zero.
-  [[nodiscard]] const SolidMesh& get(const std::filesystem::path& file, const Vec3d& scale);
+  /// The mesh of a file with its numbers multiplied by `scale`; the same reference for the same file and scale, whose
+  /// first call decides about `part_per_group`. Throws SetupError: mesh file, line, what is wrong; and for a scale of
+  /// zero.
+  [[nodiscard]] const SolidMesh& get(const std::filesystem::path& file, const Vec3d& scale, bool part_per_group);
 
  private:
   std::map<std::pair<std::filesystem::path, std::array<double, 3>>, SolidMesh> meshes_;

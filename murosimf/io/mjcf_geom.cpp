@@ -114,11 +114,9 @@ MjcfGeom read_mesh_geom(const MjcfAttributes& attributes, const std::string& typ
   geom.solid = read_mesh_solid(attributes, placed, context);
   const std::string mesh = attributes.text("mesh");
   if (!placed.collides) {
-    geom.visual = context.meshes.visual(mesh, element);
-    geom.visual->name = attributes.text("name");
-    geom.visual->where = element.where();
-    geom.visual->place = {placed.position, placed.orientation};
-    geom.visual->color = placed.color;
+    context.meshes.check_file(mesh, element);
+    const Place place{placed.position, placed.orientation};
+    geom.visual = DraftVisual{attributes.text("name"), element.where(), mesh, place, placed.color};
     return geom;
   }
   for (const ConvexPart& part : context.meshes.parts(mesh, element)) {

@@ -75,18 +75,13 @@ const std::vector<ConvexPart>& MjcfMeshes::parts(const std::string& name, const 
   return mesh.solid.parts;
 }
 
-DraftVisual MjcfMeshes::visual(const std::string& name, const XmlElement& user) {
+void MjcfMeshes::check_file(const std::string& name, const XmlElement& user) {
   Mesh& mesh = find(name, user);
   mesh.what = "mesh '" + name + "'";
-  const MjcfAttributes& attributes = mesh.attributes;
-  DraftVisual visual;
-  visual.file = path_of(attributes);
-  visual.scale = attributes.vector("scale", {1, 1, 1});
-  visual.origin = origin_of(attributes);
-  if (!visual.file.empty() && !std::filesystem::is_regular_file(visual.file)) {
-    warn(mesh, fmt::format("there is no file {}; it is for the eye only and left out", visual.file.string()));
+  const auto file = path_of(mesh.attributes);
+  if (!file.empty() && !std::filesystem::is_regular_file(file)) {
+    warn(mesh, fmt::format("there is no file {}; it is for the eye only and left out", file.string()));
   }
-  return visual;
 }
 
 geometry::SolidMass MjcfMeshes::mass(const std::string& name, const XmlElement& user) {

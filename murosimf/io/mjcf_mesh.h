@@ -39,7 +39,7 @@ class MjcfMeshes {
 
   /// For a geom that is only looked at: the mesh is not read. Throws SetupError for an unknown mesh; a missing file is a
   /// warning.
-  [[nodiscard]] DraftVisual visual(const std::string& name, const XmlElement& user);
+  void check_file(const std::string& name, const XmlElement& user);
 
   /// In alphabetical order.
   [[nodiscard]] std::vector<DraftMesh> drafts() const;

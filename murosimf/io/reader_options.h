@@ -10,9 +10,9 @@ namespace murosimf::io {
 
 struct ReaderOptions {
   bool lenient = false;  ///< what is unknown or not supported becomes a warning, where a robot remains without it
-  std::vector<std::string> part_per_group;  ///< meshes of OBJ files whose objects or groups are convex parts
-  std::map<std::string, std::filesystem::path> packages;  ///< folders of "package://name/..." in URDF
-  std::vector<std::filesystem::path> search_paths;        ///< folders in which packages are looked for, too
+  std::vector<std::string> part_per_group{};  ///< meshes of OBJ files whose objects or groups are convex parts
+  std::map<std::string, std::filesystem::path> packages{};  ///< folders of "package://name/..." in URDF
+  std::vector<std::filesystem::path> search_paths{};        ///< folders in which packages are looked for, too
 };
 
 }  // namespace murosimf::io

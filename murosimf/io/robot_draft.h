@@ -63,15 +63,12 @@ struct DraftShape {
   std::string mesh;         ///< name of the mesh that it is made of; empty: a primitive
 };
 
-/// A mesh that is only looked at: it is not read until somebody draws it. A vertex v of the file stands at
-/// scale * (orientation^T (v - position)) of `origin` in the mesh frame.
+/// A mesh that is only looked at: it is not read until somebody draws it.
 struct DraftVisual {
-  std::string name, where;     ///< name may be empty
-  std::filesystem::path file;  ///< empty: the vertices stand in the robot file
-  Vec3d scale{1, 1, 1};        ///< [m] of one unit of the file
-  Place place;                 ///< of the mesh frame in the frame of the body
+  std::string name, where;
+  std::string mesh;  ///< among the draft's meshes
+  Place place;       ///< of the mesh frame in the frame of the body
   Color color;
-  Place origin;  ///< of the mesh frame, in the file's frame
 };
 
 /// A named frame on a body.
@@ -90,7 +87,7 @@ struct DraftBody {
   MassProperties solid;     ///< mass 0: massless
   std::string solid_where;  ///< where its mass is written; empty: nowhere, or worked out from shapes
   std::vector<DraftShape> shapes;
-  std::vector<DraftVisual> visuals;  ///< meshes only; simple shapes for the eye are shapes that do not collide
+  std::vector<DraftVisual> visuals;  ///< meshes; other shapes for the eye are shapes that do not collide
   std::vector<DraftFrame> frames;
 };
 

@@ -55,11 +55,15 @@ bool is_true(const XmlElement& element) {
   return text == "true" || text == "True" || text == "1";
 }
 
-/// What takes gravity, motion or speed away from a part of the robot.
-bool takes_away(const XmlElement& element) {
+bool takes_weight(const XmlElement& element) {
   const std::string tag = element.tag();
-  if (tag == "gravity") return !is_true(element);
-  if (tag == "turnGravityOff" || tag == "static" || tag == "kinematic") return is_true(element);
+  return tag == "gravity" ? !is_true(element) : tag == "turnGravityOff" && is_true(element);
+}
+
+/// What takes motion or speed away from a part of the robot.
+bool takes_motion(const XmlElement& element) {
+  const std::string tag = element.tag();
+  if (tag == "static" || tag == "kinematic") return is_true(element);
   return tag == "dampingFactor" && text_number(element) != 0;
 }
 
@@ -68,7 +72,9 @@ bool is_switch(std::string_view tag) { return tag == "gravity" || tag == "turnGr
 /// Elements that mean the same wherever they stand.
 void note_other(const XmlElement& element, UrdfLog& log) {
   const std::string tag = element.tag();
-  if (takes_away(element)) {
+  if (takes_weight(element)) {
+    log.warn(element, "gravity is switched off for parts of the robot in gazebo; here all of it has weight");
+  } else if (takes_motion(element)) {
     log.refuse(element, fmt::format("<{}> {} in a gazebo block is not supported; remove it", tag, element.text()));
   } else if (contains(injected, tag)) {
     log.refuse(element, fmt::format("<{}> in a gazebo block is not supported; write it as URDF", tag));

@@ -2,17 +2,30 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/io/mass_properties.h"
 #include "murosimf/io/urdf_value.h"
 
 namespace murosimf::io {
 namespace {
 
-SymMat3d read_tensor(const XmlElement& inertial) {
+/// Some files write both halves of the tensor.
+void compare_halves(const UrdfLink& link, const XmlElement& element, UrdfLog& log) {
+  constexpr const char* halves[][2] = {{"ixy", "iyx"}, {"ixz", "izx"}, {"iyz", "izy"}};
+  for (const auto& [upper, lower] : halves) {
+    if (!element.attribute(lower) || needed_number(element, lower) == number_or(element, upper, 0)) continue;
+    log.warn(element, fmt::format("inertia of link '{0}' is not symmetric: {2} is not {1}; {1} is taken", link.name,
+                                  upper, lower));
+  }
+}
+
+SymMat3d read_tensor(const UrdfLink& link, const XmlElement& inertial, UrdfLog& log) {
   const XmlElement element = needed_child(inertial, "inertia");
+  compare_halves(link, element, log);
   return {needed_number(element, "ixx"), needed_number(element, "iyy"), needed_number(element, "izz"),
           number_or(element, "ixy", 0),  number_or(element, "ixz", 0),  number_or(element, "iyz", 0)};
 }
+
+/// No solid body has it. Files carry about six digits.
+bool breaks_triangle(const Vec3d& moments) { return moments.x + moments.y < moments.z * (1.0 - 1e-5); }
 
 constexpr double frame_mass = 0.01;  // [kg] below it, a link without inertia is taken for a frame
 
@@ -32,7 +45,7 @@ void balance_moments(const UrdfLink& link, const XmlElement& inertial, MassPrope
 
 void check_tensor(const UrdfLink& link, const XmlElement& inertial, bool welded, bool balance, MassProperties& solid,
                   UrdfLog& log) {
-  const auto moments = principal_moments(solid.inertia);
+  const Vec3d moments = principal_moments(solid.inertia);
   const bool thin = welded && moments.x >= -1e-6 * moments.z;
   if (!(moments.x > 0) && !thin) {
     inertial.fail(
@@ -40,7 +53,7 @@ void check_tensor(const UrdfLink& link, const XmlElement& inertial, bool welded,
                     "correct it",
                     link.name, moments.x));
   }
-  if (!breaks_triangle_inequality(moments)) return;
+  if (!breaks_triangle(moments)) return;
   if (balance) return balance_moments(link, inertial, solid, log);
   log.warn(inertial,
            fmt::format("no solid body has the principal moments {:.4g} {:.4g} {:.4g} kg m^2 of link '{}': two "
@@ -57,7 +70,7 @@ MassProperties read_inertial(const UrdfLink& link, bool welded, bool balance, Ur
   const Place place = read_origin(*inertial);
   solid.mass = read_mass(link, *inertial);
   solid.center = place.position;
-  solid.inertia = rotated(place.orientation, read_tensor(*inertial));
+  solid.inertia = rotated(place.orientation, read_tensor(link, *inertial, log));
   if (is_zero(solid.inertia)) {
     if (solid.mass >= frame_mass && !welded) {
       log.refuse(*inertial, fmt::format("link '{}' moves and has mass but no inertia; write its inertia", link.name));

@@ -112,7 +112,7 @@ std::optional<fs::path> UrdfMeshPaths::find_in_package(const std::string& packag
 }
 
 const std::vector<fs::path>& UrdfMeshPaths::folders_of(const std::string& package) {
-  const auto [entry, is_new] = found_packages_.try_emplace(package);
+  const auto [entry, is_new] = package_folders_.try_emplace(package);
   auto& folders = entry->second;
   if (!is_new) return folders;
   if (const auto mapped = packages_.find(package); mapped != packages_.end()) folders.push_back(mapped->second);

@@ -42,8 +42,8 @@ class UrdfMeshPaths {
   std::vector<std::filesystem::path> search_paths_;
   std::optional<std::filesystem::path> mesh_folder_;
   bool strip_ = false;
-  std::map<std::string, std::vector<std::filesystem::path>> found_packages_;  ///< found so far
-  std::map<std::string, std::optional<std::filesystem::path>> files_;         ///< found so far
+  std::map<std::string, std::vector<std::filesystem::path>> package_folders_;  ///< found so far
+  std::map<std::string, std::optional<std::filesystem::path>> files_;          ///< found so far
 };
 
 }  // namespace murosimf::io

@@ -102,7 +102,8 @@ RobotDraft read_urdf(const std::filesystem::path& file, const ReaderOptions& opt
   UrdfLog log(draft, options.lenient);
   const UrdfTree tree = read_tree(robot, log);
   const Compiler compiler = read_compiler(robot);
-  UrdfShapes shapes(read_colors(robot), mesh_paths(file, options, compiler), draft, log);
+  UrdfMeshes meshes(mesh_paths(file, options, compiler), options.part_per_group, draft, log);
+  UrdfShapes shapes(read_colors(robot), std::move(meshes), log);
   read_bodies(tree, compiler.balance, shapes, draft, log);
   draft.mimics = read_mimics(tree, log);
   read_gazebo(robot, tree, draft, log);

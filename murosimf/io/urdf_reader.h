@@ -9,8 +9,6 @@
 /// Source: URDF XML specification.
 #pragma once
 
-#include <filesystem>
-
 #include "murosimf/io/reader_options.h"
 #include "murosimf/io/robot_draft.h"
 

@@ -1,7 +1,5 @@
 #include "murosimf/io/urdf_shape.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "murosimf/io/urdf_value.h"
@@ -60,8 +58,6 @@ PlacedShape placed_shape(const Shape& shape, const Place& place, const Color& co
   return placed;
 }
 
-Vec3d read_scale(const XmlElement& mesh) { return vector_or(mesh, "scale", {1, 1, 1}); }
-
 }  // namespace
 
 UrdfColors read_colors(const XmlElement& robot) {
@@ -113,36 +109,20 @@ void UrdfShapes::add_mesh(const Part& part, const XmlElement& mesh, DraftBody& b
 }
 
 void UrdfShapes::add_visual_mesh(const Part& part, const XmlElement& mesh, DraftBody& body) {
-  const std::string name = needed_text(mesh, "filename");
-  const auto file = paths_.find(name);
-  if (!file) {
-    return log_.warn(mesh, fmt::format("mesh '{}' for the eye is missing and left out; {}", name, paths_.advice(name)));
-  }
-  body.visuals.push_back({part.element.attribute("name").value_or(""), part.element.where(), *file, read_scale(mesh),
+  const auto found = meshes_.find(mesh);
+  if (!found) return log_.warn(mesh, fmt::format("for the eye, {}; it is left out", UrdfMeshes::complaint(mesh)));
+  body.visuals.push_back({part.element.attribute("name").value_or(""), part.element.where(), found->name,
                           read_origin(part.element), part.color});
 }
 
-const SolidMesh& UrdfShapes::solid_mesh(const XmlElement& mesh) {
-  const std::string name = needed_text(mesh, "filename");
-  const auto file = paths_.find(name);
-  if (!file) mesh.fail(fmt::format("there is no mesh '{}'; {}", name, paths_.advice(name)));
-  const Vec3d scale = read_scale(mesh);
-  const SolidMesh& solid = at(mesh.where(), [&]() -> const SolidMesh& { return library_.get(*file, scale); });
-  if (!solid.flat.empty()) mesh.fail(fmt::format("mesh '{}': {}", name, solid.flat));
-  const auto same = [&](const DraftMesh& known) { return known.name == name; };
-  if (std::ranges::none_of(draft_.meshes, same)) {
-    draft_.meshes.push_back({name, mesh.where(), *file, scale, {}});
-    for (const std::string& doubt : mesh_doubts(solid)) log_.warn(mesh, fmt::format("mesh '{}': {}", name, doubt));
-  }
-  return solid;
-}
-
 void UrdfShapes::add_collision_mesh(const Part& part, const XmlElement& mesh, DraftBody& body) {
+  const auto found = meshes_.find(mesh);
+  if (!found) mesh.fail(UrdfMeshes::complaint(mesh));
   const Place place = read_origin(part.element);
-  for (const ConvexPart& convex : solid_mesh(mesh).parts) {
-    const Place at_middle{place.position + place.orientation * convex.middle, place.orientation};
+  for (const ConvexPart& convex : meshes_.parts(*found, mesh)) {
+    const Place at_middle = inside(place, {convex.middle, {}});
     body.shapes.push_back({part.element.attribute("name").value_or(""), part.element.where(),
-                           placed_shape(convex.shape, at_middle, part.color, true), needed_text(mesh, "filename")});
+                           placed_shape(convex.shape, at_middle, part.color, true), found->name});
   }
 }
 

@@ -6,10 +6,9 @@
 #include <map>
 #include <string>
 
-#include "murosimf/io/mesh_library.h"
 #include "murosimf/io/robot_draft.h"
 #include "murosimf/io/urdf_log.h"
-#include "murosimf/io/urdf_mesh_path.h"
+#include "murosimf/io/urdf_mesh.h"
 
 namespace murosimf::io {
 
@@ -19,8 +18,8 @@ using UrdfColors = std::map<std::string, Color>;
 
 class UrdfShapes {
  public:
-  UrdfShapes(UrdfColors colors, UrdfMeshPaths paths, RobotDraft& draft, UrdfLog& log)
-      : colors_(std::move(colors)), paths_(std::move(paths)), draft_(draft), log_(log) {}
+  UrdfShapes(UrdfColors colors, UrdfMeshes meshes, UrdfLog& log)
+      : colors_(std::move(colors)), meshes_(std::move(meshes)), log_(log) {}
 
   /// Adds the shapes of a link to its body. Shapes that collide have the color of the link's first visual. Throws
   /// SetupError: impossible sizes, collision mesh missing or unreadable. A visual mesh that is missing is a warning.
@@ -37,14 +36,11 @@ class UrdfShapes {
   void add_mesh(const Part& part, const XmlElement& mesh, DraftBody& body);
   void add_visual_mesh(const Part& part, const XmlElement& mesh, DraftBody& body);
   void add_collision_mesh(const Part& part, const XmlElement& mesh, DraftBody& body);
-  [[nodiscard]] const SolidMesh& solid_mesh(const XmlElement& mesh);
   [[nodiscard]] Color color_of(const XmlElement& visual);
 
   UrdfColors colors_;
-  UrdfMeshPaths paths_;
-  RobotDraft& draft_;
+  UrdfMeshes meshes_;
   UrdfLog& log_;
-  MeshLibrary library_;
 };
 
 }  // namespace murosimf::io

@@ -7,13 +7,10 @@
 namespace murosimf::io {
 namespace {
 
-void note_reduction(const XmlElement& owner, const std::string& transmission, UrdfLog& log) {
+void note_reduction(const XmlElement& owner, UrdfLog& log) {
   for (const XmlElement& element : owner.children("mechanicalReduction")) {
-    const double ratio = text_number(element);
-    if (ratio == 1) continue;
-    log.note(element, fmt::format("gear ratio {} of transmission '{}' is not used: servos are described on the output "
-                                  "side of their gears",
-                                  ratio, transmission));
+    if (text_number(element) == 1) continue;
+    log.note(element, "gear ratios are not used: servos are described on the output side of their gears");
   }
 }
 
@@ -28,9 +25,9 @@ void read_transmissions(const XmlElement& robot, const UrdfTree& tree, UrdfLog& 
       if (tree.find_joint(joint_name) < 0) {
         log.warn(joint, fmt::format("transmission '{}' speaks of joint '{}', which is not there", name, joint_name));
       }
-      note_reduction(joint, name, log);
+      note_reduction(joint, log);
     }
-    for (const XmlElement& actuator : transmission.children("actuator")) note_reduction(actuator, name, log);
+    for (const XmlElement& actuator : transmission.children("actuator")) note_reduction(actuator, log);
   }
 }
 

@@ -13,17 +13,16 @@ void add_link_rules(XmlVocabulary& rules) {
                    .unsupported_children = {"contact"}};
   rules["inertial"] = {.children = {"origin", "mass", "inertia"}};
   rules["mass"] = {.used = {"value"}};
-  rules["inertia"] = {.used = {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}};
+  rules["inertia"] = {.used = {"ixx", "ixy", "ixz", "iyy", "iyz", "izz", "iyx", "izx", "izy"}};
   rules["origin"] = {.used = {"xyz", "rpy"}, .unsupported = {"quat_xyzw"}};
   rules["visual"] = {.used = {"name"}, .children = {"origin", "geometry", "material"}, .unused_children = {"meta"}};
   rules["collision"] = {.used = {"name"},
                         .unused = {"group"},
                         .children = {"origin", "geometry"},
-                        .unused_children = {"verbose", "material"},
-                        .unsupported_children = {"contact_coefficients"}};
+                        .unused_children = {"verbose", "material", "contact_coefficients"}};
   rules["geometry"] = {.children = {"box", "cylinder", "sphere", "capsule", "mesh"},
                        .unsupported_children = {"ellipsoid", "plane", "polyline", "heightmap"}};
-  rules["box"] = {.used = {"size"}};
+  rules["box"] = {.used = {"size"}, .unused = {"scale"}};
   rules["cylinder"] = {.used = {"radius", "length"}};
   rules["capsule"] = {.used = {"radius", "length"}};
   rules["sphere"] = {.used = {"radius"}};

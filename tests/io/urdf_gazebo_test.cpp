@@ -73,6 +73,14 @@ TEST(UrdfGazebo, NotesPluginsAndWarnsAboutBlocksForNothing) {
   EXPECT_TRUE(any_contains(draft.warnings, "robot.urdf:5: gazebo block for 'fot'"));
 }
 
+TEST(UrdfGazebo, WarnsOnceThatEverythingHasWeight) {
+  const auto draft =
+      read(foot_and("<gazebo reference='foot'><turnGravityOff>true</turnGravityOff></gazebo>"
+                    "<gazebo reference='base'><gravity>0</gravity></gazebo>"));
+  ASSERT_EQ(draft.warnings.size(), 1u);
+  EXPECT_TRUE(contains(draft.warnings[0], "robot.urdf:4: gravity is switched off"));
+}
+
 TEST(UrdfGazebo, TellsWhatItDoesNotKnow) {
   const auto draft = read(foot_and("<gazebo reference='foot'><gravity>true</gravity><wings>2</wings></gazebo>"));
   EXPECT_TRUE(any_contains(draft.notes, "element 'gravity'"));

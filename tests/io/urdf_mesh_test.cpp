@@ -24,7 +24,7 @@ TEST(UrdfMesh, IsConvexScaledAndPlaced) {
                      mesh("t.obj", "scale='2 4 -6'") + "</geometry></collision>"));
   const auto& shapes = draft.bodies.at(0).shapes;
   ASSERT_EQ(shapes.size(), 1u);
-  EXPECT_EQ(shapes[0].mesh, "t.obj");
+  EXPECT_EQ(shapes[0].mesh, "t");
   // corners 0 0 0, 2 0 0, 0 4 0, 0 0 -6 turned a quarter about z
   const PlacedShape& placed = shapes[0].placed;
   std::vector<Vec3d> corners;
@@ -36,7 +36,8 @@ TEST(UrdfMesh, IsConvexScaledAndPlaced) {
         << expected.x << ' ' << expected.y << ' ' << expected.z;
   }
   ASSERT_EQ(draft.meshes.size(), 1u);
-  EXPECT_EQ(draft.meshes[0].triangles, 4u);
+  EXPECT_EQ(draft.meshes[0].name, "t");
+  expect_near(draft.meshes[0].scale, {2, 4, -6});
 }
 
 TEST(UrdfMesh, IsSharedByAllThatUseIt) {
@@ -48,14 +49,31 @@ TEST(UrdfMesh, IsSharedByAllThatUseIt) {
   EXPECT_EQ(draft.meshes.size(), 1u);
 }
 
+TEST(UrdfMesh, OfAnotherScaleHasAnotherName) {
+  write("t.obj", tetrahedron());
+  const auto draft = read(with_link(collision(mesh("t.obj")) + collision(mesh("t.obj", "scale='2 2 2'"))));
+  EXPECT_EQ(draft.bodies.at(0).shapes.at(0).mesh, "t");
+  EXPECT_EQ(draft.bodies.at(0).shapes.at(1).mesh, "t_2");
+}
+
+TEST(UrdfMesh, HasAPartForEachGroupWhereItIsAskedFor) {
+  write("two.obj",
+        "o a\n" + tetrahedron() + "o b\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n");
+  const auto text = with_link(collision(mesh("two.obj")));
+  EXPECT_EQ(read(text).bodies.at(0).shapes.size(), 1u);
+  EXPECT_EQ(read(text, {.part_per_group = {"two"}}).bodies.at(0).shapes.size(), 2u);
+}
+
 TEST(UrdfMesh, ForTheEyeIsNotRead) {
   write("t.dae", "this is no mesh");
   const auto draft = read(
       with_link("<visual><origin xyz='1 2 3'/><geometry>" + mesh("t.dae", "scale='2 2 2'") + "</geometry></visual>"));
   ASSERT_EQ(draft.bodies.at(0).visuals.size(), 1u);
   const DraftVisual& visual = draft.bodies[0].visuals[0];
-  EXPECT_EQ(visual.file, test_folder() / "t.dae");
-  expect_near(visual.scale, {2, 2, 2});
+  ASSERT_EQ(draft.meshes.size(), 1u);
+  EXPECT_EQ(visual.mesh, draft.meshes[0].name);
+  EXPECT_EQ(draft.meshes[0].file, test_folder() / "t.dae");
+  expect_near(draft.meshes[0].scale, {2, 2, 2});
   expect_near(visual.place.position, {1, 2, 3});
   EXPECT_TRUE(draft.bodies[0].shapes.empty());
   EXPECT_TRUE(draft.warnings.empty());
@@ -64,7 +82,7 @@ TEST(UrdfMesh, ForTheEyeIsNotRead) {
 TEST(UrdfMesh, ForTheEyeMayBeMissing) {
   const auto draft = read(with_link(visual(mesh("gone.stl")) + visual(mesh("gone.stl"))));
   ASSERT_EQ(draft.warnings.size(), 1u);
-  EXPECT_TRUE(contains(draft.warnings[0], "robot.urdf:2: mesh 'gone.stl' for the eye is missing"));
+  EXPECT_TRUE(contains(draft.warnings[0], "robot.urdf:2: for the eye, there is no mesh file 'gone.stl'"));
 }
 
 TEST(UrdfMesh, ThatIsMissingIsLeftOutIfLenient) {

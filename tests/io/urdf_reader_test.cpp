@@ -101,6 +101,16 @@ TEST(UrdfReader, WarnsAboutInertiaThatNoSolidHas) {
   EXPECT_TRUE(any_contains(read(text).warnings, "robot.urdf:2: no solid body has"));
 }
 
+TEST(UrdfReader, TakesBothHalvesOfAnInertia) {
+  const std::string text =
+      "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0.1' iyx='0.1' ixz='0.2' "
+      "izx='0.3'/></inertial>";
+  const auto draft = read(with_link(text));
+  ASSERT_EQ(draft.warnings.size(), 1u);
+  EXPECT_TRUE(contains(draft.warnings[0], "robot.urdf:2: inertia of link 'base' is not symmetric: izx is not ixz"));
+  EXPECT_EQ(draft.bodies.at(0).solid.inertia.xz, 0.2);
+}
+
 TEST(UrdfReader, BalancesInertiaWhereTheFileAsksForIt) {
   const auto draft = read(
       "<robot name='r'><mujoco><compiler balanceinertia='true'/></mujoco><link name='base'><inertial>"
@@ -192,7 +202,7 @@ TEST(UrdfReader, NotesWhatMeansNothingOncePerKind) {
                                 "name='m'><mechanicalReduction>200</mechanicalReduction></actuator></transmission>"
                                 "<transmission name='u'><joint name='k'/></transmission>"));
   EXPECT_TRUE(any_contains(draft.notes, "robot.urdf:3: element 'safety_controller' in joint is not used"));
-  EXPECT_TRUE(any_contains(draft.notes, "gear ratio 200 of transmission 't'"));
+  EXPECT_TRUE(any_contains(draft.notes, "robot.urdf:4: gear ratios are not used"));
   EXPECT_TRUE(any_contains(draft.warnings, "robot.urdf:4: transmission 'u' speaks of joint 'k'"));
   EXPECT_EQ(std::ranges::count_if(draft.notes,
                                   [](const auto& note) { return contains(note, "element 'transmission'"); }),

@@ -34,8 +34,8 @@ TEST(UrdfRobots, BoosterK1) {
   EXPECT_EQ(counts.collisions, 20u);
   EXPECT_EQ(counts.visuals, 24u);
   EXPECT_NEAR(counts.mass, 19.666, 1e-9);
-  EXPECT_EQ(draft.meshes.size(), 8u);
-  EXPECT_FALSE(any_contains(draft.warnings, "missing"));
+  EXPECT_EQ(draft.meshes.size(), 24u);
+  EXPECT_FALSE(any_contains(draft.warnings, "there is no mesh"));
 }
 
 TEST(UrdfRobots, WolfgangOp) {
@@ -48,7 +48,7 @@ TEST(UrdfRobots, WolfgangOp) {
   EXPECT_EQ(counts.visuals, 133u);
   EXPECT_NEAR(counts.mass, 6.1167, 1e-4);
   EXPECT_EQ(draft.sensors.size(), 2u);
-  EXPECT_FALSE(any_contains(draft.warnings, "missing"));
+  EXPECT_FALSE(any_contains(draft.warnings, "there is no mesh"));
   EXPECT_TRUE(any_contains(draft.warnings, "camera_optical_frame"));
 }
 
