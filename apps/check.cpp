@@ -1,21 +1,52 @@
-// `murosimf check`: reads a model and shows what is in it.
+// `murosimf check`: the model doctor. Reads a robot, shows what is in it and says what is probably not meant.
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "apps/commands.h"
 #include "apps/standard_output.h"
 #include "murosimf/io/data_path.h"
-#include "murosimf/io/robot_reader.h"
 #include "murosimf/io/model_report.h"
+#include "murosimf/io/output_file.h"
+#include "murosimf/io/robot_doctor.h"
+#include "murosimf/io/robot_picture.h"
+#include "murosimf/io/robot_roles.h"
 
 namespace murosimf::app {
+namespace {
+
+/// The robot, or as much of it as can be read leniently; then `error` says what kept it from being read strictly.
+struct Reading {
+  io::RobotFile robot;
+  std::optional<std::string> error;
+};
+
+Reading read(const std::filesystem::path& file, bool lenient) {
+  try {
+    return {io::read_robot(file, {.lenient = lenient}), {}};
+  } catch (const SetupError& error) {
+    if (lenient) throw;
+    try {
+      return {io::read_robot(file, {.lenient = true}), error.what()};
+    } catch (const SetupError&) {
+      throw error;
+    }
+  }
+}
+
+}  // namespace
 
 int check(const CheckOptions& options) {
   check_json_file(options.json);
   const auto file = io::find_data_file(options.model, "models", ".xml");
-  const io::RobotFile result = io::read_robot(file, {.lenient = options.lenient});
-  const io::ModelReport report = io::make_report(*result.model, result.warnings, result.notes);
+  const auto [robot, error] = read(file, options.lenient);
+  auto findings = io::examine(robot);
+  if (error) findings.insert(findings.begin(), io::make_finding(io::Severity::error, *error));
+  if (!options.picture.empty()) io::write_file(options.picture, io::robot_picture_png(robot.draft));
+  if (!options.roles.empty()) io::write_file(options.roles, io::roles_toml(robot.draft, robot.table));
+  const io::ModelReport report = io::make_report(*robot.model, std::move(findings));
   write_result(options.json, io::to_text(report), io::to_json(report));
-  return 0;
+  return error ? 1 : 0;
 }
 
 }  // namespace murosimf::app

@@ -29,7 +29,9 @@ int run(const RunOptions& options);
 
 struct CheckOptions {
   std::string model;
-  std::string json;  ///< file, "-" for standard output
+  std::string json;     ///< file, "-" for standard output
+  std::string picture;  ///< PNG file
+  std::string roles;    ///< TOML file
   bool lenient = false;
 };
 

@@ -78,10 +78,14 @@ void add_compare(CLI::App& app, CompareCommand& command, int& exit_code) {
 }
 
 void add_check(CLI::App& app, CheckOptions& options, int& exit_code) {
-  CLI::App* check_command = app.add_subcommand("check", "Read a robot model and show what is in it");
-  check_command->add_option("model", options.model, "Model file (MJCF), or the name of one that comes with the program")
+  CLI::App* check_command = app.add_subcommand("check", "Read a robot, show what is in it and what is wrong with it");
+  check_command
+      ->add_option("model", options.model, "Robot file (MJCF or URDF), or the name of one that comes with the program")
       ->required();
   check_command->add_option("--json", options.json, "Write JSON to this file, or to standard output with '-'");
+  check_command->add_option("--picture", options.picture, "Write a PNG picture of the robot from four sides");
+  check_command->add_option("--roles", options.roles,
+                            "Write the soles, frames and servos that were found or guessed (TOML), to be corrected");
   check_command->add_flag("--lenient", options.lenient, "Accept unknown elements, with a warning");
   check_command->callback([&] { exit_code = check(options); });
 }

@@ -49,7 +49,7 @@ std::vector<Vec3d> used_points(std::vector<Face>& faces, const std::vector<Vec3d
 /// Counterclockwise seen from outside, the lowest corner first. `inside` is a point of the hull.
 void orient(Face& face, const std::vector<Vec3d>& vertices, const Vec3d& inside) {
   if (dot(area_vector(vertices, face), vertices[face[0]] - inside) < 0) std::ranges::reverse(face);
-  std::ranges::rotate(face, std::ranges::min_element(face));
+  std::rotate(face.begin(), std::ranges::min_element(face), face.end());
 }
 
 /// Neighbor lists from the edges of the faces. False if an edge is not run through once in each direction.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/dae_file.h"
 #include "murosimf/io/mesh_limits.h"
 #include "murosimf/io/obj_file.h"
 #include "murosimf/io/stl_file.h"
@@ -32,10 +33,10 @@ std::size_t checked_size(const std::filesystem::path& path) {
 
 MeshFile read_any(const std::filesystem::path& path) {
   const std::string extension = lower_case(path.extension().string());
-  if (extension != ".stl" && extension != ".obj") {
-    fail(path, fmt::format("unknown kind of mesh file '{}'; convert it to .stl or .obj", extension));
-  }
+  const bool known = extension == ".stl" || extension == ".obj" || extension == ".dae";
+  if (!known) fail(path, fmt::format("unknown kind of mesh file '{}'; convert it to .stl, .obj or .dae", extension));
   const std::size_t size = checked_size(path);
+  if (extension == ".dae") return read_dae(path);
   return extension == ".stl" ? read_stl(path, size) : read_obj(path);
 }
 

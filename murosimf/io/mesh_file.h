@@ -1,9 +1,10 @@
-/// mesh_file.h - triangle meshes from STL and OBJ files.
+/// mesh_file.h - triangle meshes from STL, OBJ and COLLADA files.
 ///
 /// Our own small readers, because users need file and line of what is wrong with a mesh.
 /// STL: binary and ASCII, several solids count as one. Told apart by size and content, because many binary files begin
 /// with "solid", too. Normals and attribute bytes are ignored.
 /// OBJ: v and f lines, polygons as fans; normals, textures, materials, lines and curves are ignored.
+/// COLLADA: geometries of the scene (dae_file.h).
 #pragma once
 
 #include <cstddef>
@@ -19,10 +20,10 @@ constexpr std::size_t most_triangles = 1'000'000;
 
 struct MeshFile {
   geometry::TriangleMesh mesh;          ///< everything; corners at the same place are one vertex
-  std::vector<std::size_t> part_begin;  ///< first triangle of each object or group (`o`, `g`) that has triangles
+  std::vector<std::size_t> part_begin;  ///< first triangle of each object, group or geometry that has triangles
 };
 
-/// The kind of file goes by its extension, .stl or .obj in any case. Throws SetupError, one line: file, line if there is
+/// The kind of file goes by its extension, .stl, .obj or .dae in any case. Throws SetupError, one line: file, line if there is
 /// one, what is wrong, what to do. Finite numbers and valid indices are sure; that the surface closes is not.
 [[nodiscard]] MeshFile read_mesh_file(const std::filesystem::path& file);
 

@@ -42,7 +42,17 @@ Gains read_gains(const MjcfAttributes& attributes) {
   return {};
 }
 
-Servo read_actuator(const MjcfAttributes& attributes, const MjcfCompiler& compiler) {
+double read_damping_ratio(const MjcfAttributes& attributes, double velocity_gain) {
+  const double ratio = attributes.number("dampratio", 0);
+  if (ratio < 0) attributes.source("dampratio").fail("dampratio is negative; it must be at least 0");
+  if (ratio > 0 && velocity_gain > 0) attributes.element().fail("both kv and dampratio; keep one");
+  if (ratio > 0 && attributes.element().tag() != "position") {
+    attributes.source("dampratio").fail("dampratio belongs to position actuators; remove it");
+  }
+  return ratio;
+}
+
+MjcfActuator read_actuator(const MjcfAttributes& attributes, const MjcfCompiler& compiler) {
   const auto gears = attributes.numbers("gear", 1, 6);
   const double gear = gears.empty() ? 1.0 : std::abs(gears[0]);
   const auto [position, velocity] = read_gains(attributes);
@@ -53,10 +63,13 @@ Servo read_actuator(const MjcfAttributes& attributes, const MjcfCompiler& compil
   servo.stall_torque = read_stall_torque(attributes, gear, compiler);
   servo.position_gain = gear * gear * position;
   servo.velocity_gain = gear * gear * velocity;
-  return servo;
+  return {servo, read_damping_ratio(attributes, velocity)};
 }
 
-void add(Servo& servo, const Servo& more) {
+void add(MjcfActuator& actuator, const MjcfActuator& other) {
+  Servo& servo = actuator.servo;
+  const Servo& more = other.servo;
+  actuator.damping_ratio = std::max(actuator.damping_ratio, other.damping_ratio);
   servo.stall_torque = std::max(servo.stall_torque, more.stall_torque);
   servo.position_gain = std::max(servo.position_gain, more.position_gain);
   servo.velocity_gain = std::max(servo.velocity_gain, more.velocity_gain);
@@ -73,10 +86,10 @@ std::string read_joint(const MjcfAttributes& attributes, const MjcfNames& names)
 
 }  // namespace
 
-std::map<std::string, Servo> read_actuators(const XmlElement& root, const MjcfDefaults& defaults,
-                                            const MjcfCompiler& compiler, const MjcfNames& names, bool lenient,
-                                            std::vector<std::string>& warnings) {
-  std::map<std::string, Servo> servos;
+std::map<std::string, MjcfActuator> read_actuators(const XmlElement& root, const MjcfDefaults& defaults,
+                                                   const MjcfCompiler& compiler, const MjcfNames& names, bool lenient,
+                                                   std::vector<std::string>& warnings) {
+  std::map<std::string, MjcfActuator> actuators;
   std::set<std::string> taken;
   for (const XmlElement& section : root.children("actuator")) {
     for (const XmlElement& element : section.children()) {
@@ -86,9 +99,9 @@ std::map<std::string, Servo> read_actuators(const XmlElement& root, const MjcfDe
         element.fail(fmt::format("actuator '{}' appears twice; rename one", *name));
       const MjcfAttributes attributes = defaults.resolve(element);
       if (attributes.has("joint")) {
-        const Servo servo = read_actuator(attributes, compiler);
-        const auto [place, fresh] = servos.emplace(read_joint(attributes, names), servo);
-        if (!fresh) add(place->second, servo);
+        const MjcfActuator actuator = read_actuator(attributes, compiler);
+        const auto [place, fresh] = actuators.emplace(read_joint(attributes, names), actuator);
+        if (!fresh) add(place->second, actuator);
       } else if (lenient) {
         warnings.push_back(fmt::format("{}: actuator ignored: it moves no joint", element.where()));
       } else {
@@ -96,7 +109,7 @@ std::map<std::string, Servo> read_actuators(const XmlElement& root, const MjcfDe
       }
     }
   }
-  return servos;
+  return actuators;
 }
 
 }  // namespace murosimf::io

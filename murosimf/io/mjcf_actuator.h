@@ -17,10 +17,15 @@
 
 namespace murosimf::io {
 
+struct MjcfActuator {
+  Servo servo;
+  double damping_ratio = 0;  ///< [1] instead of the servo's velocity_gain; 0: none (joint_inertia.h)
+};
+
 /// Servos by joint name. Several actuators at one joint add what the others lack. Throws SetupError for an unknown
 /// joint; an actuator without a joint is refused unless `lenient`, then a line in `warnings`.
-[[nodiscard]] std::map<std::string, Servo> read_actuators(const XmlElement& root, const MjcfDefaults& defaults,
-                                                          const MjcfCompiler& compiler, const MjcfNames& names,
-                                                          bool lenient, std::vector<std::string>& warnings);
+[[nodiscard]] std::map<std::string, MjcfActuator> read_actuators(const XmlElement& root, const MjcfDefaults& defaults,
+                                                                 const MjcfCompiler& compiler, const MjcfNames& names,
+                                                                 bool lenient, std::vector<std::string>& warnings);
 
 }  // namespace murosimf::io

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/io/mjcf_actuator.h"
 #include "murosimf/io/mjcf_defaults.h"
 #include "murosimf/io/mjcf_frame.h"
 #include "murosimf/io/mjcf_mesh.h"
@@ -17,7 +18,7 @@ struct MjcfContext {
   const MjcfDefaults& defaults;
   const MjcfCompiler& compiler;
   const MjcfNames& names;
-  const std::map<std::string, Servo>& servos;  ///< of the actuators, by joint
+  const std::map<std::string, MjcfActuator>& actuators;  ///< by joint
   bool lenient = false;
   MjcfMeshes& meshes;
   std::vector<std::string>& warnings;

@@ -71,7 +71,10 @@ DraftJoint read_joint(const XmlElement& element, const std::string& child_class,
     joint.range = Vec3d{unit * range[0], unit * range[1], 0};
   }
   read_spring(attributes, joint, unit);
-  if (const auto found = context.servos.find(joint.name); found != context.servos.end()) joint.servo = found->second;
+  if (const auto found = context.actuators.find(joint.name); found != context.actuators.end()) {
+    joint.servo = found->second.servo;
+    joint.damping_ratio = found->second.damping_ratio;
+  }
   limit_effort(attributes, joint, context);
   return joint;
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/joint_inertia.h"
 #include "murosimf/io/mjcf_actuator.h"
 #include "murosimf/io/mjcf_body.h"
 #include "murosimf/io/mjcf_relations.h"
@@ -90,10 +91,11 @@ RobotDraft read_mjcf(const std::filesystem::path& file, const ReaderOptions& opt
   const MjcfNames names(base);
   MjcfMeshes meshes(file, root, defaults, compiler, options.part_per_group, draft.warnings);
   draft.meshes = meshes.drafts();
-  const auto servos = read_actuators(root, defaults, compiler, names, options.lenient, draft.warnings);
-  const MjcfContext context{defaults, compiler, names, servos, options.lenient, meshes, draft.warnings};
+  const auto actuators = read_actuators(root, defaults, compiler, names, options.lenient, draft.warnings);
+  const MjcfContext context{defaults, compiler, names, actuators, options.lenient, meshes, draft.warnings};
   read_bodies(base, child_class, context, draft);
   scale_masses(compiler, draft);
+  resolve_damping_ratios(draft);
   read_relations(root, names, draft);
   return draft;
 }

@@ -7,8 +7,9 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "murosimf/control/leg.h"
+#include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/motion/servo_law.h"
 
 namespace murosimf::io {
 namespace {
@@ -63,28 +64,40 @@ std::vector<ReportRow> make_tree(const Model& model) {
   return tree;
 }
 
-bool has_wheels(const Model& model) {
-  return std::ranges::any_of(model.having(properties::servo),
-                             [&](int joint) { return motion::follows_rate(*model.find(properties::servo, joint)); });
+std::vector<LimbReport> make_limbs(const Model& model) {
+  const Tree& tree = model.tree();
+  std::vector<LimbReport> limbs;
+  std::vector<int> limb_of(tree.links.size(), -1);
+  for (std::size_t l = 1; l < tree.links.size(); ++l) {
+    const int parent = tree.links[l].parent;
+    if (parent == 0) {
+      limb_of[l] = static_cast<int>(limbs.size());
+      limbs.push_back({model.objects()[tree.links[l].object].name, 0, 0});
+    } else {
+      limb_of[l] = limb_of[parent];
+    }
+    ++limbs[limb_of[l]].joints;
+  }
+  for (const int body : model.bodies()) {
+    const double* mass = model.find(properties::mass, body);
+    const int limb = limb_of[tree.link_of[body]];
+    if (mass && limb >= 0) limbs[limb].mass_kg += *mass;
+  }
+  return limbs;
 }
 
-void add_findings(const Model& model, ModelReport& report) {
-  std::vector<std::string> idle;
-  for (const ReportRow& row : report.tree) {
-    if (!row.joint.empty() && row.servo.empty()) idle.push_back(row.joint);
+std::vector<LegReport> make_legs(const Model& model) {
+  std::vector<LegReport> legs;
+  for (const int sole : model.having(properties::sole)) {
+    try {
+      const control::Leg leg = control::find_leg(model, sole);
+      legs.push_back({model.objects()[sole].name, leg.thigh, leg.shin, leg.thigh + leg.shin + leg.ankle_height,
+                      leg.signs.has_value()});
+    } catch (const SetupError&) {
+      continue;  // the doctor says why (examine_legs)
+    }
   }
-  if (!idle.empty()) {
-    report.warnings.push_back(
-        fmt::format("model '{}': no servo moves {}; add actuators, or [servos] in the TOML file "
-                    "beside the model",
-                    model.name(), fmt::join(idle, ", ")));
-  }
-  if (report.soles.size() != 2 && !has_wheels(model)) {
-    report.warnings.push_back(
-        fmt::format("model '{}': {} soles, a biped needs 2; add box sites and [soles] in the TOML "
-                    "file beside the model",
-                    model.name(), report.soles.size()));
-  }
+  return legs;
 }
 
 std::string range_text(const ReportRow& row) {
@@ -144,6 +157,37 @@ toml::array list(const std::vector<std::string>& words) {
   return result;
 }
 
+toml::array findings_array(const ModelReport& report) {
+  toml::array findings;
+  for (const Finding& finding : report.findings) {
+    findings.push_back(toml::table{{"severity", severity_name(finding.severity)},
+                                   {"where", finding.where},
+                                   {"what", finding.what},
+                                   {"advice", finding.advice}});
+  }
+  return findings;
+}
+
+toml::array limbs_array(const ModelReport& report) {
+  toml::array limbs;
+  for (const LimbReport& limb : report.limbs) {
+    limbs.push_back(toml::table{{"joint", limb.joint}, {"mass_kg", limb.mass_kg}, {"joints", limb.joints}});
+  }
+  return limbs;
+}
+
+toml::array legs_array(const ModelReport& report) {
+  toml::array legs;
+  for (const LegReport& leg : report.legs) {
+    legs.push_back(toml::table{{"sole", leg.sole},
+                               {"thigh_m", leg.thigh_m},
+                               {"shin_m", leg.shin_m},
+                               {"reach_m", leg.reach_m},
+                               {"closed_form", leg.closed_form}});
+  }
+  return legs;
+}
+
 toml::table row_table(const ReportRow& row) {
   toml::table table{{"depth", row.depth}, {"mass_kg", row.mass_kg}};
   if (!row.body.empty()) table.insert("body", row.body);
@@ -164,7 +208,7 @@ toml::table row_table(const ReportRow& row) {
 
 }  // namespace
 
-ModelReport make_report(const Model& model, std::vector<std::string> warnings, std::vector<std::string> notes) {
+ModelReport make_report(const Model& model, std::vector<Finding> findings) {
   ModelReport report;
   report.name = model.name();
   report.total_mass_kg = model.tree().mass;
@@ -172,10 +216,10 @@ ModelReport make_report(const Model& model, std::vector<std::string> warnings, s
   report.bodies = static_cast<int>(model.bodies().size());
   report.objects = model.size();
   for (const int object : model.having(properties::sole)) report.soles.push_back(model.objects()[object].name);
-  report.warnings = std::move(warnings);
-  report.notes = std::move(notes);
+  report.limbs = make_limbs(model);
+  report.legs = make_legs(model);
+  report.findings = std::move(findings);
   report.tree = make_tree(model);
-  add_findings(model, report);
   return report;
 }
 
@@ -186,8 +230,14 @@ std::string to_text(const ModelReport& report) {
   std::vector<Line> lines{{"body", "mass", "joint", "axis", "range", "servo"}};
   for (const ReportRow& row : report.tree) lines.push_back(make_line(row));
   text += aligned(lines);
-  for (const std::string& note : report.notes) text += "note: " + note + '\n';
-  for (const std::string& warning : report.warnings) text += "warning: " + warning + '\n';
+  for (const LimbReport& limb : report.limbs) {
+    text += fmt::format("limb behind {}: {:.3f} kg, {} joints\n", limb.joint, limb.mass_kg, limb.joints);
+  }
+  for (const LegReport& leg : report.legs) {
+    text += fmt::format("leg to {}: thigh {:.4g} m, shin {:.4g} m, reach {:.4g} m, inverse kinematics {}\n", leg.sole,
+                        leg.thigh_m, leg.shin_m, leg.reach_m, leg.closed_form ? "in closed form" : "numeric");
+  }
+  for (const Finding& finding : report.findings) text += to_line(finding) + '\n';
   return text;
 }
 
@@ -200,8 +250,9 @@ std::string to_json(const ModelReport& report) {
                           {"bodies", report.bodies},
                           {"objects", report.objects},
                           {"soles", list(report.soles)},
-                          {"notes", list(report.notes)},
-                          {"warnings", list(report.warnings)},
+                          {"limbs", limbs_array(report)},
+                          {"legs", legs_array(report)},
+                          {"findings", findings_array(report)},
                           {"tree", tree}};
   std::ostringstream stream;
   stream << toml::json_formatter(table) << '\n';

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/io/robot_findings.h"
 #include "murosimf/model/model.h"
 
 namespace murosimf::io {
@@ -24,20 +25,35 @@ struct ReportRow {
   double no_load_rate = 0;     ///< [rad/s | m/s] 0: not known
 };
 
+/// Everything behind one joint at the base.
+struct LimbReport {
+  std::string joint;
+  double mass_kg = 0;
+  int joints = 0;
+};
+
+/// A leg as the walk engine sees it (control/leg.h).
+struct LegReport {
+  std::string sole;
+  double thigh_m = 0, shin_m = 0;
+  double reach_m = 0;        ///< from the hip to the sole, stretched
+  bool closed_form = false;  ///< of its inverse kinematics; else by damped least squares
+};
+
 struct ModelReport {
   std::string name;
   double total_mass_kg = 0;
   int joints = 0, bodies = 0, objects = 0;
   std::vector<std::string> soles;
-  std::vector<std::string> warnings;  ///< of the reader, then what the model lacks to stand and move
-  std::vector<std::string> notes;     ///< of the reader: what means nothing here
+  std::vector<LimbReport> limbs;
+  std::vector<LegReport> legs;
+  std::vector<Finding> findings;
   std::vector<ReportRow> tree;
 };
 
-[[nodiscard]] ModelReport make_report(const Model& model, std::vector<std::string> warnings = {},
-                                      std::vector<std::string> notes = {});
+[[nodiscard]] ModelReport make_report(const Model& model, std::vector<Finding> findings = {});
 
-/// A summary line, a table with one line per row of the tree, and the warnings; angles in degrees.
+/// A summary line, a table with one line per row of the tree, limbs, legs and findings; angles in degrees.
 [[nodiscard]] std::string to_text(const ModelReport& report);
 /// The same in SI units, angles in rad.
 [[nodiscard]] std::string to_json(const ModelReport& report);

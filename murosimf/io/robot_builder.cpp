@@ -54,6 +54,7 @@ class Builder {
     Chain chain;
     for (const Step& step : name_last(steps(body), body)) add(chain, step);
     if (chain.objects().back().is_joint()) add_alias(chain, body);
+    add_other_names(chain, table_.frames, body.name);
     finish(chain, index);
     return chain;
   }
@@ -97,7 +98,10 @@ class Builder {
     if (object.kind == Kind::revolute) chain.revolute(object.name, object.vector);
     if (object.kind == Kind::prismatic) chain.prismatic(object.name, object.vector);
     if (object.structural) chain.structural();
-    if (step.joint) add_joint_constants(chain, *step.joint);
+    if (!step.joint) return;
+    add_joint_constants(chain, *step.joint);
+    add_other_names(chain, table_.joints, step.joint->name);
+    if (!bodies_.contains(step.joint->name)) add_other_names(chain, table_.frames, step.joint->name);
   }
 
   /// A servo of the table has rotor, friction and speed-torque line of its own: the file's describe the same part.
@@ -120,6 +124,13 @@ class Builder {
     if (joint.damping > 0) chain.with(properties::joint_damping, joint.damping);
     if (joint.friction > 0) chain.with(properties::joint_friction, joint.friction);
     if (joint.servo) chain.with(properties::servo, *joint.servo);
+  }
+
+  /// The table's other names for what the file calls `name`.
+  void add_other_names(Chain& chain, const std::map<std::string, TableName>& others, const std::string& name) const {
+    for (const auto& [other, meant] : others) {
+      if (meant.name == name && other != name) chain.alias(other);
+    }
   }
 
   void add_alias(Chain& chain, const DraftBody& body) {
@@ -185,17 +196,13 @@ class Builder {
     if (!is_zero(offset)) chain.translation(offset, name + ".offset").structural();
     if (!is_identity(turn)) chain.rotation(turn, name + ".turn").structural();
     chain.endpoint(name);
-    if (is_sole(frame)) {
-      if (!frame.box) {
-        throw SetupError(frame.where + ": a sole needs type=\"box\" and size=\"half_length half_width half_height\"");
-      }
-      chain.with(properties::sole, *frame.box);
-    }
+    if (frame.box && is_sole(frame)) chain.with(properties::sole, *frame.box);
+    add_other_names(chain, table_.frames, frame.name);
     return chain;
   }
 
   [[nodiscard]] bool is_sole(const DraftFrame& frame) const {
-    if (table_.names_soles()) return table_.is_sole(frame.name);
+    if (!table_.soles.empty()) return table_.is_sole(frame.name);
     return frame.box && frame.name.ends_with("sole");
   }
 

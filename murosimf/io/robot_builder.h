@@ -15,9 +15,8 @@
 namespace murosimf::io {
 
 /// Takes servos, soles and surfaces of the table, which win over those of the file. Bodies without joints should be
-/// welded before. Renamed and massless bodies are lines in the draft's warnings.
-/// Throws SetupError, with the place in the file, for names of the table that the robot does not have, for a sole that
-/// is no box, and for what Model refuses.
+/// welded and soles placed before (robot_weld.h, robot_roles.h). Renamed and massless bodies are lines in the draft's warnings.
+/// Throws SetupError, with the place in the file, for what Model refuses.
 [[nodiscard]] ModelPtr build_model(RobotDraft& draft, const RobotTable& table);
 
 }  // namespace murosimf::io

@@ -47,6 +47,8 @@ struct DraftJoint {
   double effort_limit = 0;
   double rate_limit = 0;       ///< [rad/s | m/s] URDF velocity; 0: none
   std::optional<Servo> servo;  ///< of its actuators
+  /// [1] Damping of its position servo over the critical one; 0: the servo's velocity_gain holds. Resolved by the reader.
+  double damping_ratio = 0;
 };
 
 /// A joint that follows another: position = offset + ratio * position of the other.

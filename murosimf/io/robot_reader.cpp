@@ -6,6 +6,7 @@
 
 #include "murosimf/io/mjcf_reader.h"
 #include "murosimf/io/robot_builder.h"
+#include "murosimf/io/robot_roles.h"
 #include "murosimf/io/robot_table.h"
 #include "murosimf/io/robot_weld.h"
 #include "murosimf/io/urdf_reader.h"
@@ -22,14 +23,14 @@ void apply_surfaces(RobotDraft& draft, const RobotTable& table) {
 }
 
 void check_names(const RobotTable& table, const RobotDraft& draft) {
-  std::vector<std::string> joints, bodies, frames, meshes;
+  RobotNames names;
   for (const DraftBody& body : draft.bodies) {
-    bodies.push_back(body.name);
-    for (const DraftJoint& joint : body.joints) joints.push_back(joint.name);
-    for (const DraftFrame& frame : body.frames) frames.push_back(frame.name);
+    names.bodies.push_back(body.name);
+    for (const DraftJoint& joint : body.joints) names.joints.push_back(joint.name);
+    for (const DraftFrame& frame : body.frames) names.frames.push_back(frame.name);
   }
-  for (const DraftMesh& mesh : draft.meshes) meshes.push_back(mesh.name);
-  check_names(table, joints, bodies, frames, meshes);
+  for (const DraftMesh& mesh : draft.meshes) names.meshes.push_back(mesh.name);
+  check_names(table, names);
 }
 
 RobotDraft read_draft(const std::filesystem::path& file, const ReaderOptions& options) {
@@ -43,7 +44,7 @@ RobotDraft read_draft(const std::filesystem::path& file, const ReaderOptions& op
 }  // namespace
 
 RobotFile read_robot(const std::filesystem::path& file, const ReaderOptions& options) {
-  const RobotTable table = read_table_beside(file);
+  RobotTable table = read_table_beside(file);
   ReaderOptions all = options;
   for (const TableName& mesh : table.part_per_group) all.part_per_group.push_back(mesh.name);
   RobotFile robot;
@@ -51,9 +52,12 @@ RobotFile read_robot(const std::filesystem::path& file, const ReaderOptions& opt
   check_names(table, robot.draft);
   apply_surfaces(robot.draft, table);
   weld_fixed_bodies(robot.draft);
+  if (options.guess) guess_roles(robot.draft, table);
+  place_soles(robot.draft, table);
   robot.model = build_model(robot.draft, table);
   robot.warnings = std::move(robot.draft.warnings);
   robot.notes = std::move(robot.draft.notes);
+  robot.table = std::move(table);
   return robot;
 }
 

@@ -7,6 +7,7 @@
 
 #include "murosimf/io/reader_options.h"
 #include "murosimf/io/robot_draft.h"
+#include "murosimf/io/robot_table.h"
 #include "murosimf/model/model.h"
 
 namespace murosimf::io {

@@ -19,6 +19,10 @@ class Reader {
     for (const auto& [key, value] : root) {
       if (key == "soles") {
         read_soles(table_of(key, value));
+      } else if (key == "frames") {
+        read_other_names(table_of(key, value), table_.frames);
+      } else if (key == "joints") {
+        read_other_names(table_of(key, value), table_.joints);
       } else if (key == "surfaces") {
         read_surfaces(table_of(key, value));
       } else if (key == "meshes") {
@@ -26,7 +30,7 @@ class Reader {
       } else if (key == "servos") {
         for (const auto& [name, servo] : table_of(key, value)) read_servo(name, table_of(name, servo));
       } else {
-        unknown("table", key, {"soles", "surfaces", "meshes", "servos"});
+        unknown("table", key, {"soles", "frames", "joints", "surfaces", "meshes", "servos"});
       }
     }
     return table_;
@@ -49,15 +53,15 @@ class Reader {
   }
 
   void read_soles(const toml::table& soles) {
+    const std::vector<std::string_view> feet{"left", "right", "front_left", "front_right", "hind_left", "hind_right"};
     for (const auto& [key, value] : soles) {
-      if (key == "left") {
-        table_.left_sole = name_of(key, value);
-      } else if (key == "right") {
-        table_.right_sole = name_of(key, value);
-      } else {
-        unknown("sole", key, {"left", "right"});
-      }
+      if (std::ranges::find(feet, key.str()) == feet.end()) unknown("sole", key, feet);
+      table_.soles.push_back(name_of(key, value));
     }
+  }
+
+  void read_other_names(const toml::table& names, std::map<std::string, TableName>& others) {
+    for (const auto& [key, value] : names) others[std::string(key.str())] = name_of(key, value);
   }
 
   void read_surfaces(const toml::table& surfaces) {
@@ -119,8 +123,8 @@ const std::string& RobotTable::surface(const std::string& body) const {
   return found == surfaces.end() ? default_surface : found->second.name;
 }
 
-bool RobotTable::is_sole(const std::string& site) const {
-  return (left_sole && left_sole->name == site) || (right_sole && right_sole->name == site);
+bool RobotTable::is_sole(const std::string& frame) const {
+  return std::ranges::any_of(soles, [&](const TableName& sole) { return sole.name == frame; });
 }
 
 RobotTable read_robot_table(const std::filesystem::path& file) {
@@ -133,14 +137,17 @@ RobotTable read_table_beside(const std::filesystem::path& model_file) {
   return std::filesystem::exists(file) ? read_robot_table(file) : RobotTable{};
 }
 
-void check_names(const RobotTable& table, const std::vector<std::string>& joints,
-                 const std::vector<std::string>& bodies, const std::vector<std::string>& sites,
-                 const std::vector<std::string>& meshes) {
-  for (const auto& [joint, servo] : table.servos) check_name({joint, servo.where}, "joint", joints);
-  for (const auto& [body, surface] : table.surfaces) check_name({body, surface.where}, "body", bodies);
-  for (const TableName& mesh : table.part_per_group) check_name(mesh, "mesh", meshes);
-  if (table.left_sole) check_name(*table.left_sole, "site", sites);
-  if (table.right_sole) check_name(*table.right_sole, "site", sites);
+void check_names(const RobotTable& table, const RobotNames& names) {
+  std::vector<std::string> places = names.frames;
+  places.insert(places.end(), names.bodies.begin(), names.bodies.end());
+  std::vector<std::string> objects = places;
+  objects.insert(objects.end(), names.joints.begin(), names.joints.end());
+  for (const auto& [joint, servo] : table.servos) check_name({joint, servo.where}, "joint", names.joints);
+  for (const auto& [body, surface] : table.surfaces) check_name({body, surface.where}, "body", names.bodies);
+  for (const TableName& mesh : table.part_per_group) check_name(mesh, "mesh", names.meshes);
+  for (const TableName& sole : table.soles) check_name(sole, "frame", places);
+  for (const auto& [role, frame] : table.frames) check_name(frame, "frame", objects);
+  for (const auto& [alias, joint] : table.joints) check_name(joint, "joint", names.joints);
 }
 
 }  // namespace murosimf::io

@@ -1,8 +1,15 @@
 /// robot_table.h - what a robot file cannot say, from a TOML file of the same stem beside it.
 ///
-///     [soles]                      # sites at the centers of the bottoms of the feet, type box
-///     left = "l_sole"
+///     [soles]                      # box sites at the bottoms of the feet, or the feet themselves
+///     left = "l_sole"              # (a quadruped: front_left, front_right, hind_left, hind_right)
 ///     right = "r_sole"
+///
+///     [frames]                     # other names for frames, bodies and joints
+///     imu = "imu_link"
+///     camera = "camera_optical_frame"
+///
+///     [joints]                     # other names for joints
+///     LHipYaw = "Left_Hip_Yaw"
 ///
 ///     [surfaces]                   # materials of the pair table (model/material.h), by body
 ///     default = "plastic"
@@ -19,7 +26,6 @@
 
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +45,9 @@ struct TableServo {
 };
 
 struct RobotTable {
-  std::optional<TableName> left_sole, right_sole;
+  std::vector<TableName> soles;
+  std::map<std::string, TableName> frames;    ///< frame, body or joint by its other name
+  std::map<std::string, TableName> joints;    ///< joint by its other name
   std::string default_surface;                ///< empty: none
   std::map<std::string, TableName> surfaces;  ///< material by body
   std::map<std::string, TableServo> servos;   ///< by joint
@@ -47,8 +55,7 @@ struct RobotTable {
 
   /// Material of a body: its own or the default.
   [[nodiscard]] const std::string& surface(const std::string& body) const;
-  [[nodiscard]] bool names_soles() const { return left_sole || right_sole; }
-  [[nodiscard]] bool is_sole(const std::string& site) const;
+  [[nodiscard]] bool is_sole(const std::string& frame) const;
 };
 
 /// Throws SetupError with file:line:column for unknown keys, values of a wrong type and impossible numbers.
@@ -57,9 +64,12 @@ struct RobotTable {
 /// The table beside a model file; an empty one if there is none.
 [[nodiscard]] RobotTable read_table_beside(const std::filesystem::path& model_file);
 
-/// Throws SetupError if the table speaks of a joint, body, site or mesh that the robot does not have.
-void check_names(const RobotTable& table, const std::vector<std::string>& joints,
-                 const std::vector<std::string>& bodies, const std::vector<std::string>& sites,
-                 const std::vector<std::string>& meshes = {});
+/// Names that a robot has.
+struct RobotNames {
+  std::vector<std::string> joints, bodies, frames, meshes;
+};
+
+/// Throws SetupError if the table speaks of a joint, body, frame or mesh that the robot does not have.
+void check_names(const RobotTable& table, const RobotNames& names);
 
 }  // namespace murosimf::io

@@ -256,6 +256,7 @@ void ArticulatedDynamics::factor() noexcept {
 }
 
 void ArticulatedDynamics::couple() noexcept {
+  if (!accelerations_are_sane()) return;  // the step will be refused
   factor();
   apply(couplings_.solve(tree_, bodies_, root_, dt_));
   couplings_.count_as_drive(friction_);

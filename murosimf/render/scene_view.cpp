@@ -36,16 +36,18 @@ bool is_placed(const ViewedShape& s) {
 
 /// The facets of a shape in the world.
 std::vector<Facet> placed_facets(const ViewedShape& s) {
-  std::vector<Facet> facets = shape_facets(s.shape);
+  std::vector<Facet> facets = s.facets.empty() ? shape_facets(s.shape) : s.facets;
   for (Facet& facet : facets) {
     for (Vec3d& p : facet) p = s.position + s.orientation * p;
   }
   return facets;
 }
 
+/// Zero for a facet without area.
 Vec3d normal_of(const Facet& facet) {
   const Vec3d normal = cross(facet[1] - facet[0], facet[2] - facet[0]);
-  return (1 / norm(normal)) * normal;
+  const double area = norm(normal);
+  return area > 0 ? (1 / area) * normal : Vec3d{};
 }
 
 void draw_ground(cairo_t* canvas, const Markings& markings, const View& view) {

@@ -16,6 +16,9 @@ struct ViewedShape {
   Vec3d position;     ///< [m] of the shape's origin
   Mat3d orientation;  ///< shape axes to world axes
   Color color;
+  /// Flat convex polygons [m], counterclockwise seen from outside, in the shape's frame; they are drawn instead of `shape`
+  /// unless there are none.
+  std::vector<std::vector<Vec3d>> facets{};
 };
 
 /// Places all of `shapes` so that they fill a picture of `columns` by `rows` pixels, but for a margin. `axes`: as from

@@ -58,6 +58,22 @@ TEST(InnerPairs, NeighborsAndOverlapsAtRestNeverTouch) {
   EXPECT_TRUE(inner.may_touch(1, spur));
 }
 
+// Rule: a joint that cannot stand at zero rests at the end next to it; what overlaps there never touches.
+TEST(InnerPairs, RestIsWhereTheRangeLetsJointsBe) {
+  const auto forearm = [](const Vec3d& range) {
+    using namespace properties;
+    Chain chain = Chain{}.base("trunk").with(shapes, {placed(Sphere{0.1})});
+    chain.translation({0, 0, 0.3}).revolute("shoulder", {0, 1, 0}).with(shapes, {placed(Sphere{0.05})});
+    chain.revolute("elbow", {0, 1, 0}).with(joint_range, range).with(shapes, {placed(Sphere{0.1}, {0, 0, -0.25})});
+    return Model("forearm", chain);
+  };
+  const std::set<Names> nothing, apart{{"trunk", "elbow"}};
+  EXPECT_EQ(allowed(forearm({-1, 1, 0}), {}), nothing);
+  EXPECT_EQ(allowed(forearm({0.2, 1, 0}), {}), nothing);
+  EXPECT_EQ(allowed(forearm({1, 2, 0}), {}), apart);
+  EXPECT_EQ(allowed(forearm({-2, -1, 0}), {}), apart);
+}
+
 // Rule: names exclude the shapes of an object, or of its whole link if it has none.
 TEST(InnerPairs, PairsAreExcludedByName) {
   auto expected = allowed(arm(), {});

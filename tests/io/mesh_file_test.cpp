@@ -178,7 +178,7 @@ TEST(MeshFile, RefusesWhatIsNoMeshFile) {
   EXPECT_TRUE(says(complaint(folder), {"folder"}));
   EXPECT_TRUE(says(complaint("", ".stl"), {"empty"}));
   EXPECT_TRUE(says(complaint("", ".obj"), {"empty"}));
-  EXPECT_TRUE(says(complaint("x", ".msh"), {"unknown kind", "'.msh'", ".stl or .obj"}));
+  EXPECT_TRUE(says(complaint("x", ".msh"), {"unknown kind", "'.msh'", ".stl, .obj or .dae"}));
   EXPECT_TRUE(says(complaint("x", ""), {"unknown kind"}));
 }
 

@@ -5,15 +5,15 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/io/robot_reader.h"
+#include "murosimf/io/robot_doctor.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::io {
 namespace {
 
 ModelReport kid21_report() {
-  const auto [model, warnings, notes, draft] = read_robot(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml");
-  return make_report(*model, warnings, notes);
+  const RobotFile robot = read_robot(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml");
+  return make_report(*robot.model, examine(robot));
 }
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -86,22 +86,36 @@ TEST(ModelReport, ShowsTheLimitsOfServos) {
   EXPECT_TRUE(contains(json, "\"no_load_rate\" : 5.0")) << json;
 }
 
-TEST(ModelReport, FindsWhatIsMissing) {
-  const ModelReport report = make_report(arm(), {"a.xml:1: odd"});
-  ASSERT_EQ(report.warnings.size(), 3u);
-  EXPECT_EQ(report.warnings[0], "a.xml:1: odd");
-  EXPECT_TRUE(contains(report.warnings[1], "no servo moves elbow, slider"));
-  EXPECT_TRUE(contains(report.warnings[2], "0 soles, a biped needs 2"));
-  EXPECT_TRUE(contains(to_text(report), "warning: a.xml:1: odd\n"));
+TEST(ModelReport, ShowsFindingsLimbsAndLegs) {
+  const ModelReport report = kid21_report();
+  ASSERT_EQ(report.legs.size(), 2u);
+  EXPECT_TRUE(report.legs[0].closed_form);
+  double limbs = 0;
+  for (const LimbReport& limb : report.limbs) limbs += limb.mass_kg;
+  EXPECT_LT(limbs, report.total_mass_kg);
+  const ModelReport odd = make_report(arm(), {make_finding(Severity::warning, "a.xml:1: odd; mend it")});
+  EXPECT_TRUE(contains(to_text(odd), "warning: a.xml:1: odd; mend it\n"));
 }
 
 TEST(ModelReport, IsWrittenAsJson) {
-  const std::string json = to_json(make_report(arm(), {"say \"hello\""}));
+  const std::string json = to_json(make_report(arm(), {make_finding(Severity::error, "say \"hello\"")}));
   EXPECT_TRUE(contains(json, "\"name\" : \"arm\""));
   EXPECT_TRUE(contains(json, "\"joints\" : 2"));
   EXPECT_TRUE(contains(json, "\"total_mass_kg\" : 3.0"));
   EXPECT_TRUE(contains(json, "\"kind\" : \"prismatic\""));
+  EXPECT_TRUE(contains(json, "\"severity\" : \"error\""));
   EXPECT_TRUE(contains(json, "say \\\"hello\\\""));
+}
+
+TEST(RobotFindings, LinesOfReadersAreTakenApart) {
+  const Finding whole = make_finding(Severity::warning, "dir/a b.xml:12: this: is odd; mend it");
+  EXPECT_EQ(whole.where, "dir/a b.xml:12");
+  EXPECT_EQ(whole.what, "this: is odd");
+  EXPECT_EQ(whole.advice, "mend it");
+  EXPECT_EQ(to_line(whole), "warning: dir/a b.xml:12: this: is odd; mend it");
+  const Finding bare = make_finding(Severity::note, "model 'a': odd");
+  EXPECT_EQ(bare.where, "");
+  EXPECT_EQ(bare.what, "model 'a': odd");
 }
 
 }  // namespace

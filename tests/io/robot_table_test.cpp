@@ -171,7 +171,7 @@ TEST(RobotTable, NamesMistakesInServoFiles) {
 }
 
 TEST(RobotTable, MayBeEmptyOrMissing) {
-  EXPECT_FALSE(read("").names_soles());
+  EXPECT_TRUE(read("").soles.empty());
   EXPECT_TRUE(read_table_beside("nowhere/robot.xml").servos.empty());
   EXPECT_THROW((void)read_robot_table("nowhere/robot.toml"), SetupError);
 }

@@ -100,7 +100,7 @@ TEST(UrdfMesh, ThatCannotBeReadIsNamedWithBothLines) {
 
 TEST(UrdfMesh, ThatIsFlatIsAnError) {
   write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
-  EXPECT_TRUE(contains(message(with_link(collision(mesh("flat.obj")))), "mesh 'flat.obj'"));
+  EXPECT_TRUE(contains(message(with_link(collision(mesh("flat.obj")))), "robot.urdf:2: mesh 'flat'"));
   write("t.obj", tetrahedron());
   EXPECT_TRUE(contains(message(with_link(collision(mesh("t.obj", "scale='1 0 1'")))), "scale of 0"));
 }

@@ -42,7 +42,7 @@ TEST(UrdfModel, PlaysInAScene) {
   write("robot.urdf", pendulum());
   const auto file = write("scene.toml",
                           "[[teams]]\nname = \"a\"\n[[robots]]\nname = \"one\"\nteam = \"a\"\n"
-                          "model = \"robot.urdf\"\nlevel = \"articulated_dynamics\"\n");
+                          "model = \"robot.urdf\"\nlevel = \"articulated_dynamics\"\ncontroller = \"none\"\n");
   Scene scene(file.string());
   scene.simulation().initialize();
   EXPECT_EQ(scene.simulation().world().entity("one").model().name(), "r");

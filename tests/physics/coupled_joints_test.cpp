@@ -274,6 +274,33 @@ TEST(CoupledJoints, HoldWhileTheFollowerPressesOnItsOwnRobot) {
                     worst, 1e-3, "rad");
 }
 
+// Rule: a change of the level keeps the ratio, and the joints where they are.
+TEST(CoupledJoints, KeepTheRatioWhenTheLevelChanges) {
+  FreeHand free(level, hand());
+  free.robot->object("leader").set(properties::joint_target, 0.4);
+  for (const std::string next : {"full_dynamics", "simplified_dynamics", level}) {
+    free.rig.run(0.3);
+    const double before = at(*free.robot, "follower");
+    free.rig.exchange(*free.robot, next);
+    for (int i = 0; i < 100; ++i) {
+      free.rig.simulation.step();
+      EXPECT_LT(gap(*free.robot), 1e-3) << next;
+      if (i == 0) EXPECT_NEAR(at(*free.robot, "follower"), before, 2e-3) << next;
+    }
+  }
+}
+
+// NaN as a target freezes the robot, and leaves nothing else that is no number.
+TEST(CoupledJoints, SenselessTargetFreezesTheRobot) {
+  FreeHand free(level, hand());
+  free.rig.run(0.1);
+  free.robot->object("leader").set(properties::joint_target, std::nan(""));
+  free.rig.run(0.1);
+  EXPECT_TRUE(free.robot->frozen());
+  EXPECT_TRUE(std::isfinite(free.robot->object("follower").get(properties::coupling_torque)));
+  EXPECT_TRUE(std::isfinite(at(*free.robot, "follower")));
+}
+
 TEST(CoupledJoints, MistakesAreNamed) {
   const auto error = [](const Chain& chain) { return fixtures::error_of([&] { FreeHand(level, chain); }); };
   const auto with = [](const JointCoupling& coupling) { return hand({.coupling = coupling}); };

@@ -1,0 +1,24 @@
+/// robot_soles.h - the soles of a robot's feet, worked out from the shapes of its feet.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/io/robot_draft.h"
+
+namespace murosimf::io {
+
+/// Place of every body in the frame of the base, in the pose of the file.
+[[nodiscard]] std::vector<Place> body_places(const RobotDraft& draft);
+
+/// The rectangle that the lowest few millimeters of the colliding shapes of a body fill in the pose of the file, sides
+/// along the base's axes, at least 2 cm wide; a frame of `name` at its middle, with the base's axes. Nothing if the body
+/// has no such shape.
+[[nodiscard]] std::optional<DraftFrame> sole_under(const RobotDraft& draft, std::size_t body, const std::string& name);
+
+/// Bodies that stand on the ground in the pose of the file, behind three joints at least: all whose colliding shapes reach
+/// down to 1 cm above the lowest of all. In the order of the file.
+[[nodiscard]] std::vector<std::size_t> find_feet(const RobotDraft& draft);
+
+}  // namespace murosimf::io

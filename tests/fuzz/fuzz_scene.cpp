@@ -1,0 +1,9 @@
+// Scene files.
+#include "murosimf/io/scene_spec.h"
+#include "tests/fuzz/fuzz.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace murosimf;
+  fuzz::feed(data, size, ".toml", [](const auto& file) { (void)io::read_scene(file); });
+  return 0;
+}

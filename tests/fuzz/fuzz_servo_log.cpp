@@ -1,0 +1,9 @@
+// Recordings of a servo, JSON.
+#include "murosimf/io/servo_log.h"
+#include "tests/fuzz/fuzz.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace murosimf;
+  fuzz::feed(data, size, ".json", [](const auto& file) { (void)io::read_servo_log(file); });
+  return 0;
+}
