@@ -10,7 +10,7 @@ namespace murosimf::control {
 namespace {
 
 const Model& quadruped() {
-  static const ModelPtr model = io::read_mjcf(std::string(MUROSIMF_SOURCE_DIR) + "/models/quadruped.xml").model;
+  static const ModelPtr model = io::read_robot(std::string(MUROSIMF_SOURCE_DIR) + "/models/quadruped.xml").model;
   return *model;
 }
 

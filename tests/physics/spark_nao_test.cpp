@@ -9,7 +9,7 @@ namespace {
 
 ModelPtr nao(int type) {
   const std::string file = fmt::format("{}/models/spark_nao{}.xml", MUROSIMF_SOURCE_DIR, type);
-  return io::read_mjcf(file).model;
+  return io::read_robot(file).model;
 }
 
 // The league's table: torso, neck and head 1.6171 kg, 0.455 kg per arm, 1.04 kg per leg; 22 joints, or 24 with toes.
