@@ -6,8 +6,8 @@
 #include "murosimf/io/mjcf_reader.h"
 #include "murosimf/io/mjcf_writer.h"
 #include "murosimf/io/robot_reader.h"
+#include "murosimf/io/robot_roles.h"
 #include "murosimf/io/robot_table.h"
-#include "murosimf/io/servo_stub.h"
 #include "murosimf/io/urdf_reader.h"
 #include "murosimf/io/xml_element.h"
 
@@ -41,7 +41,8 @@ void count(const RobotDraft& draft, RobotConversion& result) {
 
 RobotConversion convert_robot(const fs::path& file, const ConversionOptions& options) {
   RobotConversion result;
-  result.warnings = read_robot(file, options.reader).warnings;  // whether it is a robot at all
+  const RobotFile robot = read_robot(file, options.reader);
+  result.warnings = robot.warnings;
   RobotDraft draft = read_all_bodies(file, options.reader);
   if (options.fit) result.fits = fit_meshes(draft, *options.fit);
   count(draft, result);
@@ -49,7 +50,7 @@ RobotConversion convert_robot(const fs::path& file, const ConversionOptions& opt
   fs::path table = file;
   table.replace_extension(".toml");
   result.own_table = fs::exists(table);
-  result.toml = result.own_table ? text_of(table) : servo_stub(draft);
+  result.toml = result.own_table ? text_of(table) : roles_toml(robot.draft, robot.table);
   return result;
 }
 

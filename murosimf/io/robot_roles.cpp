@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "murosimf/io/robot_soles.h"
+#include "murosimf/io/servo_sections.h"
+#include "murosimf/io/xml_element.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
@@ -16,7 +18,6 @@ namespace {
 constexpr double full_torque_bend = 0.1;   // [rad] a guessed servo gives all it has at this error
 constexpr double full_force_shift = 0.02;  // [m] of a slider
 constexpr double damping_time = 0.05;      // [s] damping over gain of a guessed servo
-constexpr const char* guessed_type = "guessed";
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -153,7 +154,7 @@ bool has_gain(const Servo& servo) { return servo.position_gain > 0 || servo.velo
 
 void guess_servo(DraftJoint& joint) {
   Servo servo;
-  servo.type = guessed_type;
+  servo.type = guessed_servo;
   servo.law = "ideal_pd";
   servo.stall_torque = largest_torque(joint);
   servo.no_load_rate = joint.rate_limit;
@@ -201,29 +202,6 @@ std::string frames_toml(const RobotTable& table) {
   return text + "\n";
 }
 
-/// One table for all guessed servos of the same numbers.
-std::string servos_toml(const RobotDraft& draft) {
-  std::map<std::pair<double, double>, std::pair<Servo, std::vector<std::string>>> groups;
-  for (const DraftBody& body : draft.bodies) {
-    for (const DraftJoint& joint : body.joints) {
-      if (!joint.servo || joint.servo->type != guessed_type) continue;
-      auto& [servo, joints] = groups[{joint.servo->stall_torque, joint.servo->no_load_rate}];
-      servo = *joint.servo;
-      joints.push_back('"' + joint.name + '"');
-    }
-  }
-  std::string text;
-  for (const auto& [key, group] : groups) {
-    const auto& [servo, joints] = group;
-    text += fmt::format("[servos.servo_{}]\nlaw = \"ideal_pd\"\nstall_torque = {}\n",
-                        joints[0].substr(1, joints[0].size() - 2), servo.stall_torque);
-    text += fmt::format("position_gain = {:.6g}  # guessed\nvelocity_gain = {:.6g}  # guessed\n", servo.position_gain,
-                        servo.velocity_gain);
-    text += fmt::format("rotor_inertia = 0  # guessed\njoints = [{}]\n\n", fmt::join(joints, ", "));
-  }
-  return text;
-}
-
 }  // namespace
 
 void place_soles(RobotDraft& draft, RobotTable& table) {
@@ -245,7 +223,11 @@ void guess_roles(RobotDraft& draft, RobotTable& table) {
 }
 
 std::string roles_toml(const RobotDraft& draft, const RobotTable& table) {
-  return soles_toml(table) + frames_toml(table) + servos_toml(draft);
+  const std::string head = fmt::format(
+      "# What the file of {} cannot say, partly guessed (docs/robots.md): correct it. Servos are on the output side of\n"
+      "# the gear, SI units; instead of numbers, the type of a ready-made one will do: type = \"mx64\".\n\n",
+      one_line(draft.name));
+  return head + soles_toml(table) + frames_toml(table) + servo_sections(draft);
 }
 
 }  // namespace murosimf::io

@@ -21,7 +21,7 @@ void place_soles(RobotDraft& draft, RobotTable& table);
 ///   servos   law ideal_pd with the file's largest torque F and rate: gain F / 0.1 rad, damping 0.05 s of it
 void guess_roles(RobotDraft& draft, RobotTable& table);
 
-/// Soles, frames and guessed servos as the TOML file that would stand beside the robot.
+/// Soles, frames and servos as the TOML file that would stand beside the robot.
 [[nodiscard]] std::string roles_toml(const RobotDraft& draft, const RobotTable& table);
 
 }  // namespace murosimf::io

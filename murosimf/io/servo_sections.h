@@ -1,0 +1,17 @@
+/// servo_sections.h - the servos of a robot as sections of the TOML file beside it.
+#pragma once
+
+#include <string>
+
+#include "murosimf/io/robot_draft.h"
+
+namespace murosimf::io {
+
+/// Servo::type of servos whose gains are guessed (robot_roles.h).
+inline constexpr const char* guessed_servo = "guessed";
+
+/// A section [servos.NAME] for each kind of drive, with the joints that have it: law ideal_pd, with the numbers of actuator
+/// and joint, because such a servo stands for both. Guessed gains say so. Joints that nothing drives have none.
+[[nodiscard]] std::string servo_sections(const RobotDraft& draft);
+
+}  // namespace murosimf::io
