@@ -37,6 +37,17 @@ struct CheckOptions {
 
 int check(const CheckOptions& options);
 
+struct ConvertOptions {
+  std::string model;
+  std::string out;  ///< MJCF file to write
+  std::string fit;  ///< sphere, capsule, cylinder, box or best; empty: meshes stay meshes
+  bool lenient = false;
+  bool force = false;  ///< replace the file
+};
+
+/// URDF or MJCF to MJCF in our normal form, with a TOML file beside it.
+int convert(const ConvertOptions& options);
+
 struct BenchOptions {
   std::string json;  ///< file, "-" for standard output
 };

@@ -90,6 +90,20 @@ void add_check(CLI::App& app, CheckOptions& options, int& exit_code) {
   check_command->callback([&] { exit_code = check(options); });
 }
 
+void add_convert(CLI::App& app, ConvertOptions& options, int& exit_code) {
+  CLI::App* convert_command = app.add_subcommand("convert", "Write a robot as one plain MJCF file, and a TOML file");
+  convert_command
+      ->add_option("model", options.model, "Model file (URDF or MJCF), or the name of one that comes with the program")
+      ->required();
+  convert_command->add_option("--out", options.out, "MJCF file (.xml) to write")->required();
+  convert_command->add_option("--fit", options.fit,
+                              "Put a primitive of the same volume in the place of each mesh that collides: sphere, "
+                              "capsule, cylinder, box or best");
+  convert_command->add_flag("--lenient", options.lenient, "Accept unknown elements, with a warning");
+  convert_command->add_flag("--force", options.force, "Replace the file if it is there");
+  convert_command->callback([&] { exit_code = convert(options); });
+}
+
 void add_bench(CLI::App& app, BenchOptions& options, std::string& what, int& exit_code) {
   CLI::App* bench_command = app.add_subcommand("bench", "Measure what a part of the simulation costs");
   bench_command->add_option("what", what, "collision")->required()->check(CLI::IsMember({"collision"}));
@@ -147,7 +161,8 @@ void add_replay_servo(CLI::App& app, ReplayServoOptions& options, int& exit_code
 
 /// The parser would only say that a command is required.
 void refuse_unknown_command(int argc, char** argv) {
-  const std::vector<std::string_view> commands{"run", "compare", "check", "list", "bench", "fit-servo", "replay-servo"};
+  const std::vector<std::string_view> commands{"run",  "compare", "check",     "convert",
+                                               "list", "bench",   "fit-servo", "replay-servo"};
   if (argc < 2 || argv[1][0] == '-') return;
   if (std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     throw murosimf::SetupError(murosimf::unknown_name("command", argv[1], commands));
@@ -163,6 +178,7 @@ int main(int argc, char** argv) {
   RunOptions run_options;
   CompareCommand compare_command;
   CheckOptions check_options;
+  ConvertOptions convert_options;
   BenchOptions bench_options;
   FitServoOptions fit_servo_options;
   ReplayServoOptions replay_servo_options;
@@ -171,6 +187,7 @@ int main(int argc, char** argv) {
   add_run(app, run_options, exit_code);
   add_compare(app, compare_command, exit_code);
   add_check(app, check_options, exit_code);
+  add_convert(app, convert_options, exit_code);
   add_list(app, what, exit_code);
   add_bench(app, bench_options, what_to_bench, exit_code);
   add_fit_servo(app, fit_servo_options, exit_code);

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "murosimf/io/data_path.h"
-#include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/robot_reader.h"
 
 namespace murosimf::benchmarks {
 
 inline ModelPtr kid21() {
-  static const ModelPtr model = io::read_mjcf(io::find_data_file("kid21", "models", ".xml")).model;
+  static const ModelPtr model = io::read_robot(io::find_data_file("kid21", "models", ".xml")).model;
   return model;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t enough_joints = 6;  // fewer may well be alike
 constexpr double alike = 0.75;            // [1] share of joints with the same number that is no chance
-constexpr double full_turn = 6.28;        // [rad] a wider range is none
+constexpr double full_turn = 6.3;         // [rad] a wider range is none
 
 std::vector<const DraftJoint*> joints_of(const RobotDraft& draft) {
   std::vector<const DraftJoint*> joints;

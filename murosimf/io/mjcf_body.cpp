@@ -66,7 +66,10 @@ class BodyReader {
       const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
       const MjcfGeom geom = read_geom(attributes, geom_context);
       solids.push_back(moved(geom.solid, child.frame.position, child.frame.orientation));
-      for (const PlacedShape& placed : geom.shapes) body.shapes.push_back(make_shape(child, attributes, placed));
+      for (std::size_t i = 0; i < geom.shapes.size(); ++i) {
+        body.shapes.push_back(make_shape(child, attributes, geom.shapes[i]));
+        body.shapes.back().middle = geom.middles[i];
+      }
       if (geom.visual) body.visuals.push_back(placed_visual(child, *geom.visual));
     }
     body.solid = read_mass(element, solids, context_.compiler, context_.warnings);

@@ -123,6 +123,7 @@ MjcfGeom read_mesh_geom(const MjcfAttributes& attributes, const std::string& typ
     geom.shapes.push_back(placed);
     geom.shapes.back().shape = part.shape;
     geom.shapes.back().position += placed.orientation * part.middle;
+    geom.middles.push_back(part.middle);
   }
   return geom;
 }
@@ -154,7 +155,7 @@ MjcfGeom read_geom(const MjcfAttributes& attributes, const MjcfGeomContext& cont
     placed.orientation = read_orientation(attributes, context.compiler);
   }
   read_surface(attributes, placed);
-  return {{placed}, std::nullopt, read_solid(attributes, placed)};
+  return {{placed}, {{}}, std::nullopt, read_solid(attributes, placed)};
 }
 
 }  // namespace murosimf::io

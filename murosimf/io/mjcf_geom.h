@@ -13,6 +13,7 @@ namespace murosimf::io {
 /// One geom: shapes, several if it is a mesh of several convex parts, or a mesh that is only looked at.
 struct MjcfGeom {
   std::vector<PlacedShape> shapes;
+  std::vector<Vec3d> middles;  ///< [m] of the shapes of a mesh: their origins in the mesh frame
   std::optional<DraftVisual> visual;
   MassProperties solid;  ///< from `mass`, or from `density` [kg/m^3] (1000 if the file is silent)
 };

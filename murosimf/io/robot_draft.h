@@ -63,6 +63,7 @@ struct DraftShape {
   std::string name, where;  ///< name may be empty
   PlacedShape placed;       ///< in the frame of the body
   std::string mesh;         ///< name of the mesh that it is made of; empty: a primitive
+  Vec3d middle{};           ///< [m] of a part of a mesh: where the shape's origin is in the mesh frame
 };
 
 /// A mesh that is only looked at: it is not read until somebody draws it.

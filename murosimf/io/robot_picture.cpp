@@ -15,6 +15,7 @@ namespace {
 using render::ViewedShape;
 
 constexpr double gap = 0.15;  // [1] between two views, of their height
+constexpr double room = 0.9;  // [1] the title needs some
 
 /// The triangles of a mesh in the mesh frame; none if it cannot be read.
 std::vector<std::vector<Vec3d>> facets_of(const DraftMesh& mesh) {
@@ -103,7 +104,8 @@ std::string robot_picture_png(const RobotDraft& draft, int columns, int rows) {
     }
     right += extent.high.x - extent.low.x + gap * (extent.high.z - extent.low.z);
   }
-  const render::View view = render::view_of(render::view_from(-0.5 * pi, 0), row, columns, rows);
+  render::View view = render::view_of(render::view_from(-0.5 * pi, 0), row, columns, rows);
+  view.scale *= room;
   return render::scene_view_png({}, row, view, draft.name + ": front, left side, top, from an angle");
 }
 

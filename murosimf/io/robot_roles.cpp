@@ -44,9 +44,10 @@ std::optional<Found> find_place(RobotDraft& draft, const std::string& name) {
 }
 
 /// A sole on the body, under its shapes; its name is `name` with ".sole".
-bool add_sole(RobotDraft& draft, std::size_t body, const std::string& name) {
-  auto sole = sole_under(draft, body, name + ".sole");
-  if (sole) draft.bodies[body].frames.push_back(*std::move(sole));
+bool add_sole(RobotDraft& draft, const Found& foot, const std::string& name) {
+  const Mat3d axes = foot.frame ? foot.frame->place.orientation : Mat3d{};
+  auto sole = sole_under(draft, foot.body, name + ".sole", axes);
+  if (sole) draft.bodies[foot.body].frames.push_back(*std::move(sole));
   return sole.has_value();
 }
 
@@ -67,6 +68,18 @@ std::vector<std::string> sole_frames(const RobotDraft& draft) {
   return names;
 }
 
+/// Left before right, of four the front ones first.
+void sort_feet(RobotDraft& draft, std::vector<std::string>& feet) {
+  const auto places = body_places(draft);
+  const auto place = [&](const std::string& foot) { return places[find_place(draft, foot)->body].position; };
+  const auto left_first = [&](const auto& a, const auto& b) { return place(a).y > place(b).y; };
+  if (feet.size() == 4) {
+    std::ranges::sort(feet, [&](const auto& a, const auto& b) { return place(a).x > place(b).x; });
+    std::sort(feet.begin() + 2, feet.end(), left_first);
+  }
+  std::sort(feet.begin(), feet.begin() + 2, left_first);
+}
+
 void guess_soles(RobotDraft& draft, RobotTable& table) {
   if (!table.soles.empty() || has_sole_site(draft)) return;
   std::vector<std::string> feet = sole_frames(draft);
@@ -74,6 +87,7 @@ void guess_soles(RobotDraft& draft, RobotTable& table) {
     for (const std::size_t body : find_feet(draft)) feet.push_back(draft.bodies[body].name);
   }
   if (feet.size() != 2 && feet.size() != 4) return;
+  sort_feet(draft, feet);
   for (const std::string& foot : feet) table.soles.push_back({foot, draft.bodies[0].where});
   draft.notes.push_back(
       fmt::format("{}: guessed: the soles are under {}", draft.bodies[0].where, fmt::join(feet, ", ")));
@@ -216,7 +230,7 @@ void place_soles(RobotDraft& draft, RobotTable& table) {
   for (TableName& sole : table.soles) {
     const auto found = find_place(draft, sole.name);
     if (!found || (found->frame && found->frame->box)) continue;
-    if (!add_sole(draft, found->body, sole.name)) {
+    if (!add_sole(draft, *found, sole.name)) {
       throw SetupError(
           fmt::format("{}: '{}' cannot be a sole: its body has no shape that collides", sole.where, sole.name));
     }

@@ -16,12 +16,11 @@ constexpr double slope = 0.05;            // [1] points of a flat bottom are the
 constexpr int directions = 16;            // around
 constexpr std::size_t joints_of_leg = 3;  // at least; a wheel has fewer
 
-/// Farthest points of a shape downwards and nearly so, in the frame of the base.
-void add_low_points(const PlacedShape& shape, const Place& body, std::vector<Vec3d>& points) {
-  const Place at = inside(body, {shape.position, shape.orientation});
+/// Farthest points of a shape downwards and nearly so; `at`: of the shape, in the frame whose -z is down.
+void add_low_points(const Shape& shape, const Place& at, std::vector<Vec3d>& points) {
   const auto add = [&](const Vec3d& down) {
     const Vec3d local = transposed_times(at.orientation, down);
-    points.push_back(at.position + at.orientation * geometry::support(shape.shape, local));
+    points.push_back(at.position + at.orientation * geometry::support(shape, local));
   };
   add({0, 0, -1});
   for (int i = 0; i < directions; ++i) {
@@ -31,10 +30,12 @@ void add_low_points(const PlacedShape& shape, const Place& body, std::vector<Vec
   }
 }
 
+/// Of all shapes of a body that collide; `place`: of the body in the frame whose -z is down.
 std::vector<Vec3d> low_points(const DraftBody& body, const Place& place) {
   std::vector<Vec3d> points;
   for (const DraftShape& shape : body.shapes) {
-    if (shape.placed.collides) add_low_points(shape.placed, place, points);
+    const PlacedShape& placed = shape.placed;
+    if (placed.collides) add_low_points(placed.shape, inside(place, {placed.position, placed.orientation}), points);
   }
   return points;
 }
@@ -44,6 +45,23 @@ double lowest(const std::vector<Vec3d>& points) {
   double z = std::numeric_limits<double>::infinity();
   for (const Vec3d& p : points) z = std::min(z, p.z);
   return z;
+}
+
+/// The one of `candidates`, with either sign, that comes nearest to `direction`; it is taken out.
+Vec3d take_nearest(std::vector<Vec3d>& candidates, const Vec3d& direction) {
+  const auto nearest =
+      std::ranges::max_element(candidates, {}, [&](const Vec3d& axis) { return std::abs(dot(axis, direction)); });
+  const Vec3d axis = *nearest;
+  candidates.erase(nearest);
+  return dot(axis, direction) < 0 ? -axis : axis;
+}
+
+/// Axes of a sole in the frame of the base: those of `turn`, renamed.
+Mat3d level_axes(const Mat3d& turn) {
+  std::vector<Vec3d> axes{turn.x, turn.y, turn.z};
+  const Vec3d up = take_nearest(axes, {0, 0, 1});
+  const Vec3d forward = take_nearest(axes, {1, 0, 0});
+  return {forward, cross(up, forward), up};
 }
 
 std::size_t joints_above(const RobotDraft& draft, std::size_t body) {
@@ -62,18 +80,20 @@ std::vector<Place> body_places(const RobotDraft& draft) {
   return places;
 }
 
-std::optional<DraftFrame> sole_under(const RobotDraft& draft, std::size_t body, const std::string& name) {
+std::optional<DraftFrame> sole_under(const RobotDraft& draft, std::size_t body, const std::string& name,
+                                     const Mat3d& axes) {
   const Place place = body_places(draft)[body];
-  std::vector<Vec3d> points = low_points(draft.bodies[body], place);
+  // axes of the sole to those of the body
+  const Mat3d sole_axes = transpose(place.orientation) * level_axes(place.orientation * axes);
+  std::vector<Vec3d> points = low_points(draft.bodies[body], {{}, transpose(sole_axes)});
   if (points.empty()) return std::nullopt;
   const double bottom = lowest(points);
   std::erase_if(points, [&](const Vec3d& p) { return p.z > bottom + thickness; });
-  const auto [left, right] = std::ranges::minmax(points, {}, &Vec3d::y);
+  const auto [right, left] = std::ranges::minmax(points, {}, &Vec3d::y);
   const auto [back, front] = std::ranges::minmax(points, {}, &Vec3d::x);
-  const Vec3d middle{0.5 * (back.x + front.x), 0.5 * (left.y + right.y), bottom};
   DraftFrame sole{name, draft.bodies[body].where};
-  sole.place = {transposed_times(place.orientation, middle - place.position), transpose(place.orientation)};
-  sole.box = Sole{std::max(least_half, 0.5 * (front.x - back.x)), std::max(least_half, 0.5 * (right.y - left.y))};
+  sole.place = {sole_axes * Vec3d{0.5 * (back.x + front.x), 0.5 * (left.y + right.y), bottom}, sole_axes};
+  sole.box = Sole{std::max(least_half, 0.5 * (front.x - back.x)), std::max(least_half, 0.5 * (left.y - right.y))};
   return sole;
 }
 

@@ -24,9 +24,6 @@ SymMat3d read_tensor(const UrdfLink& link, const XmlElement& inertial, UrdfLog& 
           number_or(element, "ixy", 0),  number_or(element, "ixz", 0),  number_or(element, "iyz", 0)};
 }
 
-/// No solid body has it. Files carry about six digits.
-bool breaks_triangle(const Vec3d& moments) { return moments.x + moments.y < moments.z * (1.0 - 1e-5); }
-
 constexpr double frame_mass = 0.01;  // [kg] below it, a link without inertia is taken for a frame
 
 bool is_zero(const SymMat3d& I) { return I.xx == 0 && I.yy == 0 && I.zz == 0 && I.xy == 0 && I.xz == 0 && I.yz == 0; }
@@ -53,7 +50,7 @@ void check_tensor(const UrdfLink& link, const XmlElement& inertial, bool welded,
                     "correct it",
                     link.name, moments.x));
   }
-  if (!breaks_triangle(moments)) return;
+  if (!breaks_triangle_inequality(moments)) return;
   if (balance) return balance_moments(link, inertial, solid, log);
   log.warn(inertial,
            fmt::format("no solid body has the principal moments {:.4g} {:.4g} {:.4g} kg m^2 of link '{}': two "

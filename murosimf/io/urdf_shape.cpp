@@ -122,7 +122,7 @@ void UrdfShapes::add_collision_mesh(const Part& part, const XmlElement& mesh, Dr
   for (const ConvexPart& convex : meshes_.parts(*found, mesh)) {
     const Place at_middle = inside(place, {convex.middle, {}});
     body.shapes.push_back({part.element.attribute("name").value_or(""), part.element.where(),
-                           placed_shape(convex.shape, at_middle, part.color, true), found->name});
+                           placed_shape(convex.shape, at_middle, part.color, true), found->name, convex.middle});
   }
 }
 

@@ -193,7 +193,7 @@ std::string scene_view_png(const Markings& markings, const std::vector<ViewedSha
   if (view.toward.z > flattest) {
     if (markings.half_length > 0 && markings.half_width > 0) draw_ground(canvas.get(), markings, view);
     draw_shadows(canvas.get(), bodies, view);
-  } else {
+  } else if (markings.half_length > 0) {
     draw_ground_line(canvas.get(), view);
   }
   paint(canvas.get(), draw_bodies(bodies, colors, view), view);

@@ -28,7 +28,7 @@ struct ViewedShape {
 [[nodiscard]] View view_of(const View& axes, const Markings& markings, int columns, int rows);
 
 /// A PNG file, as bytes. The ground (z = 0) is drawn with its markings if `view` sees it from above by more than 3 degrees,
-/// else as a line. Places that are not finite are left out. Throws SetupError if the picture cannot be drawn, or if this build
+/// else as a line; markings without extent are no ground. Places that are not finite are left out. Throws SetupError if the picture cannot be drawn, or if this build
 /// has no pictures. `title`: UTF-8, one line.
 [[nodiscard]] std::string scene_view_png(const Markings& markings, const std::vector<ViewedShape>& shapes,
                                          const View& view, const std::string& title = {});

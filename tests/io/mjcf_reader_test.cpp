@@ -2,6 +2,7 @@
 #include "murosimf/io/robot_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -547,6 +548,18 @@ TEST(MjcfReader, MassesFollowTheCompilersRules) {
   EXPECT_NEAR(bounded.bodies[1].solid.inertia.zz, 4, 1e-14);
   const auto scaled = read_with("settotalmass='10'", thin);
   EXPECT_NEAR(scaled.bodies[0].solid.mass + scaled.bodies[1].solid.mass, 10, 1e-14);
+}
+
+TEST(MjcfReader, ADampingRatioIsTurnedIntoAGain) {
+  // 2 kg in 3 m and the rotor; the trunk does not matter
+  const std::string heavy = "<body name='c' pos='3 0 0'><inertial mass='2' pos='0 0 0' diaginertia='1 1 1'/></body>";
+  const Servo damped = servo("<position joint='j' kp='4' dampratio='0.5'/>",
+                             limb("<joint name='j' axis='0 0 1' armature='0.5'/>",
+                                  "<inertial mass='1' diaginertia='1 1 1'/>" + heavy));
+  EXPECT_NEAR(damped.velocity_gain, 2 * 0.5 * std::sqrt(4 * (0.5 + 1 + 1 + 2 * 9)), 1e-12);
+  EXPECT_EQ(damped.position_gain, 4);
+  EXPECT_TRUE(contains(message_of([] { (void)servo("<position joint='j' kp='4' kv='1' dampratio='0.5'/>"); }),
+                       "both kv and dampratio"));
 }
 
 // ---- mistakes ----

@@ -254,13 +254,13 @@ TEST(RobotTable, NamesBrokenText) { EXPECT_TRUE(complaint("[soles\n").starts_wit
 TEST(RobotTable, NamesWhatTheRobotDoesNotHave) {
   const RobotTable table = read(servo("joints = ['knee_lft']"));
   try {
-    check_names(table, {"knee_left", "knee_right"}, {}, {});
+    check_names(table, {.joints = {"knee_left", "knee_right"}});
     FAIL();
   } catch (const SetupError& error) {
     EXPECT_NE(std::string(error.what()).find(":7:11: unknown joint 'knee_lft'; did you mean 'knee_left'?"),
               std::string::npos);
   }
-  EXPECT_NO_THROW(check_names(table, {"knee_lft"}, {}, {}));
+  EXPECT_NO_THROW(check_names(table, {.joints = {"knee_lft"}}));
 }
 
 }  // namespace

@@ -201,7 +201,7 @@ TEST(UrdfReader, NotesWhatMeansNothingOncePerKind) {
                                 "<transmission name='t'><joint name='j'/><actuator "
                                 "name='m'><mechanicalReduction>200</mechanicalReduction></actuator></transmission>"
                                 "<transmission name='u'><joint name='k'/></transmission>"));
-  EXPECT_TRUE(any_contains(draft.notes, "robot.urdf:3: element 'safety_controller' in joint is not used"));
+  EXPECT_TRUE(any_contains(draft.notes, "robot.urdf:3: element 'safety_controller' is not used"));
   EXPECT_TRUE(any_contains(draft.notes, "robot.urdf:4: gear ratios are not used"));
   EXPECT_TRUE(any_contains(draft.warnings, "robot.urdf:4: transmission 'u' speaks of joint 'k'"));
   EXPECT_EQ(std::ranges::count_if(draft.notes,

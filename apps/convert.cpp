@@ -1,0 +1,69 @@
+// `murosimf convert`: writes a robot file as MJCF in our normal form, and a TOML file beside it.
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/standard_output.h"
+#include "murosimf/io/data_path.h"
+#include "murosimf/io/output_file.h"
+#include "murosimf/io/robot_conversion.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_output(const fs::path& in, const fs::path& out, bool force) {
+  if (out.extension() != ".xml") {
+    throw SetupError(
+        fmt::format("--out '{}': the name must end in .xml; a .toml file will stand beside it", out.string()));
+  }
+  std::error_code error;
+  if (fs::equivalent(in, out, error)) {
+    throw SetupError(fmt::format("--out '{}' is the file that is read; choose another name", out.string()));
+  }
+  if (fs::exists(out, error) && !fs::is_directory(out, error) && !force) {
+    throw SetupError(fmt::format("'{}' is there already; --force replaces it", out.string()));
+  }
+  io::check_writable(out);
+}
+
+std::string fits_text(const std::vector<io::MeshFit>& fits) {
+  std::string text;
+  for (const io::MeshFit& fit : fits) {
+    text += fmt::format("  {}: mesh {} becomes a {}, {:.0f} % of the volume in common\n", fit.body, fit.mesh, fit.shape,
+                        100 * fit.overlap);
+  }
+  return text;
+}
+
+/// A TOML file that is there already has somebody's work in it.
+std::string write_table(const fs::path& file, const io::RobotConversion& robot) {
+  std::error_code error;
+  if (fs::exists(file, error)) return fmt::format("{}: was there, kept as it is\n", file.string());
+  io::write_file(file, robot.toml);
+  return fmt::format("{}: {}\n", file.string(),
+                     robot.own_table ? "copied from beside the robot file" : "a beginning; fill in what is missing");
+}
+
+}  // namespace
+
+int convert(const ConvertOptions& options) {
+  const fs::path in = io::find_data_file(options.model, "models", ".xml"), out = options.out;
+  check_output(in, out, options.force);
+  io::ConversionOptions conversion{.folder = out.parent_path(), .reader = {.lenient = options.lenient}};
+  if (!options.fit.empty()) conversion.fit = at("--fit", [&] { return io::primitive_kind(options.fit); });
+  const io::RobotConversion robot = io::convert_robot(in, conversion);
+  io::write_file(out, robot.mjcf);
+  std::string text =
+      fmt::format("{}: {} bodies, {} joints, {:.4g} kg\n", out.string(), robot.bodies, robot.joints, robot.mass);
+  text += fits_text(robot.fits);
+  text += write_table(fs::path(out).replace_extension(".toml"), robot);
+  for (const std::string& warning : robot.warnings) text += "warning: " + warning + "\n";
+  write_standard_output(text);
+  return 0;
+}
+
+}  // namespace murosimf::app
