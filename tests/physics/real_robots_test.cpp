@@ -1,7 +1,8 @@
 // Robots of teams, from the files that they publish (tests/robot_data.h): they stand, walk on kinematic feet, and fall.
 //
 // The files have no soles and no gains. Soles are the bottoms of their feet; gains are assumptions: every servo gives its
-// largest torque at an error of 0.1 rad, and is damped by 2 % of its gain.
+// largest torque at an error of 0.1 rad, and is damped by 2 % of its gain. No rows of docs/validation.md come from here,
+// because the files are no part of the project.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -84,10 +85,30 @@ INSTANTIATE_TEST_SUITE_P(Robots, RealRobots, testing::ValuesIn(real_robots()),
                          [](const auto& info) { return info.param.name; });
 
 TEST_P(RealRobots, StandAtEveryDynamicLevel) {
-  for (const std::string& level : dynamic_levels()) expect_stands(GetParam().name, model_of(GetParam()), level);
+  for (const std::string& level : dynamic_levels()) {
+    const StandStill stand = stand_still(model_of(GetParam()), level);
+    EXPECT_LT(stand.moved, 3) << level;
+    EXPECT_LT(stand.leaned, 1) << level;
+  }
 }
 
-TEST_P(RealRobots, WalkTwoMetersOnKinematicFeet) { expect_walks_two_meters(GetParam().name, model_of(GetParam())); }
+TEST_P(RealRobots, WalkTwoMetersOnKinematicFeet) {
+  const Walk result = walk_two_meters(model_of(GetParam()));
+  EXPECT_GT(result.moved.x, 2);
+  EXPECT_LT(result.moved.x, 2.25);
+  EXPECT_LT(std::abs(result.moved.y), 0.1);
+  EXPECT_LT(result.slip, 1e-9) << "the standing sole is fixed to the plane";
+}
+
+// With the gains assumed here; servos that give way let them walk faster than told at articulated_dynamics.
+TEST_P(RealRobots, WalkAtEveryDynamicLevel) {
+  for (const std::string& level : dynamic_levels()) {
+    const Walk result =
+        walk({.dynamics = {.level = level}, .command = {0.1, 0, 0}, .seconds = 10, .model = model_of(GetParam())});
+    EXPECT_LT(result.lean, 20) << level << ": it falls";
+    EXPECT_GT(result.moved.x, 0.6) << level;
+  }
+}
 
 // Leaning by 25 degrees and 20 cm above the ground: it hits the ground, falls over and comes to rest on it.
 TEST_P(RealRobots, FallOverWhenDropped) {
@@ -103,11 +124,7 @@ TEST_P(RealRobots, FallOverWhenDropped) {
   const double lean = std::acos(std::clamp(robot.base().get(properties::orientation).z.z, -1.0, 1.0)) / degree;
   EXPECT_GT(lean, 50);
   EXPECT_LT(Rig::place(robot).z, 0.5 * height);
-  law::expect_below({.law =
-                         GetParam().name + " is dropped leaning and falls over: speed of the center of mass after 5 s",
-                     .level = "articulated_dynamics",
-                     .source = "it lies"},
-                    norm(Rig::velocity(robot)), 0.05, "m/s");
+  EXPECT_LT(norm(Rig::velocity(robot)), 0.05) << "it lies";
 }
 
 }  // namespace
