@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double same_place = 1e-9;  // [m] rounding stays far below it
+
 bool is_mesh_file(const fs::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -56,9 +58,16 @@ void write_contact(XmlText& xml, const PlacedShape& placed) {
   xml.number_unless(1, "friction", placed.surface.friction);
 }
 
-/// Both are parts of one geom: it has one line in the file.
+/// Of the mesh that the shape is a part of.
+Place mesh_place(const DraftShape& shape) {
+  return inside({shape.placed.position, shape.placed.orientation}, {-shape.middle, {}});
+}
+
+/// Both are parts of one geom: other parts of the same mesh at the same place.
 bool is_same_geom(const DraftShape& a, const DraftShape& b) {
-  return !a.mesh.empty() && a.mesh == b.mesh && a.where == b.where && a.name == b.name;
+  if (a.mesh.empty() || a.mesh != b.mesh || a.where != b.where || a.name != b.name) return false;
+  const bool same_part = is_zero(a.middle - b.middle);
+  return !same_part && norm(mesh_place(a).position - mesh_place(b).position) < same_place;
 }
 
 }  // namespace
@@ -127,8 +136,7 @@ void MjcfGeomWriter::write_shape(const DraftShape& shape) {
   write_name(shape.name);
   xml_.text("type", shape_name(placed.shape)).text_unless_empty("mesh", shape.mesh);
   std::visit(WriteShape{xml_}, placed.shape);
-  const Place place{placed.position, placed.orientation};
-  write_place(xml_, shape.mesh.empty() ? place : inside(place, {-shape.middle, {}}));
+  write_place(xml_, shape.mesh.empty() ? Place{placed.position, placed.orientation} : mesh_place(shape));
   write_contact(xml_, placed);
   write_color(xml_, placed.color);
   xml_.end();

@@ -84,7 +84,7 @@ TEST(CliMistakes, InConversions) {
   expect_mistake("convert kid21 --out robot.toml", {"'robot.toml'", ".xml"});
   expect_mistake("convert kid21 --out /no/such/folder/r.xml", {"/no/such/folder/r.xml", "there is no folder"});
   expect_mistake("convert kid22 --out " + scratch("r.xml").string(), {"kid22"});
-  expect_mistake("convert kid21 --fit boks --out " + scratch("r.xml").string(), {"--fit", "did you mean 'box'?"});
+  expect_mistake("convert kid21 --fit boxx --out " + scratch("r.xml").string(), {"--fit", "did you mean 'box'?"});
 }
 
 TEST(CliMistakes, InTheCommandLine) {

@@ -85,14 +85,16 @@ inline void expect_same_coupling(const JointCoupling* found, const JointCoupling
   EXPECT_EQ(found->offset, expected->offset) << name;
 }
 
-/// Objects without structure of their own: forks are named by number, and that depends on the order of the file.
+/// All objects but those that only give the tree its shape: forks are numbered in the order of the file, and turns by
+/// less than rounding may be gone.
 inline void expect_same(const Model& found, const Model& expected) {
-  EXPECT_EQ(found.size(), expected.size());
+  EXPECT_EQ(found.joints().size(), expected.joints().size());
+  EXPECT_EQ(found.bodies().size(), expected.bodies().size());
   EXPECT_TRUE(is_near(found.tree().mass, expected.tree().mass)) << found.tree().mass;
   const Poses poses = bent(found), right = bent(expected);
   for (int k = 0; k < expected.size(); ++k) {
     const Object& object = expected.objects()[k];
-    if (object.kind == Kind::fork) continue;
+    if (object.kind == Kind::fork || object.structural) continue;
     const auto i = found.find_object(object.name);
     ASSERT_TRUE(i) << object.name << " is lost";
     EXPECT_EQ(found.objects()[*i].kind, object.kind) << object.name;
