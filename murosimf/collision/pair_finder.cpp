@@ -100,8 +100,7 @@ void PairFinder::find_between(std::vector<Mover>& movers, int a, int b, PairSet&
       return true;
     };
     set.tests.volumes +=
-        a == b ? for_inner_pairs(first.compound, add)
-               : for_pairs(first.compound, second.compound, only_touching(first.compound, second.compound, add));
+        a == b ? for_inner_pairs(first.compound, add) : for_pairs(first.compound, second.compound, add);
     std::sort(near.shapes.begin(), near.shapes.end());
   }
   test(movers, a, b, near.shapes, set);

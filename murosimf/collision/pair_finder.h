@@ -2,6 +2,7 @@
 ///
 /// Entities whose spheres of reach meet have their trees refitted and descended (compound.h), unless both have moved by
 /// less than the trees' margin since the last time; shapes whose volumes overlap get the exact test (geometry/collide.h).
+/// Kinds of shapes (model/shape.h) are compared within one entity only: a robot's file knows nothing of other robots.
 /// Contacts take the constants of the lighter entity.
 #pragma once
 

@@ -76,7 +76,8 @@ struct PlacedShape {
   std::uint32_t contact_type = 1, contact_affinity = 1;
 };
 
-/// Two shapes touch if one of them touches a kind that the other one is, as MJCF's contype and conaffinity say.
+/// Two shapes touch if one of them touches a kind that the other one is, as MJCF's contype and conaffinity say. It
+/// counts within one robot and on the ground; between robots everything touches.
 template <class A, class B>
 [[nodiscard]] bool may_touch(const A& a, const B& b) {
   return (a.contact_type & b.contact_affinity) != 0 || (b.contact_type & a.contact_affinity) != 0;
