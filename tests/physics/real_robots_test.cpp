@@ -36,8 +36,8 @@ class RealRobots : public testing::TestWithParam<RealRobot> {
     }
   }
 };
-INSTANTIATE_TEST_SUITE_P(Robots, RealRobots, testing::ValuesIn(real_robots()),
-                         [](const auto& info) { return info.param.name; });
+std::string robot_name(const testing::TestParamInfo<RealRobot>& info) { return info.param.name; }
+INSTANTIATE_TEST_SUITE_P(Robots, RealRobots, testing::ValuesIn(real_robots()), robot_name);
 
 TEST_P(RealRobots, StandAtEveryDynamicLevel) {
   for (const std::string& level : dynamic_levels()) {
