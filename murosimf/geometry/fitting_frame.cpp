@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 
@@ -10,8 +12,9 @@
 namespace murosimf::geometry {
 namespace {
 
-constexpr double alike = 1e-4;         // [1] second moments that differ by less leave their axes free
-constexpr double clearly_less = 1e-9;  // [1] rounding must not choose between frames
+constexpr double alike = 1e-4;           // [1] second moments that differ by less leave their axes free
+constexpr double clearly_less = 1e-9;    // [1] rounding must not choose between frames
+constexpr double shortest_edge = 1e-12;  // [1] its square over the area of the outline's rectangle
 
 struct Principal {
   Mat3d axes;
@@ -31,10 +34,48 @@ Principal principal_of(const SymMat3d& m) {
   return {{x, y, cross(x, y)}, {values[0], values[1], values[2]}};
 }
 
-/// Area of the rectangle around the hull, seen along the z axis of the frame.
-double area_in(const ConvexHull& hull, const Mat3d& frame) {
-  const auto [low, high] = bounds_in(hull, frame);
-  return (high.x - low.x) * (high.y - low.y);
+struct Point {
+  double x, y;  ///< [m]
+};
+
+/// Twice the area of the triangle; positive if it runs counterclockwise.
+double turn(const Point& a, const Point& b, const Point& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Adds the points of one side of the outline, from the first to the last but one.
+template <class Points>
+void add_side(const Points& points, std::vector<Point>& outline) {
+  const std::size_t begin = outline.size();
+  for (const Point& p : points) {
+    while (outline.size() >= begin + 2 && turn(outline[outline.size() - 2], outline.back(), p) <= 0) outline.pop_back();
+    outline.push_back(p);
+  }
+  outline.pop_back();
+}
+
+/// Corners of the hull seen along the z axis of the frame, counterclockwise.
+/// Source: Andrew, "Another efficient algorithm for convex hulls in two dimensions", IPL 9 (1979).
+std::vector<Point> outline_of(const ConvexHull& hull, const Mat3d& frame) {
+  std::vector<Point> points, outline;
+  for (const Vec3d& v : hull.vertices) points.push_back({dot(frame.x, v), dot(frame.y, v)});
+  std::ranges::sort(points, [](const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  add_side(points, outline);
+  add_side(std::views::reverse(points), outline);
+  return outline;
+}
+
+/// Area of the rectangle around the outline with a side along the unit vector `u`.
+double area_along(const std::vector<Point>& outline, const Point& u) {
+  double low_x = 1e300, high_x = -1e300, low_y = 1e300, high_y = -1e300;
+  for (const Point& p : outline) {
+    const double x = u.x * p.x + u.y * p.y, y = u.x * p.y - u.y * p.x;
+    low_x = std::min(low_x, x);
+    high_x = std::max(high_x, x);
+    low_y = std::min(low_y, y);
+    high_y = std::max(high_y, y);
+  }
+  return (high_x - low_x) * (high_y - low_y);
 }
 
 double volume_in(const ConvexHull& hull, const Mat3d& frame) {
@@ -43,29 +84,29 @@ double volume_in(const ConvexHull& hull, const Mat3d& frame) {
 }
 
 /// The frame with the given z axis whose other axes frame the hull in the smallest rectangle: one side of it lies on an
-/// edge of the outline (Freeman and Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed
-/// curve", CACM 18 (1975)), so all edges of the hull are tried.
+/// edge of the outline.
+/// Source: Freeman, Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve", CACM 18
+/// (1975).
 Mat3d frame_about(const ConvexHull& hull, const Vec3d& z) {
   const Vec3d some = std::fabs(z.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
-  const Vec3d start = cross(z, some);
-  const Vec3d first = (1 / norm(start)) * start;
-  Mat3d best{first, cross(z, first), z};
-  double least = area_in(hull, best);
-  for (std::size_t i = 0; i + 1 < hull.first_neighbor.size(); ++i) {
-    for (auto k = hull.first_neighbor[i]; k < hull.first_neighbor[i + 1]; ++k) {
-      const Vec3d edge = hull.vertices[hull.neighbors[k]] - hull.vertices[i];
-      const Vec3d flat = edge - dot(edge, z) * z;
-      const double length = norm(flat);
-      if (hull.neighbors[k] < i || length < 1e-6 * norm(edge)) continue;
-      const Vec3d x = (1 / length) * flat;
-      const Mat3d frame{x, cross(z, x), z};
-      const double area = area_in(hull, frame);
-      if (area >= (1 - clearly_less) * least) continue;
-      least = area;
-      best = frame;
-    }
+  const Vec3d across = cross(z, some);
+  const Vec3d first = (1 / norm(across)) * across;
+  const Mat3d start{first, cross(z, first), z};
+  const auto outline = outline_of(hull, start);
+  Point best{1, 0};
+  double least = area_along(outline, best);
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    if (length * length < shortest_edge * least) continue;
+    const Point u{(b.x - a.x) / length, (b.y - a.y) / length};
+    const double area = area_along(outline, u);
+    if (area >= (1 - clearly_less) * least) continue;
+    least = area;
+    best = u;
   }
-  return best;
+  const Vec3d x = best.x * start.x + best.y * start.y;
+  return {x, cross(z, x), z};
 }
 
 Vec3d normal_of_largest_face(const ConvexHull& hull) {

@@ -9,9 +9,9 @@
 namespace murosimf::geometry {
 namespace {
 
-constexpr int grid = 24;                // points along each side of the bounding box
+constexpr int trials = 16384;           // points in the bounding box
 constexpr double least_slender = 1e-3;  // [1] straight part of a capsule over its diameter
-constexpr double same_overlap = 0.005;  // [1] what the grid cannot tell apart
+constexpr double same_overlap = 0.005;  // [1] what the points cannot tell apart
 
 double cube(double x) { return x * x * x; }
 
@@ -107,14 +107,17 @@ bool is_inside(const ConvexHull& hull, const Vec3d& point) {
   return true;
 }
 
-/// Middles of the cells of a grid that are inside the hull.
+/// Points of the hull, evenly spread and in no line with any axis: multiples of powers of 1 / g with g^4 = g + 1.
+/// Source: Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences" (2018).
 std::vector<Vec3d> points_inside(const ConvexHull& hull, const Mat3d& frame) {
-  const Bounds bounds = bounds_in(hull, frame);
-  const Vec3d step = (1.0 / grid) * (bounds.high - bounds.low);
+  constexpr double g = 1.2207440846057596;
+  const auto fraction = [](double x) { return x - std::floor(x); };
+  const auto [low, high] = bounds_in(hull, frame);
+  const Vec3d size = high - low;
   std::vector<Vec3d> points;
-  for (int i = 0; i < grid * grid * grid; ++i) {
-    const Vec3d cell{i % grid + 0.5, i / grid % grid + 0.5, i / (grid * grid) + 0.5};
-    const Vec3d point = frame * (bounds.low + Vec3d{step.x * cell.x, step.y * cell.y, step.z * cell.z});
+  for (int i = 0; i < trials; ++i) {
+    const Vec3d share{fraction(0.5 + i / g), fraction(0.5 + i / (g * g)), fraction(0.5 + i / (g * g * g))};
+    const Vec3d point = frame * (low + Vec3d{size.x * share.x, size.y * share.y, size.z * share.z});
     if (is_inside(hull, point)) points.push_back(point);
   }
   return points;

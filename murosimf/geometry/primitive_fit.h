@@ -20,8 +20,8 @@ struct FittedPrimitive {
   Shape shape;
   Vec3d position;     ///< [m] of the shape's origin, frame of the polyhedron
   Mat3d orientation;  ///< shape axes to the axes of the polyhedron
-  /// [1] Share of the volume that both have in common, 0 to 1, from points on a fixed grid. As much as is missing sticks
-  /// out elsewhere.
+  /// [1] Share of the volume that both have in common, 0 to 1, from fixed points (within 0.02). As much as is missing
+  /// sticks out elsewhere.
   double overlap = 0;
 };
 

@@ -13,7 +13,7 @@
 namespace murosimf::io {
 namespace {
 
-constexpr double least_inertia = 1e-12;  // [kg m^2] readers refuse a mass without inertia
+constexpr double least_inertia = 1e-13;  // [kg m^2] readers refuse a mass without inertia
 constexpr double sole_thickness = 1e-3;  // [m] half; only looked at
 
 class Writer {
