@@ -45,7 +45,8 @@ std::string write_table(const fs::path& file, const io::RobotConversion& robot) 
   if (fs::exists(file, error)) return fmt::format("{}: was there, kept as it is\n", file.string());
   io::write_file(file, robot.toml);
   return fmt::format("{}: {}\n", file.string(),
-                     robot.own_table ? "copied from beside the robot file" : "soles, frames and servos, partly guessed; correct it");
+                     robot.own_table ? "copied from beside the robot file"
+                                     : "soles, frames and servos, partly guessed; correct it");
 }
 
 }  // namespace

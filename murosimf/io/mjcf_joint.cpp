@@ -13,14 +13,7 @@ double at_least_zero(const MjcfAttributes& attributes, const char* name) {
   return number;
 }
 
-Vec3d read_axis(const MjcfAttributes& attributes, const std::string& name, const MjcfContext& context) {
-  if (!attributes.has("axis")) {
-    if (!context.lenient) {
-      attributes.element().fail(fmt::format("joint '{}' has no axis; add axis=\"x y z\", here or in its class", name));
-    }
-    context.warnings.push_back(
-        one_line(fmt::format("{}: joint '{}' has no axis; z is taken", attributes.element().where(), name)));
-  }
+Vec3d read_axis(const MjcfAttributes& attributes, const std::string& name) {
   const Vec3d axis = attributes.vector("axis", {0, 0, 1});
   if (!(norm(axis) > 1e-9)) attributes.source("axis").fail(fmt::format("axis of joint '{}' has no direction", name));
   return axis;
@@ -61,7 +54,7 @@ DraftJoint read_joint(const XmlElement& element, const std::string& child_class,
   }
   joint.kind = type == "slide" ? Kind::prismatic : Kind::revolute;
   joint.anchor = attributes.vector("pos", {});
-  joint.axis = read_axis(attributes, joint.name, context);
+  joint.axis = read_axis(attributes, joint.name);
   joint.armature = at_least_zero(attributes, "armature");
   joint.damping = at_least_zero(attributes, "damping");
   joint.friction = at_least_zero(attributes, "frictionloss");

@@ -5,7 +5,7 @@
 
 namespace murosimf::io {
 
-/// Throws SetupError for ball and free joints, and for a joint without axis unless the context is lenient (then z).
+/// Throws SetupError for ball and free joints.
 [[nodiscard]] DraftJoint read_joint(const XmlElement& element, const std::string& child_class,
                                     const MjcfContext& context);
 

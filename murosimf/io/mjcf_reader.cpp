@@ -96,7 +96,7 @@ RobotDraft read_mjcf(const std::filesystem::path& file, const ReaderOptions& opt
   read_bodies(base, child_class, context, draft);
   scale_masses(compiler, draft);
   resolve_damping_ratios(draft);
-  read_relations(root, names, draft);
+  read_relations(root, names, defaults, draft);
   return draft;
 }
 

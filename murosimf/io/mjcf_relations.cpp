@@ -53,6 +53,32 @@ DraftSensor read_sensor(const XmlElement& element) {
   return sensor;
 }
 
+/// The kinds of a geom that is no part of the robot, as may_touch (model/shape.h) wants them.
+struct Kinds {
+  std::uint32_t contact_type = 1, contact_affinity = 1;
+};
+
+Kinds kinds_of(const MjcfAttributes& geom) {
+  const auto mask = [&](const char* name) {
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(geom.number(name, 1)));
+  };
+  return {mask("contype"), mask("conaffinity")};
+}
+
+/// The scene's ground has the usual kinds: what stands on the file's own floor shall stand on it, too.
+void stand_on_usual_ground(const XmlElement& root, const MjcfDefaults& defaults, RobotDraft& draft) {
+  std::vector<Kinds> world;
+  for (const XmlElement& geom : elements(root, "worldbody", "geom")) world.push_back(kinds_of(defaults.resolve(geom)));
+  for (DraftBody& body : draft.bodies) {
+    for (DraftShape& shape : body.shapes) {
+      PlacedShape& placed = shape.placed;
+      const auto stands_on = [&](const Kinds& kinds) { return may_touch(placed, kinds); };
+      if (!placed.collides || stands_on({}) || std::ranges::none_of(world, stands_on)) continue;
+      placed.contact_type |= 1U;
+    }
+  }
+}
+
 std::vector<std::string> world_geoms(const XmlElement& root) {
   std::vector<std::string> names;
   for (const XmlElement& geom : elements(root, "worldbody", "geom"))
@@ -116,7 +142,8 @@ class Pairs {
 
 }  // namespace
 
-void read_relations(const XmlElement& root, const MjcfNames& names, RobotDraft& draft) {
+void read_relations(const XmlElement& root, const MjcfNames& names, const MjcfDefaults& defaults, RobotDraft& draft) {
+  stand_on_usual_ground(root, defaults, draft);
   for (const XmlElement& element : elements(root, "equality", "joint")) {
     draft.mimics.push_back(read_mimic(element, names));
   }

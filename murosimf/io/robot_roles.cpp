@@ -224,7 +224,8 @@ void guess_roles(RobotDraft& draft, RobotTable& table) {
 
 std::string roles_toml(const RobotDraft& draft, const RobotTable& table) {
   const std::string head = fmt::format(
-      "# What the file of {} cannot say, partly guessed (docs/robots.md): correct it. Servos are on the output side of\n"
+      "# What the file of {} cannot say, partly guessed (docs/robots.md): correct it. Servos are on the output side "
+      "of\n"
       "# the gear, SI units; instead of numbers, the type of a ready-made one will do: type = \"mx64\".\n\n",
       one_line(draft.name));
   return head + soles_toml(table) + frames_toml(table) + servo_sections(draft);

@@ -28,8 +28,13 @@ struct Group {
 
 Drive drive_of(const DraftJoint& joint) {
   const Servo& servo = *joint.servo;
-  return {servo.type == guessed_servo, servo.stall_torque, servo.position_gain, servo.velocity_gain,
-          joint.armature,              joint.friction,     joint.damping};
+  return {servo.type == guessed_servo,
+          servo.stall_torque,
+          servo.position_gain,
+          servo.velocity_gain,
+          joint.armature,
+          joint.friction,
+          joint.damping};
 }
 
 std::vector<Group> groups_of(const RobotDraft& draft) {
@@ -80,7 +85,8 @@ std::string section(const Drive& drive) {
   const std::string guess = drive.guessed ? " guessed: all torque at 0.1 rad" : "";
   return "law = \"ideal_pd\"\n" + unless_zero("stall_torque", drive.stall_torque, "[N m] largest torque") +
          line("position_gain", drive.position_gain, "[N m/rad]" + guess) +
-         unless_zero("velocity_gain", drive.velocity_gain, "[N m s/rad]" + std::string(drive.guessed ? " guessed" : "")) +
+         unless_zero("velocity_gain", drive.velocity_gain,
+                     "[N m s/rad]" + std::string(drive.guessed ? " guessed" : "")) +
          line("rotor_inertia", drive.armature, "[kg m^2] armature of the joint") +
          unless_zero("coulomb_friction", drive.friction, "[N m] frictionloss of the joint") +
          unless_zero("viscous_friction", drive.damping, "[N m s/rad] damping of the joint");

@@ -519,6 +519,17 @@ TEST(MjcfReader, AGeomPairedWithTheFloorCollides) {
   EXPECT_TRUE(with_floor(pair).draft.bodies[0].shapes[0].placed.collides);
 }
 
+TEST(MjcfReader, AGeomThatStandsOnTheFilesFloorStandsOnOurs) {
+  const auto shape = [](const std::string& masks, const std::string& floor) {
+    const std::string world = "<worldbody><geom type='plane' size='1 1 1' " + floor + "/></worldbody>";
+    return read(closed_robot("<geom size='1' " + masks + "/>", world)).draft.bodies[0].shapes[0].placed;
+  };
+  const PlacedShape usual{};
+  EXPECT_TRUE(may_touch(shape("contype='2' conaffinity='2'", "contype='2' conaffinity='2'"), usual));
+  EXPECT_FALSE(may_touch(shape("contype='2' conaffinity='2'", ""), usual)) << "does not stand on it in the file either";
+  EXPECT_EQ(shape("contype='1' conaffinity='2'", "").contact_affinity, 2U);
+}
+
 TEST(MjcfReader, IncludesOtherFiles) {
   write("<mujocoinclude><body name='part'><joint name='j' axis='0 0 1'/><geom size='1'/></body></mujocoinclude>",
         ".inc");
@@ -527,8 +538,8 @@ TEST(MjcfReader, IncludesOtherFiles) {
   EXPECT_TRUE(contains(message(closed_robot("<include file='" + name + "'/><include file='" + name + "'/>")),
                        "is included a second time"));
   EXPECT_TRUE(contains(message(closed_robot("<include file='nowhere.xml'/>")), "nowhere.xml: there is no such file"));
-  write("<mujocoinclude>\n<body name='part'><joint/></body></mujocoinclude>", ".inc");
-  EXPECT_TRUE(contains(message(closed_robot("<include file='" + name + "'/>")), ".inc:2: joint"));
+  write("<mujocoinclude>\n<body name='part'><joint axis='0 0 0'/></body></mujocoinclude>", ".inc");
+  EXPECT_TRUE(contains(message(closed_robot("<include file='" + name + "'/>")), ".inc:2: axis of joint"));
   write("<mujocoinclude><include file='" + name + "'/></mujocoinclude>", ".inc");
   EXPECT_TRUE(contains(message(closed_robot("<include file='" + name + "'/>")), "is included a second time"));
   std::filesystem::remove(test_file(".inc"));
@@ -553,9 +564,9 @@ TEST(MjcfReader, MassesFollowTheCompilersRules) {
 TEST(MjcfReader, ADampingRatioIsTurnedIntoAGain) {
   // 2 kg in 3 m and the rotor; the trunk does not matter
   const std::string heavy = "<body name='c' pos='3 0 0'><inertial mass='2' pos='0 0 0' diaginertia='1 1 1'/></body>";
-  const Servo damped = servo("<position joint='j' kp='4' dampratio='0.5'/>",
-                             limb("<joint name='j' axis='0 0 1' armature='0.5'/>",
-                                  "<inertial mass='1' diaginertia='1 1 1'/>" + heavy));
+  const Servo damped =
+      servo("<position joint='j' kp='4' dampratio='0.5'/>",
+            limb("<joint name='j' axis='0 0 1' armature='0.5'/>", "<inertial mass='1' diaginertia='1 1 1'/>" + heavy));
   EXPECT_NEAR(damped.velocity_gain, 2 * 0.5 * std::sqrt(4 * (0.5 + 1 + 1 + 2 * 9)), 1e-12);
   EXPECT_EQ(damped.position_gain, 4);
   EXPECT_TRUE(contains(message_of([] { (void)servo("<position joint='j' kp='4' kv='1' dampratio='0.5'/>"); }),
@@ -606,7 +617,8 @@ TEST(MjcfReader, NamesWhatIsWrongWithTheBase) {
 }
 
 TEST(MjcfReader, NamesWhatIsWrongWithJoints) {
-  expect_complaint(message(closed_robot(limb("<joint name='j'/>"))), 5, "joint 'j' has no axis");
+  expect_complaint(message(closed_robot(limb("<joint name='j' axis='0 0 0'/>"))), 5,
+                   "axis of joint 'j' has no direction");
   EXPECT_TRUE(any_contains(read(closed_robot(limb("<joint name='j'/>")), true).warnings, "z is taken"));
   expect_complaint(message(closed_robot(limb("<joint name='j' axis='0 0 0'/>"))), 5,
                    "axis of joint 'j' has no direction");
