@@ -1,4 +1,5 @@
 // `murosimf check`: the model doctor. Reads a robot, shows what is in it and says what is probably not meant.
+#include <cstdio>
 #include <optional>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "murosimf/io/robot_doctor.h"
 #include "murosimf/io/robot_picture.h"
 #include "murosimf/io/robot_roles.h"
+#include "murosimf/model/error.h"
 
 namespace murosimf::app {
 namespace {
@@ -34,12 +36,18 @@ Reading read(const std::filesystem::path& file, bool lenient) {
   }
 }
 
-}  // namespace
+/// Of a file in which there is no robot at all.
+int report_unreadable(const CheckOptions& options, const SetupError& error) {
+  io::ModelReport report;
+  report.name = options.model;
+  report.findings.push_back(io::make_finding(io::Severity::error, error.what()));
+  if (!options.json.empty()) write_result(options.json, "", io::to_json(report));
+  fmt::print(stderr, "murosimf: {}\n", error.what());
+  return 1;
+}
 
-int check(const CheckOptions& options) {
-  check_json_file(options.json);
-  const auto file = io::find_data_file(options.model, "models", ".xml");
-  const auto [robot, error] = read(file, options.lenient);
+int show(const CheckOptions& options, const Reading& reading) {
+  const auto& [robot, error] = reading;
   auto findings = io::examine(robot);
   if (error) findings.insert(findings.begin(), io::make_finding(io::Severity::error, *error));
   if (!options.picture.empty()) io::write_file(options.picture, io::robot_picture_png(robot.draft));
@@ -47,6 +55,20 @@ int check(const CheckOptions& options) {
   const io::ModelReport report = io::make_report(*robot.model, std::move(findings));
   write_result(options.json, io::to_text(report), io::to_json(report));
   return error ? 1 : 0;
+}
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+  check_json_file(options.json);
+  const auto file = io::find_data_file(options.model, "models", ".xml");
+  std::optional<Reading> reading;
+  try {
+    reading = read(file, options.lenient);
+  } catch (const SetupError& error) {
+    return report_unreadable(options, error);
+  }
+  return show(options, *reading);
 }
 
 }  // namespace murosimf::app

@@ -61,6 +61,29 @@ TEST(Cli, ChecksAModel) {
   EXPECT_EQ(murosimf("check kid21 --json -").output.front(), '{');
 }
 
+TEST(Cli, ExaminesARobotThatHasAnError) {
+  const fs::path robot = write("odd.xml",
+                               "<mujoco><worldbody>\n<body name='b' gravcomp='1'><freejoint/><geom size='.1'/></body>\n"
+                               "</worldbody></mujoco>\n");
+  const Result strict = murosimf("check " + robot.string() + " --json -");
+  EXPECT_EQ(strict.exit_code, 1);
+  EXPECT_NE(strict.output.find("\"severity\" : \"error\""), std::string::npos) << strict.output;
+  EXPECT_NE(strict.output.find("odd.xml:2"), std::string::npos);
+  EXPECT_NE(strict.output.find("\"bodies\" : 1"), std::string::npos) << "what can be read is shown";
+  EXPECT_EQ(murosimf("check " + robot.string() + " --lenient").exit_code, 0);
+}
+
+TEST(Cli, WritesThePictureAndTheRolesOfARobot) {
+  const fs::path picture = scratch("robot.png"), roles = scratch("robot.toml");
+  const Result result = murosimf("check quadruped --roles " + roles.string() + " --picture " + picture.string());
+  if (result.errors.find("pictures are off in this build") == std::string::npos) {
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_EQ(read_file(picture).substr(1, 3), "PNG");
+    EXPECT_NE(read_file(roles).find("[servos.servo_1]"), std::string::npos);
+  }
+  expect_mistake("check kid21 --picture /no/such/folder/p.png", {"/no/such/folder/p.png"});
+}
+
 TEST(Cli, ConvertsAModelOnceUnlessForced) {
   const fs::path folder = scratch("folder"), out = folder / "robot.xml";
   fs::remove_all(folder);
@@ -115,12 +138,14 @@ TEST(CliMistakes, InFiles) {
   const std::string head =
       "<mujoco><worldbody>\n<body name='b'><freejoint/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>\n";
   const std::string tail = "</body></worldbody></mujoco>\n";
-  expect_mistake("check " +
-                     write("axis.xml",
-                           head + "<body><joint name='j'/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/></body>" +
-                               tail)
-                         .string(),
-                 {"axis.xml:3", "axis"});
+  expect_mistake(
+      "check " +
+          write("axis.xml",
+                head +
+                    "<body><joint name='j' axis='0 0 0'/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/></body>" +
+                    tail)
+              .string(),
+      {"axis.xml:3", "axis"});
   expect_mistake(
       "check " +
           write("mass.xml",
