@@ -105,7 +105,8 @@ std::vector<std::size_t> find_feet(const RobotDraft& draft) {
   const double ground = *std::ranges::min_element(bottoms);
   std::vector<std::size_t> feet;
   for (std::size_t i = 0; i < bottoms.size(); ++i) {
-    if (bottoms[i] <= ground + level_feet && joints_above(draft, i) >= joints_of_leg) feet.push_back(i);
+    if (std::isfinite(bottoms[i]) && bottoms[i] <= ground + level_feet && joints_above(draft, i) >= joints_of_leg)
+      feet.push_back(i);
   }
   return feet;
 }

@@ -1,6 +1,7 @@
 #include "murosimf/io/servo_sections.h"
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -38,10 +39,12 @@ Drive drive_of(const DraftJoint& joint) {
 }
 
 std::vector<Group> groups_of(const RobotDraft& draft) {
+  std::set<std::string> followers;
+  for (const DraftMimic& mimic : draft.mimics) followers.insert(mimic.joint);
   std::vector<Group> groups;
   for (const DraftBody& body : draft.bodies) {
     for (const DraftJoint& joint : body.joints) {
-      if (!joint.servo) continue;
+      if (!joint.servo || followers.contains(joint.name)) continue;
       const Drive drive = drive_of(joint);
       auto group = std::ranges::find(groups, drive, &Group::drive);
       if (group == groups.end()) group = groups.insert(groups.end(), {drive, {}});

@@ -11,7 +11,8 @@ namespace murosimf::io {
 inline constexpr const char* guessed_servo = "guessed";
 
 /// A section [servos.NAME] for each kind of drive, with the joints that have it: law ideal_pd, with the numbers of actuator
-/// and joint, because such a servo stands for both. Guessed gains say so. Joints that nothing drives have none.
+/// and joint, because such a servo stands for both. Guessed gains say so. Joints that nothing drives, or
+/// that follow others, have none.
 [[nodiscard]] std::string servo_sections(const RobotDraft& draft);
 
 }  // namespace murosimf::io

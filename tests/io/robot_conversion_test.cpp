@@ -99,7 +99,7 @@ fs::path write_all_of_urdf() {
 
 TEST(RobotConversion, AUrdfRobotComesBackAsItWas) {
   const auto file = write_all_of_urdf();
-  const RobotFile before = read_robot(file), after = converted(file);
+  const RobotFile before = read_robot(file), after = converted(file, {}, false);
   expect_same(*after.model, *before.model);
   EXPECT_EQ(after.model->name(), "a & b");
   ASSERT_EQ(after.draft.bodies[0].visuals.size(), 1u);

@@ -117,6 +117,13 @@ TEST(RobotRoles, SolesAreGuessedUnderTheFeet) {
   EXPECT_NEAR(norm(at.offset - Vec3d{0.03, -0.01, 0}), 0, 1e-9);  // y of the foot points up
 }
 
+TEST(RobotRoles, ARobotWithoutShapesHasNoFeet) {
+  const std::string bare = "<inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>";
+  const RobotFile robot =
+      read("<body><joint/>" + bare + "<body><joint/>" + bare + "<body><joint/>" + bare + "</body></body></body>");
+  EXPECT_TRUE(robot.model->having(properties::sole).empty());
+}
+
 TEST(RobotRoles, ServosAreGuessedFromTorques) {
   const RobotFile robot = read(leg("left", 0.1) + leg("right", -0.1));
   const Servo* servo = robot.model->find(properties::servo, robot.model->object_index("left_c"));

@@ -127,7 +127,7 @@ class Robot {
 };
 
 void dump(const char* model_file, const char* state_file) {
-  const auto model = io::read_robot(model_file).model;
+  const auto model = io::read_robot(model_file, {.guess = false}).model;
   const auto file = oracle::read_states(state_file);
   if (file.joints.size() != model->joints().size()) {
     throw SetupError(

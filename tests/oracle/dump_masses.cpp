@@ -44,7 +44,7 @@ std::string base(const Model& model) {
 int main(int count, char** arguments) {
   try {
     std::vector<std::string> all;
-    for (int i = 1; i < count; ++i) all.push_back(base(*io::read_robot(arguments[i]).model));
+    for (int i = 1; i < count; ++i) all.push_back(base(*io::read_robot(arguments[i], {.guess = false}).model));
     fmt::print("[{}]\n", fmt::join(all, ",\n"));
   } catch (const SetupError& error) {
     fmt::print(stderr, "{}\n", error.what());

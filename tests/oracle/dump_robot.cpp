@@ -87,7 +87,7 @@ std::string state_json(const Model& model, const std::vector<Named>& frames, con
 }
 
 void dump(const std::string& file, int states) {
-  const io::RobotFile robot = io::read_robot(file);
+  const io::RobotFile robot = io::read_robot(file, {.guess = false});
   const auto frames = frames_of(robot);
   const RandomStream random(1, "robots_against_mujoco");
   std::vector<std::string> bodies, joints, all;

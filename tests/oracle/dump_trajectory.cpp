@@ -64,7 +64,7 @@ std::string fly(const ModelPtr& model, const oracle::StateFile& file, const orac
 }
 
 void dump(const char* model_file, const char* state_file, double rate) {
-  const auto model = io::read_robot(model_file).model;
+  const auto model = io::read_robot(model_file, {.guess = false}).model;
   const auto file = oracle::read_states(state_file);
   std::vector<std::string> all;
   for (const auto& state : file.states) all.push_back(fly(model, file, state, rate));
