@@ -13,8 +13,6 @@ constexpr int trials = 16384;           // points in the bounding box
 constexpr double least_slender = 1e-3;  // [1] straight part of a capsule over its diameter
 constexpr double same_overlap = 0.005;  // [1] what the points cannot tell apart
 
-double cube(double x) { return x * x * x; }
-
 /// Ratio of the second moments of a capsule of radius 1, along its axis over across.
 /// A half ball has its center 3/8 from its flat side, and the second moment 1/5 about that side.
 double capsule_ratio(double t) {

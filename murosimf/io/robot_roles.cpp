@@ -84,6 +84,7 @@ void sort_feet(RobotDraft& draft, std::vector<std::string>& feet) {
 void guess_soles(RobotDraft& draft, RobotTable& table) {
   if (!table.soles.empty() || has_sole_site(draft)) return;
   std::vector<std::string> feet = sole_frames(draft);
+  std::erase_if(feet, [&](const std::string& foot) { return !sole_under(draft, find_place(draft, foot)->body, foot); });
   if (feet.empty()) {
     for (const std::size_t body : find_feet(draft)) feet.push_back(draft.bodies[body].name);
   }
@@ -94,8 +95,15 @@ void guess_soles(RobotDraft& draft, RobotTable& table) {
       fmt::format("{}: guessed: the soles are under {}", draft.bodies[0].where, fmt::join(feet, ", ")));
 }
 
+bool is_joint(const RobotDraft& draft, const std::string& name) {
+  return std::ranges::any_of(draft.bodies, [&](const DraftBody& body) {
+    return std::ranges::find(body.joints, name, &DraftJoint::name) != body.joints.end();
+  });
+}
+
 void take_frame(RobotDraft& draft, RobotTable& table, const std::string& role, const std::string& name) {
-  if (name.empty() || name == role || table.frames.contains(role) || find_place(draft, role)) return;
+  const bool taken = table.frames.contains(role) || find_place(draft, role) || is_joint(draft, role);
+  if (name.empty() || name == role || taken) return;
   table.frames[role] = {name, draft.bodies[0].where};
   draft.notes.push_back(fmt::format("{}: guessed: {} is '{}'", draft.bodies[0].where, role, name));
 }

@@ -124,6 +124,20 @@ TEST(RobotRoles, ARobotWithoutShapesHasNoFeet) {
   EXPECT_TRUE(robot.model->having(properties::sole).empty());
 }
 
+TEST(RobotRoles, GuessesNeverMakeARobotUnreadable) {
+  const std::string arm =
+      "<body name='SIDE'><joint name='JOINT'/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>"
+      "<site name='SIDE_sole'/><site name='SIDE_camera_imu'/></body>";
+  const auto body = [&](const std::string& side, const std::string& joint) {
+    std::string text = arm;
+    for (auto at = text.find("SIDE"); at != std::string::npos; at = text.find("SIDE")) text.replace(at, 4, side);
+    return text.replace(text.find("JOINT"), 5, joint);
+  };
+  const RobotFile robot = read(body("l", "imu") + body("r", "camera"));  // joints have the names of the roles
+  EXPECT_TRUE(robot.model->having(properties::sole).empty()) << "no shape under the frames that are called soles";
+  EXPECT_TRUE(robot.table.frames.empty());
+}
+
 TEST(RobotRoles, ServosAreGuessedFromTorques) {
   const RobotFile robot = read(leg("left", 0.1) + leg("right", -0.1));
   const Servo* servo = robot.model->find(properties::servo, robot.model->object_index("left_c"));

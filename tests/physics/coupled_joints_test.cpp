@@ -58,11 +58,12 @@ double at(Entity& robot, const char* joint) { return robot.object(joint).get(pro
 double gap(Entity& robot) { return std::abs(at(robot, "follower") - offset - ratio * at(robot, "leader")); }
 
 struct FreeHand {
-  FreeHand(const std::string& level, const Chain& chain, double rate_hz = 1000, motion::MovingTreeOptions tree = {})
+  FreeHand(const std::string& its_level, const Chain& chain, double rate_hz = 1000, motion::MovingTreeOptions tree = {})
       : rig(0.8, 0, rate_hz) {
     robot = &rig.add("robot", std::make_shared<const Model>("hand", chain), {.position = {0, 0, 2}});
     rig.simulation.world().gravity = {};
-    rig.attach_dynamics(*robot, {.level = level, .law = law_named("kelvin_voigt"), .on_ground = false, .tree = tree});
+    rig.attach_dynamics(*robot,
+                        {.level = its_level, .law = law_named("kelvin_voigt"), .on_ground = false, .tree = tree});
     rig.simulation.initialize();
   }
   Rig rig;
@@ -285,7 +286,9 @@ TEST(CoupledJoints, KeepTheRatioWhenTheLevelChanges) {
     for (int i = 0; i < 100; ++i) {
       free.rig.simulation.step();
       EXPECT_LT(gap(*free.robot), 1e-3) << next;
-      if (i == 0) EXPECT_NEAR(at(*free.robot, "follower"), before, 2e-3) << next;
+      if (i == 0) {
+        EXPECT_NEAR(at(*free.robot, "follower"), before, 2e-3) << next;
+      }
     }
   }
 }

@@ -122,10 +122,10 @@ ModelPtr bent_limb(bool servo) {
 }
 
 struct BentLimb {
-  BentLimb(const std::string& level, bool servo, motion::Integrator integrator = {}) {
+  BentLimb(const std::string& its_level, bool servo, motion::Integrator integrator = {}) {
     rig.simulation.world().gravity = {};
     robot = &rig.add("robot", bent_limb(servo));
-    Dynamics dynamics{.level = level, .law = law_named("kelvin_voigt"), .on_ground = false};
+    Dynamics dynamics{.level = its_level, .law = law_named("kelvin_voigt"), .on_ground = false};
     dynamics.tree.integrator = integrator;
     rig.attach_dynamics(*robot, dynamics);
     rig.simulation.initialize();
@@ -153,7 +153,9 @@ TEST_P(EndsAtLevel, RangeWithoutZeroHoldsFromTheStart) {
     }
     EXPECT_LT(farthest, 0.8 + 1 * degree);
     EXPECT_GT(farthest, 0.8 - 1e-9);
-    if (servo) EXPECT_NEAR(limb.q(), 0.8, 0.5 * degree);
+    if (servo) {
+      EXPECT_NEAR(limb.q(), 0.8, 0.5 * degree);
+    }
   }
 }
 INSTANTIATE_TEST_SUITE_P(Dynamic, EndsAtLevel, testing::ValuesIn(dynamic_levels()), level_name);
