@@ -46,12 +46,25 @@ int report_unreadable(const CheckOptions& options, const SetupError& error) {
   return 1;
 }
 
+/// A TOML file that is there already has somebody's work in it.
+void write_roles(const std::filesystem::path& file, const io::RobotFile& robot) {
+  std::error_code none;
+  if (std::filesystem::exists(std::filesystem::path(robot.draft.file).replace_extension(".toml"), none)) {
+    throw SetupError(
+        fmt::format("--roles '{}': the TOML file beside the robot says its roles; copy that", file.string()));
+  }
+  if (std::filesystem::is_regular_file(file, none)) {
+    throw SetupError(fmt::format("--roles '{}': it is there already; choose another name", file.string()));
+  }
+  io::write_file(file, io::roles_toml(robot.draft, robot.table));
+}
+
 int show(const CheckOptions& options, const Reading& reading) {
   const auto& [robot, error] = reading;
   auto findings = io::examine(robot);
   if (error) findings.insert(findings.begin(), io::make_finding(io::Severity::error, *error));
   if (!options.picture.empty()) io::write_file(options.picture, io::robot_picture_png(robot.draft));
-  if (!options.roles.empty()) io::write_file(options.roles, io::roles_toml(robot.draft, robot.table));
+  if (!options.roles.empty()) write_roles(options.roles, robot);
   const io::ModelReport report = io::make_report(*robot.model, std::move(findings));
   write_result(options.json, io::to_text(report), io::to_json(report));
   return error ? 1 : 0;

@@ -4,6 +4,15 @@
 
 namespace murosimf::io {
 
+double reference_of(const RobotDraft& draft, const std::string& name) {
+  for (const DraftBody& body : draft.bodies) {
+    for (const DraftJoint& joint : body.joints) {
+      if (joint.name == name) return joint.reference;
+    }
+  }
+  return 0;
+}
+
 double reflected_inertia(const RobotDraft& draft, std::size_t body, const DraftJoint& joint) {
   const Vec3d axis = (1.0 / norm(joint.axis)) * joint.axis;
   std::vector<std::optional<Place>> places(draft.bodies.size());  // in the frame of `body`; none: not behind it

@@ -50,7 +50,8 @@ class Fitter {
     for (DraftShape& shape : body.shapes) {
       const auto* convex = std::get_if<Convex>(&shape.placed.shape);
       if (!convex) continue;
-      const bool first_part = visuals.empty() || visuals.back().where != shape.where;
+      const bool first_part =
+          visuals.empty() || visuals.back().where != shape.where || visuals.back().mesh != shape.mesh;
       if (files_.contains(shape.mesh) && !shows(body, shape.mesh) && first_part) visuals.push_back(visual_of(shape));
       const auto fitted = fit_primitive(*convex->hull, kind_);
       fits.push_back({body.name, shape.mesh, shape_name(fitted.shape), fitted.overlap});

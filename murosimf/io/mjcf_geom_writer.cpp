@@ -19,9 +19,10 @@ namespace fs = std::filesystem;
 constexpr double same_place = 1e-9;  // [m] rounding stays far below it
 
 bool is_mesh_file(const fs::path& file) {
+  std::error_code none;
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return (extension == ".stl" || extension == ".obj") && fs::is_regular_file(file);
+  return (extension == ".stl" || extension == ".obj") && fs::is_regular_file(file, none);
 }
 
 std::string relative_name(const fs::path& file, const fs::path& folder) {
@@ -74,9 +75,9 @@ bool is_same_geom(const DraftShape& a, const DraftShape& b) {
 
 MjcfGeomWriter::MjcfGeomWriter(const RobotDraft& draft, const fs::path& folder, XmlText& xml)
     : draft_(draft), folder_(folder), xml_(xml) {
-  std::set<std::string> without_file;
+  std::set<std::string> without_file;  // or with one that MuJoCo does not read
   for (const DraftMesh& mesh : draft.meshes) {
-    if (mesh.file.empty()) without_file.insert(mesh.name);
+    if (!is_mesh_file(mesh.file)) without_file.insert(mesh.name);
   }
   for (const DraftBody& body : draft.bodies) {
     for (const DraftShape& shape : body.shapes) {

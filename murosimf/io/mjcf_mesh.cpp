@@ -79,7 +79,8 @@ void MjcfMeshes::check_file(const std::string& name, const XmlElement& user) {
   Mesh& mesh = find(name, user);
   mesh.what = "mesh '" + name + "'";
   const auto file = path_of(mesh.attributes);
-  if (!file.empty() && !std::filesystem::is_regular_file(file)) {
+  std::error_code none;
+  if (!file.empty() && !std::filesystem::is_regular_file(file, none)) {
     warn(mesh, fmt::format("there is no file {}; it is for the eye only and left out", file.string()));
   }
 }
@@ -121,8 +122,9 @@ MjcfMeshes::Mesh& MjcfMeshes::find(const std::string& name, const XmlElement& us
 
 MjcfMeshes::Mesh& MjcfMeshes::loaded(const std::string& name, const XmlElement& user) {
   Mesh& mesh = find(name, user);
-  if (!std::exchange(mesh.read, true)) {
+  if (!mesh.read) {
     at(mesh.attributes.element().where() + ": mesh '" + name + "'", [&] { load(name, mesh); });
+    mesh.read = true;
   }
   return mesh;
 }

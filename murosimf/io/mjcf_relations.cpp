@@ -1,9 +1,11 @@
 #include "murosimf/io/mjcf_relations.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
+#include "murosimf/io/mjcf_children.h"
 #include "murosimf/io/mjcf_defaults.h"
 #include "murosimf/model/error.h"
 
@@ -29,20 +31,22 @@ std::string name_in(const XmlElement& element, const char* attribute, std::strin
 }
 
 /// Position of joint1 = polynomial of the position of joint2, both from their reference.
-DraftMimic read_mimic(const XmlElement& element, const MjcfNames& names) {
+DraftMimic read_mimic(const XmlElement& element, const MjcfNames& names, const RobotDraft& draft) {
   if (!element.attribute("joint2")) {
     element.fail("a joint that is fixed by an equality is not supported; leave the joint out, or give joint2");
   }
   MjcfAttributes attributes(element);
   attributes.overlay(element);
   auto polynomial = attributes.numbers("polycoef", 1, 5);
-  if (polynomial.empty()) polynomial = {0, 1};
-  polynomial.resize(5);
+  constexpr std::array<double, 5> otherwise{0, 1, 0, 0, 0};
+  for (std::size_t i = polynomial.size(); i < otherwise.size(); ++i) polynomial.push_back(otherwise[i]);
   if (std::any_of(polynomial.begin() + 2, polynomial.end(), [](double c) { return c != 0; })) {
     element.fail("only joints that are coupled linearly are supported; set the last three of polycoef to 0");
   }
-  return {name_in(element, "joint1", "joint", names.joints()), name_in(element, "joint2", "joint", names.joints()),
-          element.where(), polynomial[1], polynomial[0]};
+  DraftMimic mimic{name_in(element, "joint1", "joint", names.joints()),
+                   name_in(element, "joint2", "joint", names.joints()), element.where(), polynomial[1]};
+  mimic.offset = polynomial[0] + reference_of(draft, mimic.joint) - mimic.ratio * reference_of(draft, mimic.leader);
+  return mimic;
 }
 
 DraftSensor read_sensor(const XmlElement& element) {
@@ -51,6 +55,14 @@ DraftSensor read_sensor(const XmlElement& element) {
     if (const auto name = element.attribute(attribute)) sensor.frame = *name;
   }
   return sensor;
+}
+
+std::vector<XmlElement> geoms_of_world(const XmlElement& root) {
+  std::vector<XmlElement> geoms;
+  for (const XmlElement& world : root.children("worldbody")) {
+    for (const XmlElement& geom : elements_in(world, "geom")) geoms.push_back(geom);
+  }
+  return geoms;
 }
 
 /// The kinds of a geom that is no part of the robot, as may_touch (model/shape.h) wants them.
@@ -68,7 +80,7 @@ Kinds kinds_of(const MjcfAttributes& geom) {
 /// The scene's ground has the usual kinds: what stands on the file's own floor shall stand on it, too.
 void stand_on_usual_ground(const XmlElement& root, const MjcfDefaults& defaults, RobotDraft& draft) {
   std::vector<Kinds> world;
-  for (const XmlElement& geom : elements(root, "worldbody", "geom")) world.push_back(kinds_of(defaults.resolve(geom)));
+  for (const XmlElement& geom : geoms_of_world(root)) world.push_back(kinds_of(defaults.resolve(geom)));
   for (DraftBody& body : draft.bodies) {
     for (DraftShape& shape : body.shapes) {
       PlacedShape& placed = shape.placed;
@@ -81,8 +93,7 @@ void stand_on_usual_ground(const XmlElement& root, const MjcfDefaults& defaults,
 
 std::vector<std::string> world_geoms(const XmlElement& root) {
   std::vector<std::string> names;
-  for (const XmlElement& geom : elements(root, "worldbody", "geom"))
-    names.push_back(geom.attribute("name").value_or(""));
+  for (const XmlElement& geom : geoms_of_world(root)) names.push_back(geom.attribute("name").value_or(""));
   return names;
 }
 
@@ -145,9 +156,10 @@ class Pairs {
 void read_relations(const XmlElement& root, const MjcfNames& names, const MjcfDefaults& defaults, RobotDraft& draft) {
   stand_on_usual_ground(root, defaults, draft);
   for (const XmlElement& element : elements(root, "equality", "joint")) {
-    draft.mimics.push_back(read_mimic(element, names));
+    draft.mimics.push_back(read_mimic(element, names, draft));
   }
   for (const XmlElement& element : elements(root, "contact", "exclude")) {
+    if (element.attribute("body1") == "world" || element.attribute("body2") == "world") continue;
     draft.exclusions.push_back({name_in(element, "body1", "body", names.bodies()),
                                 name_in(element, "body2", "body", names.bodies()), element.where()});
   }

@@ -116,7 +116,10 @@ class Writer {
     xml_.begin("equality");
     for (const DraftMimic& mimic : draft_.mimics) {
       xml_.begin("joint").text("joint1", mimic.joint).text("joint2", mimic.leader);
-      xml_.numbers("polycoef", {mimic.offset, mimic.ratio, 0, 0, 0}).end();
+      // the format counts both positions from their references
+      const double offset =
+          mimic.offset - reference_of(draft_, mimic.joint) + mimic.ratio * reference_of(draft_, mimic.leader);
+      xml_.numbers("polycoef", {offset, mimic.ratio, 0, 0, 0}).end();
     }
     xml_.end();
   }

@@ -25,13 +25,18 @@ class Builder {
       bodies_.insert(body.name);
       for (const DraftJoint& joint : body.joints) joints_.insert(joint.name);
       if (body.parent >= 0) children_[body.parent].push_back(i);
+      for (const DraftFrame& frame : body.frames) (frame.kind == "body" ? bodies_ : frames_).insert(frame.name);
     }
   }
 
   [[nodiscard]] Chain build() {
     Chain chain;
-    chain.base(draft_.bodies[0].name);
-    if (!draft_.base_joint.empty() && draft_.base_joint != draft_.bodies[0].name) chain.alias(draft_.base_joint);
+    const std::string& base = draft_.bodies[0].name;
+    const std::string& base_joint = draft_.base_joint;
+    if (base_joint != base) joints_.insert(base_joint);
+    chain.base(free_name(base, draft_.bodies[0].where, "body"));
+    if (!base_joint.empty() && base_joint != base) chain.alias(base_joint);
+    if (!frames_.contains(base)) add_other_names(chain, table_.frames, base);
     add_pairs(chain);
     finish(chain, 0);
     return chain;
@@ -54,7 +59,7 @@ class Builder {
     Chain chain;
     for (const Step& step : name_last(steps(body), body)) add(chain, step);
     if (chain.objects().back().is_joint()) add_alias(chain, body);
-    add_other_names(chain, table_.frames, body.name);
+    if (!frames_.contains(body.name)) add_other_names(chain, table_.frames, body.name);
     finish(chain, index);
     return chain;
   }
@@ -91,7 +96,7 @@ class Builder {
     return steps;
   }
 
-  void add(Chain& chain, const Step& step) const {
+  void add(Chain& chain, const Step& step) {
     const Object& object = step.object;
     if (object.kind == Kind::translation) chain.translation(object.vector, object.name);
     if (object.kind == Kind::rotation) chain.rotation(object.turn, object.name);
@@ -101,7 +106,8 @@ class Builder {
     if (!step.joint) return;
     add_joint_constants(chain, *step.joint);
     add_other_names(chain, table_.joints, step.joint->name);
-    if (!bodies_.contains(step.joint->name)) add_other_names(chain, table_.frames, step.joint->name);
+    const bool meant = !bodies_.contains(step.joint->name) && !frames_.contains(step.joint->name);
+    if (meant) add_other_names(chain, table_.frames, step.joint->name);
   }
 
   /// A servo of the table has rotor, friction and speed-torque line of its own: the file's describe the same part.
@@ -126,10 +132,10 @@ class Builder {
     if (joint.servo) chain.with(properties::servo, *joint.servo);
   }
 
-  /// The table's other names for what the file calls `name`.
-  void add_other_names(Chain& chain, const std::map<std::string, TableName>& others, const std::string& name) const {
+  /// The table's other names for what the file calls `name`, each once: things of several kinds may share it.
+  void add_other_names(Chain& chain, const std::map<std::string, TableName>& others, const std::string& name) {
     for (const auto& [other, meant] : others) {
-      if (meant.name == name && other != name) chain.alias(other);
+      if (meant.name == name && other != name && other_names_.insert(other).second) chain.alias(other);
     }
   }
 
@@ -143,7 +149,11 @@ class Builder {
       excluded.emplace_back(object_of(pair.body1), object_of(pair.body2));
     }
     AllowedPairs allowed;
-    for (const DraftPair& pair : draft_.pairs) allowed.emplace_back(find_shape(pair.shape1), find_shape(pair.shape2));
+    for (const DraftPair& pair : draft_.pairs) {
+      for (const ShapeOfObject& a : find_shapes(pair.shape1)) {
+        for (const ShapeOfObject& b : find_shapes(pair.shape2)) allowed.emplace_back(a, b);
+      }
+    }
     if (!excluded.empty()) chain.with(properties::excluded_pairs, excluded);
     if (!allowed.empty()) chain.with(properties::allowed_pairs, allowed);
   }
@@ -153,23 +163,32 @@ class Builder {
     return joints_.contains(body) ? body + ".body" : body;
   }
 
-  [[nodiscard]] ShapeOfObject find_shape(const std::string& name) const {
+  /// Several if it is a mesh of several parts.
+  [[nodiscard]] std::vector<ShapeOfObject> find_shapes(const std::string& name) const {
+    std::vector<ShapeOfObject> shapes;
     for (const DraftBody& body : draft_.bodies) {
       for (std::size_t i = 0; i < body.shapes.size(); ++i) {
-        if (body.shapes[i].name == name) return {object_of(body.name), i};
+        if (body.shapes[i].name == name) shapes.push_back({object_of(body.name), i});
       }
     }
-    return {};
+    return shapes;
   }
 
-  /// Name of a body or frame; with a suffix if a joint (or for a frame, a body) has the same.
+  /// Name of a body or frame; with a suffix if something else has it: a joint, for a frame also a body, or another frame.
   [[nodiscard]] std::string free_name(const std::string& name, const std::string& where, const std::string& kind) {
     const bool is_frame = kind != "body";
-    if (!joints_.contains(name) && !(is_frame && bodies_.contains(name))) return name;
-    draft_.warnings.push_back(
-        one_line(fmt::format("{}: {} '{}' is called '{}.{}' here, since a {} has the same name", where, kind, name,
-                             name, kind, joints_.contains(name) ? "joint" : "body")));
-    return name + "." + kind;
+    const char* owner = joints_.contains(name)               ? "joint"
+                        : is_frame && bodies_.contains(name) ? "body"
+                        : given_.contains(name)              ? "frame"
+                                                             : nullptr;
+    std::string free = owner ? name + "." + kind : name;
+    while (given_.contains(free)) free += "2";
+    given_.insert(free);
+    if (owner) {
+      draft_.warnings.push_back(one_line(fmt::format("{}: {} '{}' is called '{}' here, since a {} has the same name",
+                                                     where, kind, name, free, owner)));
+    }
+    return free;
   }
 
   void add_shapes(Chain& chain, const DraftBody& body) const {
@@ -209,7 +228,9 @@ class Builder {
   RobotDraft& draft_;
   const RobotTable& table_;
   std::vector<std::vector<std::size_t>> children_;
-  std::set<std::string> joints_, bodies_;
+  std::set<std::string> joints_, bodies_, frames_;  // bodies also those that are welded to others
+  std::set<std::string> given_;                     // names that free_name has given
+  std::set<std::string> other_names_;               // that add_other_names has given
 };
 
 }  // namespace

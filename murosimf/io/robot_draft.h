@@ -142,4 +142,7 @@ struct RobotDraft {
   std::vector<std::string> notes;     ///< file:line: what means nothing here
 };
 
+/// [rad | m] Position of a joint in the pose of the file; 0 if there is no such joint.
+[[nodiscard]] double reference_of(const RobotDraft& draft, const std::string& joint);
+
 }  // namespace murosimf::io

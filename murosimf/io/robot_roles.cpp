@@ -102,7 +102,8 @@ bool is_joint(const RobotDraft& draft, const std::string& name) {
 }
 
 void take_frame(RobotDraft& draft, RobotTable& table, const std::string& role, const std::string& name) {
-  const bool taken = table.frames.contains(role) || find_place(draft, role) || is_joint(draft, role);
+  const bool taken = table.frames.contains(role) || table.joints.contains(role) || find_place(draft, role) ||
+                     is_joint(draft, role) || role == draft.base_joint;
   if (name.empty() || name == role || taken) return;
   table.frames[role] = {name, draft.bodies[0].where};
   draft.notes.push_back(fmt::format("{}: guessed: {} is '{}'", draft.bodies[0].where, role, name));
@@ -184,10 +185,10 @@ void guess_servos(RobotDraft& draft, const RobotTable& table) {
     }
   }
   if (guessed == 0) return;
-  draft.notes.push_back(
-      fmt::format("{}: guessed: position gains of {} servos, all torque at {} rad; the file has only "
-                  "their largest torques",
-                  draft.bodies[0].where, guessed, full_torque_bend));
+  draft.notes.push_back(fmt::format(
+      "{}: guessed: position gains of {} servos, all torque at {} rad, all force at {} m; the file has only "
+      "their largest torques",
+      draft.bodies[0].where, guessed, full_torque_bend, full_force_shift));
 }
 
 std::string soles_toml(const RobotTable& table) {
@@ -196,9 +197,7 @@ std::string soles_toml(const RobotTable& table) {
   const auto& feet = table.soles.size() == 4 ? four : two;
   std::string text = "[soles]  # box sites at the bottoms of the feet, or the feet themselves\n";
   for (std::size_t i = 0; i < std::min(feet.size(), table.soles.size()); ++i) {
-    std::string name = table.soles[i].name;
-    if (name.ends_with(".sole")) name.resize(name.size() - 5);
-    text += fmt::format("{} = \"{}\"\n", feet[i], name);
+    text += fmt::format("{} = {}\n", feet[i], quoted(table.soles[i].name));
   }
   return table.soles.empty() ? "" : text + "\n";
 }
@@ -206,21 +205,21 @@ std::string soles_toml(const RobotTable& table) {
 std::string frames_toml(const RobotTable& table) {
   if (table.frames.empty()) return {};
   std::string text = "[frames]  # other names for frames, bodies and joints\n";
-  for (const auto& [role, frame] : table.frames) text += fmt::format("{} = \"{}\"\n", role, frame.name);
+  for (const auto& [role, frame] : table.frames) text += fmt::format("{} = {}\n", quoted(role), quoted(frame.name));
   return text + "\n";
 }
 
 }  // namespace
 
 void place_soles(RobotDraft& draft, RobotTable& table) {
-  for (TableName& sole : table.soles) {
+  for (const TableName& sole : table.soles) {
     const auto found = find_place(draft, sole.name);
-    if (!found || (found->frame && found->frame->box)) continue;
-    if (!add_sole(draft, *found, sole.name)) {
+    const bool placed = found && found->frame && found->frame->box;
+    if (found && !placed && !add_sole(draft, *found, sole.name)) {
       throw SetupError(
           fmt::format("{}: '{}' cannot be a sole: its body has no shape that collides", sole.where, sole.name));
     }
-    sole.name += ".sole";
+    table.sole_frames.push_back(placed ? sole.name : sole.name + ".sole");
   }
 }
 

@@ -124,7 +124,7 @@ const std::string& RobotTable::surface(const std::string& body) const {
 }
 
 bool RobotTable::is_sole(const std::string& frame) const {
-  return std::ranges::any_of(soles, [&](const TableName& sole) { return sole.name == frame; });
+  return std::ranges::find(sole_frames, frame) != sole_frames.end();
 }
 
 RobotTable read_robot_table(const std::filesystem::path& file) {
@@ -134,7 +134,8 @@ RobotTable read_robot_table(const std::filesystem::path& file) {
 RobotTable read_table_beside(const std::filesystem::path& model_file) {
   auto file = model_file;
   file.replace_extension(".toml");
-  return std::filesystem::exists(file) ? read_robot_table(file) : RobotTable{};
+  std::error_code none;
+  return std::filesystem::exists(file, none) ? read_robot_table(file) : RobotTable{};
 }
 
 void check_names(const RobotTable& table, const RobotNames& names) {

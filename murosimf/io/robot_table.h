@@ -46,6 +46,7 @@ struct TableServo {
 
 struct RobotTable {
   std::vector<TableName> soles;
+  std::vector<std::string> sole_frames;       ///< where the soles are, once they are placed (robot_roles.h)
   std::map<std::string, TableName> frames;    ///< frame, body or joint by its other name
   std::map<std::string, TableName> joints;    ///< joint by its other name
   std::string default_surface;                ///< empty: none

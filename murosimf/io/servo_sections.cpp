@@ -54,15 +54,6 @@ std::vector<Group> groups_of(const RobotDraft& draft) {
   return groups;
 }
 
-std::string quoted(const std::string& name) {
-  std::string text = "\"";
-  for (const char c : one_line(name)) {
-    if (c == '"' || c == '\\') text += '\\';
-    text += c;
-  }
-  return text + "\"";
-}
-
 std::string line(std::string_view key, double value, std::string_view meaning) {
   return fmt::format("{:<40}# {}\n", fmt::format("{} = {}", key, value), meaning);
 }
@@ -85,9 +76,9 @@ std::string joint_list(const std::vector<std::string>& joints) {
 }
 
 std::string section(const Drive& drive) {
-  const std::string guess = drive.guessed ? " guessed: all torque at 0.1 rad" : "";
+  const std::string guess = drive.guessed ? " guessed: all torque at 0.1 rad, all force at 0.02 m" : "";
   return "law = \"ideal_pd\"\n" + unless_zero("stall_torque", drive.stall_torque, "[N m] largest torque") +
-         line("position_gain", drive.position_gain, "[N m/rad]" + guess) +
+         line("position_gain", drive.position_gain, "[N m/rad | N/m]" + guess) +
          unless_zero("velocity_gain", drive.velocity_gain,
                      "[N m s/rad]" + std::string(drive.guessed ? " guessed" : "")) +
          line("rotor_inertia", drive.armature, "[kg m^2] armature of the joint") +
@@ -96,6 +87,15 @@ std::string section(const Drive& drive) {
 }
 
 }  // namespace
+
+std::string quoted(const std::string& name) {
+  std::string text = "\"";
+  for (const char c : one_line(name)) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + "\"";
+}
 
 std::string servo_sections(const RobotDraft& draft) {
   std::string text;

@@ -136,7 +136,8 @@ void XmlFile::follow_includes(XmlSource& source, const XmlElement& element) {
     if (!name || name->empty()) child.fail("include without a file; add file=\"...\"");
     const auto path = std::filesystem::path(sources_[0]->name).parent_path() / *name;
     for (const auto& other : sources_) {
-      if (std::filesystem::weakly_canonical(other->name) == std::filesystem::weakly_canonical(path)) {
+      std::error_code none;
+      if (std::filesystem::equivalent(other->name, path, none)) {
         child.fail(fmt::format("'{}' is included a second time; a file can be included once", *name));
       }
     }

@@ -75,12 +75,20 @@ TEST(Cli, ExaminesARobotThatHasAnError) {
 
 TEST(Cli, WritesThePictureAndTheRolesOfARobot) {
   const fs::path picture = scratch("robot.png"), roles = scratch("robot.toml");
-  const Result result = murosimf("check quadruped --roles " + roles.string() + " --picture " + picture.string());
+  const fs::path robot = write("plain.xml",
+                               "<mujoco><worldbody><body name='b'><freejoint/><geom size='.1'/><body name='arm'>"
+                               "<joint name='j'/><geom size='.1' pos='.3 0 0'/></body></body></worldbody>"
+                               "<actuator><motor joint='j' forcerange='-2 2'/></actuator></mujoco>");
+  fs::remove(roles);
+  const Result result =
+      murosimf("check " + robot.string() + " --roles " + roles.string() + " --picture " + picture.string());
   if (result.errors.find("pictures are off in this build") == std::string::npos) {
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     EXPECT_EQ(read_file(picture).substr(1, 3), "PNG");
     EXPECT_NE(read_file(roles).find("[servos.servo_1]"), std::string::npos);
+    expect_mistake("check " + robot.string() + " --roles " + roles.string(), {"it is there already"});
   }
+  expect_mistake("check kid21 --roles " + scratch("kid21.toml").string(), {"the TOML file beside the robot"});
   expect_mistake("check kid21 --picture /no/such/folder/p.png", {"/no/such/folder/p.png"});
 }
 

@@ -254,6 +254,13 @@ TEST(MjcfMesh, OneThatIsOnlyLookedAtMayBeMissingButNotSilently) {
   EXPECT_EQ(warnings_with(eye, "nowhere.stl; it is for the eye only and left out"), 1U);
 }
 
+TEST(MjcfMesh, ABrokenOneIsLeftOutWhereverItIsUsed) {
+  write("brick.obj", "v 0 0 0\nv 0 nan 0\n");
+  const auto robot = read(brick_asset, inertial + brick_geom + brick_geom, true);
+  EXPECT_EQ(robot.model->find(properties::shapes, 0), nullptr);
+  EXPECT_EQ(warnings_with(robot, "ignored"), 2U);
+}
+
 TEST(MjcfMesh, InsideOutMattersToExactInertiaOnly) {
   write("brick.obj", brick());
   const auto turned = [](const std::string& kind) {

@@ -508,6 +508,25 @@ TEST(MjcfReader, ReadsCoupledJointsExclusionsAndSensors) {
   EXPECT_EQ(draft.sensors[1].frame, "a");
 }
 
+TEST(MjcfReader, ThingsOfDifferentKindsMayShareAName) {
+  const std::string inside = "<body name='imu'><site name='imu'/><camera name='imu'/></body><site name='root'/>" +
+                             limb("<joint name='eye' axis='0 0 1'/><camera name='limb'/>");
+  const auto robot = read(closed_robot(inside + "<camera name='eye'/>"));
+  for (const char* name : {"imu", "imu.site", "imu.camera", "root", "root.site", "eye", "eye.camera", "limb.camera"}) {
+    EXPECT_TRUE(robot.model->find_object(name)) << name;
+  }
+  EXPECT_EQ(robot.model->object_index("root"), 0);
+  EXPECT_TRUE(any_contains(robot.warnings, "site 'imu' is called 'imu.site' here"));
+}
+
+TEST(MjcfReader, CoupledJointsCountFromTheirReferences) {
+  const std::string two = limb("<joint name='a' axis='0 0 1' ref='90'/><joint name='a2' axis='0 1 0' ref='-90'/>");
+  const auto draft =
+      read(closed(robot(two) + "<equality><joint joint1='a2' joint2='a' polycoef='0.1'/></equality>")).draft;
+  EXPECT_EQ(draft.mimics[0].ratio, 1);
+  EXPECT_NEAR(draft.mimics[0].offset, 0.1 - pi, 1e-12);  // -pi/2 + 0.1 = offset + pi/2 in the pose of the file
+}
+
 TEST(MjcfReader, AGeomPairedWithTheFloorCollides) {
   const std::string foot = "<geom name='foot' size='1' contype='0' conaffinity='0'/>";
   const std::string pair = "<contact><pair geom1='foot' geom2='floor'/></contact>";

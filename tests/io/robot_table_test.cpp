@@ -42,9 +42,9 @@ std::string servo(const std::string& joints = "joints = ['a', 'b']", const std::
 TEST(RobotTable, ReadsWhatIsThere) {
   const RobotTable table =
       read("[soles]\nleft = 'l'\nright = 'r'\n[surfaces]\ndefault = 'plastic'\nfoot = 'rubber'\n" + servo());
-  EXPECT_TRUE(table.is_sole("l"));
-  EXPECT_TRUE(table.is_sole("r"));
-  EXPECT_FALSE(table.is_sole("x"));
+  ASSERT_EQ(table.soles.size(), 2u);
+  EXPECT_EQ(table.soles[0].name, "l");
+  EXPECT_EQ(table.soles[1].name, "r");
   EXPECT_EQ(table.surface("foot"), "rubber");
   EXPECT_EQ(table.surface("head"), "plastic");
   ASSERT_EQ(table.servos.size(), 2u);
