@@ -1,6 +1,9 @@
 #include "murosimf/math/random.h"
 
+#include <cmath>
+
 #include "murosimf/math/hash.h"
+#include "murosimf/math/scalar.h"
 
 namespace murosimf {
 
@@ -22,16 +25,26 @@ RandomStream::RandomStream(std::uint64_t seed, std::string_view name) noexcept :
   stream_ = hasher.value();
 }
 
-double RandomStream::uniform(std::uint64_t n) const noexcept {
+std::array<double, 2> RandomStream::pair(std::uint64_t n) const noexcept {
   const auto lo = [](std::uint64_t v) { return static_cast<std::uint32_t>(v); };
   const auto hi = [](std::uint64_t v) { return static_cast<std::uint32_t>(v >> 32); };
   const auto bits = philox({lo(n), hi(n), lo(stream_), hi(stream_)}, {lo(seed_), hi(seed_)});
-  const std::uint64_t wide = (std::uint64_t{bits[0]} << 32) | bits[1];
-  return static_cast<double>(wide >> 11) * 0x1.0p-53;
+  const auto number = [&](std::size_t i) {
+    const std::uint64_t wide = (std::uint64_t{bits[i]} << 32) | bits[i + 1];
+    return static_cast<double>(wide >> 11) * 0x1.0p-53;
+  };
+  return {number(0), number(2)};
 }
+
+double RandomStream::uniform(std::uint64_t n) const noexcept { return pair(n)[0]; }
 
 double RandomStream::uniform(std::uint64_t n, double low, double high) const noexcept {
   return low + (high - low) * uniform(n);
+}
+
+double RandomStream::normal(std::uint64_t n) const noexcept {
+  const auto [a, b] = pair(n);
+  return std::sqrt(-2 * std::log(1 - a)) * std::cos(2 * pi * b);
 }
 
 }  // namespace murosimf

@@ -23,8 +23,14 @@ class RandomStream {
   [[nodiscard]] double uniform(std::uint64_t n) const noexcept;
   /// The n-th number, uniform in [low, high).
   [[nodiscard]] double uniform(std::uint64_t n, double low, double high) const noexcept;
+  /// The n-th number of the standard normal distribution (mean 0, standard deviation 1).
+  /// Source: Box, Muller, "A note on the generation of random normal deviates", Ann. Math. Statist. 29 (1958).
+  [[nodiscard]] double normal(std::uint64_t n) const noexcept;
 
  private:
+  /// Two independent numbers, uniform in [0, 1).
+  [[nodiscard]] std::array<double, 2> pair(std::uint64_t n) const noexcept;
+
   std::uint64_t seed_, stream_;
 };
 

@@ -1,7 +1,9 @@
 /// column.h - the values of one property for all objects of one entity.
 #pragma once
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <typeindex>
 #include <vector>
 
@@ -21,8 +23,8 @@ class ColumnBase {
   [[nodiscard]] const PropertyInfo& info() const { return info_; }
   [[nodiscard]] std::type_index type() const { return type_; }
 
-  /// True once an algorithm that takes the column as input has given it its start value.
-  bool has_start_value = false;
+  /// Gives it the start value again that an algorithm which takes it as input has named; nothing if none has.
+  virtual void restart() = 0;
 
   /// Numbers per row; 0 if the value is no row of numbers.
   [[nodiscard]] virtual std::size_t numbers() const = 0;
@@ -63,7 +65,12 @@ class Column final : public ColumnBase {
     for (const T& value : values) append_hash(hasher, value);
   }
 
+  void restart() override {
+    if (start) std::fill(values.begin(), values.end(), *start);
+  }
+
   std::vector<T> values;
+  std::optional<T> start;  ///< where it is somebody's input
 
  private:
   void fill(double number) {

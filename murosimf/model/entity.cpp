@@ -43,6 +43,7 @@ void Entity::append_to(Hasher& hasher) const {
   hasher.add(std::uint64_t{frozen() ? 1u : 0u});
   for (int i = 0; i < model_->size(); ++i) update_structural(i);
   for (const auto& [name, column] : columns_) {
+    if (column->info().scope == Scope::sensor) continue;
     hasher.add(std::string_view(name));
     column->append_to(hasher);
   }

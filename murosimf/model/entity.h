@@ -141,8 +141,11 @@ Column<T>& Entity::column(const Property<T>& property) {
   auto found = columns_.find(property.name);
   if (found == columns_.end()) {
     if (columns_frozen_) refuse_column(property);
-    const std::size_t rows = property.scope == Scope::base ? 1 : static_cast<std::size_t>(model_->size());
-    found = columns_.emplace(std::string(property.name), std::make_unique<Column<T>>(property, rows)).first;
+    const std::size_t rows = property.scope == Scope::object ? static_cast<std::size_t>(model_->size()) : 1;
+    found = columns_.emplace(std::string(property.name), nullptr).first;
+    Property<T> own = property;
+    own.name = found->first;  // a name that was put together for the call may end with it
+    found->second = std::make_unique<Column<T>>(own, rows);
   }
   if (found->second->type() != typeid(T)) refuse_type(property);
   return static_cast<Column<T>&>(*found->second);

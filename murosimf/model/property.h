@@ -11,6 +11,7 @@ namespace murosimf {
 enum class Scope {
   object,  ///< every object of the entity has one
   base,    ///< one for the whole entity; it belongs to the base
+  sensor,  ///< one for the whole entity, shown by a sensor; looking changes nothing, so it is not in the state hash
 };
 
 /// The part of a descriptor that does not depend on the type.

@@ -30,13 +30,22 @@ class Setup {
   [[nodiscard]] std::span<T> write(const Property<T>& property) {
     return take(property, AccessMode::write).values;
   }
-  /// Columns to read that users or control software may set at any time; `value` stands until they do.
+  /// Columns to read that users or control software may set at any time, or that only some levels write; `value`
+  /// stands until somebody does, and again when a level that did is exchanged.
   template <class T>
   [[nodiscard]] std::span<const T> input(const Property<T>& property, const std::type_identity_t<T>& value) {
     Column<T>& column = take(property, AccessMode::input);
-    if (!column.has_start_value) std::fill(column.values.begin(), column.values.end(), value);
-    column.has_start_value = true;
+    if (!column.start) {
+      column.start = value;
+      column.restart();
+    }
     return column.values;
+  }
+
+  /// Columns to write if an algorithm that was attached before wants to read them; else nothing.
+  template <class T>
+  [[nodiscard]] std::span<T> write_if_wanted(const Property<T>& property) {
+    return entity_->find(property) ? write(property) : std::span<T>{};
   }
 
   /// Declares that the algorithm has other algorithms of this entity do their work (an island solver has levels make

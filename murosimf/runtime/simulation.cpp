@@ -52,6 +52,7 @@ MotionLevel& Simulation::exchange(std::string name, Entity& entity, const Maker<
         fmt::format("'{}' stays at {}: no {}: {}", entity.name(), (*present)->name, next->name, error.what()));
   }
   // `next` is now what was there before
+  restart_columns_of(*next);
   drop_columns_of(*next);
   entity.level = name;
   if (name != next->name) record(fmt::format("{}: {} -> {}", entity.name(), next->name, name));
@@ -102,6 +103,15 @@ void Simulation::drop_columns_of(const Task& task) {
     for (const auto& entity : world_->entities()) {
       entity->drop_columns([&](const ColumnBase* column) { return column == access.column; });
     }
+  }
+}
+
+/// Columns that this task has written and nobody writes now.
+void Simulation::restart_columns_of(const Task& task) {
+  for (const Access& access : task.access.all()) {
+    if (access.mode != AccessMode::write) continue;
+    const auto writes = [&](const auto& other) { return other.get() != &task && other->access.writes(access.column); };
+    if (std::none_of(tasks_.begin(), tasks_.end(), writes)) access.entity->find(access.column->info().name)->restart();
   }
 }
 

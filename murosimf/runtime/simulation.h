@@ -135,6 +135,7 @@ class Simulation {
   void construct_level(Task& task, Entity& entity, const Maker<MotionLevel>& make);
   void put_in_place_of(std::unique_ptr<Task>& present, std::unique_ptr<Task>& next);
   void drop_columns_of(const Task& task);
+  void restart_columns_of(const Task& task);
   void check_and_plan();
   void make_timed_calls();
   void execute(Task& task) noexcept;

@@ -1,0 +1,76 @@
+#include "murosimf/sensors/inertial.h"
+
+namespace murosimf::sensors {
+namespace {
+
+Output gyroscope() { return {"gyroscope", "rad/s", {"x", "y", "z"}}; }
+Output accelerometer() { return {"accelerometer", "m/s^2", {"x", "y", "z"}}; }
+Output orientation() { return {"orientation", "1", {"w", "x", "y", "z"}}; }
+
+void write(const Vec3d& v, std::span<double> values) noexcept {
+  values[0] = v.x;
+  values[1] = v.y;
+  values[2] = v.z;
+}
+
+/// Puts the true orientation below the errors e that stand behind a place for w.
+void turn_by_errors(const Mat3d& orientation, std::span<double> values) noexcept {
+  const Quaterniond q = from_matrix(orientation) * exponential(Vec3d{values[1], values[2], values[3]});
+  values[0] = q.w;
+  values[1] = q.x;
+  values[2] = q.y;
+  values[3] = q.z;
+}
+
+}  // namespace
+
+Gyroscope::Gyroscope(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : Sensor(setup, spec, surroundings, {gyroscope()}), mounting_(setup, spec) {}
+
+void Gyroscope::measure(std::span<double> values) noexcept {
+  write(transpose(mounting_.orientation()) * mounting_.angular_velocity(), values);
+}
+
+SpecificForce::SpecificForce(Setup& setup, const SensorSpec& spec)
+    : mounting_(setup, spec), gravity_(setup.world().gravity), period_(seconds(setup.period())) {}
+
+Vec3d SpecificForce::next() noexcept {
+  const Mat3d R = mounting_.orientation();
+  const Vec3d v = mounting_.velocity();
+  if (steps_++ == 0) {
+    last_orientation_ = R;
+    last_velocity_ = v;
+  }
+  const Vec3d force = (1 / period_) * (v - last_velocity_) - gravity_;
+  const Vec3d felt = 0.5 * (transpose(R) * force + transpose(last_orientation_) * force);
+  last_orientation_ = R;
+  last_velocity_ = v;
+  return felt;
+}
+
+Accelerometer::Accelerometer(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : Sensor(setup, spec, surroundings, {accelerometer()}, Watch::always), force_(setup, spec) {}
+
+void Accelerometer::measure(std::span<double> values) noexcept { write(force_.next(), values); }
+
+Orientation::Orientation(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : Sensor(setup, spec, surroundings, {orientation()}), mounting_(setup, spec) {}
+
+void Orientation::measure(std::span<double> values) noexcept { std::fill(values.begin(), values.end(), 0.0); }
+
+void Orientation::present(std::span<double> values) noexcept { turn_by_errors(mounting_.orientation(), values); }
+
+Imu::Imu(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : Sensor(setup, spec, surroundings, {gyroscope(), accelerometer(), orientation()}, Watch::always),
+      mounting_(setup, spec),
+      force_(setup, spec) {}
+
+void Imu::measure(std::span<double> values) noexcept {
+  write(transpose(mounting_.orientation()) * mounting_.angular_velocity(), values);
+  write(force_.next(), values.subspan(3));
+  std::fill_n(values.begin() + 6, 4, 0.0);
+}
+
+void Imu::present(std::span<double> values) noexcept { turn_by_errors(mounting_.orientation(), values.subspan(6)); }
+
+}  // namespace murosimf::sensors

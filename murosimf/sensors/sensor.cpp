@@ -1,0 +1,131 @@
+#include "murosimf/sensors/sensor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::sensors {
+namespace {
+
+Duration sample_period(const SensorSpec& spec, Duration execution) {
+  return spec.rate > 0 ? from_seconds(1 / spec.rate) : execution;
+}
+
+void check_signal_names(const SensorSpec& spec, const std::vector<Output>& outputs) {
+  std::vector<std::string_view> names;
+  for (const Output& output : outputs) names.push_back(output.name);
+  for (const auto& [name, signal] : spec.signals) {
+    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    throw SetupError(unknown_name("output", name, names));
+  }
+}
+
+}  // namespace
+
+Sensor::Sensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings,
+               std::vector<Output> outputs, Watch watch)
+    : reading_(write_reading(setup, {spec.name, spec.type, spec.frame, sample_period(spec, setup.period()),
+                                     std::move(outputs)})),
+      watch_(watch),
+      period_(reading_.info->period),
+      delay_(from_seconds(spec.delay)) {
+  if (period_ % setup.period() != Duration{}) {
+    throw SetupError(fmt::format("sensor '{}' with {} Hz does not fit into executions at {:.6g} Hz", spec.name,
+                                 spec.rate, 1 / seconds(setup.period())));
+  }
+  check_signal_names(spec, reading_.info->outputs);
+  make_signals(spec, surroundings.seed, setup.entity().name(), seconds(setup.period()));
+  values_.resize(reading_.values.size());
+  on_the_way_.assign(static_cast<std::size_t>(delay_ / period_) + 2, {Duration{}, values_});
+}
+
+void Sensor::make_signals(const SensorSpec& spec, std::uint64_t seed, const std::string& robot, double period) {
+  for (const Output& output : reading_.info->outputs) {
+    const SignalSpec signal = spec.signal(output.name);
+    filters_ = filters_ || signal.low_pass > 0;
+    const std::string stream = fmt::format("{}/{}/{}", robot, spec.name, output.name);
+    std::vector<std::string> names;
+    for (const std::string& label : output.labels) names.push_back(fmt::format("{}.{}", stream, label));
+    if (names.empty()) names.push_back(stream);
+    signals_.push_back(at(output.name, [&] { return Signal(signal, seed, names, period); }));
+  }
+}
+
+std::string Sensor::remark(std::string_view) const { return {}; }
+
+void Sensor::initialize() {
+  reading_.time = Duration{};
+  reading_.samples = taken_ = delivered_ = 0;
+  std::fill(reading_.values.begin(), reading_.values.end(), 0.0);
+  for (Signal& signal : signals_) signal.start();
+  start();
+}
+
+void Sensor::step(const Instant& instant) noexcept {
+  const bool due = instant.now % period_ == Duration{};
+  if (due || filters_ || watch_ == Watch::always) {
+    measure(values_);
+    std::span<double> rest = values_;
+    for (std::size_t i = 0; i < signals_.size(); ++i) {
+      const std::size_t size = reading_.info->outputs[i].size();
+      signals_[i].disturb(rest.first(size));
+      rest = rest.subspan(size);
+    }
+  }
+  if (due) take_sample(instant);
+  deliver(instant);
+}
+
+void Sensor::take_sample(const Instant& instant) noexcept {
+  Sample& sample = on_the_way_[taken_ % on_the_way_.size()];
+  sample.time = instant.now;
+  std::copy(values_.begin(), values_.end(), sample.values.begin());
+  std::span<double> rest = sample.values;
+  for (std::size_t i = 0; i < signals_.size(); ++i) {
+    const std::size_t size = reading_.info->outputs[i].size();
+    signals_[i].convert(rest.first(size));
+    rest = rest.subspan(size);
+  }
+  present(sample.values);
+  ++taken_;
+}
+
+void Sensor::deliver(const Instant& instant) noexcept {
+  for (; delivered_ < taken_; ++delivered_) {
+    const Sample& sample = on_the_way_[delivered_ % on_the_way_.size()];
+    if (sample.time + delay_ > instant.now) return;
+    reading_.time = sample.time;
+    reading_.samples = delivered_ + 1;
+    std::copy(sample.values.begin(), sample.values.end(), reading_.values.begin());
+  }
+}
+
+double task_rate(const SensorSpec& spec, Watch watch, double step_rate) {
+  const auto filters = [](const auto& signal) { return signal.second.low_pass > 0; };
+  const bool every_step = spec.rate == 0 || spec.delay > 0 || watch == Watch::always ||
+                          std::any_of(spec.signals.begin(), spec.signals.end(), filters);
+  return every_step ? step_rate : spec.rate;
+}
+
+void check_rate(const SensorSpec& spec, double step_rate) {
+  if (spec.rate == 0) return;
+  if (!(spec.rate > 0) || !std::isfinite(spec.rate)) {
+    throw SetupError(fmt::format("the rate of sensor '{}' is {} Hz; it must be positive", spec.name, spec.rate));
+  }
+  const Duration step = from_seconds(1 / step_rate), period = from_seconds(1 / spec.rate);
+  if (spec.rate > step_rate * (1 + 1e-9)) {
+    throw SetupError(fmt::format("sensor '{}' with {} Hz is faster than the simulation's {} steps per second",
+                                 spec.name, spec.rate, step_rate));
+  }
+  if (period % step == Duration{}) return;
+  const auto steps = std::max<Duration::rep>(1, period / step);
+  throw SetupError(
+      fmt::format("sensor '{}' with {} Hz: {} Hz is not a whole multiple of that; {:.6g} or {:.6g} Hz would do",
+                  spec.name, spec.rate, step_rate, step_rate / static_cast<double>(steps),
+                  step_rate / static_cast<double>(steps + 1)));
+}
+
+}  // namespace murosimf::sensors

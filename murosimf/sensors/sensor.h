@@ -1,0 +1,78 @@
+/// sensor.h - what all sensors share: when they sample, what becomes of the true values, when a sample arrives.
+///
+/// A new sensor derives from Sensor and says in `measure` how properties become numbers; errors, noise, filter,
+/// saturation, A/D conversion (signal.h), rate and delay are its for nothing (paper 6.1).
+///
+/// A sensor is executed at the rate at which it is attached and samples whenever that comes to its own period. Its
+/// filter works in every execution, so one with a low-pass, or that looks at how things change (Watch::always), is
+/// attached at the rate of the simulation's steps; task_rate says which.
+/// Sensors are attached first (docs/add_an_algorithm.md): a sample shows the state at the beginning of the step, and
+/// its time is that instant. A delayed sample is shown by the first execution at or after that time plus the delay.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "murosimf/model/algorithm.h"
+#include "murosimf/sensors/reading.h"
+#include "murosimf/sensors/sensor_spec.h"
+#include "murosimf/sensors/signal.h"
+
+namespace murosimf::sensors {
+
+/// When true values are worked out.
+enum class Watch {
+  samples,  ///< at the instants of samples; in every execution if there is a filter
+  always,   ///< in every execution
+};
+
+class Sensor : public Algorithm {
+ public:
+  void initialize() final;
+  void step(const Instant& instant) noexcept final;
+
+  /// What it reports at a level of detail that has nothing for it, and why: one sentence; empty if all is there.
+  [[nodiscard]] virtual std::string remark(std::string_view level) const;
+  [[nodiscard]] const Reading& reading() const { return reading_; }
+
+ protected:
+  /// Throws SetupError: the rate is none of the rate of execution, two sensors have one name, a signal is impossible or
+  /// of an output that there is none of.
+  Sensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings, std::vector<Output> outputs,
+         Watch watch = Watch::samples);
+
+  /// The true values of all outputs, one after the other. NaN: nothing is there to be seen.
+  virtual void measure(std::span<double> values) noexcept = 0;
+  /// What is shown of a sample whose values have got their errors; changes nothing if there is nothing to add.
+  virtual void present(std::span<double>) noexcept {}
+  /// Forgets what was before the instant 0.
+  virtual void start() noexcept {}
+  /// How many samples were taken before this one.
+  [[nodiscard]] std::uint64_t samples_taken() const { return taken_; }
+
+ private:
+  struct Sample {
+    Duration time{};
+    std::vector<double> values;
+  };
+  void make_signals(const SensorSpec& spec, std::uint64_t seed, const std::string& robot, double period);
+  void take_sample(const Instant& instant) noexcept;
+  void deliver(const Instant& instant) noexcept;
+
+  Reading& reading_;
+  Watch watch_;
+  Duration period_, delay_;
+  std::vector<Signal> signals_;  // by output
+  bool filters_ = false;
+  std::vector<double> values_;      // of this execution
+  std::vector<Sample> on_the_way_;  // a ring: of this many samples the last ones are not delivered yet
+  std::uint64_t taken_ = 0, delivered_ = 0;
+};
+
+/// [Hz] at which a sensor is to be attached in a simulation with `step_rate` [Hz] steps per second.
+[[nodiscard]] double task_rate(const SensorSpec& spec, Watch watch, double step_rate);
+
+/// Throws SetupError that says which rates are possible if `spec` asks for one that steps do not divide into.
+void check_rate(const SensorSpec& spec, double step_rate);
+
+}  // namespace murosimf::sensors

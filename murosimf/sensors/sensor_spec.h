@@ -1,0 +1,45 @@
+/// sensor_spec.h - what a robot carries, as files say it: plain data.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "murosimf/model/entity.h"
+#include "murosimf/sensors/signal_spec.h"
+
+namespace murosimf::sensors {
+
+struct SensorSpec {
+  std::string name;                           ///< unique on the robot
+  std::string type;                           ///< name in the registry: "imu"
+  std::string where;                          ///< place in the file, for messages
+  std::string frame;                          ///< object of the model that it is mounted on; empty: the base
+  Vec3d position;                             ///< [m] of the sensor in that frame
+  Mat3d orientation;                          ///< its axes to those of the frame
+  double rate = 0;                            ///< [Hz] of samples; 0: one in every step of the simulation
+  double delay = 0;                           ///< [s] from the sample until control software can read it
+  std::vector<std::string> objects;           ///< joints, feet or other entities that it looks at; empty: all
+  std::map<std::string, double> numbers;      ///< what only some types have, by key; missing: the type's default
+  std::map<std::string, SignalSpec> signals;  ///< what becomes of the true values, by output; "": of all outputs
+
+  [[nodiscard]] double number(const std::string& key, double otherwise) const {
+    const auto found = numbers.find(key);
+    return found == numbers.end() ? otherwise : found->second;
+  }
+  /// Perfect if nothing is said.
+  [[nodiscard]] SignalSpec signal(const std::string& output) const {
+    if (const auto found = signals.find(output); found != signals.end()) return found->second;
+    const auto all = signals.find("");
+    return all == signals.end() ? SignalSpec{} : all->second;
+  }
+};
+
+/// What sensors need to know of the simulation that they are in.
+struct SensorSurroundings {
+  std::uint64_t seed = 1;       ///< of all noise
+  std::vector<Entity*> movers;  ///< robots and ball: all whose pose changes
+};
+
+}  // namespace murosimf::sensors

@@ -1,0 +1,100 @@
+#include "murosimf/sensors/signal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/math/scalar.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::sensors {
+
+void check(const SignalSpec& spec) {
+  const std::array<std::pair<const char*, double>, 8> numbers{{{"scale_error", spec.scale_error},
+                                                               {"misalignment", spec.misalignment},
+                                                               {"bias", spec.bias},
+                                                               {"bias_random_walk", spec.bias_random_walk},
+                                                               {"noise_density", spec.noise_density},
+                                                               {"noise", spec.noise},
+                                                               {"low_pass", spec.low_pass},
+                                                               {"resolution", spec.resolution}}};
+  for (const auto& [key, number] : numbers) {
+    if (number >= 0 && std::isfinite(number)) continue;
+    throw SetupError(fmt::format("{} is {}; it must be a number from 0 on", key, number));
+  }
+  if (!(spec.lowest < spec.highest)) {
+    throw SetupError(fmt::format("the range from {} to {} is empty", spec.lowest, spec.highest));
+  }
+  if (spec.bits < 0 || spec.bits > 32) throw SetupError(fmt::format("bits is {}; it must be from 0 to 32", spec.bits));
+  if (spec.bits == 0) return;
+  if (spec.resolution > 0)
+    throw SetupError("bits and resolution both say how long a step of the converter is; keep one");
+  if (!std::isfinite(spec.highest - spec.lowest)) throw SetupError("bits needs a range: range, or lowest and highest");
+}
+
+Signal::Signal(const SignalSpec& spec, std::uint64_t seed, const std::vector<std::string>& names, double period)
+    : spec_(spec), white_(spec.noise_density / std::sqrt(period)), walk_(spec.bias_random_walk * std::sqrt(period)) {
+  check(spec);
+  if (spec.misalignment > 0 && names.size() != 3) {
+    throw SetupError(fmt::format("misalignment is of three axes; '{}' is one of {} numbers", names[0], names.size()));
+  }
+  // above the highest frequency that steps of this length can show, a filter changes nothing
+  if (spec.low_pass > 0 && spec.low_pass * period < 0.5) filter_ = std::tan(pi * spec.low_pass * period);
+  step_ = spec.bits > 0 ? std::ldexp(spec.highest - spec.lowest, -spec.bits) : spec.resolution;
+  highest_ = spec.bits > 0 ? spec.highest - step_ : spec.highest;
+  for (const std::string& name : names) {
+    const RandomStream constants(seed, name + "/constants");
+    Number number{{seed, name + "/white"}, {seed, name + "/walk"}, {seed, name + "/sample"}};
+    number.scale = 1 + spec.scale_error * constants.normal(0);
+    number.bias = spec.bias * constants.normal(1);
+    number.cross_one = spec.misalignment * constants.normal(2);
+    number.cross_two = spec.misalignment * constants.normal(3);
+    numbers_.push_back(number);
+  }
+}
+
+void Signal::start() noexcept {
+  executions_ = samples_ = 0;
+  for (Number& number : numbers_) number.drift = number.filter_input = number.filter_output = 0;
+}
+
+double Signal::filtered(Number& number, double value) const noexcept {
+  if (executions_ == 0) return number.filter_input = number.filter_output = value;
+  number.filter_output =
+      (filter_ * (value + number.filter_input) + (1 - filter_) * number.filter_output) / (1 + filter_);
+  number.filter_input = value;
+  return number.filter_output;
+}
+
+void Signal::disturb(std::span<double> values) noexcept {
+  const std::size_t count = numbers_.size();
+  std::array<double, 3> other{};
+  if (spec_.misalignment > 0) std::copy_n(values.begin(), 3, other.begin());
+  for (std::size_t i = 0; i < count; ++i) {
+    Number& number = numbers_[i];
+    double x = number.scale * values[i];
+    if (spec_.misalignment > 0) x += number.cross_one * other[(i + 1) % 3] + number.cross_two * other[(i + 2) % 3];
+    x += number.bias + number.drift;
+    if (white_ > 0) x += white_ * number.white.normal(executions_);
+    if (walk_ > 0) number.drift += walk_ * number.walk.normal(executions_);
+    values[i] = filter_ > 0 ? filtered(number, x) : x;
+  }
+  ++executions_;
+}
+
+void Signal::convert(std::span<double> values) noexcept {
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    double x = values[i];
+    if (spec_.noise > 0) x += spec_.noise * numbers_[i].sample.normal(samples_);
+    if (step_ > 0) {
+      const double zero = spec_.bits > 0 ? spec_.lowest : 0;
+      x = zero + step_ * std::round((x - zero) / step_);
+    }
+    values[i] = x < spec_.lowest ? spec_.lowest : x > highest_ ? highest_ : x;  // NaN stays: nothing seen
+  }
+  ++samples_;
+}
+
+}  // namespace murosimf::sensors
