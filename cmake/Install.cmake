@@ -1,4 +1,4 @@
-# `cmake --install`: program, library with headers and its CMake package `murosimf`, robots, servos and scenes.
+# `cmake --install`: program, library with headers and its CMake package `murosimf`, robots, servos, parts of sensors and scenes.
 
 include(CMakePackageConfigHelpers)
 
@@ -13,7 +13,7 @@ if(TARGET murosimf_app)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/murosimf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.h")
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/models ${PROJECT_SOURCE_DIR}/motions ${PROJECT_SOURCE_DIR}/scenes ${PROJECT_SOURCE_DIR}/servos
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/models ${PROJECT_SOURCE_DIR}/motions ${PROJECT_SOURCE_DIR}/parts ${PROJECT_SOURCE_DIR}/scenes ${PROJECT_SOURCE_DIR}/servos
   DESTINATION ${CMAKE_INSTALL_DATADIR}/murosimf)
 
 install(EXPORT murosimf NAMESPACE murosimf:: FILE murosimfTargets.cmake DESTINATION ${murosimf_package_dir})

@@ -7,6 +7,7 @@
 
 #include "murosimf/io/mjcf_children.h"
 #include "murosimf/io/mjcf_defaults.h"
+#include "murosimf/io/mjcf_sensor.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
@@ -47,14 +48,6 @@ DraftMimic read_mimic(const XmlElement& element, const MjcfNames& names, const R
                    name_in(element, "joint2", "joint", names.joints()), element.where(), polynomial[1]};
   mimic.offset = polynomial[0] + reference_of(draft, mimic.joint) - mimic.ratio * reference_of(draft, mimic.leader);
   return mimic;
-}
-
-DraftSensor read_sensor(const XmlElement& element) {
-  DraftSensor sensor{element.tag(), element.attribute("name").value_or(""), "", element.where()};
-  for (const char* attribute : {"site", "objname", "joint", "body", "actuator", "geom", "camera"}) {
-    if (const auto name = element.attribute(attribute)) sensor.frame = *name;
-  }
-  return sensor;
 }
 
 std::vector<XmlElement> geoms_of_world(const XmlElement& root) {
@@ -166,7 +159,9 @@ void read_relations(const XmlElement& root, const MjcfNames& names, const MjcfDe
   Pairs pairs(root, draft);
   for (const XmlElement& element : elements(root, "contact", "pair")) pairs.read(element);
   for (const XmlElement& section : root.children("sensor")) {
-    for (const XmlElement& element : section.children()) draft.sensors.push_back(read_sensor(element));
+    for (const XmlElement& element : section.children()) {
+      draft.sensors.push_back(read_mjcf_sensor(element, root, defaults, draft));
+    }
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "murosimf/io/mjcf_geom_writer.h"
 #include "murosimf/io/mjcf_place_writer.h"
+#include "murosimf/io/mjcf_sensor.h"
 #include "murosimf/io/xml_text.h"
 
 namespace murosimf::io {
@@ -35,7 +36,7 @@ class Writer {
     write_contacts();
     write_couplings();
     write_actuators();
-    write_sensors();
+    write_mjcf_sensors(xml_, draft_);
     xml_.end();
     return xml_.result();
   }
@@ -145,12 +146,6 @@ class Writer {
     if (brakes) xml_.numbers("kv", {servo.velocity_gain});
     if (servo.stall_torque > 0) xml_.numbers("forcerange", {-servo.stall_torque, servo.stall_torque});
     xml_.end();
-  }
-
-  void write_sensors() {
-    for (const DraftSensor& sensor : draft_.sensors) {
-      xml_.comment(fmt::format("sensor {} '{}' at '{}'", sensor.kind, sensor.name, sensor.frame));
-    }
   }
 
   const RobotDraft& draft_;

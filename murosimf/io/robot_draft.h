@@ -9,6 +9,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "murosimf/model/object.h"
 #include "murosimf/model/servo.h"
 #include "murosimf/model/shape.h"
+#include "murosimf/sensors/signal_spec.h"
 
 namespace murosimf::io {
 
@@ -116,6 +118,10 @@ struct DraftSensor {
   Place place;                           ///< in that frame
   double rate = 0;                       ///< [Hz] 0: the file does not say
   std::optional<DraftCamera> camera;
+  std::string object_kind{};                             ///< of `frame` in MJCF: site, xbody, body, joint, ...
+  std::map<std::string, sensors::SignalSpec> signals{};  ///< by output of the sensor that it becomes; "": of all
+  std::map<std::string, double> numbers{};               ///< SensorSpec::numbers
+  std::string obstacle{};                                ///< why it is not simulated; empty: nothing known
 };
 
 /// Two bodies whose shapes never touch each other (MJCF exclude).

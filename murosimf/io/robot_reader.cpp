@@ -7,6 +7,7 @@
 #include "murosimf/io/mjcf_reader.h"
 #include "murosimf/io/robot_builder.h"
 #include "murosimf/io/robot_roles.h"
+#include "murosimf/io/robot_sensors.h"
 #include "murosimf/io/robot_table.h"
 #include "murosimf/io/robot_weld.h"
 #include "murosimf/io/urdf_reader.h"
@@ -55,6 +56,7 @@ RobotFile read_robot(const std::filesystem::path& file, const ReaderOptions& opt
   if (options.guess) guess_roles(robot.draft, table);
   place_soles(robot.draft, table);
   robot.model = build_model(robot.draft, table);
+  robot.sensors = sensors_of(robot.draft, table, *robot.model, file.parent_path(), options.lenient);
   robot.warnings = std::move(robot.draft.warnings);
   robot.notes = std::move(robot.draft.notes);
   robot.table = std::move(table);

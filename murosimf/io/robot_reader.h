@@ -9,6 +9,7 @@
 #include "murosimf/io/robot_draft.h"
 #include "murosimf/io/robot_table.h"
 #include "murosimf/model/model.h"
+#include "murosimf/sensors/sensor_spec.h"
 
 namespace murosimf::io {
 
@@ -18,7 +19,8 @@ struct RobotFile {
       warnings;                    ///< one line each: file:line: what looks wrong, or is dropped because of `lenient`
   std::vector<std::string> notes;  ///< one line each: file:line: what means nothing here
   RobotTable table;                ///< of the TOML file, completed by what was guessed (robot_roles.h)
-  RobotDraft draft;                ///< what the model was made of; bodies without joints are welded
+  std::vector<sensors::SensorSpec> sensors;  ///< that it carries
+  RobotDraft draft;                          ///< what the model was made of; bodies without joints are welded
 };
 
 /// The root element tells the format. Throws SetupError: file, line, what is wrong, what to do.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/sensor_toml.h"
 #include "murosimf/io/servo_draft.h"
 #include "murosimf/model/error.h"
 
@@ -29,8 +30,10 @@ class Reader {
         read_meshes(table_of(key, value));
       } else if (key == "servos") {
         for (const auto& [name, servo] : table_of(key, value)) read_servo(name, table_of(name, servo));
+      } else if (key == "sensors") {
+        table_.sensors = read_sensor_tables(table_of(key, value));
       } else {
-        unknown("table", key, {"soles", "frames", "joints", "surfaces", "meshes", "servos"});
+        unknown("table", key, {"soles", "frames", "joints", "surfaces", "meshes", "servos", "sensors"});
       }
     }
     return table_;

@@ -18,6 +18,9 @@
 ///     [meshes]
 ///     part_per_group = ["torso"]   # meshes of OBJ files whose objects or groups are convex parts
 ///
+///     [sensors.imu]                # docs/robots.md, "Sensors"; murosimf/io/sensor_table.h
+///     part = "mpu6050"
+///
 ///     [servos.legs]                # SI units, on the output side of the gear (docs/robots.md, "Servos")
 ///     type = "mx64"                # a ready-made servo to start from: servos/mx64.toml, or a file beside this one
 ///     voltage = 14.8               # any number of it may be replaced; without a type, the law's needs must be there
@@ -29,6 +32,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/io/sensor_table.h"
 #include "murosimf/model/servo.h"
 
 namespace murosimf::io {
@@ -53,6 +57,7 @@ struct RobotTable {
   std::map<std::string, TableName> surfaces;  ///< material by body
   std::map<std::string, TableServo> servos;   ///< by joint
   std::vector<TableName> part_per_group;      ///< meshes of several convex parts
+  std::vector<SensorTable> sensors;           ///< that it makes, changes or removes
 
   /// Material of a body: its own or the default.
   [[nodiscard]] const std::string& surface(const std::string& body) const;

@@ -38,6 +38,7 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
   if (options.seed) spec_.seed = *options.seed;
   simulation_->world().gravity = spec_.gravity;
   add_entities();
+  attach_sensors();
   attach_controllers();
   attach_contact();
   attach_motion();
@@ -110,13 +111,14 @@ void Scene::scatter_postures() {
 }
 
 ModelPtr Scene::model(const std::string& name, const std::string& where) {
-  ModelPtr& known = models_[name];
-  if (known) return known;
+  RobotKind& known = models_[name];
+  if (known.model) return known.model;
   const auto file = at(where, [&] { return find_data_file(name, "models", ".xml", spec_.file.parent_path()); });
   RobotFile result = read_robot(file, {.lenient = options_.lenient});
   warnings_.insert(warnings_.end(), result.warnings.begin(), result.warnings.end());
   check_materials(*result.model);
-  return known = result.model;
+  known = {result.model, std::move(result.sensors)};
+  return known.model;
 }
 
 void Scene::check_materials(const Model& model) const {
@@ -211,6 +213,7 @@ void Scene::attach_motion() {
     const RobotSpec& robot = spec_.robots[i];
     warn_about_unused_keys(robot);
     warn_about(robot, robots_[i]->model());
+    warn_about_sensors(robot);
     at(robot.where, [&] { attach(*robots_[i], level_options(robot)); });
   }
 }

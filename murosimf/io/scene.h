@@ -16,6 +16,7 @@
 #include "murosimf/math/random.h"
 #include "murosimf/runtime/path_recorder.h"
 #include "murosimf/runtime/simulation.h"
+#include "murosimf/sensors/sensor.h"
 
 namespace murosimf::io {
 
@@ -54,10 +55,20 @@ class Scene {
   void write_view(const std::filesystem::path& file) const;
 
  private:
+  struct RobotKind {
+    ModelPtr model;
+    std::vector<sensors::SensorSpec> sensors;  // of its files
+  };
+
   void add_entities();
   void add_robot(const RobotSpec& robot);
   [[nodiscard]] Mat3d random_tilt(const RandomStream& random) const;
   void scatter_postures();
+  /// Those of the robot's files, changed by the scene.
+  [[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(const RobotSpec& robot) const;
+  void attach_sensors();
+  /// One line with what the sensors of a robot say of its level, once for every level.
+  void warn_about_sensors(const RobotSpec& robot);
   void attach_controllers();
   void attach_contact();
   void warn(const RobotSpec& robot, const std::string& text);
@@ -78,13 +89,14 @@ class Scene {
   SceneSpec spec_;
   SceneOptions options_;
   std::unique_ptr<Simulation> simulation_;
-  std::map<std::string, ModelPtr> models_;  // equal robots share one
-  std::vector<std::string> warnings_;       // from reading models
+  std::map<std::string, RobotKind> models_;  // equal robots share one
+  std::vector<std::string> warnings_;        // from reading models
   Entity* field_ = nullptr;
   Entity* ball_ = nullptr;
-  std::vector<Entity*> robots_;                             // in the order of the spec
-  std::vector<Entity*> movers_;                             // robots and ball
-  std::vector<collision::GroundContact*> ground_contacts_;  // by mover
+  std::vector<Entity*> robots_;                               // in the order of the spec
+  std::vector<std::vector<const sensors::Sensor*>> sensors_;  // by robot
+  std::vector<Entity*> movers_;                               // robots and ball
+  std::vector<collision::GroundContact*> ground_contacts_;    // by mover
   const PathRecorder* recorder_ = nullptr;
 };
 

@@ -15,6 +15,23 @@ void assign(toml::table& table, const std::string& key, const Assignment& o) {
   table.insert_or_assign(key, std::move(*value.get("value")));
 }
 
+/// The table under a key, made if there is none.
+toml::table& table_in(toml::table& table, const std::string& key, const Assignment& o) {
+  if (!table.contains(key)) table.insert(key, toml::table{});
+  if (toml::table* inside = table[key].as_table()) return *inside;
+  throw SetupError(fmt::format("{}: '{}' is no table there, so nothing in it can be set", o.where, key));
+}
+
+/// sensors.NAME, sensors.NAME.KEY or sensors.NAME.OUTPUT.KEY, from part `begin` of the path on.
+void assign_sensor(toml::table& robot, const Assignment& o, std::size_t begin) {
+  if (o.path.size() - begin > 4) {
+    throw SetupError(fmt::format("{}: write sensors.NAME.KEY or sensors.NAME.OUTPUT.KEY", o.where));
+  }
+  toml::table* table = &robot;
+  for (std::size_t i = begin; i + 1 < o.path.size(); ++i) table = &table_in(*table, o.path[i], o);
+  assign(*table, o.path.back(), o);
+}
+
 [[noreturn]] void refuse_unknown(const toml::table& scene, const Assignment& o) {
   const std::vector<std::string> names = entity_names(scene);
   std::vector<std::string_view> candidates(names.begin(), names.end());
@@ -53,7 +70,8 @@ const std::vector<std::string_view>& robot_keys() {
                                                   "contact",        "controller", "position",   "command",
                                                   "heading_deg",    "roll_deg",   "pitch_deg",  "volume",
                                                   "self_collision", "no_contact", "base_rigid", "joint_reference",
-                                                  "integrator",     "fixed_base", "servo_law",  "motion"};
+                                                  "integrator",     "fixed_base", "servo_law",  "motion",
+                                                  "sensors"};
   return keys;
 }
 
@@ -64,6 +82,8 @@ void apply_override(toml::table& scene, const std::string& override_text, std::v
   if (!robots.empty() && rest == 1) {
     check_key(o, o.path.back(), robot_keys());
     for (toml::table* robot : robots) assign(*robot, o.path.back(), o);
+  } else if (!robots.empty() && rest >= 2 && o.path[used] == "sensors") {
+    for (toml::table* robot : robots) assign_sensor(*robot, o, used);
   } else if (!robots.empty() && rest >= 2) {
     std::vector<std::string> names;
     for (const toml::table* robot : robots) names.push_back(text_of(*robot, "name"));
@@ -75,6 +95,8 @@ void apply_override(toml::table& scene, const std::string& override_text, std::v
     check_key(o, o.path[1], keys);
     if (!scene.contains(o.path[0])) scene.insert(o.path[0], toml::table{});
     if (toml::table* table = scene[o.path[0]].as_table()) assign(*table, o.path[1], o);
+  } else if (o.path.size() >= 3 && o.path[0] == "defaults" && o.path[1] == "sensors") {
+    assign_sensor(table_in(scene, "defaults", o), o, 1);
   } else if (o.path.size() >= 3 && o.path[0] == "ball" && scene.contains("ball")) {
     settings.push_back(property_setting(o, 1, {"ball"}));
   } else {

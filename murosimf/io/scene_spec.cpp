@@ -8,6 +8,7 @@
 #include "murosimf/io/registry.h"
 #include "murosimf/io/scene_events.h"
 #include "murosimf/io/scene_overrides.h"
+#include "murosimf/io/sensor_toml.h"
 #include "murosimf/io/toml_reader.h"
 #include "murosimf/motion/servo_law.h"
 
@@ -147,6 +148,7 @@ void read_robot(const TomlTable& table, RobotSpec& robot) {
   table.read("volume", robot.collision.volume);
   table.read("self_collision", robot.collision.self_collision);
   table.read("no_contact", robot.collision.never);
+  read_sensor_changes(table.find("sensors"), robot.sensors);
   require(norm(robot.position) <= farthest_place, table, "position", "is further than 10 km away");
   at(table.where("level"), [&] { return &find_entry(levels(), "level", robot.level); });
   at(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", robot.contact); });

@@ -9,6 +9,7 @@
 
 #include "murosimf/collision/pair_law.h"
 #include "murosimf/io/ball.h"
+#include "murosimf/io/sensor_table.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/math/vec3.h"
 #include "murosimf/model/entity.h"
@@ -66,6 +67,7 @@ struct RobotSpec {
   double roll = 0, pitch = 0;  ///< [rad] about the level robot's x, then its y; before the heading
   Vec3d command;               ///< [m/s, m/s, rad/s]
   CollisionOptions collision;
+  SensorChanges sensors;
 };
 
 /// A property to set: --set 'blue1.pelvis.applied_force=[0,0,0,5,0,0]'.

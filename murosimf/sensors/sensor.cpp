@@ -18,7 +18,8 @@ void check_signal_names(const SensorSpec& spec, const std::vector<Output>& outpu
   std::vector<std::string_view> names;
   for (const Output& output : outputs) names.push_back(output.name);
   for (const auto& [name, signal] : spec.signals) {
-    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const bool known = std::find(names.begin(), names.end(), name) != names.end();
+    if (name.empty() || known || spec.part_outputs.contains(name)) continue;
     throw SetupError(unknown_name("output", name, names));
   }
 }

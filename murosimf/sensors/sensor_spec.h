@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct SensorSpec {
   std::vector<std::string> objects;           ///< joints, feet or other entities that it looks at; empty: all
   std::map<std::string, double> numbers;      ///< what only some types have, by key; missing: the type's default
   std::map<std::string, SignalSpec> signals;  ///< what becomes of the true values, by output; "": of all outputs
+  std::string part;                           ///< name of the ready-made part that it is; empty: none
+  std::set<std::string> part_outputs;  ///< outputs in `signals` that only the part speaks of: it need not have them
 
   [[nodiscard]] double number(const std::string& key, double otherwise) const {
     const auto found = numbers.find(key);

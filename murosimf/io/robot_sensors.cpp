@@ -1,0 +1,146 @@
+#include "murosimf/io/robot_sensors.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "murosimf/io/sensor_types.h"
+#include "murosimf/io/xml_element.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+using sensors::SensorSpec;
+
+struct Kind {
+  std::string_view kind, type;
+};
+
+constexpr std::array kinds{Kind{"accelerometer", "accelerometer"},
+                           Kind{"actuatorfrc", "joint_torque"},
+                           Kind{"contact", "contact_force"},
+                           Kind{"force", "force_torque"},
+                           Kind{"force_torque", "force_torque"},
+                           Kind{"frameangvel", "angular_velocity"},
+                           Kind{"framelinvel", "linear_velocity"},
+                           Kind{"framepos", "position"},
+                           Kind{"framequat", "orientation"},
+                           Kind{"gpu_lidar", "laser"},
+                           Kind{"gpu_ray", "laser"},
+                           Kind{"gyro", "gyroscope"},
+                           Kind{"imu", "imu"},
+                           Kind{"jointactuatorfrc", "joint_torque"},
+                           Kind{"jointpos", "joint_position"},
+                           Kind{"jointvel", "joint_rate"},
+                           Kind{"lidar", "laser"},
+                           Kind{"rangefinder", "rangefinder"},
+                           Kind{"ray", "laser"},
+                           Kind{"subtreecom", "center_of_mass"},
+                           Kind{"torque", "force_torque"},
+                           Kind{"touch", "contact_force"},
+                           Kind{"velocimeter", "velocimeter"}};
+
+bool is_registered(std::string_view type) {
+  return std::ranges::find(sensor_types(), type, &SensorType::name) != sensor_types().end();
+}
+
+/// A name that can stand in a path, and that no other sensor has.
+std::string free_name(const DraftSensor& sensor, const std::string& type, const std::vector<SensorSpec>& others) {
+  std::string name = sensor.name.empty() ? type : sensor.name;
+  std::ranges::replace_if(
+      name,
+      [](char c) {
+        return !is_sensor_name({&c, 1});
+      },
+      '_');
+  const auto taken = [&](const std::string& free) {
+    return std::ranges::find(others, free, &SensorSpec::name) != others.end();
+  };
+  std::string free = name;
+  for (int number = 2; taken(free); ++number) free = fmt::format("{}_{}", name, number);
+  return free;
+}
+
+/// The object of the model that a site, body or joint of the file has become (robot_builder.h).
+std::string object_of(const DraftSensor& sensor, const Model& model) {
+  if (sensor.object_kind.empty()) return sensor.frame;
+  const std::string suffix = sensor.object_kind == "xbody" ? "body" : sensor.object_kind;
+  const std::string renamed = sensor.frame + "." + suffix;
+  return model.find_object(renamed) ? renamed : sensor.frame;
+}
+
+/// Empty: it can be simulated.
+std::string why_not(const DraftSensor& sensor, const std::string& type, const RobotDraft& draft) {
+  if (type.empty() || !is_registered(type)) return "not simulated";
+  if (!sensor.obstacle.empty()) return "not simulated: " + sensor.obstacle;
+  const bool of_base = sensor.frame == draft.bodies[0].name;
+  if (sensor.kind == "subtreecom" && !of_base) return "not simulated: only the center of mass of the whole robot is";
+  return {};
+}
+
+SensorSpec spec_of(const DraftSensor& sensor, const std::string& type, const Model& model) {
+  SensorSpec spec;
+  spec.type = type;
+  spec.where = sensor.where;
+  spec.rate = sensor.rate;
+  spec.numbers = sensor.numbers;
+  spec.signals = sensor.signals;
+  if (sensor.object_kind == "joint" && type.starts_with("joint_")) {
+    spec.objects = {sensor.frame};
+    return spec;
+  }
+  spec.frame = object_of(sensor, model);
+  spec.position = sensor.place.position;
+  spec.orientation = sensor.place.orientation;
+  return spec;
+}
+
+void check_frame(const SensorSpec& spec, const Model& model) {
+  if (spec.frame.empty() || model.find_object(spec.frame)) return;
+  const auto names = model.object_names();
+  throw SetupError(one_line(fmt::format("{}: sensor '{}': {}", spec.where, spec.name,
+                                        unknown_name("frame", spec.frame, {names.begin(), names.end()}))));
+}
+
+std::vector<SensorSpec> sensors_of_file(RobotDraft& draft, const Model& model, bool lenient) {
+  std::vector<SensorSpec> specs;
+  for (const DraftSensor& sensor : draft.sensors) {
+    const std::string type(sensor_type_of(sensor.kind));
+    if (const std::string reason = why_not(sensor, type, draft); !reason.empty()) {
+      draft.notes.push_back(one_line(
+          fmt::format("{}: sensor {} '{}' at '{}': {}", sensor.where, sensor.kind, sensor.name, sensor.frame, reason)));
+      continue;
+    }
+    SensorSpec spec = spec_of(sensor, type, model);
+    spec.name = free_name(sensor, type, specs);
+    try {
+      check_frame(spec, model);
+    } catch (const SetupError& error) {
+      if (!lenient) throw;
+      draft.warnings.emplace_back(error.what());
+      continue;
+    }
+    specs.push_back(std::move(spec));
+  }
+  return specs;
+}
+
+}  // namespace
+
+std::string_view sensor_type_of(std::string_view kind) {
+  const auto found = std::ranges::find(kinds, kind, &Kind::kind);
+  return found == kinds.end() ? std::string_view{} : found->type;
+}
+
+std::vector<SensorSpec> sensors_of(RobotDraft& draft, const RobotTable& table, const Model& model,
+                                   const std::filesystem::path& folder, bool lenient) {
+  std::vector<SensorSpec> specs = sensors_of_file(draft, model, lenient);
+  change_sensors(specs, table.sensors, folder);
+  for (const SensorSpec& spec : specs) check_frame(spec, model);
+  return specs;
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,209 @@
+#include "murosimf/io/sensor_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "murosimf/io/data_path.h"
+#include "murosimf/io/registry.h"
+#include "murosimf/io/sensor_signal.h"
+#include "murosimf/io/sensor_toml.h"
+#include "murosimf/io/sensor_types.h"
+#include "murosimf/io/sensor_values.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+using sensors::SensorSpec;
+using Names = std::vector<std::string_view>;
+
+constexpr double degree = std::numbers::pi / 180;
+
+Names words_of(std::string_view text) {
+  Names words;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (end > 0) words.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return words;
+}
+
+bool contains(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
+
+/// Writes what a table says into a spec whose type is known.
+class Changer {
+ public:
+  explicit Changer(SensorSpec& spec)
+      : spec_(spec),
+        type_(find_entry(sensor_types(), "sensor type", spec.type)),
+        numbers_(words_of(type_.numbers)),
+        objects_(words_of(type_.objects)) {}
+
+  /// `keys`: those besides numbers, objects and signals that the table may have.
+  void take(const SensorTable& table, const Names& keys) {
+    check_keys(table, keys);
+    SensorValues signal;
+    for (const auto& [key, value] : table.values) {
+      const bool own = contains(keys, key) || contains(numbers_, key) || contains(objects_, key);
+      own ? take_value(key, value) : void(signal.emplace(key, value));
+    }
+    if (signal.empty()) return;
+    spec_.signals.try_emplace("");
+    for (auto& [output, numbers] : spec_.signals) change_signal(numbers, signal);
+  }
+
+  void take_outputs(const SensorTable& table, bool of_part) {
+    for (const auto& [output, values] : table.outputs) {
+      const bool known = spec_.signals.contains(output);
+      if (of_part && !known) spec_.part_outputs.insert(output);
+      if (!of_part) spec_.part_outputs.erase(output);
+      change_signal(spec_.signals.try_emplace(output, spec_.signal(output)).first->second, values);
+    }
+  }
+
+ private:
+  void check_keys(const SensorTable& table, Names known) const {
+    known.insert(known.end(), numbers_.begin(), numbers_.end());
+    known.insert(known.end(), objects_.begin(), objects_.end());
+    const Names signal = signal_keys();
+    known.insert(known.end(), signal.begin(), signal.end());
+    for (const auto& [key, value] : table.values) {
+      if (contains(known, key)) continue;
+      fail(value.where, unknown_name(fmt::format("key of sensor type '{}',", type_.name), key, known));
+    }
+    for (const auto& [output, values] : table.outputs) {
+      if (contains(known, output))
+        fail(table.where, fmt::format("'{}' of sensor '{}' must not be a table", output, table.name));
+    }
+  }
+
+  void take_value(const std::string& key, const SensorValue& value) {
+    if (contains(numbers_, key)) {
+      spec_.numbers[key] = finite_number(key, value);
+    } else if (contains(objects_, key)) {
+      spec_.objects = names_of(key, value);
+    } else if (key == "rate") {
+      spec_.rate = finite_number(key, value);
+      if (!(spec_.rate > 0))
+        fail(value.where, "'rate' must be a number above 0; without it there is a sample in every step");
+    } else if (key == "delay") {
+      spec_.delay = finite_number(key, value);
+      if (!(spec_.delay >= 0 && spec_.delay <= 10)) fail(value.where, "'delay' must be from 0 to 10 s");
+    } else if (key == "frame") {
+      spec_.frame = name_of(key, value);
+    } else if (key == "position") {
+      spec_.position = vector_of(key, value);
+    } else if (key == "rpy_deg") {
+      const Vec3d rpy = degree * vector_of(key, value);
+      spec_.orientation = rotation_z(rpy.z) * rotation_y(rpy.y) * rotation_x(rpy.x);
+    }
+  }
+
+  SensorSpec& spec_;
+  const SensorType& type_;
+  Names numbers_, objects_;
+};
+
+std::optional<std::string> text_of(const SensorTable& table, const std::string& key) {
+  const auto found = table.values.find(key);
+  if (found == table.values.end()) return std::nullopt;
+  return name_of(key, found->second);
+}
+
+SensorTable read_part(const std::string& name, const std::string& where, const std::filesystem::path& beside) {
+  if (const auto file = look_for_data_file(name, "parts", ".toml", beside)) return read_part_file(*file);
+  const auto names = sensor_parts();
+  fail(where, unknown_name("part", name, Names(names.begin(), names.end())));
+}
+
+void check_type(const SensorTable& table, const std::string& type) {
+  at(table.values.at("type").where, [&] { (void)find_entry(sensor_types(), "sensor type", type); });
+}
+
+void check_signals(const SensorSpec& spec) {
+  for (const auto& [output, signal] : spec.signals) {
+    at(spec.where, [&, &name = output, &numbers = signal] {
+      at(name.empty() ? spec.name : spec.name + "." + name, [&] { sensors::check(numbers); });
+    });
+  }
+}
+
+/// The sensor that a table makes of `old`; null: there is none of that name.
+SensorSpec changed(const SensorSpec* old, const SensorTable& table, const std::filesystem::path& beside) {
+  const auto type = text_of(table, "type"), part_name = text_of(table, "part");
+  std::optional<SensorTable> part;
+  if (part_name) part = read_part(*part_name, table.values.at("part").where, beside);
+  SensorSpec spec;
+  if (old && !type) spec = *old;
+  spec.name = table.name;
+  spec.where = table.where;
+  if (type) {
+    check_type(table, *type);
+    spec.type = *type;
+  } else if (!old && part && part->values.contains("type")) {
+    spec.type = text_of(*part, "type").value_or("");
+    check_type(*part, spec.type);
+  }
+  if (spec.type.empty()) fail(table.where, fmt::format("sensor '{}' needs type = \"...\"", table.name));
+  Changer changer(spec);
+  if (part) {
+    spec.part = part->name;
+    spec.signals.clear();
+    spec.numbers.clear();
+    spec.part_outputs.clear();
+    changer.take(*part, {"type", "rate", "delay"});
+    changer.take_outputs(*part, true);
+  }
+  changer.take(table, {"type", "part", "frame", "position", "rpy_deg", "rate", "delay"});
+  changer.take_outputs(table, false);
+  check_signals(spec);
+  return spec;
+}
+
+[[noreturn]] void refuse_removal(const SensorTable& table, const std::vector<SensorSpec>& sensors) {
+  Names names;
+  for (const SensorSpec& spec : sensors) names.push_back(spec.name);
+  if (names.empty()) fail(table.where, fmt::format("there is no sensor '{}' to remove", table.name));
+  fail(table.where, unknown_name("sensor", table.name, names));
+}
+
+}  // namespace
+
+bool is_sensor_name(std::string_view name) {
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !name.empty() && std::ranges::all_of(name, fits);
+}
+
+void change_sensors(std::vector<SensorSpec>& sensors, const std::vector<SensorTable>& tables,
+                    const std::filesystem::path& beside) {
+  for (const SensorTable& table : tables) {
+    const auto found = std::ranges::find(sensors, table.name, &SensorSpec::name);
+    const bool known = found != sensors.end();
+    if (table.removes) {
+      if (!known) refuse_removal(table, sensors);
+      sensors.erase(found);
+      continue;
+    }
+    if (!is_sensor_name(table.name)) {
+      fail(table.where, fmt::format("'{}' is no name of a sensor: letters, digits, _ and - only", table.name));
+    }
+    SensorSpec spec = changed(known ? &*found : nullptr, table, beside);
+    if (known) {
+      *found = std::move(spec);
+    } else {
+      sensors.push_back(std::move(spec));
+    }
+  }
+}
+
+std::vector<std::string> sensor_parts() { return data_file_names("parts", ".toml"); }
+
+}  // namespace murosimf::io
