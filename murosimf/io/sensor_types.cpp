@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 
 #include "murosimf/io/registry.h"
+#include "murosimf/sensors/contact_sensors.h"
 #include "murosimf/sensors/inertial.h"
+#include "murosimf/sensors/joint_sensors.h"
+#include "murosimf/sensors/true_motion.h"
 
 namespace murosimf::io {
 namespace {
@@ -22,11 +25,35 @@ std::unique_ptr<sensors::Sensor> make(Setup& setup, const sensors::SensorSpec& s
 constexpr std::array types{
     SensorType{"accelerometer", "specific force: +9.81 up at rest, 0 in free fall", "", "", Watch::always,
                make<sensors::Accelerometer>},
+    SensorType{"angular_velocity", "of the sensor, world axes", "", "", Watch::samples, make<sensors::AngularVelocity>},
+    SensorType{"center_of_mass", "of the whole robot, and its velocity, world axes", "", "", Watch::samples,
+               make<sensors::CenterOfMass>},
+    SensorType{"contact_force", "magnitude of all contact forces on a link", "threshold", "", Watch::samples,
+               make<sensors::ContactForce>},
+    SensorType{"contact_switch", "1 while anything touches a link", "threshold", "", Watch::samples,
+               make<sensors::ContactSwitch>},
+    SensorType{"force_torque", "contact force and moment on a link, in axes of the sensor", "threshold", "",
+               Watch::samples, make<sensors::ForceTorque>},
     SensorType{"gyroscope", "rate of turning, in axes of the sensor", "", "", Watch::samples, make<sensors::Gyroscope>},
     SensorType{"imu", "gyroscope, accelerometer and orientation in one part", "", "", Watch::always,
                make<sensors::Imu>},
+    SensorType{"joint_position", "encoders of joints", "", "joints", Watch::samples, make<sensors::JointPosition>},
+    SensorType{"joint_rate", "rates of joints", "", "joints", Watch::samples, make<sensors::JointRate>},
+    SensorType{"joint_torque", "torque of servo and gear", "", "joints", Watch::samples, make<sensors::JointTorque>},
+    SensorType{"linear_velocity", "of the sensor, world axes", "", "", Watch::samples, make<sensors::LinearVelocity>},
+    SensorType{"motor_current", "of servos", "", "joints", Watch::samples, make<sensors::MotorCurrent>},
+    SensorType{"motor_temperature", "of servos' windings", "", "joints", Watch::samples,
+               make<sensors::MotorTemperature>},
+    SensorType{"motor_voltage", "supply of servos", "", "joints", Watch::samples, make<sensors::MotorVoltage>},
     SensorType{"orientation", "axes of the sensor in the world, as a quaternion w x y z", "", "", Watch::samples,
                make<sensors::Orientation>},
+    SensorType{"position", "of the sensor, world", "", "", Watch::samples, make<sensors::Position>},
+    SensorType{"pressure_cells", "four cells below a foot", "threshold length width", "", Watch::samples,
+               make<sensors::PressureCells>},
+    SensorType{"pressure_center", "where the contact force goes through a sole, and how strong it is", "threshold", "",
+               Watch::samples, make<sensors::PressureCenter>},
+    SensorType{"velocimeter", "velocity of the sensor, in its axes", "", "", Watch::samples,
+               make<sensors::Velocimeter>},
 };
 
 }  // namespace
