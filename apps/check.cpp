@@ -65,7 +65,7 @@ int show(const CheckOptions& options, const Reading& reading) {
   if (error) findings.insert(findings.begin(), io::make_finding(io::Severity::error, *error));
   if (!options.picture.empty()) io::write_file(options.picture, io::robot_picture_png(robot.draft));
   if (!options.roles.empty()) write_roles(options.roles, robot);
-  const io::ModelReport report = io::make_report(*robot.model, std::move(findings));
+  const io::ModelReport report = io::make_report(*robot.model, std::move(findings), robot.sensors);
   write_result(options.json, io::to_text(report), io::to_json(report));
   return error ? 1 : 0;
 }

@@ -1,4 +1,4 @@
-// `murosimf list`: names of levels, laws, controllers, sensors and properties.
+// `murosimf list`: names of levels, laws, controllers, sensors, parts and properties.
 #include <fmt/format.h>
 
 #include "apps/commands.h"
@@ -6,6 +6,7 @@
 #include "murosimf/collision/pair_law.h"
 #include "murosimf/geometry/any_tree.h"
 #include "murosimf/io/registry.h"
+#include "murosimf/io/sensor_table.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/servo_law.h"
@@ -44,6 +45,9 @@ int list(const std::string& what) {
   if (what == "servo_laws") text = names_and_meanings(motion::servo_laws());
   if (what == "controllers") text = names_and_meanings(io::controllers());
   if (what == "sensors") text = names_and_meanings(io::sensors());
+  if (what == "parts") {
+    for (const auto& name : io::sensor_parts()) text += fmt::format("{}\n", name);
+  }
   if (what == "properties") text = properties_text();
   write_standard_output(text);
   return 0;

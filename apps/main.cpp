@@ -114,12 +114,12 @@ void add_bench(CLI::App& app, BenchOptions& options, std::string& what, int& exi
 void add_list(CLI::App& app, std::string& what, int& exit_code) {
   CLI::App* list_command = app.add_subcommand("list", "List the names that there are");
   list_command
-      ->add_option(
-          "what", what,
-          "levels, contacts, body_contacts, volumes, integrators, servo_laws, controllers, sensors or properties")
+      ->add_option("what", what,
+                   "levels, contacts, body_contacts, volumes, integrators, servo_laws, controllers, sensors, parts or "
+                   "properties")
       ->required()
       ->check(CLI::IsMember({"levels", "contacts", "body_contacts", "volumes", "integrators", "servo_laws",
-                             "controllers", "sensors", "properties"}));
+                             "controllers", "sensors", "parts", "properties"}));
   list_command->callback([&] { exit_code = list(what); });
 }
 

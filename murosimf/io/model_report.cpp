@@ -188,6 +188,31 @@ toml::array legs_array(const ModelReport& report) {
   return legs;
 }
 
+/// "sensor imu: imu on torso, 200 Hz, part mpu6050"
+std::string sensor_text(const sensors::SensorSpec& sensor) {
+  const bool of_joints = sensor.type.starts_with("joint_") || sensor.type.starts_with("motor_");
+  std::string text = fmt::format("sensor {}: {}", sensor.name, sensor.type);
+  if (!sensor.objects.empty()) text += fmt::format(" of {}", fmt::join(sensor.objects, ", "));
+  if (!of_joints) text += fmt::format(" on {}", sensor.frame.empty() ? "the base" : sensor.frame);
+  text += sensor.rate > 0 ? fmt::format(", {:g} Hz", sensor.rate) : std::string(", every step");
+  if (!sensor.part.empty()) text += ", part " + sensor.part;
+  return text + "\n";
+}
+
+/// Rate 0: every step.
+toml::array sensors_array(const ModelReport& report) {
+  toml::array sensors;
+  for (const sensors::SensorSpec& sensor : report.sensors) {
+    sensors.push_back(toml::table{{"name", sensor.name},
+                                  {"type", sensor.type},
+                                  {"frame", sensor.frame},
+                                  {"objects", list(sensor.objects)},
+                                  {"rate_hz", sensor.rate},
+                                  {"part", sensor.part}});
+  }
+  return sensors;
+}
+
 toml::table row_table(const ReportRow& row) {
   toml::table table{{"depth", row.depth}, {"mass_kg", row.mass_kg}};
   if (!row.body.empty()) table.insert("body", row.body);
@@ -208,7 +233,7 @@ toml::table row_table(const ReportRow& row) {
 
 }  // namespace
 
-ModelReport make_report(const Model& model, std::vector<Finding> findings) {
+ModelReport make_report(const Model& model, std::vector<Finding> findings, std::vector<sensors::SensorSpec> sensors) {
   ModelReport report;
   report.name = model.name();
   report.total_mass_kg = model.tree().mass;
@@ -218,6 +243,7 @@ ModelReport make_report(const Model& model, std::vector<Finding> findings) {
   for (const int object : model.having(properties::sole)) report.soles.push_back(model.objects()[object].name);
   report.limbs = make_limbs(model);
   report.legs = make_legs(model);
+  report.sensors = std::move(sensors);
   report.findings = std::move(findings);
   report.tree = make_tree(model);
   return report;
@@ -237,6 +263,7 @@ std::string to_text(const ModelReport& report) {
     text += fmt::format("leg to {}: thigh {:.4g} m, shin {:.4g} m, reach {:.4g} m, inverse kinematics {}\n", leg.sole,
                         leg.thigh_m, leg.shin_m, leg.reach_m, leg.closed_form ? "in closed form" : "numeric");
   }
+  for (const sensors::SensorSpec& sensor : report.sensors) text += sensor_text(sensor);
   for (const Finding& finding : report.findings) text += to_line(finding) + '\n';
   return text;
 }
@@ -252,6 +279,7 @@ std::string to_json(const ModelReport& report) {
                           {"soles", list(report.soles)},
                           {"limbs", limbs_array(report)},
                           {"legs", legs_array(report)},
+                          {"sensors", sensors_array(report)},
                           {"findings", findings_array(report)},
                           {"tree", tree}};
   std::ostringstream stream;

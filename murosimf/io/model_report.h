@@ -7,6 +7,7 @@
 
 #include "murosimf/io/robot_findings.h"
 #include "murosimf/model/model.h"
+#include "murosimf/sensors/sensor_spec.h"
 
 namespace murosimf::io {
 
@@ -47,13 +48,15 @@ struct ModelReport {
   std::vector<std::string> soles;
   std::vector<LimbReport> limbs;
   std::vector<LegReport> legs;
+  std::vector<sensors::SensorSpec> sensors;
   std::vector<Finding> findings;
   std::vector<ReportRow> tree;
 };
 
-[[nodiscard]] ModelReport make_report(const Model& model, std::vector<Finding> findings = {});
+[[nodiscard]] ModelReport make_report(const Model& model, std::vector<Finding> findings = {},
+                                      std::vector<sensors::SensorSpec> sensors = {});
 
-/// A summary line, a table with one line per row of the tree, limbs, legs and findings; angles in degrees.
+/// A summary line, a table with one line per row of the tree, limbs, legs, sensors and findings; angles in degrees.
 [[nodiscard]] std::string to_text(const ModelReport& report);
 /// The same in SI units, angles in rad.
 [[nodiscard]] std::string to_json(const ModelReport& report);

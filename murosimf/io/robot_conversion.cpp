@@ -1,13 +1,18 @@
 #include "murosimf/io/robot_conversion.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
+#include <fmt/format.h>
+
 #include "murosimf/io/mjcf_reader.h"
+#include "murosimf/io/mjcf_sensor.h"
 #include "murosimf/io/mjcf_writer.h"
 #include "murosimf/io/robot_reader.h"
 #include "murosimf/io/robot_roles.h"
 #include "murosimf/io/robot_table.h"
+#include "murosimf/io/sensor_sections.h"
 #include "murosimf/io/urdf_reader.h"
 #include "murosimf/io/xml_element.h"
 
@@ -27,6 +32,25 @@ std::string text_of(const fs::path& file) {
   std::stringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();
   return text.str();
+}
+
+/// Sensors of the robot file that MJCF has no word for. `draft`: as it is written, with the same sensors as the robot's.
+std::vector<sensors::SensorSpec> sensors_for_table(const RobotFile& robot, const RobotDraft& draft,
+                                                   std::vector<std::string>& warnings) {
+  std::vector<sensors::SensorSpec> specs;
+  for (std::size_t i = 0; i < draft.sensors.size(); ++i) {
+    const std::string& name = robot.draft.sensors[i].becomes;
+    const auto spec = std::ranges::find(robot.sensors, name, &sensors::SensorSpec::name);
+    if (name.empty() || spec == robot.sensors.end() || is_mjcf_sensor(draft.sensors[i], draft)) continue;
+    const auto table = std::ranges::find(robot.table.sensors, name, &SensorTable::name);
+    if (table == robot.table.sensors.end()) {
+      specs.push_back(*spec);
+    } else if (!table->values.contains("type")) {
+      warnings.push_back(fmt::format("{}: sensor '{}' needs a type now: MJCF has no word for the one that this changes",
+                                     table->where, name));
+    }
+  }
+  return specs;
 }
 
 void count(const RobotDraft& draft, RobotConversion& result) {
@@ -51,6 +75,7 @@ RobotConversion convert_robot(const fs::path& file, const ConversionOptions& opt
   table.replace_extension(".toml");
   result.own_table = fs::exists(table);
   result.toml = result.own_table ? text_of(table) : roles_toml(robot.draft, robot.table);
+  result.toml += sensor_sections(sensors_for_table(robot, draft, result.warnings));
   return result;
 }
 

@@ -21,29 +21,13 @@ void append(std::vector<Finding>& all, std::vector<Finding> more) {
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-/// One note for all sensors of a kind.
-std::vector<Finding> list_sensors(const RobotDraft& draft) {
-  std::map<std::string, std::vector<std::string>> kinds;
-  std::map<std::string, std::string> places;
-  for (const DraftSensor& sensor : draft.sensors) {
-    kinds[sensor.kind].push_back(sensor.frame);
-    places.emplace(sensor.kind, sensor.where);
-  }
-  std::vector<Finding> findings;
-  for (const auto& [kind, frames] : kinds) {
-    findings.push_back({Severity::note, places[kind], fmt::format("sensor {} at {}", kind, fmt::join(frames, ", ")),
-                        "scenes do not make sensors of robot files yet"});
-  }
-  return findings;
-}
-
 }  // namespace
 
 std::vector<Finding> examine(const RobotFile& robot) {
   std::vector<Finding> findings;
   for (const std::string& note : robot.notes) findings.push_back(make_finding(Severity::note, note));
   for (const std::string& warning : robot.warnings) findings.push_back(make_finding(Severity::warning, warning));
-  append(findings, list_sensors(robot.draft));
+  append(findings, examine_sensors(robot));
   append(findings, examine_masses(robot.draft));
   append(findings, examine_joints(robot.draft, *robot.model));
   append(findings, examine_symmetry(robot.draft));

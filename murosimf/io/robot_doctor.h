@@ -1,6 +1,7 @@
 /// robot_doctor.h - looks at a robot that was read, for what is probably not meant: the checks behind `murosimf check`.
 ///
-/// Every check compares with a rule that is stated at its threshold; a finding is a warning, since the robot runs with it.
+/// Every check compares with a rule that is stated at its threshold; a finding is a warning, since the robot
+/// runs with it, unless said otherwise.
 #pragma once
 
 #include <vector>
@@ -21,6 +22,8 @@ namespace murosimf::io {
 [[nodiscard]] std::vector<Finding> examine_symmetry(const RobotDraft& draft);
 /// Shapes of bodies that are not neighbors and overlap in the pose of the file, and meshes with very many triangles.
 [[nodiscard]] std::vector<Finding> examine_shapes(const RobotDraft& draft);
+/// Sensors that a simulation of the robot alone, with steps of 1 ms, refuses: errors.
+[[nodiscard]] std::vector<Finding> examine_sensors(const RobotFile& robot);
 /// Soles, and legs that can be walked with.
 [[nodiscard]] std::vector<Finding> examine_legs(const RobotDraft& draft, const Model& model);
 

@@ -122,6 +122,7 @@ struct DraftSensor {
   std::map<std::string, sensors::SignalSpec> signals{};  ///< by output of the sensor that it becomes; "": of all
   std::map<std::string, double> numbers{};               ///< SensorSpec::numbers
   std::string obstacle{};                                ///< why it is not simulated; empty: nothing known
+  std::string becomes{};                                 ///< SensorSpec::name (robot_sensors.h); empty: none
 };
 
 /// Two bodies whose shapes never touch each other (MJCF exclude).

@@ -17,31 +17,41 @@ using sensors::SensorSpec;
 
 struct Kind {
   std::string_view kind, type;
+  std::string_view difference;  ///< between what the file means and what the sensor shows; may be empty
 };
 
-constexpr std::array kinds{Kind{"accelerometer", "accelerometer"},
-                           Kind{"actuatorfrc", "joint_torque"},
-                           Kind{"contact", "contact_force"},
-                           Kind{"force", "force_torque"},
-                           Kind{"force_torque", "force_torque"},
-                           Kind{"frameangvel", "angular_velocity"},
-                           Kind{"framelinvel", "linear_velocity"},
-                           Kind{"framepos", "position"},
-                           Kind{"framequat", "orientation"},
-                           Kind{"gpu_lidar", "laser"},
-                           Kind{"gpu_ray", "laser"},
-                           Kind{"gyro", "gyroscope"},
-                           Kind{"imu", "imu"},
-                           Kind{"jointactuatorfrc", "joint_torque"},
-                           Kind{"jointpos", "joint_position"},
-                           Kind{"jointvel", "joint_rate"},
-                           Kind{"lidar", "laser"},
-                           Kind{"rangefinder", "rangefinder"},
-                           Kind{"ray", "laser"},
-                           Kind{"subtreecom", "center_of_mass"},
-                           Kind{"torque", "force_torque"},
-                           Kind{"touch", "contact_force"},
-                           Kind{"velocimeter", "velocimeter"}};
+constexpr std::string_view contacts_only = "it shows contact forces of its link, not what its mass adds";
+constexpr std::string_view whole_link = "it shows the contact forces of the whole link";
+
+constexpr std::array kinds{Kind{"accelerometer", "accelerometer", ""},
+                           Kind{"actuatorfrc", "joint_torque", ""},
+                           Kind{"contact", "contact_force", ""},
+                           Kind{"force", "force_torque", contacts_only},
+                           Kind{"force_torque", "force_torque", contacts_only},
+                           Kind{"frameangvel", "angular_velocity", ""},
+                           Kind{"framelinvel", "linear_velocity", ""},
+                           Kind{"framepos", "position", ""},
+                           Kind{"framequat", "orientation", ""},
+                           Kind{"gpu_lidar", "laser", ""},
+                           Kind{"gpu_ray", "laser", ""},
+                           Kind{"gyro", "gyroscope", ""},
+                           Kind{"imu", "imu", ""},
+                           Kind{"jointactuatorfrc", "joint_torque", ""},
+                           Kind{"jointpos", "joint_position", ""},
+                           Kind{"jointvel", "joint_rate", ""},
+                           Kind{"lidar", "laser", ""},
+                           Kind{"rangefinder", "rangefinder", ""},
+                           Kind{"ray", "laser", ""},
+                           Kind{"subtreecom", "center_of_mass", ""},
+                           Kind{"torque", "force_torque", contacts_only},
+                           Kind{"touch", "contact_force", whole_link},
+                           Kind{"velocimeter", "velocimeter", ""}};
+
+/// Null: no kind that is known.
+const Kind* find_kind(std::string_view name) {
+  const auto found = std::ranges::find(kinds, name, &Kind::kind);
+  return found == kinds.end() ? nullptr : &*found;
+}
 
 bool is_registered(std::string_view type) {
   return std::ranges::find(sensor_types(), type, &SensorType::name) != sensor_types().end();
@@ -73,12 +83,18 @@ std::string object_of(const DraftSensor& sensor, const Model& model) {
 }
 
 /// Empty: it can be simulated.
-std::string why_not(const DraftSensor& sensor, const std::string& type, const RobotDraft& draft) {
-  if (type.empty() || !is_registered(type)) return "not simulated";
+std::string why_not(const DraftSensor& sensor, const Kind* kind, const RobotDraft& draft) {
+  if (!kind || !is_registered(kind->type)) return "not simulated";
   if (!sensor.obstacle.empty()) return "not simulated: " + sensor.obstacle;
   const bool of_base = sensor.frame == draft.bodies[0].name;
   if (sensor.kind == "subtreecom" && !of_base) return "not simulated: only the center of mass of the whole robot is";
   return {};
+}
+
+void note(RobotDraft& draft, const DraftSensor& sensor, std::string_view text) {
+  if (text.empty()) return;
+  draft.notes.push_back(one_line(
+      fmt::format("{}: sensor {} '{}' at '{}': {}", sensor.where, sensor.kind, sensor.name, sensor.frame, text)));
 }
 
 SensorSpec spec_of(const DraftSensor& sensor, const std::string& type, const Model& model) {
@@ -105,35 +121,35 @@ void check_frame(const SensorSpec& spec, const Model& model) {
                                         unknown_name("frame", spec.frame, {names.begin(), names.end()}))));
 }
 
+/// Its frame is in the model; else it is an error, or a warning if `lenient`.
+bool has_place(const SensorSpec& spec, const Model& model, bool lenient, RobotDraft& draft) {
+  try {
+    check_frame(spec, model);
+  } catch (const SetupError& error) {
+    if (!lenient) throw;
+    draft.warnings.emplace_back(error.what());
+    return false;
+  }
+  return true;
+}
+
 std::vector<SensorSpec> sensors_of_file(RobotDraft& draft, const Model& model, bool lenient) {
   std::vector<SensorSpec> specs;
-  for (const DraftSensor& sensor : draft.sensors) {
-    const std::string type(sensor_type_of(sensor.kind));
-    if (const std::string reason = why_not(sensor, type, draft); !reason.empty()) {
-      draft.notes.push_back(one_line(
-          fmt::format("{}: sensor {} '{}' at '{}': {}", sensor.where, sensor.kind, sensor.name, sensor.frame, reason)));
-      continue;
-    }
-    SensorSpec spec = spec_of(sensor, type, model);
-    spec.name = free_name(sensor, type, specs);
-    try {
-      check_frame(spec, model);
-    } catch (const SetupError& error) {
-      if (!lenient) throw;
-      draft.warnings.emplace_back(error.what());
-      continue;
-    }
+  for (DraftSensor& sensor : draft.sensors) {
+    const Kind* kind = find_kind(sensor.kind);
+    const std::string reason = why_not(sensor, kind, draft);
+    note(draft, sensor, reason.empty() ? kind->difference : reason);
+    if (!reason.empty()) continue;
+    SensorSpec spec = spec_of(sensor, std::string(kind->type), model);
+    spec.name = free_name(sensor, spec.type, specs);
+    if (!has_place(spec, model, lenient, draft)) continue;
+    sensor.becomes = spec.name;
     specs.push_back(std::move(spec));
   }
   return specs;
 }
 
 }  // namespace
-
-std::string_view sensor_type_of(std::string_view kind) {
-  const auto found = std::ranges::find(kinds, kind, &Kind::kind);
-  return found == kinds.end() ? std::string_view{} : found->type;
-}
 
 std::vector<SensorSpec> sensors_of(RobotDraft& draft, const RobotTable& table, const Model& model,
                                    const std::filesystem::path& folder, bool lenient) {

@@ -12,7 +12,7 @@
 ///     URDF  imu, contact, force_torque              imu, contact_force, force_torque
 ///           ray, gpu_ray, lidar, gpu_lidar          laser
 ///
-/// Others are notes. MJCF's `noise` is SignalSpec::noise, its `cutoff` the range. What has no name is called as its type:
+/// Others are notes, and so is what a sensor shows differently. MJCF's `noise` is SignalSpec::noise, its `cutoff` the range. What has no name is called as its type:
 /// gyroscope, gyroscope_2, ...
 #pragma once
 
@@ -26,9 +26,6 @@
 #include "murosimf/sensors/sensor_spec.h"
 
 namespace murosimf::io {
-
-/// Type of the sensor that an element of a robot file becomes; empty: none. `kind`: as the file calls it.
-[[nodiscard]] std::string_view sensor_type_of(std::string_view kind);
 
 /// The sensors of the draft, changed by the table's, whose parts may stand in `folder`. Sensors of the file that are not
 /// simulated are lines in the draft's notes. Throws SetupError with the place of a sensor on a frame that the model does

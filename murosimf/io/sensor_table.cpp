@@ -77,10 +77,6 @@ class Changer {
       if (contains(known, key)) continue;
       fail(value.where, unknown_name(fmt::format("key of sensor type '{}',", type_.name), key, known));
     }
-    for (const auto& [output, values] : table.outputs) {
-      if (contains(known, output))
-        fail(table.where, fmt::format("'{}' of sensor '{}' must not be a table", output, table.name));
-    }
   }
 
   void take_value(const std::string& key, const SensorValue& value) {

@@ -107,14 +107,15 @@ void read_link_block(const XmlElement& block, DraftBody& body, RobotDraft& draft
     const std::string tag = element.tag();
     if (tag == "mu1" || tag == "mu2") continue;
     if (tag == "sensor") {
-      draft.sensors.push_back(read_sensor(element, body.name));
+      draft.sensors.push_back(read_sensor(element, body.name, log));
     } else {
       note_other(element, log);
     }
   }
 }
 
-void read_joint_block(const XmlElement& block, const std::string& name, DraftJoint* joint, RobotDraft& draft,
+/// `link`: the one behind the joint, which has the joint's frame; a fixed joint is no object of the model.
+void read_joint_block(const XmlElement& block, const std::string& link, DraftJoint* joint, RobotDraft& draft,
                       UrdfLog& log) {
   for (const XmlElement& element : block.children()) {
     const std::string tag = element.tag();
@@ -123,7 +124,7 @@ void read_joint_block(const XmlElement& block, const std::string& name, DraftJoi
     } else if (tag == "springReference" && joint) {
       joint->spring_reference = text_number(element);
     } else if (tag == "sensor") {
-      draft.sensors.push_back(read_sensor(element, name));
+      draft.sensors.push_back(read_sensor(element, joint ? joint->name : link, log));
     } else {
       note_other(element, log);
     }
@@ -143,7 +144,10 @@ void read_block(const XmlElement& block, const std::string& name, const UrdfTree
                 UrdfLog& log) {
   const auto body = std::ranges::find_if(draft.bodies, [&](const DraftBody& b) { return b.name == name; });
   if (body != draft.bodies.end()) return read_link_block(block, *body, draft, log);
-  if (tree.find_joint(name) >= 0) return read_joint_block(block, name, moving_joint(draft, name), draft, log);
+  if (const int joint = tree.find_joint(name); joint >= 0) {
+    const std::string& link = tree.links[static_cast<std::size_t>(tree.joints[joint].child)].name;
+    return read_joint_block(block, link, moving_joint(draft, name), draft, log);
+  }
   log.warn(block, fmt::format("gazebo block for '{}', which is no link or joint; it is left out", name));
 }
 

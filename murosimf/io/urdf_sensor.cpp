@@ -1,5 +1,8 @@
 #include "murosimf/io/urdf_sensor.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "murosimf/io/urdf_value.h"
@@ -52,6 +55,61 @@ Place read_pose(const XmlElement& sensor) {
   return {{p[0], p[1], p[2]}, from_roll_pitch_yaw({p[3], p[4], p[5]})};
 }
 
+/// The larger error of each kind.
+void widen(sensors::SignalSpec& signal, const XmlElement& noise, UrdfLog& log) {
+  const double deviation = child_number(noise, "stddev"), bias = child_number(noise, "bias_stddev");
+  if (deviation < 0 || bias < 0) noise.fail("a deviation of noise is negative; it must be at least 0");
+  signal.noise = std::max(signal.noise, deviation);
+  signal.bias = std::max(signal.bias, bias);
+  for (const char* tag : {"mean", "bias_mean", "dynamic_bias_stddev"}) {
+    if (child_number(noise, tag) != 0) log.note(noise, fmt::format("<{}> of noise is not simulated", tag));
+  }
+}
+
+/// Noise of the axes x, y, z inside `quantity`.
+void read_axes(const XmlElement& imu, const char* quantity, const char* output, DraftSensor& draft, UrdfLog& log) {
+  const auto inside = only_child(imu, quantity);
+  if (!inside) return;
+  for (const char* tag : {"x", "y", "z"}) {
+    const auto axis = only_child(*inside, tag);
+    if (!axis) continue;
+    if (const auto noise = only_child(*axis, "noise")) widen(draft.signals[output], *noise, log);
+  }
+}
+
+void read_imu(const XmlElement& imu, DraftSensor& draft, UrdfLog& log) {
+  read_axes(imu, "angular_velocity", "gyroscope", draft, log);
+  read_axes(imu, "linear_acceleration", "accelerometer", draft, log);
+  const auto noise = only_child(imu, "noise");  // older than SDFormat 1.5
+  if (!noise) return;
+  if (const auto rate = only_child(*noise, "rate")) widen(draft.signals["gyroscope"], *rate, log);
+  if (const auto accel = only_child(*noise, "accel")) widen(draft.signals["accelerometer"], *accel, log);
+}
+
+void read_scan(const XmlElement& scan, DraftSensor& draft, UrdfLog& log) {
+  const auto horizontal = only_child(scan, "horizontal");
+  if (const auto vertical = only_child(scan, "vertical"); vertical && child_number(*vertical, "samples", 1) > 1) {
+    log.note(*vertical, "a laser scans one plane only; <vertical> is not used");
+  }
+  if (!horizontal) return;
+  const double first = child_number(*horizontal, "min_angle"), last = child_number(*horizontal, "max_angle");
+  draft.numbers["rays"] =
+      std::round(child_number(*horizontal, "samples", 640) * child_number(*horizontal, "resolution", 1));
+  draft.numbers["opening"] = last - first;
+  draft.numbers["first_angle"] = first;
+}
+
+/// A scanner's element is called as its kind, without the GPU.
+void read_laser(const XmlElement& laser, DraftSensor& draft, UrdfLog& log) {
+  if (const auto scan = only_child(laser, "scan")) read_scan(*scan, draft, log);
+  if (const auto range = only_child(laser, "range")) {
+    draft.numbers["nearest"] = child_number(*range, "min");
+    draft.numbers["farthest"] = child_number(*range, "max");
+    if (const double step = child_number(*range, "resolution"); step > 0) draft.signals[""].resolution = step;
+  }
+  if (const auto noise = only_child(laser, "noise")) widen(draft.signals[""], *noise, log);
+}
+
 }  // namespace
 
 double text_number(const XmlElement& element) {
@@ -60,7 +118,7 @@ double text_number(const XmlElement& element) {
   return needed_numbers(element, value, 1, fmt::format("<{}>", element.tag()))[0];
 }
 
-DraftSensor read_sensor(const XmlElement& sensor, const std::string& frame) {
+DraftSensor read_sensor(const XmlElement& sensor, const std::string& frame, UrdfLog& log) {
   DraftSensor draft{sensor.attribute("type").value_or(""),
                     sensor.attribute("name").value_or(""),
                     frame,
@@ -70,6 +128,11 @@ DraftSensor read_sensor(const XmlElement& sensor, const std::string& frame) {
                     {}};
   const auto cameras = sensor.children("camera");
   if (!cameras.empty()) draft.camera = read_camera(sensor, cameras[0]);
+  if (draft.rate < 0) sensor.fail("update_rate of the sensor is negative; it must be at least 0");
+  if (const auto imu = only_child(sensor, "imu")) read_imu(*imu, draft, log);
+  for (const char* tag : {"ray", "lidar"}) {
+    if (const auto laser = only_child(sensor, tag)) read_laser(*laser, draft, log);
+  }
   return draft;
 }
 

@@ -51,6 +51,7 @@ TEST(Cli, ListsNames) {
   for (const char* law : {"implicit_stick", "paper", "paper_multipoint", "kelvin_voigt"})
     EXPECT_NE(laws.find(std::string(law) + " "), std::string::npos) << law;
   EXPECT_NE(murosimf("list sensors").output.find("ground_truth"), std::string::npos);
+  EXPECT_NE(murosimf("list parts").output.find("mpu6050\n"), std::string::npos);
   EXPECT_NE(murosimf("list properties").output.find("joint_position"), std::string::npos);
 }
 
