@@ -7,6 +7,7 @@
 #include "murosimf/geometry/any_tree.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/io/sensor_table.h"
+#include "murosimf/io/sensor_types.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/servo_law.h"
@@ -18,6 +19,17 @@ template <class Entry>
 std::string names_and_meanings(std::span<const Entry> entries) {
   std::string text;
   for (const Entry& entry : entries) text += fmt::format("{:<22} {}\n", entry.name, entry.meaning);
+  return text;
+}
+
+/// With the keys that only some types have.
+std::string sensors_text() {
+  std::string text;
+  for (const io::SensorType& type : io::sensor_types()) {
+    const bool both = !type.numbers.empty() && !type.objects.empty();
+    const std::string keys = fmt::format("{}{}{}", type.numbers, both ? " " : "", type.objects);
+    text += fmt::format("{:<22} {}{}\n", type.name, type.meaning, keys.empty() ? "" : "; keys: " + keys);
+  }
   return text;
 }
 
@@ -44,7 +56,7 @@ int list(const std::string& what) {
   if (what == "integrators") text = names_and_meanings(motion::integrators());
   if (what == "servo_laws") text = names_and_meanings(motion::servo_laws());
   if (what == "controllers") text = names_and_meanings(io::controllers());
-  if (what == "sensors") text = names_and_meanings(io::sensors());
+  if (what == "sensors") text = sensors_text();
   if (what == "parts") {
     for (const auto& name : io::sensor_parts()) text += fmt::format("{}\n", name);
   }

@@ -96,7 +96,7 @@ multibody::Pose<double> pose(const Model& model, const std::string& object, doub
 // ---- kid21 ----
 
 TEST(MjcfReader, Kid21HasItsMassAndParts) {
-  const auto [model, warnings, notes, table, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
   EXPECT_EQ(model->name(), "kid21");
   EXPECT_NEAR(model->tree().mass, 4.30, 1e-12);
   EXPECT_EQ(model->joints().size(), 21u);
@@ -108,7 +108,7 @@ TEST(MjcfReader, Kid21HasItsMassAndParts) {
 }
 
 TEST(MjcfReader, Kid21HasTheNamesOfTheFile) {
-  const auto [model, warnings, notes, table, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
   EXPECT_EQ(model->object_index("pelvis"), 0);
   EXPECT_EQ(model->object_index("l_foot"), model->object_index("j_l_foot"));
   EXPECT_EQ(model->objects()[model->object_index("l_foot")].name, "j_l_foot");
@@ -119,7 +119,7 @@ TEST(MjcfReader, Kid21HasTheNamesOfTheFile) {
 }
 
 TEST(MjcfReader, Kid21HasSolesInTheRightPlace) {
-  const auto [model, warnings, notes, table, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
   const auto soles = model->having(properties::sole);
   ASSERT_EQ(soles.size(), 2u);
   EXPECT_EQ(model->objects()[soles[0]].name, "l_sole");
@@ -131,7 +131,7 @@ TEST(MjcfReader, Kid21HasSolesInTheRightPlace) {
 }
 
 TEST(MjcfReader, Kid21HasServosOfItsTable) {
-  const auto [model, warnings, notes, table, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
   EXPECT_EQ(model->having(properties::servo).size(), 21u);
   const Servo& knee = *model->find(properties::servo, model->object_index("j_l_shin"));
   EXPECT_EQ(knee.type, "mx64");
@@ -147,7 +147,7 @@ TEST(MjcfReader, Kid21HasServosOfItsTable) {
 }
 
 TEST(MjcfReader, Kid21HasSurfacesOfItsTable) {
-  const auto [model, warnings, notes, table, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
   const Shapes& foot = *model->find(properties::shapes, model->object_index("l_foot"));
   ASSERT_EQ(foot.size(), 1u);
   EXPECT_EQ(foot[0].surface.material, "rubber");
@@ -157,7 +157,7 @@ TEST(MjcfReader, Kid21HasSurfacesOfItsTable) {
 }
 
 TEST(MjcfReader, Kid21HasTwentyBodiesWithOneShapeEach) {
-  const auto [model, warnings, notes, table, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
   const auto with_shapes = model->having(properties::shapes);
   EXPECT_EQ(with_shapes.size(), 20u);
   for (const int i : with_shapes) EXPECT_EQ(model->find(properties::shapes, i)->size(), 1u);
@@ -168,7 +168,7 @@ TEST(MjcfReader, Kid21HasTwentyBodiesWithOneShapeEach) {
 }
 
 TEST(MjcfReader, Kid21IgnoresTheFloorWithANote) {
-  const auto [model, warnings, notes, table, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
   EXPECT_TRUE(any_contains(notes, "world geom 'floor' ignored: the scene brings its own ground"));
   EXPECT_TRUE(any_contains(notes, "element 'option' is not used"));
   for (const std::string& note : notes) EXPECT_TRUE(contains(note, "kid21.xml:")) << note;
@@ -448,7 +448,7 @@ TEST(MjcfReader, TheTableBesideMustSpeakOfTheRobot) {
 // ---- couplings, contacts, sensors, frames, includes ----
 
 TEST(MjcfReader, ReadsSpringsAndTheReferenceOfAJoint) {
-  const auto [model, warnings, notes, table, draft] =
+  const auto [model, warnings, notes, table, carried, draft] =
       read(closed_robot("<body name='a' pos='0 0 1'><joint name='j' axis='0 2 0' ref='90' stiffness='3' "
                         "springref='45'/><geom size='1'/><site name='tip' pos='0 0 -1'/></body>"));
   const DraftJoint& joint = draft.bodies[1].joints[0];
@@ -461,7 +461,7 @@ TEST(MjcfReader, ReadsSpringsAndTheReferenceOfAJoint) {
 }
 
 TEST(MjcfReader, FramesShiftAndTurnWhatStandsInThem) {
-  const auto [model, warnings, notes, table, draft] =
+  const auto [model, warnings, notes, table, carried, draft] =
       read(closed_robot("<frame pos='1 0 0' euler='0 0 90'><frame pos='0 1 0'><geom name='g' size='1' pos='1 0 0'/>"
                         "</frame><body name='c' pos='2 0 0'><joint axis='0 0 1'/><geom size='1'/></body>"
                         "<site name='s'/></frame>"));
@@ -472,7 +472,7 @@ TEST(MjcfReader, FramesShiftAndTurnWhatStandsInThem) {
 }
 
 TEST(MjcfReader, WeldsBodiesWithoutJointsAndKeepsTheirFrames) {
-  const auto [model, warnings, notes, table, draft] =
+  const auto [model, warnings, notes, table, carried, draft] =
       read(closed_robot("<body name='bar' pos='2 0 0' euler='0 0 90'>"
                         "<inertial mass='1' pos='2 0 0' diaginertia='1 2 2'/><geom type='box' size='1 2 3'/>"
                         "<site name='end' pos='1 0 0'/><body name='tip' pos='0 1 0'>"
