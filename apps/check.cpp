@@ -1,4 +1,5 @@
 // `murosimf check`: the model doctor. Reads a robot, shows what is in it and says what is probably not meant.
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 
@@ -65,9 +66,11 @@ int show(const CheckOptions& options, const Reading& reading) {
   if (error) findings.insert(findings.begin(), io::make_finding(io::Severity::error, *error));
   if (!options.picture.empty()) io::write_file(options.picture, io::robot_picture_png(robot.draft));
   if (!options.roles.empty()) write_roles(options.roles, robot);
+  const auto is_error = [](const io::Finding& finding) { return finding.severity == io::Severity::error; };
+  const bool wrong = std::ranges::any_of(findings, is_error);
   const io::ModelReport report = io::make_report(*robot.model, std::move(findings), robot.sensors);
   write_result(options.json, io::to_text(report), io::to_json(report));
-  return error ? 1 : 0;
+  return wrong ? 1 : 0;
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
   attach_controllers();
   attach_contact();
   attach_motion();
+  warn_about_sensors();
   attach_observers();
   scatter_postures();
   simulation_->after_initialize([this] { apply_settings(); });
@@ -213,7 +214,6 @@ void Scene::attach_motion() {
     const RobotSpec& robot = spec_.robots[i];
     warn_about_unused_keys(robot);
     warn_about(robot, robots_[i]->model());
-    warn_about_sensors(robot);
     at(robot.where, [&] { attach(*robots_[i], level_options(robot)); });
   }
 }

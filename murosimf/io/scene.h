@@ -7,7 +7,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "murosimf/collision/ground_contact.h"
@@ -67,7 +69,10 @@ class Scene {
   /// Those of the robot's files, changed by the scene.
   [[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(const RobotSpec& robot) const;
   void attach_sensors();
-  /// One line with what the sensors of a robot say of its level, once for every level.
+  [[nodiscard]] std::string sensor_remarks(const RobotSpec& robot) const;
+  /// What sensors have to say of the level of their robots: one line for robots of which the same is true.
+  void warn_about_sensors();
+  /// The same of one robot, unless it was said before.
   void warn_about_sensors(const RobotSpec& robot);
   void attach_controllers();
   void attach_contact();
@@ -89,8 +94,9 @@ class Scene {
   SceneSpec spec_;
   SceneOptions options_;
   std::unique_ptr<Simulation> simulation_;
-  std::map<std::string, RobotKind> models_;  // equal robots share one
-  std::vector<std::string> warnings_;        // from reading models
+  std::map<std::string, RobotKind> models_;             // equal robots share one
+  std::set<std::pair<std::string, std::string>> said_;  // robots, and remarks of their sensors
+  std::vector<std::string> warnings_;                   // from reading models
   Entity* field_ = nullptr;
   Entity* ball_ = nullptr;
   std::vector<Entity*> robots_;                               // in the order of the spec

@@ -19,6 +19,19 @@ void about(const std::string& robot, const F& f) {
   }
 }
 
+/// The same sentence about several.
+struct Remark {
+  std::string text;
+  std::vector<std::string> about;
+};
+
+void add_remark(const std::string& text, const std::string& about, std::vector<Remark>& remarks) {
+  if (text.empty()) return;
+  auto known = std::find_if(remarks.begin(), remarks.end(), [&](const Remark& r) { return r.text == text; });
+  if (known == remarks.end()) known = remarks.insert(remarks.end(), {text, {}});
+  known->about.push_back(about);
+}
+
 }  // namespace
 
 std::vector<sensors::SensorSpec> Scene::sensors_of(const RobotSpec& robot) const {
@@ -40,24 +53,36 @@ void Scene::attach_sensors() {
   }
 }
 
-void Scene::warn_about_sensors(const RobotSpec& robot) {
+/// "kinematic_walking: left_foot, right_foot: there are no ..."; empty if the level has all that the sensors show.
+std::string Scene::sensor_remarks(const RobotSpec& robot) const {
   const auto same = [&](const RobotSpec& spec) { return spec.name == robot.name; };
   const auto number = std::find_if(spec_.robots.begin(), spec_.robots.end(), same) - spec_.robots.begin();
-  std::vector<std::pair<std::string, std::vector<std::string>>> remarks;  // and the sensors that they are about
+  std::vector<Remark> remarks;
   for (const sensors::Sensor* sensor : sensors_[static_cast<std::size_t>(number)]) {
-    const std::string remark = sensor->remark(robot.level);
-    if (remark.empty()) continue;
-    auto known = std::find_if(remarks.begin(), remarks.end(), [&](const auto& r) { return r.first == remark; });
-    if (known == remarks.end()) known = remarks.insert(remarks.end(), {remark, {}});
-    known->second.push_back(sensor->reading().info->name);
+    add_remark(sensor->remark(robot.level), sensor->reading().info->name, remarks);
   }
-  if (remarks.empty()) return;
   std::string text;
-  for (const auto& [remark, names] : remarks) {
-    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", fmt::join(names, ", "), remark);
+  for (const Remark& remark : remarks) {
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", fmt::join(remark.about, ", "), remark.text);
   }
-  const std::string line = fmt::format("{}: sensors at {}: {}", robot.name, robot.level, text);
-  if (std::find(warnings_.begin(), warnings_.end(), line) == warnings_.end()) warnings_.push_back(line);
+  return text.empty() ? "" : fmt::format("{}: {}", robot.level, text);
+}
+
+void Scene::warn_about_sensors() {
+  std::vector<Remark> remarks;
+  for (const RobotSpec& robot : spec_.robots) {
+    const std::string text = sensor_remarks(robot);
+    add_remark(text, robot.name, remarks);
+    said_.emplace(robot.name, text);
+  }
+  for (const Remark& remark : remarks) {
+    warnings_.push_back(fmt::format("{}: {}", fmt::join(remark.about, ", "), remark.text));
+  }
+}
+
+void Scene::warn_about_sensors(const RobotSpec& robot) {
+  const std::string text = sensor_remarks(robot);
+  if (!text.empty() && said_.emplace(robot.name, text).second) warn(robot, text);
 }
 
 }  // namespace murosimf::io

@@ -31,7 +31,7 @@ std::string place_of(const SensorSpec& spec) {
   if (!is_zero(p)) text += fmt::format("position = [{}, {}, {}]\n", p.x, p.y, p.z);
   if (is_identity(spec.orientation)) return text;
   const Vec3d rpy = (180 / std::numbers::pi) * roll_pitch_yaw(spec.orientation);
-  return text + fmt::format("rpy_deg = [{}, {}, {}]\n", rpy.x, rpy.y, rpy.z);
+  return text + fmt::format("rpy_deg = [{:.13g}, {:.13g}, {:.13g}]\n", rpy.x, rpy.y, rpy.z);
 }
 
 std::string objects_of(const SensorSpec& spec) {
@@ -50,7 +50,7 @@ std::string section(const SensorSpec& spec) {
   for (const auto& [key, number] : spec.numbers) text += fmt::format("{} = {}\n", key, number);
   if (const auto all = spec.signals.find(""); all != spec.signals.end()) text += signal_toml(all->second);
   for (const auto& [output, signal] : spec.signals) {
-    if (output.empty() || spec.part_outputs.contains(output)) continue;
+    if (output.empty()) continue;
     text += fmt::format("[sensors.{}.{}]\n{}", spec.name, output, signal_toml(signal));
   }
   return text;

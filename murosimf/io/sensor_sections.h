@@ -8,7 +8,7 @@
 
 namespace murosimf::io {
 
-/// A section [sensors.NAME] for each, complete: numbers of parts are written down.
+/// A section [sensors.NAME] for each. Numbers of a part are written down as the sensor's own, for all of its outputs.
 [[nodiscard]] std::string sensor_sections(const std::vector<sensors::SensorSpec>& sensors);
 
 }  // namespace murosimf::io

@@ -82,8 +82,7 @@ ContactSensor::ContactSensor(Setup& setup, const SensorSpec& spec, const SensorS
 
 std::string ContactSensor::remark(std::string_view level) const {
   if (level != "kinematic_walking") return {};
-  return fmt::format("{} has no contact forces: '{}' reports the whole weight on the foot that stands", level,
-                     reading().info->name);
+  return "there are no contact forces: it reports the whole weight on the foot that stands";
 }
 
 ContactSwitch::ContactSwitch(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)

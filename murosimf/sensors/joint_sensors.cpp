@@ -72,7 +72,7 @@ JointTorque::JointTorque(Setup& setup, const SensorSpec& spec, const SensorSurro
 
 std::string JointTorque::remark(std::string_view level) const {
   if (has_torque(level)) return {};
-  return fmt::format("{} knows no torque of joints: '{}' reports 0", level, reading().info->name);
+  return "torques of joints are not known: it reports 0";
 }
 
 MotorCurrent::MotorCurrent(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
@@ -92,13 +92,11 @@ void MotorCurrent::measure(std::span<double> values) noexcept {
 }
 
 std::string MotorCurrent::remark(std::string_view level) const {
-  const std::string& name = reading().info->name;
   if (level == "full_dynamics") {
-    return fmt::format("{} moves joints without servos: '{}' reports the current for the torque that it would take",
-                       level, name);
+    return "joints move without servos: it reports the current for the torque that that would take";
   }
   if (has_torque(level)) return {};
-  return fmt::format("{} knows no torque of joints: '{}' reports 0", level, name);
+  return "torques of joints are not known: it reports 0";
 }
 
 MotorVoltage::MotorVoltage(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
@@ -120,8 +118,7 @@ MotorTemperature::MotorTemperature(Setup& setup, const SensorSpec& spec, const S
 
 std::string MotorTemperature::remark(std::string_view level) const {
   if (level == "articulated_dynamics") return {};
-  return fmt::format("servos get warm at articulated_dynamics only: '{}' reports the temperature of the air",
-                     reading().info->name);
+  return "servos get warm at articulated_dynamics only: it reports the temperature of the air";
 }
 
 }  // namespace murosimf::sensors

@@ -31,7 +31,7 @@ class Sensor : public Algorithm {
   void initialize() final;
   void step(const Instant& instant) noexcept final;
 
-  /// What it reports at a level of detail that has nothing for it, and why: one sentence; empty if all is there.
+  /// What it reports at a level of detail that has nothing for it, and why: one sentence about "it"; empty if all is there.
   [[nodiscard]] virtual std::string remark(std::string_view level) const;
   [[nodiscard]] const Reading& reading() const { return reading_; }
 

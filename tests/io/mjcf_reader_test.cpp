@@ -490,7 +490,7 @@ TEST(MjcfReader, WeldsBodiesWithoutJointsAndKeepsTheirFrames) {
 }
 
 TEST(MjcfReader, ReadsCoupledJointsExclusionsAndSensors) {
-  const std::string two = limb("<joint name='a' axis='0 0 1'/><joint name='a2' axis='0 1 0'/>");
+  const std::string two = limb("<joint name='a' axis='0 0 1'/><joint name='a2' axis='0 1 0'/><site name='imu'/>");
   const auto draft =
       read(closed(robot(two) + "<equality><joint joint1='a2' joint2='a' polycoef='0.1 -2 0 0 0'/></equality>"
                                "<contact><exclude body1='b' body2='limb'/></contact>"

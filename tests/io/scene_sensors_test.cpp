@@ -116,13 +116,19 @@ int count_lines(const Scene& scene, const std::string& part) {
 
 TEST(SceneSensors, SayWhatALevelCannotShowOncePerLevel) {
   Scene scene(write_scene(start + "[[robots]]\nname = 'one'\nlevel = 'full_dynamics'\n"));
-  EXPECT_EQ(count_lines(scene, "one: sensors at"), 0);
+  EXPECT_EQ(count_lines(scene, "one: full_dynamics"), 0);
   scene.simulation().run(10ms);
   for (const char* level : {"kinematic_walking", "full_dynamics", "kinematic_walking"}) {
     scene.exchange_level("one", level);
     scene.simulation().run(10ms);
   }
-  EXPECT_EQ(count_lines(scene, "one: sensors at kinematic_walking: left_foot, right_foot: "), 1);
+  EXPECT_EQ(count_lines(scene, "one: kinematic_walking: left_foot, right_foot: there are no contact forces"), 1);
+}
+
+TEST(SceneSensors, SayOneThingOfSeveralRobotsInOneLine) {
+  Scene scene(write_scene(start + two));
+  EXPECT_EQ(count_lines(scene, "one, two: kinematic_walking: left_foot, right_foot: "), 1);
+  EXPECT_EQ(count_lines(scene, "kinematic_walking"), 1);
 }
 
 struct Mistake {

@@ -155,7 +155,7 @@ TEST(ContactSensors, SayWhatTheyReportWithoutContactForces) {
   auto& sensor = io::attach_sensor(standing.rig.simulation, standing.robot,
                                    {.name = "more", .type = "contact_force", .frame = "l_sole"}, {}, 1000);
   EXPECT_EQ(sensor.remark("kinematic_walking"),
-            "kinematic_walking has no contact forces: 'more' reports the whole weight on the foot that stands");
+            "there are no contact forces: it reports the whole weight on the foot that stands");
   EXPECT_EQ(sensor.remark("full_dynamics"), "");
   standing.rig.simulation.initialize();
   standing.robot.base().set(properties::walk_command, {0.1, 0, 0});

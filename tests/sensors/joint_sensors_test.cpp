@@ -138,7 +138,7 @@ TEST(ServoSensors, SayWhatTheyReportWhereThereIsNoTorque) {
   Standing standing("kinematic_walking", {});
   auto& sensor =
       io::attach_sensor(standing.rig.simulation, standing.robot, {.name = "t", .type = "joint_torque"}, {}, 1000);
-  EXPECT_EQ(sensor.remark("kinematic_walking"), "kinematic_walking knows no torque of joints: 't' reports 0");
+  EXPECT_EQ(sensor.remark("kinematic_walking"), "torques of joints are not known: it reports 0");
   EXPECT_EQ(sensor.remark("articulated_dynamics"), "");
 }
 
