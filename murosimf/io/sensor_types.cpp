@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 
 #include "murosimf/io/registry.h"
+#include "murosimf/sensors/detector.h"
 #include "murosimf/sensors/inertial.h"
+#include "murosimf/sensors/laser.h"
+#include "murosimf/sensors/sonar.h"
 
 namespace murosimf::io {
 namespace {
@@ -22,11 +25,21 @@ std::unique_ptr<sensors::Sensor> make(Setup& setup, const sensors::SensorSpec& s
 constexpr std::array types{
     SensorType{"accelerometer", "specific force: +9.81 up at rest, 0 in free fall", "", "", Watch::always,
                make<sensors::Accelerometer>},
+    SensorType{"detector", "places of ball and robots as vision software reports them: distance, azimuth, elevation",
+               "opening_azimuth opening_elevation nearest farthest visible_share misses distance_noise azimuth_noise "
+               "elevation_noise offset",
+               "entities", Watch::samples, make<sensors::Detector>},
     SensorType{"gyroscope", "rate of turning, in axes of the sensor", "", "", Watch::samples, make<sensors::Gyroscope>},
     SensorType{"imu", "gyroscope, accelerometer and orientation in one part", "", "", Watch::always,
                make<sensors::Imu>},
+    SensorType{"laser", "distances of what a scan of a plane meets", "rays opening first_angle nearest farthest", "",
+               Watch::samples, make<sensors::Laser>},
     SensorType{"orientation", "axes of the sensor in the world, as a quaternion w x y z", "", "", Watch::samples,
                make<sensors::Orientation>},
+    SensorType{"rangefinder", "distance of what one ray along z meets", "nearest farthest", "", Watch::samples,
+               make<sensors::RangeFinder>},
+    SensorType{"sonar", "distance of the nearest thing in a cone about x", "rays opening nearest farthest", "",
+               Watch::samples, make<sensors::Sonar>},
 };
 
 }  // namespace
