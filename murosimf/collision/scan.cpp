@@ -3,6 +3,7 @@
 #include "murosimf/collision/queries.h"
 
 namespace murosimf::collision {
+
 using geometry::Pose;
 
 namespace {

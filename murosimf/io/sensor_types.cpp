@@ -6,10 +6,13 @@
 #include <fmt/format.h>
 
 #include "murosimf/io/registry.h"
+#include "murosimf/sensors/contact_sensors.h"
 #include "murosimf/sensors/detector.h"
 #include "murosimf/sensors/inertial.h"
+#include "murosimf/sensors/joint_sensors.h"
 #include "murosimf/sensors/laser.h"
 #include "murosimf/sensors/sonar.h"
+#include "murosimf/sensors/true_motion.h"
 
 namespace murosimf::io {
 namespace {
@@ -25,21 +28,45 @@ std::unique_ptr<sensors::Sensor> make(Setup& setup, const sensors::SensorSpec& s
 constexpr std::array types{
     SensorType{"accelerometer", "specific force: +9.81 up at rest, 0 in free fall", "", "", Watch::always,
                make<sensors::Accelerometer>},
+    SensorType{"angular_velocity", "of the sensor, world axes", "", "", Watch::samples, make<sensors::AngularVelocity>},
+    SensorType{"center_of_mass", "of the whole robot, and its velocity, world axes", "", "", Watch::samples,
+               make<sensors::CenterOfMass>},
+    SensorType{"contact_force", "magnitude of all contact forces on a link", "threshold", "", Watch::samples,
+               make<sensors::ContactForce>},
+    SensorType{"contact_switch", "1 while anything touches a link", "threshold", "", Watch::samples,
+               make<sensors::ContactSwitch>},
     SensorType{"detector", "places of ball and robots as vision software reports them: distance, azimuth, elevation",
                "opening_azimuth opening_elevation nearest farthest visible_share misses distance_noise azimuth_noise "
                "elevation_noise offset",
                "entities", Watch::samples, make<sensors::Detector>},
+    SensorType{"force_torque", "contact force and moment on a link, in axes of the sensor", "threshold", "",
+               Watch::samples, make<sensors::ForceTorque>},
     SensorType{"gyroscope", "rate of turning, in axes of the sensor", "", "", Watch::samples, make<sensors::Gyroscope>},
     SensorType{"imu", "gyroscope, accelerometer and orientation in one part", "", "", Watch::always,
                make<sensors::Imu>},
+    SensorType{"joint_position", "encoders of joints", "", "joints", Watch::samples, make<sensors::JointPosition>},
+    SensorType{"joint_rate", "rates of joints", "", "joints", Watch::samples, make<sensors::JointRate>},
+    SensorType{"joint_torque", "torque of servo and gear", "", "joints", Watch::samples, make<sensors::JointTorque>},
     SensorType{"laser", "distances of what a scan of a plane meets", "rays opening first_angle nearest farthest", "",
                Watch::samples, make<sensors::Laser>},
+    SensorType{"linear_velocity", "of the sensor, world axes", "", "", Watch::samples, make<sensors::LinearVelocity>},
+    SensorType{"motor_current", "of servos", "", "joints", Watch::samples, make<sensors::MotorCurrent>},
+    SensorType{"motor_temperature", "of servos' windings", "", "joints", Watch::samples,
+               make<sensors::MotorTemperature>},
+    SensorType{"motor_voltage", "supply of servos", "", "joints", Watch::samples, make<sensors::MotorVoltage>},
     SensorType{"orientation", "axes of the sensor in the world, as a quaternion w x y z", "", "", Watch::samples,
                make<sensors::Orientation>},
+    SensorType{"position", "of the sensor, world", "", "", Watch::samples, make<sensors::Position>},
+    SensorType{"pressure_cells", "four cells below a foot", "threshold length width", "", Watch::samples,
+               make<sensors::PressureCells>},
+    SensorType{"pressure_center", "where the contact force goes through a sole, and how strong it is", "threshold", "",
+               Watch::samples, make<sensors::PressureCenter>},
     SensorType{"rangefinder", "distance of what one ray along z meets", "nearest farthest", "", Watch::samples,
                make<sensors::RangeFinder>},
     SensorType{"sonar", "distance of the nearest thing in a cone about x", "rays opening nearest farthest", "",
                Watch::samples, make<sensors::Sonar>},
+    SensorType{"velocimeter", "velocity of the sensor, in its axes", "", "", Watch::samples,
+               make<sensors::Velocimeter>},
 };
 
 }  // namespace
