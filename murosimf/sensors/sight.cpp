@@ -23,8 +23,8 @@ Vec3d outline_point(const Seen& body, const Vec3d& across) noexcept {
   Vec3d best;
   double farthest = -std::numeric_limits<double>::infinity();
   for (const collision::CollidingShape& shape : body.shapes) {
-    const geometry::Pose at =
-        placed_in({body.r[shape.object], body.R[shape.object]}, {shape.placed.position, shape.placed.orientation});
+    const geometry::Pose at = collision::placed_in({body.r[shape.object], body.R[shape.object]},
+                                                   {shape.placed.position, shape.placed.orientation});
     const Vec3d arm = at.orientation * geometry::support(shape.placed.shape, transposed_times(at.orientation, across));
     const double reach = dot(at.position + arm, across);
     if (reach <= farthest) continue;
@@ -39,7 +39,7 @@ Vec3d outline_point(const Seen& body, const Vec3d& across) noexcept {
 double share_in_sight(collision::QueryScene& scene, const Vec3d& eye, const Entity* without,
                       const Seen& body) noexcept {
   const Vec3d way = body.r[0] - eye;
-  const Vec3d beside = abs(way.z) < 0.9 * norm(way) ? cross(way, {0, 0, 1}) : cross(way, {1, 0, 0});
+  const Vec3d beside = abs(way.z) < 0.9 * norm(way) ? cross(way, Vec3d{0, 0, 1}) : cross(way, Vec3d{1, 0, 0});
   const double length = norm(beside);
   int free = is_free(scene, eye, without, body, body.r[0]) ? 1 : 0;
   if (body.shapes.empty() || length == 0) return free;
