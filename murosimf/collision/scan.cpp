@@ -52,8 +52,14 @@ struct QueryScene::FanCast {
     const auto entry = geometry::meet(fan.ray(i, at), shape, place);
     if (entry && entry->distance <= range) distances[i] = std::min(distances[i], entry->distance);
   }
+  /// From above, only rays count that come down to the plane before they meet something else.
   void see_plane(const Shape& plane, const Pose& place) const {
-    for (std::size_t i = 0; i < fan.size(); ++i) meet(i, plane, place);
+    const Vec3d up = transposed_times(at.orientation, place.orientation.z);
+    const double height = dot(place.orientation.z, at.position - place.position) - slack;
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+      const double limit = std::min(range, distances[i]);
+      if (height <= 0 || !(height + dot(up, fan.direction(i)) * limit > 0)) meet(i, plane, place);
+    }
   }
   void see(const Shape& shape, const Pose& place, const geometry::BoundingSphere& around) const {
     const auto sphere = in_fan(around);
@@ -62,8 +68,10 @@ struct QueryScene::FanCast {
       if (nearest < distances[i]) meet(i, shape, place);
     });
   }
-  void see(Member& member) const {
+  void see_planes(const Member& member) const {
     for (const CollidingShape& plane : member.planes) see_plane(plane.placed.shape, member.pose(plane));
+  }
+  void see(Member& member) const {
     if (!wants(member.reach())) return;
     const auto through = [&](const auto& tree) {
       const auto visit = [&](int leaf) {
@@ -81,8 +89,12 @@ struct QueryScene::FanCast {
 void QueryScene::cast(const Fan& fan, const geometry::Pose& at, const RayLimits& limits,
                       std::span<double> distances) noexcept {
   std::fill(distances.begin(), distances.end(), std::numeric_limits<double>::infinity());
+  const FanCast cast{fan, at, limits.range, distances};
   for (Member& member : members_) {
-    if (member.entity != limits.without) FanCast{fan, at, limits.range, distances}.see(member);
+    if (member.entity != limits.without) cast.see(member);
+  }
+  for (const Member& member : members_) {  // last: what is nearer spares the rays
+    if (member.entity != limits.without) cast.see_planes(member);
   }
 }
 

@@ -27,6 +27,8 @@ class Fan {
   Fan(int rays, double first, double opening);
 
   [[nodiscard]] std::size_t size() const { return directions_.size(); }
+  /// Of ray i [1], unit, in the fan's frame.
+  [[nodiscard]] const Vec3d& direction(std::size_t i) const { return directions_[i]; }
   /// Ray i of the fan whose frame is `at`.
   [[nodiscard]] geometry::Ray ray(std::size_t i, const geometry::Pose& at) const {
     return {at.position, at.orientation * directions_[i]};

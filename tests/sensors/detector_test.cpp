@@ -52,14 +52,13 @@ TEST(Detector, ShowsWhereThingsAre) {
   EXPECT_EQ(reading.info->outputs[0].labels, (std::vector<std::string>{"distance", "azimuth", "elevation"}));
   law::Worst worst;
   for (int i = 0; i < 200; ++i) {
-    RangeRig::put(robot, {0, 0, 10}, dice.turn());
+    const Mat3d R = dice.turn();
+    const Vec3d eye = Vec3d{0, 0, 10} + R * spec.position;
+    RangeRig::put(robot, {0, 0, 10}, R);
     RangeRig::put(ball, Vec3d{0, 0, 10} + dice.uniform(1, 8) * dice.unit());
     RangeRig::put(other, Vec3d{20, 0, 10} + dice.vector(3));
     rig.simulation.step();
-    const Mat3d R = robot.base().get(properties::orientation);
-    const Vec3d eye = RangeRig::place(robot) + R * spec.position;
     for (Entity* seen : {&ball, &other}) {
-      if (i > 160) printf("%d %s %g %g %g  R %g eye %g %g %g  %g %g %g\n", i, seen->name().c_str(), reading.output(seen->name())[0], reading.output(seen->name())[1], reading.output(seen->name())[2], norm(R.x), eye.x, eye.y, eye.z, RangeRig::place(*seen).x, RangeRig::place(*seen).y, RangeRig::place(*seen).z);
       const Vec3d place = R * (spec.orientation * place_of(reading, seen->name()));
       worst.see(norm(place - (RangeRig::place(*seen) - eye)), seen->name(), i);
     }

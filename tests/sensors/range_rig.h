@@ -46,6 +46,7 @@ struct RangeRig : Rig {
   static void put(Entity& entity, const Vec3d& place, const Mat3d& turn = {}) {
     entity.base().set(properties::position, place);
     entity.base().set(properties::orientation, turn);
+    entity.base().set(properties::base_quaternion, from_matrix(turn));
   }
 
   std::vector<Entity*> movers;
