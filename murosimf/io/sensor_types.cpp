@@ -8,6 +8,7 @@
 #include "murosimf/io/registry.h"
 #include "murosimf/sensors/contact_sensors.h"
 #include "murosimf/sensors/detector.h"
+#include "murosimf/sensors/ground_truth.h"
 #include "murosimf/sensors/inertial.h"
 #include "murosimf/sensors/joint_sensors.h"
 #include "murosimf/sensors/laser.h"
@@ -41,6 +42,8 @@ constexpr std::array types{
                "entities", Watch::samples, make<sensors::Detector>},
     SensorType{"force_torque", "contact force and moment on a link, in axes of the sensor", "threshold", "",
                Watch::samples, make<sensors::ForceTorque>},
+    SensorType{"ground_truth", "true place, heading and velocity of robots and ball (paper 6.3)", "", "entities",
+               Watch::samples, make<sensors::GroundTruth>},
     SensorType{"gyroscope", "rate of turning, in axes of the sensor", "", "", Watch::samples, make<sensors::Gyroscope>},
     SensorType{"imu", "gyroscope, accelerometer and orientation in one part", "", "", Watch::always,
                make<sensors::Imu>},
@@ -73,21 +76,28 @@ constexpr std::array types{
 
 std::span<const SensorType> sensor_types() { return types; }
 
+namespace {
+
+sensors::Sensor& attach(Simulation& simulation, Entity& robot, const sensors::SensorSpec& spec,
+                        const sensors::SensorSurroundings& surroundings, double step_rate) {
+  const SensorType& type = find_entry(sensor_types(), "sensor type", spec.type);
+  sensors::check_rate(spec, step_rate);
+  if (!(spec.delay >= 0 && spec.delay <= 10)) {
+    throw SetupError(fmt::format("the delay of sensor '{}' is {} s; it must be from 0 to 10", spec.name, spec.delay));
+  }
+  const auto make = [&](Setup& setup) -> std::unique_ptr<Algorithm> {
+    return murosimf::at(spec.name, [&] { return type.make(setup, spec, surroundings); });
+  };
+  const double rate = sensors::task_rate(spec, type.watch, step_rate);
+  return static_cast<sensors::Sensor&>(simulation.attach(std::string(type.name), robot, rate, make));
+}
+
+}  // namespace
+
 sensors::Sensor& attach_sensor(Simulation& simulation, Entity& robot, const sensors::SensorSpec& spec,
                                const sensors::SensorSurroundings& surroundings, double step_rate) {
-  return at(spec.where, [&]() -> sensors::Sensor& {
-    const SensorType& type = find_entry(sensor_types(), "sensor type", spec.type);
-    sensors::check_rate(spec, step_rate);
-    if (!(spec.delay >= 0 && spec.delay <= 10)) {
-      throw SetupError(fmt::format("the delay of sensor '{}' is {} s; it must be from 0 to 10", spec.name, spec.delay));
-    }
-    const double rate = sensors::task_rate(spec, type.watch, step_rate);
-    Algorithm& algorithm =
-        simulation.attach(std::string(type.name), robot, rate, [&](Setup& setup) -> std::unique_ptr<Algorithm> {
-          return murosimf::at(spec.name, [&] { return type.make(setup, spec, surroundings); });
-        });
-    return static_cast<sensors::Sensor&>(algorithm);
-  });
+  const auto do_it = [&]() -> sensors::Sensor& { return attach(simulation, robot, spec, surroundings, step_rate); };
+  return spec.where.empty() ? do_it() : at(spec.where, do_it);
 }
 
 }  // namespace murosimf::io
