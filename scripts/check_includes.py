@@ -19,7 +19,7 @@ allowed = {
     "geometry": {"math", "model"},
     "collision": {"math", "model", "geometry"},
     "motion": {"math", "model", "multibody", "geometry", "collision"},
-    "sensors": {"math", "model"},
+    "sensors": {"math", "model", "geometry", "collision"},
     "control": {"math", "model", "multibody", "geometry", "collision", "motion", "sensors"},
     "identification": {"math", "model", "multibody"},
     "runtime": {"math", "model"},

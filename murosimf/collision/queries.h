@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@
 #include "murosimf/model/world.h"
 
 namespace murosimf::collision {
+
+class Fan;
 
 /// A body of an entity, or all of them.
 struct BodyRef {
@@ -56,6 +59,9 @@ class QueryScene {
 
   /// The first shape on a ray.
   [[nodiscard]] std::optional<RayHit> cast(const geometry::Ray& ray, const RayLimits& limits = {});
+  /// The same for each ray of a fan (collision/scan.h) whose frame is `at`: its distance [m], infinite where nothing is
+  /// within the range. As many distances as the fan has rays.
+  void cast(const Fan& fan, const geometry::Pose& at, const RayLimits& limits, std::span<double> distances) noexcept;
   /// All shapes on a ray, each where the ray enters it; the nearest first.
   [[nodiscard]] std::vector<RayHit> cast_all(const geometry::Ray& ray, const RayLimits& limits = {});
   /// The bodies that overlap a shape; in the order of entities and objects, each once.
@@ -87,6 +93,7 @@ class QueryScene {
   template <class Found>
   void for_ray(const geometry::Ray& ray, const RayLimits& limits, double& range, const Found& found);
   struct NearestSearch;
+  struct FanCast;
 
   std::vector<Member> members_;
 };

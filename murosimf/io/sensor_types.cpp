@@ -7,9 +7,12 @@
 
 #include "murosimf/io/registry.h"
 #include "murosimf/sensors/contact_sensors.h"
+#include "murosimf/sensors/detector.h"
 #include "murosimf/sensors/ground_truth.h"
 #include "murosimf/sensors/inertial.h"
 #include "murosimf/sensors/joint_sensors.h"
+#include "murosimf/sensors/laser.h"
+#include "murosimf/sensors/sonar.h"
 #include "murosimf/sensors/true_motion.h"
 
 namespace murosimf::io {
@@ -33,6 +36,10 @@ constexpr std::array types{
                make<sensors::ContactForce>},
     SensorType{"contact_switch", "1 while anything touches a link", "threshold", "", Watch::samples,
                make<sensors::ContactSwitch>},
+    SensorType{"detector", "places of ball and robots as vision software reports them: distance, azimuth, elevation",
+               "opening_azimuth opening_elevation nearest farthest visible_share misses distance_noise azimuth_noise "
+               "elevation_noise offset",
+               "entities", Watch::samples, make<sensors::Detector>},
     SensorType{"force_torque", "contact force and moment on a link, in axes of the sensor", "threshold", "",
                Watch::samples, make<sensors::ForceTorque>},
     SensorType{"ground_truth", "true place, heading and velocity of robots and ball (paper 6.3)", "", "entities",
@@ -43,6 +50,8 @@ constexpr std::array types{
     SensorType{"joint_position", "encoders of joints", "", "joints", Watch::samples, make<sensors::JointPosition>},
     SensorType{"joint_rate", "rates of joints", "", "joints", Watch::samples, make<sensors::JointRate>},
     SensorType{"joint_torque", "torque of servo and gear", "", "joints", Watch::samples, make<sensors::JointTorque>},
+    SensorType{"laser", "distances of what a scan of a plane meets", "rays opening first_angle nearest farthest", "",
+               Watch::samples, make<sensors::Laser>},
     SensorType{"linear_velocity", "of the sensor, world axes", "", "", Watch::samples, make<sensors::LinearVelocity>},
     SensorType{"motor_current", "of servos", "", "joints", Watch::samples, make<sensors::MotorCurrent>},
     SensorType{"motor_temperature", "of servos' windings", "", "joints", Watch::samples,
@@ -55,6 +64,10 @@ constexpr std::array types{
                make<sensors::PressureCells>},
     SensorType{"pressure_center", "where the contact force goes through a sole, and how strong it is", "threshold", "",
                Watch::samples, make<sensors::PressureCenter>},
+    SensorType{"rangefinder", "distance of what one ray along z meets", "nearest farthest", "", Watch::samples,
+               make<sensors::RangeFinder>},
+    SensorType{"sonar", "distance of the nearest thing in a cone about x", "rays opening nearest farthest", "",
+               Watch::samples, make<sensors::Sonar>},
     SensorType{"velocimeter", "velocity of the sensor, in its axes", "", "", Watch::samples,
                make<sensors::Velocimeter>},
 };

@@ -61,7 +61,8 @@ void Signal::start() noexcept {
 }
 
 double Signal::filtered(Number& number, double value) const noexcept {
-  if (executions_ == 0) return number.filter_input = number.filter_output = value;
+  const bool begins = executions_ == 0 || !std::isfinite(number.filter_output);
+  if (begins || !std::isfinite(value)) return number.filter_input = number.filter_output = value;
   number.filter_output =
       (filter_ * (value + number.filter_input) + (1 - filter_) * number.filter_output) / (1 + filter_);
   number.filter_input = value;
@@ -90,12 +91,13 @@ void Signal::disturb(std::span<double> values) noexcept {
 void Signal::convert(std::span<double> values) noexcept {
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     double x = values[i];
+    if (!std::isfinite(x)) continue;
     if (spec_.noise > 0) x += spec_.noise * numbers_[i].sample.normal(samples_);
     if (step_ > 0) {
       const double zero = spec_.bits > 0 ? spec_.lowest : 0;
       x = zero + step_ * std::round((x - zero) / step_);
     }
-    values[i] = x < spec_.lowest ? spec_.lowest : x > highest_ ? highest_ : x;  // NaN stays: nothing seen
+    values[i] = x < spec_.lowest ? spec_.lowest : x > highest_ ? highest_ : x;
   }
   ++samples_;
 }

@@ -9,6 +9,9 @@
 ///     x4 = x3 + noise n_j                                        at the instants of samples j only, as all that follows
 ///     x5 = x4 in whole steps of the converter, between lowest and highest
 ///
+/// What is no finite number stays as it is (NaN: nothing seen; infinite: out of range), and a filter begins anew after
+/// it.
+///
 /// Allan deviation after averaging over T: noise_density / sqrt(T) of the white noise, bias_random_walk sqrt(T/3) of the
 /// walk, whatever h is. So the density is two-sided, the N of IEEE Std 952-1997 (annex C); the effective noise within a
 /// bandwidth B is N sqrt(2 B). A data sheet whose rms is density * sqrt(B) quotes it one-sided: divide by sqrt(2).

@@ -1,0 +1,16 @@
+#include "murosimf/sensors/all_around.h"
+
+#include "murosimf/model/properties.h"
+
+namespace murosimf::sensors {
+
+collision::QueryScene all_around(Setup& setup, const SensorSurroundings& surroundings) {
+  for (Entity* mover : surroundings.movers) {
+    Setup other = setup.of(*mover);
+    (void)other.read(properties::position);
+    (void)other.read(properties::orientation);
+  }
+  return collision::QueryScene(setup.world(), setup.entity().options().collision.volume);
+}
+
+}  // namespace murosimf::sensors

@@ -1,0 +1,14 @@
+/// all_around.h - what sensors with rays see: everything that collides, with the poses of this instant.
+#pragma once
+
+#include "murosimf/collision/queries.h"
+#include "murosimf/model/setup.h"
+#include "murosimf/sensors/sensor_spec.h"
+
+namespace murosimf::sensors {
+
+/// Reads the poses of all movers. Volumes are of the kind that the robot's own collisions use. The scene is to be
+/// refreshed before questions are asked.
+[[nodiscard]] collision::QueryScene all_around(Setup& setup, const SensorSurroundings& surroundings);
+
+}  // namespace murosimf::sensors

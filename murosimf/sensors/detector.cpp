@@ -1,0 +1,122 @@
+#include "murosimf/sensors/detector.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/sensors/all_around.h"
+
+namespace murosimf::sensors {
+namespace {
+
+Entity& find_mover(const std::string& name, const std::vector<Entity*>& others) {
+  std::vector<std::string_view> names;
+  for (Entity* other : others) {
+    if (other->name() == name) return *other;
+    names.push_back(other->name());
+  }
+  throw SetupError(unknown_name("entity", name, names));
+}
+
+std::vector<Entity*> looked_at(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings) {
+  std::vector<Entity*> others, chosen;
+  for (Entity* mover : surroundings.movers) {
+    if (mover != &setup.entity()) others.push_back(mover);
+  }
+  for (const std::string& name : spec.objects) {
+    if (name == setup.entity().name()) throw SetupError(fmt::format("'{}' carries the detector: it is not seen", name));
+    Entity& entity = find_mover(name, others);
+    if (std::find(chosen.begin(), chosen.end(), &entity) != chosen.end()) {
+      throw SetupError(fmt::format("'{}' is named twice", name));
+    }
+    chosen.push_back(&entity);
+  }
+  return spec.objects.empty() ? others : chosen;
+}
+
+std::vector<Output> detections(const std::vector<Entity*>& entities) {
+  std::vector<Output> outputs;
+  for (const Entity* entity : entities) {
+    outputs.push_back({entity->name(), "m, rad, rad", {"distance", "azimuth", "elevation"}});
+  }
+  return outputs;
+}
+
+Seen seen(Setup other) {
+  return {&other.entity(), other.read(properties::position), other.read(properties::orientation),
+          collision::colliding_shapes(other.model())};
+}
+
+}  // namespace
+
+Detector::Numbers::Numbers(const SensorSpec& spec)
+    : half_azimuth(0.5 * checked_number(spec, "opening_azimuth", 2 * pi / 3, {0, 2 * pi})),
+      half_elevation(0.5 * checked_number(spec, "opening_elevation", 2 * pi / 3, {0, pi})),
+      range(checked_range(spec, {.nearest = 0.1})),
+      visible_share(checked_number(spec, "visible_share", 0.25, {0, 1})),
+      misses(checked_number(spec, "misses", 0, {0, 1})),
+      distance_noise(checked_number(spec, "distance_noise", 0)),
+      azimuth_noise(checked_number(spec, "azimuth_noise", 0)),
+      elevation_noise(checked_number(spec, "elevation_noise", 0)) {}
+
+Detector::Detector(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : Sensor(setup, spec, surroundings, detections(looked_at(setup, spec, surroundings))),
+      robot_(setup.entity()),
+      mounting_(setup, spec),
+      numbers_(spec),
+      scene_(all_around(setup, surroundings)) {
+  const std::string name = fmt::format("{}/{}/", setup.entity().name(), spec.name);
+  for (Entity* entity : looked_at(setup, spec, surroundings)) {
+    targets_.push_back({seen(setup.of(*entity)),
+                        {surroundings.seed, name + entity->name() + "/errors"},
+                        {surroundings.seed, name + entity->name() + "/misses"}});
+  }
+  const double most = checked_number(spec, "offset", 0);
+  const RandomStream offsets(surroundings.seed, name + "offset");
+  offset_ = {offsets.uniform(0, -most, most), offsets.uniform(1, -most, most), offsets.uniform(2, -most, most)};
+}
+
+Detector::Polar Detector::polar(const Vec3d& place) noexcept {
+  return {norm(place), std::atan2(place.y, place.x), std::atan2(place.z, std::hypot(place.x, place.y))};
+}
+
+bool Detector::sees(const Target& target, const Polar& place) noexcept {
+  if (place.distance < numbers_.range.nearest || place.distance > numbers_.range.farthest) return false;
+  if (abs(place.azimuth) > numbers_.half_azimuth || abs(place.elevation) > numbers_.half_elevation) return false;
+  if (numbers_.misses > 0 && target.misses.uniform(looks_) < numbers_.misses) return false;
+  const double share = share_in_sight(scene_, mounting_.position(), &robot_, target.seen);
+  return share > 0 && share >= numbers_.visible_share;
+}
+
+Detector::Polar Detector::with_errors(const Target& target, Polar place) const noexcept {
+  if (numbers_.distance_noise > 0) {
+    place.distance *= std::max(1 + numbers_.distance_noise * target.errors.normal(3 * looks_), 0.0);
+  }
+  if (numbers_.azimuth_noise > 0) {
+    place.azimuth += numbers_.azimuth_noise * target.errors.normal(3 * looks_ + 1);
+    place.azimuth = std::remainder(place.azimuth, 2 * pi);
+  }
+  if (numbers_.elevation_noise > 0) place.elevation += numbers_.elevation_noise * target.errors.normal(3 * looks_ + 2);
+  return place;
+}
+
+void Detector::measure(std::span<double> values) noexcept {
+  scene_.refresh();
+  const Vec3d eye = mounting_.position();
+  const Mat3d axes = mounting_.orientation();
+  double* value = values.data();
+  for (const Target& target : targets_) {
+    const Vec3d place = transposed_times(axes, target.seen.r[0] - eye);
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    const Polar shown =
+        sees(target, polar(place)) ? with_errors(target, polar(place + offset_)) : Polar{nothing, nothing, nothing};
+    *value++ = shown.distance;
+    *value++ = shown.azimuth;
+    *value++ = shown.elevation;
+  }
+  ++looks_;
+}
+
+}  // namespace murosimf::sensors

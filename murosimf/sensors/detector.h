@@ -1,0 +1,72 @@
+/// detector.h - sensor: sees the ball and other robots as vision software would report them, without any picture.
+///
+/// One output for each entity that is looked at, named after it, with the labels distance [m], azimuth [rad, positive
+/// to the left] and elevation [rad, positive upwards] of the origin of its base, in axes of the sensor: x forward, y
+/// left, z up. All three are NaN if it is not seen. With d, a, e the true values of p + o, where p is the true place in
+/// axes of the sensor and o a constant offset, and n_j, m_j, k_j standard normal numbers of each entity's own:
+///
+///     distance = d (1 + distance_noise n_j),   azimuth = a + azimuth_noise m_j,   elevation = e + elevation_noise k_j
+///
+/// Each component of o is drawn once, evenly from -offset to offset. Errors of the outputs' signals come on top.
+/// An entity is seen if its base's origin is in the field of view, |a| <= opening_azimuth / 2 and |e| <=
+/// opening_elevation / 2, and in the range; if of the points by which it is looked at (sight.h) one is free, and at
+/// least the part visible_share; and if it is not missed, which happens with the probability `misses`. Everything that
+/// collides hides what is behind it, but for the robot that carries the sensor.
+/// Source: vision perceptor of the RoboCup 3D simulation league (SimSpark wiki, Perceptors): field of view, polar
+/// values, error proportional to the distance, constant offset. There, nothing hides anything.
+///
+/// Numbers: opening_azimuth, opening_elevation (2.0944 rad = 120 deg), nearest (0.1 m), farthest (infinite),
+/// visible_share (0.25), misses (0), distance_noise (0), azimuth_noise, elevation_noise (0 rad), offset (0 m).
+/// SimSpark's errors: distance_noise 0.000965, azimuth_noise 0.002583 (0.1480 deg), elevation_noise 0.002138 (0.1225
+/// deg), offset 0.005.
+#pragma once
+
+#include "murosimf/math/random.h"
+#include "murosimf/sensors/mounting.h"
+#include "murosimf/sensors/numbers.h"
+#include "murosimf/sensors/sensor.h"
+#include "murosimf/sensors/sight.h"
+
+namespace murosimf::sensors {
+
+class Detector final : public Sensor {
+ public:
+  /// Looks at spec.objects, or at all other movers. Throws SetupError that names the number that is impossible, or the
+  /// entity that there is none of.
+  Detector(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
+
+ private:
+  struct Numbers {
+    explicit Numbers(const SensorSpec& spec);
+
+    double half_azimuth, half_elevation;  // [rad]
+    Range range;
+    double visible_share, misses;           // [1]
+    double distance_noise;                  // [1]
+    double azimuth_noise, elevation_noise;  // [rad]
+  };
+  struct Target {
+    Seen seen;
+    RandomStream errors, misses;
+  };
+  /// In axes of the sensor.
+  struct Polar {
+    double distance, azimuth, elevation;  // [m], [rad], [rad]
+  };
+
+  [[nodiscard]] static Polar polar(const Vec3d& place) noexcept;
+  [[nodiscard]] bool sees(const Target& target, const Polar& place) noexcept;
+  [[nodiscard]] Polar with_errors(const Target& target, Polar place) const noexcept;
+  void measure(std::span<double> values) noexcept override;
+  void start() noexcept override { looks_ = 0; }
+
+  const Entity& robot_;
+  Mounting mounting_;
+  Numbers numbers_;
+  std::vector<Target> targets_;
+  Vec3d offset_;  // [m] axes of the sensor
+  collision::QueryScene scene_;
+  std::uint64_t looks_ = 0;
+};
+
+}  // namespace murosimf::sensors

@@ -1,0 +1,33 @@
+#include "murosimf/sensors/numbers.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::sensors {
+
+double checked_number(const SensorSpec& spec, const std::string& key, double otherwise, const Bounds& bounds) {
+  const double number = spec.number(key, otherwise);
+  if (number >= bounds.lowest && number <= bounds.highest) return number;
+  const bool open = std::isinf(bounds.highest);
+  throw SetupError(fmt::format("{} is {}; it must be from {:.6g} {}", key, number, bounds.lowest,
+                               open ? "on" : fmt::format("to {:.6g}", bounds.highest)));
+}
+
+int checked_count(const SensorSpec& spec, const std::string& key, int otherwise, const Bounds& bounds) {
+  const double number = checked_number(spec, key, otherwise, bounds);
+  if (number == std::floor(number)) return static_cast<int>(number);
+  throw SetupError(fmt::format("{} is {}; it must be a whole number", key, number));
+}
+
+Range checked_range(const SensorSpec& spec, const Range& otherwise) {
+  const Range range{checked_number(spec, "nearest", otherwise.nearest),
+                    checked_number(spec, "farthest", otherwise.farthest)};
+  if (range.nearest < range.farthest) return range;
+  throw SetupError(
+      fmt::format("nearest is {} and farthest {}: nothing is between them", range.nearest, range.farthest));
+}
+
+}  // namespace murosimf::sensors

@@ -1,0 +1,36 @@
+/// numbers.h - numbers of a sensor that only its type has (SensorSpec::numbers), checked.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "murosimf/sensors/sensor_spec.h"
+
+namespace murosimf::sensors {
+
+/// What a number may be, ends included.
+struct Bounds {
+  double lowest = 0, highest = std::numeric_limits<double>::infinity();
+};
+
+/// The number called `key`, or `otherwise`. Throws SetupError that names the key if it is not within the bounds.
+[[nodiscard]] double checked_number(const SensorSpec& spec, const std::string& key, double otherwise,
+                                    const Bounds& bounds = {});
+/// The same for a whole number.
+[[nodiscard]] int checked_count(const SensorSpec& spec, const std::string& key, int otherwise, const Bounds& bounds);
+
+/// Between which distances [m] a sensor sees something.
+struct Range {
+  double nearest = 0, farthest = std::numeric_limits<double>::infinity();
+
+  /// A distance as it is shown: -infinity if it is too small, +infinity if it is too big or there is nothing (REP-117).
+  [[nodiscard]] double shown(double distance) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return distance < nearest ? -infinity : distance > farthest ? infinity : distance;
+  }
+};
+
+/// The numbers nearest and farthest. Throws SetupError if nothing is between them.
+[[nodiscard]] Range checked_range(const SensorSpec& spec, const Range& otherwise);
+
+}  // namespace murosimf::sensors

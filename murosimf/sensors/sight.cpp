@@ -1,0 +1,55 @@
+#include "murosimf/sensors/sight.h"
+
+#include <cmath>
+
+#include "murosimf/geometry/support.h"
+
+namespace murosimf::sensors {
+namespace {
+
+constexpr int outline_points = 8;
+
+bool is_free(collision::QueryScene& scene, const Vec3d& eye, const Entity* without, const Seen& body,
+             const Vec3d& point) noexcept {
+  const Vec3d way = point - eye;
+  const double distance = norm(way);
+  if (distance == 0) return true;
+  const auto hit = scene.cast({eye, (1 / distance) * way}, {.range = distance, .without = without});
+  return !hit || hit->body.entity == body.entity;
+}
+
+/// Near the end of the body in the direction `across` [1].
+Vec3d outline_point(const Seen& body, const Vec3d& across) noexcept {
+  Vec3d best;
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (const collision::CollidingShape& shape : body.shapes) {
+    const geometry::Pose at = collision::placed_in({body.r[shape.object], body.R[shape.object]},
+                                                   {shape.placed.position, shape.placed.orientation});
+    const Vec3d arm = at.orientation * geometry::support(shape.placed.shape, transposed_times(at.orientation, across));
+    const double reach = dot(at.position + arm, across);
+    if (reach <= farthest) continue;
+    farthest = reach;
+    best = at.position + 0.8 * arm;
+  }
+  return best;
+}
+
+}  // namespace
+
+double share_in_sight(collision::QueryScene& scene, const Vec3d& eye, const Entity* without,
+                      const Seen& body) noexcept {
+  const Vec3d way = body.r[0] - eye;
+  const Vec3d beside = abs(way.z) < 0.9 * norm(way) ? cross(way, Vec3d{0, 0, 1}) : cross(way, Vec3d{1, 0, 0});
+  const double length = norm(beside);
+  int free = is_free(scene, eye, without, body, body.r[0]) ? 1 : 0;
+  if (body.shapes.empty() || length == 0) return free;
+  const Vec3d u = (1 / length) * beside, v = (1 / norm(way)) * cross(u, way);
+  for (int i = 0; i < outline_points; ++i) {
+    const double angle = 2 * pi * i / outline_points;
+    const Vec3d point = outline_point(body, std::cos(angle) * u + std::sin(angle) * v);
+    if (is_free(scene, eye, without, body, point)) ++free;
+  }
+  return free / (1.0 + outline_points);
+}
+
+}  // namespace murosimf::sensors

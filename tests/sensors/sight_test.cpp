@@ -1,0 +1,55 @@
+// Which part of a body is in sight.
+#include "murosimf/sensors/sight.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/sensors/range_rig.h"
+
+namespace murosimf::sensors {
+namespace {
+
+using fixtures::placed;
+using test::RangeRig;
+
+/// A ball of 10 cm at x = 4, behind a wall that covers y > edge [m] in the view from the origin.
+double share_of_ball(double edge) {
+  RangeRig rig;
+  rig.add_walls({placed(Box{{0.01, 1, 5}}, {2, 1 + edge / 2, 0})});
+  Entity& ball = rig.add_ball("ball");
+  rig.begin();
+  RangeRig::put(ball, {4, 0, 1});
+  collision::QueryScene scene(rig.simulation.world());
+  const Seen body{&ball, ball.find(properties::position)->values, ball.find(properties::orientation)->values,
+                  collision::colliding_shapes(ball.model())};
+  return share_in_sight(scene, {0, 0, 1}, nullptr, body);
+}
+
+// The points are at y = 0, 0.0566 m and 0.08 m to both sides, as seen from the origin.
+TEST(Sight, AWallHidesThePointsBehindIt) {
+  EXPECT_EQ(share_of_ball(0.09), 1);
+  EXPECT_EQ(share_of_ball(0.07), 8 / 9.0);
+  EXPECT_EQ(share_of_ball(0.03), 6 / 9.0);
+  EXPECT_EQ(share_of_ball(-0.03), 3 / 9.0);
+  EXPECT_EQ(share_of_ball(-0.07), 1 / 9.0);
+  EXPECT_EQ(share_of_ball(-0.11), 0);
+}
+
+// Law: nothing but other bodies hides a point, whatever the robot's posture and wherever it is seen from.
+TEST(Sight, ARobotInTheOpenIsSeenWhole) {
+  fixtures::Dice dice("in the open");
+  RangeRig rig;
+  Entity& robot = rig.add_mover("robot", test::kid21());
+  rig.begin();
+  collision::QueryScene scene(rig.simulation.world());
+  const Seen body{&robot, robot.find(properties::position)->values, robot.find(properties::orientation)->values,
+                  collision::colliding_shapes(robot.model())};
+  ASSERT_GT(body.shapes.size(), 10u);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3d away = dice.uniform(0.5, 5) * dice.unit();
+    const Vec3d eye = body.r[0] + Vec3d{away.x, away.y, std::fabs(away.z)};
+    EXPECT_EQ(share_in_sight(scene, eye, nullptr, body), 1);
+  }
+}
+
+}  // namespace
+}  // namespace murosimf::sensors

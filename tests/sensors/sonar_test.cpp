@@ -1,0 +1,95 @@
+// Sonar and range finder against closed forms.
+#include "murosimf/sensors/sonar.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/sensors/range_rig.h"
+
+namespace murosimf::sensors {
+namespace {
+
+using fixtures::placed;
+using fixtures::says;
+using test::infinity;
+using test::RangeRig;
+
+constexpr double degree = pi / 180;
+
+/// What a sonar of 2000 rays and 30 degrees shows of a ball of 5 cm, 2 m away, at an angle from its axis.
+double range_of_ball(double angle) {
+  RangeRig rig;
+  Entity& robot = rig.add_box("robot");
+  Entity& ball = rig.add_ball("ball", 0.05);
+  const Reading& reading = rig.attach(robot, test::sensor("sonar", {{"rays", 2000}, {"opening", 30 * degree}}));
+  rig.begin();
+  RangeRig::put(robot, {0, 0, 9}, rotation_z(1));
+  RangeRig::put(ball, Vec3d{0, 0, 9} + rotation_z(1) * rotation_y(-angle) * Vec3d{2, 0, 0});
+  rig.simulation.step();
+  return reading.values[0];
+}
+
+TEST(Sonar, ShowsTheNearestThingInItsCone) {
+  const double half_ball = std::asin(0.05 / 2);
+  EXPECT_NEAR(range_of_ball(0), 1.95, 1e-12);
+  for (const double angle : {5 * degree, 10 * degree, 14 * degree}) EXPECT_NEAR(range_of_ball(angle), 1.95, 0.005);
+  EXPECT_NEAR(range_of_ball(15 * degree + 0.8 * half_ball), 2, 0.05);
+  EXPECT_EQ(range_of_ball(15 * degree + 1.01 * half_ball), infinity);
+}
+
+// A wall that stands askew: the nearest ray is the one at the edge of the cone that leans towards it.
+TEST(Sonar, FindsTheNearSideOfASkewWall) {
+  RangeRig rig;
+  rig.add_walls({placed(Box{{0.1, 20, 20}}, {0, 0, 0}, {})});
+  Entity& robot = rig.add_box("robot");
+  const Reading& reading = rig.attach(robot, test::sensor("sonar", {{"rays", 5000}, {"opening", 40 * degree}}));
+  rig.begin();
+  RangeRig::put(robot, {-2.1, 0, 1}, rotation_y(-45 * degree));
+  rig.simulation.step();
+  EXPECT_NEAR(reading.values[0], 2 / std::cos(25 * degree), 0.005);
+  EXPECT_GE(reading.values[0], 2 / std::cos(25 * degree) - 1e-12);
+}
+
+TEST(Sonar, OutsideOfItsRangeItShowsInfinities) {
+  RangeRig rig;
+  Entity& robot = rig.add_box("robot");
+  Entity& ball = rig.add_ball("ball");
+  const Reading& reading = rig.attach(robot, test::sensor("sonar", {{"nearest", 0.25}, {"farthest", 2.55}}));
+  rig.begin();
+  RangeRig::put(robot, {0, 0, 1});
+  const auto at = [&](double x) {
+    RangeRig::put(ball, {x, 0, 1});
+    rig.simulation.step();
+    return reading.values[0];
+  };
+  EXPECT_EQ(at(0.34), -infinity);
+  EXPECT_NEAR(at(0.36), 0.26, 1e-12);
+  EXPECT_NEAR(at(2.64), 2.54, 1e-12);
+  EXPECT_EQ(at(2.66), infinity);
+}
+
+// Above the ground, tilted.
+TEST(RangeFinder, MeasuresAlongZ) {
+  RangeRig rig;
+  Entity& robot = rig.add_box("robot");
+  SensorSpec spec = test::sensor("rangefinder");
+  spec.orientation = rotation_y(pi);
+  spec.position = {0.1, 0, 0};
+  const Reading& reading = rig.attach(robot, spec);
+  rig.begin();
+  const double tilt = 0.3;
+  RangeRig::put(robot, {0, 0, 1}, rotation_y(tilt));
+  rig.simulation.step();
+  EXPECT_NEAR(reading.values[0], (1 - 0.1 * std::sin(tilt)) / std::cos(tilt), 1e-12);
+  RangeRig::put(robot, {0, 0, 1}, rotation_y(2));
+  rig.simulation.step();
+  EXPECT_EQ(reading.values[0], infinity);
+}
+
+TEST(Sonar, ImpossibleNumbersAreNamed) {
+  EXPECT_TRUE(says(test::mistake(test::sensor("sonar", {{"rays", 0}})), {"rays is 0"}));
+  EXPECT_TRUE(says(test::mistake(test::sensor("sonar", {{"opening", 7}})), {"opening is 7"}));
+  EXPECT_TRUE(says(test::mistake(test::sensor("rangefinder", {{"farthest", 0}})), {"farthest 0"}));
+}
+
+}  // namespace
+}  // namespace murosimf::sensors
