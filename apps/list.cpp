@@ -6,6 +6,7 @@
 #include "murosimf/collision/pair_law.h"
 #include "murosimf/geometry/any_tree.h"
 #include "murosimf/io/registry.h"
+#include "murosimf/io/sensor_types.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/servo_law.h"
@@ -43,7 +44,7 @@ int list(const std::string& what) {
   if (what == "integrators") text = names_and_meanings(motion::integrators());
   if (what == "servo_laws") text = names_and_meanings(motion::servo_laws());
   if (what == "controllers") text = names_and_meanings(io::controllers());
-  if (what == "sensors") text = names_and_meanings(io::sensors());
+  if (what == "sensors") text = names_and_meanings(io::sensor_types());
   if (what == "properties") text = properties_text();
   write_standard_output(text);
   return 0;

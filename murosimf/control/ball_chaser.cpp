@@ -105,13 +105,13 @@ Vec3d support(const Situation& s, const Vec3d& half_field, double speed) {
 
 BallChaser::BallChaser(Setup& setup, const BallChaserOptions& options)
     : options_(options),
-      seen_(setup.read(sensors::ground_truth)[0]),
+      seen_(setup),
       command_(setup.write(properties::walk_command)[0]) {}
 
 void BallChaser::initialize() { command_ = {}; }
 
 void BallChaser::step(const Instant&) noexcept {
-  const Situation s = assess(seen_.sightings, options_);
+  const Situation s = assess(seen_.look(), options_);
   if (!s.self || !s.ball) {
     command_ = {};
     return;

@@ -1,6 +1,6 @@
 /// ball_chaser.h - algorithm: a small soccer player. Turns to the ball, walks behind it and pushes it to the goal.
 ///
-/// Decides from ground truth (sensors/ground_truth.h) and writes `walk_command`. The robot of a team that is nearest to
+/// Decides from the sensor `ground_truth` (sensors/ground_truth.h) and writes `walk_command`. The robot of a team that is nearest to
 /// the ball goes for it; the others follow it at a distance. Robots steer around each other.
 #pragma once
 
@@ -29,7 +29,7 @@ class BallChaser final : public Algorithm {
 
  private:
   BallChaserOptions options_;
-  const sensors::GroundTruthData& seen_;
+  sensors::Sightings seen_;
   Vec3d& command_;  // [m/s, m/s, rad/s]
 };
 

@@ -62,7 +62,11 @@ void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerO
   using control::BallChaser;
   const control::BallChaserOptions chaser{.goal = {options.attacks * options.half_field.x, 0, 0},
                                           .half_field = options.half_field};
-  simulation.attach<sensors::GroundTruth>("ground_truth", robot, BallChaser::rate_hz, options.everybody);
+  if (!sensors::find_reading(robot, "ground_truth")) {
+    const sensors::SensorSpec truth{.name = "ground_truth", .type = "ground_truth", .rate = BallChaser::rate_hz};
+    simulation.attach<sensors::GroundTruth>("ground_truth", robot, BallChaser::rate_hz, truth,
+                                            sensors::SensorSurroundings{.movers = options.everybody});
+  }
   simulation.attach<BallChaser>("ball_chaser", robot, BallChaser::rate_hz, chaser);
   simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz);
 }
@@ -110,10 +114,6 @@ constexpr std::array controller_entries{
                attach_ball_chaser},
 };
 
-constexpr std::array sensor_entries{
-    Sensor{"ground_truth", "true poses and velocities of all robots and the ball (paper 6.3)"},
-};
-
 }  // namespace
 
 LevelOptions level_options(const RobotSpec& robot) {
@@ -129,6 +129,5 @@ LevelOptions level_options(const RobotSpec& robot) {
 std::span<const Level> levels() { return level_entries; }
 std::span<const Contact> contacts() { return contact_entries; }
 std::span<const Controller> controllers() { return controller_entries; }
-std::span<const Sensor> sensors() { return sensor_entries; }
 
 }  // namespace murosimf::io

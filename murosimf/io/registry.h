@@ -1,6 +1,6 @@
 /// registry.h - names of algorithms, as files and the command line use them, and how to attach what they mean.
 ///
-/// A new level, contact law, controller or sensor is one more line in registry.cpp.
+/// A new level, contact law or controller is one more line in registry.cpp; sensors have sensor_types.h.
 #pragma once
 
 #include <functional>
@@ -55,17 +55,12 @@ struct Controller {
   void (*attach)(Simulation&, Entity&, const ControllerOptions&);
 };
 
-struct Sensor {
-  std::string_view name, meaning;
-};
-
 /// The options that a robot of a scene asks for.
 [[nodiscard]] LevelOptions level_options(const RobotSpec& robot);
 
 [[nodiscard]] std::span<const Level> levels();
 [[nodiscard]] std::span<const Contact> contacts();
 [[nodiscard]] std::span<const Controller> controllers();
-[[nodiscard]] std::span<const Sensor> sensors();
 
 /// The entry with this name, or SetupError with the nearest name. `kind` ("level") is for the message.
 template <class Entry>

@@ -42,9 +42,10 @@ double RandomStream::uniform(std::uint64_t n, double low, double high) const noe
   return low + (high - low) * uniform(n);
 }
 
-double RandomStream::normal(std::uint64_t n) const noexcept {
+std::array<double, 2> RandomStream::normals(std::uint64_t n) const noexcept {
   const auto [a, b] = pair(n);
-  return std::sqrt(-2 * std::log(1 - a)) * std::cos(2 * pi * b);
+  const double radius = std::sqrt(-2 * std::log(1 - a)), angle = 2 * pi * b;
+  return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
 }  // namespace murosimf

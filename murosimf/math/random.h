@@ -23,9 +23,11 @@ class RandomStream {
   [[nodiscard]] double uniform(std::uint64_t n) const noexcept;
   /// The n-th number, uniform in [low, high).
   [[nodiscard]] double uniform(std::uint64_t n, double low, double high) const noexcept;
-  /// The n-th number of the standard normal distribution (mean 0, standard deviation 1).
+  /// The n-th two independent numbers of the standard normal distribution (mean 0, standard deviation 1).
   /// Source: Box, Muller, "A note on the generation of random normal deviates", Ann. Math. Statist. 29 (1958).
-  [[nodiscard]] double normal(std::uint64_t n) const noexcept;
+  [[nodiscard]] std::array<double, 2> normals(std::uint64_t n) const noexcept;
+  /// The first of them.
+  [[nodiscard]] double normal(std::uint64_t n) const noexcept { return normals(n)[0]; }
 
  private:
   /// Two independent numbers, uniform in [0, 1).

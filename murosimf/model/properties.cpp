@@ -16,7 +16,7 @@ constexpr std::array entries{
     constant(joint_coupling), constant(excluded_pairs), constant(allowed_pairs), constant(sole),
     constant(markings), variable(position), variable(orientation), variable(linear_velocity),
     variable(angular_velocity), variable(joint_position), variable(joint_rate), variable(joint_target), variable(joint_rate_target),
-    variable(joint_torque), variable(joint_load), variable(coupling_torque), variable(felt_acceleration), variable(supply_voltage), variable(torque_enabled),
+    variable(joint_torque), variable(motor_torque), variable(joint_load), variable(coupling_torque), variable(felt_acceleration), variable(supply_voltage), variable(torque_enabled),
     variable(servo_temperature), variable(sent_target), variable(sent_target_age), variable(backlash_play),
     variable(backlash_side), variable(rotor_rate), variable(torque_need), variable(overload),
     variable(cycle_target), variable(applied_force), variable(interaction_force), variable(external_force),

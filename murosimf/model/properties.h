@@ -52,6 +52,7 @@ inline constexpr Property<double> joint_rate         {{"joint_rate", "rad/s | m/
 inline constexpr Property<double> joint_target       {{"joint_target", "rad | m", "joint", "desired position, set by control software"}};
 inline constexpr Property<double> joint_rate_target {{"joint_rate_target", "rad/s | m/s", "joint", "desired rate of a joint whose servo has no position gain, set by control software"}};
 inline constexpr Property<double> joint_torque     {{"joint_torque", "N m | N", "joint", "of servo and gear; at full_dynamics what the motion would take"}};
+inline constexpr Property<double> motor_torque     {{"motor_torque", "N m | N", "joint", "of the servo's motor alone, before its gear's friction"}};
 inline constexpr Property<double> joint_load       {{"joint_load", "N m | N", "joint", "all that a joint feels besides its own servo, friction, damper, spring, coupling and end"}};
 inline constexpr Property<double> coupling_torque  {{"coupling_torque", "N m | N", "joint", "on a joint that follows another one, by the coupling"}};
 inline constexpr Property<Motiond> felt_acceleration {{"felt_acceleration", "rad/s^2, m/s^2", "world, at the base's origin", "of a link: what forces add to its gravity and velocity products"}};

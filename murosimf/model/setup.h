@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <span>
 
 #include "murosimf/model/access.h"
@@ -42,6 +43,11 @@ class Setup {
     return column.values;
   }
 
+  /// Columns to read that only some levels write: NaN while none does. It looks and never decides: an algorithm that
+  /// has another start value for them finds NaN and puts that in its place.
+  [[nodiscard]] std::span<const double> observe(const Property<double>& property) {
+    return input(property, std::numeric_limits<double>::quiet_NaN());
+  }
   /// Columns to write if an algorithm that was attached before wants to read them; else nothing.
   template <class T>
   [[nodiscard]] std::span<T> write_if_wanted(const Property<T>& property) {

@@ -23,6 +23,7 @@ ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& 
       drives_(setup, servo_law),
       couplings_(setup),
       joint_torque_(setup.write(properties::joint_torque)),
+      motor_torque_(setup.write_if_wanted(properties::motor_torque)),
       joint_load_(setup.write(properties::joint_load)),
       felt_acceleration_(setup.write(properties::felt_acceleration)),
       motor_(tree_.links.size()),
@@ -60,6 +61,7 @@ void ArticulatedDynamics::take_over(const Momentum& momentum) {
 void ArticulatedDynamics::start_loads() {
   couplings_.start();
   std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
+  std::fill(motor_torque_.begin(), motor_torque_.end(), 0.0);
   std::fill(joint_load_.begin(), joint_load_.end(), 0.0);
   std::fill(felt_acceleration_.begin(), felt_acceleration_.end(), Motiond{{}, -tree_.gravity});
 }
@@ -310,16 +312,21 @@ void ArticulatedDynamics::report_torques() noexcept {
       torque += (1 - joint.coulomb / joint.budget) * multibody::friction_torque(joint);
     }
     joint_torque_[links[l].object] = torque;
+    if (!motor_torque_.empty()) motor_torque_[links[l].object] = motor_torque(l);
   }
+}
+
+/// On average over the step.
+double ArticulatedDynamics::motor_torque(std::size_t link) const noexcept {
+  return motor_[link].torque - motor_[link].inertia * bodies_[link].joint_acceleration;
 }
 
 /// Memory of the servos.
 void ArticulatedDynamics::finish_drives() noexcept {
   const PoseColumns& columns = tree_.columns;
   for (const int i : drives_.remembering()) {
-    const int l = columns.model.tree().link_of[i];
-    const double motor = motor_[l].torque - motor_[l].inertia * bodies_[l].joint_acceleration;
-    drives_.finish(i, {motor, joint_torque_[i], columns.q[i], columns.qd[i]}, dt_);
+    const auto l = static_cast<std::size_t>(columns.model.tree().link_of[i]);
+    drives_.finish(i, {motor_torque(l), joint_torque_[i], columns.q[i], columns.qd[i]}, dt_);
   }
 }
 

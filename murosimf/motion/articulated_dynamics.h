@@ -51,6 +51,7 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void predict_contacts(double dt) noexcept;
   void start_loads();
   void report_torques() noexcept;
+  [[nodiscard]] double motor_torque(std::size_t link) const noexcept;
   void finish_drives() noexcept;
   void advance_joints(double dt) noexcept;
   [[nodiscard]] bool accelerations_are_sane() const noexcept;
@@ -60,6 +61,7 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   JointDrives drives_;
   CouplingForces couplings_;
   std::span<double> joint_torque_;
+  std::span<double> motor_torque_;  // empty if nobody reads it
   std::span<double> joint_load_;
   std::span<Motiond> felt_acceleration_;
   std::vector<JointDrive> motor_, servo_;              // by link

@@ -1,6 +1,7 @@
 #include "murosimf/motion/servo_condition.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -15,10 +16,10 @@ template <class Start>
 std::span<const double> input_of_servos(Setup& setup, const Property<double>& property, const Start& start) {
   const bool fresh = setup.entity().find(property) == nullptr;
   const auto values = setup.input(property, 0.0);
-  if (!fresh) return values;
   Column<double>& column = setup.entity().column(property);
   for (const int i : setup.model().having(properties::servo)) {
-    column.values[i] = start(*setup.model().find(properties::servo, i));
+    const bool only_observed = std::isnan(column.values[i]);
+    if (fresh || only_observed) column.values[i] = start(*setup.model().find(properties::servo, i));
   }
   return values;
 }
@@ -43,8 +44,10 @@ ServoCondition::ServoCondition(Setup& setup, std::string_view law)
     motors_[i].numbers = multibody::ServoMotor(servo);
   }
   if (!heat) return;
-  fresh_ = setup.entity().find(properties::servo_temperature) == nullptr;
+  const bool known = setup.entity().find(properties::servo_temperature) != nullptr;
   temperature_ = setup.write(properties::servo_temperature);
+  const auto heats = std::ranges::find_if(motors_, [](const Motor& motor) { return motor.heats; });
+  fresh_ = !known || std::isnan(temperature_[heats - motors_.begin()]);  // NaN: only observed so far
 }
 
 void ServoCondition::cool_down() noexcept {

@@ -1,47 +1,78 @@
 #include "murosimf/sensors/ground_truth.h"
 
+#include <algorithm>
+
 #include "murosimf/model/properties.h"
+#include "murosimf/sensors/three_numbers.h"
 
 namespace murosimf::sensors {
+namespace {
 
-void append_hash(Hasher& hasher, const GroundTruthData& data) {
-  hasher.add(static_cast<std::uint64_t>(data.time.count()));
-  for (const Sighting& sighting : data.sightings) {
-    murosimf::append_hash(hasher, sighting.position);
-    murosimf::append_hash(hasher, sighting.velocity);
-    hasher.add(sighting.heading);
+constexpr std::string_view position = "_position";
+constexpr std::size_t numbers_each = 7;  // position, heading, velocity
+
+std::vector<Output> outputs_for(const std::vector<Entity*>& entities) {
+  std::vector<Output> outputs;
+  for (const Entity* entity : entities) {
+    outputs.push_back({entity->name() + std::string(position), "m", xyz()});
+    outputs.push_back({entity->name() + "_heading", "rad", {}});
+    outputs.push_back({entity->name() + "_velocity", "m/s", xyz()});
   }
+  return outputs;
 }
 
-GroundTruth::GroundTruth(Setup& setup, const std::vector<Entity*>& entities)
-    : self_(setup.entity()), data_(setup.write(ground_truth)[0]) {
-  for (Entity* entity : entities) {
+}  // namespace
+
+std::vector<Entity*> sensed_entities(const SensorSpec& spec, const SensorSurroundings& surroundings) {
+  if (spec.objects.empty()) return surroundings.movers;
+  std::vector<Entity*> entities;
+  std::vector<std::string_view> names;
+  for (const Entity* mover : surroundings.movers) names.push_back(mover->name());
+  for (const std::string& name : spec.objects) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) throw SetupError(unknown_name("entity", name, names));
+    entities.push_back(surroundings.movers[static_cast<std::size_t>(found - names.begin())]);
+  }
+  return entities;
+}
+
+GroundTruth::GroundTruth(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : Sensor(setup, spec, surroundings, outputs_for(sensed_entities(spec, surroundings))) {
+  for (Entity* entity : sensed_entities(spec, surroundings)) {
     Setup other = setup.of(*entity);
-    entities_.push_back(entity);
     sources_.push_back({other.read(properties::position), other.read(properties::linear_velocity),
                         other.read(properties::orientation)});
   }
 }
 
-void GroundTruth::initialize() {
-  data_.sightings.clear();
-  for (const Entity* entity : entities_) {
-    Sighting sighting;
-    sighting.name = entity->name();
-    sighting.team = entity->options().team;
-    sighting.self = entity == &self_;
-    data_.sightings.push_back(std::move(sighting));
+void GroundTruth::measure(std::span<double> values) noexcept {
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const std::span<double> numbers = values.subspan(numbers_each * i);
+    write(sources_[i].r[0], numbers);
+    numbers[3] = heading(sources_[i].R[0]);
+    write(sources_[i].v[0], numbers.subspan(4));
   }
 }
 
-void GroundTruth::step(const Instant& instant) noexcept {
-  data_.time = instant.now;
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
-    Sighting& sighting = data_.sightings[i];
-    sighting.position = sources_[i].r[0];
-    sighting.velocity = sources_[i].v[0];
-    sighting.heading = heading(sources_[i].R[0]);
+Sightings::Sightings(Setup& setup, std::string_view sensor) : reading_(read_reading(setup, sensor)) {
+  for (const Output& output : reading_.info->outputs) {
+    if (!output.name.ends_with(position)) continue;
+    Sighting sighting;
+    sighting.name = output.name.substr(0, output.name.size() - position.size());
+    sighting.team = setup.world().entity(sighting.name).options().team;
+    sighting.self = sighting.name == setup.entity().name();
+    sightings_.push_back(std::move(sighting));
   }
+}
+
+const std::vector<Sighting>& Sightings::look() noexcept {
+  for (std::size_t i = 0; i < sightings_.size(); ++i) {
+    const double* number = &reading_.values[numbers_each * i];
+    sightings_[i].position = {number[0], number[1], number[2]};
+    sightings_[i].heading = number[3];
+    sightings_[i].velocity = {number[4], number[5], number[6]};
+  }
+  return sightings_;
 }
 
 }  // namespace murosimf::sensors

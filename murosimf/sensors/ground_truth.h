@@ -1,16 +1,36 @@
 /// ground_truth.h - sensor: where everybody really is (paper 6.3), for behavior tests without perception.
 ///
-/// No sensing at all: true poses and velocities of all robots and the ball, at the sensor's rate.
+/// Three outputs for each entity that it looks at (SensorSpec::objects; none named: all robots and the ball):
+/// `<entity>_position` [m], `<entity>_heading` [rad] and `<entity>_velocity` [m/s] of the base, world frame. Nothing
+/// hides anything; noise, rate and delay are those of any sensor.
 #pragma once
 
 #include <span>
 #include <string>
 #include <vector>
 
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/setup.h"
+#include "murosimf/sensors/sensor.h"
 
 namespace murosimf::sensors {
+
+class GroundTruth final : public Sensor {
+ public:
+  /// Throws SetupError if the spec names an entity that does not move, or that there is none of.
+  GroundTruth(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
+
+ private:
+  struct Source {
+    std::span<const Vec3d> r, v;
+    std::span<const Mat3d> R;
+  };
+  void measure(std::span<double> values) noexcept override;
+
+  std::vector<Source> sources_;
+};
+
+/// The entities of `surroundings` that a sensor looks at: those that the spec names, or all. Throws SetupError with the
+/// nearest name.
+[[nodiscard]] std::vector<Entity*> sensed_entities(const SensorSpec& spec, const SensorSurroundings& surroundings);
 
 /// One entity as ground truth shows it.
 struct Sighting {
@@ -22,34 +42,17 @@ struct Sighting {
   Vec3d velocity;      ///< [m/s] of the base, world frame
 };
 
-struct GroundTruthData {
-  Duration time{};  ///< of the sample
-  std::vector<Sighting> sightings;
-};
-
-void append_hash(Hasher& hasher, const GroundTruthData& data);
-
-inline constexpr Property<GroundTruthData> ground_truth{
-    {"ground_truth", "m, rad, m/s", "world", "true poses and velocities of all entities", Scope::base}};
-
-class GroundTruth final : public Algorithm {
+/// Ground truth for control software: in its constructor it names the sensor, in each step it looks.
+class Sightings {
  public:
-  /// `setup`: the robot that carries the sensor; `entities`: whom it sees, itself among them.
-  GroundTruth(Setup& setup, const std::vector<Entity*>& entities);
-
-  void initialize() override;
-  void step(const Instant& instant) noexcept override;
+  /// Throws SetupError if the robot has no such sensor.
+  explicit Sightings(Setup& setup, std::string_view sensor = "ground_truth");
+  /// As the sensor shows them now.
+  [[nodiscard]] const std::vector<Sighting>& look() noexcept;
 
  private:
-  struct Source {
-    std::span<const Vec3d> r, v;
-    std::span<const Mat3d> R;
-  };
-
-  const Entity& self_;
-  std::vector<const Entity*> entities_;
-  std::vector<Source> sources_;
-  GroundTruthData& data_;
+  const Reading& reading_;
+  std::vector<Sighting> sightings_;
 };
 
 }  // namespace murosimf::sensors

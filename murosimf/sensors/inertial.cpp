@@ -1,17 +1,13 @@
 #include "murosimf/sensors/inertial.h"
 
+#include "murosimf/sensors/three_numbers.h"
+
 namespace murosimf::sensors {
 namespace {
 
-Output gyroscope() { return {"gyroscope", "rad/s", {"x", "y", "z"}}; }
-Output accelerometer() { return {"accelerometer", "m/s^2", {"x", "y", "z"}}; }
+Output gyroscope() { return {"gyroscope", "rad/s", xyz()}; }
+Output accelerometer() { return {"accelerometer", "m/s^2", xyz()}; }
 Output orientation() { return {"orientation", "1", {"w", "x", "y", "z"}}; }
-
-void write(const Vec3d& v, std::span<double> values) noexcept {
-  values[0] = v.x;
-  values[1] = v.y;
-  values[2] = v.z;
-}
 
 /// Puts the true orientation below the errors e that stand behind a place for w.
 void turn_by_errors(const Mat3d& orientation, std::span<double> values) noexcept {

@@ -20,19 +20,19 @@ namespace murosimf::sensors {
 
 /// One quantity of a sensor: one number, or a row of numbers with labels.
 struct Output {
-  std::string name;                 ///< "gyroscope"
-  std::string unit;                 ///< SI
-  std::vector<std::string> labels;  ///< "x", "y", "z"; none: a single number
+  std::string name{};                 ///< "gyroscope"
+  std::string unit{};                 ///< SI
+  std::vector<std::string> labels{};  ///< "x", "y", "z"; none: a single number
   [[nodiscard]] std::size_t size() const { return labels.empty() ? 1 : labels.size(); }
 };
 
 /// What does not change while the sensor runs.
 struct SensorInfo {
-  std::string name;   ///< unique on its robot
-  std::string type;   ///< as in files: "imu"
-  std::string frame;  ///< name of the object that it is mounted on; empty: nothing in particular
+  std::string name{};   ///< unique on its robot
+  std::string type{};   ///< as in files: "imu"
+  std::string frame{};  ///< name of the object that it is mounted on; empty: nothing in particular
   Duration period{};  ///< between two samples
-  std::vector<Output> outputs;
+  std::vector<Output> outputs{};
   [[nodiscard]] std::size_t numbers() const;
 };
 

@@ -122,10 +122,9 @@ void check_rate(const SensorSpec& spec, double step_rate) {
   }
   if (period % step == Duration{}) return;
   const auto steps = std::max<Duration::rep>(1, period / step);
-  throw SetupError(
-      fmt::format("sensor '{}' with {} Hz: {} Hz is not a whole multiple of that; {:.6g} or {:.6g} Hz would do",
-                  spec.name, spec.rate, step_rate, step_rate / static_cast<double>(steps),
-                  step_rate / static_cast<double>(steps + 1)));
+  throw SetupError(fmt::format("sensor '{}' with {} Hz: {} Hz is not a whole multiple of that; {} or {} Hz would do",
+                               spec.name, spec.rate, step_rate, step_rate / static_cast<double>(steps),
+                               step_rate / static_cast<double>(steps + 1)));
 }
 
 }  // namespace murosimf::sensors

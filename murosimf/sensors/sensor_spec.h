@@ -12,17 +12,17 @@
 namespace murosimf::sensors {
 
 struct SensorSpec {
-  std::string name;                           ///< unique on the robot
-  std::string type;                           ///< name in the registry: "imu"
-  std::string where;                          ///< place in the file, for messages
-  std::string frame;                          ///< object of the model that it is mounted on; empty: the base
-  Vec3d position;                             ///< [m] of the sensor in that frame
-  Mat3d orientation;                          ///< its axes to those of the frame
+  std::string name{};                           ///< unique on the robot
+  std::string type{};                           ///< name in the registry: "imu"
+  std::string where{};                          ///< place in the file, for messages
+  std::string frame{};                          ///< object of the model that it is mounted on; empty: the base
+  Vec3d position{};                             ///< [m] of the sensor in that frame
+  Mat3d orientation{};                          ///< its axes to those of the frame
   double rate = 0;                            ///< [Hz] of samples; 0: one in every step of the simulation
   double delay = 0;                           ///< [s] from the sample until control software can read it
-  std::vector<std::string> objects;           ///< joints, feet or other entities that it looks at; empty: all
-  std::map<std::string, double> numbers;      ///< what only some types have, by key; missing: the type's default
-  std::map<std::string, SignalSpec> signals;  ///< what becomes of the true values, by output; "": of all outputs
+  std::vector<std::string> objects{};           ///< joints, feet or other entities that it looks at; empty: all
+  std::map<std::string, double> numbers{};      ///< what only some types have, by key; missing: the type's default
+  std::map<std::string, SignalSpec> signals{};  ///< what becomes of the true values, by output; "": of all outputs
 
   [[nodiscard]] double number(const std::string& key, double otherwise) const {
     const auto found = numbers.find(key);
@@ -39,7 +39,7 @@ struct SensorSpec {
 /// What sensors need to know of the simulation that they are in.
 struct SensorSurroundings {
   std::uint64_t seed = 1;       ///< of all noise
-  std::vector<Entity*> movers;  ///< robots and ball: all whose pose changes
+  std::vector<Entity*> movers{};  ///< robots and ball: all whose pose changes
 };
 
 }  // namespace murosimf::sensors

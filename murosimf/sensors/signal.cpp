@@ -46,7 +46,7 @@ Signal::Signal(const SignalSpec& spec, std::uint64_t seed, const std::vector<std
   highest_ = spec.bits > 0 ? spec.highest - step_ : spec.highest;
   for (const std::string& name : names) {
     const RandomStream constants(seed, name + "/constants");
-    Number number{{seed, name + "/white"}, {seed, name + "/walk"}, {seed, name + "/sample"}};
+    Number number{{seed, name + "/noise"}, {seed, name + "/sample"}};
     number.scale = 1 + spec.scale_error * constants.normal(0);
     number.bias = spec.bias * constants.normal(1);
     number.cross_one = spec.misalignment * constants.normal(2);
@@ -77,8 +77,11 @@ void Signal::disturb(std::span<double> values) noexcept {
     double x = number.scale * values[i];
     if (spec_.misalignment > 0) x += number.cross_one * other[(i + 1) % 3] + number.cross_two * other[(i + 2) % 3];
     x += number.bias + number.drift;
-    if (white_ > 0) x += white_ * number.white.normal(executions_);
-    if (walk_ > 0) number.drift += walk_ * number.walk.normal(executions_);
+    if (white_ > 0 || walk_ > 0) {
+      const auto [white, walk] = number.noise.normals(executions_);
+      x += white_ * white;
+      number.drift += walk_ * walk;
+    }
     values[i] = filter_ > 0 ? filtered(number, x) : x;
   }
   ++executions_;

@@ -42,7 +42,7 @@ class Signal {
 
  private:
   struct Number {
-    RandomStream white, walk, sample;
+    RandomStream noise, sample;
     double scale = 1, bias = 0;                  // [1], [unit]
     double cross_one = 0, cross_two = 0;         // [1] of the next axis and the one after it
     double drift = 0;                            // [unit] b_k

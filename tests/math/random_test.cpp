@@ -93,5 +93,26 @@ TEST(Random, IndexHas64Bits) {
   EXPECT_NE(stream.uniform(5), stream.uniform(5 + (std::uint64_t{1} << 63)));
 }
 
+// Mean, deviation, and the shares within one and two deviations (0.6827, 0.9545) of many numbers.
+TEST(RandomStream, NormalNumbersAreNormal) {
+  const RandomStream stream(3, "normal");
+  constexpr int count = 200000;
+  double sum = 0, squares = 0, products = 0;
+  int within_one = 0, within_two = 0;
+  for (std::uint64_t n = 0; n < count; ++n) {
+    const auto [x, y] = stream.normals(n);
+    sum += x;
+    products += x * y;
+    squares += x * x;
+    within_one += std::abs(x) < 1 ? 1 : 0;
+    within_two += std::abs(x) < 2 ? 1 : 0;
+  }
+  EXPECT_NEAR(sum / count, 0, 0.01);
+  EXPECT_NEAR(squares / count, 1, 0.015);
+  EXPECT_NEAR(products / count, 0, 0.01);
+  EXPECT_NEAR(within_one / static_cast<double>(count), 0.6827, 0.005);
+  EXPECT_NEAR(within_two / static_cast<double>(count), 0.9545, 0.002);
+}
+
 }  // namespace
 }  // namespace murosimf

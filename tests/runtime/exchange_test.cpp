@@ -1,4 +1,6 @@
 // Exchanging levels in the scheduler: place, columns, refusals, statistics; calls at given times.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "murosimf/model/properties.h"
@@ -98,6 +100,32 @@ TEST(Exchange, RemovesColumnsThatNobodyUses) {
   w.simulation.exchange<Mover>("slow", w.robot, 1.0);
   EXPECT_EQ(w.robot.find(effort), nullptr);
   EXPECT_TRUE(says(error_of([&] { w.robot.column(effort); }), {"frozen"})) << "as before";
+}
+
+/// Looks at what only some levels write.
+class Observer final : public Algorithm {
+ public:
+  explicit Observer(Setup& setup) : effort_(setup.observe(effort)) {}
+  void step(const Instant&) noexcept override { seen.push_back(effort_[0]); }
+  std::vector<double> seen;
+
+ private:
+  std::span<const double> effort_;
+};
+
+TEST(Exchange, WhatNobodyWritesAnyMoreReturnsToItsStartValue) {
+  World1 w;
+  auto& observer = w.simulation.attach<Observer>("observer", w.robot, 1000);
+  w.simulation.attach<Mover>("slow", w.robot, 1000, 1.0);
+  w.simulation.run(1ms);
+  w.simulation.exchange<Worker>("worker", w.robot);
+  w.simulation.run(1ms);
+  w.simulation.exchange<Mover>("slow", w.robot, 1.0);
+  w.simulation.run(1ms);
+  ASSERT_EQ(observer.seen.size(), 3u);
+  EXPECT_TRUE(std::isnan(observer.seen[0]));
+  EXPECT_EQ(observer.seen[1], 7);
+  EXPECT_TRUE(std::isnan(observer.seen[2]));
 }
 
 TEST(Exchange, ARefusalChangesNothing) {

@@ -3,31 +3,55 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/fixtures.h"
 #include "tests/physics/rig.h"
 
 namespace murosimf::sensors {
 namespace {
 
+/// Control software that only looks.
+class Observer final : public Algorithm {
+ public:
+  explicit Observer(Setup& setup) : sightings_(setup) {}
+  void step(const Instant&) noexcept override { seen = sightings_.look(); }
+  std::vector<Sighting> seen;
+
+ private:
+  Sightings sightings_;
+};
+
 TEST(GroundTruth, ShowsWhereEverybodyIs) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21(), {.position = {1, 2, 0}, .heading = 0.5, .team = "blue"});
   Entity& ball = rig.add("ball", io::ball_model(), {.position = {0, 0, 1}});
-  rig.simulation.attach<GroundTruth>("ground_truth", robot, 100, std::vector<Entity*>{&robot, &ball});
+  rig.simulation.attach<GroundTruth>("ground_truth", robot, 100, SensorSpec{.name = "ground_truth"},
+                                     SensorSurroundings{.movers = {&robot, &ball}});
+  auto& observer = rig.simulation.attach<Observer>("observer", robot, 100);
   rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
   rig.attach_dynamics(ball, {.on_ground = false});
   rig.run(0.1);
   const Vec3d place = test::Rig::place(ball);  // at 0.1 s, when the next sample is due
   rig.simulation.step();
-  const GroundTruthData data = robot.base().get(ground_truth);
-  EXPECT_EQ(data.time, from_seconds(0.1));
-  ASSERT_EQ(data.sightings.size(), 2u);
-  EXPECT_TRUE(data.sightings[0].self);
-  EXPECT_EQ(data.sightings[0].team, "blue");
-  EXPECT_NEAR(data.sightings[0].heading, 0.5, 1e-9);
-  EXPECT_NEAR(data.sightings[0].position.x, 1, 1e-9);
-  EXPECT_FALSE(data.sightings[1].self);
-  EXPECT_EQ(data.sightings[1].position.z, place.z);
-  EXPECT_NEAR(data.sightings[1].velocity.z, -test::g * 0.1, 1e-9);
+  EXPECT_EQ(find_reading(robot, "ground_truth")->time, from_seconds(0.1));
+  ASSERT_EQ(observer.seen.size(), 2u);
+  EXPECT_TRUE(observer.seen[0].self);
+  EXPECT_EQ(observer.seen[0].team, "blue");
+  EXPECT_NEAR(observer.seen[0].heading, 0.5, 1e-9);
+  EXPECT_NEAR(observer.seen[0].position.x, 1, 1e-9);
+  EXPECT_FALSE(observer.seen[1].self);
+  EXPECT_EQ(observer.seen[1].name, "ball");
+  EXPECT_EQ(observer.seen[1].position.z, place.z);
+  EXPECT_NEAR(observer.seen[1].velocity.z, -test::g * 0.1, 1e-9);
+}
+
+TEST(GroundTruth, NamesEntitiesThatThereAreNoneOf) {
+  test::Rig rig;
+  Entity& robot = rig.add("robot", test::kid21());
+  const SensorSpec spec{.name = "truth", .objects = {"robbot"}};
+  const auto attach = [&] {
+    rig.simulation.attach<GroundTruth>("truth", robot, 100, spec, SensorSurroundings{.movers = {&robot}});
+  };
+  EXPECT_EQ(fixtures::error_of(attach), "unknown entity 'robbot'; did you mean 'robot'?");
 }
 
 }  // namespace

@@ -1,0 +1,146 @@
+#include "murosimf/sensors/contact_sensors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/properties.h"
+#include "murosimf/sensors/three_numbers.h"
+
+namespace murosimf::sensors {
+namespace {
+
+constexpr double standard_threshold = 0.1;  // [N]
+
+double positive(const SensorSpec& spec, const std::string& key, double otherwise) {
+  const double number = spec.number(key, otherwise);
+  if (number > 0 && std::isfinite(number)) return number;
+  throw SetupError(fmt::format("{} is {}; it must be positive", key, number));
+}
+
+/// Where the force that is left goes through the plane of the sensor.
+std::array<double, 2> center_of_pressure(const Forced& load) noexcept {
+  return {-load.n.y / load.f.z, load.n.x / load.f.z};
+}
+
+}  // namespace
+
+ContactLoad::ContactLoad(Setup& setup, const SensorSpec& spec)
+    : mounting_(setup, spec),
+      soles_(setup.model().having(properties::sole)),
+      weight_(-setup.model().tree().mass * setup.world().gravity),
+      r_(setup.read(properties::position)),
+      R_(setup.read(properties::orientation)),
+      external_(setup.input(properties::external_force, {})),
+      applied_(setup.input(properties::applied_force, {})),
+      pushable_(setup.input(properties::pushable, 1)),
+      stance_foot_(setup.observe(properties::stance_foot)) {
+  const Model& model = setup.model();
+  const auto& link_of = model.tree().link_of;
+  const int link = link_of[mounting_.link_object()];
+  for (const int body : model.bodies()) {
+    if (link_of[body] == link) bodies_.push_back(body);
+  }
+  for (const int sole : soles_) {
+    own_sole_.push_back(link_of[sole] == link);
+    sole_arm_.push_back(model.placement(sole).offset);
+  }
+}
+
+Forced ContactLoad::load() const noexcept {
+  if (pushable_[0] == 0) return carried_weight();
+  const Vec3d place = mounting_.position();
+  Vec3d force, moment;
+  for (const int k : bodies_) {
+    const Vec3d f = external_[k].f - applied_[k].f;
+    force += f;
+    moment += external_[k].n - applied_[k].n + cross(r_[k] - place, f);
+  }
+  const Mat3d to_sensor = transpose(mounting_.orientation());
+  return {to_sensor * moment, to_sensor * force};
+}
+
+Forced ContactLoad::carried_weight() const noexcept {
+  const double stance = stance_foot_[0];
+  if (std::isnan(stance)) return {};
+  const auto foot = static_cast<std::size_t>(stance);
+  if (foot >= soles_.size() || !own_sole_[foot]) return {};
+  const int link = mounting_.link_object();
+  const Vec3d arm = r_[link] + R_[link] * sole_arm_[foot] - mounting_.position();
+  const Mat3d to_sensor = transpose(mounting_.orientation());
+  return {to_sensor * cross(arm, weight_), to_sensor * weight_};
+}
+
+ContactSensor::ContactSensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings,
+                             std::vector<Output> outputs)
+    : Sensor(setup, spec, surroundings, std::move(outputs)),
+      load_(setup, spec),
+      threshold_(positive(spec, "threshold", standard_threshold)) {}
+
+std::string ContactSensor::remark(std::string_view level) const {
+  if (level != "kinematic_walking") return {};
+  return fmt::format("{} has no contact forces: '{}' reports the whole weight on the foot that stands", level,
+                     reading().info->name);
+}
+
+ContactSwitch::ContactSwitch(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : ContactSensor(setup, spec, surroundings, {{"contact", "1", {}}}) {}
+
+void ContactSwitch::measure(std::span<double> values) noexcept {
+  values[0] = norm(load_.load().f) > threshold_ ? 1 : 0;
+}
+
+ContactForce::ContactForce(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : ContactSensor(setup, spec, surroundings, {{"force", "N", {}}}) {}
+
+void ContactForce::measure(std::span<double> values) noexcept { values[0] = norm(load_.load().f); }
+
+ForceTorque::ForceTorque(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : ContactSensor(setup, spec, surroundings, {{"force", "N", xyz()}, {"torque", "N m", xyz()}}) {}
+
+void ForceTorque::measure(std::span<double> values) noexcept {
+  const Forced load = load_.load();
+  write(load.f, values);
+  write(load.n, values.subspan(3));
+}
+
+PressureCenter::PressureCenter(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : ContactSensor(setup, spec, surroundings, {{"center", "m", {"x", "y"}}, {"force", "N", {}}}) {}
+
+void PressureCenter::measure(std::span<double> values) noexcept {
+  const Forced load = load_.load();
+  values[0] = values[1] = std::nan("");
+  values[2] = load.f.z;
+  if (load.f.z <= threshold_) return;
+  const auto [x, y] = center_of_pressure(load);
+  values[0] = x;
+  values[1] = y;
+}
+
+PressureCells::PressureCells(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : ContactSensor(setup, spec, surroundings,
+                    {{"force", "N", {"front_left", "front_right", "hind_left", "hind_right"}}}) {
+  const Sole* sole = setup.model().find(properties::sole, mounted_on(setup.model(), spec));
+  if (!sole && (!spec.numbers.contains("length") || !spec.numbers.contains("width"))) {
+    throw SetupError("pressure cells that are not mounted on a sole need length and width");
+  }
+  length_ = positive(spec, "length", sole ? 2 * sole->half_length : 0);
+  width_ = positive(spec, "width", sole ? 2 * sole->half_width : 0);
+}
+
+void PressureCells::measure(std::span<double> values) noexcept {
+  const Forced load = load_.load();
+  std::fill(values.begin(), values.end(), 0.0);
+  if (load.f.z <= threshold_) return;
+  const auto [x, y] = center_of_pressure(load);
+  const double front = std::clamp(0.5 + x / length_, 0.0, 1.0), left = std::clamp(0.5 + y / width_, 0.0, 1.0);
+  values[0] = load.f.z * front * left;
+  values[1] = load.f.z * front * (1 - left);
+  values[2] = load.f.z * (1 - front) * left;
+  values[3] = load.f.z * (1 - front) * (1 - left);
+}
+
+}  // namespace murosimf::sensors

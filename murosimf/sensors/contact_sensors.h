@@ -1,0 +1,111 @@
+/// contact_sensors.h - sensors: contact switch, contact force, force and torque (6 axes), pressure cells and center of
+/// pressure of a foot.
+///
+/// All of them feel the contacts (ground, things, other robots, own limbs; not a user's pushes) of everything that is
+/// rigidly fixed to the link that they are mounted on. In axes of the sensor, at its place p:
+///
+///     F = R^T sum f_k        N = R^T sum (n_k + (r_k - p) x f_k)       over the bodies k of the link
+///     contact_switch    |F| > threshold                                                          1 or 0
+///     contact_force     |F|                                                                      [N]
+///     force_torque      F, N                                                                     [N], [N m]
+///     pressure_center   x = -N_y/F_z, y = N_x/F_z where the force goes through z = 0; F_z        [m], [N]
+///     pressure_cells    F_z (1/2 +- x/length) (1/2 +- y/width): four cells at the corners of a rectangle, with x and y
+///                       of the center of pressure kept within it                                 [N]
+///
+/// The forces are those that acted in the step that ends at the sample. The cells add up to F_z, and their center is the
+/// center of pressure as long as that lies between them: the foot is a stiff plate on four springs of equal stiffness
+/// whose redundant (twisting) mode is the bilinear one. Below the threshold nothing presses: the cells are 0 and the
+/// center of pressure is NaN.
+/// kinematic_walking has no contact forces. There the link with the standing sole is reported to carry the whole weight,
+/// upwards, in the middle of that sole; all others nothing.
+/// Source: center of pressure: Sardain, Bessonnet, "Forces acting on a biped robot. Center of pressure - zero moment
+/// point", IEEE Trans. SMC A 34 (2004).
+#pragma once
+
+#include <optional>
+
+#include "murosimf/math/spatial.h"
+#include "murosimf/sensors/mounting.h"
+#include "murosimf/sensors/sensor.h"
+
+namespace murosimf::sensors {
+
+/// The contacts of one link.
+class ContactLoad {
+ public:
+  ContactLoad(Setup& setup, const SensorSpec& spec);
+  /// [N m, N] in axes of the sensor, at its place.
+  [[nodiscard]] Forced load() const noexcept;
+
+ private:
+  [[nodiscard]] Forced carried_weight() const noexcept;
+
+  Mounting mounting_;
+  std::vector<int> bodies_;      // of the link
+  std::vector<int> soles_;       // of the model; those of the link are marked
+  std::vector<bool> own_sole_;   // by sole
+  std::vector<Vec3d> sole_arm_;  // [m] by sole: from its link's object, link axes
+  Vec3d weight_;                 // [N] world, what carries the robot
+  std::span<const Vec3d> r_;
+  std::span<const Mat3d> R_;
+  std::span<const Forced> external_, applied_;
+  std::span<const double> pushable_, stance_foot_;
+};
+
+/// Common to all of this page.
+class ContactSensor : public Sensor {
+ public:
+  [[nodiscard]] std::string remark(std::string_view level) const override;
+
+ protected:
+  ContactSensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings,
+                std::vector<Output> outputs);
+
+  ContactLoad load_;
+  double threshold_;  // [N]
+};
+
+class ContactSwitch final : public ContactSensor {
+ public:
+  ContactSwitch(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
+
+ private:
+  void measure(std::span<double> values) noexcept override;
+};
+
+class ContactForce final : public ContactSensor {
+ public:
+  ContactForce(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
+
+ private:
+  void measure(std::span<double> values) noexcept override;
+};
+
+class ForceTorque final : public ContactSensor {
+ public:
+  ForceTorque(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
+
+ private:
+  void measure(std::span<double> values) noexcept override;
+};
+
+class PressureCenter final : public ContactSensor {
+ public:
+  PressureCenter(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
+
+ private:
+  void measure(std::span<double> values) noexcept override;
+};
+
+class PressureCells final : public ContactSensor {
+ public:
+  /// Numbers: `length`, `width` [m] between the cells; missing: those of the sole that it is mounted on.
+  PressureCells(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
+
+ private:
+  void measure(std::span<double> values) noexcept override;
+
+  double length_ = 0, width_ = 0;  // [m]
+};
+
+}  // namespace murosimf::sensors

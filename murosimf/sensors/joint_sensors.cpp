@@ -1,0 +1,127 @@
+#include "murosimf/sensors/joint_sensors.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/properties.h"
+
+namespace murosimf::sensors {
+namespace {
+
+Output with_joint_names(Output output, const Model& model, const std::vector<int>& joints) {
+  for (const int joint : joints) output.labels.push_back(model.objects()[joint].name);
+  return output;
+}
+
+const Servo* servo_of(const Model& model, int joint) { return model.find(properties::servo, joint); }
+
+bool has_torque(std::string_view level) { return level == "articulated_dynamics" || level == "full_dynamics"; }
+
+}  // namespace
+
+std::vector<int> sensed_joints(const Model& model, const SensorSpec& spec) {
+  std::vector<int> joints(model.joints().begin(), model.joints().end());
+  if (joints.empty()) throw SetupError(fmt::format("model '{}' has no joints", model.name()));
+  if (spec.objects.empty()) return joints;
+  std::vector<std::string_view> names;
+  for (const int joint : joints) names.push_back(model.objects()[joint].name);
+  joints.clear();
+  for (const std::string& name : spec.objects) {
+    const auto joint = model.find_object(name);
+    if (!joint || !model.objects()[*joint].is_joint()) throw SetupError(unknown_name("joint", name, names));
+    joints.push_back(*joint);
+  }
+  return joints;
+}
+
+JointSensor::JointSensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings,
+                         const Property<double>& property, Output output)
+    : Sensor(setup, spec, surroundings,
+             {with_joint_names(std::move(output), setup.model(), sensed_joints(setup.model(), spec))}),
+      joints_(sensed_joints(setup.model(), spec)),
+      column_(setup.read(property)) {}
+
+void JointSensor::measure(std::span<double> values) noexcept {
+  for (std::size_t i = 0; i < joints_.size(); ++i) values[i] = column_[joints_[i]];
+}
+
+JointPosition::JointPosition(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : JointSensor(setup, spec, surroundings, properties::joint_position, {"position", "rad", {}}) {}
+
+JointRate::JointRate(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : JointSensor(setup, spec, surroundings, properties::joint_rate, {"rate", "rad/s", {}}) {}
+
+ServoSensor::ServoSensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings, Output output)
+    : Sensor(setup, spec, surroundings,
+             {with_joint_names(std::move(output), setup.model(), sensed_joints(setup.model(), spec))}) {
+  for (const int joint : sensed_joints(setup.model(), spec)) joints_.push_back({joint});
+}
+
+void ServoSensor::measure(std::span<double> values, std::span<const double> column) noexcept {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Joint& joint = joints_[i];
+    const double known = column[joint.object];
+    values[i] = std::isnan(known) ? joint.otherwise : joint.factor * known;
+  }
+}
+
+JointTorque::JointTorque(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : ServoSensor(setup, spec, surroundings, {"torque", "N m", {}}), torque_(setup.observe(properties::joint_torque)) {}
+
+std::string JointTorque::remark(std::string_view level) const {
+  if (has_torque(level)) return {};
+  return fmt::format("{} knows no torque of joints: '{}' reports 0", level, reading().info->name);
+}
+
+MotorCurrent::MotorCurrent(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : ServoSensor(setup, spec, surroundings, {"current", "A", {}}),
+      motor_torque_(setup.observe(properties::motor_torque)),
+      joint_torque_(setup.observe(properties::joint_torque)) {
+  for (Joint& joint : joints_) {
+    const Servo* servo = servo_of(setup.model(), joint.object);
+    const bool motor = servo && servo->voltage > 0 && servo->no_load_rate > 0;
+    joint.factor = motor ? servo->no_load_rate / servo->voltage : 0;
+  }
+}
+
+void MotorCurrent::measure(std::span<double> values) noexcept {
+  const bool motor_known = !std::isnan(motor_torque_[joints_[0].object]);
+  ServoSensor::measure(values, motor_known ? motor_torque_ : joint_torque_);
+}
+
+std::string MotorCurrent::remark(std::string_view level) const {
+  const std::string& name = reading().info->name;
+  if (level == "full_dynamics") {
+    return fmt::format("{} moves joints without servos: '{}' reports the current for the torque that it would take",
+                       level, name);
+  }
+  if (has_torque(level)) return {};
+  return fmt::format("{} knows no torque of joints: '{}' reports 0", level, name);
+}
+
+MotorVoltage::MotorVoltage(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : ServoSensor(setup, spec, surroundings, {"voltage", "V", {}}),
+      voltage_(setup.observe(properties::supply_voltage)) {
+  for (Joint& joint : joints_) {
+    if (const Servo* servo = servo_of(setup.model(), joint.object)) joint.otherwise = servo->voltage;
+  }
+}
+
+MotorTemperature::MotorTemperature(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : ServoSensor(setup, spec, surroundings, {"temperature", "C", {}}),
+      temperature_(setup.observe(properties::servo_temperature)) {
+  for (Joint& joint : joints_) {
+    const Servo* servo = servo_of(setup.model(), joint.object);
+    joint.otherwise = servo ? servo->heat.ambient_temperature : ServoHeat{}.ambient_temperature;
+  }
+}
+
+std::string MotorTemperature::remark(std::string_view level) const {
+  if (level == "articulated_dynamics") return {};
+  return fmt::format("servos get warm at articulated_dynamics only: '{}' reports the temperature of the air",
+                     reading().info->name);
+}
+
+}  // namespace murosimf::sensors
