@@ -18,14 +18,26 @@ struct RunOptions {
   std::optional<std::int64_t> seed;  ///< from 0
   std::vector<std::string> overrides;
   std::vector<std::string> events;
-  std::string json;            ///< file, "-" for standard output
-  std::string picture;         ///< PNG file
-  std::string pictures;        ///< folder for a sequence of PNG files
-  double picture_every = 0.5;  ///< [s] of simulated time
+  std::string json;              ///< file, "-" for standard output
+  std::string picture;           ///< PNG file
+  std::string pictures;          ///< folder for a sequence of PNG files
+  double picture_every = 0.5;    ///< [s] of simulated time
+  std::vector<std::string> log;  ///< what is recorded (io/log_paths.h)
+  std::string out;               ///< CSV file for that
+  double log_rate = 100;         ///< [Hz] of properties in it
   bool lenient = false;
 };
 
 int run(const RunOptions& options);
+
+struct PlotOptions {
+  std::string file;                   ///< CSV
+  std::string out;                    ///< PNG file; empty: beside the table
+  std::vector<std::string> patterns;  ///< columns to draw; none: all
+};
+
+/// A table of numbers over time as a picture.
+int plot(const PlotOptions& options);
 
 struct CheckOptions {
   std::string model;

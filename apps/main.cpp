@@ -15,6 +15,17 @@ namespace {
 using namespace murosimf::app;
 namespace io = murosimf::io;
 
+void add_log(CLI::App& run_command, RunOptions& options) {
+  CLI::Option* log = run_command.add_option(
+      "--log", options.log, "Record numbers: of sensors, like 'blue1.imu.*', or properties, like 'ball.ball.position'");
+  CLI::Option* out = run_command.add_option("--out", options.out, "Write them to this file (CSV)");
+  log->allow_extra_args(false)->needs(out);
+  out->needs(log);
+  run_command.add_option("--log-rate", options.log_rate, "How often properties are recorded, in Hz")
+      ->needs(log)
+      ->capture_default_str();
+}
+
 void add_run(CLI::App& app, RunOptions& options, int& exit_code) {
   CLI::App* run_command = app.add_subcommand("run", "Run a scene and say what happened");
   run_command->add_option("scene", options.scene, "Scene file (TOML), or the name of one that comes with the program")
@@ -44,8 +55,19 @@ void add_run(CLI::App& app, RunOptions& options, int& exit_code) {
   run_command->add_option("--picture-every", options.picture_every, "Simulated seconds from one picture to the next")
       ->needs(pictures)
       ->capture_default_str();
+  add_log(*run_command, options);
   run_command->add_flag("--lenient", options.lenient, "Accept unknown elements in model files, with a warning");
   run_command->callback([&] { exit_code = run(options); });
+}
+
+void add_plot(CLI::App& app, PlotOptions& options, int& exit_code) {
+  CLI::App* plot_command =
+      app.add_subcommand("plot", "Draw numbers over time: what 'run --log' wrote, or any such table");
+  plot_command->add_option("file", options.file, "Table (CSV) with a header and the time in its first column")
+      ->required();
+  plot_command->add_option("patterns", options.patterns, "Columns to draw, like 'blue1.imu.*'; all if not given");
+  plot_command->add_option("--out", options.out, "PNG file to write, instead of one beside the table");
+  plot_command->callback([&] { exit_code = plot(options); });
 }
 
 void add_compare(CLI::App& app, CompareCommand& command, int& exit_code) {
@@ -161,7 +183,7 @@ void add_replay_servo(CLI::App& app, ReplayServoOptions& options, int& exit_code
 
 /// The parser would only say that a command is required.
 void refuse_unknown_command(int argc, char** argv) {
-  const std::vector<std::string_view> commands{"run",  "compare", "check",     "convert",
+  const std::vector<std::string_view> commands{"run",  "compare", "check",     "convert",     "plot",
                                                "list", "bench",   "fit-servo", "replay-servo"};
   if (argc < 2 || argv[1][0] == '-') return;
   if (std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
@@ -176,6 +198,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", MUROSIMF_VERSION);
   RunOptions run_options;
+  PlotOptions plot_options;
   CompareCommand compare_command;
   CheckOptions check_options;
   ConvertOptions convert_options;
@@ -185,6 +208,7 @@ int main(int argc, char** argv) {
   std::string what, what_to_bench;
   int exit_code = 0;
   add_run(app, run_options, exit_code);
+  add_plot(app, plot_options, exit_code);
   add_compare(app, compare_command, exit_code);
   add_check(app, check_options, exit_code);
   add_convert(app, convert_options, exit_code);

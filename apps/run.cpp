@@ -12,6 +12,7 @@
 #include "apps/picture_sequence.h"
 #include "apps/standard_output.h"
 #include "murosimf/io/output_file.h"
+#include "murosimf/io/run_log.h"
 #include "murosimf/io/scene.h"
 
 namespace murosimf::app {
@@ -68,6 +69,7 @@ int run(const RunOptions& options) {
   // where results go is checked before anything is computed, so that no result is lost
   check_json_file(options.json);
   if (!options.picture.empty()) io::check_writable(options.picture);
+  if (!options.out.empty()) io::check_writable(options.out);
   std::optional<PictureSequence> pictures;
   if (!options.pictures.empty()) pictures.emplace(options.pictures, options.picture_every);
 
@@ -78,6 +80,11 @@ int run(const RunOptions& options) {
                                   .lenient = options.lenient});
   const Duration duration = duration_of(options.duration.value_or(scene.spec().duration));
   Simulation& simulation = scene.simulation();
+  std::optional<io::RunLog> log;
+  if (!options.log.empty()) {
+    log.emplace(simulation, options.log,
+                io::RunLogOptions{.step_rate = scene.spec().rate, .property_rate = options.log_rate});
+  }
   simulation.initialize();
 
   Duration wall{};  // without that for pictures
@@ -96,6 +103,7 @@ int run(const RunOptions& options) {
   }
   const io::RunReport report = scene.report(wall, clock.lateness());
 
+  if (log) log->write(options.out);
   write_result(options.json, io::to_text(report), io::to_json(report));
   if (!options.picture.empty()) scene.write_picture(options.picture);
   return 0;

@@ -1,28 +1,49 @@
 #include "murosimf/io/run_report.h"
 
-#include <sstream>
-
 #include <fmt/format.h>
-#include <toml++/toml.h>
+#include <nlohmann/json.hpp>
 
 namespace murosimf::io {
 namespace {
 
-toml::table entity_table(const EntityReport& e) {
-  return toml::table{{"name", e.name},
-                     {"model", e.model},
-                     {"level", e.level},
-                     {"contact", e.contact},
-                     {"controller", e.controller},
-                     {"team", e.team},
-                     {"position", toml::array{e.position.x, e.position.y, e.position.z}},
-                     {"distance_m", e.distance},
-                     {"falls", e.falls},
-                     {"frozen", e.frozen}};
+using nlohmann::json;
+
+json entity_object(const EntityReport& e) {
+  return {{"name", e.name},
+          {"model", e.model},
+          {"level", e.level},
+          {"contact", e.contact},
+          {"controller", e.controller},
+          {"team", e.team},
+          {"position", {e.position.x, e.position.y, e.position.z}},
+          {"distance_m", e.distance},
+          {"falls", e.falls},
+          {"frozen", e.frozen}};
 }
 
-toml::table algorithm_table(const AlgorithmStatistics& a) {
-  return toml::table{{"name", a.name}, {"rate_hz", a.rate_hz}, {"calls", a.calls}, {"us_per_call", a.us_per_call}};
+json algorithm_object(const AlgorithmStatistics& a) {
+  return {{"name", a.name}, {"rate_hz", a.rate_hz}, {"calls", a.calls}, {"us_per_call", a.us_per_call}};
+}
+
+json sensor_object(const sensors::Reading& reading) {
+  json outputs = json::object();
+  for (const sensors::Output& output : reading.info->outputs) {
+    const auto values = reading.output(output.name);  // numbers that are not finite become null
+    outputs[output.name] = {{"unit", output.unit},
+                            {"labels", output.labels},
+                            {"values", std::vector<double>(values.begin(), values.end())}};
+  }
+  return {{"type", reading.info->type},
+          {"time_s", static_cast<double>(reading.time.count()) / 1e9},
+          {"samples", reading.samples},
+          {"outputs", std::move(outputs)}};
+}
+
+std::string sensor_line(const std::vector<SensorReport>& sensors) {
+  if (sensors.empty()) return {};
+  std::uint64_t samples = 0;
+  for (const SensorReport& sensor : sensors) samples += sensor.reading.samples;
+  return fmt::format("{} sensor{}, {} samples\n", sensors.size(), sensors.size() == 1 ? "" : "s", samples);
 }
 
 }  // namespace
@@ -42,33 +63,34 @@ std::string to_text(const RunReport& report) {
   text += fmt::format("\n{:.2f} s simulated in {:.3f} s: {:.0f} times real time on {} thread{}\n", report.simulated,
                       report.wall, report.real_time_factor, report.threads, report.threads == 1 ? "" : "s");
   text += fmt::format("seed {}, state hash {:016x}\n", report.seed, report.state_hash);
+  text += sensor_line(report.sensors);
   for (const Event& event : report.events) text += fmt::format("{:.3f} s: {}\n", seconds(event.time), event.text);
   for (const std::string& warning : report.warnings) text += fmt::format("warning: {}\n", warning);
   return text;
 }
 
 std::string to_json(const RunReport& report) {
-  toml::table root{{"scene", report.scene},
-                   {"simulated_s", report.simulated},
-                   {"wall_s", report.wall},
-                   {"real_time_factor", report.real_time_factor},
-                   {"threads", report.threads},
-                   {"seed", static_cast<std::int64_t>(report.seed)},
-                   {"state_hash", fmt::format("{:016x}", report.state_hash)}};
-  toml::array entities, algorithms, events, warnings;
-  for (const EntityReport& e : report.entities) entities.push_back(entity_table(e));
-  for (const AlgorithmStatistics& a : report.algorithms) algorithms.push_back(algorithm_table(a));
-  for (const Event& event : report.events) {
-    events.push_back(toml::table{{"time_s", seconds(event.time)}, {"text", event.text}});
+  json root{{"scene", report.scene},
+            {"simulated_s", report.simulated},
+            {"wall_s", report.wall},
+            {"real_time_factor", report.real_time_factor},
+            {"threads", report.threads},
+            {"seed", report.seed},
+            {"state_hash", fmt::format("{:016x}", report.state_hash)},
+            {"entities", json::array()},
+            {"sensors", json::object()},
+            {"algorithms", json::array()},
+            {"events", json::array()},
+            {"warnings", report.warnings}};
+  for (const EntityReport& e : report.entities) root["entities"].push_back(entity_object(e));
+  for (const SensorReport& sensor : report.sensors) {
+    root["sensors"][sensor.entity][sensor.reading.info->name] = sensor_object(sensor.reading);
   }
-  for (const std::string& warning : report.warnings) warnings.push_back(warning);
-  root.insert("entities", std::move(entities));
-  root.insert("algorithms", std::move(algorithms));
-  root.insert("events", std::move(events));
-  root.insert("warnings", std::move(warnings));
-  std::stringstream stream;
-  stream << toml::json_formatter(root) << "\n";
-  return stream.str();
+  for (const AlgorithmStatistics& a : report.algorithms) root["algorithms"].push_back(algorithm_object(a));
+  for (const Event& event : report.events) {
+    root["events"].push_back({{"time_s", seconds(event.time)}, {"text", event.text}});
+  }
+  return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace murosimf::io

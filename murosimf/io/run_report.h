@@ -7,6 +7,7 @@
 
 #include "murosimf/math/vec3.h"
 #include "murosimf/runtime/simulation.h"
+#include "murosimf/sensors/reading.h"
 
 namespace murosimf::io {
 
@@ -18,6 +19,12 @@ struct EntityReport {
   bool frozen = false;
 };
 
+/// The last sample of a sensor.
+struct SensorReport {
+  std::string entity;
+  sensors::Reading reading;
+};
+
 struct RunReport {
   std::string scene;
   double simulated = 0;  ///< [s]
@@ -27,17 +34,19 @@ struct RunReport {
   std::uint64_t seed = 0;
   std::uint64_t state_hash = 0;
   std::vector<EntityReport> entities;
+  std::vector<SensorReport> sensors;
   std::vector<AlgorithmStatistics> algorithms;
   std::vector<Event> events;
   std::vector<std::string> warnings;
 };
 
-/// Tables with aligned columns: entities, algorithms, sums, events, warnings.
+/// Tables with aligned columns: entities, algorithms, sums, events, warnings. Of sensors only how many there are.
 [[nodiscard]] std::string to_text(const RunReport& report);
 
 /// One JSON object: simulated_s, wall_s, real_time_factor, threads, seed, state_hash (hexadecimal text),
 /// entities [{name, model, level, contact, controller, team, position, distance_m, falls, frozen}],
-/// algorithms [{name, rate_hz, calls, us_per_call}], events [{time_s, text}], warnings [].
+/// sensors {entity: {sensor: {type, time_s, samples, outputs: {name: {unit, labels, values}}}}} with null for what is no
+/// finite number, algorithms [{name, rate_hz, calls, us_per_call}], events [{time_s, text}], warnings [].
 [[nodiscard]] std::string to_json(const RunReport& report);
 
 }  // namespace murosimf::io

@@ -255,6 +255,9 @@ RunReport Scene::report(Duration wall, const Lateness& lateness) const {
                    static_cast<int>(base.get(properties::falls)),
                    mover->frozen()};
     report.entities.push_back(std::move(e));
+    for (const sensors::Reading* reading : sensors::readings_of(*mover)) {
+      report.sensors.push_back({mover->name(), *reading});
+    }
   }
   report.algorithms = simulation_->statistics();
   report.events = simulation_->events();

@@ -1,0 +1,25 @@
+// `murosimf plot`: draws a table of numbers over time.
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "murosimf/io/csv_file.h"
+#include "murosimf/io/log_plot.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::app {
+
+int plot(const PlotOptions& options) {
+  namespace fs = std::filesystem;
+  const fs::path file = options.file;
+  const fs::path picture = options.out.empty() ? fs::path(file).replace_extension(".png") : fs::path(options.out);
+  if (picture == file)
+    throw SetupError(fmt::format("'{}' is the table itself; name a picture: --out FILE.png", options.file));
+  const io::CsvTable table = io::read_csv(file);
+  io::write_plot(picture,
+                 at(options.file, [&] { return io::plot_of(table, file.filename().string(), options.patterns); }));
+  return 0;
+}
+
+}  // namespace murosimf::app
