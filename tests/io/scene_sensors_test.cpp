@@ -132,13 +132,13 @@ TEST(SceneSensors, SayOneThingOfSeveralRobotsInOneLine) {
 }
 
 TEST(SceneSensors, OfARobotFileFollowLongSteps) {
-  Scene scene(write_scene("rate = 150\n" + start + two), {.overrides = {"two.sensors=false"}});
-  EXPECT_NEAR(rate_of(reading(scene, "one", "imu")), 150, 1e-3);
-  EXPECT_NEAR(rate_of(reading(scene, "one", "encoders")), 75, 1e-3);
-  EXPECT_EQ(count_lines(scene, "one: imu: samples at 150 Hz, not 200, because steps are 6.667 ms long"), 1);
-  EXPECT_EQ(count_lines(scene, "one: encoders, left_foot, right_foot: samples at 75 Hz, not 100"), 1);
+  Scene scene(write_scene("rate = 250\n" + start + two), {.overrides = {"two.sensors=false"}});
+  EXPECT_NEAR(rate_of(reading(scene, "one", "imu")), 125, 1e-9);
+  EXPECT_NEAR(rate_of(reading(scene, "one", "encoders")), 1 / 0.012, 1e-9);
+  EXPECT_EQ(count_lines(scene, "one: imu: samples at 125 Hz, not 200, because steps are 4 ms long"), 1);
+  EXPECT_EQ(count_lines(scene, "one: encoders, left_foot, right_foot: samples at 83.33 Hz, not 100"), 1);
   scene.simulation().run(100ms);
-  EXPECT_EQ(reading(scene, "one", "encoders").samples, 8u);
+  EXPECT_EQ(reading(scene, "one", "encoders").samples, 9u);
 }
 
 struct Mistake {
