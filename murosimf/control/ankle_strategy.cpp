@@ -79,7 +79,7 @@ void AnkleStrategy::answer(double period) noexcept {
 /// From the stance of the walk engine: soles turned about the ankles.
 void AnkleStrategy::write_targets() noexcept {
   const double sole = std::clamp(options_.gain * capture_, -options_.limit, options_.limit);
-  const Mat3d level_to_pelvis = rotation_y(options_.trunk_back - stance_.pitch);
+  const Mat3d level_to_pelvis = rotation_y(-stance_.pitch);
   GaitPose pose = home_pose(legs_);
   for (std::size_t side = 0; side < 2; ++side) {
     const Leg& leg = legs_[side];

@@ -13,9 +13,9 @@
 ///     xi' = (lean + w_y/sqrt(g/z) - xi)/T_s                      [rad] T_s: `smooth_time`
 ///     sole = a xi, up to a limit                                 [rad] toes down
 ///
-/// Feet cannot do more than press with their toes or heels, which those of a stiff robot do too. So what is won is
-/// little (on kid21 9 % of the largest push in the back, nothing from the front): more takes steps. Nothing is answered to pushes from the side. Gains were
-/// searched for on kid21.
+/// Feet cannot do more than press with their toes or heels, which those of a stiff robot do too. So little is won: on
+/// kid21 6 % of the largest push in the back and 4 % from the front; more takes steps. Nothing is answered to pushes
+/// from the side. Gains were chosen on kid21, which begins to rock between 0.7 and 1 (articulated_dynamics).
 /// Source: filter: Mahony, Hamel, Pflimlin, Nonlinear Complementary Filters on the Special Orthogonal Group, IEEE TAC 53
 /// (2008), explicit form for one vector. Capture point and ankles: Stephens, Humanoid Push Recovery, IEEE-RAS Humanoids
 /// 2007; in people: Horak, Nashner, Central programming of postural movements, J Neurophysiol 55 (1986).
@@ -34,9 +34,8 @@ struct AnkleStrategyOptions {
   double settle_time = 0.5;   ///< [s]
   double trust_time = 2;      ///< [s] T
   double smooth_time = 0.02;  ///< [s] T_s
-  double gain = 0.35;         ///< [1] a
+  double gain = 0.5;          ///< [1] a
   double limit = 0.4;         ///< [rad] of the soles
-  double trunk_back = 0.02;   ///< [rad] from the stance of the walk engine: brings the weight amid the feet
 };
 
 class AnkleStrategy final : public Algorithm {
