@@ -1,17 +1,10 @@
 // The model doctor's look at sensors: what a simulation would say of them.
-#include <fmt/format.h>
-
 #include "murosimf/io/robot_doctor.h"
+#include "murosimf/io/scene_spec.h"
 #include "murosimf/io/sensor_types.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
-namespace {
-
-constexpr double usual_rate = 1000;  // [Hz] of a scene's steps
-
-}  // namespace
-
 std::vector<Finding> examine_sensors(const RobotFile& robot) {
   std::vector<Finding> findings;
   Simulation simulation;
@@ -19,7 +12,7 @@ std::vector<Finding> examine_sensors(const RobotFile& robot) {
   const sensors::SensorSurroundings surroundings{.movers = {&entity}};
   for (const sensors::SensorSpec& spec : robot.sensors) {
     try {
-      attach_sensor(simulation, entity, spec, surroundings, usual_rate);
+      attach_sensor(simulation, entity, spec, surroundings, SceneSpec{}.rate);
     } catch (const SetupError& error) {
       findings.push_back(make_finding(Severity::error, error.what()));
     }

@@ -66,8 +66,11 @@ class Scene {
   void add_robot(const RobotSpec& robot);
   [[nodiscard]] Mat3d random_tilt(const RandomStream& random) const;
   void scatter_postures();
-  /// Those of the robot's files, changed by the scene.
-  [[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(const RobotSpec& robot) const;
+  /// Gives a sensor of a robot's file a rate that the scene's steps allow, if steps of usual length would allow its own.
+  /// What has changed; empty: nothing.
+  [[nodiscard]] std::string fit_to_steps(sensors::SensorSpec& spec) const;
+  /// Those of the robot's files, changed by the scene. Warns of rates that had to change.
+  [[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(const RobotSpec& robot);
   void attach_sensors();
   [[nodiscard]] std::string sensor_remarks(const RobotSpec& robot) const;
   /// What sensors have to say of the level of their robots: one line for robots of which the same is true.

@@ -32,11 +32,41 @@ void add_remark(const std::string& text, const std::string& about, std::vector<R
   known->about.push_back(about);
 }
 
+bool fits(const sensors::SensorSpec& spec, double step_rate) {
+  try {
+    sensors::check_rate(spec, step_rate);
+  } catch (const SetupError&) {
+    return false;
+  }
+  return true;
+}
+
+/// [Hz] The highest rate up to `rate` that steps divide into.
+double rate_of_whole_steps(double rate, double step_rate) {
+  const Duration step = from_seconds(1 / step_rate), period = from_seconds(1 / rate);
+  return 1 / seconds((period + step - Duration{1}) / step * step);
+}
+
 }  // namespace
 
-std::vector<sensors::SensorSpec> Scene::sensors_of(const RobotSpec& robot) const {
+std::string Scene::fit_to_steps(sensors::SensorSpec& spec) const {
+  // a rate that steps of usual length do not allow either is a mistake of the file
+  if (fits(spec, spec_.rate) || !fits(spec, SceneSpec{}.rate)) return {};
+  const double rate = rate_of_whole_steps(spec.rate, spec_.rate);
+  const std::string remark = fmt::format("samples at {:.4g} Hz, not {:.4g}, because steps are {:.4g} ms long", rate,
+                                         spec.rate, 1e3 / spec_.rate);
+  spec.rate = rate;
+  return remark;
+}
+
+std::vector<sensors::SensorSpec> Scene::sensors_of(const RobotSpec& robot) {
   std::vector<sensors::SensorSpec> specs;
   if (!robot.sensors.none) specs = models_.at(robot.model).sensors;
+  std::vector<Remark> remarks;
+  for (sensors::SensorSpec& spec : specs) add_remark(fit_to_steps(spec), spec.name, remarks);
+  for (const Remark& remark : remarks) {
+    warn(robot, fmt::format("{}: {}", fmt::join(remark.about, ", "), remark.text));
+  }
   change_sensors(specs, robot.sensors.tables, spec_.file.parent_path());
   return specs;
 }

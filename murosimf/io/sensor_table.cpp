@@ -1,8 +1,6 @@
 #include "murosimf/io/sensor_table.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <numbers>
 #include <optional>
 
@@ -51,7 +49,11 @@ class Changer {
     SensorValues signal;
     for (const auto& [key, value] : table.values) {
       const bool own = contains(keys, key) || contains(numbers_, key) || contains(objects_, key);
-      own ? take_value(key, value) : void(signal.emplace(key, value));
+      if (own) {
+        take_value(key, value);
+      } else {
+        signal.emplace(key, value);
+      }
     }
     if (signal.empty()) return;
     spec_.signals.try_emplace("");
@@ -118,10 +120,6 @@ SensorTable read_part(const std::string& name, const std::string& where, const s
   fail(where, unknown_name("part", name, Names(names.begin(), names.end())));
 }
 
-void check_type(const SensorTable& table, const std::string& type) {
-  at(table.values.at("type").where, [&] { (void)find_entry(sensor_types(), "sensor type", type); });
-}
-
 void check_signals(const SensorSpec& spec) {
   for (const auto& [output, signal] : spec.signals) {
     at(spec.where, [&, &name = output, &numbers = signal] {
@@ -130,23 +128,31 @@ void check_signals(const SensorSpec& spec) {
   }
 }
 
-/// The sensor that a table makes of `old`; null: there is none of that name.
-SensorSpec changed(const SensorSpec* old, const SensorTable& table, const std::filesystem::path& beside) {
-  const auto type = text_of(table, "type"), part_name = text_of(table, "part");
-  std::optional<SensorTable> part;
-  if (part_name) part = read_part(*part_name, table.values.at("part").where, beside);
+/// The type that a table says, if it says one.
+std::optional<std::string> type_of(const SensorTable& table) {
+  const auto type = text_of(table, "type");
+  if (type) at(table.values.at("type").where, [&] { (void)find_entry(sensor_types(), "sensor type", *type); });
+  return type;
+}
+
+/// The sensor as it is before keys are taken over: `old`, or a new one. Null: there is none of that name.
+SensorSpec begin(const SensorSpec* old, const SensorTable& table, const std::optional<SensorTable>& part) {
+  auto type = type_of(table);
   SensorSpec spec;
   if (old && !type) spec = *old;
+  if (!old && !type && part) type = type_of(*part);
+  if (type) spec.type = *type;
+  if (spec.type.empty()) fail(table.where, fmt::format("sensor '{}' needs type = \"...\"", table.name));
   spec.name = table.name;
   spec.where = table.where;
-  if (type) {
-    check_type(table, *type);
-    spec.type = *type;
-  } else if (!old && part && part->values.contains("type")) {
-    spec.type = text_of(*part, "type").value_or("");
-    check_type(*part, spec.type);
-  }
-  if (spec.type.empty()) fail(table.where, fmt::format("sensor '{}' needs type = \"...\"", table.name));
+  return spec;
+}
+
+/// The sensor that a table makes of `old`.
+SensorSpec changed(const SensorSpec* old, const SensorTable& table, const std::filesystem::path& beside) {
+  std::optional<SensorTable> part;
+  if (const auto name = text_of(table, "part")) part = read_part(*name, table.values.at("part").where, beside);
+  SensorSpec spec = begin(old, table, part);
   Changer changer(spec);
   if (part) {
     spec.part = part->name;

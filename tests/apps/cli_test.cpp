@@ -57,6 +57,7 @@ TEST(Cli, ListsNames) {
 
 TEST(Cli, ChecksAModel) {
   const Result result = murosimf("check kid21");
+  EXPECT_NE(result.output.find("sensor imu: imu on torso, 200 Hz, part mpu6050"), std::string::npos);
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_NE(result.output.find("4.3"), std::string::npos);
   EXPECT_EQ(murosimf("check kid21 --json -").output.front(), '{');

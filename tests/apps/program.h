@@ -30,7 +30,8 @@ inline std::string read_file(const fs::path& file) {
 
 inline fs::path scratch(const std::string& name) {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  return fs::path(testing::TempDir()) / (std::string("cli_") + info->name() + "_" + name);
+  return fs::path(testing::TempDir()) /
+         (std::string("cli_") + info->test_suite_name() + "_" + info->name() + "_" + name);
 }
 
 inline Result murosimf(const std::string& arguments) {

@@ -55,6 +55,16 @@ TEST(ModelReport, ShowsTheTreeOfKid21) {
   EXPECT_FALSE(contains(text, "no servo moves"));
 }
 
+TEST(ModelReport, ListsSensors) {
+  std::vector<sensors::SensorSpec> sensors{{.name = "eye", .type = "laser", .frame = "hand", .rate = 40}};
+  sensors.push_back({.name = "knees", .type = "joint_position", .objects = {"a", "b"}, .part = "steps"});
+  const ModelReport report = make_report(arm(), {}, sensors);
+  EXPECT_TRUE(contains(to_text(report), "sensor eye: laser on hand, 40 Hz\n"));
+  EXPECT_TRUE(contains(to_text(report), "sensor knees: joint_position of a, b, every step, part steps\n"));
+  EXPECT_TRUE(contains(to_json(report), "\"rate_hz\" : 40.0"));
+  EXPECT_TRUE(contains(to_json(report), "\"part\" : \"steps\""));
+}
+
 TEST(ModelReport, ShowsRangesInDegreesAndMetres) {
   const std::string text = to_text(make_report(arm()));
   EXPECT_TRUE(contains(text, "forearm"));

@@ -76,7 +76,7 @@ set = "blue2.command = [0.1, 0, 0]"
 TEST(Timeline, ARefusalIsAWarningAndTheOthersChange) {
   Scene scene(write_scene(game + "[[robots]]\nname = 'blue3'\nlevel = 'simplified_dynamics'\npitch_deg = 90\n"
                                  "controller = 'none'\nposition = [1, -1]\n"),
-              {.events = {"0.1:blue*.level=kinematic_walking"}});
+              {.overrides = {"*.sensors=false"}, .events = {"0.1:blue*.level=kinematic_walking"}});
   scene.simulation().run(300ms);
   EXPECT_EQ(scene.simulation().world().entity("blue3").level, "simplified_dynamics");
   EXPECT_EQ(scene.simulation().world().entity("blue2").level, "kinematic_walking");

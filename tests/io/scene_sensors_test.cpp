@@ -131,6 +131,16 @@ TEST(SceneSensors, SayOneThingOfSeveralRobotsInOneLine) {
   EXPECT_EQ(count_lines(scene, "kinematic_walking"), 1);
 }
 
+TEST(SceneSensors, OfARobotFileFollowLongSteps) {
+  Scene scene(write_scene("rate = 250\n" + start + two), {.overrides = {"two.sensors=false"}});
+  EXPECT_NEAR(rate_of(reading(scene, "one", "imu")), 125, 1e-9);
+  EXPECT_NEAR(rate_of(reading(scene, "one", "encoders")), 1 / 0.012, 1e-9);
+  EXPECT_EQ(count_lines(scene, "one: imu: samples at 125 Hz, not 200, because steps are 4 ms long"), 1);
+  EXPECT_EQ(count_lines(scene, "one: encoders, left_foot, right_foot: samples at 83.33 Hz, not 100"), 1);
+  scene.simulation().run(100ms);
+  EXPECT_EQ(reading(scene, "one", "encoders").samples, 9u);
+}
+
 struct Mistake {
   const char* name;
   std::string text;  ///< behind the start of the scene
@@ -167,7 +177,10 @@ INSTANTIATE_TEST_SUITE_P(
                 {},
                 {".toml:7:", "'torso'", "(robot 'one')"}},
         Mistake{"RateThatDoesNotDivide", one("[robots.sensors.imu]\nrate = 300\n"), {}, {".toml:7:", "300 Hz"}},
-        Mistake{"RateAboveTheSteps", one(""), {"rate=100"}, {"kid21.toml:", "faster than"}},
+        Mistake{"RateAboveTheSteps",
+                one(""),
+                {"one.sensors.imu.rate=2000"},
+                {"--set 'one.sensors.imu.rate=2000'", "faster than"}},
         Mistake{"UnknownKeyOfSet",
                 one(""),
                 {"one.sensors.imu.rat=5"},

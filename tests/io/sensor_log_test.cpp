@@ -28,7 +28,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A robot that walks, with two sensors of different rate and delay.
 struct Walk {
-  Walk() : scene("walk", {.overrides = {"walker.level=simplified_dynamics"}}) {
+  Walk() : scene("walk", {.overrides = {"walker.level=simplified_dynamics", "walker.sensors=false"}}) {
     add({.name = "imu",
          .type = "imu",
          .where = "test",
@@ -138,7 +138,7 @@ TEST(RunLog, ChangesNothing) {
 
 TEST(RunLog, IsTheSameAtManyThreads) {
   const auto csv = [](int threads) {
-    Scene scene("three_on_three", {.threads = threads});
+    Scene scene("three_on_three", {.threads = threads, .overrides = {"*.sensors=false"}});
     Simulation& simulation = scene.simulation();
     for (const char* name : {"blue1", "red2"}) {
       Entity& robot = simulation.world().entity(name);
