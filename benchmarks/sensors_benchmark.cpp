@@ -20,7 +20,8 @@ struct Match {
   }
   sensors::Sensor& attach(const std::string& type, double tilt = 0) {
     sensors::SensorSpec spec;
-    spec.name = spec.type = type;
+    spec.name = "measured";  // no sensor of the robot's own is called so
+    spec.type = type;
     spec.orientation = rotation_y(tilt);
     return io::attach_sensor(simulation, robot, spec, {1, movers}, 1000);
   }

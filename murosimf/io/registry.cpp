@@ -5,6 +5,7 @@
 #include "murosimf/collision/implicit_stick.h"
 #include "murosimf/collision/kelvin_voigt.h"
 #include "murosimf/collision/paper_law.h"
+#include "murosimf/control/ankle_strategy.h"
 #include "murosimf/control/ball_chaser.h"
 #include "murosimf/control/drive.h"
 #include "murosimf/control/keyframe_player.h"
@@ -42,6 +43,10 @@ void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
 
 void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, options.command);
+}
+
+void attach_balance(Simulation& simulation, Entity& robot, const ControllerOptions&) {
+  simulation.attach<control::AnkleStrategy>("ankle_strategy", robot, control::AnkleStrategy::rate_hz);
 }
 
 void attach_keyframes(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
@@ -108,6 +113,7 @@ constexpr std::array controller_entries{
     Controller{"none", "joints stay where they are put", attach_none},
     Controller{"walk", "walks with the velocity in walk_command", attach_walk},
     Controller{"trot", "trots on four legs with the velocity in walk_command", attach_trot},
+    Controller{"balance", "stands and answers pushes with ankles and hips, from the sensor 'imu'", attach_balance},
     Controller{"keyframes", "plays the key frames of a motion once", attach_keyframes},
     Controller{"drive", "drives a car with the speed and turning rate in walk_command", attach_drive},
     Controller{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth",

@@ -91,6 +91,11 @@ inline constexpr Property<double> path_curvature     {{"path_curvature", "1/m", 
 inline constexpr Property<double> gait_phase         {{"gait_phase", "rad", "-", "0 to pi: left foot stands", Scope::base}};
 inline constexpr Property<double> gait_amplitude     {{"gait_amplitude", "1", "-", "0 stands, 1 walks", Scope::base}};
 inline constexpr Property<double> motion_time        {{"motion_time", "s", "-", "since the start of the key-frame motion", Scope::base}};
+inline constexpr Property<Vec3d>  balance_up         {{"balance_up", "1", "sensor", "unit vector upward, as the controller that balances takes it", Scope::base}};
+inline constexpr Property<Vec3d>  balance_upright    {{"balance_upright", "1", "sensor", "mean direction of gravity while the robot settled", Scope::base}};
+inline constexpr Property<Vec3d>  balance_bias       {{"balance_bias", "rad/s", "sensor", "mean of the gyroscope while the robot settled", Scope::base}};
+inline constexpr Property<double> balance_capture    {{"balance_capture", "rad", "-", "lean forward at which the robot would come to rest, smoothed", Scope::base}};
+inline constexpr Property<double> balance_hip        {{"balance_hip", "rad", "-", "how far the hips are thought to have turned the trunk forward", Scope::base}};
 inline constexpr Property<double> distance_walked    {{"distance_walked", "m", "world, horizontal", "length of the base's path, sampled twice a second", Scope::base}};
 inline constexpr Property<double> falls              {{"falls", "1", "-", "how often the base tilted over 60 degrees", Scope::base}};
 inline constexpr Property<double> lying              {{"lying", "1", "-", "1 while the base leans over after a fall", Scope::base}};

@@ -1,5 +1,6 @@
 #include "murosimf/sensors/detector.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -7,33 +8,21 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/sensors/all_around.h"
+#include "murosimf/sensors/ground_truth.h"
 
 namespace murosimf::sensors {
 namespace {
 
-Entity& find_mover(const std::string& name, const std::vector<Entity*>& others) {
-  std::vector<std::string_view> names;
-  for (Entity* other : others) {
-    if (other->name() == name) return *other;
-    names.push_back(other->name());
-  }
-  throw SetupError(unknown_name("entity", name, names));
-}
-
 std::vector<Entity*> looked_at(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings) {
-  std::vector<Entity*> others, chosen;
-  for (Entity* mover : surroundings.movers) {
-    if (mover != &setup.entity()) others.push_back(mover);
-  }
-  for (const std::string& name : spec.objects) {
-    if (name == setup.entity().name()) throw SetupError(fmt::format("'{}' carries the detector: it is not seen", name));
-    Entity& entity = find_mover(name, others);
-    if (std::find(chosen.begin(), chosen.end(), &entity) != chosen.end()) {
-      throw SetupError(fmt::format("'{}' is named twice", name));
+  std::vector<Entity*> entities = sensed_entities(spec, surroundings);
+  const auto self = std::find(entities.begin(), entities.end(), &setup.entity());
+  if (self != entities.end()) {
+    if (!spec.objects.empty()) {
+      throw SetupError(fmt::format("'{}' carries the detector: it is not seen", setup.entity().name()));
     }
-    chosen.push_back(&entity);
+    entities.erase(self);
   }
-  return spec.objects.empty() ? others : chosen;
+  return entities;
 }
 
 std::vector<Output> detections(const std::vector<Entity*>& entities) {
@@ -52,8 +41,8 @@ Seen seen(Setup other) {
 }  // namespace
 
 Detector::Numbers::Numbers(const SensorSpec& spec)
-    : half_azimuth(0.5 * checked_number(spec, "opening_azimuth", 2 * pi / 3, {0, 2 * pi})),
-      half_elevation(0.5 * checked_number(spec, "opening_elevation", 2 * pi / 3, {0, pi})),
+    : half_azimuth(0.5 * checked_opening(spec, "opening_azimuth", 2 * pi / 3)),
+      half_elevation(0.5 * checked_opening(spec, "opening_elevation", 2 * pi / 3, pi)),
       range(checked_range(spec, {.nearest = 0.1})),
       visible_share(checked_number(spec, "visible_share", 0.25, {0, 1})),
       misses(checked_number(spec, "misses", 0, {0, 1})),

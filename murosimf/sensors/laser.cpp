@@ -12,7 +12,7 @@ Output ranges(int rays) {
 }
 
 collision::Fan fan_of(const SensorSpec& spec) {
-  const double opening = checked_number(spec, "opening", 1.5 * pi, {0, 2 * pi});
+  const double opening = checked_opening(spec, "opening", 1.5 * pi);
   const double first = checked_number(spec, "first_angle", -0.5 * opening, {-2 * pi, 2 * pi});
   return {rays_of(spec), first, opening};
 }

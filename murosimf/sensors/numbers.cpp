@@ -1,5 +1,6 @@
 #include "murosimf/sensors/numbers.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -20,6 +21,10 @@ int checked_count(const SensorSpec& spec, const std::string& key, int otherwise,
   const double number = checked_number(spec, key, otherwise, bounds);
   if (number == std::floor(number)) return static_cast<int>(number);
   throw SetupError(fmt::format("{} is {}; it must be a whole number", key, number));
+}
+
+double checked_opening(const SensorSpec& spec, const std::string& key, double otherwise, double most) {
+  return std::min(checked_number(spec, key, otherwise, {0, most + 1e-4}), most);
 }
 
 Range checked_range(const SensorSpec& spec, const Range& otherwise) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "murosimf/math/scalar.h"
 #include "murosimf/sensors/sensor_spec.h"
 
 namespace murosimf::sensors {
@@ -18,6 +19,10 @@ struct Bounds {
                                     const Bounds& bounds = {});
 /// The same for a whole number.
 [[nodiscard]] int checked_count(const SensorSpec& spec, const std::string& key, int otherwise, const Bounds& bounds);
+
+/// The same for an angle [rad] from side to side, from 0 to `most`. Rounded ones, like 3.1416 to both sides, count as it.
+[[nodiscard]] double checked_opening(const SensorSpec& spec, const std::string& key, double otherwise,
+                                     double most = 2 * pi);
 
 /// Between which distances [m] a sensor sees something.
 struct Range {

@@ -31,7 +31,7 @@ struct SensorInfo {
   std::string name{};   ///< unique on its robot
   std::string type{};   ///< as in files: "imu"
   std::string frame{};  ///< name of the object that it is mounted on; empty: nothing in particular
-  Duration period{};  ///< between two samples
+  Duration period{};    ///< between two samples
   std::vector<Output> outputs{};
   [[nodiscard]] std::size_t numbers() const;
 };

@@ -38,12 +38,13 @@ Sensor::Sensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
                                  spec.rate, 1 / seconds(setup.period())));
   }
   check_signal_names(spec, reading_.info->outputs);
-  make_signals(spec, surroundings.seed, setup.entity().name(), seconds(setup.period()));
+  make_signals(spec, surroundings.seed, setup.entity().name(), {seconds(setup.period()), seconds(period_)});
   values_.resize(reading_.values.size());
   on_the_way_.assign(static_cast<std::size_t>(delay_ / period_) + 2, {Duration{}, values_});
 }
 
-void Sensor::make_signals(const SensorSpec& spec, std::uint64_t seed, const std::string& robot, double period) {
+void Sensor::make_signals(const SensorSpec& spec, std::uint64_t seed, const std::string& robot,
+                          const SignalPeriods& periods) {
   for (const Output& output : reading_.info->outputs) {
     const SignalSpec signal = spec.signal(output.name);
     filters_ = filters_ || signal.low_pass > 0;
@@ -51,7 +52,7 @@ void Sensor::make_signals(const SensorSpec& spec, std::uint64_t seed, const std:
     std::vector<std::string> names;
     for (const std::string& label : output.labels) names.push_back(fmt::format("{}.{}", stream, label));
     if (names.empty()) names.push_back(stream);
-    signals_.push_back(at(output.name, [&] { return Signal(signal, seed, names, period); }));
+    signals_.push_back(at(output.name, [&] { return Signal(signal, seed, names, periods); }));
   }
 }
 

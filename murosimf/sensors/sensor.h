@@ -55,7 +55,7 @@ class Sensor : public Algorithm {
     Duration time{};
     std::vector<double> values;
   };
-  void make_signals(const SensorSpec& spec, std::uint64_t seed, const std::string& robot, double period);
+  void make_signals(const SensorSpec& spec, std::uint64_t seed, const std::string& robot, const SignalPeriods& periods);
   void take_sample(const Instant& instant) noexcept;
   void deliver(const Instant& instant) noexcept;
 

@@ -34,14 +34,19 @@ void check(const SignalSpec& spec) {
   if (!std::isfinite(spec.highest - spec.lowest)) throw SetupError("bits needs a range: range, or lowest and highest");
 }
 
-Signal::Signal(const SignalSpec& spec, std::uint64_t seed, const std::vector<std::string>& names, double period)
-    : spec_(spec), white_(spec.noise_density / std::sqrt(period)), walk_(spec.bias_random_walk * std::sqrt(period)) {
+Signal::Signal(const SignalSpec& spec, std::uint64_t seed, const std::vector<std::string>& names,
+               const SignalPeriods& periods)
+    : spec_(spec),
+      memory_(spec.low_pass > 0 ? std::exp(-2 * pi * spec.low_pass * periods.sample) : 0),
+      white_((1 - memory_) * spec.noise_density / std::sqrt(periods.sample)),
+      walk_(spec.bias_random_walk * std::sqrt(periods.sample)) {
   check(spec);
   if (spec.misalignment > 0 && names.size() != 3) {
     throw SetupError(fmt::format("misalignment is of three axes; '{}' is one of {} numbers", names[0], names.size()));
   }
   // above the highest frequency that steps of this length can show, a filter changes nothing
-  if (spec.low_pass > 0 && spec.low_pass * period < 0.5) filter_ = std::tan(pi * spec.low_pass * period);
+  const double turns = spec.low_pass * periods.execution;
+  if (turns > 0 && turns < 0.5) filter_ = std::tan(pi * turns);
   step_ = spec.bits > 0 ? std::ldexp(spec.highest - spec.lowest, -spec.bits) : spec.resolution;
   highest_ = spec.bits > 0 ? spec.highest - step_ : spec.highest;
   for (const std::string& name : names) {
@@ -51,13 +56,17 @@ Signal::Signal(const SignalSpec& spec, std::uint64_t seed, const std::vector<std
     number.bias = spec.bias * constants.normal(1);
     number.cross_one = spec.misalignment * constants.normal(2);
     number.cross_two = spec.misalignment * constants.normal(3);
+    number.first_wander = white_ / std::sqrt(1 - memory_ * memory_) * constants.normal(4);
     numbers_.push_back(number);
   }
 }
 
 void Signal::start() noexcept {
   executions_ = samples_ = 0;
-  for (Number& number : numbers_) number.drift = number.filter_input = number.filter_output = 0;
+  for (Number& number : numbers_) {
+    number.wander = number.first_wander;
+    number.drift = number.filter_input = number.filter_output = 0;
+  }
 }
 
 double Signal::filtered(Number& number, double value) const noexcept {
@@ -77,21 +86,25 @@ void Signal::disturb(std::span<double> values) noexcept {
     Number& number = numbers_[i];
     double x = number.scale * values[i];
     if (spec_.misalignment > 0) x += number.cross_one * other[(i + 1) % 3] + number.cross_two * other[(i + 2) % 3];
-    x += number.bias + number.drift;
-    if (white_ > 0 || walk_ > 0) {
-      const auto [white, walk] = number.noise.normals(executions_);
-      x += white_ * white;
-      number.drift += walk_ * walk;
-    }
+    x += number.bias;
     values[i] = filter_ > 0 ? filtered(number, x) : x;
   }
   ++executions_;
+}
+
+double Signal::next_noise(Number& number) const noexcept {
+  const double noise = number.wander + number.drift;
+  const auto [white, walk] = number.noise.normals(samples_);
+  number.wander = memory_ * number.wander + white_ * white;
+  number.drift += walk_ * walk;
+  return noise;
 }
 
 void Signal::convert(std::span<double> values) noexcept {
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     double x = values[i];
     if (!std::isfinite(x)) continue;
+    if (white_ > 0 || walk_ > 0) x += next_noise(numbers_[i]);
     if (spec_.noise > 0) x += spec_.noise * numbers_[i].sample.normal(samples_);
     if (step_ > 0) {
       const double zero = spec_.bits > 0 ? spec_.lowest : 0;

@@ -7,7 +7,7 @@ namespace {
 
 std::vector<Vec3d> cone(const SensorSpec& spec) {
   const int rays = checked_count(spec, "rays", 61, {1, 100000});
-  const double opening = checked_number(spec, "opening", 15 * pi / 180, {0, 2 * pi});
+  const double opening = checked_opening(spec, "opening", 15 * pi / 180);
   const double part = rays > 1 ? (1 - std::cos(opening / 2)) / (rays - 1) : 0;
   std::vector<Vec3d> directions;
   for (int k = 0; k < rays; ++k) {

@@ -73,13 +73,13 @@ TEST(Allan, ALowPassKeepsTheDensityOfSlowNoise) {
                    deviation / noise, 1, 0.05, "1");
   double squares = 0;
   for (const double sample : samples) squares += sample * sample;
-  // bilinear first-order low-pass: power gain of white noise c/(1 + c), c = tan(pi fc h)
-  const double c = std::tan(pi * 20 / 200);
+  const double a = std::exp(-2 * pi * 20 / 200);  // of one sample in the next
   law::expect_near({.law = "low-pass of 20 Hz: rms of white noise, of that expected",
                     .level = "gyroscope at 200 Hz",
-                    .source = "power gain of the filter"},
-                   std::sqrt(squares / static_cast<double>(samples.size())) / (noise * std::sqrt(200 * c / (1 + c))), 1,
-                   0.02, "1");
+                    .source = "first-order process: N^2/T (1 - a)/(1 + a)"},
+                   std::sqrt(squares / static_cast<double>(samples.size())) /
+                       (noise * std::sqrt(200 * (1 - a) / (1 + a))),
+                   1, 0.02, "1");
 }
 
 }  // namespace

@@ -205,6 +205,7 @@ TEST(Laser, ImpossibleNumbersAreNamed) {
   EXPECT_TRUE(says(message("nearest", -1), {"nearest is -1"}));
   EXPECT_TRUE(says(message("nearest", 30), {"nearest is 30", "farthest 30"}));
   EXPECT_EQ(message("rays", 100000), "no error");
+  EXPECT_EQ(message("opening", 2 * 3.1416), "no error");
 }
 
 }  // namespace

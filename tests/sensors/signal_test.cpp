@@ -14,13 +14,13 @@ const std::vector<std::string> one{"robot/sensor/value"};
 const std::vector<std::string> three{"robot/sensor/x", "robot/sensor/y", "robot/sensor/z"};
 
 double converted(const SignalSpec& spec, double value) {
-  Signal signal(spec, 1, one, 0.001);
+  Signal signal(spec, 1, one, {});
   signal.convert({&value, 1});
   return value;
 }
 
 TEST(Signal, ChangesNothingIfNothingIsSaid) {
-  Signal signal({}, 1, three, 0.001);
+  Signal signal({}, 1, three, {});
   std::array<double, 3> values{1.25, -3e7, std::numeric_limits<double>::infinity()};
   const auto before = values;
   signal.disturb(values);
@@ -57,7 +57,7 @@ TEST(Signal, ConvertsToTheCodesOfItsBits) {
 TEST(Signal, LetsThroughWhatALowPassLetsThrough) {
   const double corner = 20, period = 0.001;
   for (const double frequency : {5.0, 20.0, 100.0}) {
-    Signal signal({.low_pass = corner}, 1, one, period);
+    Signal signal({.low_pass = corner}, 1, one, {period, period});
     double squares = 0;
     for (int i = 0; i < 4000; ++i) {
       double value = std::sin(2 * pi * frequency * i * period);
@@ -77,7 +77,7 @@ TEST(Signal, LetsThroughWhatALowPassLetsThrough) {
 double spread(const SignalSpec& spec, double value, int numbers) {
   double squares = 0;
   for (int i = 0; i < numbers; ++i) {
-    Signal signal(spec, 1, {fmt::format("robot/sensor/{}", i)}, 0.001);
+    Signal signal(spec, 1, {fmt::format("robot/sensor/{}", i)}, {});
     double shown = value;
     signal.disturb({&shown, 1});
     squares += (shown - value) * (shown - value);
@@ -88,7 +88,7 @@ double spread(const SignalSpec& spec, double value, int numbers) {
 TEST(Signal, DrawsConstantErrorsOnce) {
   EXPECT_NEAR(spread({.bias = 0.2}, 5, 4000), 0.2, 0.01);
   EXPECT_NEAR(spread({.scale_error = 0.03}, 5, 4000), 0.15, 0.01);
-  Signal signal({.scale_error = 0.1, .bias = 0.2}, 1, one, 0.001);
+  Signal signal({.scale_error = 0.1, .bias = 0.2}, 1, one, {});
   double first = 1, second = 1;
   signal.disturb({&first, 1});
   signal.disturb({&second, 1});
@@ -97,7 +97,7 @@ TEST(Signal, DrawsConstantErrorsOnce) {
 }
 
 TEST(Signal, MisalignmentMixesAxesOnly) {
-  Signal signal({.misalignment = 0.02}, 1, three, 0.001);
+  Signal signal({.misalignment = 0.02}, 1, three, {});
   std::array<double, 3> values{1, 0, 0};
   signal.disturb(values);
   EXPECT_EQ(values[0], 1);
@@ -108,7 +108,7 @@ TEST(Signal, MisalignmentMixesAxesOnly) {
 
 TEST(Signal, NamesAndSeedsTellStreamsApart) {
   const auto first = [](std::uint64_t seed, const std::string& name) {
-    Signal signal({.noise = 1}, seed, {name}, 0.001);
+    Signal signal({.noise = 1}, seed, {name}, {});
     double value = 0;
     signal.convert({&value, 1});
     return value;
@@ -119,7 +119,7 @@ TEST(Signal, NamesAndSeedsTellStreamsApart) {
 }
 
 TEST(Signal, NamesWhatIsImpossible) {
-  const auto error = [](const SignalSpec& spec) { return fixtures::error_of([&] { Signal(spec, 1, one, 0.001); }); };
+  const auto error = [](const SignalSpec& spec) { return fixtures::error_of([&] { Signal(spec, 1, one, {}); }); };
   EXPECT_EQ(error({.noise_density = -1}), "noise_density is -1; it must be a number from 0 on");
   EXPECT_EQ(error({.bias = std::nan("")}), "bias is nan; it must be a number from 0 on");
   EXPECT_EQ(error({.lowest = 2, .highest = 1}), "the range from 2 to 1 is empty");
