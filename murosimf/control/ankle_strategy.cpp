@@ -37,13 +37,12 @@ AnkleStrategy::AnkleStrategy(Setup& setup, const AnkleStrategyOptions& options)
       upright_(setup.write(properties::balance_upright)[0]),
       bias_(setup.write(properties::balance_bias)[0]),
       capture_(setup.write(properties::balance_capture)[0]),
-      hip_(setup.write(properties::balance_hip)[0]),
       target_(setup.write(properties::joint_target)) {}
 
 void AnkleStrategy::initialize() {
   up_ = upright_ = {0, 0, 1};
   bias_ = {};
-  capture_ = hip_ = 0;
+  capture_ = 0;
   std::fill(target_.begin(), target_.end(), 0.0);
   write_targets();
 }
@@ -72,23 +71,15 @@ void AnkleStrategy::follow_up(double period) noexcept {
 }
 
 void AnkleStrategy::answer(double period) noexcept {
-  const double hip_rate = (hip_target() - hip_) / options_.hip_time;
-  hip_ += period * hip_rate;
-  const double lean = pitch_of(up_) - pitch_of(upright_) - hip_;
-  const double rate = gyroscope_[1] - bias_.y - hip_rate;
+  const double lean = pitch_of(up_) - pitch_of(upright_), rate = gyroscope_[1] - bias_.y;
   capture_ += period / options_.smooth_time * (lean + rate / fall_rate_ - capture_);
   write_targets();
 }
 
-/// [rad]
-double AnkleStrategy::hip_target() const noexcept {
-  return std::clamp(options_.hip * capture_, -options_.most_hip, options_.most_hip);
-}
-
-/// From the stance of the walk engine: legs turned about the hips, soles about the ankles.
+/// From the stance of the walk engine: soles turned about the ankles.
 void AnkleStrategy::write_targets() noexcept {
-  const double sole = std::clamp(options_.ankle * capture_, -options_.most_ankle, options_.most_ankle);
-  const Mat3d level_to_pelvis = rotation_y(-stance_.pitch - hip_target());
+  const double sole = std::clamp(options_.gain * capture_, -options_.limit, options_.limit);
+  const Mat3d level_to_pelvis = rotation_y(options_.trunk_back - stance_.pitch);
   GaitPose pose = home_pose(legs_);
   for (std::size_t side = 0; side < 2; ++side) {
     const Leg& leg = legs_[side];

@@ -113,7 +113,7 @@ constexpr std::array controller_entries{
     Controller{"none", "joints stay where they are put", attach_none},
     Controller{"walk", "walks with the velocity in walk_command", attach_walk},
     Controller{"trot", "trots on four legs with the velocity in walk_command", attach_trot},
-    Controller{"balance", "stands and answers pushes with ankles and hips, from the sensor 'imu'", attach_balance},
+    Controller{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", attach_balance},
     Controller{"keyframes", "plays the key frames of a motion once", attach_keyframes},
     Controller{"drive", "drives a car with the speed and turning rate in walk_command", attach_drive},
     Controller{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth",

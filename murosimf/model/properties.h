@@ -95,7 +95,6 @@ inline constexpr Property<Vec3d>  balance_up         {{"balance_up", "1", "senso
 inline constexpr Property<Vec3d>  balance_upright    {{"balance_upright", "1", "sensor", "mean direction of gravity while the robot settled", Scope::base}};
 inline constexpr Property<Vec3d>  balance_bias       {{"balance_bias", "rad/s", "sensor", "mean of the gyroscope while the robot settled", Scope::base}};
 inline constexpr Property<double> balance_capture    {{"balance_capture", "rad", "-", "lean forward at which the robot would come to rest, smoothed", Scope::base}};
-inline constexpr Property<double> balance_hip        {{"balance_hip", "rad", "-", "how far the hips are thought to have turned the trunk forward", Scope::base}};
 inline constexpr Property<double> distance_walked    {{"distance_walked", "m", "world, horizontal", "length of the base's path, sampled twice a second", Scope::base}};
 inline constexpr Property<double> falls              {{"falls", "1", "-", "how often the base tilted over 60 degrees", Scope::base}};
 inline constexpr Property<double> lying              {{"lying", "1", "-", "1 while the base leans over after a fall", Scope::base}};
