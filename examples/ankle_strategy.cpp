@@ -62,7 +62,7 @@ void plot(const std::string& file, double impulse) {
   stands("balance", impulse, &balancing);
   io::write_plot(
       file,
-      {.title = "A push of " + std::to_string(-impulse).substr(0, 3) + " N s at the chest",
+      {.title = "A push of " + std::to_string(impulse).substr(0, 3) + " N s in the back",
        .x_label = "time [s]",
        .panels = {{.y_label = "lean [rad]",
                    .curves = {{"stiff", stiff.time, stiff.lean}, {"balancing", balancing.time, balancing.lean}}},
@@ -80,5 +80,5 @@ int main(int argc, char** argv) {
   for (const char* controller : {"walk", "balance"}) {
     std::printf("%-20s %8.2f  %8.2f\n", controller, largest(controller, 1), largest(controller, -1));
   }
-  if (argc > 1) plot(argv[1], -2.3);
+  if (argc > 1) plot(argv[1], 2.1);
 }

@@ -13,8 +13,8 @@
 ///     xi' = (lean + w_y/sqrt(g/z) - xi)/T_s                      [rad] T_s: `smooth_time`
 ///     sole = a xi, up to a limit                                 [rad] toes down
 ///
-/// Feet cannot do more than press with their toes or heels, which those of a stiff robot do too. So what is won is some
-/// 5 % of the largest push, not more: the rest takes steps. Nothing is answered to pushes from the side. Gains were
+/// Feet cannot do more than press with their toes or heels, which those of a stiff robot do too. So what is won is
+/// little (on kid21 9 % of the largest push in the back, nothing from the front): more takes steps. Nothing is answered to pushes from the side. Gains were
 /// searched for on kid21.
 /// Source: filter: Mahony, Hamel, Pflimlin, Nonlinear Complementary Filters on the Special Orthogonal Group, IEEE TAC 53
 /// (2008), explicit form for one vector. Capture point and ankles: Stephens, Humanoid Push Recovery, IEEE-RAS Humanoids

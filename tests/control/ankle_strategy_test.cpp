@@ -13,6 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr const char* uncalibrated = "robot.sensors.imu.gyroscope.bias=0.116";  // [rad/s] as the MPU-6050 comes
+
 io::SceneOptions options(const std::string& controller, std::uint64_t seed, std::vector<std::string> more = {}) {
   more.insert(more.end(), {"events=[]", "robot.controller=" + controller});
   return {.seed = seed, .overrides = std::move(more)};
@@ -41,10 +43,10 @@ struct Nudge {
 };
 
 TEST(AnkleStrategy, WithstandsPushesThatAStiffRobotDoesNot) {
-  constexpr double impulse = -2.3;
+  constexpr double impulse = 2.1;
   EXPECT_FALSE(Nudge("walk").withstands({impulse, 0, 0}));
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    EXPECT_TRUE(Nudge("balance", seed).withstands({impulse, 0, 0})) << "seed " << seed;
+    EXPECT_TRUE(Nudge("balance", seed, {uncalibrated}).withstands({impulse, 0, 0})) << "seed " << seed;
   }
 }
 
@@ -75,10 +77,10 @@ TEST(AnkleStrategy, StandsStillWhereNobodyPushes) {
 TEST(AnkleStrategy, KnowsUpInSpiteOfBiasAndNoise) {
   law::Worst worst;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    Nudge nudge("balance", seed);
+    Nudge nudge("balance", seed, {uncalibrated});
     nudge.run(500ms);
     const Vec3d upright = up_of(nudge.robot);
-    nudge.robot.object("torso").set(properties::applied_force, {{}, {10, 3, 0}});
+    nudge.robot.object("torso").set(properties::applied_force, {{}, {6, 2, 0}});
     for (int i = 0; i < 400; ++i) {
       if (i == 50) nudge.robot.object("torso").set(properties::applied_force, {});
       nudge.run(5ms);
@@ -92,16 +94,16 @@ TEST(AnkleStrategy, KnowsUpInSpiteOfBiasAndNoise) {
     }
   }
   law::expect_below({.law = "balance: error of the lean from a noisy sensor, 2 s with a push",
-                     .level = "articulated_dynamics, mpu6050",
+                     .level = "articulated_dynamics, mpu6050 not calibrated",
                      .source = "orientation of the trunk"},
-                    worst, 0.02, "rad");
+                    worst, 0.03, "rad");
 }
 
 TEST(AnkleStrategy, TakesTheMeanWhileItSettlesAsBias) {
-  Nudge nudge("balance", 2);
+  Nudge nudge("balance", 1, {uncalibrated});
   nudge.run(1s);
   const Vec3d bias = nudge.robot.base().get(properties::balance_bias);
-  EXPECT_GT(norm(bias), 0.02) << "the part has one";
+  EXPECT_GT(norm(bias), 0.05) << "the part has one";
   const auto shown = sensors::find_reading(nudge.robot, "imu")->output("gyroscope");
   EXPECT_NEAR(shown[1], bias.y, 0.02) << "the robot stands";
 }
