@@ -65,6 +65,7 @@ std::string to_text(const RunReport& report) {
   text += fmt::format("seed {}, state hash {:016x}\n", report.seed, report.state_hash);
   text += sensor_line(report.sensors);
   for (const Event& event : report.events) text += fmt::format("{:.3f} s: {}\n", seconds(event.time), event.text);
+  for (const std::string& note : report.notes) text += fmt::format("note: {}\n", note);
   for (const std::string& warning : report.warnings) text += fmt::format("warning: {}\n", warning);
   return text;
 }
@@ -81,6 +82,7 @@ std::string to_json(const RunReport& report) {
             {"sensors", json::object()},
             {"algorithms", json::array()},
             {"events", json::array()},
+            {"notes", report.notes},
             {"warnings", report.warnings}};
   for (const EntityReport& e : report.entities) root["entities"].push_back(entity_object(e));
   for (const SensorReport& sensor : report.sensors) {

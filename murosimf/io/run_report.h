@@ -37,16 +37,17 @@ struct RunReport {
   std::vector<SensorReport> sensors;
   std::vector<AlgorithmStatistics> algorithms;
   std::vector<Event> events;
-  std::vector<std::string> warnings;
+  std::vector<std::string> notes;     ///< what a level cannot show: nothing is wrong
+  std::vector<std::string> warnings;  ///< what may make the result worthless
 };
 
-/// Tables with aligned columns: entities, algorithms, sums, events, warnings. Of sensors only how many there are.
+/// Tables with aligned columns: entities, algorithms, sums, events, notes, warnings. Of sensors only how many there are.
 [[nodiscard]] std::string to_text(const RunReport& report);
 
 /// One JSON object: simulated_s, wall_s, real_time_factor, threads, seed, state_hash (hexadecimal text),
 /// entities [{name, model, level, contact, controller, team, position, distance_m, falls, frozen}],
 /// sensors {entity: {sensor: {type, time_s, samples, outputs: {name: {unit, labels, values}}}}} with null for what is no
-/// finite number, algorithms [{name, rate_hz, calls, us_per_call}], events [{time_s, text}], warnings [].
+/// finite number, algorithms [{name, rate_hz, calls, us_per_call}], events [{time_s, text}], notes [], warnings [].
 [[nodiscard]] std::string to_json(const RunReport& report);
 
 }  // namespace murosimf::io

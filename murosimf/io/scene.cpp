@@ -42,7 +42,7 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
   attach_controllers();
   attach_contact();
   attach_motion();
-  warn_about_sensors();
+  note_about_sensors();
   attach_observers();
   scatter_postures();
   simulation_->after_initialize([this] { apply_settings(); });
@@ -169,6 +169,10 @@ void Scene::attach_contact() {
                                               collision::BodyContactOptions{.law = spec_.body_contact});
 }
 
+void Scene::note(const RobotSpec& robot, const std::string& text) {
+  notes_.push_back(fmt::format("{}: {}", robot.name, text));
+}
+
 void Scene::warn(const RobotSpec& robot, const std::string& text) {
   warnings_.push_back(fmt::format("{}: {}", robot.name, text));
 }
@@ -261,6 +265,7 @@ RunReport Scene::report(Duration wall, const Lateness& lateness) const {
   }
   report.algorithms = simulation_->statistics();
   report.events = simulation_->events();
+  report.notes = notes_;
   report.warnings = warnings_;
   const auto& frozen = simulation_->warnings();
   report.warnings.insert(report.warnings.end(), frozen.begin(), frozen.end());

@@ -69,16 +69,17 @@ class Scene {
   /// Gives a sensor of a robot's file a rate that the scene's steps allow, if steps of usual length would allow its own.
   /// What has changed; empty: nothing.
   [[nodiscard]] std::string fit_to_steps(sensors::SensorSpec& spec) const;
-  /// Those of the robot's files, changed by the scene. Warns of rates that had to change.
+  /// Those of the robot's files, changed by the scene. Notes rates that had to change.
   [[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(const RobotSpec& robot);
   void attach_sensors();
   [[nodiscard]] std::string sensor_remarks(const RobotSpec& robot) const;
   /// What sensors have to say of the level of their robots: one line for robots of which the same is true.
-  void warn_about_sensors();
+  void note_about_sensors();
   /// The same of one robot, unless it was said before.
-  void warn_about_sensors(const RobotSpec& robot);
+  void note_about_sensors(const RobotSpec& robot);
   void attach_controllers();
   void attach_contact();
+  void note(const RobotSpec& robot, const std::string& text);
   void warn(const RobotSpec& robot, const std::string& text);
   void warn_about_unused_keys(const RobotSpec& robot);
   /// What a user may have overlooked: steps too long, joints without servos.
@@ -99,6 +100,7 @@ class Scene {
   std::unique_ptr<Simulation> simulation_;
   std::map<std::string, RobotKind> models_;             // equal robots share one
   std::set<std::pair<std::string, std::string>> said_;  // robots, and remarks of their sensors
+  std::vector<std::string> notes_;                      // about sensors
   std::vector<std::string> warnings_;                   // from reading models
   Entity* field_ = nullptr;
   Entity* ball_ = nullptr;

@@ -58,7 +58,7 @@ void Scene::renew_level(const RobotSpec& robot) {
   if (!overload.empty()) warnings_.push_back(overload);
   entity.contact = level.dynamic ? robot.contact : "";
   warn_about(robot, entity.model());
-  warn_about_sensors(robot);
+  note_about_sensors(robot);
 }
 
 void Scene::exchange_level(std::string_view robot, std::string_view level) {

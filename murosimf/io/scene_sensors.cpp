@@ -65,7 +65,7 @@ std::vector<sensors::SensorSpec> Scene::sensors_of(const RobotSpec& robot) {
   std::vector<Remark> remarks;
   for (sensors::SensorSpec& spec : specs) add_remark(fit_to_steps(spec), spec.name, remarks);
   for (const Remark& remark : remarks) {
-    warn(robot, fmt::format("{}: {}", fmt::join(remark.about, ", "), remark.text));
+    note(robot, fmt::format("{}: {}", fmt::join(remark.about, ", "), remark.text));
   }
   change_sensors(specs, robot.sensors.tables, spec_.file.parent_path());
   return specs;
@@ -98,7 +98,7 @@ std::string Scene::sensor_remarks(const RobotSpec& robot) const {
   return text.empty() ? "" : fmt::format("{}: {}", robot.level, text);
 }
 
-void Scene::warn_about_sensors() {
+void Scene::note_about_sensors() {
   std::vector<Remark> remarks;
   for (const RobotSpec& robot : spec_.robots) {
     const std::string text = sensor_remarks(robot);
@@ -106,13 +106,13 @@ void Scene::warn_about_sensors() {
     said_.emplace(robot.name, text);
   }
   for (const Remark& remark : remarks) {
-    warnings_.push_back(fmt::format("{}: {}", fmt::join(remark.about, ", "), remark.text));
+    notes_.push_back(fmt::format("{}: {}", fmt::join(remark.about, ", "), remark.text));
   }
 }
 
-void Scene::warn_about_sensors(const RobotSpec& robot) {
+void Scene::note_about_sensors(const RobotSpec& robot) {
   const std::string text = sensor_remarks(robot);
-  if (!text.empty() && said_.emplace(robot.name, text).second) warn(robot, text);
+  if (!text.empty() && said_.emplace(robot.name, text).second) note(robot, text);
 }
 
 }  // namespace murosimf::io

@@ -21,6 +21,8 @@ using sensors::SensorSpec;
 using Names = std::vector<std::string_view>;
 
 constexpr double degree = std::numbers::pi / 180;
+constexpr double farthest_place = 1e4;                    // [m]
+constexpr double lowest_rate = 1e-3, highest_rate = 1e6;  // [Hz] nanoseconds count them exactly
 
 Names words_of(std::string_view text) {
   Names words;
@@ -88,8 +90,9 @@ class Changer {
       spec_.objects = names_of(key, value);
     } else if (key == "rate") {
       spec_.rate = finite_number(key, value);
-      if (!(spec_.rate > 0))
-        fail(value.where, "'rate' must be a number above 0; without it there is a sample in every step");
+      if (!(spec_.rate >= lowest_rate && spec_.rate <= highest_rate)) {
+        fail(value.where, "'rate' must be from 0.001 to 1000000 Hz; without it there is a sample in every step");
+      }
     } else if (key == "delay") {
       spec_.delay = finite_number(key, value);
       if (!(spec_.delay >= 0 && spec_.delay <= 10)) fail(value.where, "'delay' must be from 0 to 10 s");
@@ -97,6 +100,7 @@ class Changer {
       spec_.frame = name_of(key, value);
     } else if (key == "position") {
       spec_.position = vector_of(key, value);
+      if (!(norm(spec_.position) <= farthest_place)) fail(value.where, "'position' is further than 10 km away");
     } else if (key == "rpy_deg") {
       const Vec3d rpy = degree * vector_of(key, value);
       spec_.orientation = rotation_z(rpy.z) * rotation_y(rpy.y) * rotation_x(rpy.x);

@@ -128,7 +128,9 @@ DraftSensor read_sensor(const XmlElement& sensor, const std::string& frame, Urdf
                     {}};
   const auto cameras = sensor.children("camera");
   if (!cameras.empty()) draft.camera = read_camera(sensor, cameras[0]);
-  if (draft.rate < 0) sensor.fail("update_rate of the sensor is negative; it must be at least 0");
+  if (draft.rate != 0 && !(draft.rate >= 1e-3 && draft.rate <= 1e6)) {
+    sensor.fail(fmt::format("update_rate of the sensor is {}; write 0 or from 0.001 to 1000000 Hz", draft.rate));
+  }
   if (const auto imu = only_child(sensor, "imu")) read_imu(*imu, draft, log);
   for (const char* tag : {"ray", "lidar"}) {
     if (const auto laser = only_child(sensor, tag)) read_laser(*laser, draft, log);

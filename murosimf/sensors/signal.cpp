@@ -102,9 +102,9 @@ double Signal::next_noise(Number& number) const noexcept {
 
 void Signal::convert(std::span<double> values) noexcept {
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    double x = values[i];
-    if (!std::isfinite(x)) continue;
-    if (white_ > 0 || walk_ > 0) x += next_noise(numbers_[i]);
+    const double noise = white_ > 0 || walk_ > 0 ? next_noise(numbers_[i]) : 0;
+    if (!std::isfinite(values[i])) continue;
+    double x = values[i] + noise;
     if (spec_.noise > 0) x += spec_.noise * numbers_[i].sample.normal(samples_);
     if (step_ > 0) {
       const double zero = spec_.bits > 0 ? spec_.lowest : 0;

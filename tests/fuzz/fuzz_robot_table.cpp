@@ -1,9 +1,13 @@
-// TOML files beside a robot; servos in them come from servo tables.
+// TOML files beside a robot; servos in them come from servo tables, sensors from parts.
 #include "murosimf/io/robot_table.h"
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace murosimf;
-  fuzz::feed(data, size, ".toml", [](const auto& file) { (void)io::read_robot_table(file); });
+  fuzz::feed(data, size, ".toml", [](const auto& file) {
+    const io::RobotTable table = io::read_robot_table(file);
+    std::vector<sensors::SensorSpec> sensors;
+    io::change_sensors(sensors, table.sensors, {});
+  });
   return 0;
 }

@@ -166,7 +166,7 @@ TEST(UrdfSensors, NegativeNumbersAreRefused) {
       (void)read_blocks("<gazebo reference='foot'><sensor name='s' type='imu'>" + inside + "</sensor></gazebo>");
     });
   };
-  EXPECT_TRUE(fixtures::says(what("<update_rate>-1</update_rate>"), {"robot.urdf:6: update_rate", "negative"}));
+  EXPECT_TRUE(fixtures::says(what("<update_rate>-1</update_rate>"), {"robot.urdf:6: update_rate of the sensor is -1"}));
   EXPECT_TRUE(fixtures::says(what("<imu><noise><rate><stddev>-1</stddev></rate></noise></imu>"),
                              {"robot.urdf:6: a deviation of noise is negative"}));
 }

@@ -110,7 +110,7 @@ TEST(SceneSensors, LookingChangesNoMotion) {
 
 int count_lines(const Scene& scene, const std::string& part) {
   int lines = 0;
-  for (const std::string& warning : scene.report({}).warnings) lines += warning.find(part) != std::string::npos ? 1 : 0;
+  for (const std::string& note : scene.report({}).notes) lines += note.find(part) != std::string::npos ? 1 : 0;
   return lines;
 }
 
