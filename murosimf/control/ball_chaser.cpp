@@ -104,9 +104,7 @@ Vec3d support(const Situation& s, const Vec3d& half_field, double speed) {
 }  // namespace
 
 BallChaser::BallChaser(Setup& setup, const BallChaserOptions& options)
-    : options_(options),
-      seen_(setup),
-      command_(setup.write(properties::walk_command)[0]) {}
+    : options_(options), seen_(setup), command_(setup.write(properties::walk_command)[0]) {}
 
 void BallChaser::initialize() { command_ = {}; }
 

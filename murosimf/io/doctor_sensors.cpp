@@ -12,7 +12,7 @@ std::vector<Finding> examine_sensors(const RobotFile& robot) {
   const sensors::SensorSurroundings surroundings{.movers = {&entity}};
   for (const sensors::SensorSpec& spec : robot.sensors) {
     try {
-      attach_sensor(simulation, entity, spec, surroundings, SceneSpec{}.rate);
+      attach_sensor(simulation, entity, spec, surroundings, usual_step_rate);
     } catch (const SetupError& error) {
       findings.push_back(make_finding(Severity::error, error.what()));
     }

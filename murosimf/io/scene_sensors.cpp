@@ -51,7 +51,7 @@ double rate_of_whole_steps(double rate, double step_rate) {
 
 std::string Scene::fit_to_steps(sensors::SensorSpec& spec) const {
   // a rate that steps of usual length do not allow either is a mistake of the file
-  if (fits(spec, spec_.rate) || !fits(spec, SceneSpec{}.rate)) return {};
+  if (fits(spec, spec_.rate) || !fits(spec, usual_step_rate)) return {};
   const double rate = rate_of_whole_steps(spec.rate, spec_.rate);
   const std::string remark = fmt::format("samples at {:.4g} Hz, not {:.4g}, because steps are {:.4g} ms long", rate,
                                          spec.rate, 1e3 / spec_.rate);

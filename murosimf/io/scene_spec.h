@@ -18,6 +18,7 @@
 
 namespace murosimf::io {
 
+inline constexpr double usual_step_rate = 1000;  ///< [Hz] of motion and contact, where a scene does not say
 inline constexpr double longest_duration = 3e9;  ///< [s] a century; nanoseconds in 64 bits end after three
 
 struct FieldSpec {
@@ -92,12 +93,12 @@ struct SceneSpec {
   std::string name;
   double duration = 10;  ///< [s]
   std::uint64_t seed = 1;
-  double rate = 1000;          ///< [Hz] of motion and contact
-  Vec3d gravity{0, 0, -9.81};  ///< [m/s^2]
-  double jitter_position = 0;  ///< [m] start places vary by up to this, in x and y
-  double jitter_heading = 0;   ///< [rad]
-  double jitter_tilt = 0;      ///< [rad] about a random axis
-  double jitter_posture = 0;   ///< [rad] joint targets vary by up to this, within joint limits
+  double rate = usual_step_rate;  ///< [Hz] of motion and contact
+  Vec3d gravity{0, 0, -9.81};     ///< [m/s^2]
+  double jitter_position = 0;     ///< [m] start places vary by up to this, in x and y
+  double jitter_heading = 0;      ///< [rad]
+  double jitter_tilt = 0;         ///< [rad] about a random axis
+  double jitter_posture = 0;      ///< [rad] joint targets vary by up to this, within joint limits
   collision::PairLaw body_contact = collision::PairLaw::island_gauss_seidel;
   FieldSpec field;
   ViewSpec view;
