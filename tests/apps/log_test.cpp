@@ -20,7 +20,7 @@ TEST(Log, IsATableOfNumbersOverTime) {
   EXPECT_NE(text.find("\n0.08,"), std::string::npos);
 }
 
-TEST(Log, MistakesAreOneLine) {
+TEST(Log, OfAMistakeIsOneLineAndNoFile) {
   const std::string out = " --out " + scratch("run.csv").string();
   expect_mistake("run walk --log walker.pelvis.position", {"--log", "--out"});
   expect_mistake("run walk" + out, {"--out", "--log"});
