@@ -5,11 +5,13 @@
 
 #include "murosimf/model/error.h"
 #include "murosimf/sensors/reading.h"
+#include "murosimf/sensors/three_numbers.h"
 
 namespace murosimf::control {
 namespace {
 
-Vec3d vector_of(std::span<const double> numbers) noexcept { return {numbers[0], numbers[1], numbers[2]}; }
+using sensors::vector_of;
+
 Vec3d unit_of(const Vec3d& v) noexcept { return norm(v) > 0 ? (1 / norm(v)) * v : v; }
 double pitch_of(const Vec3d& up) noexcept { return std::atan2(-up.x, up.z); }
 

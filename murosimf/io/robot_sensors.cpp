@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/io/sensor_types.h"
 #include "murosimf/io/xml_element.h"
 #include "murosimf/model/error.h"
 
@@ -52,10 +51,6 @@ const Kind* find_kind(std::string_view name) {
   return found == kinds.end() ? nullptr : &*found;
 }
 
-bool is_registered(std::string_view type) {
-  return std::ranges::find(sensor_types(), type, &SensorType::name) != sensor_types().end();
-}
-
 /// A name that can stand in a path, and that no other sensor has.
 std::string free_name(const DraftSensor& sensor, const std::string& type, const std::vector<SensorSpec>& others) {
   std::string name = sensor.name.empty() ? type : sensor.name;
@@ -83,7 +78,7 @@ std::string object_of(const DraftSensor& sensor, const Model& model) {
 
 /// Empty: it can be simulated.
 std::string why_not(const DraftSensor& sensor, const Kind* kind, const RobotDraft& draft) {
-  if (!kind || !is_registered(kind->type)) return "not simulated";
+  if (!kind) return "not simulated";
   if (!sensor.obstacle.empty()) return "not simulated: " + sensor.obstacle;
   const bool of_base = sensor.frame == draft.bodies[0].name;
   if (sensor.kind == "subtreecom" && !of_base) return "not simulated: only the center of mass of the whole robot is";

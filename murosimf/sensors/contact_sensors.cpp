@@ -5,21 +5,14 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "murosimf/model/properties.h"
+#include "murosimf/sensors/numbers.h"
 #include "murosimf/sensors/three_numbers.h"
 
 namespace murosimf::sensors {
 namespace {
 
 constexpr double standard_threshold = 0.1;  // [N]
-
-double positive(const SensorSpec& spec, const std::string& key, double otherwise) {
-  const double number = spec.number(key, otherwise);
-  if (number > 0 && std::isfinite(number)) return number;
-  throw SetupError(fmt::format("{} is {}; it must be positive", key, number));
-}
 
 /// Where the force that is left goes through the plane of the sensor.
 std::array<double, 2> center_of_pressure(const Forced& load) noexcept {
@@ -78,7 +71,7 @@ ContactSensor::ContactSensor(Setup& setup, const SensorSpec& spec, const SensorS
                              std::vector<Output> outputs)
     : Sensor(setup, spec, surroundings, std::move(outputs)),
       load_(setup, spec),
-      threshold_(positive(spec, "threshold", standard_threshold)) {}
+      threshold_(checked_positive(spec, "threshold", standard_threshold)) {}
 
 std::string ContactSensor::remark(std::string_view level) const {
   if (level != "kinematic_walking") return {};
@@ -126,8 +119,8 @@ PressureCells::PressureCells(Setup& setup, const SensorSpec& spec, const SensorS
   if (!sole && (!spec.numbers.contains("length") || !spec.numbers.contains("width"))) {
     throw SetupError("pressure cells that are not mounted on a sole need length and width");
   }
-  length_ = positive(spec, "length", sole ? 2 * sole->half_length : 0);
-  width_ = positive(spec, "width", sole ? 2 * sole->half_width : 0);
+  length_ = checked_positive(spec, "length", sole ? 2 * sole->half_length : 0);
+  width_ = checked_positive(spec, "width", sole ? 2 * sole->half_width : 0);
 }
 
 void PressureCells::measure(std::span<double> values) noexcept {

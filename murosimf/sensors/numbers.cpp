@@ -17,6 +17,12 @@ double checked_number(const SensorSpec& spec, const std::string& key, double oth
                                open ? "on" : fmt::format("to {:.6g}", bounds.highest)));
 }
 
+double checked_positive(const SensorSpec& spec, const std::string& key, double otherwise) {
+  const double number = spec.number(key, otherwise);
+  if (number > 0 && std::isfinite(number)) return number;
+  throw SetupError(fmt::format("{} is {}; it must be positive", key, number));
+}
+
 int checked_count(const SensorSpec& spec, const std::string& key, int otherwise, const Bounds& bounds) {
   const double number = checked_number(spec, key, otherwise, bounds);
   if (number == std::floor(number)) return static_cast<int>(number);

@@ -17,6 +17,8 @@ struct Bounds {
 /// The number called `key`, or `otherwise`. Throws SetupError that names the key if it is not within the bounds.
 [[nodiscard]] double checked_number(const SensorSpec& spec, const std::string& key, double otherwise,
                                     const Bounds& bounds = {});
+/// The same for a finite number above 0.
+[[nodiscard]] double checked_positive(const SensorSpec& spec, const std::string& key, double otherwise);
 /// The same for a whole number.
 [[nodiscard]] int checked_count(const SensorSpec& spec, const std::string& key, int otherwise, const Bounds& bounds);
 

@@ -24,6 +24,16 @@ void check_signal_names(const SensorSpec& spec, const std::vector<Output>& outpu
   }
 }
 
+/// Calls call(i, numbers) for each output with its part of the values.
+template <class Call>
+void for_outputs(const SensorInfo& info, std::span<double> values, const Call& call) noexcept {
+  for (std::size_t i = 0; i < info.outputs.size(); ++i) {
+    const std::size_t size = info.outputs[i].size();
+    call(i, values.first(size));
+    values = values.subspan(size);
+  }
+}
+
 }  // namespace
 
 Sensor::Sensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings,
@@ -70,12 +80,8 @@ void Sensor::step(const Instant& instant) noexcept {
   const bool due = instant.now % period_ == Duration{};
   if (due || filters_ || watch_ == Watch::always) {
     measure(values_);
-    std::span<double> rest = values_;
-    for (std::size_t i = 0; i < signals_.size(); ++i) {
-      const std::size_t size = reading_.info->outputs[i].size();
-      signals_[i].disturb(rest.first(size));
-      rest = rest.subspan(size);
-    }
+    for_outputs(*reading_.info, values_,
+                [&](std::size_t i, std::span<double> numbers) { signals_[i].disturb(numbers); });
   }
   if (due) take_sample(instant);
   deliver(instant);
@@ -85,12 +91,8 @@ void Sensor::take_sample(const Instant& instant) noexcept {
   Sample& sample = on_the_way_[taken_ % on_the_way_.size()];
   sample.time = instant.now;
   std::copy(values_.begin(), values_.end(), sample.values.begin());
-  std::span<double> rest = sample.values;
-  for (std::size_t i = 0; i < signals_.size(); ++i) {
-    const std::size_t size = reading_.info->outputs[i].size();
-    signals_[i].convert(rest.first(size));
-    rest = rest.subspan(size);
-  }
+  for_outputs(*reading_.info, sample.values,
+              [&](std::size_t i, std::span<double> numbers) { signals_[i].convert(numbers); });
   present(sample.values);
   ++taken_;
 }

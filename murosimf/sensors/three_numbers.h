@@ -18,4 +18,6 @@ inline void write(const Vec3d& v, std::span<double> values) noexcept {
   values[2] = v.z;
 }
 
+inline Vec3d vector_of(std::span<const double> values) noexcept { return {values[0], values[1], values[2]}; }
+
 }  // namespace murosimf::sensors
