@@ -1,0 +1,52 @@
+/// image.h - pictures: rows of pixels, from the top left.
+///
+/// Pixel coordinates (u, v): u to the right, v down; the center of the top left pixel is (0, 0), as in OpenCV and ROS,
+/// so a picture reaches from -0.5 to width - 0.5.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace murosimf::sensors {
+
+template <class Pixel>
+class Image {
+ public:
+  Image() = default;
+  Image(int width, int height, const Pixel& fill = {})
+      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * height, fill) {}
+
+  [[nodiscard]] int width() const { return width_; }    ///< [px]
+  [[nodiscard]] int height() const { return height_; }  ///< [px]
+  [[nodiscard]] bool empty() const { return pixels_.empty(); }
+  [[nodiscard]] Pixel& operator()(int u, int v) { return pixels_[index(u, v)]; }
+  [[nodiscard]] const Pixel& operator()(int u, int v) const { return pixels_[index(u, v)]; }
+  [[nodiscard]] std::span<Pixel> row(int v) { return pixels().subspan(index(0, v), static_cast<std::size_t>(width_)); }
+  [[nodiscard]] std::span<const Pixel> row(int v) const {
+    return pixels().subspan(index(0, v), static_cast<std::size_t>(width_));
+  }
+  /// All, row by row from the top.
+  [[nodiscard]] std::span<Pixel> pixels() { return pixels_; }
+  [[nodiscard]] std::span<const Pixel> pixels() const { return pixels_; }
+
+ private:
+  [[nodiscard]] std::size_t index(int u, int v) const { return static_cast<std::size_t>(v) * width_ + u; }
+
+  int width_ = 0, height_ = 0;
+  std::vector<Pixel> pixels_;
+};
+
+/// sRGB, as files and screens have it.
+struct Rgb {
+  std::uint8_t red = 0, green = 0, blue = 0;
+  friend bool operator==(const Rgb&, const Rgb&) = default;
+};
+
+using ColorImage = Image<Rgb>;
+using GrayImage = Image<std::uint8_t>;    ///< brightness, or a Bayer mosaic
+using DepthImage = Image<float>;          ///< [m] along the optical axis; infinite where nothing is
+using LabelImage = Image<std::uint16_t>;  ///< what is seen (sensors/picture.h)
+
+}  // namespace murosimf::sensors
