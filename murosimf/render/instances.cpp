@@ -26,7 +26,7 @@ std::size_t solid_of(const Piece& piece, std::size_t level, const SolidCatalog& 
 }
 
 /// The coarsest level at which a circle of `radius` [px] is off by less than largest_error. A polygon of n sides is
-/// off by about radius (pi / n)^2 / 4 on both sides of the circle of the same area.
+/// off by up to radius (pi / n)^2 / 3 from the circle of the same area.
 std::size_t level_for(double radius) {
   for (std::size_t i = 0; i + 1 < roundness.size(); ++i) {
     const double angle = pi / roundness[i];
@@ -106,11 +106,10 @@ void InstanceList::fill(const Scenery& scenery, const sensors::Perspective& view
   const Frustum frustum(view);
   const double pixels = std::max(view.width / (view.right - view.left), view.height / (view.bottom - view.top));
   scenery.for_pieces(ahead, [&](const Piece& piece, const geometry::Pose& pose) {
+    if (view.without && scenery.owner(piece) == view.without) return;
     const geometry::Pose optical = seen_from(pose, view.eye, view.axes);
-    // the straight part of a capsule reaches farther than it is round
-    const double reach = piece.form == Form::tube ? std::hypot(piece.scale.x, piece.scale.z) : piece.radius;
-    if (!frustum.may_see(optical.position, reach)) return;
-    const double near = std::max(0.01, norm(optical.position) - reach);
+    if (!frustum.may_see(optical.position, piece.radius)) return;
+    const double near = std::max(0.01, norm(optical.position) - piece.radius);
     const double size = std::max({piece.scale.x, piece.scale.y, piece.form == Form::sphere ? piece.scale.z : 0});
     const std::size_t level = view.finest ? roundness.size() - 1 : level_for(pixels * size / near);
     add(solid_of(piece, level, catalog), piece, optical);

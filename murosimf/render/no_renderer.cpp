@@ -14,7 +14,6 @@ Renderer::Renderer(const World& world, const std::vector<Entity*>& movers, const
 }
 
 Renderer::~Renderer() = default;
-void Renderer::declare(Setup& /*setup*/) {}
 void Renderer::locate() {}
 void Renderer::draw(const sensors::Perspective& /*perspective*/, const sensors::Layers& /*layers*/, double /*ahead*/,
                     sensors::View& /*view*/) noexcept {}

@@ -29,12 +29,11 @@ class Renderer final : public sensors::ViewSource {
   Renderer(const World& world, const std::vector<Entity*>& movers, const LooksOf& looks, RendererOptions options = {});
   ~Renderer() override;
 
-  void declare(Setup& setup) override;
   void draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,
             sensors::View& view) noexcept override;
   [[nodiscard]] const std::vector<std::string>& labels() const override;
 
-  /// For who looks between steps, without being an algorithm: to be called after the simulation was initialized.
+  /// To be called once when all algorithms are attached: from then on things are seen where they are.
   void locate();
 
   /// "llvmpipe (LLVM 15.0.6, 256 bits), software" or the name of a graphics card.

@@ -25,24 +25,21 @@ double farthest(const Solid& solid) {
 
 }  // namespace
 
+EntityLooks looks_of_shapes(const Entity& entity) {
+  EntityLooks looks;
+  for (const int i : entity.model().having(properties::shapes)) {
+    for (const PlacedShape& shape : *entity.model().find(properties::shapes, i)) looks.shapes.push_back({i, shape});
+  }
+  return looks;
+}
+
 Scenery::Scenery(const World& world, const std::vector<Entity*>& movers, const LooksOf& looks)
-    : movers_(movers), labels_{"background", "ground", "line", "goal"} {
+    : labels_{"background", "ground", "line", "goal"} {
   for (const Entity* mover : movers) labels_.push_back(mover->name());
   for (const auto& entity : world.entities()) add_entity(*entity, movers, looks);
   std::stable_sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
     return a.owner != b.owner ? a.owner < b.owner : a.object < b.object;
   });
-}
-
-void Scenery::declare(Setup& setup) {
-  for (Entity* mover : movers_) {
-    Setup other = setup.of(*mover);
-    (void)other.read(properties::position);
-    (void)other.read(properties::orientation);
-    (void)other.read(properties::linear_velocity);
-    (void)other.read(properties::angular_velocity);
-  }
-  locate();
 }
 
 void Scenery::locate() {
@@ -71,50 +68,41 @@ void Scenery::add_entity(Entity& entity, const std::vector<Entity*>& movers, con
   for (const int i : model.having(properties::markings)) {
     if (!markings_) markings_ = model.find(properties::markings, i);
   }
-  const ModelLooks own = looks ? looks(entity) : ModelLooks{};
-  for (const int i : model.having(properties::shapes)) {
-    if (std::find(own.instead.begin(), own.instead.end(), i) != own.instead.end()) continue;
-    for (const PlacedShape& shape : *model.find(properties::shapes, i)) {
-      add_shape(owner, i, shape, is_default(shape.color) ? entity.options().color : shape.color, label);
-    }
+  const EntityLooks own = looks(entity);
+  const auto color_of = [&](const Color& color) { return is_default(color) ? entity.options().color : color; };
+  for (const ShownShape& shown : own.shapes) {
+    add_shape({.owner = owner, .object = shown.object, .color = color_of(shown.placed.color), .label = label},
+              shown.placed);
   }
-  add_looks(owner, entity, own, label);
-}
-
-void Scenery::add_looks(int owner, const Entity& entity, const ModelLooks& looks, std::uint16_t label) {
-  for (const Looks& part : looks.parts) {
-    Piece piece{.owner = owner, .object = part.object, .form = Form::mesh, .label = label};
-    piece.color = is_default(part.color) ? entity.options().color : part.color;
+  for (const Looks& part : own.solids) {
+    Piece piece{
+        .owner = owner, .object = part.object, .form = Form::mesh, .color = color_of(part.color), .label = label};
     piece.radius = farthest(part.solid);
-    piece.mesh = add_mesh(part.solid, nullptr);
+    piece.mesh = add_mesh(part.solid);
     pieces_.push_back(piece);
   }
 }
 
-/// Meshes are told apart by their corners: equal robots share them.
-int Scenery::add_mesh(Solid solid, const void* identity) {
+/// Meshes of equal corners are one: equal robots share them. `identity` tells them apart faster.
+int Scenery::add_mesh(const Solid& solid, const void* identity) {
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     const bool same = identity ? identities_[i] == identity
-                               : meshes_[i].triangles == solid.triangles &&
-                                     std::equal(meshes_[i].corners.begin(), meshes_[i].corners.end(),
-                                                solid.corners.begin(), solid.corners.end(),
-                                                [](const Corner& a, const Corner& b) { return !(a < b || b < a); });
+                               : meshes_[i].triangles == solid.triangles && meshes_[i].corners == solid.corners;
     if (same) return static_cast<int>(i);
   }
-  meshes_.push_back(std::move(solid));
+  meshes_.push_back(solid);
   identities_.push_back(identity);
   return static_cast<int>(meshes_.size()) - 1;
 }
 
-void Scenery::add_shape(int owner, int object, const PlacedShape& shape, const Color& color, std::uint16_t label) {
-  Piece piece{
-      .owner = owner, .object = object, .place = {shape.position, shape.orientation}, .color = color, .label = label};
+void Scenery::add_shape(Piece piece, const PlacedShape& shape) {
+  piece.place = {shape.position, shape.orientation};
+  piece.radius = bounding_radius(shape.shape);
   const auto add = [&](Form form, const Vec3d& scale) {
     piece.form = form;
     piece.scale = scale;
     pieces_.push_back(piece);
   };
-  piece.radius = bounding_radius(shape.shape);
   if (const auto* sphere = std::get_if<Sphere>(&shape.shape)) {
     add(Form::sphere, {sphere->radius, sphere->radius, sphere->radius});
   } else if (const auto* ellipsoid = std::get_if<Ellipsoid>(&shape.shape)) {
@@ -124,17 +112,27 @@ void Scenery::add_shape(int owner, int object, const PlacedShape& shape, const C
   } else if (const auto* cylinder = std::get_if<Cylinder>(&shape.shape)) {
     add(Form::cylinder, {cylinder->radius, cylinder->radius, cylinder->half_length});
   } else if (const auto* capsule = std::get_if<Capsule>(&shape.shape)) {
-    const double r = capsule->radius, h = capsule->half_length;
-    add(Form::tube, {r, r, h});
-    piece.radius = r;
-    for (const double side : {1.0, -1.0}) {
-      piece.place.position = shape.position + shape.orientation * Vec3d{0, 0, side * h};
-      piece.place.orientation = side > 0 ? shape.orientation : shape.orientation * rotation_x(pi);
-      add(Form::half_sphere, {r, r, r});
-    }
+    add_round(piece, *capsule);
   } else if (const auto* convex = std::get_if<Convex>(&shape.shape)) {
     piece.mesh = add_mesh(solid_of(*convex->hull), convex->hull.get());
     add(Form::mesh, {1, 1, 1});
+  }
+}
+
+/// A tube with two half spheres.
+void Scenery::add_round(Piece piece, const Capsule& capsule) {
+  const double r = capsule.radius, h = capsule.half_length;
+  const geometry::Pose middle = piece.place;
+  piece.form = Form::tube;
+  piece.scale = {r, r, h};
+  pieces_.push_back(piece);
+  piece.form = Form::half_sphere;
+  piece.scale = {r, r, r};
+  piece.radius = r;
+  for (const double side : {1.0, -1.0}) {
+    piece.place.position = middle.position + middle.orientation * Vec3d{0, 0, side * h};
+    piece.place.orientation = side > 0 ? middle.orientation : middle.orientation * rotation_x(pi);
+    pieces_.push_back(piece);
   }
 }
 

@@ -8,25 +8,33 @@
 #include <vector>
 
 #include "murosimf/geometry/manifold.h"
-#include "murosimf/model/setup.h"
 #include "murosimf/model/world.h"
 #include "murosimf/render/solid.h"
 
 namespace murosimf::render {
 
-/// A surface on an object of a model that is drawn instead of its shapes, or besides them.
+/// A surface on an object of a model.
 struct Looks {
   int object = 0;
   Solid solid;  ///< [m] object frame
   Color color;
 };
 
-/// What a model looks like where its shapes do not tell. All models of equal robots are one.
-struct ModelLooks {
-  std::vector<Looks> parts;
-  std::vector<int> instead;  ///< objects whose shapes are not drawn: they have parts that show them
+/// A shape on an object of a model.
+struct ShownShape {
+  int object = 0;
+  PlacedShape placed;
 };
-using LooksOf = std::function<ModelLooks(const Entity&)>;
+
+/// What an entity looks like. Gray, the color that things have by default, is drawn in the entity's own color.
+struct EntityLooks {
+  std::vector<Looks> solids;
+  std::vector<ShownShape> shapes;
+};
+using LooksOf = std::function<EntityLooks(const Entity&)>;
+
+/// All shapes of the model.
+[[nodiscard]] EntityLooks looks_of_shapes(const Entity& entity);
 
 enum class Form { sphere, half_sphere, tube, cylinder, box, mesh };
 
@@ -46,16 +54,15 @@ struct Piece {
 class Scenery {
  public:
   /// `movers`: those that get labels of their own. The world must outlive it, and its entities must be there already.
-  Scenery(const World& world, const std::vector<Entity*>& movers, const LooksOf& looks);
+  Scenery(const World& world, const std::vector<Entity*>& movers, const LooksOf& looks = looks_of_shapes);
 
-  /// Declares that poses and velocities of all movers are read, and reads them from now on.
-  void declare(Setup& setup);
-  /// For who looks from outside, between steps: reads the columns that there are.
+  /// Reads the columns that there are; to be called when all of them are there.
   void locate();
 
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
   [[nodiscard]] const std::vector<Solid>& meshes() const { return meshes_; }
   [[nodiscard]] const std::vector<std::string>& labels() const { return labels_; }
+  [[nodiscard]] const Entity* owner(const Piece& piece) const { return owners_[piece.owner].entity; }
   /// Of the first entity that has some; null if none has.
   [[nodiscard]] const Markings* markings() const { return markings_; }
 
@@ -71,13 +78,12 @@ class Scenery {
     std::span<const Mat3d> R;
   };
   void add_entity(Entity& entity, const std::vector<Entity*>& movers, const LooksOf& looks);
-  void add_shape(int owner, int object, const PlacedShape& shape, const Color& color, std::uint16_t label);
-  void add_looks(int owner, const Entity& entity, const ModelLooks& looks, std::uint16_t label);
-  int add_mesh(Solid solid, const void* identity);
+  void add_shape(Piece piece, const PlacedShape& shape);
+  void add_round(Piece piece, const Capsule& capsule);
+  int add_mesh(const Solid& solid, const void* identity = nullptr);
   [[nodiscard]] geometry::Pose pose_of(const Owner& owner, int object, double ahead) const;
 
   std::vector<Owner> owners_;
-  std::vector<Entity*> movers_;
   std::vector<Piece> pieces_;  // by owner and object
   std::vector<Solid> meshes_;
   std::vector<const void*> identities_;  // of meshes that several robots share

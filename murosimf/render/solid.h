@@ -14,6 +14,7 @@ namespace murosimf::render {
 /// A corner: place [m] and unit normal, in the frame of the solid.
 struct Corner {
   std::array<float, 3> place{}, normal{};
+  friend bool operator==(const Corner&, const Corner&) = default;
   friend bool operator<(const Corner& a, const Corner& b) {
     return a.place != b.place ? a.place < b.place : a.normal < b.normal;
   }

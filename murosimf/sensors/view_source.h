@@ -21,6 +21,7 @@ struct Perspective {
   double left = -1, right = 1, top = -1, bottom = 1;  ///< [1] tangents at the borders
   int width = 0, height = 0;                          ///< [px]
   int first_row = 0, rows = 0;                        ///< only these are drawn (rolling shutter); 0 rows: all
+  const Entity* without = nullptr;                    ///< is not drawn
   bool finest = false;                                ///< round things as round as can be: for who measures
 };
 
@@ -43,11 +44,8 @@ class ViewSource {
  public:
   virtual ~ViewSource() = default;
 
-  /// Declares what the algorithm reads that will call draw(). Throws SetupError if nothing can be drawn here, and why.
-  virtual void declare(Setup& setup) = 0;
-
-  /// Draws the scene as it is at this instant, moved on by `ahead` [s] with the present velocities. Images get the size
-  /// of the perspective. May be called from several threads at once; the pixels do not depend on the thread.
+  /// Draws the scene as it is at this instant, moved on by `ahead` [s] with the present velocities. Whoever asks while the
+  /// simulation runs reads pose and velocity of all movers. Images get the size of the perspective. May be called from several threads at once; the pixels do not depend on the thread.
   virtual void draw(const Perspective& perspective, const Layers& layers, double ahead, View& view) noexcept = 0;
 
   /// Names of labels: "background", "ground", "line", "goal", then the movers'.

@@ -63,7 +63,7 @@ LampView lamp_view(const Scenery& scenery, const Vec3d& toward, double ahead) {
   Vec3d low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
   scenery.for_pieces(ahead, [&](const Piece& piece, const geometry::Pose& pose) {
     const Vec3d p = transposed_times(lamp.axes, pose.position);
-    const double r = piece.form == Form::tube ? std::hypot(piece.scale.x, piece.scale.z) : piece.radius;
+    const double r = piece.radius;
     if (!std::isfinite(norm(p) + r)) return;
     low = {std::min(low.x, p.x - r), std::min(low.y, p.y - r), std::min(low.z, p.z - r)};
     high = {std::max(high.x, p.x + r), std::max(high.y, p.y + r), std::max(high.z, p.z + r)};
