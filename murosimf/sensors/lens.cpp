@@ -125,6 +125,11 @@ const std::vector<std::string_view>& lens_models() {
 
 Lens::Lens(const LensSpec& spec) : spec_(checked(spec)), map_(map_of(spec)) {}
 
+bool Lens::plain() const noexcept {
+  const bool none = std::ranges::all_of(spec_.coefficients, [](double x) { return x == 0; });
+  return none && std::holds_alternative<PlaneDistortion>(map_);
+}
+
 std::optional<Pixel> Lens::project(const Vec3d& point) const noexcept {
   const auto d = std::visit([&](const auto& map) { return seen(map, point); }, map_);
   if (!d) return std::nullopt;

@@ -55,8 +55,8 @@ class Lens {
   explicit Lens(const LensSpec& spec);
 
   [[nodiscard]] const LensSpec& spec() const noexcept { return spec_; }
-  /// A perspective lens: straight lines stay straight.
-  [[nodiscard]] bool plain() const noexcept { return spec_.model == "perspective"; }
+  /// Straight lines stay straight: perspective, or a lens of the plane whose coefficients are 0.
+  [[nodiscard]] bool plain() const noexcept;
 
   /// The pixel in which the point [m, optical frame] is seen, inside the picture or not. Nothing if the lens cannot see
   /// it: the point is behind it, or beyond its widest angle.

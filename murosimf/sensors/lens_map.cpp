@@ -1,6 +1,7 @@
 #include "murosimf/sensors/lens_map.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -13,6 +14,7 @@ namespace murosimf::sensors {
 namespace {
 
 constexpr int steps = 256;  // of a pixel: places between pixels are that fine
+static_assert(std::endian::native == std::endian::little, "colors are read as numbers, red in the lowest byte");
 
 ViewWindow whole_picture(const LensSpec& spec) {
   return {.axes = {},
@@ -32,24 +34,31 @@ Rows joined(const Rows& a, const Rows& b) {
   return {first, std::max(a.first + a.count, b.first + b.count) - first};
 }
 
-/// Four bytes from a pixel on: its colors, and one of the next pixel's.
-std::uint32_t bytes_at(const Rgb* pixel) noexcept {
-  std::uint32_t bytes;
+/// Two pixels and two bytes of the next one.
+std::uint64_t bytes_at(const Rgb* pixel) noexcept {
+  std::uint64_t bytes;
   std::memcpy(&bytes, pixel, sizeof bytes);
   return bytes;
 }
 
-/// Red and blue are averaged at once, in the halves of one number: 255 * 256 fits into 16 bits.
-Rgb mean(const Rgb* above, const Rgb* below, std::uint32_t x, std::uint32_t y) noexcept {
-  constexpr std::uint32_t odd = 0x00ff00ff, half = 0x00800080;
-  const std::uint32_t w11 = x * y / steps, w01 = x - w11, w10 = y - w11, w00 = steps - x - w10;
-  const std::uint32_t p00 = bytes_at(above), p01 = bytes_at(above + 1), p10 = bytes_at(below),
-                      p11 = bytes_at(below + 1);
-  const std::uint32_t outer = (p00 & odd) * w00 + (p01 & odd) * w01 + (p10 & odd) * w10 + (p11 & odd) * w11 + half;
-  const auto middle = [](std::uint32_t p) { return p >> 8 & 0xffU; };
-  const std::uint32_t green = middle(p00) * w00 + middle(p01) * w01 + middle(p10) * w10 + middle(p11) * w11 + steps / 2;
-  return {static_cast<std::uint8_t>(outer >> 8), static_cast<std::uint8_t>(green >> 8),
-          static_cast<std::uint8_t>(outer >> 24)};
+/// The mean of two times four bytes, each in 16 bits of a number; `share` of 256 of the second.
+std::uint64_t blended(std::uint64_t a, std::uint64_t b, std::uint64_t share) noexcept {
+  constexpr std::uint64_t low_bytes = 0x00ff00ff00ff00ff, half = 0x0080008000800080;
+  return (a * (steps - share) + b * share + half) >> 8 & low_bytes;
+}
+
+/// Rows are averaged first, then what is left of the place with what is right of it. Bytes of a row are
+/// r g b r g b: every second one, from the first and from the second on, makes room for products.
+Rgb mean(const Rgb* above, const Rgb* below, std::uint64_t x, std::uint64_t y) noexcept {
+  constexpr std::uint64_t low_bytes = 0x00ff00ff00ff00ff;
+  const std::uint64_t a = bytes_at(above), b = bytes_at(below);
+  const std::uint64_t red_blue_green = blended(a & low_bytes, b & low_bytes, y);            // r0 b0 g1
+  const std::uint64_t green_red_blue = blended(a >> 8 & low_bytes, b >> 8 & low_bytes, y);  // g0 r1 b1
+  const std::uint64_t left = (red_blue_green & 0xffffffff) | green_red_blue << 32;          // r0 b0 g0, and more
+  const std::uint64_t right = (green_red_blue >> 16 & 0xffffffff) | (red_blue_green & 0xffff00000000);  // r1 b1 g1
+  const std::uint64_t color = blended(left & 0xffffffffffff, right, x);
+  return {static_cast<std::uint8_t>(color), static_cast<std::uint8_t>(color >> 32),
+          static_cast<std::uint8_t>(color >> 16)};
 }
 
 /// 1 / z is linear on the picture of a plane.
@@ -146,10 +155,13 @@ void LensMap::look_up(std::span<const Image<Pixel>> views, Image<Pixel>& picture
       }
       const Image<Pixel>& view = views[static_cast<std::size_t>(run.view)];
       const Pixel* from = view.pixels().data();
+      const auto width = static_cast<std::size_t>(view.width());
+      const Tap* taps = taps_.data();
       const std::size_t end = start + static_cast<std::size_t>(run.end);
       for (std::size_t k = start + static_cast<std::size_t>(run.first); k < end; ++k) {
-        const Pixel* above = from + taps_[k].offset;
-        *to++ = look(k, taps_[k], above, above + view.width());
+        const Tap tap = taps[k];
+        const Pixel* above = from + tap.offset;
+        *to++ = look(k, tap, above, above + width);
       }
     }
   }

@@ -15,9 +15,19 @@ double length(const PlanePoint& p) { return std::sqrt(p.x * p.x + p.y * p.y); }
 
 }  // namespace
 
-PlaneDistortion::PlaneDistortion(std::span<const double> coefficients) {
-  const std::array<double*, 8> fields{&k1_, &k2_, &p1_, &p2_, &k3_, &k4_, &k5_, &k6_};
+PlaneDistortion PlaneDistortion::formula(std::span<const double> coefficients) {
+  PlaneDistortion made;
+  const std::array<double*, 8> fields{&made.k1_, &made.k2_, &made.p1_, &made.p2_,
+                                      &made.k3_, &made.k4_, &made.k5_, &made.k6_};
   for (std::size_t i = 0; i < coefficients.size(); ++i) *fields[i] = coefficients[i];
+  return made;
+}
+
+PlaneDistortion::PlaneDistortion(std::span<const double> coefficients) : PlaneDistortion(formula(coefficients)) {
+  find_widest();
+}
+
+void PlaneDistortion::find_widest() {
   const bool tangential = p1_ != 0 || p2_ != 0;
   const int directions = tangential ? 72 : 1;
   widest_ = pi / 2;

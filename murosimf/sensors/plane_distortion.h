@@ -32,6 +32,8 @@ class PlaneDistortion {
  public:
   /// Coefficients k1 k2 p1 p2 k3 k4 k5 k6; those that are not given are 0, so with none nothing moves.
   explicit PlaneDistortion(std::span<const double> coefficients);
+  /// The same with `at` only: where it folds is not looked for.
+  [[nodiscard]] static PlaneDistortion formula(std::span<const double> coefficients);
 
   [[nodiscard]] PlaneMotion at(const PlanePoint& p) const noexcept;
   /// Up to this angle from the axis [rad] no two points go to one place; pi/2 if everywhere.
@@ -42,12 +44,15 @@ class PlaneDistortion {
   [[nodiscard]] std::optional<PlanePoint> undistorted(const PlanePoint& distorted) const noexcept;
 
  private:
+  PlaneDistortion() = default;
+
   struct Scale {
     double value, slope;  ///< s, and its derivative by r^2
     bool regular;         ///< the denominator has not passed zero
   };
   [[nodiscard]] Scale scale(double r2) const noexcept;
   [[nodiscard]] Slope radial(double r) const noexcept;
+  void find_widest();
   [[nodiscard]] bool folds(double angle, double direction) const;
   [[nodiscard]] double fold(double direction) const;
   [[nodiscard]] PlanePoint without_tangential(const PlanePoint& distorted) const noexcept;
