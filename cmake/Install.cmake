@@ -32,6 +32,12 @@ else()
   set(murosimf_uses_cairo OFF)
 endif()
 
+if("PkgConfig::opengl" IN_LIST murosimf_libraries)
+  set(murosimf_uses_opengl ON)
+else()
+  set(murosimf_uses_opengl OFF)
+endif()
+
 if("NLopt::nlopt" IN_LIST murosimf_libraries)
   set(murosimf_uses_nlopt ON)
 else()
