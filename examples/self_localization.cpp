@@ -1,0 +1,122 @@
+// How well a robot knows where it is on the field, from the lines that its camera sees, against where it really is.
+//
+//     build/release/example_self_localization                       # a table
+//     build/release/example_self_localization localization.png 9    # and the particles at a time [s], as in the paper's Fig. 7
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <murosimf/control/localize.h>
+#include <murosimf/io/field.h>
+#include <murosimf/io/output_file.h>
+#include <murosimf/io/scene.h>
+#include <murosimf/render/field_picture.h>
+
+using namespace murosimf;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr double near_enough = 0.2;  // [m]
+constexpr Color dark_blue{0, 0, 0.5}, blue{0.2, 0.55, 1}, red{0.95, 0.1, 0.1}, yellow{1, 0.9, 0.1};
+
+/// What the camera of a run is like.
+struct Setting {
+  const char* name;
+  std::vector<std::string> overrides;
+};
+
+const std::vector<Setting> settings{
+    {"plain", {}},
+    {"blurred and noisy", {"robot.sensors.camera.blur=1.5", "robot.sensors.camera.shot_noise=0.03",
+                           "robot.sensors.camera.read_noise=0.01"}},
+    {"distorted, mounted 2 deg off", {"robot.sensors.camera.k1=-0.25", "robot.sensors.camera.k2=0.05",
+                                      "robot.sensors.camera.mounting_error_deg=[0,2,0]"}},
+};
+
+/// x, y and heading, as they really are.
+Vec3d truth(Entity& robot) {
+  const Vec3d place = robot.base().get(properties::position);
+  return {place.x, place.y, heading(robot.base().get(properties::orientation))};
+}
+
+struct Errors {
+  std::vector<double> place, heading;  // [m], [rad]; of all instants
+  double settled = 0;                  // [s] from then on the place is near enough
+};
+
+Errors run(const Setting& setting) {
+  io::Scene scene("self_localization", {.overrides = setting.overrides});
+  Simulation& simulation = scene.simulation();
+  Entity& robot = simulation.world().entity("robot");
+  Errors errors;
+  while (simulation.now() < from_seconds(scene.spec().duration)) {
+    simulation.run(50ms);
+    const Vec3d is = truth(robot), believed = robot.base().get(properties::pose_estimate);
+    errors.place.push_back(std::hypot(believed.x - is.x, believed.y - is.y));
+    errors.heading.push_back(std::abs(control::wrapped(believed.z - is.z)));
+    if (errors.place.back() > near_enough) errors.settled = seconds(simulation.now());
+  }
+  return errors;
+}
+
+/// Of the numbers after the first `skipped`: mean, what 95 % are below, largest.
+void print(const std::vector<double>& all, std::size_t skipped, double unit, const char* format) {
+  std::vector<double> numbers(all.begin() + static_cast<std::ptrdiff_t>(skipped), all.end());
+  std::sort(numbers.begin(), numbers.end());
+  double sum = 0;
+  for (const double number : numbers) sum += number;
+  const auto count = static_cast<double>(numbers.size());
+  std::printf(format, unit * sum / count, unit * numbers[static_cast<std::size_t>(0.95 * (count - 1))],
+              unit * numbers.back());
+}
+
+void print_table() {
+  std::printf("                               position [m]           heading [deg]          within %.1f m\n"
+              "camera                         mean   95 %%   largest   mean   95 %%   largest  after [s]\n", near_enough);
+  for (const Setting& setting : settings) {
+    const Errors errors = run(setting);
+    constexpr std::size_t first = 100;  // 5 s to find itself
+    std::printf("%-30s ", setting.name);
+    print(errors.place, first, 1, "%.3f  %.3f  %.3f    ");
+    print(errors.heading, first, 180 / pi, "%5.1f  %5.1f  %5.1f    ");
+    std::printf("%.1f\n", errors.settled);
+  }
+}
+
+/// Particles red, the estimate dark blue, the truth blue, points on lines yellow.
+void draw(const std::string& file, double time) {
+  io::Scene scene("self_localization");
+  scene.simulation().run(from_seconds(time));
+  Entity& robot = scene.simulation().world().entity("robot");
+  const control::Particles& particles = robot.base().get(control::possible_poses);
+  const Vec3d believed = robot.base().get(properties::pose_estimate);
+  render::Overlay overlay;
+  for (const control::Particle& particle : particles.all) overlay.arrows.push_back({particle.pose, 0.18, red});
+  for (const control::LinePoint& point : particles.points) {
+    overlay.circles.push_back({control::from_frame(believed, point.place), 0.02, yellow, true});
+  }
+  overlay.arrows.push_back({truth(robot), 0.5, blue});
+  overlay.arrows.push_back({believed, 0.4, dark_blue});
+  char title[80];
+  std::snprintf(title, sizeof title, "%s: %.1f s", scene.spec().name.c_str(), time);
+  io::write_file(file, render::field_picture_png(io::field_markings(io::kid_size_2008), {},
+                                                 {.pixels_per_meter = 100, .title = title, .overlay = overlay}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc > 1) {
+    draw(argv[1], argc > 2 ? std::atof(argv[2]) : 1);
+  } else {
+    print_table();
+  }
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
+}
