@@ -37,12 +37,6 @@ else()
   set(murosimf_uses_nlopt OFF)
 endif()
 
-if("$<LINK_ONLY:meshoptimizer::meshoptimizer>" IN_LIST murosimf_libraries)
-  set(murosimf_uses_meshoptimizer ON)
-else()
-  set(murosimf_uses_meshoptimizer OFF)
-endif()
-
 set(murosimf_data_dir ${CMAKE_INSTALL_DATADIR}/murosimf)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/murosimfConfig.cmake.in
   ${CMAKE_CURRENT_BINARY_DIR}/murosimfConfig.cmake
