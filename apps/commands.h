@@ -77,7 +77,8 @@ struct CompareCommand {
 /// The same experiment at several levels of detail.
 int compare(const CompareCommand& command);
 
-/// `what`: levels, contacts, body_contacts, volumes, integrators, servo_laws, controllers, sensors, properties.
+/// `what`: levels, contacts, body_contacts, volumes, integrators, servo_laws, controllers, sensors, parts,
+/// lenses, properties.
 int list(const std::string& what);
 
 struct FitServoOptions {
@@ -107,5 +108,14 @@ struct ReplayServoOptions {
 
 /// Simulates a servo as logs drove a real one, and says how far it is off.
 int replay_servo(const ReplayServoOptions& options);
+
+struct LensOptions {
+  std::string file;   ///< calibration (YAML), or the name of one that comes with the program
+  std::string model;  ///< to convert it to; empty: no
+  std::string out;    ///< calibration to write
+};
+
+/// What a camera's calibration says, and the same in the words of another lens model.
+int lens(const LensOptions& options);
 
 }  // namespace murosimf::app

@@ -1,10 +1,11 @@
-// `murosimf list`: names of levels, laws, controllers, sensors, parts and properties.
+// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses and properties.
 #include <fmt/format.h>
 
 #include "apps/commands.h"
 #include "apps/standard_output.h"
 #include "murosimf/collision/pair_law.h"
 #include "murosimf/geometry/any_tree.h"
+#include "murosimf/io/camera_info.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/io/sensor_table.h"
 #include "murosimf/io/sensor_types.h"
@@ -59,6 +60,9 @@ int list(const std::string& what) {
   if (what == "sensors") text = sensors_text();
   if (what == "parts") {
     for (const auto& name : io::sensor_parts()) text += fmt::format("{}\n", name);
+  }
+  if (what == "lenses") {
+    for (const auto& name : io::lens_names()) text += fmt::format("{}\n", name);
   }
   if (what == "properties") text = properties_text();
   write_standard_output(text);

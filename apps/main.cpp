@@ -137,11 +137,11 @@ void add_list(CLI::App& app, std::string& what, int& exit_code) {
   CLI::App* list_command = app.add_subcommand("list", "List the names that there are");
   list_command
       ->add_option("what", what,
-                   "levels, contacts, body_contacts, volumes, integrators, servo_laws, controllers, sensors, parts or "
-                   "properties")
+                   "levels, contacts, body_contacts, volumes, integrators, servo_laws, controllers, sensors, parts, "
+                   "lenses or properties")
       ->required()
       ->check(CLI::IsMember({"levels", "contacts", "body_contacts", "volumes", "integrators", "servo_laws",
-                             "controllers", "sensors", "parts", "properties"}));
+                             "controllers", "sensors", "parts", "lenses", "properties"}));
   list_command->callback([&] { exit_code = list(what); });
 }
 
@@ -181,10 +181,23 @@ void add_replay_servo(CLI::App& app, ReplayServoOptions& options, int& exit_code
   replay->callback([&] { exit_code = replay_servo(options); });
 }
 
+void add_lens(CLI::App& app, LensOptions& options, int& exit_code) {
+  CLI::App* lens_command = app.add_subcommand("lens", "Show the calibration of a camera, or convert it");
+  lens_command
+      ->add_option("file", options.file,
+                   "Calibration (YAML as ROS writes it), or the name of one that comes with the program")
+      ->required();
+  lens_command->add_option("--as", options.model,
+                           "Say it in the words of another lens model: perspective, plumb_bob, rational_polynomial, "
+                           "equidistant or ray_polynomial");
+  lens_command->add_option("--out", options.out, "Calibration to write (YAML)");
+  lens_command->callback([&] { exit_code = lens(options); });
+}
+
 /// The parser would only say that a command is required.
 void refuse_unknown_command(int argc, char** argv) {
-  const std::vector<std::string_view> commands{"run",  "compare", "check",     "convert",     "plot",
-                                               "list", "bench",   "fit-servo", "replay-servo"};
+  const std::vector<std::string_view> commands{"run",  "compare", "check",     "convert",      "plot",
+                                               "list", "bench",   "fit-servo", "replay-servo", "lens"};
   if (argc < 2 || argv[1][0] == '-') return;
   if (std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     throw murosimf::SetupError(murosimf::unknown_name("command", argv[1], commands));
@@ -205,6 +218,7 @@ int main(int argc, char** argv) {
   BenchOptions bench_options;
   FitServoOptions fit_servo_options;
   ReplayServoOptions replay_servo_options;
+  LensOptions lens_options;
   std::string what, what_to_bench;
   int exit_code = 0;
   add_run(app, run_options, exit_code);
@@ -216,6 +230,7 @@ int main(int argc, char** argv) {
   add_bench(app, bench_options, what_to_bench, exit_code);
   add_fit_servo(app, fit_servo_options, exit_code);
   add_replay_servo(app, replay_servo_options, exit_code);
+  add_lens(app, lens_options, exit_code);
   try {
     refuse_unknown_command(argc, argv);
     app.parse(argc, argv);

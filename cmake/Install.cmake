@@ -1,4 +1,5 @@
-# `cmake --install`: program, library with headers and its CMake package `murosimf`, robots, servos, parts of sensors and scenes.
+# `cmake --install`: program, library with headers and its CMake package `murosimf`, robots, servos, parts of sensors,
+# lenses and scenes.
 
 include(CMakePackageConfigHelpers)
 
@@ -13,7 +14,7 @@ if(TARGET murosimf_app)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/murosimf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.h")
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/models ${PROJECT_SOURCE_DIR}/motions ${PROJECT_SOURCE_DIR}/parts ${PROJECT_SOURCE_DIR}/scenes ${PROJECT_SOURCE_DIR}/servos
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/lenses ${PROJECT_SOURCE_DIR}/models ${PROJECT_SOURCE_DIR}/motions ${PROJECT_SOURCE_DIR}/parts ${PROJECT_SOURCE_DIR}/scenes ${PROJECT_SOURCE_DIR}/servos
   DESTINATION ${CMAKE_INSTALL_DATADIR}/murosimf)
 
 install(EXPORT murosimf NAMESPACE murosimf:: FILE murosimfTargets.cmake DESTINATION ${murosimf_package_dir})
@@ -31,10 +32,22 @@ else()
   set(murosimf_uses_cairo OFF)
 endif()
 
+if("PkgConfig::opengl" IN_LIST murosimf_libraries)
+  set(murosimf_uses_opengl ON)
+else()
+  set(murosimf_uses_opengl OFF)
+endif()
+
 if("NLopt::nlopt" IN_LIST murosimf_libraries)
   set(murosimf_uses_nlopt ON)
 else()
   set(murosimf_uses_nlopt OFF)
+endif()
+
+if("yaml-cpp::yaml-cpp" IN_LIST murosimf_libraries)
+  set(murosimf_uses_yaml ON)
+else()
+  set(murosimf_uses_yaml OFF)
 endif()
 
 set(murosimf_data_dir ${CMAKE_INSTALL_DATADIR}/murosimf)

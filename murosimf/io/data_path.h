@@ -10,7 +10,7 @@
 namespace murosimf::io {
 
 /// The file that `name` means. Tried in this order: the name as it is; the name in `beside`; the name, alone and in
-/// the folder `kind` ("models", "parts", "scenes", "servos"), in the folder that MUROSIMF_DATA names, in share/murosimf of the
+/// the folder `kind` ("lenses", "models", "parts", "scenes", "servos"), in the folder that MUROSIMF_DATA names, in share/murosimf of the
 /// installation, and in the source tree. Every place is tried with `extension` appended too. Throws SetupError.
 [[nodiscard]] std::filesystem::path find_data_file(std::string_view name, std::string_view kind,
                                                    std::string_view extension,

@@ -1,0 +1,60 @@
+// `murosimf lens`: shows the calibration of a camera, and says it in the words of another lens model.
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/standard_output.h"
+#include "murosimf/io/camera_info.h"
+#include "murosimf/io/output_file.h"
+#include "murosimf/math/scalar.h"
+#include "murosimf/model/error.h"
+#include "murosimf/sensors/lens_fit.h"
+
+namespace murosimf::app {
+namespace {
+
+double degrees(double angle) { return angle * 180 / pi; }
+
+std::string line(std::string_view what, const std::string& text) { return fmt::format("{:<14} {}\n", what, text); }
+
+std::string text_of(const sensors::Lens& lens) {
+  const sensors::LensSpec& spec = lens.spec();
+  const auto [horizontal, vertical, diagonal] = lens.opening();
+  std::string text = line("model", spec.model);
+  text +=
+      line("coefficients", spec.coefficients.empty() ? "none" : fmt::format("{}", fmt::join(spec.coefficients, " ")));
+  text += line("picture", fmt::format("{} x {} px", spec.width, spec.height));
+  text += line("focal length", fmt::format("{:.2f} x {:.2f} px", spec.fx, spec.fy));
+  text += line("center", fmt::format("{:.2f}, {:.2f} px", spec.cx, spec.cy));
+  text += line("opening", fmt::format("horizontal {:.1f}, vertical {:.1f}, diagonal {:.1f} deg", degrees(horizontal),
+                                      degrees(vertical), degrees(diagonal)));
+  text += line("sees up to", fmt::format("{:.1f} deg from the axis, in the picture {:.1f} deg",
+                                         degrees(lens.widest_angle()), degrees(lens.corner_angle())));
+  if (const std::string remark = lens.fold_remark(); !remark.empty()) text += line("warning", remark);
+  return text;
+}
+
+std::string text_of(const sensors::LensFit& fit) {
+  if (fit.largest_error == 0) return line("fit error", "none");
+  return line("fit error",
+              fmt::format("at most {:.2g} px, at pixel {:.0f}, {:.0f}", fit.largest_error, fit.where.u, fit.where.v));
+}
+
+}  // namespace
+
+int lens(const LensOptions& options) {
+  if (!options.out.empty()) io::check_writable(options.out);
+  const auto file = io::find_lens_file(options.file);
+  io::CameraInfo info = io::read_camera_info(file);
+  const sensors::Lens read(info.lens);
+  std::string text = line("calibration", info.name.empty() ? file.string() : info.name) + text_of(read);
+  if (!options.model.empty()) {
+    const sensors::LensFit fit = at(file.string(), [&] { return sensors::fit_lens(read, options.model); });
+    text += fmt::format("\nas {}\n", options.model) + text_of(sensors::Lens(fit.spec)) + text_of(fit);
+    info.lens = fit.spec;
+  }
+  if (!options.out.empty()) io::write_file(options.out, io::camera_info_yaml(info));
+  write_standard_output(text);
+  return 0;
+}
+
+}  // namespace murosimf::app
