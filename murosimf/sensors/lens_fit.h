@@ -10,7 +10,8 @@ namespace murosimf::sensors {
 struct LensFit {
   LensSpec spec;
   double largest_error = 0;  ///< [px], between where both see the same ray, over the whole picture
-  Pixel where;               ///< in the picture of the first lens
+  double usual_error = 0;    ///< [px], root of the mean square of that
+  Pixel where;               ///< of the largest error, in the picture of the first lens
 };
 
 /// The lens of the other model that sees rays where `lens` sees them: least squares over pixels of the whole picture, of

@@ -94,7 +94,8 @@ PlanePoint PlaneDistortion::without_tangential(const PlanePoint& distorted) cons
   if (target == 0) return distorted;
   double r = reach_;
   if (target < radial(reach_).value) {
-    r = monotonic_root([this](double x) { return radial(x); }, target, 0, reach_, target);
+    constexpr double rough = 1e-4;  // it will be refined
+    r = monotonic_root([this](double x) { return radial(x); }, target, 0, reach_, target, rough);
   }
   return {distorted.x * (r / target), distorted.y * (r / target)};
 }
