@@ -32,10 +32,22 @@ else()
   set(murosimf_uses_cairo OFF)
 endif()
 
+if("PkgConfig::opengl" IN_LIST murosimf_libraries)
+  set(murosimf_uses_opengl ON)
+else()
+  set(murosimf_uses_opengl OFF)
+endif()
+
 if("NLopt::nlopt" IN_LIST murosimf_libraries)
   set(murosimf_uses_nlopt ON)
 else()
   set(murosimf_uses_nlopt OFF)
+endif()
+
+if("$<LINK_ONLY:meshoptimizer::meshoptimizer>" IN_LIST murosimf_libraries)
+  set(murosimf_uses_meshoptimizer ON)
+else()
+  set(murosimf_uses_meshoptimizer OFF)
 endif()
 
 if("yaml-cpp::yaml-cpp" IN_LIST murosimf_libraries)

@@ -23,7 +23,7 @@ allowed = {
     "control": {"math", "model", "multibody", "geometry", "collision", "motion", "sensors"},
     "identification": {"math", "model", "multibody"},
     "runtime": {"math", "model"},
-    "render": {"math", "model", "sensors"},
+    "render": {"math", "model", "geometry", "collision", "sensors"},
 }
 allowed["io"] = set(allowed)
 allowed["league"] = set(allowed)

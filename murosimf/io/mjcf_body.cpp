@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/mjcf_camera.h"
 #include "murosimf/io/mjcf_children.h"
 #include "murosimf/io/mjcf_inertia.h"
 #include "murosimf/io/mjcf_joint.h"
@@ -103,15 +104,22 @@ class BodyReader {
     return frame;
   }
 
-  /// MJCF cameras look along -z with y up; the frame here is theirs.
+  /// One with a name is a frame that others may use, with the axes that MJCF gives it; one that does not stay at its
+  /// place on the body is none.
   void add_camera(const MjcfChild& child, DraftBody& body) {
     const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
     const auto name = child.element.attribute("name");
-    draft_.sensors.push_back({"camera", name.value_or(""), name.value_or(body.name), child.element.where()});
-    if (!name) return;
-    DraftFrame frame{*name, child.element.where(), "camera"};
-    frame.place = inside(child.frame, place_of(attributes));
-    body.frames.push_back(frame);
+    DraftSensor camera = read_mjcf_camera(attributes, name.value_or(body.name));
+    const Place place = inside(child.frame, place_of(attributes));
+    if (!camera.obstacle.empty()) {
+      camera.frame = body.name;
+    } else if (name) {
+      body.frames.push_back({*name, child.element.where(), "camera", place, {}});
+    } else {
+      camera.object_kind = "xbody";
+      camera.place = inside(place, camera.place);
+    }
+    draft_.sensors.push_back(std::move(camera));
   }
 
   [[nodiscard]] static MjcfAttributes own_attributes(const XmlElement& element) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/mjcf_camera.h"
 #include "murosimf/io/mjcf_children.h"
 
 namespace murosimf::io {
@@ -142,15 +143,17 @@ DraftSensor read_mjcf_sensor(const XmlElement& element, const XmlElement& root, 
 }
 
 bool is_mjcf_sensor(const DraftSensor& sensor, const RobotDraft& draft) {
+  if (is_mjcf_camera(sensor)) return object_is_there(sensor, draft);
   const bool complete = sensor.obstacle.empty() && !sensor.object_kind.empty();
   return complete && attribute_of(written_kind(sensor)) && object_is_there(sensor, draft);
 }
 
 void write_mjcf_sensors(XmlText& xml, const RobotDraft& draft) {
-  const auto fits = [&](const DraftSensor& sensor) { return is_mjcf_sensor(sensor, draft); };
+  const auto fits = [&](const DraftSensor& sensor) { return !is_mjcf_camera(sensor) && is_mjcf_sensor(sensor, draft); };
   const bool any = std::ranges::any_of(draft.sensors, fits);
   if (any) xml.begin("sensor");
   for (const DraftSensor& sensor : draft.sensors) {
+    if (is_mjcf_camera(sensor)) continue;  // it stands in its body
     if (fits(sensor)) {
       write_sensor(xml, sensor);
     } else {

@@ -17,10 +17,10 @@ namespace murosimf::io {
                                            const MjcfDefaults& defaults, const RobotDraft& draft);
 
 /// The section `sensor`: an element for each sensor that MJCF has and whose object is in the draft, a comment for the
-/// others.
+/// others. Cameras of MJCF are not among them: they stand in bodies (mjcf_camera.h).
 void write_mjcf_sensors(XmlText& xml, const RobotDraft& draft);
 
-/// It has an element of MJCF's own.
+/// It has an element of MJCF's own, in the section `sensor` or in a body.
 [[nodiscard]] bool is_mjcf_sensor(const DraftSensor& sensor, const RobotDraft& draft);
 
 }  // namespace murosimf::io

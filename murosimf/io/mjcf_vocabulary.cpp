@@ -29,8 +29,8 @@ XmlVocabulary make_rules() {
                        .unsupported = {"inertiagrouprange", "alignfree"},
                        .unused_children = {"lengthrange"}};
   rules["default"] = {.used = {"class"},
-                      .children = XmlWords{"default", "geom", "joint", "site", "mesh"} + actuators,
-                      .unused_children = {"material", "camera", "light", "pair", "equality", "tendon"}};
+                      .children = XmlWords{"default", "geom", "joint", "site", "mesh", "camera"} + actuators,
+                      .unused_children = {"material", "light", "pair", "equality", "tendon"}};
   rules["asset"] = {.children = {"mesh"},
                     .unused_children = {"texture", "material", "hfield", "skin"},
                     .unsupported_children = {"model"}};
@@ -53,9 +53,9 @@ XmlVocabulary make_rules() {
                     .children = {"body", "geom", "site", "camera", "frame"},
                     .unused_children = {"light"},
                     .unsupported_children = unsupported_bodies};
-  rules["camera"] = {.used = frame,
-                     .unused = {"mode", "target", "fovy", "ipd", "resolution", "focal", "focalpixel", "principal",
-                                "principalpixel", "sensorsize", "orthographic", "projection", "output", "user"}};
+  rules["camera"] = {.used = frame + XmlWords{"mode", "fovy", "resolution", "focal", "focalpixel", "principal",
+                                              "principalpixel", "sensorsize", "orthographic", "projection"},
+                     .unused = {"target", "ipd", "output", "user"}};
   rules["contact"] = {.children = {"exclude", "pair"}};
   rules["exclude"] = {.used = {"body1", "body2"}, .unused = {"name"}};
   rules["pair"] = {.used = {"geom1", "geom2"},

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/mjcf_camera.h"
 #include "murosimf/io/mjcf_geom_writer.h"
 #include "murosimf/io/mjcf_place_writer.h"
 #include "murosimf/io/mjcf_sensor.h"
@@ -84,10 +85,17 @@ class Writer {
   void write_frame(const DraftFrame& frame) {
     xml_.begin(frame.kind == "camera" ? "camera" : "site").text("name", frame.name);
     write_place(xml_, frame.place);
+    if (frame.kind == "camera") write_camera(frame);
     if (frame.box) {
       xml_.text("type", "box").numbers("size", {frame.box->half_length, frame.box->half_width, sole_thickness});
     }
     xml_.end();
+  }
+
+  void write_camera(const DraftFrame& frame) {
+    for (const DraftSensor& sensor : draft_.sensors) {
+      if (is_mjcf_camera(sensor) && sensor.frame == frame.name) return write_mjcf_camera(xml_, sensor);
+    }
   }
 
   void write_contacts() {

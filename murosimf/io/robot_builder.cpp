@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/visual_meshes.h"
 #include "murosimf/io/xml_element.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
@@ -195,6 +196,8 @@ class Builder {
     Shapes shapes;
     for (const DraftShape& shape : body.shapes) shapes.push_back(shape.placed);
     if (!shapes.empty()) chain.with(properties::shapes, shapes);
+    const Visuals visuals = visuals_of(draft_, body);
+    if (!visuals.empty()) chain.with(properties::visuals, visuals);
   }
 
   void add_mass(Chain& chain, const DraftBody& body) {

@@ -104,20 +104,11 @@ struct DraftMesh {
   Place origin;                ///< of the mesh frame, in the file's frame
 };
 
-/// What a file says about the picture of a camera; 0: nothing.
-struct DraftCamera {
-  double horizontal_view = 0;     ///< [rad] from the left to the right border
-  int width = 0, height = 0;      ///< [px]
-  double k1 = 0, k2 = 0, k3 = 0;  ///< [1] radial distortion (Brown)
-  double p1 = 0, p2 = 0;          ///< [1] tangential distortion
-};
-
 /// A sensor or camera that the file mentions.
 struct DraftSensor {
   std::string kind, name, frame, where;  ///< kind as the file calls it; frame: site, body, link or joint
   Place place;                           ///< in that frame
   double rate = 0;                       ///< [Hz] 0: the file does not say
-  std::optional<DraftCamera> camera;
   std::string object_kind{};                             ///< of `frame` in MJCF: site, xbody, body, joint, ...
   std::map<std::string, sensors::SignalSpec> signals{};  ///< by output of the sensor that it becomes; "": of all
   std::map<std::string, double> numbers{};               ///< SensorSpec::numbers

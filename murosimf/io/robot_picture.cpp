@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "murosimf/io/mesh_file.h"
-#include "murosimf/io/mesh_library.h"
 #include "murosimf/io/robot_soles.h"
+#include "murosimf/io/visual_meshes.h"
 #include "murosimf/model/error.h"
 #include "murosimf/render/scene_view.h"
 
@@ -17,16 +16,13 @@ using render::ViewedShape;
 constexpr double gap = 0.15;  // [1] between two views, of their height
 constexpr double room = 0.9;  // [1] the title needs some
 
-/// The triangles of a mesh in the mesh frame; none if it cannot be read.
-std::vector<std::vector<Vec3d>> facets_of(const DraftMesh& mesh) {
+/// The triangles of a mesh in the frame of its body; none if it cannot be read.
+std::vector<std::vector<Vec3d>> facets_of(const VisualMesh& visual) {
   try {
-    geometry::TriangleMesh triangles = read_mesh_file(mesh.file).mesh;
-    for (Vec3d& v : triangles.vertices) v = transposed_times(mesh.origin.orientation, v - mesh.origin.position);
-    scale_mesh(triangles, mesh.scale);
+    const geometry::TriangleMesh mesh = visual_triangles(visual);
     std::vector<std::vector<Vec3d>> facets;
-    for (const auto& [a, b, c] : triangles.triangles) {
-      facets.push_back({triangles.vertices[a], triangles.vertices[b], triangles.vertices[c]});
-    }
+    for (const auto& [a, b, c] : mesh.triangles)
+      facets.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
     return facets;
   } catch (const SetupError&) {
     return {};  // the doctor names it
@@ -35,11 +31,8 @@ std::vector<std::vector<Vec3d>> facets_of(const DraftMesh& mesh) {
 
 std::vector<ViewedShape> meshes_for_the_eye(const RobotDraft& draft, const DraftBody& body, const Place& place) {
   std::vector<ViewedShape> shapes;
-  for (const DraftVisual& visual : body.visuals) {
-    const auto mesh = std::ranges::find(draft.meshes, visual.mesh, &DraftMesh::name);
-    if (mesh == draft.meshes.end() || mesh->file.empty()) continue;
-    const Place at = inside(place, visual.place);
-    ViewedShape shape{Sphere{}, at.position, at.orientation, visual.color, facets_of(*mesh)};
+  for (const VisualMesh& visual : visuals_of(draft, body)) {
+    ViewedShape shape{Sphere{}, place.position, place.orientation, visual.color, facets_of(visual)};
     if (!shape.facets.empty()) shapes.push_back(std::move(shape));
   }
   return shapes;

@@ -125,7 +125,7 @@ std::string name_with(const RobotDraft& draft, std::string_view word, std::strin
 
 std::string frame_of_sensor(RobotDraft& draft, std::string_view kind) {
   for (const DraftSensor& sensor : draft.sensors) {
-    if (sensor.kind == kind && find_place(draft, sensor.frame)) return sensor.frame;
+    if (sensor.kind == kind && sensor.obstacle.empty() && find_place(draft, sensor.frame)) return sensor.frame;
   }
   return {};
 }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "murosimf/io/sensor_types.h"
 #include "murosimf/io/xml_element.h"
 #include "murosimf/model/error.h"
 
@@ -18,11 +20,14 @@ struct Kind {
   std::string_view difference;  ///< between what the file means and what the sensor shows; may be empty
 };
 
+constexpr double usual_camera_rate = 25;  // [Hz] where the file does not say: steps of 1, 2, 4, 5, 8 ms divide into it
+
 constexpr std::string_view contacts_only = "it shows contact forces of its link, not what its mass adds";
 constexpr std::string_view whole_link = "it shows the contact forces of the whole link";
 
 constexpr std::array kinds{Kind{"accelerometer", "accelerometer", ""},
                            Kind{"actuatorfrc", "joint_torque", ""},
+                           Kind{"camera", "camera", ""},
                            Kind{"contact", "contact_force", ""},
                            Kind{"force", "force_torque", contacts_only},
                            Kind{"force_torque", "force_torque", contacts_only},
@@ -76,9 +81,14 @@ std::string object_of(const DraftSensor& sensor, const Model& model) {
   return model.find_object(renamed) ? renamed : sensor.frame;
 }
 
+/// This program has the type.
+bool is_attachable(std::string_view type) {
+  return std::ranges::find(sensor_types(), type, &SensorType::name) != sensor_types().end();
+}
+
 /// Empty: it can be simulated.
 std::string why_not(const DraftSensor& sensor, const Kind* kind, const RobotDraft& draft) {
-  if (!kind) return "not simulated";
+  if (!kind || !is_attachable(kind->type)) return "not simulated";
   if (!sensor.obstacle.empty()) return "not simulated: " + sensor.obstacle;
   const bool of_base = sensor.frame == draft.bodies[0].name;
   if (sensor.kind == "subtreecom" && !of_base) return "not simulated: only the center of mass of the whole robot is";
@@ -89,6 +99,24 @@ void note(RobotDraft& draft, const DraftSensor& sensor, std::string_view text) {
   if (text.empty()) return;
   draft.notes.push_back(one_line(
       fmt::format("{}: sensor {} '{}' at '{}': {}", sensor.where, sensor.kind, sensor.name, sensor.frame, text)));
+}
+
+/// [Hz] The highest rate up to `rate` whose period is a whole number of milliseconds, the usual steps: published cameras
+/// have 30 Hz.
+double rate_of_steps(double rate) {
+  constexpr double rounding = 1e-9;  // [1]
+  return 1e3 / std::ceil(1e3 / rate * (1 - rounding));
+}
+
+/// The rate of a camera, with a note where it is not the file's.
+double camera_rate(RobotDraft& draft, const DraftSensor& camera) {
+  const double rate = rate_of_steps(camera.rate > 0 ? camera.rate : usual_camera_rate);
+  if (camera.rate == 0) {
+    note(draft, camera, fmt::format("assumed: {:.4g} pictures per second", rate));
+  } else if (rate < camera.rate * (1 - 1e-6)) {
+    note(draft, camera, fmt::format("{:.4g} pictures per second, not {:.4g}: steps are 1 ms long", rate, camera.rate));
+  }
+  return rate;
 }
 
 SensorSpec spec_of(const DraftSensor& sensor, const std::string& type, const Model& model) {
@@ -135,6 +163,7 @@ std::vector<SensorSpec> sensors_of_file(RobotDraft& draft, const Model& model, b
     note(draft, sensor, reason.empty() ? kind->difference : reason);
     if (!reason.empty()) continue;
     SensorSpec spec = spec_of(sensor, std::string(kind->type), model);
+    if (spec.type == "camera") spec.rate = camera_rate(draft, sensor);
     spec.name = free_name(sensor, spec.type, specs);
     if (!has_place(spec, model, lenient, draft)) continue;
     sensor.becomes = spec.name;

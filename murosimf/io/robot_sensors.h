@@ -9,8 +9,14 @@
 ///           framepos, framelinvel, frameangvel      position, linear_velocity, angular_velocity
 ///           velocimeter, subtreecom (of the base)   velocimeter, center_of_mass
 ///           rangefinder                             rangefinder
+///           camera (of a body)                      camera (mjcf_camera.h)
 ///     URDF  imu, contact, force_torque              imu, contact_force, force_torque
 ///           ray, gpu_ray, lidar, gpu_lidar          laser
+///           camera                                  camera (urdf_sensor.h)
+///
+/// Numbers of cameras: width and height [px]; opening [rad], from the left to the right border, or fx, fy, cx, cy [px]
+/// (sensors/image.h says from where they count); k1, k2, p1, p2, k3 [1], Brown's distortion, where the file has any. They
+/// look along x, with y to the left and z up. Their rate is lowered to whole milliseconds; 25 Hz where the file has none.
 ///
 /// Others are notes, and so is what a sensor shows differently. MJCF's `noise` is SignalSpec::noise, its `cutoff` the range. What has no name is called as its type:
 /// gyroscope, gyroscope_2, ...

@@ -18,6 +18,7 @@
 #include "murosimf/motion/odometer.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/render/field_picture.h"
+#include "murosimf/render/renderer.h"
 
 namespace murosimf::io {
 namespace {

@@ -20,6 +20,10 @@
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/sensors/sensor.h"
 
+namespace murosimf::render {
+class Renderer;
+}
+
 namespace murosimf::io {
 
 struct SceneOptions {
@@ -28,12 +32,14 @@ struct SceneOptions {
   std::vector<std::string> overrides;  ///< PATH=VALUE, as for --set
   std::vector<std::string> events;     ///< TIME:PATH=VALUE, as for --at
   bool lenient = false;                ///< accept unknown elements in model files
+  bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames
 };
 
 class Scene {
  public:
   /// `name`: a file, or the name of a scene that comes with the program. Throws SetupError.
   explicit Scene(const std::filesystem::path& name, const SceneOptions& options = {});
+  ~Scene();
   Scene(const Scene&) = delete;  // the simulation calls back into the scene
   Scene& operator=(const Scene&) = delete;
 
@@ -52,6 +58,13 @@ class Scene {
 
   /// Draws the field from above with everybody's path so far. Throws SetupError if the file cannot be written.
   void write_picture(const std::filesystem::path& file) const;
+
+  /// Robots and ball, in the order of sensors' labels.
+  [[nodiscard]] const std::vector<Entity*>& movers() const { return movers_; }
+
+  /// A renderer of this scene for who looks from outside (murosimf render), in the scene's light. The simulation must
+  /// be initialized and outlive it. Throws SetupError if this machine or this build cannot draw.
+  [[nodiscard]] std::unique_ptr<render::Renderer> make_renderer(const LightSpec& light);
 
   /// Draws all bodies as they are now, from where the scene's [view] looks. Throws as write_picture.
   void write_view(const std::filesystem::path& file) const;
@@ -72,6 +85,8 @@ class Scene {
   /// Those of the robot's files, changed by the scene. Notes rates that had to change.
   [[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(const RobotSpec& robot);
   void attach_sensors();
+  /// Who draws for cameras, made when the first of them asks; null if nobody can, which is a warning then.
+  [[nodiscard]] sensors::ViewSource* view_source();
   [[nodiscard]] std::string sensor_remarks(const RobotSpec& robot) const;
   /// What sensors have to say of the level of their robots: one line for robots of which the same is true.
   void note_about_sensors();
@@ -102,6 +117,8 @@ class Scene {
   std::set<std::pair<std::string, std::string>> said_;  // robots, and remarks of their sensors
   std::vector<std::string> notes_;                      // about sensors
   std::vector<std::string> warnings_;                   // from reading models
+  std::unique_ptr<render::Renderer> renderer_;          // of cameras
+  bool cannot_draw_ = false;
   Entity* field_ = nullptr;
   Entity* ball_ = nullptr;
   std::vector<Entity*> robots_;                               // in the order of the spec

@@ -44,9 +44,9 @@ void assign_sensor(toml::table& robot, const Assignment& o, std::size_t begin) {
 }  // namespace
 
 const std::vector<std::string_view>& scene_keys() {
-  static const std::vector<std::string_view> keys{"name",         "duration", "seed",   "rate",      "gravity",
-                                                  "body_contact", "start",    "field",  "view",      "ball",
-                                                  "teams",        "defaults", "robots", "materials", "events"};
+  static const std::vector<std::string_view> keys{"name",  "duration", "seed",   "rate",      "gravity", "body_contact",
+                                                  "start", "field",    "view",   "views",     "light",   "ball",
+                                                  "teams", "defaults", "robots", "materials", "events"};
   return keys;
 }
 
@@ -56,6 +56,7 @@ std::vector<std::string_view> table_keys(std::string_view table) {
   }
   if (table == "field") return {"size", "surface", "grain", "goals"};
   if (table == "view") return {"center", "width", "azimuth_deg", "elevation_deg"};
+  if (table == "light") return {"name", "toward", "brightness", "shadows", "samples"};
   if (table == "ball") return {"position", "velocity", "radius", "mass", "hollow", "material", "contact"};
   if (table == "defaults") {
     auto keys = robot_keys();

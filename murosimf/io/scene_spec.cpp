@@ -11,6 +11,7 @@
 #include "murosimf/io/sensor_toml.h"
 #include "murosimf/io/toml_reader.h"
 #include "murosimf/motion/servo_law.h"
+#include "murosimf/render/light.h"
 
 namespace murosimf::io {
 namespace {
@@ -77,6 +78,46 @@ void read_view(const TomlTable& scene, SceneSpec& spec) {
   require(elevation_deg >= 0 && elevation_deg <= 90, view, "elevation_deg", "must be from 0 to 90");
   spec.view.azimuth = azimuth_deg * degree;
   spec.view.elevation = elevation_deg * degree;
+}
+
+void read_light(const TomlTable& scene, SceneSpec& spec) {
+  const toml::table* node = scene.table("light");
+  if (!node) return;
+  const TomlTable light(*node, table_keys("light"));
+  light.read("name", spec.light.name);
+  at(light.where("name"), [&] { (void)find_entry(render::lights(), "light", spec.light.name); });
+  if (light.find("toward")) light.read("toward", spec.light.toward.emplace());
+  light.read("brightness", spec.light.brightness);
+  light.read("shadows", spec.light.shadows);
+  std::uint64_t samples = 1;
+  light.read("samples", samples);
+  require(!spec.light.toward || spec.light.toward->z > 0, light, "toward",
+          "must point upwards: light comes from above");
+  require(spec.light.brightness >= 0 && spec.light.brightness <= 100, light, "brightness", "must be from 0 to 100");
+  require(samples == 1 || samples == 2 || samples == 4 || samples == 8, light, "samples", "must be 1, 2, 4 or 8");
+  spec.light.samples = static_cast<int>(samples);
+}
+
+void read_eyes(const TomlTable& scene, SceneSpec& spec) {
+  const toml::table* views = scene.table("views");
+  if (!views) return;
+  for (const auto& [key, node] : *views) {
+    const toml::table* inside = node.as_table();
+    if (!inside)
+      fail_at(node.source(), fmt::format("view '{}' must be a table, like [views.{}]", key.str(), key.str()));
+    const TomlTable table(*inside, {"eye", "look_at", "opening_deg"});
+    EyeSpec eye{.name = std::string(key.str())};
+    double opening_deg = eye.opening / degree;
+    require(table.find("eye") != nullptr, table, "eye", "is missing: where the eye is, [x, y, z] in m");
+    table.read("eye", eye.eye);
+    table.read("look_at", eye.look_at);
+    table.read("opening_deg", opening_deg);
+    require(opening_deg >= 1 && opening_deg <= 150, table, "opening_deg", "must be from 1 to 150");
+    require(norm(eye.look_at - eye.eye) > 1e-3, table, "look_at", "is where the eye is");
+    require(norm(eye.eye) + norm(eye.look_at) <= farthest_place, table, "eye", "is further than 10 km away");
+    eye.opening = opening_deg * degree;
+    spec.eyes.push_back(eye);
+  }
 }
 
 void read_ball(const TomlTable& scene, SceneSpec& spec) {
@@ -234,6 +275,8 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   read_start(scene, spec);
   read_field(scene, spec);
   read_view(scene, spec);
+  read_light(scene, spec);
+  read_eyes(scene, spec);
   read_ball(scene, spec);
   read_teams(scene, spec);
   read_robots(scene, spec);

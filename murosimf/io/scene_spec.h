@@ -43,6 +43,22 @@ struct ViewSpec {
   double elevation = pi / 7;   ///< [rad] above the ground
 };
 
+/// What lights the scene for cameras (render/light.h).
+struct LightSpec {
+  std::string name = "hall";
+  std::optional<Vec3d> toward;  ///< to the lamp; without it as `name` has it
+  double brightness = 1;        ///< [1] of all light
+  bool shadows = false;
+  int samples = 1;  ///< to a pixel; edges are smooth with 4
+};
+
+/// A place from where people look at the scene: [views.NAME].
+struct EyeSpec {
+  std::string name;
+  Vec3d eye, look_at;       ///< [m]
+  double opening = pi / 3;  ///< [rad] from the left to the right border
+};
+
 struct TeamSpec {
   std::string name;
   Color color;
@@ -102,6 +118,8 @@ struct SceneSpec {
   collision::PairLaw body_contact = collision::PairLaw::island_gauss_seidel;
   FieldSpec field;
   ViewSpec view;
+  LightSpec light;
+  std::vector<EyeSpec> eyes;
   std::optional<BallSpec> ball;
   std::vector<TeamSpec> teams;
   std::vector<RobotSpec> robots;

@@ -29,9 +29,13 @@ std::string place_of(const SensorSpec& spec) {
   if (!spec.frame.empty()) text += fmt::format("frame = {}\n", quoted(spec.frame));
   const Vec3d& p = spec.position;
   if (!is_zero(p)) text += fmt::format("position = [{}, {}, {}]\n", p.x, p.y, p.z);
-  if (is_identity(spec.orientation)) return text;
-  const Vec3d rpy = (180 / std::numbers::pi) * roll_pitch_yaw(spec.orientation);
-  return text + fmt::format("rpy_deg = [{:.13g}, {:.13g}, {:.13g}]\n", rpy.x, rpy.y, rpy.z);
+  const auto angles = [&](const char* key, const Vec3d& rpy) {
+    const Vec3d degrees = (180 / std::numbers::pi) * rpy;
+    text += fmt::format("{} = [{:.13g}, {:.13g}, {:.13g}]\n", key, degrees.x, degrees.y, degrees.z);
+  };
+  if (!is_identity(spec.orientation)) angles("rpy_deg", roll_pitch_yaw(spec.orientation));
+  if (!is_zero(spec.mounting_error)) angles("mounting_error_deg", spec.mounting_error);
+  return text;
 }
 
 std::string objects_of(const SensorSpec& spec) {
@@ -42,12 +46,24 @@ std::string objects_of(const SensorSpec& spec) {
   return fmt::format("{} = [{}]\n", type.objects, names);
 }
 
+std::string numbers_of(const SensorSpec& spec) {
+  const SensorType& type = find_entry(sensor_types(), "sensor type", spec.type);
+  const std::string flags = fmt::format(" {} ", type.flags);
+  std::string text;
+  for (const auto& [key, number] : spec.numbers) {
+    const bool is_flag = flags.find(fmt::format(" {} ", key)) != std::string::npos;
+    text += is_flag ? fmt::format("{} = {}\n", key, number != 0) : fmt::format("{} = {}\n", key, number);
+  }
+  for (const auto& [key, word] : spec.texts) text += fmt::format("{} = {}\n", key, quoted(word));
+  return text;
+}
+
 std::string section(const SensorSpec& spec) {
   std::string text = fmt::format("\n[sensors.{}]\ntype = {}\n", spec.name, quoted(spec.type)) + place_of(spec);
   if (spec.rate > 0) text += fmt::format("rate = {}\n", spec.rate);
   if (spec.delay > 0) text += fmt::format("delay = {}\n", spec.delay);
   text += objects_of(spec);
-  for (const auto& [key, number] : spec.numbers) text += fmt::format("{} = {}\n", key, number);
+  text += numbers_of(spec);
   if (const auto all = spec.signals.find(""); all != spec.signals.end()) text += signal_toml(all->second);
   for (const auto& [output, signal] : spec.signals) {
     if (output.empty()) continue;

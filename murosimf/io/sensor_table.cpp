@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/camera_info.h"
 #include "murosimf/io/data_path.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/io/sensor_signal.h"
@@ -13,6 +14,7 @@
 #include "murosimf/io/sensor_types.h"
 #include "murosimf/io/sensor_values.h"
 #include "murosimf/model/error.h"
+#include "murosimf/sensors/camera_spec.h"
 
 namespace murosimf::io {
 namespace {
@@ -43,14 +45,19 @@ class Changer {
       : spec_(spec),
         type_(find_entry(sensor_types(), "sensor type", spec.type)),
         numbers_(words_of(type_.numbers)),
-        objects_(words_of(type_.objects)) {}
+        objects_(words_of(type_.objects)),
+        flags_(words_of(type_.flags)),
+        texts_(words_of(type_.texts)) {}
 
   /// `keys`: those besides numbers, objects and signals that the table may have.
-  void take(const SensorTable& table, const Names& keys) {
+  void take(const SensorTable& table, const Names& keys, const std::filesystem::path& beside) {
     check_keys(table, keys);
+    if (const auto file = table.values.find("calibration"); file != table.values.end()) {
+      take_calibration(file->second, beside);  // first: the keys beside it win
+    }
     SensorValues signal;
     for (const auto& [key, value] : table.values) {
-      const bool own = contains(keys, key) || contains(numbers_, key) || contains(objects_, key);
+      const bool own = contains(keys, key) || is_own(key);
       if (own) {
         take_value(key, value);
       } else {
@@ -73,8 +80,8 @@ class Changer {
 
  private:
   void check_keys(const SensorTable& table, Names known) const {
-    known.insert(known.end(), numbers_.begin(), numbers_.end());
-    known.insert(known.end(), objects_.begin(), objects_.end());
+    for (const Names* keys : {&numbers_, &objects_, &flags_, &texts_})
+      known.insert(known.end(), keys->begin(), keys->end());
     const Names signal = signal_keys();
     known.insert(known.end(), signal.begin(), signal.end());
     for (const auto& [key, value] : table.values) {
@@ -83,9 +90,44 @@ class Changer {
     }
   }
 
+  /// The type has a key of this name.
+  [[nodiscard]] bool is_own(std::string_view key) const {
+    return contains(numbers_, key) || contains(objects_, key) || contains(flags_, key) || contains(texts_, key);
+  }
+
+  void take_calibration(const SensorValue& value, const std::filesystem::path& beside) {
+    const std::string name = name_of("calibration", value);
+    const auto file = look_for_data_file(name, "lenses", ".yaml", beside);
+    if (!file) {
+      const auto names = data_file_names("lenses", ".yaml");
+      fail(value.where, unknown_name("calibration", name, Names(names.begin(), names.end())));
+    }
+    const sensors::LensSpec lens = read_camera_info(*file).lens;
+    spec_.texts["lens"] = lens.model;
+    spec_.numbers["width"] = lens.width;
+    spec_.numbers["height"] = lens.height;
+    spec_.numbers["fx"] = lens.fx;
+    spec_.numbers["fy"] = lens.fy;
+    spec_.numbers["cx"] = lens.cx;
+    spec_.numbers["cy"] = lens.cy;
+    for (const std::string_view model : sensors::lens_models()) {
+      for (const std::string& key : sensors::lens_coefficients(model)) spec_.numbers.erase(key);
+    }
+    const auto keys = sensors::lens_coefficients(lens.model);
+    for (std::size_t i = 0; i < keys.size() && i < lens.coefficients.size(); ++i) {
+      spec_.numbers[keys[i]] = lens.coefficients[i];
+    }
+  }
+
   void take_value(const std::string& key, const SensorValue& value) {
     if (contains(numbers_, key)) {
       spec_.numbers[key] = finite_number(key, value);
+    } else if (contains(flags_, key)) {
+      spec_.numbers[key] = flag_of(key, value) ? 1 : 0;
+    } else if (key == "calibration") {
+      return;  // taken already
+    } else if (contains(texts_, key)) {
+      spec_.texts[key] = name_of(key, value);
     } else if (contains(objects_, key)) {
       spec_.objects = names_of(key, value);
     } else if (key == "rate") {
@@ -104,12 +146,14 @@ class Changer {
     } else if (key == "rpy_deg") {
       const Vec3d rpy = degree * vector_of(key, value);
       spec_.orientation = rotation_z(rpy.z) * rotation_y(rpy.y) * rotation_x(rpy.x);
+    } else if (key == "mounting_error_deg") {
+      spec_.mounting_error = degree * vector_of(key, value);
     }
   }
 
   SensorSpec& spec_;
   const SensorType& type_;
-  Names numbers_, objects_;
+  Names numbers_, objects_, flags_, texts_;
 };
 
 std::optional<std::string> text_of(const SensorTable& table, const std::string& key) {
@@ -162,11 +206,12 @@ SensorSpec changed(const SensorSpec* old, const SensorTable& table, const std::f
     spec.part = part->name;
     spec.signals.clear();
     spec.numbers.clear();
+    spec.texts.clear();
     spec.part_outputs.clear();
-    changer.take(*part, {"type", "rate", "delay"});
+    changer.take(*part, {"type", "rate", "delay"}, beside);
     changer.take_outputs(*part, true);
   }
-  changer.take(table, {"type", "part", "frame", "position", "rpy_deg", "rate", "delay"});
+  changer.take(table, {"type", "part", "frame", "position", "rpy_deg", "mounting_error_deg", "rate", "delay"}, beside);
   changer.take_outputs(table, false);
   check_signals(spec);
   return spec;

@@ -4,6 +4,7 @@
 ///     type = "imu"               # io/sensor_types.h; with it the table is a sensor of its own, without it changes one
 ///     frame = "imu"              # object of the model that it is mounted on; default: the base
 ///     position = [0, 0, 0.02]    # [m] in that frame; rpy_deg = [0, 0, 90]: roll, pitch, yaw of its axes
+///     mounting_error_deg = [0.2, -3.8, 3.7]  # by which its true axes are turned from these: roll, pitch, yaw
 ///     part = "mpu6050"           # a ready-made part to start from: parts/mpu6050.toml, or a file beside this one
 ///     rate = 500                 # [Hz] of samples; without it: one in every step
 ///     delay = 0.002              # [s] from the sample until control software can read it
@@ -11,7 +12,7 @@
 ///     range = 34.9               # short for lowest = -34.9, highest = 34.9
 ///     noise_density = 1e-4
 ///
-/// Keys of SensorType::numbers and SensorType::objects stand beside these. Keys of signals may stand directly in
+/// Keys of SensorType::numbers, objects, flags and texts stand beside these. Keys of signals may stand directly in
 /// [sensors.NAME]: they hold for all outputs. NAME = false removes a sensor.
 #pragma once
 

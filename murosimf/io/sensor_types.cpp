@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/io/registry.h"
+#include "murosimf/sensors/camera.h"
 #include "murosimf/sensors/contact_sensors.h"
 #include "murosimf/sensors/detector.h"
 #include "murosimf/sensors/ground_truth.h"
@@ -30,6 +31,8 @@ constexpr std::array types{
     SensorType{"accelerometer", "specific force: +9.81 up at rest, 0 in free fall", "", "", Watch::always,
                make<sensors::Accelerometer>},
     SensorType{"angular_velocity", "of the sensor, world axes", "", "", Watch::samples, make<sensors::AngularVelocity>},
+    SensorType{"camera", "pictures through a lens: colors, depths, labels of what is seen", sensors::camera_numbers, "",
+               Watch::samples, make<sensors::Camera>, "color depth labels always_on", "lens mosaic calibration"},
     SensorType{"center_of_mass", "of the whole robot, and its velocity, world axes", "", "", Watch::samples,
                make<sensors::CenterOfMass>},
     SensorType{"contact_force", "magnitude of all contact forces on a link", "threshold", "", Watch::samples,

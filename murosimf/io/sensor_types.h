@@ -19,6 +19,8 @@ struct SensorType {
   std::string_view objects;  ///< key of SensorSpec::objects: "joints", "bodies", "entities"; empty: it has none
   sensors::Watch watch;
   std::unique_ptr<sensors::Sensor> (*make)(Setup&, const sensors::SensorSpec&, const sensors::SensorSurroundings&);
+  std::string_view flags = {};  ///< keys that are true or false; as SensorSpec::numbers they are 1 or 0
+  std::string_view texts = {};  ///< keys of SensorSpec::texts; `calibration` is a file that says several others
 };
 
 /// In alphabetical order.

@@ -23,6 +23,12 @@ double finite_number(const std::string& key, const SensorValue& value) {
   return number;
 }
 
+bool flag_of(const std::string& key, const SensorValue& value) {
+  const bool* truth = std::get_if<bool>(&value.is);
+  if (!truth) fail(value.where, fmt::format("'{}' must be true or false", key));
+  return *truth;
+}
+
 Vec3d vector_of(const std::string& key, const SensorValue& value) {
   const auto* numbers = std::get_if<std::vector<double>>(&value.is);
   const auto finite = [](double number) { return std::isfinite(number); };

@@ -17,6 +17,7 @@ namespace murosimf::io {
 /// May be infinite.
 [[nodiscard]] double number_of(const std::string& key, const SensorValue& value);
 [[nodiscard]] double finite_number(const std::string& key, const SensorValue& value);
+[[nodiscard]] bool flag_of(const std::string& key, const SensorValue& value);
 [[nodiscard]] Vec3d vector_of(const std::string& key, const SensorValue& value);
 [[nodiscard]] std::string name_of(const std::string& key, const SensorValue& value);
 /// At least one name, and each once.

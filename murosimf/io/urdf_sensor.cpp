@@ -1,6 +1,7 @@
 #include "murosimf/io/urdf_sensor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -16,6 +17,13 @@ double child_number(const XmlElement& parent, const char* tag, double fallback =
   return child ? text_number(*child) : fallback;
 }
 
+struct Distortion {
+  const char *key, *in_lens, *in_plugin;
+};
+constexpr std::array distortions{Distortion{"k1", "k1", "distortionK1"}, Distortion{"k2", "k2", "distortionK2"},
+                                 Distortion{"k3", "k3", "distortionK3"}, Distortion{"p1", "p1", "distortionT1"},
+                                 Distortion{"p2", "p2", "distortionT2"}};
+
 /// Also from the element `name` of each plugin of the sensor.
 double distortion(const XmlElement& sensor, const std::optional<XmlElement>& lens, const char* in_lens,
                   const char* in_plugin) {
@@ -26,26 +34,48 @@ double distortion(const XmlElement& sensor, const std::optional<XmlElement>& len
   return 0;
 }
 
-int pixels(const XmlElement& image, const char* tag) {
-  const double number = child_number(image, tag);
-  if (!(number >= 0 && number <= 1e5)) image.fail(fmt::format("{} of the image is {}; write pixels", tag, number));
-  return static_cast<int>(number);
+double pixels(const XmlElement& image, const char* tag, double usual) {
+  const double number = child_number(image, tag, usual);
+  if (number >= 1 && number <= 1e5 && number == std::floor(number)) return number;
+  image.fail(fmt::format("{} of the image is {}; write whole pixels, 1 to 100000", tag, number));
 }
 
-DraftCamera read_camera(const XmlElement& sensor, const XmlElement& element) {
-  DraftCamera camera;
-  camera.horizontal_view = child_number(element, "horizontal_fov");
-  if (const auto image = only_child(element, "image")) {
-    camera.width = pixels(*image, "width");
-    camera.height = pixels(*image, "height");
+/// The format counts the center of the picture from the picture's corner, not from the middle of a pixel.
+void read_lens(const XmlElement& intrinsics, std::map<std::string, double>& numbers) {
+  numbers["fx"] = child_number(intrinsics, "fx", 277);
+  numbers["fy"] = child_number(intrinsics, "fy", 277);
+  numbers["cx"] = child_number(intrinsics, "cx", 160) - 0.5;
+  numbers["cy"] = child_number(intrinsics, "cy", 120) - 0.5;
+  if (!(numbers["fx"] > 0 && numbers["fy"] > 0)) intrinsics.fail("fx and fy of a lens must be positive");
+}
+
+void read_opening(const XmlElement& camera, std::map<std::string, double>& numbers) {
+  const double opening = child_number(camera, "horizontal_fov", 1.047);
+  if (!(opening > 0 && opening < 2 * pi)) {
+    camera.fail(fmt::format("horizontal_fov of the camera is {}; write radians, above 0 and below 6.28", opening));
   }
-  const auto lens = only_child(element, "distortion");
-  camera.k1 = distortion(sensor, lens, "k1", "distortionK1");
-  camera.k2 = distortion(sensor, lens, "k2", "distortionK2");
-  camera.k3 = distortion(sensor, lens, "k3", "distortionK3");
-  camera.p1 = distortion(sensor, lens, "p1", "distortionT1");
-  camera.p2 = distortion(sensor, lens, "p2", "distortionT2");
-  return camera;
+  numbers["opening"] = opening;
+}
+
+/// What is not said is as the format has it by default.
+std::map<std::string, double> read_camera(const XmlElement& sensor, const XmlElement& camera) {
+  std::map<std::string, double> numbers{{"width", 320}, {"height", 240}};
+  if (const auto image = only_child(camera, "image")) {
+    for (auto& [side, size] : numbers) size = pixels(*image, side.c_str(), size);
+  }
+  const auto lens = only_child(camera, "lens");
+  const auto intrinsics = lens ? only_child(*lens, "intrinsics") : std::nullopt;
+  if (intrinsics) {
+    read_lens(*intrinsics, numbers);
+  } else {
+    read_opening(camera, numbers);
+  }
+  const auto bend = only_child(camera, "distortion");
+  for (const auto& [key, in_lens, in_plugin] : distortions) {
+    const double number = distortion(sensor, bend, in_lens, in_plugin);
+    if (number != 0) numbers[key] = number;
+  }
+  return numbers;
 }
 
 Place read_pose(const XmlElement& sensor) {
@@ -124,10 +154,9 @@ DraftSensor read_sensor(const XmlElement& sensor, const std::string& frame, Urdf
                     frame,
                     sensor.where(),
                     read_pose(sensor),
-                    child_number(sensor, "update_rate"),
-                    {}};
+                    child_number(sensor, "update_rate")};
   const auto cameras = sensor.children("camera");
-  if (!cameras.empty()) draft.camera = read_camera(sensor, cameras[0]);
+  if (!cameras.empty()) draft.numbers = read_camera(sensor, cameras[0]);
   if (draft.rate != 0 && !(draft.rate >= 1e-3 && draft.rate <= 1e6)) {
     sensor.fail(fmt::format("update_rate of the sensor is {}; write 0 or from 0.001 to 1000000 Hz", draft.rate));
   }

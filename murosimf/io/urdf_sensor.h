@@ -1,7 +1,7 @@
 /// urdf_sensor.h - sensors in `gazebo` blocks of a URDF file.
 ///
-/// Of cameras the size of the picture and its distortion are read, which stands in the camera (k1 ... p2) or in its plugin
-/// (distortionK1 ... distortionT2). Of others: place, update_rate, of scanners the rays and ranges, and noise: stddev is
+/// Of cameras the size of the picture, its opening or the focal lengths, and its distortion are read, which stands in the
+/// camera (k1 ... p2) or in its plugin (distortionK1 ... distortionT2). They look along x with z up. Of others: place, update_rate, of scanners the rays and ranges, and noise: stddev is
 /// the deviation of every sample, bias_stddev that of a constant error; the largest of the three axes counts.
 /// Source: SDFormat documentation, "sensor".
 #pragma once

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "murosimf/model/visual_mesh.h"
+
 namespace murosimf::properties {
 namespace {
 
@@ -10,7 +12,7 @@ constexpr CatalogEntry variable(const PropertyInfo& info) { return {info, false}
 
 // clang-format off
 constexpr std::array entries{
-    constant(mass), constant(center_of_mass), constant(inertia), constant(shapes), constant(joint_range),
+    constant(mass), constant(center_of_mass), constant(inertia), constant(shapes), constant(visuals), constant(joint_range),
     constant(servo), constant(joint_damping), constant(joint_armature), constant(joint_friction),
     constant(joint_stiffness), constant(joint_spring_reference),
     constant(joint_coupling), constant(excluded_pairs), constant(allowed_pairs), constant(sole),

@@ -8,6 +8,11 @@ int mounted_on(const Model& model, const SensorSpec& spec) {
   return spec.frame.empty() ? 0 : model.object_index(spec.frame);
 }
 
+Mat3d true_orientation(const SensorSpec& spec) {
+  const Vec3d& error = spec.mounting_error;
+  return spec.orientation * rotation_z(error.z) * rotation_y(error.y) * rotation_x(error.x);
+}
+
 Mounting::Mounting(Setup& setup, const SensorSpec& spec)
     : r_(setup.read(properties::position)),
       v_(setup.read(properties::linear_velocity)),
@@ -17,7 +22,7 @@ Mounting::Mounting(Setup& setup, const SensorSpec& spec)
   const FixedObject place = model.placement(mounted_on(model, spec));
   link_ = model.tree().links[place.link].object;
   offset_ = place.offset + place.turn * spec.position;
-  turn_ = place.turn * spec.orientation;
+  turn_ = place.turn * true_orientation(spec);
 }
 
 }  // namespace murosimf::sensors

@@ -94,6 +94,7 @@ void Sensor::take_sample(const Instant& instant) noexcept {
   for_outputs(*reading_.info, sample.values,
               [&](std::size_t i, std::span<double> numbers) { signals_[i].convert(numbers); });
   present(sample.values);
+  taken(taken_);
   ++taken_;
 }
 
@@ -104,6 +105,7 @@ void Sensor::deliver(const Instant& instant) noexcept {
     reading_.time = sample.time;
     reading_.samples = delivered_ + 1;
     std::copy(sample.values.begin(), sample.values.end(), reading_.values.begin());
+    arrived(delivered_);
   }
 }
 

@@ -45,10 +45,16 @@ class Sensor : public Algorithm {
   virtual void measure(std::span<double> values) noexcept = 0;
   /// What is shown of a sample whose values have got their errors; changes nothing if there is nothing to add.
   virtual void present(std::span<double>) noexcept {}
-  /// Forgets what was before the instant 0.
-  virtual void start() noexcept {}
+  /// Forgets what was before the instant 0. May throw SetupError: nothing has been executed yet.
+  virtual void start() {}
   /// How many samples were taken before this one.
   [[nodiscard]] std::uint64_t samples_taken() const { return taken_; }
+
+  // For sensors whose samples are more than numbers: sample number `sample` (from 0) was taken just now; it arrives.
+  virtual void taken(std::uint64_t /*sample*/) noexcept {}
+  virtual void arrived(std::uint64_t /*sample*/) noexcept {}
+  /// How many samples are on the way at most.
+  [[nodiscard]] std::size_t most_on_the_way() const { return on_the_way_.size(); }
 
  private:
   struct Sample {

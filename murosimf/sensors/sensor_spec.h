@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -12,6 +13,8 @@
 
 namespace murosimf::sensors {
 
+class ViewSource;  // view_source.h
+
 struct SensorSpec {
   std::string name{};                           ///< unique on the robot
   std::string type{};                           ///< name in the registry: "imu"
@@ -19,10 +22,12 @@ struct SensorSpec {
   std::string frame{};                          ///< object of the model that it is mounted on; empty: the base
   Vec3d position{};                             ///< [m] of the sensor in that frame
   Mat3d orientation{};                          ///< its axes to those of the frame
+  Vec3d mounting_error{};                       ///< [rad] roll, pitch, yaw by which its true axes are turned from these
   double rate = 0;                              ///< [Hz] of samples; 0: one in every step of the simulation
   double delay = 0;                             ///< [s] from the sample until control software can read it
   std::vector<std::string> objects{};           ///< joints, feet or other entities that it looks at; empty: all
   std::map<std::string, double> numbers{};      ///< what only some types have, by key; missing: the type's default
+  std::map<std::string, std::string> texts{};   ///< the same of words
   std::map<std::string, SignalSpec> signals{};  ///< what becomes of the true values, by output; "": of all outputs
   std::string part{};                           ///< name of the ready-made part that it is; empty: none
   std::set<std::string> part_outputs{};  ///< outputs in `signals` that only the part speaks of: it need not have them
@@ -43,6 +48,9 @@ struct SensorSpec {
 struct SensorSurroundings {
   std::uint64_t seed = 1;         ///< of all noise
   std::vector<Entity*> movers{};  ///< robots and ball: all whose pose changes
+  /// Who draws; asked when something that needs pictures starts. Null, or none: there are no pictures, which whoever
+  /// gives this has said already.
+  std::function<ViewSource*()> view_source{};
 };
 
 }  // namespace murosimf::sensors

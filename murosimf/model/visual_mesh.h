@@ -1,0 +1,38 @@
+/// visual_mesh.h - meshes of a model that are for the eye only: where they stand, not what is in them.
+///
+/// Nothing of the physics depends on them, so no file is opened before somebody draws the model (io/visual_meshes.h);
+/// only then it shows whether it is there.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "murosimf/math/mat3.h"
+#include "murosimf/model/property.h"
+#include "murosimf/model/shape.h"
+
+namespace murosimf {
+
+/// A mesh on an object. A vertex v of the file stands at
+///
+///     position + orientation * (scale * (file_orientation^T (v - file_position)))
+///
+/// in the object's frame; `scale` multiplies each of the three numbers.
+struct VisualMesh {
+  std::string file;        ///< path of an STL, OBJ or COLLADA file
+  Vec3d scale{1, 1, 1};    ///< [1]
+  Vec3d file_position;     ///< [m] of the mesh frame, in the file's frame
+  Mat3d file_orientation;  ///< mesh axes to the file's axes
+  Vec3d position;          ///< [m] of the mesh frame, in the object's frame
+  Mat3d orientation;       ///< mesh axes to the object's axes
+  Color color;
+};
+
+using Visuals = std::vector<VisualMesh>;
+
+namespace properties {
+
+inline constexpr Property<Visuals> visuals{{"visuals", "m", "object", "meshes for the eye only, by their files"}};
+
+}  // namespace properties
+}  // namespace murosimf

@@ -1,0 +1,141 @@
+#include "murosimf/render/instances.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace murosimf::render {
+namespace {
+
+constexpr std::array roundness{8, 16, 32, 64};  // segments
+constexpr int shadow_level = 1;
+constexpr double largest_error = 0.25;  // [px]
+
+enum RoundForm : std::size_t { sphere, half_sphere, tube, cylinder, round_forms };
+
+std::size_t solid_of(const Piece& piece, std::size_t level, const SolidCatalog& catalog) {
+  const std::size_t box = round_forms * roundness.size();
+  switch (piece.form) {
+    case Form::sphere: return sphere * roundness.size() + level;
+    case Form::half_sphere: return half_sphere * roundness.size() + level;
+    case Form::tube: return tube * roundness.size() + level;
+    case Form::cylinder: return cylinder * roundness.size() + level;
+    case Form::box: return box;
+    case Form::mesh: return catalog.first_mesh + static_cast<std::size_t>(piece.mesh);
+  }
+  return box;
+}
+
+/// The coarsest level at which a circle of `radius` [px] is off by less than largest_error. A polygon of n sides is
+/// off by up to radius (pi / n)^2 / 3 from the circle of the same area.
+std::size_t level_for(double radius) {
+  for (std::size_t i = 0; i + 1 < roundness.size(); ++i) {
+    const double angle = pi / roundness[i];
+    if (0.34 * radius * angle * angle < largest_error) return i;
+  }
+  return roundness.size() - 1;
+}
+
+/// What a perspective can see, with the borders as planes through the eye; normals point inwards.
+class Frustum {
+ public:
+  explicit Frustum(const sensors::Perspective& view) {
+    const auto unit = [](const Vec3d& v) { return (1 / norm(v)) * v; };
+    planes_ = {unit({1, 0, -view.left}), unit({-1, 0, view.right}), unit({0, 1, -view.top}),
+               unit({0, -1, view.bottom})};
+  }
+  [[nodiscard]] bool may_see(const Vec3d& middle, double radius) const {
+    if (middle.z < -radius) return false;
+    return std::all_of(planes_.begin(), planes_.end(), [&](const Vec3d& n) { return dot(n, middle) > -radius; });
+  }
+
+ private:
+  std::array<Vec3d, 4> planes_;
+};
+
+std::uint8_t byte_of(double share) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0))); }
+
+std::array<float, 4> row(double x, double y, double z, double w) {
+  return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), static_cast<float>(w)};
+}
+
+Instance instance_of(const Piece& piece, const geometry::Pose& at) {
+  const Mat3d& R = at.orientation;
+  const Vec3d &s = piece.scale, &p = at.position;
+  const auto inverse_square = [](double scale) { return static_cast<float>(1 / (scale * scale)); };
+  return {row(s.x * R.x.x, s.y * R.y.x, s.z * R.z.x, p.x),
+          row(s.x * R.x.y, s.y * R.y.y, s.z * R.z.y, p.y),
+          row(s.x * R.x.z, s.y * R.y.z, s.z * R.z.z, p.z),
+          {inverse_square(s.x), inverse_square(s.y), inverse_square(s.z)},
+          {byte_of(piece.color.red), byte_of(piece.color.green), byte_of(piece.color.blue), 255},
+          piece.label};
+}
+
+/// A pose in the world as the eye has it.
+geometry::Pose seen_from(const geometry::Pose& pose, const Vec3d& eye, const Mat3d& axes) {
+  return {transposed_times(axes, pose.position - eye), transpose(axes) * pose.orientation};
+}
+
+}  // namespace
+
+SolidCatalog solid_catalog(std::span<const Solid> meshes) {
+  SolidCatalog catalog;
+  for (auto* make : {unit_sphere, unit_half_sphere, unit_tube, unit_cylinder}) {
+    for (const int segments : roundness) catalog.solids.push_back(make(segments));
+  }
+  catalog.solids.push_back(unit_box());
+  catalog.first_mesh = catalog.solids.size();
+  catalog.solids.insert(catalog.solids.end(), meshes.begin(), meshes.end());
+  return catalog;
+}
+
+void InstanceList::begin(const SolidCatalog& catalog) {
+  unsorted_.clear();
+  solid_of_.clear();
+  first_of_.assign(catalog.solids.size() + 1, 0);
+}
+
+void InstanceList::add(std::size_t solid, const Piece& piece, const geometry::Pose& optical) {
+  unsorted_.push_back(instance_of(piece, optical));
+  solid_of_.push_back(solid);
+  ++first_of_[solid + 1];
+}
+
+void InstanceList::fill(const Scenery& scenery, const sensors::Perspective& view, double ahead,
+                        const SolidCatalog& catalog) {
+  begin(catalog);
+  const Frustum frustum(view);
+  const double pixels = std::max(view.width / (view.right - view.left), view.height / (view.bottom - view.top));
+  scenery.for_pieces(ahead, [&](const Piece& piece, const geometry::Pose& pose) {
+    if (view.without && scenery.owner(piece) == view.without) return;
+    const geometry::Pose optical = seen_from(pose, view.eye, view.axes);
+    if (!frustum.may_see(optical.position, piece.radius)) return;
+    const double near = std::max(0.01, norm(optical.position) - piece.radius);
+    const double size = std::max({piece.scale.x, piece.scale.y, piece.form == Form::sphere ? piece.scale.z : 0});
+    const std::size_t level = view.finest ? roundness.size() - 1 : level_for(pixels * size / near);
+    add(solid_of(piece, level, catalog), piece, optical);
+  });
+  sort();
+}
+
+void InstanceList::fill_all(const Scenery& scenery, const Vec3d& eye, const Mat3d& axes, double ahead,
+                            const SolidCatalog& catalog) {
+  begin(catalog);
+  scenery.for_pieces(ahead, [&](const Piece& piece, const geometry::Pose& pose) {
+    add(solid_of(piece, shadow_level, catalog), piece, seen_from(pose, eye, axes));
+  });
+  sort();
+}
+
+/// By solid; pieces of one solid stay in their order (counting sort).
+void InstanceList::sort() {
+  groups_.clear();
+  for (std::size_t solid = 0; solid + 1 < first_of_.size(); ++solid) {
+    const std::size_t count = first_of_[solid + 1];
+    first_of_[solid + 1] += first_of_[solid];
+    if (count > 0) groups_.push_back({solid, first_of_[solid], count});
+  }
+  sorted_.resize(unsorted_.size());
+  for (std::size_t i = 0; i < unsorted_.size(); ++i) sorted_[first_of_[solid_of_[i]]++] = unsorted_[i];
+}
+
+}  // namespace murosimf::render

@@ -1,0 +1,59 @@
+/// instances.h - the pieces of a scene as a view sees them: which can be in the picture, how round they must be, and in
+/// which order they are drawn.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "murosimf/render/scenery.h"
+#include "murosimf/sensors/view_source.h"
+
+namespace murosimf::render {
+
+/// Solids that a drawing needs, and where the meshes begin among them.
+struct SolidCatalog {
+  std::vector<Solid> solids;
+  std::size_t first_mesh = 0;
+};
+
+/// Round solids at all levels of roundness, the box, then the meshes.
+[[nodiscard]] SolidCatalog solid_catalog(std::span<const Solid> meshes);
+
+/// One piece for the graphics device: rows of the matrix that takes the solid to optical axes.
+struct Instance {
+  std::array<float, 4> row_x, row_y, row_z;
+  std::array<float, 3> normal_scale;  ///< 1 / scale^2
+  std::array<std::uint8_t, 4> color;  ///< sRGB
+  std::uint32_t label;
+};
+
+/// Instances of one solid.
+struct InstanceGroup {
+  std::size_t solid = 0, first = 0, count = 0;
+};
+
+/// All instances of a view, those of one solid one after the other. Kept from picture to picture: no allocations.
+class InstanceList {
+ public:
+  /// Pieces that are in the picture. Corners of round ones are off by less than a quarter of a pixel.
+  void fill(const Scenery& scenery, const sensors::Perspective& view, double ahead, const SolidCatalog& catalog);
+  /// All pieces, for a lamp that looks along the third axis from `eye`; z counts from there.
+  void fill_all(const Scenery& scenery, const Vec3d& eye, const Mat3d& axes, double ahead, const SolidCatalog& catalog);
+
+  [[nodiscard]] std::span<const Instance> instances() const { return sorted_; }
+  [[nodiscard]] std::span<const InstanceGroup> groups() const { return groups_; }
+
+ private:
+  void begin(const SolidCatalog& catalog);
+  void add(std::size_t solid, const Piece& piece, const geometry::Pose& optical);
+  void sort();
+
+  std::vector<Instance> unsorted_, sorted_;
+  std::vector<std::size_t> solid_of_;  // by unsorted instance
+  std::vector<std::size_t> first_of_;  // by solid
+  std::vector<InstanceGroup> groups_;
+};
+
+}  // namespace murosimf::render

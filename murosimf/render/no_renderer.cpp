@@ -1,0 +1,25 @@
+// Stands in for the renderer where OpenGL is missing.
+#include "murosimf/model/error.h"
+#include "murosimf/render/renderer.h"
+
+namespace murosimf::render {
+
+struct Renderer::Contexts {};
+
+Renderer::Renderer(const World& world, const std::vector<Entity*>& movers, const LooksOf& looks,
+                   RendererOptions /*options*/)
+    : scenery_(world, movers, looks) {
+  throw SetupError(
+      "no pictures by OpenGL in this build: epoxy or EGL was missing (Debian and Ubuntu: libepoxy-dev, libegl-dev)");
+}
+
+Renderer::~Renderer() = default;
+void Renderer::locate() {}
+void Renderer::draw(const sensors::Perspective& /*perspective*/, const sensors::Layers& /*layers*/, double /*ahead*/,
+                    sensors::View& /*view*/) noexcept {}
+const std::vector<std::string>& Renderer::labels() const { return scenery_.labels(); }
+std::string Renderer::name() const { return {}; }
+DrawTotals Renderer::totals() const { return {}; }
+std::string Renderer::trouble() const { return {}; }
+
+}  // namespace murosimf::render

@@ -1,0 +1,114 @@
+#include "murosimf/render/opengl/gl_context.h"
+
+#include <dlfcn.h>
+
+#include <array>
+#include <cstdlib>
+#include <vector>
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::render {
+namespace {
+
+[[noreturn]] void refuse(const std::string& reason) {
+  throw SetupError(
+      fmt::format("no pictures by OpenGL: {} (Debian and Ubuntu: install libegl1, libegl-mesa0 and "
+                  "libgl1-mesa-dri; no graphics card or window system is needed)",
+                  reason));
+}
+
+/// epoxy ends the program where these are missing.
+void check_libraries() {
+  const auto loads = [](const char* name) { return dlopen(name, RTLD_LAZY | RTLD_LOCAL) != nullptr; };
+  if (!loads("libEGL.so.1")) refuse("libEGL.so.1 is not installed");
+  if (!loads("libOpenGL.so.0") && !loads("libGL.so.1")) refuse("neither libOpenGL.so.0 nor libGL.so.1 is installed");
+}
+
+/// Displays to try: graphics cards first, then Mesa's own that needs none. Never one of a window system.
+std::vector<EGLDisplay> displays() {
+  std::vector<EGLDisplay> found;
+  const bool can_list = epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") ||
+                        epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_base");
+  if (can_list && epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) {
+    std::array<EGLDeviceEXT, 16> devices{};
+    EGLint count = 0;
+    if (eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
+      for (EGLint i = 0; i < count; ++i) {
+        found.push_back(
+            eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)], nullptr));
+      }
+    }
+  }
+  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
+    found.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+  }
+  return found;
+}
+
+/// Null if the display has no such context.
+EGLContext make_context(EGLDisplay display) {
+  if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return EGL_NO_CONTEXT;
+  if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context") || !eglBindAPI(EGL_OPENGL_API)) {
+    return EGL_NO_CONTEXT;
+  }
+  constexpr std::array<EGLint, 7> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                         EGL_NONE};
+  EGLConfig config = nullptr;
+  EGLint count = 0;
+  if (!eglChooseConfig(display, wanted.data(), &config, 1, &count)) return EGL_NO_CONTEXT;
+  if (count == 0) config = nullptr;  // EGL_KHR_no_config_context
+  constexpr std::array<EGLint, 7> version{
+      EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  return eglCreateContext(display, config, EGL_NO_CONTEXT, version.data());
+}
+
+}  // namespace
+
+struct GlContext::Handles {
+  EGLDisplay display = EGL_NO_DISPLAY;
+  EGLContext context = EGL_NO_CONTEXT;
+};
+
+GlContext::GlContext() : handles_(std::make_unique<Handles>()) {
+  check_libraries();
+  for (EGLDisplay display : displays()) {
+    EGLContext context = make_context(display);
+    if (context == EGL_NO_CONTEXT) continue;
+    if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+      eglDestroyContext(display, context);
+      continue;
+    }
+    *handles_ = {display, context};
+    renderer_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    return;
+  }
+  refuse("no EGL device can do OpenGL 3.3");
+}
+
+// displays are shared by all contexts of the program, and stay
+GlContext::~GlContext() { eglDestroyContext(handles_->display, handles_->context); }
+
+bool GlContext::software() const {
+  for (const char* name : {"llvmpipe", "softpipe", "swrast", "SWR", "SwiftShader"}) {
+    if (renderer_.find(name) != std::string::npos) return true;
+  }
+  return false;
+}
+
+GlContext::Current::Current(const GlContext& context) : context_(context) {
+  eglBindAPI(EGL_OPENGL_API);  // is the thread's own
+  eglMakeCurrent(context_.handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_.handles_->context);
+}
+
+GlContext::Current::~Current() {
+  eglMakeCurrent(context_.handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
+}  // namespace murosimf::render

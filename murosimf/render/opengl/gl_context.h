@@ -1,0 +1,41 @@
+/// gl_context.h - OpenGL without any window system: a context of EGL that draws into memory.
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace murosimf::render {
+
+/// One context. Only one thread may use it at a time, between `Current`'s constructor and destructor.
+class GlContext {
+ public:
+  /// Of the first EGL device that can do OpenGL 3.3. Throws SetupError with the packages to install.
+  GlContext();
+  ~GlContext();
+  GlContext(const GlContext&) = delete;
+  GlContext& operator=(const GlContext&) = delete;
+
+  /// While it lives, OpenGL calls of this thread go to the context.
+  class Current {
+   public:
+    explicit Current(const GlContext& context);
+    ~Current();
+    Current(const Current&) = delete;
+    Current& operator=(const Current&) = delete;
+
+   private:
+    const GlContext& context_;
+  };
+
+  /// As the driver calls itself: "llvmpipe (LLVM 15.0.6, 256 bits)".
+  [[nodiscard]] const std::string& renderer() const { return renderer_; }
+  /// The processor draws, not a graphics card.
+  [[nodiscard]] bool software() const;
+
+ private:
+  struct Handles;
+  std::unique_ptr<Handles> handles_;
+  std::string renderer_;
+};
+
+}  // namespace murosimf::render

@@ -1,0 +1,401 @@
+#include "murosimf/render/opengl/gl_drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <list>
+#include <optional>
+#include <vector>
+
+#include "murosimf/render/opengl/gl_matrix.h"
+#include "murosimf/render/opengl/shaders.h"
+
+namespace murosimf::render {
+namespace {
+
+constexpr Color grass{0.21, 0.50, 0.24}, floor_color{0.48, 0.48, 0.47}, paint{0.93, 0.94, 0.93};
+constexpr double floor_reach = 500;  // [m]
+constexpr double nearest = 0.01;     // [m]
+constexpr int shadow_side = 2048;    // [px]
+constexpr std::size_t most_targets = 8;
+
+using Float2 = std::array<float, 2>;
+using Float3 = std::array<float, 3>;
+
+Float3 floats(const Vec3d& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
+Float3 floats(const Color& c) {
+  return {static_cast<float>(c.red), static_cast<float>(c.green), static_cast<float>(c.blue)};
+}
+
+void set(GlProgram& program, const char* name, const Float3& v) { glUniform3fv(program.uniform(name), 1, v.data()); }
+void set(GlProgram& program, const char* name, double v) { glUniform1f(program.uniform(name), static_cast<float>(v)); }
+void set(GlProgram& program, const char* name, const GlMatrix& m) {
+  glUniformMatrix4fv(program.uniform(name), 1, GL_FALSE, m.data());
+}
+
+/// What the ground shows of a color, as the solids' shader does it (shaders.cpp), with and without the lamp.
+void set_ground_color(GlProgram& program, const Color& color, const Light& light) {
+  const double lamp = std::max(0.0, light.toward.z / norm(light.toward));
+  const auto shown = [&](double share) {
+    const auto one = [&](double base, double sky, double from_lamp) {
+      return std::sqrt(std::clamp(base * base * (sky + share * from_lamp), 0.0, 1.0));
+    };
+    return floats(Color{one(color.red, light.sky.red, lamp * light.lamp.red),
+                        one(color.green, light.sky.green, lamp * light.lamp.green),
+                        one(color.blue, light.sky.blue, lamp * light.lamp.blue)});
+  };
+  set(program, "in_light", shown(1));
+  set(program, "in_shade", shown(0));
+}
+
+void attribute(GLuint index, GLint numbers, GLenum type, std::size_t stride, std::size_t offset, bool per_instance,
+               bool normalized = false) {
+  const void* place = reinterpret_cast<const void*>(offset);
+  glEnableVertexAttribArray(index);
+  if (type == GL_UNSIGNED_INT) {
+    glVertexAttribIPointer(index, numbers, type, static_cast<GLsizei>(stride), place);
+  } else {
+    glVertexAttribPointer(index, numbers, type, normalized ? GL_TRUE : GL_FALSE, static_cast<GLsizei>(stride), place);
+  }
+  glVertexAttribDivisor(index, per_instance ? 1 : 0);
+}
+
+template <class T>
+void upload(GLenum kind, GLuint buffer, const std::vector<T>& data, GLenum use) {
+  glBindBuffer(kind, buffer);
+  glBufferData(kind, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), use);
+}
+
+/// Corners of all solids in one buffer.
+struct SolidBuffers {
+  struct Range {
+    std::size_t first_index = 0, indices = 0;
+    GLint first_corner = 0;
+  };
+
+  void fill(const SolidCatalog& catalog) {
+    std::vector<Corner> corners;
+    std::vector<std::uint32_t> indices;
+    for (const Solid& solid : catalog.solids) {
+      ranges.push_back({indices.size(), solid.triangles.size(), static_cast<GLint>(corners.size())});
+      corners.insert(corners.end(), solid.corners.begin(), solid.corners.end());
+      indices.insert(indices.end(), solid.triangles.begin(), solid.triangles.end());
+    }
+    glBindVertexArray(*array);
+    upload(GL_ELEMENT_ARRAY_BUFFER, *index_buffer, indices, GL_STATIC_DRAW);
+    upload(GL_ARRAY_BUFFER, *corner_buffer, corners, GL_STATIC_DRAW);
+    attribute(0, 3, GL_FLOAT, sizeof(Corner), offsetof(Corner, place), false);
+    attribute(1, 3, GL_FLOAT, sizeof(Corner), offsetof(Corner, normal), false);
+  }
+
+  void draw(const InstanceList& list) {
+    glBindVertexArray(*array);
+    glBindBuffer(GL_ARRAY_BUFFER, *instance_buffer);
+    const auto instances = list.instances();
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()), instances.data(), GL_STREAM_DRAW);
+    for (const InstanceGroup& group : list.groups()) {
+      const std::size_t base = group.first * sizeof(Instance);
+      const auto place = [&](GLuint index, GLint numbers, GLenum type, std::size_t offset, bool normalized = false) {
+        attribute(index, numbers, type, sizeof(Instance), base + offset, true, normalized);
+      };
+      place(2, 4, GL_FLOAT, offsetof(Instance, row_x));
+      place(3, 4, GL_FLOAT, offsetof(Instance, row_y));
+      place(4, 4, GL_FLOAT, offsetof(Instance, row_z));
+      place(5, 3, GL_FLOAT, offsetof(Instance, normal_scale));
+      place(6, 4, GL_UNSIGNED_BYTE, offsetof(Instance, color), true);
+      place(7, 1, GL_UNSIGNED_INT, offsetof(Instance, label));
+      const Range& range = ranges[group.solid];
+      glDrawElementsInstancedBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(range.indices), GL_UNSIGNED_INT,
+                                        reinterpret_cast<const void*>(range.first_index * sizeof(std::uint32_t)),
+                                        static_cast<GLsizei>(group.count), range.first_corner);
+    }
+  }
+
+  std::vector<Range> ranges;
+  GlVertexArray array;
+  GlBuffer corner_buffer, index_buffer, instance_buffer;
+};
+
+/// A corner of the rectangle around one straight piece of a stroke (shaders.cpp).
+struct StrokeCorner {
+  std::array<float, 4> ends, size;
+  Float3 corner;
+};
+
+struct StrokeBuffers {
+  void fill(const Markings& markings) {
+    std::vector<StrokeCorner> corners;
+    for (const Stroke& stroke : markings.strokes) add(stroke, corners);
+    count = static_cast<GLsizei>(corners.size());
+    glBindVertexArray(*array);
+    upload(GL_ARRAY_BUFFER, *buffer, corners, GL_STATIC_DRAW);
+    attribute(0, 4, GL_FLOAT, sizeof(StrokeCorner), offsetof(StrokeCorner, ends), false);
+    attribute(1, 4, GL_FLOAT, sizeof(StrokeCorner), offsetof(StrokeCorner, size), false);
+    attribute(2, 3, GL_FLOAT, sizeof(StrokeCorner), offsetof(StrokeCorner, corner), false);
+  }
+
+  GLsizei count = 0;
+  GlVertexArray array;
+  GlBuffer buffer;
+
+ private:
+  /// How a straight piece ends where another one begins.
+  struct Joint {
+    float beyond = 0;   // [m] by which it goes on, so that the outer corner is filled
+    bool soft = false;  // the next one goes on in about the same direction: no edge between them
+  };
+
+  static Joint joint(const Vec3d& before, const Vec3d& at, const Vec3d& after, double half_width) {
+    const Vec3d a = at - before, b = after - at;
+    const double turn = std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y));
+    return {static_cast<float>(half_width * std::tan(std::min(0.5 * turn, 0.25 * pi))), turn < 0.5};
+  }
+
+  static void add(const Stroke& stroke, std::vector<StrokeCorner>& corners) {
+    const auto& p = stroke.points;
+    const double half = 0.5 * stroke.width;
+    const std::size_t last = p.size() - 1;
+    const bool closed = p.size() > 2 && norm(p.front() - p.back()) < 1e-9;
+    for (std::size_t i = 0; i < last; ++i) {
+      Joint begin, end;
+      if (i > 0 || closed) begin = joint(p[i > 0 ? i - 1 : last - 1], p[i], p[i + 1], half);
+      if (i + 1 < last || closed) end = joint(p[i], p[i + 1], p[i + 1 < last ? i + 2 : 1], half);
+      const Float2 a{static_cast<float>(p[i].x), static_cast<float>(p[i].y)};
+      const Float2 b{static_cast<float>(p[i + 1].x), static_cast<float>(p[i + 1].y)};
+      if (a == b) continue;
+      const auto corner = [&](float side, float at) {
+        corners.push_back({{a[0], a[1], b[0], b[1]},
+                           {static_cast<float>(half), begin.beyond, end.beyond, begin.soft ? 1.0F : 0.0F},
+                           {side, at, end.soft ? 1.0F : 0.0F}});
+      };
+      for (const auto& [side, at] :
+           {Float2{-1, 0}, Float2{-1, 1}, Float2{1, 1}, Float2{-1, 0}, Float2{1, 1}, Float2{1, 0}}) {
+        corner(side, at);
+      }
+    }
+  }
+};
+
+/// What the lamp sees: how far its light comes.
+struct ShadowMap {
+  void prepare() {
+    glBindTexture(GL_TEXTURE_2D, *texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, shadow_side, shadow_side, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                 nullptr);
+    constexpr std::array<GLfloat, 4> lit{1, 1, 1, 1};
+    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit.data());
+    for (const auto& [key, value] : {std::pair<GLenum, GLint>{GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER},
+                                     {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER},
+                                     {GL_TEXTURE_MIN_FILTER, GL_LINEAR},
+                                     {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
+                                     {GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE},
+                                     {GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL}}) {
+      glTexParameteri(GL_TEXTURE_2D, key, value);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, *frame);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, *texture, 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+  }
+
+  GlTexture texture;
+  GlFramebuffer frame;
+  GlMatrix to_lamp{};
+  double texel = 0;  // [m]
+};
+
+/// The programs that show light, with or without shadows.
+struct LitPrograms {
+  explicit LitPrograms(std::string_view shadows)
+      : solid({light_source, solid_vertex}, {light_source, shadows, solid_fragment}),
+        ground({light_source, ground_vertex}, {light_source, shadows, ground_fragment}),
+        stroke({light_source, stroke_vertex}, {light_source, shadows, stroke_fragment}) {}
+  GlProgram solid, ground, stroke;
+};
+
+}  // namespace
+
+struct GlDrawing::Objects {
+  LitPrograms plain{no_shadow_source};
+  std::optional<LitPrograms> shadowed;  // from when they are wanted
+  LitPrograms* lit = &plain;            // those of this picture
+  GlProgram shade{{light_source, solid_vertex}, {shade_fragment}};
+  SolidBuffers solids;
+  StrokeBuffers strokes;
+  GlVertexArray ground_array;
+  GlBuffer ground_buffer;
+  std::optional<ShadowMap> shadows;  // from when they are wanted
+  std::list<GlTarget> targets;       // the one used last is the first
+};
+
+GlDrawing::GlDrawing(const Scenery& scenery) : scenery_(scenery), catalog_(solid_catalog(scenery.meshes())) {
+  const GlContext::Current current(context_);
+  objects_ = std::make_unique<Objects>();
+  objects_->solids.fill(catalog_);
+  if (scenery.markings()) objects_->strokes.fill(*scenery.markings());
+}
+
+GlDrawing::~GlDrawing() {
+  const GlContext::Current current(context_);
+  objects_.reset();
+}
+
+GlTarget& GlDrawing::target(int width, int height, int samples) {
+  auto& targets = objects_->targets;
+  const auto known =
+      std::find_if(targets.begin(), targets.end(), [&](const GlTarget& t) { return t.fits(width, height, samples); });
+  if (known != targets.end()) {
+    targets.splice(targets.begin(), targets, known);
+  } else {
+    targets.emplace_front(width, height, samples);
+    if (targets.size() > most_targets) targets.pop_back();
+  }
+  return targets.front();
+}
+
+DrawCount GlDrawing::draw(const sensors::Perspective& wanted, const sensors::Layers& layers, const Light& light,
+                          int samples, double ahead, sensors::View& into) {
+  const GlContext::Current current(context_);
+  sensors::Perspective view = wanted;
+  if (view.rows == 0) view.rows = view.height - view.first_row;
+  if (light.shadows && layers.color) draw_shadows(view, light, ahead);
+  list_.fill(scenery_, view, ahead, catalog_);
+  // several samples to a pixel make sense for colors only
+  std::vector<std::pair<sensors::Layers, int>> passes{{layers, 1}};
+  if (samples > 1 && layers.color) {
+    passes = {{{true, false, false}, samples}};
+    if (layers.depth || layers.labels) passes.push_back({{false, layers.depth, layers.labels}, 1});
+  }
+  for (const auto& [part, count] : passes) {
+    GlTarget& to = target(view.width, view.height, count);
+    to.begin(view, part, light.background);
+    draw_scene(view, part, light, to);
+    to.read(view, part, into);
+  }
+  DrawCount drawn{list_.instances().size(), 0};
+  for (const InstanceGroup& group : list_.groups()) {
+    drawn.triangles += group.count * catalog_.solids[group.solid].triangle_count();
+  }
+  return drawn;
+}
+
+void GlDrawing::draw_scene(const sensors::Perspective& view, const sensors::Layers& layers, const Light& light,
+                           GlTarget& to) {
+  const Mat3d to_optical = transpose(view.axes);
+  const bool shaded = light.shadows && layers.color;
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, shaded ? *objects_->shadows->texture : 0);
+  objects_->lit = shaded ? &*objects_->shadowed : &objects_->plain;
+  for (GlProgram* program : {&objects_->lit->solid, &objects_->lit->ground, &objects_->lit->stroke}) {
+    program->use();
+    set(*program, "clip", clip_of(view, nearest));
+    set(*program, "up", floats(to_optical.z));
+    set(*program, "toward", floats((1 / norm(light.toward)) * (to_optical * light.toward)));
+    set(*program, "lamp", floats(light.lamp));
+    set(*program, "sky", floats(light.sky));
+    set(*program, "earth", floats(light.ground));
+    if (shaded) set(*program, "to_lamp", objects_->shadows->to_lamp);
+    if (shaded) set(*program, "shadow_gap", 1.5 * objects_->shadows->texel);
+  }
+  glFrontFace(GL_CW);  // rows count downwards
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_BACK);
+  glEnable(GL_DEPTH_TEST);
+  if (view.eye.z > 0) {  // what lies on the ground is drawn in its order, not by depth
+    glDepthFunc(GL_ALWAYS);
+    draw_ground(view, light);
+    glDepthMask(GL_FALSE);
+    if (layers.color || layers.labels) draw_strokes(view, layers, light, to);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+  }
+  objects_->lit->solid.use();
+  objects_->solids.draw(list_);
+}
+
+void GlDrawing::draw_ground(const sensors::Perspective& view, const Light& light) {
+  GlProgram& program = objects_->lit->ground;
+  program.use();
+  glBindVertexArray(*objects_->ground_array);
+  glBindBuffer(GL_ARRAY_BUFFER, *objects_->ground_buffer);
+  const auto rectangle = [&](double x, double y, double half_length, double half_width, const Color& color) {
+    std::array<Float3, 4> corners;
+    for (int i = 0; i < 4; ++i) {
+      const double sx = i == 1 || i == 3 ? 1 : -1, sy = i < 2 ? -1 : 1;
+      const Vec3d p{x + sx * half_length, y + sy * half_width, 0};
+      corners[static_cast<std::size_t>(i)] = floats(transposed_times(view.axes, p - view.eye));
+    }
+    glBufferData(GL_ARRAY_BUFFER, sizeof(corners), corners.data(), GL_STREAM_DRAW);
+    attribute(0, 3, GL_FLOAT, sizeof(Float3), 0, false);
+    set_ground_color(program, color, light);
+    glUniform1ui(program.uniform("what"), sensors::label_ground);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  };
+  rectangle(view.eye.x, view.eye.y, floor_reach, floor_reach, floor_color);
+  const Markings* markings = scenery_.markings();
+  if (markings) rectangle(0, 0, markings->half_length, markings->half_width, grass);
+}
+
+void GlDrawing::draw_strokes(const sensors::Perspective& view, const sensors::Layers& layers, const Light& light,
+                             GlTarget& to) {
+  GlProgram& program = objects_->lit->stroke;
+  program.use();
+  set(program, "to_optical", matrix_of(transpose(view.axes), transposed_times(view.axes, -1.0 * view.eye)));
+  set(program, "pixel", std::max((view.right - view.left) / view.width, (view.bottom - view.top) / view.height));
+  set(program, "height", std::max(view.eye.z, 0.01));
+  set_ground_color(program, paint, light);
+  glUniform2f(program.uniform("foot"), static_cast<float>(view.eye.x), static_cast<float>(view.eye.y));
+  glUniform1ui(program.uniform("what"), sensors::label_line);
+  glBindVertexArray(*objects_->strokes.array);
+  const auto draw = [&](double least) {
+    set(program, "least", least);
+    glDrawArrays(GL_TRIANGLES, 0, objects_->strokes.count);
+  };
+  glDisable(GL_CULL_FACE);
+  if (layers.color) {
+    to.draw_layers({true, false, false});
+    glEnablei(GL_BLEND, 0);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    draw(0);
+    glDisablei(GL_BLEND, 0);
+  }
+  if (layers.labels) {
+    to.draw_layers({false, false, true});
+    draw(0.5);
+  }
+  to.draw_layers(layers);
+  glEnable(GL_CULL_FACE);
+}
+
+/// The lamp looks along its light, in parallel, at all that throws shadows.
+void GlDrawing::draw_shadows(const sensors::Perspective& view, const Light& light, double ahead) {
+  if (!objects_->shadows) {
+    objects_->shadows.emplace().prepare();
+    objects_->shadowed.emplace(shadow_source);
+  }
+  ShadowMap& map = *objects_->shadows;
+  const LampView lamp = lamp_view(scenery_, light.toward, ahead);
+  map.texel = 2 * std::max(lamp.half_width, lamp.half_height) / shadow_side;
+  const GlMatrix clip = clip_of(lamp);
+  // from optical axes to those of the lamp, then to its picture, 0 to 1
+  const Mat3d turn = transpose(lamp.axes) * view.axes;
+  const Vec3d shift = transposed_times(lamp.axes, view.eye - lamp.eye);
+  map.to_lamp = half_and_half() * (clip * matrix_of(turn, shift));
+  list_.fill_all(scenery_, lamp.eye, lamp.axes, ahead, catalog_);
+  glBindFramebuffer(GL_FRAMEBUFFER, *map.frame);
+  glDisable(GL_SCISSOR_TEST);
+  glViewport(0, 0, shadow_side, shadow_side);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  glFrontFace(GL_CW);
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_FRONT);  // the far sides throw them: near ones cannot darken themselves
+  objects_->shade.use();
+  set(objects_->shade, "clip", clip);
+  objects_->solids.draw(list_);
+}
+
+}  // namespace murosimf::render

@@ -1,0 +1,49 @@
+/// gl_drawing.h - draws views of a scenery in one OpenGL context.
+///
+/// Only for the .cpp files of this folder: it brings OpenGL in.
+#pragma once
+
+#include <memory>
+
+#include "murosimf/render/instances.h"
+#include "murosimf/render/light.h"
+#include "murosimf/render/opengl/gl_context.h"
+#include "murosimf/render/opengl/gl_target.h"
+
+namespace murosimf::render {
+
+/// How much was drawn.
+struct DrawCount {
+  std::size_t pieces = 0, triangles = 0;
+};
+
+class GlDrawing {
+ public:
+  /// Throws SetupError: no device, or one that cannot do it.
+  explicit GlDrawing(const Scenery& scenery);
+  ~GlDrawing();
+  GlDrawing(const GlDrawing&) = delete;
+  GlDrawing& operator=(const GlDrawing&) = delete;
+
+  [[nodiscard]] const GlContext& context() const { return context_; }
+  /// Throws SetupError if the picture cannot be had, because it is too large for the device.
+  DrawCount draw(const sensors::Perspective& view, const sensors::Layers& layers, const Light& light, int samples,
+                 double ahead, sensors::View& into);
+
+ private:
+  struct Objects;  // what lives in the context; made and removed while it is current
+
+  void draw_scene(const sensors::Perspective& view, const sensors::Layers& layers, const Light& light, GlTarget& to);
+  void draw_ground(const sensors::Perspective& view, const Light& light);
+  void draw_strokes(const sensors::Perspective& view, const sensors::Layers& layers, const Light& light, GlTarget& to);
+  void draw_shadows(const sensors::Perspective& view, const Light& light, double ahead);
+  GlTarget& target(int width, int height, int samples);
+
+  const Scenery& scenery_;
+  GlContext context_;
+  SolidCatalog catalog_;
+  InstanceList list_;
+  std::unique_ptr<Objects> objects_;
+};
+
+}  // namespace murosimf::render

@@ -1,0 +1,86 @@
+#include "murosimf/render/opengl/gl_matrix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace murosimf::render {
+namespace {
+
+GlMatrix by_rows(std::initializer_list<double> numbers) {
+  GlMatrix m{};
+  std::size_t i = 0;
+  for (const double number : numbers) {
+    m[i % 4 * 4 + i / 4] = static_cast<float>(number);
+    ++i;
+  }
+  return m;
+}
+
+}  // namespace
+
+GlMatrix operator*(const GlMatrix& a, const GlMatrix& b) {
+  GlMatrix product{};
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t row = 0; row < 4; ++row) {
+      double sum = 0;
+      for (std::size_t k = 0; k < 4; ++k) sum += double{a[4 * k + row]} * double{b[4 * column + k]};
+      product[4 * column + row] = static_cast<float>(sum);
+    }
+  }
+  return product;
+}
+
+GlMatrix matrix_of(const Mat3d& R, const Vec3d& r) {
+  return by_rows({R.x.x, R.y.x, R.z.x, r.x,  //
+                  R.x.y, R.y.y, R.z.y, r.y,  //
+                  R.x.z, R.y.z, R.z.z, r.z,  //
+                  0, 0, 0, 1});
+}
+
+GlMatrix half_and_half() {
+  return by_rows({0.5, 0, 0, 0.5,  //
+                  0, 0.5, 0, 0.5,  //
+                  0, 0, 0.5, 0.5,  //
+                  0, 0, 0, 1});
+}
+
+GlMatrix clip_of(const sensors::Perspective& view, double nearest) {
+  const double width = view.right - view.left, height = view.bottom - view.top;
+  return by_rows({2 / width, 0, -(view.right + view.left) / width, 0,    //
+                  0, 2 / height, -(view.bottom + view.top) / height, 0,  //
+                  0, 0, 1, -2 * nearest,                                 //
+                  0, 0, 1, 0});
+}
+
+LampView lamp_view(const Scenery& scenery, const Vec3d& toward, double ahead) {
+  LampView lamp;
+  lamp.axes.z = (-1 / norm(toward)) * toward;
+  const Vec3d side = std::abs(toward.x) < std::abs(toward.y) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+  const Vec3d x = cross(side, lamp.axes.z);
+  lamp.axes.x = (1 / norm(x)) * x;
+  lamp.axes.y = cross(lamp.axes.z, lamp.axes.x);
+  Vec3d low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
+  scenery.for_pieces(ahead, [&](const Piece& piece, const geometry::Pose& pose) {
+    const Vec3d p = transposed_times(lamp.axes, pose.position);
+    const double r = piece.radius;
+    if (!std::isfinite(norm(p) + r)) return;
+    low = {std::min(low.x, p.x - r), std::min(low.y, p.y - r), std::min(low.z, p.z - r)};
+    high = {std::max(high.x, p.x + r), std::max(high.y, p.y + r), std::max(high.z, p.z + r)};
+  });
+  if (low.x > high.x) return lamp;
+  lamp.eye = lamp.axes * (0.5 * (low + high));
+  lamp.half_width = 0.5 * (high.x - low.x) + 0.05;
+  lamp.half_height = 0.5 * (high.y - low.y) + 0.05;
+  lamp.half_depth = 0.5 * (high.z - low.z) + 0.05;
+  return lamp;
+}
+
+GlMatrix clip_of(const LampView& lamp) {
+  return by_rows({1 / lamp.half_width, 0, 0, 0,   //
+                  0, 1 / lamp.half_height, 0, 0,  //
+                  0, 0, 1 / lamp.half_depth, 0,   //
+                  0, 0, 0, 1});
+}
+
+}  // namespace murosimf::render

@@ -1,0 +1,32 @@
+/// gl_matrix.h - 4x4 matrices as OpenGL has them, and the projections of views and lamps.
+#pragma once
+
+#include <array>
+
+#include "murosimf/render/scenery.h"
+#include "murosimf/sensors/view_source.h"
+
+namespace murosimf::render {
+
+using GlMatrix = std::array<float, 16>;  ///< by columns
+
+[[nodiscard]] GlMatrix operator*(const GlMatrix& a, const GlMatrix& b);
+/// p -> R p + r.
+[[nodiscard]] GlMatrix matrix_of(const Mat3d& R, const Vec3d& r);
+/// From -1..1 to 0..1, all three.
+[[nodiscard]] GlMatrix half_and_half();
+
+/// Optical frame to clip coordinates, rows downwards; far away is infinitely far. `nearest` [m]: what is nearer is cut.
+[[nodiscard]] GlMatrix clip_of(const sensors::Perspective& view, double nearest);
+
+/// Parallel light: what it shines on lies in a box about `eye`.
+struct LampView {
+  Vec3d eye;                                               ///< [m] world, in the middle of the box
+  Mat3d axes;                                              ///< optical axes to world axes; the third along the light
+  double half_width = 1, half_height = 1, half_depth = 1;  ///< [m]
+};
+/// All pieces of the scenery, and their shadows' way to the ground.
+[[nodiscard]] LampView lamp_view(const Scenery& scenery, const Vec3d& toward, double ahead);
+[[nodiscard]] GlMatrix clip_of(const LampView& lamp);
+
+}  // namespace murosimf::render

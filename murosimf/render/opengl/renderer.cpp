@@ -1,0 +1,77 @@
+#include "murosimf/render/renderer.h"
+
+#include <mutex>
+
+#include "murosimf/model/error.h"
+#include "murosimf/render/opengl/gl_drawing.h"
+
+namespace murosimf::render {
+
+struct Renderer::Contexts {
+  /// One that nobody draws with now.
+  std::unique_ptr<GlDrawing> take(const Scenery& scenery) {
+    {
+      const std::scoped_lock lock(mutex);
+      if (!free.empty()) {
+        auto drawing = std::move(free.back());
+        free.pop_back();
+        return drawing;
+      }
+    }
+    return std::make_unique<GlDrawing>(scenery);
+  }
+  void give_back(std::unique_ptr<GlDrawing> drawing, const DrawCount& drawn) {
+    const std::scoped_lock lock(mutex);
+    free.push_back(std::move(drawing));
+    ++totals.views;
+    totals.pieces += drawn.pieces;
+    totals.triangles += drawn.triangles;
+  }
+  void complain(const char* what) {
+    const std::scoped_lock lock(mutex);
+    if (trouble.empty()) trouble = what;
+  }
+
+  mutable std::mutex mutex;
+  std::vector<std::unique_ptr<GlDrawing>> free;
+  DrawTotals totals;
+  std::string trouble, name;
+};
+
+Renderer::Renderer(const World& world, const std::vector<Entity*>& movers, const LooksOf& looks,
+                   RendererOptions options)
+    : scenery_(world, movers, looks), options_(options), contexts_(std::make_unique<Contexts>()) {
+  auto drawing = contexts_->take(scenery_);
+  const GlContext& context = drawing->context();
+  contexts_->name = context.renderer() + (context.software() ? ", software" : "");
+  contexts_->free.push_back(std::move(drawing));
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::locate() { scenery_.locate(); }
+const std::vector<std::string>& Renderer::labels() const { return scenery_.labels(); }
+std::string Renderer::name() const { return contexts_->name; }
+
+DrawTotals Renderer::totals() const {
+  const std::scoped_lock lock(contexts_->mutex);
+  return contexts_->totals;
+}
+
+std::string Renderer::trouble() const {
+  const std::scoped_lock lock(contexts_->mutex);
+  return contexts_->trouble;
+}
+
+void Renderer::draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,
+                    sensors::View& view) noexcept {
+  try {
+    auto drawing = contexts_->take(scenery_);
+    const DrawCount drawn = drawing->draw(perspective, layers, options_.light, options_.samples, ahead, view);
+    contexts_->give_back(std::move(drawing), drawn);
+  } catch (const std::exception& error) {
+    contexts_->complain(error.what());
+  }
+}
+
+}  // namespace murosimf::render

@@ -1,0 +1,52 @@
+/// renderer.h - pictures of a scene by OpenGL, for cameras and for people. No window system is ever asked for.
+///
+/// Drawing is by EGL on a graphics card, or by the processor (Mesa's llvmpipe) where there is none.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "murosimf/render/light.h"
+#include "murosimf/render/scenery.h"
+#include "murosimf/sensors/view_source.h"
+
+namespace murosimf::render {
+
+/// How much was drawn so far, by all views of a renderer.
+struct DrawTotals {
+  std::size_t views = 0, pieces = 0, triangles = 0;
+};
+
+struct RendererOptions {
+  Light light{};
+  int samples = 1;  ///< to a pixel, of colors: 1, 2, 4 or 8; edges are smooth with 4
+};
+
+class Renderer final : public sensors::ViewSource {
+ public:
+  /// Throws SetupError if this machine or this build cannot draw, and what to install.
+  Renderer(const World& world, const std::vector<Entity*>& movers, const LooksOf& looks, RendererOptions options = {});
+  ~Renderer() override;
+
+  void draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,
+            sensors::View& view) noexcept override;
+  [[nodiscard]] const std::vector<std::string>& labels() const override;
+
+  /// To be called once when all algorithms are attached: from then on things are seen where they are.
+  void locate();
+
+  /// "llvmpipe (LLVM 15.0.6, 256 bits), software" or the name of a graphics card.
+  [[nodiscard]] std::string name() const;
+  [[nodiscard]] DrawTotals totals() const;
+  /// What the device could not do, once; empty if all is well.
+  [[nodiscard]] std::string trouble() const;
+
+ private:
+  struct Contexts;  // one for each thread that draws at the same time
+  Scenery scenery_;
+  RendererOptions options_;
+  std::unique_ptr<Contexts> contexts_;
+};
+
+}  // namespace murosimf::render

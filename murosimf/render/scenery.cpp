@@ -1,0 +1,150 @@
+#include "murosimf/render/scenery.h"
+
+#include <algorithm>
+
+#include "murosimf/collision/colliding_shapes.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/sensors/view_source.h"
+
+namespace murosimf::render {
+namespace {
+
+bool is_default(const Color& color) {
+  const Color gray;
+  return color.red == gray.red && color.green == gray.green && color.blue == gray.blue;
+}
+
+double farthest(const Solid& solid) {
+  double square = 0;
+  for (const Corner& corner : solid.corners) {
+    const auto& [x, y, z] = corner.place;
+    square = std::max(square, static_cast<double>(x * x + y * y + z * z));
+  }
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+EntityLooks looks_of_shapes(const Entity& entity) {
+  EntityLooks looks;
+  for (const int i : entity.model().having(properties::shapes)) {
+    for (const PlacedShape& shape : *entity.model().find(properties::shapes, i)) looks.shapes.push_back({i, shape});
+  }
+  return looks;
+}
+
+Scenery::Scenery(const World& world, const std::vector<Entity*>& movers, const LooksOf& looks)
+    : labels_{"background", "ground", "line", "goal"} {
+  for (const Entity* mover : movers) labels_.push_back(mover->name());
+  for (const auto& entity : world.entities()) add_entity(*entity, movers, looks);
+  std::stable_sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
+    return a.owner != b.owner ? a.owner < b.owner : a.object < b.object;
+  });
+}
+
+void Scenery::locate() {
+  for (Owner& owner : owners_) {
+    const auto values = [&](const auto& property) {
+      const auto* column = owner.entity->find(property);
+      return column ? std::span(column->values) : decltype(std::span(column->values)){};
+    };
+    if (!owner.entity->find(properties::orientation)) continue;
+    owner.r = values(properties::position);
+    owner.R = values(properties::orientation);
+    owner.v = values(properties::linear_velocity);
+    owner.w = values(properties::angular_velocity);
+  }
+}
+
+void Scenery::add_entity(Entity& entity, const std::vector<Entity*>& movers, const LooksOf& looks) {
+  const auto mover = std::find(movers.begin(), movers.end(), &entity);
+  const bool moves = mover != movers.end();
+  const int owner = static_cast<int>(owners_.size());
+  owners_.push_back({&entity, collision::rest_poses(entity.model()), {}, {}, {}, {}});
+  const auto label =
+      static_cast<std::uint16_t>(moves ? static_cast<int>(sensors::label_mover) + (mover - movers.begin())
+                                       : static_cast<int>(sensors::label_goal));
+  const Model& model = entity.model();
+  for (const int i : model.having(properties::markings)) {
+    if (!markings_) markings_ = model.find(properties::markings, i);
+  }
+  const EntityLooks own = looks(entity);
+  const auto color_of = [&](const Color& color) { return is_default(color) ? entity.options().color : color; };
+  for (const ShownShape& shown : own.shapes) {
+    add_shape({.owner = owner, .object = shown.object, .color = color_of(shown.placed.color), .label = label},
+              shown.placed);
+  }
+  for (const Looks& part : own.solids) {
+    Piece piece{
+        .owner = owner, .object = part.object, .form = Form::mesh, .color = color_of(part.color), .label = label};
+    piece.radius = farthest(part.solid);
+    piece.mesh = add_mesh(part.solid);
+    pieces_.push_back(piece);
+  }
+}
+
+/// Meshes of equal corners are one: equal robots share them. `identity` tells them apart faster.
+int Scenery::add_mesh(const Solid& solid, const void* identity) {
+  for (std::size_t i = 0; i < meshes_.size(); ++i) {
+    const bool same = identity ? identities_[i] == identity
+                               : meshes_[i].triangles == solid.triangles && meshes_[i].corners == solid.corners;
+    if (same) return static_cast<int>(i);
+  }
+  meshes_.push_back(solid);
+  identities_.push_back(identity);
+  return static_cast<int>(meshes_.size()) - 1;
+}
+
+void Scenery::add_shape(Piece piece, const PlacedShape& shape) {
+  piece.place = {shape.position, shape.orientation};
+  piece.radius = bounding_radius(shape.shape);
+  const auto add = [&](Form form, const Vec3d& scale) {
+    piece.form = form;
+    piece.scale = scale;
+    pieces_.push_back(piece);
+  };
+  if (const auto* sphere = std::get_if<Sphere>(&shape.shape)) {
+    add(Form::sphere, {sphere->radius, sphere->radius, sphere->radius});
+  } else if (const auto* ellipsoid = std::get_if<Ellipsoid>(&shape.shape)) {
+    add(Form::sphere, ellipsoid->semi_axes);
+  } else if (const auto* box = std::get_if<Box>(&shape.shape)) {
+    add(Form::box, box->half_size);
+  } else if (const auto* cylinder = std::get_if<Cylinder>(&shape.shape)) {
+    add(Form::cylinder, {cylinder->radius, cylinder->radius, cylinder->half_length});
+  } else if (const auto* capsule = std::get_if<Capsule>(&shape.shape)) {
+    add_round(piece, *capsule);
+  } else if (const auto* convex = std::get_if<Convex>(&shape.shape)) {
+    piece.mesh = add_mesh(solid_of(*convex->hull), convex->hull.get());
+    add(Form::mesh, {1, 1, 1});
+  }
+}
+
+/// A tube with two half spheres.
+void Scenery::add_round(Piece piece, const Capsule& capsule) {
+  const double r = capsule.radius, h = capsule.half_length;
+  const geometry::Pose middle = piece.place;
+  piece.form = Form::tube;
+  piece.scale = {r, r, h};
+  pieces_.push_back(piece);
+  piece.form = Form::half_sphere;
+  piece.scale = {r, r, r};
+  piece.radius = r;
+  for (const double side : {1.0, -1.0}) {
+    piece.place.position = middle.position + middle.orientation * Vec3d{0, 0, side * h};
+    piece.place.orientation = side > 0 ? middle.orientation : middle.orientation * rotation_x(pi);
+    pieces_.push_back(piece);
+  }
+}
+
+geometry::Pose Scenery::pose_of(const Owner& owner, int object, double ahead) const {
+  const auto i = static_cast<std::size_t>(object);
+  if (owner.r.empty() || owner.R.empty()) return owner.rest[i];
+  geometry::Pose pose{owner.r[i], owner.R[i]};
+  if (ahead == 0) return pose;
+  if (!owner.v.empty()) pose.position += ahead * owner.v[i];
+  const double rate = owner.w.empty() ? 0 : norm(owner.w[i]);
+  if (rate > 0) pose.orientation = rotation((1 / rate) * owner.w[i], ahead * rate) * pose.orientation;
+  return pose;
+}
+
+}  // namespace murosimf::render

@@ -1,0 +1,208 @@
+#include "murosimf/sensors/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <mutex>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "murosimf/math/quaternion.h"
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::sensors {
+namespace {
+
+std::vector<Output> outputs() {
+  return {{"position", "m", {"x", "y", "z"}},
+          {"orientation", "1", {"w", "x", "y", "z"}},
+          {"intrinsics", "px", {"fx", "fy", "cx", "cy"}},
+          {"mounting_error", "rad", {"roll", "pitch", "yaw"}}};
+}
+
+/// Equal lenses share one map while somebody uses it.
+std::shared_ptr<const LensMap> shared_map(const LensSpec& lens, double resolution) {
+  using Key = std::tuple<std::string, int, int, std::array<double, 5>, std::vector<double>>;
+  static std::mutex mutex;
+  static std::map<Key, std::weak_ptr<const LensMap>> known;
+  const std::scoped_lock lock(mutex);
+  const Key key{
+      lens.model, lens.width, lens.height, {lens.fx, lens.fy, lens.cx, lens.cy, resolution}, lens.coefficients};
+  auto map = known[key].lock();
+  if (!map) known[key] = map = std::make_shared<const LensMap>(Lens(lens), resolution);
+  return map;
+}
+
+CameraInfo info_of(const SensorSpec& spec, const CameraSpec& camera, const Mounting& mounting, Duration period,
+                   const std::vector<Entity*>& movers) {
+  const Mat3d turn = transpose(true_orientation(spec)) * spec.orientation;  // takes the error back
+  CameraInfo info{.name = spec.name, .lens = Lens(camera.lens), .period = period};
+  info.link = mounting.link_object();
+  info.position = mounting.position_on_link();
+  info.orientation = mounting.orientation_on_link() * optical_axes;
+  info.nominal = mounting.orientation_on_link() * turn * optical_axes;
+  info.labels = {"background", "ground", "line", "goal"};
+  for (const Entity* mover : movers) info.labels.push_back(mover->name());
+  return info;
+}
+
+/// Everything that is drawn moves with these.
+void read_motion_of_all(Setup& setup, const std::vector<Entity*>& movers) {
+  for (Entity* mover : movers) {
+    Setup other = setup.of(*mover);
+    (void)other.read(properties::position);
+    (void)other.read(properties::orientation);
+    (void)other.read(properties::linear_velocity);
+    (void)other.read(properties::angular_velocity);
+  }
+}
+
+Perspective perspective_of(const ViewWindow& window, const Vec3d& eye, const Mat3d& axes, const Rows& rows) {
+  Perspective perspective;
+  perspective.eye = eye;
+  perspective.axes = axes * window.axes;
+  perspective.left = window.left;
+  perspective.right = window.right;
+  perspective.top = window.top;
+  perspective.bottom = window.bottom;
+  perspective.width = window.width;
+  perspective.height = window.height;
+  perspective.first_row = rows.first;
+  perspective.rows = rows.count;
+  return perspective;
+}
+
+/// What turns with `rate` [rad/s], a little later.
+Mat3d turned(const Mat3d& axes, const Vec3d& rate, double ahead) {
+  const double size = norm(rate);
+  return size * ahead == 0 ? axes : rotation((1 / size) * rate, size * ahead) * axes;
+}
+
+}  // namespace
+
+Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
+    : Sensor(setup, spec, surroundings, outputs()),
+      spec_(camera_spec(spec)),
+      mounting_error_(spec.mounting_error),
+      mounting_(setup, spec),
+      find_source_(surroundings.view_source),
+      frame_(write_frame(setup, info_of(spec, spec_, mounting_, reading().info->period, surroundings.movers))),
+      noise_({spec_.shot_noise, spec_.read_noise},
+             RandomStream(surroundings.seed, setup.entity().name() + "/" + spec.name + "/pixels")),
+      on_the_way_(most_on_the_way()) {
+  read_motion_of_all(setup, surroundings.movers);
+  if (!spec_.mosaic.empty()) pattern_ = bayer_pattern(spec_.mosaic);
+  frame_.wanted = spec_.always_on;
+}
+
+std::string Camera::remark(std::string_view) const { return frame_.info->lens.fold_remark(); }
+
+void Camera::start() {
+  frame_.time = Duration{};
+  frame_.number = 0;
+  source_ = frame_.wanted && find_source_ ? find_source_() : nullptr;
+  if (!source_) return;
+  const int width = spec_.lens.width, height = spec_.lens.height;
+  map_ = shared_map(spec_.lens, spec_.resolution);
+  if (!map_->plain()) windows_ = Windows(map_->views().size());
+  if (spec_.exposure_time > 0 && spec_.layers.color) mean_.emplace(width, height);
+  if (spec_.blur > 0) blur_.emplace(spec_.blur, width, height);
+  if (spec_.exposure != 1) exposure_.emplace(spec_.exposure);
+  for (Picture& picture : on_the_way_) {
+    if (spec_.layers.color) picture.view.color = ColorImage(width, height);
+    if (spec_.layers.depth) picture.view.depth = DepthImage(width, height);
+    if (spec_.layers.labels) picture.view.labels = LabelImage(width, height);
+    if (pattern_) picture.mosaic = GrayImage(width, height);
+  }
+}
+
+void Camera::measure(std::span<double> values) noexcept {
+  const Vec3d p = mounting_.position();
+  const Quaterniond q = from_matrix(mounting_.orientation());
+  const LensSpec& lens = spec_.lens;
+  const Vec3d& e = mounting_error_;
+  const std::array<double, 14> all{p.x,     p.y,     p.z,     q.w,     q.x, q.y, q.z,
+                                   lens.fx, lens.fy, lens.cx, lens.cy, e.x, e.y, e.z};
+  std::copy(all.begin(), all.end(), values.begin());
+}
+
+void Camera::taken(std::uint64_t sample) noexcept {
+  if (!source_) return;
+  Picture& picture = on_the_way_[sample % on_the_way_.size()];
+  expose(picture.view);
+  if (spec_.layers.color) develop(sample, picture.view.color, picture.mosaic);
+}
+
+void Camera::arrived(std::uint64_t sample) noexcept {
+  if (!source_) return;
+  Picture& picture = on_the_way_[sample % on_the_way_.size()];
+  std::swap(pattern_ ? colors_behind_ : frame_.color, picture.view.color);
+  std::swap(frame_.mosaic, picture.mosaic);
+  std::swap(frame_.depth, picture.view.depth);
+  std::swap(frame_.labels, picture.view.labels);
+  frame_.time = reading().time;
+  frame_.number = sample + 1;
+}
+
+void Camera::expose(View& picture) noexcept {
+  if (!mean_) {
+    look_at_all_rows(0, spec_.layers, picture);
+    return;
+  }
+  mean_->clear();
+  for (int i = 0; i < spec_.motion_samples; ++i) {
+    // depths and labels are those of one instant
+    const Layers layers{spec_.layers.color, spec_.layers.depth && i == 0, spec_.layers.labels && i == 0};
+    look_at_all_rows(spec_.exposure_time * (i + 0.5) / spec_.motion_samples, layers, picture);
+    mean_->add(picture.color);
+  }
+  mean_->write(picture.color);
+}
+
+void Camera::look_at_all_rows(double ahead, const Layers& layers, View& picture) noexcept {
+  const int height = spec_.lens.height, bands = spec_.readout_time > 0 ? spec_.readout_bands : 1;
+  for (int band = 0; band < bands; ++band) {
+    const int first = height * band / bands, count = height * (band + 1) / bands - first;
+    const double read = spec_.readout_time * (first + 0.5 * count) / height;
+    look({first, count}, ahead + read, layers, picture);
+  }
+}
+
+void Camera::look(const Rows& rows, double ahead, const Layers& layers, View& picture) noexcept {
+  const Vec3d eye = mounting_.position() + ahead * mounting_.velocity();
+  const Mat3d axes = turned(mounting_.orientation(), mounting_.angular_velocity(), ahead) * optical_axes;
+  for (std::size_t i = 0; i < map_->views().size(); ++i) {
+    const Rows needed = map_->plain() ? rows : map_->needed(i, rows);
+    if (needed.count == 0) continue;
+    const Perspective perspective = perspective_of(map_->views()[i], eye, axes, needed);
+    if (map_->plain()) {
+      source_->draw(perspective, layers, ahead, picture);
+    } else {
+      windows_.draw(*source_, perspective, layers, ahead, i);
+    }
+  }
+  if (map_->plain()) return;
+  if (layers.color) map_->apply(windows_.colors, picture.color, rows);
+  if (layers.depth) map_->apply(windows_.depths, picture.depth, rows);
+  if (layers.labels) map_->apply(windows_.labels, picture.labels, rows);
+}
+
+void Camera::Windows::draw(ViewSource& source, const Perspective& perspective, const Layers& layers, double ahead,
+                           std::size_t i) noexcept {
+  View view{std::move(colors[i]), std::move(depths[i]), std::move(labels[i])};
+  source.draw(perspective, layers, ahead, view);
+  colors[i] = std::move(view.color);
+  depths[i] = std::move(view.depth);
+  labels[i] = std::move(view.labels);
+}
+
+void Camera::develop(std::uint64_t sample, ColorImage& color, GrayImage& mosaic) noexcept {
+  if (blur_) blur_->apply(color);
+  if (exposure_) exposure_->apply(color);
+  if (spec_.shot_noise > 0 || spec_.read_noise > 0) noise_.apply(color, sample);
+  if (pattern_) make_mosaic(color, *pattern_, mosaic);
+}
+
+}  // namespace murosimf::sensors
