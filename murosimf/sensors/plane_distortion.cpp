@@ -84,7 +84,9 @@ double PlaneDistortion::fold(double direction) const {
   return low;
 }
 
+/// Whatever is found within reach is the point, for there is only one: so the quick way may fail, but not err.
 std::optional<PlanePoint> PlaneDistortion::undistorted(const PlanePoint& distorted) const noexcept {
+  if (const auto quick = refined(distorted, distorted)) return quick;
   return refined(without_tangential(distorted), distorted);
 }
 
