@@ -35,8 +35,8 @@ std::string text_of(const sensors::Lens& lens) {
 
 std::string text_of(const sensors::LensFit& fit) {
   if (fit.largest_error == 0) return line("fit error", "none");
-  return line("fit error",
-              fmt::format("at most {:.2g} px, at pixel {:.0f}, {:.0f}", fit.largest_error, fit.where.u, fit.where.v));
+  return line("fit error", fmt::format("{:.2g} px, at most {:.2g} px at {:.0f}, {:.0f}", fit.usual_error,
+                                       fit.largest_error, fit.where.u, fit.where.v));
 }
 
 }  // namespace

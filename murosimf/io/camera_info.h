@@ -9,8 +9,8 @@
 ///     rectification_matrix: {rows: 3, cols: 3, data: [1, 0, 0, 0, 1, 0, 0, 0, 1]}
 ///     projection_matrix: {rows: 3, cols: 4, data: [fx, 0, cx, 0, 0, fy, cy, 0, 0, 0, 1, 0]}
 ///
-/// The last two are of rectified pictures, which a camera does not make: they are checked and else ignored. They and the
-/// name may be missing.
+/// The last two are of rectified pictures, which a camera does not make: they are checked and else ignored. They and
+/// the name may be missing.
 #pragma once
 
 #include <filesystem>
@@ -27,12 +27,12 @@ struct CameraInfo {
   sensors::LensSpec lens;
 };
 
-/// Throws SetupError with file:line: fields that are missing, of another type, not finite or of the wrong count; a camera
-/// matrix with skew; everything that sensors::Lens refuses.
+/// Throws SetupError with file:line: fields that are missing, of another type, not finite or of the wrong count; a
+/// camera matrix with skew; everything that sensors::Lens refuses.
 [[nodiscard]] CameraInfo read_camera_info(const std::filesystem::path& file);
 
-/// The same form. A perspective lens becomes a plumb_bob with coefficients 0, which other readers know; coefficients that
-/// may be missing are written as 0, as those expect.
+/// The same form. A perspective lens becomes a plumb_bob with coefficients 0, which other readers know; coefficients
+/// that may be missing are written as 0, as those expect.
 [[nodiscard]] std::string camera_info_yaml(const CameraInfo& info);
 
 /// The file that a name means: itself, beside `beside`, or one of lenses/ (io/data_path.h).

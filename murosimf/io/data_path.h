@@ -9,9 +9,10 @@
 
 namespace murosimf::io {
 
-/// The file that `name` means. Tried in this order: the name as it is; the name in `beside`; the name, alone and in
-/// the folder `kind` ("lenses", "models", "parts", "scenes", "servos"), in the folder that MUROSIMF_DATA names, in share/murosimf of the
-/// installation, and in the source tree. Every place is tried with `extension` appended too. Throws SetupError.
+/// The file that `name` means. Tried in this order: the name as it is; the name in `beside`; the name, alone and in the
+/// folder `kind` ("lenses", "models", "parts", "scenes", "servos"), in the folder that MUROSIMF_DATA names, in
+/// share/murosimf of the installation, and in the source tree. Every place is tried with `extension` appended too.
+/// Throws SetupError.
 [[nodiscard]] std::filesystem::path find_data_file(std::string_view name, std::string_view kind,
                                                    std::string_view extension,
                                                    const std::filesystem::path& beside = {});
@@ -21,7 +22,8 @@ namespace murosimf::io {
                                                                       std::string_view extension,
                                                                       const std::filesystem::path& beside = {});
 
-/// What can be named without a path: the files of a kind in the folders above, without extension, in alphabetical order.
+/// What can be named without a path: the files of a kind in the folders above, without extension, in alphabetical
+/// order.
 [[nodiscard]] std::vector<std::string> data_file_names(std::string_view kind, std::string_view extension);
 
 }  // namespace murosimf::io

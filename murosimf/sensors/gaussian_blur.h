@@ -12,7 +12,8 @@ namespace murosimf::sensors {
 /// pixels. Weights end at 4 sigma; results are within one level of the exact sum.
 class GaussianBlur {
  public:
-  /// `sigma` [px] of the Gaussian, for pictures of one size [px]. Throws SetupError if it is not above 0 and at most 20.
+  /// `sigma` [px] of the Gaussian, for pictures of one size [px]. Throws SetupError if it is not above 0 and at most
+  /// 20.
   GaussianBlur(double sigma, int width, int height);
 
   void apply(ColorImage& picture) noexcept;

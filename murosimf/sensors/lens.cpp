@@ -175,7 +175,7 @@ std::string Lens::fold_remark() const {
     }
   }
   if (blind == 0) return {};
-  return fmt::format("the distortion folds over at {:.1f} deg, inside the picture: {:.2g} % of the pixels see nothing",
+  return fmt::format("the distortion folds over at {:.1f} deg, inside the picture: {:.1f} % of the pixels see nothing",
                      widest_angle() * 180 / pi, 100.0 * blind / (columns * rows));
 }
 

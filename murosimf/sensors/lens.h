@@ -70,7 +70,7 @@ class Lens {
   /// The largest angle from the optical axis inside the picture [rad]: that of a corner, or the widest.
   [[nodiscard]] double corner_angle() const noexcept;
   [[nodiscard]] Opening opening() const noexcept;
-  /// Empty, or "the distortion folds over at 47.1 deg, inside the picture: 9 % of the pixels see nothing".
+  /// Empty, or "the distortion folds over at 47.1 deg, inside the picture: 9.0 % of the pixels see nothing".
   [[nodiscard]] std::string fold_remark() const;
 
  private:

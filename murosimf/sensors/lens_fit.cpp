@@ -149,21 +149,27 @@ LensFit fit_lens(const Lens& lens, const std::string& model) {
   if (std::ranges::find(lens_models(), model) == lens_models().end()) {
     throw SetupError(unknown_name("lens model", model, lens_models()));
   }
-  if (lens.spec().model == model) return {lens.spec(), 0, {}};
+  if (lens.spec().model == model) return {.spec = lens.spec()};
   const std::vector<Sample> samples = sampled(lens, 40);
   check_reach(samples, model);
   const Problem problem(samples, lens.spec(), model);
   const Lens fitted(problem.spec(least_squares(problem)));
-  LensFit fit{fitted.spec(), 0, {}};
-  for (const auto& [pixel, ray] : sampled(lens, 400)) {
+  LensFit fit{.spec = fitted.spec()};
+  double squares = 0;
+  const std::vector<Sample> all = sampled(lens, 400);
+  for (const auto& [pixel, ray] : all) {
     const auto seen = fitted.project(ray);
     if (!seen) {
       throw SetupError(fmt::format("'{}' cannot show what this lens sees: the best fit folds over at {:.1f} deg", model,
                                    fitted.widest_angle() * 180 / pi));
     }
     const double error = std::hypot(seen->u - pixel.u, seen->v - pixel.v);
-    if (error > fit.largest_error) fit = {fit.spec, error, pixel};
+    squares += error * error;
+    if (error < fit.largest_error) continue;
+    fit.largest_error = error;
+    fit.where = pixel;
   }
+  fit.usual_error = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, all.size())));
   return fit;
 }
 

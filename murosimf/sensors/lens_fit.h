@@ -10,13 +10,14 @@ namespace murosimf::sensors {
 struct LensFit {
   LensSpec spec;
   double largest_error = 0;  ///< [px], between where both see the same ray, over the whole picture
-  Pixel where;               ///< in the picture of the first lens
+  double usual_error = 0;    ///< [px], root of the mean square of that
+  Pixel where;               ///< of the largest error, in the picture of the first lens
 };
 
-/// The lens of the other model that sees rays where `lens` sees them: least squares over pixels of the whole picture, of
-/// focal lengths, center and all coefficients; of ray_polynomial a1 is 1, since the focal length says the same. Deterministic.
-/// Source: Levenberg, Marquardt: Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", J. SIAM 11
-/// (1963). Throws SetupError if there is no such model, or if it cannot show what the lens sees.
+/// The lens of the other model that sees rays where `lens` sees them: least squares over pixels of the whole picture,
+/// of focal lengths, center and all coefficients; of ray_polynomial a1 is 1, since the focal length says the same.
+/// Source: Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", J. SIAM 11 (1963).
+/// Throws SetupError if there is no such model, or if it cannot show what the lens sees.
 [[nodiscard]] LensFit fit_lens(const Lens& lens, const std::string& model);
 
 }  // namespace murosimf::sensors

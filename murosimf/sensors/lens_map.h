@@ -4,8 +4,8 @@
 ///     for (const ViewWindow& view : map.views()) ...              // render each of them
 ///     map.apply(rendered, picture, 0, picture.height());
 ///
-/// A map depends on the lens only: cameras with equal lenses can share one. Bands of rows can be made one by one, of views
-/// rendered at different times: that is a rolling shutter.
+/// A map depends on the lens only: cameras with equal lenses can share one. Bands of rows can be made one by one, of
+/// views rendered at different times: that is a rolling shutter.
 #pragma once
 
 #include <cstdint>
@@ -40,9 +40,9 @@ class LensMap {
   /// Makes some rows of `picture` from the pictures of all views, which have the sizes that views() say; `picture` has
   /// the size of the lens. Colors are interpolated between four pixels, as sRGB. Without a ray: black.
   void apply(std::span<const ColorImage> views, ColorImage& picture, const Rows& rows) const noexcept;
-  /// Depths of views are z in the view's frame; that of the picture is z in the camera's optical frame, so it is negative
-  /// beyond 90 degrees from the axis. Interpolates 1 / z, which is exact on planes, where four neighbors differ by less
-  /// than 5 %; takes the nearest one at edges. Without a ray: infinite.
+  /// Depths of views are z in the view's frame; that of the picture is z in the camera's optical frame, so it is
+  /// negative beyond 90 degrees from the axis. Interpolates 1 / z, which is exact on planes, where four neighbors
+  /// differ by less than 5 %; takes the nearest one at edges. Without a ray: infinite.
   void apply(std::span<const DepthImage> views, DepthImage& picture, const Rows& rows) const noexcept;
   /// Labels of the nearest pixels. Without a ray: 0.
   void apply(std::span<const LabelImage> views, LabelImage& picture, const Rows& rows) const noexcept;

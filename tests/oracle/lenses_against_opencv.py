@@ -27,8 +27,9 @@ SEEN = 0.9  # at least this share of rays, or a lens is no test
 
 def random_lens(random, model):
     """Picture, focal lengths and center, and coefficients as calibrations give them."""
-    width, height = random.integers(200, 2000, 2)
-    focal = random.uniform(0.5, 1.2) * width
+    width = random.integers(200, 2000)
+    height = round(width * random.uniform(0.5, 0.9))
+    focal = random.uniform(0.6, 1.2) * width
     picture = [width, height, focal, focal * random.uniform(0.98, 1.02),
                width * random.uniform(0.45, 0.55), height * random.uniform(0.45, 0.55)]
     p = random.uniform(-2e-3, 2e-3, 2)
@@ -36,7 +37,7 @@ def random_lens(random, model):
         k = random.uniform([-0.25, 0.05, 0], [0.1, 0.1, 0.02])
         return picture, [k[0], k[1], *p, k[2]]
     if model == "rational_polynomial":
-        k = random.uniform(0.9, 1.1, 6) * [0.93, 0.17, 0.003, 1.2, 0.36, 0.028]
+        k = random.uniform(0.98, 1.02, 6) * [0.93, 0.17, 0.003, 1.2, 0.36, 0.028]
         return picture, [k[0], k[1], *p, *k[2:]]
     return picture, list(random.uniform([-0.06, -0.02, -0.003, -0.001], [0.1, 0.02, 0.003, 0.0005]))
 

@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "murosimf/math/random.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 #include "tests/law.h"
@@ -162,6 +164,53 @@ TEST(Lens, StopsBeforeTheDenominatorVanishes) {
   EXPECT_NEAR(lens.widest_angle(), pi / 4, 1e-8);
   EXPECT_FALSE(lens.project({1.1, 0, 1}));
   EXPECT_TRUE(lens.ray({639, 479}));
+}
+
+/// Wild numbers: most of these lenses fold inside the picture.
+LensSpec random_spec(int i, const RandomStream& random, std::uint64_t& n) {
+  const auto number = [&](double size) { return random.uniform(n++, -size, size); };
+  switch (i % 4) {
+    case 0: return spec_of("plumb_bob", {number(1), number(1), number(0.05), number(0.05), number(0.5)});
+    case 1:
+      return spec_of("rational_polynomial", {number(1), number(1), number(0.05), number(0.05), number(0.5), number(1),
+                                             number(1), number(0.5)});
+    case 2: return spec_of("equidistant", {number(0.5), number(0.3), number(0.2), number(0.1)});
+    default:
+      return spec_of("ray_polynomial", {1 + number(0.9), number(1), number(1), number(1), number(0.5), number(0.5)});
+  }
+}
+
+TEST(Lens, WithAnyCoefficientsIsOneToOneWithinItsFold) {
+  const RandomStream random(5, "lenses");
+  std::uint64_t n = 0;
+  int seen = 0, unseen = 0;
+  for (int i = 0; i < 400; ++i) {
+    const LensSpec spec = random_spec(i, random, n);
+    const Lens lens(spec);
+    for (int j = 0; j < 100; ++j) {
+      // not within a part in a million of the fold, where rays hang on the last digits of pixels
+      const double angle = (1 - 1e-6) * lens.widest_angle() * random.uniform(n),
+                   turn = random.uniform(n + 1, 0, 2 * pi);
+      n += 2;
+      const Vec3d ray{std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), std::cos(angle)};
+      const auto pixel = lens.project(ray);
+      ASSERT_TRUE(pixel) << spec.model;
+      const auto again = lens.ray(*pixel);
+      // far out of the picture of a lens of the plane, where pixels hang on the last digits of rays
+      if (!again && std::hypot(pixel->u, pixel->v) > 1e6) continue;
+      ASSERT_TRUE(again) << spec.model << ' ' << fmt::format("{}", fmt::join(spec.coefficients, " ")) << ' ' << angle;
+      ASSERT_LT(angle_between(ray, *again), 1e-5) << spec.model << ' ' << angle << ' ' << lens.widest_angle();
+      const Pixel any{random.uniform(n, 0, 640), random.uniform(n + 1, 0, 480)};
+      n += 2;
+      const auto look = lens.ray(any);
+      ++(look ? seen : unseen);
+      const auto back = look ? lens.project(*look) : any;
+      ASSERT_TRUE(back) << spec.model;
+      ASSERT_LT(std::hypot(back->u - any.u, back->v - any.v), 1e-6) << spec.model;
+    }
+  }
+  EXPECT_GT(seen, 10000);
+  EXPECT_GT(unseen, 5000);
 }
 
 TEST(Lens, KnowsHowFarItsPictureReaches) {
