@@ -25,10 +25,33 @@ struct RunOptions {
   std::vector<std::string> log;  ///< what is recorded (io/log_paths.h)
   std::string out;               ///< CSV file for that
   double log_rate = 100;         ///< [Hz] of properties in it
+  bool no_cameras = false;       ///< nothing is drawn for cameras
   bool lenient = false;
 };
 
 int run(const RunOptions& options);
+
+struct RenderOptions {
+  std::string scene;
+  double time = 0;                 ///< [s] of the picture, or of the video's beginning
+  std::string view;                ///< name of a place (io/scene_eyes.h)
+  std::string camera;              ///< ROBOT.CAMERA instead
+  std::string size;                ///< WIDTHxHEIGHT; empty: 1280x720
+  std::string layer = "color";     ///< or depth, labels
+  std::string light;               ///< instead of the scene's
+  bool no_shadows = false;         ///< in pictures for people; cameras have what the scene says
+  std::string out;                 ///< PNG file
+  std::string video;               ///< video file
+  double fps = 25;                 ///< of a video that is no camera's
+  std::optional<double> duration;  ///< [s] of the video
+  int threads = 1;
+  std::optional<std::int64_t> seed;
+  std::vector<std::string> overrides, events;
+  bool lenient = false;
+};
+
+/// A picture or a video of a scene.
+int render(RenderOptions options);
 
 struct PlotOptions {
   std::string file;                   ///< CSV

@@ -26,26 +26,33 @@ void add_log(CLI::App& run_command, RunOptions& options) {
       ->capture_default_str();
 }
 
+/// What all commands that run a scene have.
+template <class Options>
+void add_scene(CLI::App& command, Options& options) {
+  command.add_option("scene", options.scene, "Scene file (TOML), or the name of one that comes with the program")
+      ->required();
+  command.add_option("--threads", options.threads, "Threads; results do not depend on their number")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "Seed of all random numbers, instead of the scene's")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
+  command
+      .add_option("--set", options.overrides,
+                  "PATH=VALUE: change the scene, for example 'blue.*.level=simplified_dynamics'")
+      ->allow_extra_args(false);
+  command
+      .add_option("--at", options.events,
+                  "TIME:PATH=VALUE: change the scene while it runs, for example '3:blue1.level=articulated_dynamics'")
+      ->allow_extra_args(false);
+  command.add_flag("--lenient", options.lenient, "Accept unknown elements in model files, with a warning");
+}
+
 void add_run(CLI::App& app, RunOptions& options, int& exit_code) {
   CLI::App* run_command = app.add_subcommand("run", "Run a scene and say what happened");
-  run_command->add_option("scene", options.scene, "Scene file (TOML), or the name of one that comes with the program")
-      ->required();
+  add_scene(*run_command, options);
   run_command->add_option("--duration", options.duration, "Simulated seconds, instead of the scene's");
   run_command->add_option("--speed", options.speed, "'max', or simulated seconds per second: 1 is real time")
       ->capture_default_str();
-  run_command->add_option("--threads", options.threads, "Threads; results do not depend on their number")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  run_command->add_option("--seed", options.seed, "Seed of all random numbers, instead of the scene's")
-      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
-  run_command
-      ->add_option("--set", options.overrides,
-                   "PATH=VALUE: change the scene, for example 'blue.*.level=simplified_dynamics'")
-      ->allow_extra_args(false);
-  run_command
-      ->add_option("--at", options.events,
-                   "TIME:PATH=VALUE: change the scene while it runs, for example '3:blue1.level=articulated_dynamics'")
-      ->allow_extra_args(false);
   run_command->add_option("--json", options.json,
                           "Write the report as JSON to this file, or to standard output with '-'");
   run_command->add_option("--picture", options.picture, "Write a PNG picture of the field from above");
@@ -56,8 +63,28 @@ void add_run(CLI::App& app, RunOptions& options, int& exit_code) {
       ->needs(pictures)
       ->capture_default_str();
   add_log(*run_command, options);
-  run_command->add_flag("--lenient", options.lenient, "Accept unknown elements in model files, with a warning");
+  run_command->add_flag("--no-cameras", options.no_cameras, "Draw nothing for cameras: they have no frames then");
   run_command->callback([&] { exit_code = run(options); });
+}
+
+void add_render(CLI::App& app, RenderOptions& options, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("render", "Draw a scene: a picture or a video, for people or through a camera");
+  add_scene(*command, options);
+  command->add_option("--time", options.time, "Simulated seconds before the picture, or before the video begins");
+  command->add_option("--view", options.view,
+                      "From where: overview (usual), top, side, left, right, a robot's name, or a view of the scene");
+  command->add_option("--camera", options.camera, "ROBOT.CAMERA: through a camera that a robot carries");
+  command->add_option("--size", options.size, "WIDTHxHEIGHT in pixels; 1280x720 if not given");
+  command->add_option("--layer", options.layer, "color, depth or labels")->capture_default_str();
+  command->add_option("--light", options.light, "hall, day or night, instead of the scene's");
+  command->add_flag("--no-shadows", options.no_shadows, "No shadows in pictures from a view");
+  command->add_option("--out", options.out, "PNG file to write");
+  command->add_option("--video", options.video, "Video file to write, .mp4, .webm or .gif (needs ffmpeg)");
+  command->add_option("--fps", options.fps, "Pictures per second of a video; a camera has its own")
+      ->capture_default_str();
+  command->add_option("--duration", options.duration, "Simulated seconds of a video, instead of the scene's");
+  command->callback([&] { exit_code = render(options); });
 }
 
 void add_plot(CLI::App& app, PlotOptions& options, int& exit_code) {
@@ -195,9 +222,12 @@ void add_lens(CLI::App& app, LensOptions& options, int& exit_code) {
 }
 
 /// The parser would only say that a command is required.
-void refuse_unknown_command(int argc, char** argv) {
-  const std::vector<std::string_view> commands{"run",  "compare", "check",     "convert",      "plot",
-                                               "list", "bench",   "fit-servo", "replay-servo", "lens"};
+void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  const std::vector<std::string_view> commands(names.begin(), names.end());
   if (argc < 2 || argv[1][0] == '-') return;
   if (std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     throw murosimf::SetupError(murosimf::unknown_name("command", argv[1], commands));
@@ -212,6 +242,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", MUROSIMF_VERSION);
   RunOptions run_options;
   PlotOptions plot_options;
+  RenderOptions render_options;
   CompareCommand compare_command;
   CheckOptions check_options;
   ConvertOptions convert_options;
@@ -222,6 +253,7 @@ int main(int argc, char** argv) {
   std::string what, what_to_bench;
   int exit_code = 0;
   add_run(app, run_options, exit_code);
+  add_render(app, render_options, exit_code);
   add_plot(app, plot_options, exit_code);
   add_compare(app, compare_command, exit_code);
   add_check(app, check_options, exit_code);
@@ -232,7 +264,7 @@ int main(int argc, char** argv) {
   add_replay_servo(app, replay_servo_options, exit_code);
   add_lens(app, lens_options, exit_code);
   try {
-    refuse_unknown_command(argc, argv);
+    refuse_unknown_command(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version

@@ -77,7 +77,8 @@ int run(const RunOptions& options) {
                                   .seed = options.seed,
                                   .overrides = options.overrides,
                                   .events = options.events,
-                                  .lenient = options.lenient});
+                                  .lenient = options.lenient,
+                                  .cameras = !options.no_cameras});
   const Duration duration = duration_of(options.duration.value_or(scene.spec().duration));
   Simulation& simulation = scene.simulation();
   std::optional<io::RunLog> log;

@@ -44,12 +44,6 @@ else()
   set(murosimf_uses_nlopt OFF)
 endif()
 
-if("$<LINK_ONLY:meshoptimizer::meshoptimizer>" IN_LIST murosimf_libraries)
-  set(murosimf_uses_meshoptimizer ON)
-else()
-  set(murosimf_uses_meshoptimizer OFF)
-endif()
-
 if("yaml-cpp::yaml-cpp" IN_LIST murosimf_libraries)
   set(murosimf_uses_yaml ON)
 else()

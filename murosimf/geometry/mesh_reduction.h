@@ -1,9 +1,10 @@
 /// mesh_reduction.h - several meshes made coarser until all together have few enough triangles.
 ///
-/// They share one error, the distance by which the surface moves, since that is what an eye sees: each mesh gets as many
-/// triangles as its form needs. The error doubles from level to level, and is then bisected. At each error a mesh is
-/// what needs fewer triangles: edges drawn together (edge_collapse.h), or vertices merged (vertex_clusters.h), which
-/// works for meshes that fit together nowhere, too.
+/// Edges are drawn together one after the other, each time the one that costs least: the squared distance of the
+/// triangles' planes from the vertex that is left, times their area. Creases and open borders cost by their length as
+/// well, which keeps outlines and thin sheets. One queue for all meshes: each gets the triangles that its form
+/// needs, and details that nobody sees from afar go first. Meshes need not be closed, nor fit together anywhere.
+/// Source: Garland, Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997.
 #pragma once
 
 #include "murosimf/geometry/triangle_mesh.h"
@@ -12,10 +13,11 @@ namespace murosimf::geometry {
 
 struct MeshReduction {
   std::vector<TriangleMesh> meshes;  ///< in the order of the given ones; a mesh may have lost all triangles
-  double error = 0;                  ///< [m] by which surfaces moved about
+  double error = 0;                  ///< [m] root mean square of the distance by which surfaces have moved, about
 };
 
-/// At most `most` triangles in all. Meshes that are few enough stay as they are. The same meshes give the same answer.
+/// At most `most` triangles in all, whose corners are vertices of the given meshes. Meshes that are few enough stay as
+/// they are. The same meshes give the same answer.
 [[nodiscard]] MeshReduction reduce_meshes(std::vector<TriangleMesh> meshes, std::size_t most);
 
 }  // namespace murosimf::geometry

@@ -45,6 +45,7 @@ class Scene {
 
   [[nodiscard]] const SceneSpec& spec() const { return spec_; }
   [[nodiscard]] Simulation& simulation() { return *simulation_; }
+  [[nodiscard]] const Simulation& simulation() const { return *simulation_; }
 
   // Changes of a robot (of the contact: also of the ball) between two steps. They are events of the report. All throw
   // SetupError, and change nothing, for unknown names and if the robot cannot change as it is now.

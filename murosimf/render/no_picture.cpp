@@ -1,6 +1,7 @@
 // Stands in for everything that draws where cairo is missing.
 #include "murosimf/model/error.h"
 #include "murosimf/render/field_picture.h"
+#include "murosimf/render/image_png.h"
 #include "murosimf/render/scene_view.h"
 
 namespace murosimf::render {
@@ -16,6 +17,8 @@ std::string field_picture_png(const Markings& /*markings*/, const std::vector<Pa
                               const FieldPictureOptions& /*options*/) {
   refuse();
 }
+
+std::string image_png(const sensors::ColorImage& /*image*/) { refuse(); }
 
 View view_of(const View& /*axes*/, const std::vector<ViewedShape>& /*shapes*/, int /*columns*/, int /*rows*/) {
   refuse();

@@ -1,0 +1,101 @@
+#include "murosimf/io/child_pipe.h"
+
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+[[noreturn]] void cannot_run(const std::string& program, const std::string& reason) {
+  throw SetupError(fmt::format("cannot run '{}': {}", program, reason));
+}
+
+std::string last_line(std::FILE* file) {
+  std::rewind(file);
+  std::string line, last;
+  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) {
+    if (c == '\n' || c == '\r') {
+      if (!line.empty()) last = line;
+      line.clear();
+    } else {
+      line += static_cast<char>(c);
+    }
+  }
+  return line.empty() ? last : line;
+}
+
+}  // namespace
+
+// a socket, not a pipe: writing to it when the program is gone is an error, not a signal
+ChildPipe::ChildPipe(const std::vector<std::string>& arguments, const std::string& advice)
+    : program_(arguments.at(0)), errors_(std::tmpfile(), std::fclose) {
+  std::array<int, 2> ends{-1, -1};
+  if (!errors_ || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    cannot_run(program_, std::generic_category().message(errno));
+  }
+  socket_ = ends[0];
+  std::vector<char*> argv;
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(errors_.get()), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(errors_.get()), STDERR_FILENO);
+  const int error = posix_spawnp(&child_, argv[0], &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(ends[1]);
+  if (error == 0) return;
+  close(socket_);
+  if (error == ENOENT || error == EACCES) cannot_run(program_, advice);
+  cannot_run(program_, std::generic_category().message(error));
+}
+
+ChildPipe::~ChildPipe() {
+  if (child_ < 0) return;
+  kill(child_, SIGTERM);
+  close(socket_);
+  (void)wait();
+}
+
+/// Exit code of the program; -1 if a signal ended it.
+int ChildPipe::wait() noexcept {
+  int status = 0;
+  while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+  }
+  child_ = -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+void ChildPipe::refuse() { cannot_run(program_, last_line(errors_.get())); }
+
+void ChildPipe::write(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t sent = send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (sent >= 0) {
+      bytes = bytes.subspan(static_cast<std::size_t>(sent));
+    } else if (errno != EINTR) {
+      close(socket_);
+      (void)wait();
+      refuse();
+    }
+  }
+}
+
+void ChildPipe::finish() {
+  close(socket_);
+  if (wait() != 0) refuse();
+}
+
+}  // namespace murosimf::io
