@@ -10,7 +10,7 @@ namespace murosimf::sensors {
 namespace {
 
 constexpr double widest_row = 80 * pi / 180;  // [rad]
-constexpr double pixels_per_ray = 2;
+constexpr double pixels_per_ray = 8;
 constexpr int fewest_pixels = 256, most_pixels = 8192;
 constexpr double same_surface = 0.05;  // [1] by which depths of neighbors may differ
 
@@ -37,23 +37,22 @@ DepthLaser::DepthLaser(Setup& setup, const SensorSpec& spec, const SensorSurroun
       robot_(setup.entity()),
       mounting_(setup, spec),
       range_(laser_range(spec)),
-      fan_(laser_fan(spec)),
       find_source_(surroundings.view_source) {
   read_motion_of_all(setup, surroundings);
-  const double opening = checked_opening(spec, "opening", 1.5 * pi);
-  const double first = checked_number(spec, "first_angle", -0.5 * opening);
+  const auto [count, first, opening] = laser_sector(spec);
   const auto rows = static_cast<std::size_t>(std::max(1.0, std::ceil(opening / widest_row)));
   const double sector = opening / static_cast<double>(rows);
-  const double rays = static_cast<double>(fan_.size()) / static_cast<double>(rows);
+  const double rays = count / static_cast<double>(rows);
   const int width = std::clamp(static_cast<int>(pixels_per_ray * rays), fewest_pixels, most_pixels);
   for (std::size_t i = 0; i < rows; ++i) {
     rows_.push_back(row_at(first + (static_cast<double>(i) + 0.5) * sector, std::max(0.5 * sector, 0.01), width));
     rows_.back().without = &robot_;
   }
-  for (std::size_t i = 0; i < fan_.size(); ++i) {
-    const double angle = fan_.size() < 2 ? 0 : opening * static_cast<double>(i) / static_cast<double>(fan_.size() - 1);
+  const collision::Fan fan(count, first, opening);
+  for (std::size_t i = 0; i < fan.size(); ++i) {
+    const double angle = count < 2 ? 0 : opening * static_cast<double>(i) / (count - 1);
     const auto row = sector > 0 ? std::min(rows - 1, static_cast<std::size_t>(angle / sector)) : 0;
-    const Vec3d seen = transposed_times(rows_[row].axes, fan_.direction(i));
+    const Vec3d seen = transposed_times(rows_[row].axes, fan.direction(i));
     const double u = (seen.x / seen.z - rows_[row].left) / (rows_[row].right - rows_[row].left) * width - 0.5;
     taps_.push_back({row, u, 1 / seen.z});
   }

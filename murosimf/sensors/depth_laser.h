@@ -40,7 +40,6 @@ class DepthLaser final : public Sensor {
   const Entity& robot_;
   Mounting mounting_;
   Range range_;
-  collision::Fan fan_;
   std::function<ViewSource*()> find_source_;
   ViewSource* source_ = nullptr;
   std::vector<Perspective> rows_;  // in axes of the sensor, at its place

@@ -7,7 +7,7 @@ Laser::Laser(Setup& setup, const SensorSpec& spec, const SensorSurroundings& sur
       robot_(setup.entity()),
       mounting_(setup, spec),
       range_(laser_range(spec)),
-      fan_(laser_fan(spec)),
+      fan_(laser_sector(spec).fan()),
       scene_(all_around(setup, surroundings)) {}
 
 void Laser::measure(std::span<double> values) noexcept {

@@ -15,7 +15,7 @@ Output laser_ranges(const SensorSpec& spec) {
   return output;
 }
 
-collision::Fan laser_fan(const SensorSpec& spec) {
+LaserSector laser_sector(const SensorSpec& spec) {
   const double opening = checked_opening(spec, "opening", 1.5 * pi);
   const double first = checked_number(spec, "first_angle", -0.5 * opening, {-2 * pi, 2 * pi});
   return {rays_of(spec), first, opening};
