@@ -1,15 +1,18 @@
 // A robot crosses the field between poles that its camera sees: does it touch one?
 //
 //     build/release/example_obstacle_challenge                      # a table: five seeds at every level
+//     build/release/example_obstacle_challenge kinematic_walking    # two seeds at one level
 //     build/release/example_obstacle_challenge course camera 12     # course.png, camera.png at a time [s], as in the paper's Fig. 8
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <murosimf/collision/queries.h>
 #include <murosimf/control/obstacle_course.h>
+#include <murosimf/control/planar.h>
 #include <murosimf/io/field.h>
 #include <murosimf/io/output_file.h>
 #include <murosimf/io/scene.h>
@@ -48,12 +51,12 @@ Crossing cross(const std::string& level, std::uint64_t seed) {
   return crossing;
 }
 
-void print_table() {
+void print_table(const std::vector<std::string>& levels, std::uint64_t seeds) {
   std::printf("level                   seed   across after [s]   nearest to a pole [m]\n");
-  for (const char* level : {"kinematic_walking", "simplified_dynamics", "full_dynamics", "articulated_dynamics"}) {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (const std::string& level : levels) {
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
       const Crossing crossing = cross(level, seed);
-      std::printf("%-22s %5d %18.1f %23.3f\n", level, static_cast<int>(seed), crossing.time, crossing.nearest);
+      std::printf("%-22s %5d %18.1f %23.3f\n", level.c_str(), static_cast<int>(seed), crossing.time, crossing.nearest);
       std::fflush(stdout);
     }
   }
@@ -92,8 +95,10 @@ void draw(const std::string& course_file, const std::string& camera_file, double
 int main(int argc, char** argv) try {
   if (argc > 2) {
     draw(argv[1] + std::string(".png"), argv[2] + std::string(".png"), argc > 3 ? std::atof(argv[3]) : 10);
+  } else if (argc > 1) {
+    print_table({argv[1]}, 2);
   } else {
-    print_table();
+    print_table({"kinematic_walking", "simplified_dynamics", "full_dynamics", "articulated_dynamics"}, 5);
   }
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

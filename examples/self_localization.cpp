@@ -1,7 +1,8 @@
 // How well a robot knows where it is on the field, from the lines that its camera sees, against where it really is.
 //
-//     build/release/example_self_localization                       # a table
-//     build/release/example_self_localization localization.png 9    # and the particles at a time [s], as in the paper's Fig. 7
+//     build/release/example_self_localization                        # a table
+//     build/release/example_self_localization 8                      # of runs of 8 s
+//     build/release/example_self_localization localization.png 0.1   # the particles at a time [s], as in the paper's Fig. 7
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -49,12 +50,14 @@ struct Errors {
   double settled = 0;                  // [s] from then on the place is near enough
 };
 
-Errors run(const Setting& setting) {
+/// [s] `duration`; 0: the scene's.
+Errors run(const Setting& setting, double duration) {
   io::Scene scene("self_localization", {.overrides = setting.overrides});
+  if (duration == 0) duration = scene.spec().duration;
   Simulation& simulation = scene.simulation();
   Entity& robot = simulation.world().entity("robot");
   Errors errors;
-  while (simulation.now() < from_seconds(scene.spec().duration)) {
+  while (simulation.now() < from_seconds(duration)) {
     simulation.run(50ms);
     const Vec3d is = truth(robot), believed = robot.base().get(properties::pose_estimate);
     errors.place.push_back(std::hypot(believed.x - is.x, believed.y - is.y));
@@ -66,7 +69,7 @@ Errors run(const Setting& setting) {
 
 /// Of the numbers after the first `skipped`: mean, what 95 % are below, largest.
 void print(const std::vector<double>& all, std::size_t skipped, double unit, const char* format) {
-  std::vector<double> numbers(all.begin() + static_cast<std::ptrdiff_t>(skipped), all.end());
+  std::vector<double> numbers(all.begin() + static_cast<std::ptrdiff_t>(std::min(skipped, all.size() - 1)), all.end());
   std::sort(numbers.begin(), numbers.end());
   double sum = 0;
   for (const double number : numbers) sum += number;
@@ -75,12 +78,12 @@ void print(const std::vector<double>& all, std::size_t skipped, double unit, con
               unit * numbers.back());
 }
 
-void print_table() {
+void print_table(double duration) {
   std::printf("                               position [m]           heading [deg]          within %.1f m\n"
               "camera                         mean   95 %%   largest   mean   95 %%   largest  after [s]\n", near_enough);
   for (const Setting& setting : settings) {
-    const Errors errors = run(setting);
-    constexpr std::size_t first = 100;  // 5 s to find itself
+    const Errors errors = run(setting, duration);
+    constexpr std::size_t first = 40;  // 2 s to find itself
     std::printf("%-30s ", setting.name);
     print(errors.place, first, 1, "%.3f  %.3f  %.3f    ");
     print(errors.heading, first, 180 / pi, "%5.1f  %5.1f  %5.1f    ");
@@ -111,10 +114,11 @@ void draw(const std::string& file, double time) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc > 1) {
-    draw(argv[1], argc > 2 ? std::atof(argv[2]) : 1);
+  const double number = argc > 1 ? std::atof(argv[argc - 1]) : 0;
+  if (argc > 2) {
+    draw(argv[1], number);
   } else {
-    print_table();
+    print_table(number);
   }
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

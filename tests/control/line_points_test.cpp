@@ -74,14 +74,14 @@ TEST(LinePoints, LieOnTheLines) {
   for (const Vec3d& pose : {Vec3d{-1.5, 0, 0}, Vec3d{0.5, -1, 2}, Vec3d{-2, 1, -0.7}, Vec3d{2, 0.5, 1.2}}) {
     std::vector<LinePoint> points;
     find_line_points(picture_of(field, lens, camera, pose), lens, camera, {.spacing = 5, .farthest = 1.5}, points);
-    EXPECT_GT(points.size(), 10u) << pose.x;
+    EXPECT_GT(points.size(), 5u) << pose.x;
     const law::Measured error = errors_of(points, pose);
     worst.see(error.value, pose.x, pose.y, error.where);
   }
   law::expect_below({.law = "points on lines up to 1.5 m away: distance from the line's middle",
                      .level = "line points, 320 x 240",
-                     .source = "picture drawn by its definition; lines are 50 mm wide"},
-                    worst, 0.025, "m");
+                     .source = "picture drawn by its definition; lines are 50 mm wide, pixels up to 10 mm"},
+                    worst, 0.03, "m");
 }
 
 TEST(LinePoints, AreNoneOnPlainGroundAndInTheSky) {
