@@ -33,7 +33,7 @@ struct Hsv {
 
 /// Hues within `hue_reach` of `hue`, around the circle; saturation and value within their bounds.
 struct ColorClass {
-  double hue = 0, hue_reach = 180;           ///< [deg]
+  double hue = 0, hue_reach = 180;               ///< [deg]
   double least_saturation = 0, least_value = 0;  ///< [1]
   double most_saturation = 1, most_value = 1;    ///< [1]
 

@@ -17,12 +17,12 @@ namespace murosimf::control {
 
 struct LineScan {
   ColorClass green = field_green;
-  int spacing = 12;            ///< [px] of the columns and of the rows
-  int fewest_green = 3;        ///< [px] on both sides
-  double least_white = 0.35;   ///< [1] of the darkest of the three colors, somewhere in the run
-  double widest = 0.12;        ///< [m] of a run; lines are often crossed at an angle
-  double farthest = 3;         ///< [m] from the robot
-  std::size_t most = 400;      ///< points
+  int spacing = 12;           ///< [px] of the columns and of the rows
+  int fewest_green = 3;       ///< [px] on both sides
+  double least_white = 0.35;  ///< [1] of the darkest of the three colors, somewhere in the run
+  double widest = 0.12;       ///< [m] of a run; lines are often crossed at an angle
+  double farthest = 3;        ///< [m] from the robot
+  std::size_t most = 400;     ///< points
 };
 
 struct LinePoint {

@@ -35,7 +35,8 @@ LineTable::LineTable(const Markings& markings, double cell)
       columns_(static_cast<int>(std::ceil(2 * half_length_ / cell)) + 1),
       rows_(static_cast<int>(std::ceil(2 * half_width_ / cell)) + 1) {
   if (!std::isfinite(distance_to_lines(markings, 0, 0))) throw SetupError("the field has no lines to look for");
-  if (static_cast<double>(columns_) * rows_ > 4e6) throw SetupError("the table of the field's lines has too many cells");
+  if (static_cast<double>(columns_) * rows_ > 4e6)
+    throw SetupError("the table of the field's lines has too many cells");
   distances_.reserve(static_cast<std::size_t>(columns_) * rows_);
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {

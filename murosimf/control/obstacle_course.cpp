@@ -72,8 +72,7 @@ void ObstacleCourse::step(const Instant& instant) noexcept {
 void ObstacleCourse::look() noexcept {
   course_.frame = frame_.number;
   for (const Blob& blob : blobs_.find(frame_.color)) {
-    const auto seen =
-        obstacle_of(blob, frame_.info->lens, body_.camera(), options_.obstacle_radius, options_.farthest);
+    const auto seen = obstacle_of(blob, frame_.info->lens, body_.camera(), options_.obstacle_radius, options_.farthest);
     if (seen) course_.obstacles.see(from_frame(pose_, seen->place), seen->whole, 3 * options_.obstacle_radius);
   }
 }

@@ -22,9 +22,9 @@ namespace murosimf::control {
 
 /// What `obstacle_course` shows besides numbers; like the frames that it comes from it is no part of the state hash.
 struct Course {
-  ObstacleMap obstacles;   ///< on the field, as the robot believes
-  std::vector<Vec3d> way;  ///< [m] on the field, from the robot to its goal
-  double heading = 0;      ///< [rad] of the inertial sensor in the last step; NaN: none yet
+  ObstacleMap obstacles;    ///< on the field, as the robot believes
+  std::vector<Vec3d> way;   ///< [m] on the field, from the robot to its goal
+  double heading = 0;       ///< [rad] of the inertial sensor in the last step; NaN: none yet
   std::uint64_t frame = 0;  ///< number of the last picture
 };
 void append_hash(Hasher& hasher, const Course& course);
@@ -33,10 +33,10 @@ inline constexpr Property<Course> planned_course{
     {"planned_course", "-", "field", "obstacles that a robot has seen, and its way between them", Scope::sensor}};
 
 struct ObstacleCourseOptions {
-  Vec3d start;                 ///< [m, m, rad] where it is told to be
-  double goal_x = 3;           ///< [m] of the line to cross
-  double half_width = 2;       ///< [m] of the field
-  double speed = 0.15;         ///< [m/s]
+  Vec3d start;                   ///< [m, m, rad] where it is told to be
+  double goal_x = 3;             ///< [m] of the line to cross
+  double half_width = 2;         ///< [m] of the field
+  double speed = 0.15;           ///< [m/s]
   double obstacle_radius = 0.1;  ///< [m] as rules or a measurement tell
   double robot_radius = 0.15;    ///< [m] of the circle around it, swaying included
   double clearance = 0.15;       ///< [m] besides

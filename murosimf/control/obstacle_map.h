@@ -17,14 +17,14 @@ namespace murosimf::control {
 inline constexpr std::size_t most_obstacles = 16;
 
 struct Obstacle {
-  Vec3d place;         ///< [m] of its middle
-  int sightings = 0;   ///< pictures in which it was seen
+  Vec3d place;        ///< [m] of its middle
+  int sightings = 0;  ///< pictures in which it was seen
 };
 
 /// An obstacle of one picture.
 struct ObstacleSighting {
-  Vec3d place;         ///< [m] of its middle on the ground, robot's frame (ground_projection.h)
-  bool whole = true;   ///< not cut off by a side of the picture
+  Vec3d place;        ///< [m] of its middle on the ground, robot's frame (ground_projection.h)
+  bool whole = true;  ///< not cut off by a side of the picture
 };
 
 /// Nothing if the blob's foot is not in the picture of this height and width [px], or beyond `farthest` [m].

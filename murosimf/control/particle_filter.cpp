@@ -6,7 +6,7 @@
 namespace murosimf::control {
 namespace {
 
-constexpr double cluster_radius = 0.5;      // [m]
+constexpr double cluster_radius = 0.5;          // [m]
 constexpr double cluster_turn = 30 * pi / 180;  // [rad]
 
 /// Mean and standard deviations of the particles within the cluster around `center`.
@@ -73,20 +73,33 @@ void ParticleFilter::move(std::span<Particle> particles, const Vec3d& step_pose,
   }
 }
 
+double ParticleFilter::log_likelihood(const Vec3d& pose, std::span<const LinePoint> points,
+                                      const LineTable& lines) const noexcept {
+  const double cosine = std::cos(pose.z), sine = std::sin(pose.z);
+  double sum = 0, product = 1;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3d& p = points[i].place;
+    const double x = pose.x + cosine * p.x - sine * p.y, y = pose.y + sine * p.x + cosine * p.y;
+    const double d = lines.distance(x, y) / deviations_[i];
+    product *= options_.misread + (1 - options_.misread) * std::exp(-0.5 * d * d);
+    if (product > 1e-200) continue;  // logarithms cost more than products
+    sum += std::log(product);
+    product = 1;
+  }
+  return sum + std::log(product);
+}
+
 void ParticleFilter::weigh(std::span<Particle> particles, std::span<const LinePoint> points,
                            const LineTable& lines) noexcept {
   if (points.empty()) return;
   const double c = std::min(1.0, options_.independent_points / static_cast<double>(points.size()));
   double best = -1e300;
+  deviations_.clear();
+  for (const LinePoint& point : points) {
+    deviations_.push_back(options_.point_noise + options_.lean_noise * dot(point.place, point.place));
+  }
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    double sum = 0;
-    for (const LinePoint& point : points) {
-      const Vec3d place = from_frame(particles[i].pose, point.place);
-      const double r = norm(point.place), s = options_.point_noise + options_.lean_noise * r * r;
-      const double d = lines.distance(place.x, place.y) / s;
-      sum += std::log(options_.misread + (1 - options_.misread) * std::exp(-0.5 * d * d));
-    }
-    logs_[i] = c * sum + std::log(std::max(particles[i].weight, 1e-300));
+    logs_[i] = c * log_likelihood(particles[i].pose, points, lines) + std::log(std::max(particles[i].weight, 1e-300));
     best = std::max(best, logs_[i]);
   }
   double total = 0;

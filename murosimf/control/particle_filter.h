@@ -27,7 +27,6 @@
 #include "murosimf/control/planar.h"
 #include "murosimf/math/random.h"
 
-
 namespace murosimf::control {
 
 struct Particle {
@@ -37,9 +36,9 @@ struct Particle {
 
 struct ParticleFilterOptions {
   int particles = 400;
-  Vec3d prior{0.5, 0.5, pi / 6};  ///< [m, m, rad] standard deviations around the start; x and y are the robot's
-  double way_noise = 0.06;        ///< [m/sqrt(m)] of the place after a meter
-  double turn_noise = 0.05;       ///< [rad/sqrt(rad)] of the heading after a radian
+  Vec3d prior{0.5, 0.5, pi / 6};       ///< [m, m, rad] standard deviations around the start; x and y are the robot's
+  double way_noise = 0.06;             ///< [m/sqrt(m)] of the place after a meter
+  double turn_noise = 0.05;            ///< [rad/sqrt(rad)] of the heading after a radian
   Vec3d time_noise{0.02, 0.02, 0.02};  ///< [m/sqrt(s), m/sqrt(s), rad/sqrt(s)] whatever the robot does
   double point_noise = 0.04;           ///< [m] s_0
   double lean_noise = 0.03;            ///< [1/m] s_2
@@ -67,9 +66,13 @@ class ParticleFilter {
   bool resample(std::span<Particle> particles, std::uint64_t step) noexcept;
 
  private:
+  [[nodiscard]] double log_likelihood(const Vec3d& pose, std::span<const LinePoint> points,
+                                      const LineTable& lines) const noexcept;
+
   ParticleFilterOptions options_;
   RandomStream scatter_, motion_, draw_;
-  std::vector<double> logs_;
+  std::vector<double> logs_;        // by particle
+  std::vector<double> deviations_;  // [m] by point
   std::vector<Particle> drawn_;
 };
 

@@ -67,9 +67,8 @@ bool WayAround::is_free(const Vec3d& place) const noexcept {
 }
 
 bool WayAround::is_free(const Vec3d& a, const Vec3d& b) const noexcept {
-  return std::all_of(disks_.begin(), disks_.end(), [&](const Disk& disk) {
-    return distance_to_segment(disk.center, a, b) >= inside * disk.radius;
-  });
+  return std::all_of(disks_.begin(), disks_.end(),
+                     [&](const Disk& disk) { return distance_to_segment(disk.center, a, b) >= inside * disk.radius; });
 }
 
 /// Dijkstra's; true if it came to the goal, which is corner 1.

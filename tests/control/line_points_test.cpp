@@ -38,7 +38,13 @@ TEST(GroundProjection, HasNoPlaceAboveTheHorizon) {
 }
 
 TEST(GroundProjection, GoesBackThroughADistortedLens) {
-  const sensors::Lens lens({.model = "plumb_bob", .width = 640, .height = 480, .fx = 349, .fy = 349, .cx = 320, .cy = 240,
+  const sensors::Lens lens({.model = "plumb_bob",
+                            .width = 640,
+                            .height = 480,
+                            .fx = 349,
+                            .fy = 349,
+                            .cx = 320,
+                            .cy = 240,
                             .coefficients = {-0.2, 0.03, 0.001, -0.001}});
   fixtures::Dice dice("ground");
   law::Worst error;

@@ -31,8 +31,8 @@ TEST(LineTable, IsAsFarAsTheNearestLine) {
 }
 
 TEST(LineTable, KnowsPlacesByHeart) {
-  EXPECT_NEAR(distance_to_lines(field, 0.3, 1), 0.3, 1e-12);                   // half line
-  EXPECT_NEAR(distance_to_lines(field, 2.5, 1.575), 0.4, 1e-12);               // touch line, to the middle of the line
+  EXPECT_NEAR(distance_to_lines(field, 0.3, 1), 0.3, 1e-12);      // half line
+  EXPECT_NEAR(distance_to_lines(field, 2.5, 1.575), 0.4, 1e-12);  // touch line, to the middle of the line
   EXPECT_NEAR(distance_to_lines(field, 0.6 * std::cos(pi / 4), 0.6 * std::sin(pi / 4)), 0, 1e-3);  // center circle
 }
 
@@ -122,7 +122,7 @@ TEST(ParticleFilter, FindsARobotAndKeepsIt) {
   const LineTable table(field);
   fixtures::Dice dice("walk");
   ParticleFilter filter({}, 1, "test");
-  Vec3d pose{-1.2, 0.3, 0.2};                                 // where it is
+  Vec3d pose{-1.2, 0.3, 0.2};                                      // where it is
   std::vector<Particle> particles = filter.scatter({-1.5, 0, 0});  // where it is told to be
   law::Worst place, direction;
   for (std::uint64_t i = 0; i < 400; ++i) {

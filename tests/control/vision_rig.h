@@ -14,7 +14,8 @@ namespace murosimf::test {
 inline constexpr sensors::Rgb grass{60, 150, 75}, white{235, 235, 230}, sky{180, 190, 200};
 
 inline sensors::Lens plain_lens() {
-  return sensors::Lens({.model = "perspective", .width = 320, .height = 240, .fx = 175, .fy = 175, .cx = 159.5, .cy = 119.5});
+  return sensors::Lens(
+      {.model = "perspective", .width = 320, .height = 240, .fx = 175, .fy = 175, .cx = 159.5, .cy = 119.5});
 }
 
 /// `height` [m] above the ground, looking along x and down by `pitch` [rad].
@@ -24,8 +25,8 @@ inline control::CameraPose looking_down(double height, double pitch) {
 }
 
 /// What a robot at `pose` [m, m, rad] on the field sees.
-inline sensors::ColorImage picture_of(const Markings& field, const sensors::Lens& lens, const control::CameraPose& camera,
-                                      const Vec3d& pose) {
+inline sensors::ColorImage picture_of(const Markings& field, const sensors::Lens& lens,
+                                      const control::CameraPose& camera, const Vec3d& pose) {
   sensors::ColorImage picture(lens.spec().width, lens.spec().height, sky);
   for (int v = 0; v < picture.height(); ++v) {
     for (int u = 0; u < picture.width(); ++u) {

@@ -1,4 +1,5 @@
-// Robots that act by what their cameras see: one finds out where it is, one crosses the field between obstacles.
+// Robots that act by what their cameras see: one finds out where it is, one crosses the field between obstacles. Nothing of
+// this is a row of docs/validation.md: machines without OpenGL could not prove it.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "murosimf/control/obstacle_course.h"
 #include "murosimf/io/scene.h"
 #include "tests/law.h"
+#include "tests/render/drawn.h"
 
 namespace murosimf {
 namespace {
@@ -22,14 +24,6 @@ io::SceneOptions options(std::uint64_t seed, std::vector<std::string> more = {})
                                      "robot.sensors.camera.rate=10"};
   overrides.insert(overrides.end(), more.begin(), more.end());
   return {.seed = seed, .overrides = std::move(overrides)};
-}
-
-/// Why the cameras of a scene that runs have no frames; empty if they have.
-std::string blindness(const io::Scene& scene) {
-  for (const std::string& warning : scene.report(1s).warnings) {
-    if (warning.find("cameras have no frames") != std::string::npos) return warning;
-  }
-  return "";
 }
 
 Vec3d truth(Entity& robot) {
@@ -56,7 +50,6 @@ void localize(const std::string& camera, std::vector<std::string> overrides, Err
   Simulation& simulation = scene.simulation();
   Entity& robot = simulation.world().entity("robot");
   simulation.run(2s);
-  if (const std::string why = blindness(scene); !why.empty()) GTEST_SKIP() << why;
   while (simulation.now() < 8s) {
     simulation.run(100ms);
     const PoseError error = error_of(robot);
@@ -66,27 +59,26 @@ void localize(const std::string& camera, std::vector<std::string> overrides, Err
 }
 
 TEST(SelfLocalization, KnowsWhereItIs) {
+  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   Errors errors;
   for (const char* level : {"kinematic_walking", "simplified_dynamics"}) {
     localize(level, {std::string("robot.level=") + level}, errors);
-    if (testing::Test::IsSkipped()) return;
   }
-  const law::Statement statement{.law = "localization by lines, told 0.4 m and 20 deg wrongly: error from 2 s to 8 s",
-                                 .level = "kinematic_walking, simplified_dynamics",
-                                 .source = "where the robot really is"};
-  law::expect_below(statement, errors.place, 0.15, "m");
-  EXPECT_LT(law::Measured(errors.direction).value, 6);
+  const law::Measured place = errors.place, direction = errors.direction;
+  EXPECT_LT(place.value, 0.15) << place.where;
+  EXPECT_LT(direction.value, 6) << direction.where;
 }
 
 TEST(SelfLocalization, KnowsLessWithAnUnknownMountingError) {
+  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   Errors good, bad;
   localize("plain", {}, good);
-  if (testing::Test::IsSkipped()) return;
   localize("mounted wrongly", {"robot.sensors.camera.mounting_error_deg=[0,0,8]"}, bad);
   EXPECT_GT(law::Measured(bad.direction).value, law::Measured(good.direction).value + 3);
 }
 
 TEST(SelfLocalization, WalksTheSameWayEveryTime) {
+  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   const auto run = [](std::uint64_t seed, int threads) {
     io::SceneOptions all = options(seed);
     all.threads = threads;
@@ -99,7 +91,7 @@ TEST(SelfLocalization, WalksTheSameWayEveryTime) {
   EXPECT_NE(run(1, 1), run(2, 1));
 }
 
-/// [m] the least distance from a pole on the way across; that the robot came across is checked. NaN: it sees nothing.
+/// [m] the least distance from a pole on the way across; that the robot came across is checked.
 double nearest_pole(const std::string& level, std::uint64_t seed) {
   io::Scene scene("obstacle_challenge", options(seed, {"robot.level=" + level}));
   Simulation& simulation = scene.simulation();
@@ -108,7 +100,6 @@ double nearest_pole(const std::string& level, std::uint64_t seed) {
   double nearest = 1e9;
   while (simulation.now() < 50s && truth(robot).x < 2.8) {
     simulation.run(100ms);
-    if (!blindness(scene).empty()) return std::numeric_limits<double>::quiet_NaN();
     queries.refresh();
     for (const Entity* mover : scene.movers()) {
       if (mover != &robot) nearest = std::min(nearest, queries.distance({&robot}, {mover})->distance);
@@ -123,12 +114,9 @@ INSTANTIATE_TEST_SUITE_P(Levels, ObstacleChallenge, testing::Values("kinematic_w
                          [](const auto& level) { return level.param; });
 
 TEST_P(ObstacleChallenge, IsCrossedWithoutATouch) {
+  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   const double nearest = nearest_pole(GetParam(), 1);
-  if (std::isnan(nearest)) GTEST_SKIP() << "cameras have no frames";
-  law::expect_above({.law = "least distance from an obstacle on the way across the field",
-                     .level = GetParam(),
-                     .source = "a touch is disqualified"},
-                    nearest, 0.02, "m");
+  EXPECT_GT(nearest, 0.02);  // [m] a touch is disqualified
 }
 
 }  // namespace

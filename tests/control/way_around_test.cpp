@@ -121,7 +121,8 @@ TEST(WayAround, IsAboutAsShortAsOnAGrid) {
   law::Worst longer;
   for (int round = 0; round < 15; ++round) {
     std::vector<Disk> disks;
-    while (disks.size() < 6) disks.push_back({{dice.uniform(-1.3, 1.3), dice.uniform(-1, 1), 0}, dice.uniform(0.1, 0.4)});
+    while (disks.size() < 6)
+      disks.push_back({{dice.uniform(-1.3, 1.3), dice.uniform(-1, 1), 0}, dice.uniform(0.1, 0.4)});
     const Vec3d start{-2, 0, 0}, goal{2, 0, 0};
     const auto way = around.find(start, goal, disks, {-2, 2, -2, 2});
     const double grid = grid_length(start, goal, disks);
