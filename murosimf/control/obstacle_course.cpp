@@ -10,8 +10,8 @@
 namespace murosimf::control {
 namespace {
 
-constexpr double across = 0.3;       // [m] behind the line it stops
-constexpr double beyond = 0.5;       // [m] behind the line is its goal
+constexpr double across = 0.6;       // [m] behind the line it stops: dead reckoning may be a tenth too long
+constexpr double beyond = 0.8;       // [m] behind the line is its goal
 constexpr double keep_inside = 0.2;  // [m] of the touch lines
 
 /// [m] The point of a way that is first `ahead` away from its beginning, or its end.

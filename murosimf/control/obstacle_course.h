@@ -4,7 +4,7 @@
 /// robot believes to be by dead_reckoning.h alone, from the start that the scene's file tells. With every picture the
 /// shortest clear way is planned anew (way_around.h); the robot walks to the point on it that is `look_ahead` away. If there
 /// is no way it tries with less clearance, and stands still if there is none either.
-/// Where it goes across the goal line does not matter; it stops there.
+/// Where it goes across the goal line does not matter; it stops a little behind it.
 /// Source: pursuit of a point on the way: Coulter, "Implementation of the pure pursuit path tracking algorithm",
 ///         CMU-RI-TR-92-01 (1992).
 #pragma once

@@ -27,7 +27,7 @@ struct ObstacleSighting {
   bool whole = true;  ///< not cut off by a side of the picture
 };
 
-/// Nothing if the blob's foot is not in the picture of this height and width [px], or beyond `farthest` [m].
+/// Of a blob, with obstacles of a `radius` [m]. Nothing if its foot is below the picture, or beyond `farthest` [m].
 [[nodiscard]] std::optional<ObstacleSighting> obstacle_of(const Blob& blob, const sensors::Lens& lens,
                                                           const CameraPose& pose, double radius,
                                                           double farthest) noexcept;
