@@ -98,13 +98,13 @@ double nearest_pole(const std::string& level, std::uint64_t seed) {
   Entity& robot = simulation.world().entity("robot");
   collision::QueryScene queries(simulation.world());
   double nearest = 1e9;
-  while (simulation.now() < 50s && truth(robot).x < 2.8) {
+  do {
     simulation.run(100ms);
     queries.refresh();
     for (const Entity* mover : scene.movers()) {
       if (mover != &robot) nearest = std::min(nearest, queries.distance({&robot}, {mover})->distance);
     }
-  }
+  } while (simulation.now() < 50s && truth(robot).x < 2.8);
   EXPECT_GE(truth(robot).x, 2.8) << level << ", seed " << seed;
   return nearest;
 }
