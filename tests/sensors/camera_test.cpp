@@ -2,6 +2,7 @@
 /// that paints where and when it was asked to look.
 #include "murosimf/sensors/camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -229,6 +230,29 @@ TEST(Camera, ADistortedPictureShowsEachPixelsDirection) {
   expect_directions({{"k1", -0.25}, {"k2", 0.05}}, "plumb_bob", 1);
 }
 TEST(Camera, AWideLensIsMadeOfSeveralViews) { expect_directions({{"opening", 2.9}}, "equidistant", 5); }
+
+// Pictures take turns: the second one is made where nothing was drawn before.
+TEST(Camera, EveryPictureThroughALensIsWhole) {
+  for (const char* mosaic : {"", "rggb"}) {
+    CameraRig rig;
+    Entity& box = rig.add_box("box");
+    SensorSpec spec = camera({{"k1", -0.2}, {"depth", 1}, {"labels", 1}});
+    if (*mosaic != '\0') spec.texts["mosaic"] = mosaic;
+    const Frame& frame = rig.attach_camera(box, spec);
+    rig.begin();
+    RangeRig::put(box, {0, 0, 1});
+    rig.simulation.run(1ms);
+    const Frame first = frame;
+    for (std::uint64_t number = 2; number <= 4; ++number) {
+      rig.simulation.run(20ms);
+      ASSERT_EQ(frame.number, number);
+      EXPECT_TRUE(std::ranges::equal(frame.color.pixels(), first.color.pixels())) << mosaic << number;
+      EXPECT_TRUE(std::ranges::equal(frame.mosaic.pixels(), first.mosaic.pixels())) << mosaic << number;
+      EXPECT_TRUE(std::ranges::equal(frame.depth.pixels(), first.depth.pixels())) << mosaic << number;
+      EXPECT_EQ(frame.labels.width(), 40) << mosaic << number;
+    }
+  }
+}
 
 TEST(Camera, EffectsComeAfterTheLens) {
   CameraRig rig;
