@@ -22,7 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Drawing a vertex to the best of its neighbors.
 struct Collapse {
   double cost = infinity;  // [m^4] area times squared distance
-  Index to = 0;
+  Index to = std::numeric_limits<Index>::max();
 };
 
 /// A vertex and what its collapse costs at least.

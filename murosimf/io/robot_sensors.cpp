@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/io/sensor_types.h"
 #include "murosimf/io/xml_element.h"
 #include "murosimf/model/error.h"
 
@@ -81,14 +80,9 @@ std::string object_of(const DraftSensor& sensor, const Model& model) {
   return model.find_object(renamed) ? renamed : sensor.frame;
 }
 
-/// This program has the type.
-bool is_attachable(std::string_view type) {
-  return std::ranges::find(sensor_types(), type, &SensorType::name) != sensor_types().end();
-}
-
 /// Empty: it can be simulated.
 std::string why_not(const DraftSensor& sensor, const Kind* kind, const RobotDraft& draft) {
-  if (!kind || !is_attachable(kind->type)) return "not simulated";
+  if (!kind) return "not simulated";
   if (!sensor.obstacle.empty()) return "not simulated: " + sensor.obstacle;
   const bool of_base = sensor.frame == draft.bodies[0].name;
   if (sensor.kind == "subtreecom" && !of_base) return "not simulated: only the center of mass of the whole robot is";

@@ -71,10 +71,9 @@ std::map<std::string, double> read_camera(const XmlElement& sensor, const XmlEle
     read_opening(camera, numbers);
   }
   const auto bend = only_child(camera, "distortion");
-  for (const auto& [key, in_lens, in_plugin] : distortions) {
-    const double number = distortion(sensor, bend, in_lens, in_plugin);
-    if (number != 0) numbers[key] = number;
-  }
+  std::map<std::string, double> bends;
+  for (const auto& [key, in_lens, in_plugin] : distortions) bends[key] = distortion(sensor, bend, in_lens, in_plugin);
+  if (std::ranges::any_of(bends, [](const auto& entry) { return entry.second != 0; })) numbers.merge(bends);
   return numbers;
 }
 

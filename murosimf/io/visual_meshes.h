@@ -33,9 +33,9 @@ struct SeenShape {
 
 /// What is to be drawn of a model.
 struct Looks {
-  std::vector<SeenMesh> meshes;       ///< of meshes for the eye and convex polyhedra
-  std::vector<SeenShape> shapes;      ///< all others
-  double error = 0;                   ///< [m] by which reduced surfaces moved about; 0: all triangles are there
+  std::vector<SeenMesh> meshes;   ///< of meshes for the eye and convex polyhedra
+  std::vector<SeenShape> shapes;  ///< all others
+  double error = 0;               ///< [m] by which surfaces have moved, root mean square; 0: all triangles are there
   std::vector<std::string> warnings;  ///< one line each: meshes that could not be read and are left out
 };
 

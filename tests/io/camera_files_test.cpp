@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "murosimf/io/robot_conversion.h"
+#include "murosimf/io/robot_doctor.h"
 #include "murosimf/io/robot_sensors.h"
-#include "murosimf/io/sensor_types.h"
 #include "murosimf/multibody/kinematics.h"
 #include "tests/fixtures.h"
 #include "tests/io/sensor_files.h"
@@ -39,8 +39,6 @@ Numbers numbers_of(const std::string& attributes) {
 std::string mistake(const std::string& attributes) {
   return error_of([&] { (void)numbers_of(attributes); });
 }
-
-bool is_simulated() { return std::ranges::find(sensor_types(), "camera", &SensorType::name) != sensor_types().end(); }
 
 TEST(MjcfCameras, HaveTheOpeningOfTheirFovy) {
   const Numbers usual = numbers_of("");
@@ -150,7 +148,10 @@ TEST(UrdfCameras, HaveTheLensOfTheFile) {
                               {"cx", 319.5},
                               {"cy", 239.5},
                               {"k1", -0.2},
-                              {"k3", 0.1}}));
+                              {"k2", 0},
+                              {"k3", 0.1},
+                              {"p1", 0},
+                              {"p2", 0}}));
 }
 
 TEST(UrdfCameras, ImpossibleOnesAreRefused) {
@@ -161,7 +162,6 @@ TEST(UrdfCameras, ImpossibleOnesAreRefused) {
 }
 
 TEST(CamerasOfFiles, BecomeSensors) {
-  if (!is_simulated()) GTEST_SKIP() << "no sensor is called camera";
   const RobotFile robot = read("<camera name='left.eye' pos='0.1 0 0' xyaxes='0 -1 0 0 0 1'/><camera pos='0 0 0.3'/>");
   ASSERT_EQ(robot.sensors.size(), 2U);
   const SensorSpec &named = sensor_of(robot, "left_eye"), &other = sensor_of(robot, "camera");
@@ -172,10 +172,10 @@ TEST(CamerasOfFiles, BecomeSensors) {
   EXPECT_EQ(other.frame, "base");
   EXPECT_EQ(other.position.z, 0.3);
   EXPECT_TRUE(any_contains(robot.notes, "assumed: 25 pictures per second"));
+  for (const Finding& finding : examine_sensors(robot)) ADD_FAILURE() << to_line(finding);
 }
 
 TEST(CamerasOfFiles, HaveRatesThatStepsAllow) {
-  if (!is_simulated()) GTEST_SKIP() << "no sensor is called camera";
   const auto period = [](const std::string& rate) {
     const RobotFile robot = read_robot(write("robot.urdf", urdf_camera("", "<update_rate>" + rate + "</update_rate>")));
     return 1000 / sensor_of(robot, "eye").rate;  // [ms]
@@ -214,14 +214,14 @@ TEST(ConvertedCameras, OfMjcfAreElementsAgain) {
 }
 
 TEST(ConvertedCameras, OfUrdfAndWithoutNameAreInTheTomlFile) {
-  if (!is_simulated()) GTEST_SKIP() << "no sensor is called camera";
   const std::vector<std::filesystem::path> files{
-      write("robot.urdf", urdf_camera("<distortion><k1>0.1</k1></distortion>", "<pose>1 2 3 0.1 0.2 0.3</pose>")),
+      write("robot.urdf", urdf_camera("<distortion><p2>0.01</p2></distortion>", "<pose>1 2 3 0.1 0.2 0.3</pose>")),
       write("other.xml", mjcf("<camera pos='0.1 0 0' euler='10 20 30'/>"))};
   for (const auto& file : files) {
     std::string text;
     const RobotFile before = read_robot(file), after = converted(file, text);
     ASSERT_EQ(after.sensors.size(), 1U);
+    for (const Finding& finding : examine_sensors(after)) ADD_FAILURE() << to_line(finding);
     const SensorSpec &spec = after.sensors[0], &same = before.sensors.at(0);
     EXPECT_EQ(spec.name, same.name);
     EXPECT_EQ(spec.type, "camera");

@@ -47,8 +47,8 @@ TEST(UrdfGazebo, ReadsACameraAndItsDistortion) {
   EXPECT_EQ(sensor.rate, 30);
   expect_near(sensor.place.position, {1, 2, 3});
   expect_near(sensor.place.orientation.x, {0, 1, 0});
-  const std::map<std::string, double> numbers{
-      {"width", 620}, {"height", 480}, {"opening", 0.57}, {"k1", 0.1}, {"p2", 0.2}};
+  const std::map<std::string, double> numbers{{"width", 620}, {"height", 480}, {"opening", 0.57}, {"k1", 0.1},
+                                              {"k2", 0},      {"k3", 0},       {"p1", 0},         {"p2", 0.2}};
   EXPECT_EQ(sensor.numbers, numbers);
 }
 
