@@ -5,21 +5,29 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/io/number_plates.h"
 #include "murosimf/render/scenery.h"
 
 namespace murosimf::io {
+
+/// 3 of "blue3"; -1 if the name ends in no number, or in one of more than three digits.
+[[nodiscard]] int shirt_number(const std::string& name);
 
 /// Reads meshes once per model: equal robots share them. Meshes of a robot have at most `usual_triangles` together
 /// (visual_meshes.h).
 class LooksLibrary {
  public:
-  /// Robots whose names end in a number wear it on chest and back.
+  /// Robots of a team whose names end in a number wear it on chest and back.
   [[nodiscard]] render::EntityLooks looks(const Entity& entity);
   /// One line for each mesh that could not be read and is left out.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  std::map<const Model*, render::EntityLooks> models_;
+  struct ModelLooks {
+    render::EntityLooks drawn;
+    std::vector<NumberPlate> plates;
+  };
+  std::map<const Model*, ModelLooks> models_;
   std::vector<std::string> warnings_;
 };
 

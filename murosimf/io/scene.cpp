@@ -1,7 +1,6 @@
 #include "murosimf/io/scene.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include "murosimf/collision/body_contact.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/io/data_path.h"
+#include "murosimf/io/entity_looks.h"
 #include "murosimf/io/field.h"
 #include "murosimf/io/motion_file.h"
 #include "murosimf/io/output_file.h"
@@ -21,17 +21,6 @@
 #include "murosimf/render/renderer.h"
 
 namespace murosimf::io {
-namespace {
-
-/// "3" of "blue3"; -1 if the name ends in no number.
-int trailing_number(const std::string& name) {
-  std::size_t begin = name.size();
-  while (begin > 0 && std::isdigit(static_cast<unsigned char>(name[begin - 1])) != 0) --begin;
-  return begin == name.size() || name.size() - begin > 3 ? -1 : std::stoi(name.substr(begin));
-}
-
-}  // namespace
-
 Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
     : spec_(read_scene(find_data_file(name.string(), "scenes", ".toml"), options.overrides, options.events)),
       options_(options),
@@ -290,7 +279,7 @@ void Scene::write_picture(const std::filesystem::path& file) const {
     path.points = recorded.points;
     path.heading = heading(entity.base().get(properties::orientation));
     path.is_ball = &entity == ball_;
-    path.number = trailing_number(entity.name());
+    path.number = shirt_number(entity.name());
     if (path.is_ball) path.size = spec_.ball->options.radius;
     paths.push_back(std::move(path));
   }

@@ -70,7 +70,7 @@ sensors::Perspective behind(const Entity& mover, int width, int height) {
   const auto* R = mover.find(properties::orientation);
   const Vec3d at = r->values[0];
   const Vec3d ahead = rotation_z(heading(R->values[0])) * Vec3d{1, 0, 0};
-  return looking(at - 1.3 * ahead + Vec3d{0, 0, 0.7}, at + 0.4 * ahead, {0, 0, 1}, 1.1, width, height);
+  return looking(at - 1.0 * ahead + Vec3d{0, 0, 0.55}, at + 0.4 * ahead, {0, 0, 1}, 1.1, width, height);
 }
 
 }  // namespace

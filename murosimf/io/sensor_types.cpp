@@ -8,6 +8,7 @@
 #include "murosimf/io/registry.h"
 #include "murosimf/sensors/camera.h"
 #include "murosimf/sensors/contact_sensors.h"
+#include "murosimf/sensors/depth_laser.h"
 #include "murosimf/sensors/detector.h"
 #include "murosimf/sensors/ground_truth.h"
 #include "murosimf/sensors/inertial.h"
@@ -39,6 +40,8 @@ constexpr std::array types{
                make<sensors::ContactForce>},
     SensorType{"contact_switch", "1 while anything touches a link", "threshold", "", Watch::samples,
                make<sensors::ContactSwitch>},
+    SensorType{"depth_laser", "the same as laser, by pictures of depths: it sees what is drawn",
+               "rays opening first_angle nearest farthest", "", Watch::samples, make<sensors::DepthLaser>},
     SensorType{"detector", "places of ball and robots as vision software reports them: distance, azimuth, elevation",
                "opening_azimuth opening_elevation nearest farthest visible_share misses distance_noise azimuth_noise "
                "elevation_noise offset",

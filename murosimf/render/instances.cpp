@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::array roundness{8, 16, 32, 64};  // segments
 constexpr int shadow_level = 1;
-constexpr double largest_error = 0.25;  // [px]
+constexpr double largest_error = 0.25;          // [px]
+constexpr double largest_depth_error = 0.5e-3;  // [m]
 
 enum RoundForm : std::size_t { sphere, half_sphere, tube, cylinder, round_forms };
 
@@ -25,12 +26,12 @@ std::size_t solid_of(const Piece& piece, std::size_t level, const SolidCatalog& 
   return box;
 }
 
-/// The coarsest level at which a circle of `radius` [px] is off by less than largest_error. A polygon of n sides is
-/// off by up to radius (pi / n)^2 / 3 from the circle of the same area.
-std::size_t level_for(double radius) {
+/// The coarsest level at which a circle is off by less than `error`, in units of its radius. A polygon of n sides is off
+/// by up to (pi / n)^2 / 3 from the circle of the same area.
+std::size_t level_for(double error) {
   for (std::size_t i = 0; i + 1 < roundness.size(); ++i) {
     const double angle = pi / roundness[i];
-    if (0.34 * radius * angle * angle < largest_error) return i;
+    if (0.34 * angle * angle < error) return i;
   }
   return roundness.size() - 1;
 }
@@ -100,7 +101,7 @@ void InstanceList::add(std::size_t solid, const Piece& piece, const geometry::Po
   ++first_of_[solid + 1];
 }
 
-void InstanceList::fill(const Scenery& scenery, const sensors::Perspective& view, double ahead,
+void InstanceList::fill(const Scenery& scenery, const sensors::Perspective& view, bool depths, double ahead,
                         const SolidCatalog& catalog) {
   begin(catalog);
   const Frustum frustum(view);
@@ -111,7 +112,9 @@ void InstanceList::fill(const Scenery& scenery, const sensors::Perspective& view
     if (!frustum.may_see(optical.position, piece.radius)) return;
     const double near = std::max(0.01, norm(optical.position) - piece.radius);
     const double size = std::max({piece.scale.x, piece.scale.y, piece.form == Form::sphere ? piece.scale.z : 0});
-    const std::size_t level = view.finest ? roundness.size() - 1 : level_for(pixels * size / near);
+    double error = largest_error * near / pixels;
+    if (depths) error = std::min(error, largest_depth_error);
+    const std::size_t level = view.finest ? roundness.size() - 1 : level_for(error / size);
     add(solid_of(piece, level, catalog), piece, optical);
   });
   sort();

@@ -37,8 +37,10 @@ struct InstanceGroup {
 /// All instances of a view, those of one solid one after the other. Kept from picture to picture: no allocations.
 class InstanceList {
  public:
-  /// Pieces that are in the picture. Corners of round ones are off by less than a quarter of a pixel.
-  void fill(const Scenery& scenery, const sensors::Perspective& view, double ahead, const SolidCatalog& catalog);
+  /// Pieces that are in the picture. Round ones are off by less than a quarter of a pixel, and with `depths` by less than
+  /// half a millimeter.
+  void fill(const Scenery& scenery, const sensors::Perspective& view, bool depths, double ahead,
+            const SolidCatalog& catalog);
   /// All pieces, for a lamp that looks along the third axis from `eye`; z counts from there.
   void fill_all(const Scenery& scenery, const Vec3d& eye, const Mat3d& axes, double ahead, const SolidCatalog& catalog);
 

@@ -11,4 +11,7 @@ namespace murosimf::sensors {
 /// refreshed before questions are asked.
 [[nodiscard]] collision::QueryScene all_around(Setup& setup, const SensorSurroundings& surroundings);
 
+/// Declares that poses and velocities of all movers are read: what whoever draws them needs (view_source.h).
+void read_motion_of_all(Setup& setup, const SensorSurroundings& surroundings);
+
 }  // namespace murosimf::sensors

@@ -10,7 +10,7 @@
 
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/error.h"
-#include "murosimf/model/properties.h"
+#include "murosimf/sensors/all_around.h"
 
 namespace murosimf::sensors {
 namespace {
@@ -48,17 +48,6 @@ CameraInfo info_of(const SensorSpec& spec, const CameraSpec& camera, const Mount
   return info;
 }
 
-/// Everything that is drawn moves with these.
-void read_motion_of_all(Setup& setup, const std::vector<Entity*>& movers) {
-  for (Entity* mover : movers) {
-    Setup other = setup.of(*mover);
-    (void)other.read(properties::position);
-    (void)other.read(properties::orientation);
-    (void)other.read(properties::linear_velocity);
-    (void)other.read(properties::angular_velocity);
-  }
-}
-
 Perspective perspective_of(const ViewWindow& window, const Vec3d& eye, const Mat3d& axes, const Rows& rows) {
   Perspective perspective;
   perspective.eye = eye;
@@ -92,7 +81,7 @@ Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
       noise_({spec_.shot_noise, spec_.read_noise},
              RandomStream(surroundings.seed, setup.entity().name() + "/" + spec.name + "/pixels")),
       on_the_way_(most_on_the_way()) {
-  read_motion_of_all(setup, surroundings.movers);
+  read_motion_of_all(setup, surroundings);
   if (!spec_.mosaic.empty()) pattern_ = bayer_pattern(spec_.mosaic);
   frame_.wanted = spec_.always_on;
 }

@@ -40,14 +40,14 @@ std::vector<std::uint16_t> gaussian(double sigma, int radius) {
 
 GaussianBlur::GaussianBlur(double sigma, int width, int height)
     : radius_(checked_radius(sigma)), width_(width), height_(height), weights_(gaussian(sigma, radius_)) {
-  const auto numbers = static_cast<std::size_t>(3 * width);
-  wide_row_.resize(numbers + static_cast<std::size_t>(6 * radius_));
+  const std::size_t numbers = 3 * static_cast<std::size_t>(width);
+  wide_row_.resize(numbers + 6 * static_cast<std::size_t>(radius_));
   sum_.resize(numbers);
   rows_.resize(numbers * static_cast<std::size_t>(height));
 }
 
 void GaussianBlur::apply(ColorImage& picture) noexcept {
-  const auto numbers = static_cast<std::size_t>(3 * width_);
+  const std::size_t numbers = 3 * static_cast<std::size_t>(width_);
   for (int v = 0; v < height_; ++v) {
     blur_row(picture.row(v), std::span(rows_).subspan(static_cast<std::size_t>(v) * numbers, numbers));
   }
@@ -73,8 +73,8 @@ void GaussianBlur::blur_row(std::span<const Rgb> row, std::span<std::uint16_t> t
     }
   }
   std::ranges::fill(sum_, static_cast<std::uint16_t>(radius_ / 2));
-  const std::uint16_t* center = wide_row_.data() + 3 * radius_;
-  for (int i = 1; i <= radius_; ++i) add(center - 3 * i, center + 3 * i, weights_[static_cast<std::size_t>(i)]);
+  const std::uint16_t* center = wide_row_.data() + 3 * static_cast<std::size_t>(radius_);
+  for (std::size_t i = 1; i < weights_.size(); ++i) add(center - 3 * i, center + 3 * i, weights_[i]);
   for (std::size_t i = 0; i < to.size(); ++i) {
     to[i] = static_cast<std::uint16_t>(sum_[i] + ((std::uint32_t{center[i]} * weights_[0] + 0x8000) >> 16));
   }

@@ -29,6 +29,7 @@ double normal_quantile(double p) {
 const std::vector<float>& normals() {
   static const auto table = [] {
     std::vector<double> exact;
+    exact.reserve(bins);
     double squares = 0;
     for (std::size_t i = 0; i < bins; ++i) {
       exact.push_back(normal_quantile((static_cast<double>(i) + 0.5) / bins));
@@ -36,6 +37,7 @@ const std::vector<float>& normals() {
     }
     const double scale = std::sqrt(bins / squares);
     std::vector<float> made;
+    made.reserve(bins);
     for (const double z : exact) made.push_back(static_cast<float>(scale * z));
     return made;
   }();
@@ -72,13 +74,14 @@ ImageNoise::ImageNoise(const ImageNoiseSpec& spec, const RandomStream& stream) :
 
 void ImageNoise::apply(ColorImage& picture, std::uint64_t number) const noexcept {
   constexpr double two_to_53 = 9007199254740992.0;
+  constexpr float half = 0.5F;  // conversion to whole numbers cuts off
   const auto start = static_cast<std::uint64_t>(stream_.uniform(number) * two_to_53) << 11;
   const float* normal = normals().data();
   const std::uint16_t* light = light_table().data();
   const std::uint8_t* values = value_table().data();
   const auto noisy = [&](std::uint8_t value, std::uint64_t bits) {
     const float sum = static_cast<float>(light[value]) + deviation_[value] * normal[bits % bins];
-    return values[static_cast<std::size_t>(std::clamp(sum, 0.0F, static_cast<float>(full_light)) + 0.5F)];
+    return values[static_cast<std::size_t>(half + std::clamp(sum, 0.0F, static_cast<float>(full_light)))];
   };
   std::uint64_t n = 0;
   for (Rgb& color : picture.pixels()) {

@@ -8,14 +8,15 @@
 /// turns takes a scan's time for it.
 /// Source: what infinities mean: ROS REP-117, Informational Distance Measurements.
 ///
+/// depth_laser.h is the same by pictures of depths.
+///
 /// Numbers: rays (1081), opening (4.71238898 rad = 270 deg), first_angle (-opening / 2 rad), nearest (0.06 m),
 /// farthest (30 m).
 #pragma once
 
-#include "murosimf/collision/scan.h"
 #include "murosimf/sensors/all_around.h"
+#include "murosimf/sensors/laser_fan.h"
 #include "murosimf/sensors/mounting.h"
-#include "murosimf/sensors/numbers.h"
 #include "murosimf/sensors/sensor.h"
 
 namespace murosimf::sensors {

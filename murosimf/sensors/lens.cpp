@@ -117,6 +117,7 @@ std::optional<Vec3d> looked(const AnglePolynomial& map, const PlanePoint& d) {
 const std::vector<std::string_view>& lens_models() {
   static const std::vector<std::string_view> names = [] {
     std::vector<std::string_view> list;
+    list.reserve(models.size());
     for (const Model& model : models) list.push_back(model.name);
     return list;
   }();

@@ -49,7 +49,8 @@ void LightMean::add(const ColorImage& picture) noexcept {
 void LightMean::write(ColorImage& picture) const noexcept {
   const std::vector<std::uint8_t>& values = value_table();
   const double share = count_ > 0 ? 1.0 / count_ : 0;
-  const auto value = [&](std::uint32_t sum) { return values[static_cast<std::size_t>(sum * share + 0.5)]; };
+  constexpr double half = 0.5;  // conversion to whole numbers cuts off
+  const auto value = [&](std::uint32_t sum) { return values[static_cast<std::size_t>(half + sum * share)]; };
   const std::uint32_t* sum = sums_.data();
   for (Rgb& color : picture.pixels()) {
     color = {value(sum[0]), value(sum[1]), value(sum[2])};

@@ -260,7 +260,7 @@ DrawCount GlDrawing::draw(const sensors::Perspective& wanted, const sensors::Lay
   sensors::Perspective view = wanted;
   if (view.rows == 0) view.rows = view.height - view.first_row;
   if (light.shadows && layers.color) draw_shadows(view, light, ahead);
-  list_.fill(scenery_, view, ahead, catalog_);
+  list_.fill(scenery_, view, layers.depth, ahead, catalog_);
   // several samples to a pixel make sense for colors only
   std::vector<std::pair<sensors::Layers, int>> passes{{layers, 1}};
   if (samples > 1 && layers.color) {

@@ -1,0 +1,13 @@
+// Calibrations of cameras, YAML.
+#include "murosimf/io/camera_info.h"
+#include "tests/fuzz/fuzz.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace murosimf;
+  fuzz::feed(data, size, ".yaml", [](const auto& file) {
+    const io::CameraInfo info = io::read_camera_info(file);
+    (void)sensors::Lens(info.lens).fold_remark();
+    (void)io::camera_info_yaml(info);
+  });
+  return 0;
+}

@@ -1,0 +1,80 @@
+/// drawn.h - small worlds that a renderer draws; tests skip where nothing can draw.
+#pragma once
+
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "murosimf/io/field.h"
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/render/renderer.h"
+#include "tests/fixtures.h"
+
+namespace murosimf::test {
+
+/// Why nothing can be drawn here; empty if something can.
+inline std::string no_drawing() {
+  static const std::string reason = [] {
+    try {
+      const World empty;
+      const render::Renderer renderer(empty, {}, render::looks_of_shapes);
+      return std::string();
+    } catch (const SetupError& error) {
+      return std::string(error.what());
+    }
+  }();
+  return reason;
+}
+
+struct DrawnWorld {
+  Entity& add(const std::string& name, ModelPtr model, const Vec3d& place, const Mat3d& turn = {}) {
+    Entity& entity = world.add(name, std::move(model));
+    entity.column(properties::position).values.assign(entity.model().size(), place);
+    entity.column(properties::orientation).values.assign(entity.model().size(), turn);
+    entity.column(properties::linear_velocity).values.assign(entity.model().size(), {});
+    entity.column(properties::angular_velocity).values.assign(entity.model().size(), {});
+    movers.push_back(&entity);
+    return entity;
+  }
+  Entity& add_ball(const std::string& name, double radius, const Vec3d& place) {
+    return add(name, std::make_shared<const Model>(fixtures::ball_model(radius, 0.4)), place);
+  }
+  void add_field(bool goals = true) { world.add("field", io::field_model(io::kid_size_2008, "carpet", {}, goals)); }
+
+  sensors::View draw(const sensors::Perspective& view, const sensors::Layers& layers = {true, true, true},
+                     render::RendererOptions options = {.light = {.shadows = false}}, double ahead = 0) {
+    render::Renderer renderer(world, movers, render::looks_of_shapes, options);
+    renderer.locate();
+    sensors::View drawn;
+    renderer.draw(view, layers, ahead, drawn);
+    EXPECT_EQ(renderer.trouble(), "");
+    return drawn;
+  }
+
+  World world;
+  std::vector<Entity*> movers;
+};
+
+/// From `eye` along x, x of the picture to -y; `half`: tangent of half the opening, to all sides.
+inline sensors::Perspective along_x(const Vec3d& eye, double half, int width, int height) {
+  sensors::Perspective view;
+  view.eye = eye;
+  view.axes = {{0, -1, 0}, {0, 0, -1}, {1, 0, 0}};
+  view.right = half;
+  view.left = -half;
+  view.bottom = half * height / width;
+  view.top = -view.bottom;
+  view.width = width;
+  view.height = height;
+  return view;
+}
+
+/// The world ray of the middle of a pixel, z forward 1.
+inline Vec3d ray_of(const sensors::Perspective& view, int u, int v) {
+  const double x = view.left + (u + 0.5) * (view.right - view.left) / view.width;
+  const double y = view.top + (v + 0.5) * (view.bottom - view.top) / view.height;
+  return view.axes * Vec3d{x, y, 1};
+}
+
+}  // namespace murosimf::test
