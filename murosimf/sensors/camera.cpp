@@ -82,7 +82,7 @@ Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
              RandomStream(surroundings.seed, setup.entity().name() + "/" + spec.name + "/pixels")),
       on_the_way_(most_on_the_way()) {
   read_motion_of_all(setup, surroundings);
-  if (!spec_.mosaic.empty()) pattern_ = bayer_pattern(spec_.mosaic);
+  if (!spec_.mosaic.empty()) pattern_ = at("mosaic", [&] { return bayer_pattern(spec_.mosaic); });
   frame_.wanted = spec_.always_on;
 }
 
