@@ -9,6 +9,8 @@
 #include "murosimf/control/ball_chaser.h"
 #include "murosimf/control/drive.h"
 #include "murosimf/control/keyframe_player.h"
+#include "murosimf/control/localize.h"
+#include "murosimf/control/obstacle_course.h"
 #include "murosimf/control/trot.h"
 #include "murosimf/control/walk_engine.h"
 #include "murosimf/motion/articulated_dynamics.h"
@@ -76,6 +78,25 @@ void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerO
   simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz);
 }
 
+void attach_localize(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  const double x = 0.5 * options.half_field.x, y = 0.45 * options.half_field.y;
+  const control::LocalizeOptions localize{.markings = options.markings,
+                                          .start = options.start,
+                                          .way = {{0, -y, 0}, {x, 0, 0}, {0, y, 0}, {-x, 0, 0}},
+                                          .seed = options.seed};
+  simulation.attach<control::Localize>("localize", robot, control::Localize::rate_hz, localize);
+  simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz);
+}
+
+void attach_obstacle_course(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  using control::ObstacleCourse;
+  const control::ObstacleCourseOptions course{.start = options.start,
+                                              .goal_x = options.attacks * options.half_field.x,
+                                              .half_width = options.half_field.y};
+  simulation.attach<ObstacleCourse>("obstacle_course", robot, ObstacleCourse::rate_hz, course);
+  simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz);
+}
+
 template <class Law>
 std::shared_ptr<const collision::ContactLaw> make_law() {
   return std::make_shared<Law>();
@@ -118,6 +139,9 @@ constexpr std::array controller_entries{
     Controller{"drive", "drives a car with the speed and turning rate in walk_command", attach_drive},
     Controller{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth",
                attach_ball_chaser},
+    Controller{"localize", "walks a round on the field and finds out from its camera where it is", attach_localize},
+    Controller{"obstacle_course", "crosses the field without touching magenta poles that its camera sees",
+               attach_obstacle_course},
 };
 
 }  // namespace

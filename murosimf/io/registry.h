@@ -48,6 +48,9 @@ struct ControllerOptions {
   double attacks = 1;              ///< +1: the robot's team plays towards positive x, -1: the other way
   Vec3d command;                   ///< [m/s, m/s, rad/s] first walk_command
   std::optional<control::KeyframeMotion> motion;
+  Vec3d start;             ///< [m, m, rad] x, y and heading that the scene's file gives the robot, without its jitter
+  Markings markings;       ///< of the field
+  std::uint64_t seed = 1;  ///< of the scene
 };
 
 struct Controller {

@@ -132,6 +132,9 @@ void Scene::attach_controllers() {
     options.command = robot.command;
     const FieldSize& field = field_size(spec_.field.size);
     options.half_field = {0.5 * field.length, 0.5 * field.width, 0};
+    options.start = {robot.position.x, robot.position.y, robot.heading};
+    options.markings = field_markings(field);
+    options.seed = spec_.seed;
     for (const TeamSpec& team : spec_.teams) {
       if (team.name == robot.team) options.attacks = team.attacks;
     }

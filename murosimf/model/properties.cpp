@@ -26,7 +26,8 @@ constexpr std::array entries{
     variable(common_center_of_mass_velocity), variable(common_inertia), variable(stance_pose),
     variable(stance_foot), variable(remaining_shift), variable(remaining_turn), variable(pushable), variable(separation), variable(absorbed_impulse), variable(walk_command),
     variable(gait_velocity), variable(path_curvature), variable(gait_phase), variable(gait_amplitude), variable(motion_time), variable(distance_walked),
-    variable(balance_up), variable(balance_upright), variable(balance_bias), variable(balance_capture),
+    variable(balance_up), variable(balance_upright), variable(balance_bias), variable(balance_capture), variable(pose_estimate),
+    variable(pose_spread), variable(next_waypoint),
     variable(falls), variable(lying), variable(distance_sample), variable(up_at_start),
     variable(written_position), variable(written_velocity),
 };

@@ -95,6 +95,9 @@ inline constexpr Property<Vec3d>  balance_up         {{"balance_up", "1", "senso
 inline constexpr Property<Vec3d>  balance_upright    {{"balance_upright", "1", "sensor", "mean direction of gravity while the robot settled", Scope::base}};
 inline constexpr Property<Vec3d>  balance_bias       {{"balance_bias", "rad/s", "sensor", "mean of the gyroscope while the robot settled", Scope::base}};
 inline constexpr Property<double> balance_capture    {{"balance_capture", "rad", "-", "lean forward at which the robot would come to rest, smoothed", Scope::base}};
+inline constexpr Property<Vec3d>  pose_estimate      {{"pose_estimate", "m, m, rad", "field", "x, y and heading of the robot as it takes them itself", Scope::base}};
+inline constexpr Property<Vec3d>  pose_spread        {{"pose_spread", "m, m, rad", "field", "standard deviations of what the robot takes for possible poses", Scope::base}};
+inline constexpr Property<double> next_waypoint      {{"next_waypoint", "1", "-", "of the way that the robot walks; 0: the first", Scope::base}};
 inline constexpr Property<double> distance_walked    {{"distance_walked", "m", "world, horizontal", "length of the base's path, sampled twice a second", Scope::base}};
 inline constexpr Property<double> falls              {{"falls", "1", "-", "how often the base tilted over 60 degrees", Scope::base}};
 inline constexpr Property<double> lying              {{"lying", "1", "-", "1 while the base leans over after a fall", Scope::base}};

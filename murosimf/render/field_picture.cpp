@@ -7,6 +7,7 @@
 
 #include "murosimf/render/field_drawing.h"
 #include "murosimf/render/legend.h"
+#include "murosimf/render/overlay_drawing.h"
 #include "murosimf/render/path_drawing.h"
 #include "murosimf/render/png.h"
 
@@ -37,6 +38,7 @@ std::string field_picture_png(const Markings& markings, const std::vector<Path>&
   cairo_scale(canvas.get(), frame.scale, -frame.scale);
   draw_field(canvas.get(), markings, frame);
   draw_paths(canvas.get(), paths, frame);
+  draw_overlay(canvas.get(), options.overlay, frame);
   cairo_restore(canvas.get());
   draw_writing(canvas.get(), frame, paths, options.title);
   check(cairo_status(canvas.get()));

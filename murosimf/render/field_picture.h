@@ -6,6 +6,7 @@
 
 #include "murosimf/math/vec3.h"
 #include "murosimf/model/shape.h"
+#include "murosimf/render/overlay.h"
 
 namespace murosimf::render {
 
@@ -23,6 +24,7 @@ struct Path {
 struct FieldPictureOptions {
   int pixels_per_meter = 160;
   std::string title;  ///< UTF-8, one line
+  Overlay overlay{};  ///< over everything else
 };
 
 /// A PNG file, as bytes, of 2 half_length by 2 half_width of ground, x to the right and y up. An open stroke that

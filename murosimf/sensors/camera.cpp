@@ -69,6 +69,13 @@ Mat3d turned(const Mat3d& axes, const Vec3d& rate, double ahead) {
   return size * ahead == 0 ? axes : rotation((1 / size) * rate, size * ahead) * axes;
 }
 
+/// With the size of the lens's picture: pictures take turns, and those that were never drawn have none yet.
+template <class Pixel>
+Image<Pixel>& sized(Image<Pixel>& image, const LensSpec& lens) {
+  if (image.width() != lens.width || image.height() != lens.height) image = Image<Pixel>(lens.width, lens.height);
+  return image;
+}
+
 }  // namespace
 
 Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
@@ -176,9 +183,9 @@ void Camera::look(const Rows& rows, double ahead, const Layers& layers, View& pi
     }
   }
   if (map_->plain()) return;
-  if (layers.color) map_->apply(windows_.colors, picture.color, rows);
-  if (layers.depth) map_->apply(windows_.depths, picture.depth, rows);
-  if (layers.labels) map_->apply(windows_.labels, picture.labels, rows);
+  if (layers.color) map_->apply(windows_.colors, sized(picture.color, spec_.lens), rows);
+  if (layers.depth) map_->apply(windows_.depths, sized(picture.depth, spec_.lens), rows);
+  if (layers.labels) map_->apply(windows_.labels, sized(picture.labels, spec_.lens), rows);
 }
 
 Camera::Windows::Windows(std::span<const ViewWindow> windows) {
@@ -202,7 +209,7 @@ void Camera::develop(std::uint64_t sample, ColorImage& color, GrayImage& mosaic)
   if (blur_) blur_->apply(color);
   if (exposure_) exposure_->apply(color);
   if (spec_.shot_noise > 0 || spec_.read_noise > 0) noise_.apply(color, sample);
-  if (pattern_) make_mosaic(color, *pattern_, mosaic);
+  if (pattern_) make_mosaic(color, *pattern_, sized(mosaic, spec_.lens));
 }
 
 }  // namespace murosimf::sensors

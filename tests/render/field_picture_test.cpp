@@ -101,6 +101,24 @@ TEST_F(FieldPicture, ShowsRobotsPathsAndBall) {
   EXPECT_NEAR(at_ball.blue, 0, 2);
 }
 
+TEST_F(FieldPicture, ShowsWhatIsLaidOverIt) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  FieldPictureOptions options{.pixels_per_meter = 100, .title = {}};
+  options.overlay.circles = {{{1, 1, 0}, 0.3, red}, {{-1, 1, 0}, 0.3, blue, true}, {{nan, 0, 0}, 0.3, red}};
+  options.overlay.lines = {{{{-2, -1.5, 0}, {-1, -1.5, 0}}, red, true, 0.05}, {{{1, 1, 0}}, red}};
+  options.overlay.arrows = {{{1.5, -1, pi / 2}, 0.4, blue}, {{1, 1, nan}, 0.4, red}};
+  io::write_file(file(), field_picture_png(markings_, {}, options));
+  const Picture picture(file(), 100);
+  EXPECT_TRUE(is_reddish(picture.at(1.3, 1)));  // a ring is empty inside
+  EXPECT_TRUE(is_green(picture.at(1.1, 1)));
+  EXPECT_TRUE(is_bluish(picture.at(-1, 1.1)));
+  EXPECT_TRUE(is_reddish(picture.at(-1.6, -1.5)));
+  EXPECT_TRUE(is_reddish(picture.at(-0.95, -1.5)));  // its head goes on where it ends
+  EXPECT_TRUE(is_bluish(picture.at(1.5, -0.8)));     // along y
+  EXPECT_TRUE(is_bluish(picture.at(1.5, -0.65)));
+  EXPECT_TRUE(is_green(picture.at(1.8, -1)));
+}
+
 TEST_F(FieldPicture, KeepsTheWritingOffTheField) {
   // the robot itself stands far outside
   const std::vector<Path> teams{{"red_1", red, {{50, 50, 0}}},

@@ -1,0 +1,136 @@
+// How well a robot knows where it is on the field, from the lines that its camera sees, against where it really is.
+//
+//     build/release/example_self_localization                        # a table
+//     build/release/example_self_localization 8                      # of runs of 8 s
+//     build/release/example_self_localization localization.png 0.1   # the particles at a time [s], as in the paper's Fig. 7
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <murosimf/control/localize.h>
+#include <murosimf/io/field.h>
+#include <murosimf/io/output_file.h>
+#include <murosimf/io/scene.h>
+#include <murosimf/render/field_picture.h>
+
+using namespace murosimf;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr double near_enough = 0.2;  // [m]
+constexpr double time_to_find = 2;   // [s] errors count from then on
+constexpr Color dark_blue{0, 0, 0.5}, blue{0.2, 0.55, 1}, red{0.95, 0.1, 0.1}, yellow{1, 0.9, 0.1};
+
+/// What the camera of a run is like.
+struct Setting {
+  const char* name;
+  std::vector<std::string> overrides;
+};
+
+const std::vector<Setting> settings{
+    {"plain", {}},
+    {"blurred and noisy",
+     {"robot.sensors.camera.blur=1.5", "robot.sensors.camera.shot_noise=0.03", "robot.sensors.camera.read_noise=0.01"}},
+    {"distorted, mounted 2 deg off",
+     {"robot.sensors.camera.k1=-0.25", "robot.sensors.camera.k2=0.05",
+      "robot.sensors.camera.mounting_error_deg=[0,2,0]"}},
+};
+
+/// x, y and heading, as they really are.
+Vec3d truth(Entity& robot) {
+  const Vec3d place = robot.base().get(properties::position);
+  return {place.x, place.y, heading(robot.base().get(properties::orientation))};
+}
+
+struct Errors {
+  std::vector<double> place, heading;  // [m], [rad]; of all instants
+  std::vector<double> found;           // [s] by run: from then on the place was near enough for a second
+};
+
+/// Adds a run. [s] `duration`; 0: the scene's.
+void run(const Setting& setting, std::uint64_t seed, double duration, Errors& errors) {
+  io::Scene scene("self_localization", {.seed = seed, .overrides = setting.overrides});
+  if (duration == 0) duration = scene.spec().duration;
+  Simulation& simulation = scene.simulation();
+  Entity& robot = simulation.world().entity("robot");
+  double near_since = 0, found = std::numeric_limits<double>::infinity();
+  while (simulation.now() < from_seconds(duration)) {
+    simulation.run(50ms);
+    const double now = seconds(simulation.now());
+    const Vec3d is = truth(robot), believed = robot.base().get(properties::pose_estimate);
+    const double away = std::hypot(believed.x - is.x, believed.y - is.y);
+    if (away > near_enough) near_since = now;
+    if (now >= near_since + 1) found = std::min(found, near_since);
+    if (now <= time_to_find) continue;
+    errors.place.push_back(away);
+    errors.heading.push_back(std::abs(control::wrapped(believed.z - is.z)));
+  }
+  errors.found.push_back(found);
+}
+
+/// Mean, what 95 % are below, largest.
+void print(std::vector<double> numbers, double unit, const char* format) {
+  if (numbers.empty()) return;
+  std::sort(numbers.begin(), numbers.end());
+  double sum = 0;
+  for (const double number : numbers) sum += number;
+  const auto count = static_cast<double>(numbers.size());
+  std::printf(format, unit * sum / count, unit * numbers[static_cast<std::size_t>(0.95 * (count - 1))],
+              unit * numbers.back());
+}
+
+void print_table(double duration) {
+  std::printf(
+      "                               position [m]           heading [deg]          within %.1f m\n"
+      "camera                         mean   95 %%   largest   mean   95 %%   largest  after [s]\n",
+      near_enough);
+  const std::uint64_t runs = duration == 0 ? 3 : 1;
+  for (const Setting& setting : settings) {
+    Errors errors;
+    for (std::uint64_t seed = 1; seed <= runs; ++seed) run(setting, seed, duration, errors);
+    std::printf("%-30s ", setting.name);
+    print(errors.place, 1, "%.3f  %.3f  %.3f    ");
+    print(errors.heading, 180 / pi, "%5.1f  %5.1f  %5.1f    ");
+    std::printf("%.1f\n", *std::max_element(errors.found.begin(), errors.found.end()));
+    std::fflush(stdout);
+  }
+}
+
+/// Particles red, the estimate dark blue, the truth blue, points on lines yellow.
+void draw(const std::string& file, double time) {
+  io::Scene scene("self_localization");
+  scene.simulation().run(from_seconds(time));
+  Entity& robot = scene.simulation().world().entity("robot");
+  const control::Particles& particles = robot.base().get(control::possible_poses);
+  const Vec3d believed = robot.base().get(properties::pose_estimate);
+  render::Overlay overlay;
+  for (const control::Particle& particle : particles.all) overlay.arrows.push_back({particle.pose, 0.18, red});
+  for (const control::LinePoint& point : particles.points) {
+    overlay.circles.push_back({control::from_frame(believed, point.place), 0.02, yellow, true});
+  }
+  overlay.arrows.push_back({truth(robot), 0.5, blue});
+  overlay.arrows.push_back({believed, 0.4, dark_blue});
+  char title[80];
+  std::snprintf(title, sizeof title, "%s: %.1f s", scene.spec().name.c_str(), time);
+  io::write_file(file, render::field_picture_png(io::field_markings(io::kid_size_2008), {},
+                                                 {.pixels_per_meter = 100, .title = title, .overlay = overlay}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const double number = argc > 1 ? std::atof(argv[argc - 1]) : 0;
+  if (argc > 2) {
+    draw(argv[1], number);
+  } else {
+    print_table(number);
+  }
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
+}

@@ -1,0 +1,15 @@
+/// overlay_drawing.h - arrows, circles and lines over a field.
+///
+/// Only for the .cpp files of this folder: it brings cairo in.
+#pragma once
+
+#include "murosimf/render/field_drawing.h"
+#include "murosimf/render/overlay.h"
+
+namespace murosimf::render {
+
+/// Lines, then circles, then arrows; what is not finite is left out. The canvas is in meters, x to the right and y up, the
+/// middle of the field at the origin.
+void draw_overlay(cairo_t* canvas, const Overlay& overlay, const Frame& frame);
+
+}  // namespace murosimf::render
