@@ -74,16 +74,21 @@ void add_render(CLI::App& app, RenderOptions& options, int& exit_code) {
   command->add_option("--time", options.time, "Simulated seconds before the picture, or before the video begins");
   command->add_option("--view", options.view,
                       "From where: overview (usual), top, side, left, right, a robot's name, or a view of the scene");
-  command->add_option("--camera", options.camera, "ROBOT.CAMERA: through a camera that a robot carries");
+  CLI::Option* camera =
+      command->add_option("--camera", options.camera, "ROBOT.CAMERA: through a camera that a robot carries");
   command->add_option("--size", options.size, "WIDTHxHEIGHT in pixels; 1280x720 if not given");
   command->add_option("--layer", options.layer, "color, depth or labels")->capture_default_str();
   command->add_option("--light", options.light, "hall, day or night, instead of the scene's");
-  command->add_flag("--no-shadows", options.no_shadows, "No shadows in pictures from a view");
+  command->add_flag("--no-shadows", options.no_shadows, "No shadows in pictures from a view")->excludes(camera);
   command->add_option("--out", options.out, "PNG file to write");
-  command->add_option("--video", options.video, "Video file to write, .mp4, .webm or .gif (needs ffmpeg)");
+  CLI::Option* video =
+      command->add_option("--video", options.video, "Video file to write, .mp4, .webm or .gif (needs ffmpeg)");
   command->add_option("--fps", options.fps, "Pictures per second of a video; a camera has its own")
+      ->needs(video)
+      ->excludes(camera)
       ->capture_default_str();
-  command->add_option("--duration", options.duration, "Simulated seconds of a video, instead of the scene's");
+  command->add_option("--duration", options.duration, "Simulated seconds of a video, instead of the scene's")
+      ->needs(video);
   command->callback([&] { exit_code = render(options); });
 }
 

@@ -61,8 +61,8 @@ class PictureSource {
   virtual ~PictureSource() = default;
   /// Between two pictures of a video [s].
   [[nodiscard]] virtual Duration period() const = 0;
-  /// The picture of now, or the first one after it; the simulation may go on for that.
-  virtual sensors::ColorImage take() = 0;
+  /// The picture of an instant that has come, or the first one after it; the simulation may go on for that.
+  virtual sensors::ColorImage take(Duration instant) = 0;
 };
 
 /// A place from where people look.
@@ -80,9 +80,8 @@ class Eye final : public PictureSource {
     light.samples = std::max(light.samples, 4);
     renderer_ = scene.make_renderer(light);
   }
-  [[nodiscard]] std::string drawn_by() const { return renderer_->name(); }
   [[nodiscard]] Duration period() const override { return period_; }
-  sensors::ColorImage take() override {
+  sensors::ColorImage take(Duration /*instant*/) override {
     sensors::View view;
     const sensors::Layers layers{layer_ == Layer::color, layer_ == Layer::depth, layer_ == Layer::labels};
     renderer_->draw(io::eye_perspective(scene_, view_, size_.width, size_.height), layers, 0, view);
@@ -104,60 +103,89 @@ class Eye final : public PictureSource {
 class RobotCamera final : public PictureSource {
  public:
   RobotCamera(io::Scene& scene, const RenderOptions& options)
-      : simulation_(scene.simulation()), frame_(find(scene, options.camera)), layer_(layer_of(options.layer)) {
-    if (!options.size.empty()) {
-      throw SetupError(fmt::format("--size: the size of a camera is its own; --set '{}.width=640' changes it",
-                                   with_sensors(options.camera)));
-    }
+      : simulation_(scene.simulation()),
+        path_(options.camera),
+        frame_(at(
+            "--camera '" + path_ + "'", [&]() -> auto& { return find(scene.simulation().world(), path_); })),
+        layer_(layer_of(options.layer)) {
+    if (options.size.empty()) return;
+    throw SetupError(fmt::format("--size: the size of a camera is its own; {} changes it", setting("width=640")));
   }
   [[nodiscard]] Duration period() const override { return frame_.info->period; }
-  sensors::ColorImage take() override {
-    const Duration begin = simulation_.now();
+  sensors::ColorImage take(Duration instant) override {
     // a frame of now is there after the next step, or later by its delay
-    while (frame_.number == 0 || frame_.time < begin) {
-      if (simulation_.now() > begin + frame_.info->period + std::chrono::seconds(10)) {
-        throw SetupError(fmt::format("camera '{}' shows nothing", frame_.info->name));
+    while (frame_.number == 0 || frame_.time < instant) {
+      if (simulation_.now() > instant + frame_.info->period + std::chrono::seconds(10)) {
+        throw SetupError(fmt::format("--camera '{}': it shows nothing", path_));
       }
       simulation_.run(std::chrono::milliseconds(1));
     }
     if (layer_ == Layer::depth) return wanted(frame_.depth, "depth");
     if (layer_ == Layer::labels) return wanted(frame_.labels, "labels");
-    if (!frame_.mosaic.empty()) return render::shown(frame_.mosaic);
-    return frame_.color;
+    return frame_.mosaic.empty() ? wanted(frame_.color, "color") : render::shown(frame_.mosaic);
   }
 
  private:
-  static std::string with_sensors(const std::string& path) {
-    const auto dot = path.find('.');
-    return path.substr(0, dot) + ".sensors" + path.substr(dot);
+  /// What changes the camera, for who reads messages.
+  [[nodiscard]] std::string setting(std::string_view change) const {
+    const auto dot = path_.find('.');
+    return fmt::format("--set '{}.sensors{}.{}'", path_.substr(0, dot), path_.substr(dot), change);
   }
-  static const sensors::Frame& find(io::Scene& scene, const std::string& path) {
+  static const sensors::Frame& find(World& world, const std::string& path) {
     const auto dot = path.find('.');
-    if (dot == std::string::npos) throw SetupError(fmt::format("--camera '{}': write ROBOT.CAMERA", path));
-    Entity& robot = scene.simulation().world().entity(path.substr(0, dot));
-    return sensors::want_frames(robot, path.substr(dot + 1));
+    Entity& robot = world.entity(path.substr(0, dot));
+    if (dot != std::string::npos) return sensors::want_frames(robot, path.substr(dot + 1));
+    std::string cameras;
+    for (const sensors::Frame* frame : sensors::frames_of(robot)) {
+      cameras += fmt::format("{} {}.{}", cameras.empty() ? ", like" : ",", path, frame->info->name);
+    }
+    throw SetupError("write ROBOT.CAMERA" + cameras);
+  }
+  static sensors::ColorImage colors(const sensors::ColorImage& image) { return image; }
+  template <class Image>
+  static sensors::ColorImage colors(const Image& image) {
+    return render::shown(image);
   }
   template <class Image>
-  static sensors::ColorImage wanted(const Image& image, const char* layer) {
-    if (image.empty()) {
-      throw SetupError(
-          fmt::format("--layer {}: the camera does not draw it; --set 'ROBOT.sensors.CAMERA.{}=true' lets it", layer,
-                      layer));
-    }
-    return render::shown(image);
+  [[nodiscard]] sensors::ColorImage wanted(const Image& image, std::string_view layer) const {
+    if (!image.empty()) return colors(image);
+    throw SetupError(fmt::format("--layer {}: the camera does not draw it; {} lets it", layer,
+                                 setting(fmt::format("{}=true", layer))));
   }
 
   Simulation& simulation_;
+  std::string path_;
   const sensors::Frame& frame_;
   Layer layer_;
 };
 
+/// Where the picture goes is found out before anything is computed.
 void check(const RenderOptions& options) {
   if (options.out.empty() == options.video.empty()) {
     throw SetupError("say where the picture goes: either --out FILE.png or --video FILE.mp4");
   }
   if (!options.view.empty() && !options.camera.empty()) throw SetupError("either --view or --camera, not both");
-  if (!(options.fps >= 1 && options.fps <= 240)) throw SetupError("--fps: must be from 1 to 240");
+  if (!(options.fps >= 1 && options.fps <= 240)) {
+    throw SetupError(fmt::format("--fps {}: must be from 1 to 240", options.fps));
+  }
+  if (!options.light.empty()) {
+    std::vector<std::string_view> names;
+    for (const render::NamedLight& light : render::lights()) names.push_back(light.name);
+    if (std::ranges::find(names, options.light) == names.end()) {
+      throw SetupError("--light: " + unknown_name("light", options.light, names));
+    }
+  }
+  if (options.video.empty()) {
+    io::check_writable(options.out);
+  } else {
+    io::check_video(options.video);
+  }
+}
+
+/// Throws SetupError if nothing can be drawn here: cameras would only wait.
+void check_drawing() {
+  const World nothing;
+  const render::Renderer renderer(nothing, {}, render::looks_of_shapes);
 }
 
 void write_video(PictureSource& source, io::Scene& scene, const RenderOptions& options) {
@@ -167,7 +195,7 @@ void write_video(PictureSource& source, io::Scene& scene, const RenderOptions& o
   std::optional<io::VideoFile> video;
   for (Duration next = simulation.now(); next < end; next += source.period()) {
     simulation.run(std::max(Duration{}, next - simulation.now()));
-    const sensors::ColorImage picture = source.take();
+    const sensors::ColorImage picture = source.take(next);
     if (!video) video.emplace(options.video, picture.width(), picture.height(), 1 / seconds(source.period()));
     video->add(picture);
   }
@@ -181,7 +209,6 @@ int render(RenderOptions options) {
   check(options);
   if (options.view.empty() && options.camera.empty()) options.view = "overview";
   if (options.camera.empty() && options.size.empty()) options.size = "1280x720";
-  io::check_writable(options.out.empty() ? options.video : options.out);
   const Duration time = time_of("--time", options.time);
   if (!options.light.empty()) options.overrides.push_back("light.name=" + options.light);
   io::Scene scene(options.scene, {.threads = options.threads,
@@ -190,7 +217,10 @@ int render(RenderOptions options) {
                                   .events = options.events,
                                   .lenient = options.lenient});
   std::unique_ptr<PictureSource> source;
-  if (!options.camera.empty()) source = std::make_unique<RobotCamera>(scene, options);
+  if (!options.camera.empty()) {
+    source = std::make_unique<RobotCamera>(scene, options);
+    check_drawing();
+  }
   scene.simulation().initialize();
   if (!source) source = std::make_unique<Eye>(scene, options);
   for (const std::string& warning : scene.report({}).warnings) fmt::print(stderr, "warning: {}\n", warning);
@@ -198,7 +228,7 @@ int render(RenderOptions options) {
   if (!options.video.empty()) {
     write_video(*source, scene, options);
   } else {
-    io::write_file(options.out, render::image_png(source->take()));
+    io::write_file(options.out, render::image_png(source->take(scene.simulation().now())));
   }
   return 0;
 }

@@ -24,15 +24,6 @@ ShrinkingMesh::ShrinkingMesh(const std::vector<TriangleMesh>& meshes) : meshes_(
   }
 }
 
-Vec3d ShrinkingMesh::normal(const Corners& c) const {
-  return cross(vertices_[c[1]] - vertices_[c[0]], vertices_[c[2]] - vertices_[c[0]]);
-}
-
-bool ShrinkingMesh::has(Index face, Index vertex) const {
-  const Corners& c = faces_[face];
-  return c[0] == vertex || c[1] == vertex || c[2] == vertex;
-}
-
 bool ShrinkingMesh::turns_a_face(Index from, Index to) const {
   for (const Index f : around_[from]) {
     if (has(f, to)) continue;

@@ -25,8 +25,13 @@ class ShrinkingMesh {
   /// Triangles around a vertex; none if it is gone.
   [[nodiscard]] std::span<const Index> around(Index vertex) const { return around_[vertex]; }
   /// Normal of a triangle, as long as twice its area.
-  [[nodiscard]] Vec3d normal(const Corners& corners) const;
-  [[nodiscard]] bool has(Index face, Index vertex) const;
+  [[nodiscard]] Vec3d normal(const Corners& c) const {
+    return cross(vertices_[c[1]] - vertices_[c[0]], vertices_[c[2]] - vertices_[c[0]]);
+  }
+  [[nodiscard]] bool has(Index face, Index vertex) const {
+    const Corners& c = faces_[face];
+    return c[0] == vertex || c[1] == vertex || c[2] == vertex;
+  }
   /// A triangle around `from` would turn by more than about 80 degrees if it were drawn to `to`.
   [[nodiscard]] bool turns_a_face(Index from, Index to) const;
 

@@ -78,7 +78,10 @@ int ChildPipe::wait() noexcept {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-void ChildPipe::refuse() { cannot_run(program_, last_line(errors_.get())); }
+void ChildPipe::refuse() {
+  const std::string words = last_line(errors_.get());
+  throw SetupError(fmt::format("'{}' gave up{}", program_, words.empty() ? " without a word" : ": " + words));
+}
 
 void ChildPipe::write(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {

@@ -53,7 +53,7 @@ class Changer {
   void take(const SensorTable& table, const Names& keys, const std::filesystem::path& beside) {
     check_keys(table, keys);
     if (const auto file = table.values.find("calibration"); file != table.values.end()) {
-      take_calibration(file->second, beside);  // first: the keys beside it win
+      take_calibration(table, file->second, beside);  // first: the keys beside it win
     }
     SensorValues signal;
     for (const auto& [key, value] : table.values) {
@@ -95,24 +95,26 @@ class Changer {
     return contains(numbers_, key) || contains(objects_, key) || contains(flags_, key) || contains(texts_, key);
   }
 
-  void take_calibration(const SensorValue& value, const std::filesystem::path& beside) {
+  /// The numbers of a calibration file; scaled, if the table asks for another size of the picture.
+  void take_calibration(const SensorTable& table, const SensorValue& value, const std::filesystem::path& beside) {
     const std::string name = name_of("calibration", value);
-    const auto file = look_for_data_file(name, "lenses", ".yaml", beside);
-    if (!file) {
-      const auto names = data_file_names("lenses", ".yaml");
-      fail(value.where, unknown_name("calibration", name, Names(names.begin(), names.end())));
-    }
-    const sensors::LensSpec lens = read_camera_info(*file).lens;
-    spec_.texts["lens"] = lens.model;
-    spec_.numbers["width"] = lens.width;
-    spec_.numbers["height"] = lens.height;
-    spec_.numbers["fx"] = lens.fx;
-    spec_.numbers["fy"] = lens.fy;
-    spec_.numbers["cx"] = lens.cx;
-    spec_.numbers["cy"] = lens.cy;
+    const auto file = at(value.where, [&] { return find_lens_file(name, beside); });
+    const sensors::LensSpec lens = at(value.where, [&] { return read_camera_info(file).lens; });
+    const auto scale = [&](const char* key, int size) {
+      const auto other = table.values.find(key);
+      return other == table.values.end() ? 1 : finite_number(key, other->second) / size;
+    };
+    const double x = scale("width", lens.width), y = scale("height", lens.height);
     for (const std::string_view model : sensors::lens_models()) {
       for (const std::string& key : sensors::lens_coefficients(model)) spec_.numbers.erase(key);
     }
+    spec_.texts["lens"] = lens.model;
+    spec_.numbers["width"] = lens.width;
+    spec_.numbers["height"] = lens.height;
+    spec_.numbers["fx"] = x * lens.fx;
+    spec_.numbers["fy"] = y * lens.fy;
+    spec_.numbers["cx"] = x * (lens.cx + 0.5) - 0.5;  // pixels begin half of one before their middle
+    spec_.numbers["cy"] = y * (lens.cy + 0.5) - 0.5;
     const auto keys = sensors::lens_coefficients(lens.model);
     for (std::size_t i = 0; i < keys.size() && i < lens.coefficients.size(); ++i) {
       spec_.numbers[keys[i]] = lens.coefficients[i];

@@ -1,8 +1,11 @@
 #include "murosimf/io/video_file.h"
 
+#include <algorithm>
+#include <array>
 #include <system_error>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "murosimf/io/output_file.h"
 #include "murosimf/model/error.h"
@@ -10,32 +13,51 @@
 namespace murosimf::io {
 namespace {
 
+constexpr std::array kinds{".mp4", ".webm", ".gif", ".mkv", ".mov", ".avi"};
+constexpr const char* no_ffmpeg =
+    "it is not installed (Debian and Ubuntu: ffmpeg); pictures need --out FILE.png instead of --video";
+
+void check_file(const std::filesystem::path& file) {
+  if (std::ranges::find(kinds, file.extension().string()) == kinds.end()) {
+    throw SetupError(fmt::format("'{}': its extension must say which kind of video it is: {}", file.string(),
+                                 fmt::join(kinds, ", ")));
+  }
+  check_writable(file);
+}
+
+/// Most players want even sizes and 4:2:0; a GIF has a palette for each picture.
+std::vector<std::string> form_of(const std::filesystem::path& file) {
+  if (file.extension() == ".gif") {
+    return {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1"};
+  }
+  return {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"};
+}
+
 std::vector<std::string> command(const std::filesystem::path& file, int width, int height, double rate) {
-  // most players want even sizes and 4:2:0
-  return {"ffmpeg",     "-y",
-          "-loglevel",  "error",
-          "-f",         "rawvideo",
-          "-pix_fmt",   "rgb24",
-          "-s",         fmt::format("{}x{}", width, height),
-          "-r",         fmt::format("{}", rate),
-          "-i",         "-",
-          "-vf",        "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-          "-pix_fmt",   "yuv420p",
-          file.string()};
+  std::vector<std::string> words{"ffmpeg",    "-y",
+                                 "-loglevel", "error",
+                                 "-f",        "rawvideo",
+                                 "-pix_fmt",  "rgb24",
+                                 "-s",        fmt::format("{}x{}", width, height),
+                                 "-r",        fmt::format("{}", rate),
+                                 "-i",        "-"};
+  for (std::string& word : form_of(file)) words.push_back(std::move(word));
+  words.push_back("file:" + file.string());  // a name with a colon is no address
+  return words;
 }
 
 }  // namespace
 
+void check_video(const std::filesystem::path& file) {
+  check_file(file);
+  ChildPipe({"ffmpeg", "-version"}, no_ffmpeg).finish();
+}
+
 VideoFile::VideoFile(std::filesystem::path file, int width, int height, double frames_per_second)
     : file_(std::move(file)), part_(file_) {
-  if (file_.extension().empty()) {
-    throw SetupError(
-        fmt::format("'{}': a video needs an extension, like .mp4: it says of which kind it is", file_.string()));
-  }
-  check_writable(file_);
-  part_.replace_filename(fmt::format(".{}.part{}", file_.stem().string(), file_.extension().string()));
-  ffmpeg_.emplace(command(part_, width, height, frames_per_second),
-                  "it is not installed (Debian and Ubuntu: ffmpeg); pictures need --out FILE.png instead of --video");
+  check_file(file_);
+  part_.replace_filename(fmt::format(".{}.{}.part{}", file_.stem().string(), ::getpid(), file_.extension().string()));
+  ffmpeg_.emplace(command(part_, width, height, frames_per_second), no_ffmpeg);
 }
 
 VideoFile::~VideoFile() {

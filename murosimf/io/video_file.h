@@ -9,10 +9,13 @@
 
 namespace murosimf::io {
 
+/// The extension decides about the kind of video: .mp4, .webm, .gif, .mkv, .mov or .avi. Throws SetupError if it is none
+/// of these, if the file could not be written now, or if there is no ffmpeg: found out before a long run, not after it.
+void check_video(const std::filesystem::path& file);
+
 class VideoFile {
  public:
-  /// The extension decides about the kind of video: .mp4, .webm, .gif. Nothing is at `file` before finish(). Throws
-  /// SetupError: the file cannot be written, or there is no ffmpeg.
+  /// Nothing is at `file` before finish(). Throws SetupError as check_video.
   VideoFile(std::filesystem::path file, int width, int height, double frames_per_second);
   ~VideoFile();
   VideoFile(const VideoFile&) = delete;

@@ -89,7 +89,7 @@ Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
              RandomStream(surroundings.seed, setup.entity().name() + "/" + spec.name + "/pixels")),
       on_the_way_(most_on_the_way()) {
   read_motion_of_all(setup, surroundings);
-  if (!spec_.mosaic.empty()) pattern_ = bayer_pattern(spec_.mosaic);
+  if (!spec_.mosaic.empty()) pattern_ = at("mosaic", [&] { return bayer_pattern(spec_.mosaic); });
   frame_.wanted = spec_.always_on;
 }
 
@@ -100,18 +100,11 @@ void Camera::start() {
   frame_.number = 0;
   source_ = frame_.wanted && find_source_ ? find_source_() : nullptr;
   if (!source_) return;
-  const int width = spec_.lens.width, height = spec_.lens.height;
   map_ = shared_map(spec_.lens, spec_.resolution);
-  if (!map_->plain()) windows_ = Windows(map_->views().size());
-  if (spec_.exposure_time > 0 && spec_.layers.color) mean_.emplace(width, height);
-  if (spec_.blur > 0) blur_.emplace(spec_.blur, width, height);
+  if (!map_->plain()) windows_ = Windows(map_->views());
+  if (spec_.exposure_time > 0 && spec_.layers.color) mean_.emplace(spec_.lens.width, spec_.lens.height);
+  if (spec_.blur > 0) blur_.emplace(spec_.blur, spec_.lens.width, spec_.lens.height);
   if (spec_.exposure != 1) exposure_.emplace(spec_.exposure);
-  for (Picture& picture : on_the_way_) {
-    if (spec_.layers.color) picture.view.color = ColorImage(width, height);
-    if (spec_.layers.depth) picture.view.depth = DepthImage(width, height);
-    if (spec_.layers.labels) picture.view.labels = LabelImage(width, height);
-    if (pattern_) picture.mosaic = GrayImage(width, height);
-  }
 }
 
 void Camera::measure(std::span<double> values) noexcept {
@@ -127,8 +120,18 @@ void Camera::measure(std::span<double> values) noexcept {
 void Camera::taken(std::uint64_t sample) noexcept {
   if (!source_) return;
   Picture& picture = on_the_way_[sample % on_the_way_.size()];
+  fit(spec_.layers.color, picture.view.color);
+  fit(spec_.layers.depth, picture.view.depth);
+  fit(spec_.layers.labels, picture.view.labels);
+  fit(pattern_.has_value(), picture.mosaic);
   expose(picture.view);
   if (spec_.layers.color) develop(sample, picture.view.color, picture.mosaic);
+}
+
+/// Images come back empty from the frame the first time.
+template <class Pixel>
+void Camera::fit(bool wanted, Image<Pixel>& image) const {
+  if (wanted && image.empty()) image = Image<Pixel>(spec_.lens.width, spec_.lens.height);
 }
 
 void Camera::arrived(std::uint64_t sample) noexcept {
@@ -183,6 +186,14 @@ void Camera::look(const Rows& rows, double ahead, const Layers& layers, View& pi
   if (layers.color) map_->apply(windows_.colors, sized(picture.color, spec_.lens), rows);
   if (layers.depth) map_->apply(windows_.depths, sized(picture.depth, spec_.lens), rows);
   if (layers.labels) map_->apply(windows_.labels, sized(picture.labels, spec_.lens), rows);
+}
+
+Camera::Windows::Windows(std::span<const ViewWindow> windows) {
+  for (const ViewWindow& window : windows) {
+    colors.emplace_back(window.width, window.height);
+    depths.emplace_back(window.width, window.height);
+    labels.emplace_back(window.width, window.height);
+  }
 }
 
 void Camera::Windows::draw(ViewSource& source, const Perspective& perspective, const Layers& layers, double ahead,

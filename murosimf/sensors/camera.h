@@ -47,7 +47,7 @@ class Camera final : public Sensor {
   };
   /// What was drawn for each view of the lens map.
   struct Windows {
-    explicit Windows(std::size_t count = 0) : colors(count), depths(count), labels(count) {}
+    explicit Windows(std::span<const ViewWindow> windows = {});
     void draw(ViewSource& source, const Perspective& perspective, const Layers& layers, double ahead,
               std::size_t i) noexcept;
     std::vector<ColorImage> colors;
@@ -60,6 +60,8 @@ class Camera final : public Sensor {
   void taken(std::uint64_t sample) noexcept override;
   void arrived(std::uint64_t sample) noexcept override;
 
+  template <class Pixel>
+  void fit(bool wanted, Image<Pixel>& image) const;
   void expose(View& picture) noexcept;
   /// Looks `ahead` [s] of the sample, and later for later rows.
   void look_at_all_rows(double ahead, const Layers& layers, View& picture) noexcept;

@@ -144,7 +144,7 @@ TEST(CliMistakes, InFiles) {
   expect_mistake("run " + write("broken.toml", "a = 1\nb = [1,\n").string(), {"broken.toml:"});
   expect_mistake("run " + scene_with_model("/no/such/model.xml").string(), {"scene.toml:1:1", "/no/such/model.xml"});
   expect_mistake("run " + scene_with_model(write("text.xml", "not xml at all")).string(), {"text.xml"});
-  expect_mistake("check " + write("text.xml", "not xml at all").string(), {"text.xml"});
+  expect_mistake("check " + write("text.xml", "not xml at all").string(), {"text.xml"}, 1);
   const std::string head =
       "<mujoco><worldbody>\n<body name='b'><freejoint/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>\n";
   const std::string tail = "</body></worldbody></mujoco>\n";
@@ -155,7 +155,7 @@ TEST(CliMistakes, InFiles) {
                     "<body><joint name='j' axis='0 0 0'/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/></body>" +
                     tail)
               .string(),
-      {"axis.xml:3", "axis"});
+      {"axis.xml:3", "axis"}, 1);
   expect_mistake(
       "check " +
           write("mass.xml",
@@ -163,7 +163,7 @@ TEST(CliMistakes, InFiles) {
                     "<body><joint name='j' axis='0 0 1'/><inertial pos='0 0 0' mass='-1' diaginertia='1 1 1'/></body>" +
                     tail)
               .string(),
-      {"mass.xml:3", "mass"});
+      {"mass.xml:3", "mass"}, 1);
 }
 
 TEST(Cli, WritesNumberedPicturesAndTheSameResult) {

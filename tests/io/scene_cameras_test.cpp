@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/io/camera_info.h"
 #include "murosimf/io/scene.h"
 #include "murosimf/io/scene_eyes.h"
 #include "murosimf/sensors/frame.h"
@@ -146,12 +147,12 @@ TEST(SceneCameras, WhatIsWrongIsNamedWithItsPlace) {
   const auto error = [](const std::string& camera) {
     return error_of([&] { const Scene scene(write_scene(game(camera))); });
   };
-  EXPECT_TRUE(says(error("colour = true\n"), {".toml:12:", "colour", "color"}));
-  EXPECT_TRUE(says(error("color = 1\n"), {".toml:12:", "color", "true or false"}));
+  EXPECT_TRUE(says(error("colour = true\n"), {".toml:14:", "colour", "color"}));
+  EXPECT_TRUE(says(error("color = 1\n"), {".toml:14:", "color", "true or false"}));
   EXPECT_TRUE(says(error("mosaic = 'rgbg'\n"), {"mosaic", "rgbg"}));
   EXPECT_TRUE(says(error("lens = 'plumbob'\n"), {"plumbob", "plumb_bob"}));
-  EXPECT_TRUE(says(error("calibration = 'nobody'\n"), {".toml:12:", "nobody"}));
-  EXPECT_TRUE(says(error("mounting_error_deg = 3\n"), {".toml:12:", "mounting_error_deg"}));
+  EXPECT_TRUE(says(error("calibration = 'nobody'\n"), {".toml:14:", "nobody"}));
+  EXPECT_TRUE(says(error("mounting_error_deg = 3\n"), {".toml:14:", "mounting_error_deg"}));
   EXPECT_TRUE(
       says(error_of([] { const Scene s(write_scene("[light]\nname = 'moon'\n" + game())); }), {".toml:2:", "moon"}));
   EXPECT_TRUE(
@@ -165,7 +166,14 @@ TEST(SceneCameras, ACalibrationFileIsTheLensAndKeysBesideItWin) {
   const sensors::LensSpec& lens = frame(scene, "one").info->lens.spec();
   EXPECT_EQ(lens.model, "equidistant");
   EXPECT_EQ(lens.width, 80) << "a key";
-  EXPECT_NEAR(lens.coefficients.at(0), 0.386, 1e-9);
+  const sensors::LensSpec file = read_camera_info(find_lens_file("nubots_frankie")).lens;
+  EXPECT_EQ(lens.coefficients.at(0), file.coefficients.at(0));
+  const double scale = 80.0 / file.width;
+  EXPECT_NEAR(lens.fx, scale * file.fx, 1e-9) << "a smaller picture of the same view";
+  const auto ray = sensors::Lens(lens).ray({10, 29.5}),
+             same = sensors::Lens(file).ray({10.5 / scale - 0.5, 30.0 * file.height / 60 - 0.5});
+  ASSERT_TRUE(ray && same);
+  EXPECT_LT(norm(*ray - *same), 1e-9);
 }
 
 TEST(SceneEyes, SeeTheWholeFieldAndKnowTheirNames) {

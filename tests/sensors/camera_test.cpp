@@ -213,8 +213,8 @@ void expect_directions(const std::map<std::string, double>& numbers, const std::
   const Frame& frame = rig.attach_camera(box, spec);
   rig.begin();
   RangeRig::put(box, {0, 0, 1});
-  rig.simulation.run(1ms);
-  EXPECT_EQ(rig.painter.looks.size(), views);
+  rig.simulation.run(61ms);  // several frames: images take turns
+  EXPECT_EQ(rig.painter.looks.size(), 4 * views);
   for (int v = 0; v < 120; v += 7) {
     for (int u = 0; u < 160; u += 7) {
       const auto ray = frame.info->lens.ray({static_cast<double>(u), static_cast<double>(v)});

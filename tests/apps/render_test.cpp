@@ -1,0 +1,365 @@
+// Pictures and videos as a user meets them.
+#include <set>
+
+#include "tests/apps/program.h"
+
+namespace murosimf::test {
+namespace {
+
+constexpr const char* scene_text =
+    "[ball]\nposition = [0.6, 0.1]\n[views.corner]\neye = [2, 1.5, 1]\nlook_at = [0, 0, 0]\n"
+    "[[robots]]\nname = 'one'\nmodel = 'kid21'\ncommand = [0.2, 0, 0]\n"
+    "[robots.sensors.camera]\nwidth = 64\nheight = 48\ndepth = true\n";
+
+bool has_ffmpeg() { return std::system("ffmpeg -version >/dev/null 2>&1") == 0; }
+
+std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<std::uint8_t>(bytes.at(at + i));
+  return value;
+}
+
+std::string size_of_png(const std::string& bytes) {
+  if (bytes.size() < 24 || bytes.substr(1, 3) != "PNG") return "no PNG";
+  return std::to_string(big_endian(bytes, 16)) + "x" + std::to_string(big_endian(bytes, 20));
+}
+
+/// The number of pictures is in the box that says how long each of them is.
+std::uint32_t pictures_in_mp4(const std::string& bytes) {
+  const auto box = bytes.find("stsz");
+  return box == std::string::npos ? 0 : big_endian(bytes, box + 12);
+}
+
+/// Each picture of a GIF has a graphic control extension.
+int pictures_in_gif(const std::string& bytes) {
+  const std::string mark("\x21\xf9\x04", 3);
+  int count = 0;
+  for (auto at = bytes.find(mark); at != std::string::npos; at = bytes.find(mark, at + 1)) ++count;
+  return count;
+}
+
+/// An environment variable for as long as this lives.
+class Variable {
+ public:
+  Variable(std::string name, const std::string& value) : name_(std::move(name)) {
+    if (const char* before = std::getenv(name_.c_str())) before_ = before;
+    setenv(name_.c_str(), value.c_str(), 1);
+  }
+  ~Variable() {
+    if (before_.empty()) {
+      unsetenv(name_.c_str());
+    } else {
+      setenv(name_.c_str(), before_.c_str(), 1);
+    }
+  }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  std::string name_, before_;
+};
+
+class Folder : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = scratch("folder");
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    scene_ = write("scene.toml", scene_text);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string command(const std::string& options) const {
+    return "render " + scene_.string() + " " + options;
+  }
+  [[nodiscard]] std::string out(const std::string& name = "a.png") const {
+    return " --out " + (folder_ / name).string();
+  }
+  [[nodiscard]] std::string video(const std::string& name) const { return " --video " + (folder_ / name).string(); }
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename());
+    return names;
+  }
+  /// Bytes of a picture or video that is drawn without a word, and is alone in its folder.
+  [[nodiscard]] std::string draw(const std::string& options, const std::string& name = "a.png") const {
+    const Result result = murosimf(command(options) + (name.ends_with(".png") ? out(name) : video(name)));
+    EXPECT_EQ(result.exit_code, 0) << options;
+    EXPECT_EQ(result.output + result.errors, "") << options;
+    EXPECT_EQ(files(), std::vector{name});
+    const std::string bytes = read_file(folder_ / name);
+    fs::remove(folder_ / name);
+    return bytes;
+  }
+  void expect_refused(const std::string& options, const std::vector<std::string>& parts) const {
+    expect_mistake(command(options), parts);
+    EXPECT_EQ(files(), std::vector<std::string>()) << options;
+  }
+
+  fs::path folder_, scene_;
+};
+
+class Render : public Folder {
+ protected:
+  void SetUp() override {
+    Folder::SetUp();
+    static const std::string trouble = murosimf(command("--size 8x8 --out " + scratch("probe.png").string())).errors;
+    if (!trouble.empty()) GTEST_SKIP() << trouble;
+  }
+  static bool no_ffmpeg() { return !has_ffmpeg(); }
+};
+
+TEST_F(Render, EveryViewIsAPictureOfItsOwn) {
+  std::set<std::string> pictures;
+  for (const char* view : {"overview", "top", "side", "left", "right", "corner", "one", "ball"}) {
+    const std::string picture = draw(std::string("--size 120x70 --view ") + view);
+    EXPECT_EQ(size_of_png(picture), "120x70") << view;
+    EXPECT_TRUE(pictures.insert(picture).second) << view << " is the same as another";
+  }
+  EXPECT_TRUE(pictures.contains(draw("--size 120x70"))) << "the overview is the usual one";
+  EXPECT_EQ(size_of_png(draw("")), "1280x720");
+}
+
+TEST_F(Render, ThroughACameraIsOfTheCamerasSize) {
+  const std::string picture = draw("--camera one.camera");
+  EXPECT_EQ(size_of_png(picture), "64x48");
+  EXPECT_EQ(size_of_png(draw("--camera one.camera --set one.sensors.camera.width=33")), "33x48");
+  EXPECT_NE(draw("--camera one.camera --time 2"), picture) << "it walks";
+  EXPECT_NE(draw("--camera one.camera --set one.sensors.camera.blur=2"), picture);
+  EXPECT_EQ(size_of_png(draw("--camera one.camera --set one.sensors.camera.mosaic=rggb")), "64x48");
+}
+
+TEST_F(Render, LayersLightsAndShadowsAreOtherPictures) {
+  std::set<std::string> pictures;
+  for (const char* options :
+       {"--layer color", "--layer depth", "--layer labels", "--light day", "--light night", "--no-shadows", "--time 1",
+        "--camera one.camera", "--camera one.camera --light night", "--camera one.camera --layer depth"}) {
+    const bool camera = std::string(options).find("camera") != std::string::npos;
+    EXPECT_TRUE(pictures.insert(draw(options + std::string(camera ? "" : " --size 120x70"))).second) << options;
+  }
+  EXPECT_TRUE(pictures.contains(draw("--light hall --size 120x70"))) << "the scene's light";
+}
+
+TEST_F(Render, TheSameCallGivesTheSamePicture) {
+  for (const char* options : {"--size 120x70 --time 0.5 --view one", "--camera one.camera --time 0.5"}) {
+    const std::string first = draw(options);
+    EXPECT_EQ(draw(options), first);
+    EXPECT_EQ(draw(options + std::string(" --threads 2")), first);
+  }
+}
+
+TEST_F(Render, AVideoHasAllItsPictures) {
+  if (no_ffmpeg()) GTEST_SKIP() << "no ffmpeg here";
+  const std::string film = draw("--size 65x41 --duration 0.4 --fps 20", "a.mp4");
+  EXPECT_EQ(film.substr(4, 4), "ftyp");
+  EXPECT_EQ(pictures_in_mp4(film), 8u);
+  const std::string gif = draw("--size 65x41 --view one --duration 0.5 --fps 10", "a.gif");
+  EXPECT_EQ(gif.substr(0, 4), "GIF8");
+  EXPECT_EQ(static_cast<int>(gif.at(6)), 65);
+  EXPECT_EQ(static_cast<int>(gif.at(8)), 41);
+  EXPECT_EQ(pictures_in_gif(gif), 5);
+  EXPECT_EQ(draw("--size 65x41 --view one --duration 0.5 --fps 10 --threads 2", "a.gif"), gif);
+}
+
+TEST_F(Render, AVideoThroughACameraShowsEachOfItsFramesOnce) {
+  if (no_ffmpeg()) GTEST_SKIP() << "no ffmpeg here";
+  const std::string prompt = draw("--camera one.camera --duration 0.3", "a.gif");
+  EXPECT_EQ(pictures_in_gif(prompt), 6) << "20 Hz";
+  EXPECT_EQ(draw("--camera one.camera --duration 0.3 --set one.sensors.camera.delay=0.12", "a.gif"), prompt)
+      << "frames that come late are the same frames";
+}
+
+TEST_F(Render, NamesWithColonsAndSpacesAreFiles) {
+  if (no_ffmpeg()) GTEST_SKIP() << "no ffmpeg here";
+  const std::string name = "goal: one.gif";
+  const Result result = murosimf(command("--size 16x16 --duration 0.1 --video '") + (folder_ / name).string() + "'");
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(files(), std::vector{name});
+}
+
+TEST_F(Render, AFileThatIsThereIsReplaced) {
+  std::ofstream(folder_ / "a.png") << "old";
+  EXPECT_EQ(size_of_png(draw("--size 16x16")), "16x16");
+}
+
+TEST_F(Render, OfAFullDiskIsOneLine) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  expect_refused("--size 16x16 --out /dev/full", {"cannot write '/dev/full'"});
+}
+
+TEST_F(Render, SaysWhichLayersACameraDoesNotDraw) {
+  expect_refused("--camera one.camera --layer labels" + out(),
+                 {"--layer labels", "--set 'one.sensors.camera.labels=true'"});
+  expect_refused("--camera one.camera --set one.sensors.camera.color=false" + out(),
+                 {"--layer color", "--set 'one.sensors.camera.color=true'"});
+}
+
+/// A program `ffmpeg` that says its version as the real one and then does as the script.
+std::string path_with_fake(const fs::path& folder, const std::string& script) {
+  fs::create_directories(folder);
+  const fs::path file = folder / "ffmpeg";
+  std::ofstream(file) << "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\n" << script << "\n";
+  fs::permissions(file, fs::perms::owner_all);
+  return folder.string() + ":" + std::getenv("PATH");
+}
+
+TEST_F(Render, AnFfmpegThatDiesIsOneLineAndNoFile) {
+  const std::string options = "--size 320x200 --duration 0.2" + video("a.mp4");
+  const fs::path tools = scratch("tools");
+  struct Death {
+    const char *script, *words;
+  };
+  for (const Death& death :
+       {Death{"head -c 1000 >/dev/null; echo no room left >&2; exit 1", "gave up: no room left"},
+        Death{"head -c 1000 >/dev/null; exit 1", "gave up without a word"},
+        Death{"cat >/dev/null; exit 1", "gave up without a word"},
+        Death{"cat >/dev/null; kill -9 $$", "gave up without a word"}, Death{"cat >/dev/null", "cannot write"}}) {
+    const Variable path("PATH", path_with_fake(tools, death.script));
+    expect_refused(options, {death.words});
+  }
+  fs::remove_all(tools);
+}
+
+TEST_F(Folder, RefusesVideosWithoutFfmpegBeforeTheRun) {
+  const Variable path("PATH", "/nowhere");
+  expect_refused("--time 1e9" + video("a.mp4"), {"'ffmpeg'", "not installed", "--out FILE.png"});
+}
+
+TEST_F(Folder, RefusesPlacesThatAreNotThere) {
+  expect_refused("--view onw" + out(), {"unknown view 'onw'", "did you mean 'one'?"});
+  expect_refused("--view nowhere" + out(), {"unknown view 'nowhere'", "overview", "corner"});
+  expect_refused("--camera one.camra" + out(), {"--camera 'one.camra'", "did you mean 'camera'?"});
+  expect_refused("--camera two.camera" + out(), {"--camera 'two.camera'", "unknown entity 'two'", "one"});
+  expect_refused("--camera one" + out(), {"--camera 'one'", "write ROBOT.CAMERA, like one.camera"});
+  expect_refused("--camera ball.camera" + out(), {"--camera 'ball.camera'", "no camera"});
+  expect_refused("--camera one.camera --set one.sensors.camera=false" + out(), {"'one'", "no camera"});
+  expect_refused("--view top --camera one.camera" + out(), {"either --view or --camera"});
+}
+
+TEST_F(Folder, RefusesImpossibleSizesTimesAndNames) {
+  for (const char* size :
+       {"0x0", "100000x100000", "abc", "640", "640x", "x480", "-4x4", "640x480x3", "1e3x10", "8193x8"})
+    expect_refused(std::string("--size ") + size + out(), {"--size '" + std::string(size) + "'", "WIDTHxHEIGHT"});
+  expect_refused("--camera one.camera --size 64x48" + out(), {"--size", "--set 'one.sensors.camera.width=640'"});
+  for (const char* time : {"-1", "nan", "inf", "1e300"})
+    expect_refused(std::string("--time ") + time + out(), {"--time", "must be a number"});
+  expect_refused("--time soon" + out(), {"--time", "soon"});
+  expect_refused("--layer foo" + out(), {"--layer: unknown layer 'foo'", "labels"});
+  expect_refused("--camera one.camera --layer foo" + out(), {"--layer: unknown layer 'foo'"});
+  expect_refused("--light moon" + out(), {"--light: unknown light 'moon'", "night"});
+  expect_refused("--light nigt" + out(), {"--light", "did you mean 'night'?"});
+  expect_refused("--camera one.camera --no-shadows" + out(), {"--no-shadows", "--camera"});
+  expect_refused("--set one.sensors.camera.width=0 --camera one.camera" + out(), {"camera: width is 0"});
+  expect_refused("--set one.sensors.camera.width=100000 --camera one.camera" + out(), {"camera: width is 100000"});
+}
+
+TEST_F(Folder, RefusesOutputsThatCannotBe) {
+  expect_refused("", {"either --out FILE.png or --video FILE.mp4"});
+  expect_refused(out() + video("a.mp4"), {"either --out FILE.png or --video FILE.mp4"});
+  expect_refused("--time 1e9 --out /no/such/folder/a.png",
+                 {"cannot write '/no/such/folder/a.png'", "there is no folder"});
+  expect_refused("--time 1e9 --out /proc/a.png", {"cannot write '/proc/a.png'"});
+  expect_refused("--time 1e9 --out " + folder_.string(), {"it is a folder"});
+  expect_refused("--time 1e9 --video /no/such/folder/a.mp4", {"/no/such/folder/a.mp4", "there is no folder"});
+  expect_refused("--time 1e9" + video("film"), {"film", "its extension must say which kind", ".mp4"});
+  expect_refused("--time 1e9" + video("film.txt"), {"film.txt", "its extension must say which kind", ".mp4"});
+}
+
+TEST_F(Folder, RefusesOptionsOfVideosForPictures) {
+  expect_refused("--fps 10" + out(), {"--fps", "--video"});
+  expect_refused("--duration 1" + out(), {"--duration", "--video"});
+  expect_refused("--fps 10 --camera one.camera" + video("a.mp4"), {"--fps", "--camera"});
+  for (const char* rate : {"0", "-1", "241", "nan"})
+    expect_refused(std::string("--fps ") + rate + video("a.mp4"), {"--fps", "must be from 1 to 240"});
+  if (!has_ffmpeg()) return;
+  for (const char* duration : {"-1", "nan", "1e300"})
+    expect_refused(std::string("--size 16x16 --duration ") + duration + video("a.mp4"), {"--duration", "must be"});
+}
+
+constexpr const char* no_device = "__EGL_VENDOR_LIBRARY_FILENAMES";
+
+TEST_F(Folder, WithoutADeviceIsOneLineThatNamesPackages) {
+  const Variable none(no_device, "/nonexistent");
+  const std::vector<std::string> parts{"no pictures by OpenGL", "Debian and Ubuntu", "libegl"};
+  expect_refused(out(), parts);
+  expect_refused("--camera one.camera" + out(), parts);
+  if (has_ffmpeg()) expect_refused("--camera one.camera --duration 0.1" + video("a.mp4"), parts);
+}
+
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+std::string state_hash(const Result& run) { return run.output.substr(run.output.find("state hash"), 28); }
+
+TEST(RunWithCameras, WithoutADeviceGoesOnWithOneWarning) {
+  Result blind;
+  {
+    const Variable none(no_device, "/nonexistent");
+    blind = murosimf("run six_cameras --duration 0.1");
+    EXPECT_EQ(blind.exit_code, 0) << blind.errors;
+    EXPECT_EQ(blind.errors, "");
+    EXPECT_EQ(count(blind.output, "warning:"), 1) << blind.output;
+    EXPECT_EQ(count(blind.output, "warning: cameras have no frames: no pictures by OpenGL"), 1) << blind.output;
+    const Result told = murosimf("run six_cameras --duration 0.1 --no-cameras");
+    EXPECT_EQ(count(told.output, "warning:"), 0) << "nobody wants them: " << told.output;
+  }
+  EXPECT_EQ(state_hash(murosimf("run six_cameras --duration 0.1")), state_hash(blind));
+}
+
+std::string calibration(const std::string& fx, const std::string& k1) {
+  return "image_width: 64\nimage_height: 48\ncamera_matrix:\n  rows: 3\n  cols: 3\n  data: [" + fx +
+         ", 0, 32, 0, 40, 24, 0, 0, 1]\ndistortion_model: plumb_bob\n"
+         "distortion_coefficients:\n  rows: 1\n  cols: 4\n  data: [" +
+         k1 + ", 0, 0, 0]\n";
+}
+
+class Calibration : public Folder {
+ protected:
+  void SetUp() override {
+    Folder::SetUp();
+    if (murosimf("lens wolfgang_rory").errors.find("yaml-cpp was missing") != std::string::npos) {
+      GTEST_SKIP() << "no yaml-cpp in this build";
+    }
+  }
+  [[nodiscard]] std::string with(const fs::path& file) const {
+    return scene_.string() + " --set 'one.sensors.camera.calibration=" + file.string() + "' ";
+  }
+};
+
+TEST_F(Calibration, ThatIsWrongIsNamedWithItsLine) {
+  struct Case {
+    std::string name, text;
+    std::vector<std::string> parts;
+  };
+  std::string no_height = calibration("40", "0"), no_model = calibration("40", "0");
+  no_height.erase(no_height.find("image_height"), 17);
+  no_model.erase(no_model.find("distortion_model"), 28);
+  for (const Case& wrong : {Case{"height.yaml", no_height, {"height.yaml:1", "'image_height' is missing"}},
+                            Case{"model.yaml", no_model, {"model.yaml:1", "'distortion_model' is missing"}},
+                            Case{"zero.yaml", calibration("0", "0"), {"zero.yaml:4", "focal length fx is 0"}},
+                            Case{"text.yaml", "no calibration at all", {"text.yaml"}}}) {
+    const fs::path file = write(wrong.name, wrong.text);
+    expect_mistake("run " + with(file), wrong.parts);
+    expect_mistake("render " + with(file) + "--camera one.camera" + out(), wrong.parts);
+    expect_mistake("lens " + file.string(), wrong.parts);
+  }
+  expect_mistake("run " + with("wolfgang_rary"), {"no file 'wolfgang_rary'", "lenses"});
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Calibration, ThatFoldsOverIsNotedWithTheAngle) {
+  const std::string remark = "the distortion folds over at 39.2 deg, inside the picture";
+  const fs::path fold = write("fold.yaml", calibration("40", "-0.5"));
+  const Result run = murosimf("run " + with(fold) + "--duration 0.1");
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_EQ(count(run.output, remark), 1) << run.output;
+  EXPECT_NE(murosimf("lens " + fold.string()).output.find(remark), std::string::npos);
+  const Result good = murosimf("run " + with(write("good.yaml", calibration("40", "-0.1"))) + "--duration 0.1");
+  EXPECT_EQ(count(good.output, "folds over"), 0) << good.output;
+}
+
+}  // namespace
+}  // namespace murosimf::test
