@@ -1,7 +1,7 @@
 // A robot crosses the field between poles that its camera sees: does it touch one?
 //
 //     build/release/example_obstacle_challenge                      # a table: five seeds at every level
-//     build/release/example_obstacle_challenge kinematic_walking    # two seeds at one level
+//     build/release/example_obstacle_challenge kinematic_walking    # one seed at one level
 //     build/release/example_obstacle_challenge course camera 12     # course.png, camera.png at a time [s], as in the paper's Fig. 8
 #include <algorithm>
 #include <cstdio>
@@ -96,7 +96,7 @@ int main(int argc, char** argv) try {
   if (argc > 2) {
     draw(argv[1] + std::string(".png"), argv[2] + std::string(".png"), argc > 3 ? std::atof(argv[3]) : 10);
   } else if (argc > 1) {
-    print_table({argv[1]}, 2);
+    print_table({argv[1]}, 1);
   } else {
     print_table({"kinematic_walking", "simplified_dynamics", "full_dynamics", "articulated_dynamics"}, 5);
   }
