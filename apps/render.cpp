@@ -105,8 +105,7 @@ class RobotCamera final : public PictureSource {
   RobotCamera(io::Scene& scene, const RenderOptions& options)
       : simulation_(scene.simulation()),
         path_(options.camera),
-        frame_(at(
-            "--camera '" + path_ + "'", [&]() -> auto& { return find(scene.simulation().world(), path_); })),
+        frame_(find(scene.simulation().world(), path_)),
         layer_(layer_of(options.layer)) {
     if (options.size.empty()) return;
     throw SetupError(fmt::format("--size: the size of a camera is its own; {} changes it", setting("width=640")));
@@ -132,9 +131,14 @@ class RobotCamera final : public PictureSource {
     return fmt::format("--set '{}.sensors{}.{}'", path_.substr(0, dot), path_.substr(dot), change);
   }
   static const sensors::Frame& find(World& world, const std::string& path) {
-    const auto dot = path.find('.');
-    Entity& robot = world.entity(path.substr(0, dot));
-    if (dot != std::string::npos) return sensors::want_frames(robot, path.substr(dot + 1));
+    return *at(fmt::format("--camera '{}'", path), [&] {
+      const auto dot = path.find('.');
+      Entity& robot = world.entity(path.substr(0, dot));
+      if (dot == std::string::npos) refuse_robot(robot, path);
+      return &sensors::want_frames(robot, path.substr(dot + 1));
+    });
+  }
+  [[noreturn]] static void refuse_robot(const Entity& robot, const std::string& path) {
     std::string cameras;
     for (const sensors::Frame* frame : sensors::frames_of(robot)) {
       cameras += fmt::format("{} {}.{}", cameras.empty() ? ", like" : ",", path, frame->info->name);
@@ -159,7 +163,16 @@ class RobotCamera final : public PictureSource {
   Layer layer_;
 };
 
-/// Where the picture goes is found out before anything is computed.
+void check_light(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const render::NamedLight& light : render::lights()) names.push_back(light.name);
+  if (std::ranges::find(names, name) != names.end()) return;
+  throw SetupError("--light: " + unknown_name("light", name, names));
+}
+
+[[noreturn]] void refuse_no_time() { throw SetupError("--duration 0: a video needs some time"); }
+
+/// What can be found out before anything is computed.
 void check(const RenderOptions& options) {
   if (options.out.empty() == options.video.empty()) {
     throw SetupError("say where the picture goes: either --out FILE.png or --video FILE.mp4");
@@ -168,13 +181,8 @@ void check(const RenderOptions& options) {
   if (!(options.fps >= 1 && options.fps <= 240)) {
     throw SetupError(fmt::format("--fps {}: must be from 1 to 240", options.fps));
   }
-  if (!options.light.empty()) {
-    std::vector<std::string_view> names;
-    for (const render::NamedLight& light : render::lights()) names.push_back(light.name);
-    if (std::ranges::find(names, options.light) == names.end()) {
-      throw SetupError("--light: " + unknown_name("light", options.light, names));
-    }
-  }
+  if (options.duration && time_of("--duration", *options.duration) == Duration{}) refuse_no_time();
+  if (!options.light.empty()) check_light(options.light);
   if (options.video.empty()) {
     io::check_writable(options.out);
   } else {
@@ -189,9 +197,8 @@ void check_drawing() {
 }
 
 void write_video(PictureSource& source, io::Scene& scene, const RenderOptions& options) {
-  const Duration length = time_of("--duration", options.duration.value_or(scene.spec().duration));
   Simulation& simulation = scene.simulation();
-  const Duration end = simulation.now() + length;
+  const Duration end = simulation.now() + from_seconds(options.duration.value_or(scene.spec().duration));
   std::optional<io::VideoFile> video;
   for (Duration next = simulation.now(); next < end; next += source.period()) {
     simulation.run(std::max(Duration{}, next - simulation.now()));
@@ -199,7 +206,7 @@ void write_video(PictureSource& source, io::Scene& scene, const RenderOptions& o
     if (!video) video.emplace(options.video, picture.width(), picture.height(), 1 / seconds(source.period()));
     video->add(picture);
   }
-  if (!video) throw SetupError("--duration 0: a video needs some time");
+  if (!video) refuse_no_time();
   video->finish();
 }
 

@@ -43,14 +43,25 @@ class Frustum {
     const auto unit = [](const Vec3d& v) { return (1 / norm(v)) * v; };
     planes_ = {unit({1, 0, -view.left}), unit({-1, 0, view.right}), unit({0, 1, -view.top}),
                unit({0, -1, view.bottom})};
+    const double x = std::max(-view.left, view.right), y = std::max(-view.top, view.bottom);
+    corner_stretch_ = 1 + x * x + y * y;
   }
   [[nodiscard]] bool may_see(const Vec3d& middle, double radius) const {
     if (middle.z < -radius) return false;
     return std::all_of(planes_.begin(), planes_.end(), [&](const Vec3d& n) { return dot(n, middle) > -radius; });
   }
+  /// [1] by which things look larger than they would on the axis, at most, in the part of the picture that shows a
+  /// sphere: 1 / cos^2 of the angle.
+  [[nodiscard]] double stretch(const Vec3d& middle, double radius) const {
+    const double square = dot(middle, middle), tangent = square - radius * radius;
+    if (tangent <= 0) return corner_stretch_;
+    const double cosine = (middle.z * std::sqrt(tangent) - radius * std::hypot(middle.x, middle.y)) / square;
+    return cosine > 0 ? std::min(corner_stretch_, 1 / (cosine * cosine)) : corner_stretch_;
+  }
 
  private:
   std::array<Vec3d, 4> planes_;
+  double corner_stretch_ = 1;
 };
 
 std::uint8_t byte_of(double share) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0))); }
@@ -112,7 +123,7 @@ void InstanceList::fill(const Scenery& scenery, const sensors::Perspective& view
     if (!frustum.may_see(optical.position, piece.radius)) return;
     const double near = std::max(0.01, norm(optical.position) - piece.radius);
     const double size = std::max({piece.scale.x, piece.scale.y, piece.form == Form::sphere ? piece.scale.z : 0});
-    double error = largest_error * near / pixels;
+    double error = largest_error * near / (pixels * frustum.stretch(optical.position, piece.radius));
     if (depths) error = std::min(error, largest_depth_error);
     const std::size_t level = view.finest ? roundness.size() - 1 : level_for(error / size);
     add(solid_of(piece, level, catalog), piece, optical);

@@ -26,8 +26,9 @@ struct Solid {
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
 };
 
-/// Round solids have `segments` around (a multiple of 4) and the same area in a picture as what they stand for: their
-/// corners stand out a little, the middles of their sides stand in.
+/// Round solids have `segments` around (a multiple of 4). Seen along their axis they cover the same area as what they
+/// stand for: their corners stand out a little, the middles of their sides stand in. From aside a sphere covers up to a
+/// share of 5.5 / segments^2 less.
 [[nodiscard]] Solid unit_sphere(int segments);       ///< radius 1
 [[nodiscard]] Solid unit_half_sphere(int segments);  ///< radius 1, z > 0, open below
 [[nodiscard]] Solid unit_tube(int segments);         ///< radius 1, z from -1 to 1, open

@@ -63,8 +63,8 @@ TEST(ShownDepths, AreGrayAndLinearInTheInverse) {
 
 TEST(ShownDepths, OfNothingAreBlack) {
   for (const float z : {INFINITY, -1.0F, 0.0F, NAN}) {
-    const sensors::DepthImage depth(3, 2, z);
-    for (const Rgb& pixel : shown(depth).pixels()) EXPECT_EQ(pixel, Rgb{}) << z;
+    const sensors::ColorImage colors = shown(sensors::DepthImage(3, 2, z));
+    for (const Rgb& pixel : colors.pixels()) EXPECT_EQ(pixel, Rgb{}) << z;
   }
   EXPECT_TRUE(shown(sensors::DepthImage()).empty());
 }

@@ -125,23 +125,23 @@ TEST(Solid, RoundOnesCoverTheRightAreaSeenAlongTheirAxis) {
   }
 }
 
-TEST(Solid, ASphereCoversTheSameAreaFromEverywhere) {
+TEST(Solid, ASphereCoversNearlyTheSameAreaFromEverywhere) {
   for (const int segments : segment_counts) {
     const Solid sphere = unit_sphere(segments);
     for (int i = 0; i < 50; ++i) {
       const double z = -0.98 + 0.04 * i, angle = 2.4 * i, r = std::sqrt(1 - z * z);
-      EXPECT_NEAR(silhouette(sphere, {r * std::cos(angle), r * std::sin(angle), z}) / pi, 1,
-                  3.5 / (segments * segments))
-          << segments;
+      const double share = silhouette(sphere, {r * std::cos(angle), r * std::sin(angle), z}) / pi;
+      EXPECT_GT(share, 1 - 5.5 / (segments * segments)) << segments;
+      EXPECT_LT(share, 1 + 0.5 / (segments * segments)) << segments;
     }
   }
 }
 
 TEST(Solid, OfHullsIsTheirBoundary) {
   for (const Shape& shape : fixtures::shapes_of_all_kinds()) {
-    const auto* hull = std::get_if<ConvexHull>(&shape);
-    if (!hull) continue;
-    const Solid solid = solid_of(*hull);
+    const auto* convex = std::get_if<Convex>(&shape);
+    if (!convex) continue;
+    const Solid solid = solid_of(*convex->hull);
     EXPECT_EQ(open_edges(solid), 0u);
     EXPECT_GT(volume(solid), 0);
     for (const Facet& facet : facets(solid)) {
