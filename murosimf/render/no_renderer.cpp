@@ -17,7 +17,6 @@ Renderer::~Renderer() = default;
 void Renderer::locate() {}
 void Renderer::draw(const sensors::Perspective& /*perspective*/, const sensors::Layers& /*layers*/, double /*ahead*/,
                     sensors::View& /*view*/) noexcept {}
-const std::vector<std::string>& Renderer::labels() const { return scenery_.labels(); }
 std::string Renderer::name() const { return {}; }
 DrawTotals Renderer::totals() const { return {}; }
 std::string Renderer::trouble() const { return {}; }

@@ -31,7 +31,6 @@ class Renderer final : public sensors::ViewSource {
 
   void draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,
             sensors::View& view) noexcept override;
-  [[nodiscard]] const std::vector<std::string>& labels() const override;
 
   /// To be called once when all algorithms are attached: from then on things are seen where they are.
   void locate();

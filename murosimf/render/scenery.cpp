@@ -33,9 +33,7 @@ EntityLooks looks_of_shapes(const Entity& entity) {
   return looks;
 }
 
-Scenery::Scenery(const World& world, const std::vector<Entity*>& movers, const LooksOf& looks)
-    : labels_{"background", "ground", "line", "goal"} {
-  for (const Entity* mover : movers) labels_.push_back(mover->name());
+Scenery::Scenery(const World& world, const std::vector<Entity*>& movers, const LooksOf& looks) {
   for (const auto& entity : world.entities()) add_entity(*entity, movers, looks);
   std::stable_sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
     return a.owner != b.owner ? a.owner < b.owner : a.object < b.object;

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "murosimf/geometry/manifold.h"
@@ -61,7 +60,6 @@ class Scenery {
 
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
   [[nodiscard]] const std::vector<Solid>& meshes() const { return meshes_; }
-  [[nodiscard]] const std::vector<std::string>& labels() const { return labels_; }
   [[nodiscard]] const Entity* owner(const Piece& piece) const { return owners_[piece.owner].entity; }
   /// Of the first entity that has some; null if none has.
   [[nodiscard]] const Markings* markings() const { return markings_; }
@@ -87,7 +85,6 @@ class Scenery {
   std::vector<Piece> pieces_;  // by owner and object
   std::vector<Solid> meshes_;
   std::vector<const void*> identities_;  // of meshes that several robots share
-  std::vector<std::string> labels_;
   const Markings* markings_ = nullptr;
 };
 

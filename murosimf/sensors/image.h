@@ -47,6 +47,6 @@ struct Rgb {
 using ColorImage = Image<Rgb>;
 using GrayImage = Image<std::uint8_t>;    ///< brightness, or a Bayer mosaic
 using DepthImage = Image<float>;          ///< [m] along the optical axis; infinite where nothing is
-using LabelImage = Image<std::uint16_t>;  ///< what is seen (sensors/picture.h)
+using LabelImage = Image<std::uint16_t>;  ///< what is seen (sensors/view_source.h)
 
 }  // namespace murosimf::sensors

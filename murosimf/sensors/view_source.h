@@ -3,9 +3,6 @@
 /// Optical axes: x to the right, y down, z forward (ROS REP-103, "optical" frames).
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "murosimf/math/mat3.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/sensors/image.h"
@@ -47,9 +44,6 @@ class ViewSource {
   /// Draws the scene as it is at this instant, moved on by `ahead` [s] with the present velocities. Whoever asks while the
   /// simulation runs reads pose and velocity of all movers. Images get the size of the perspective. May be called from several threads at once; the pixels do not depend on the thread.
   virtual void draw(const Perspective& perspective, const Layers& layers, double ahead, View& view) noexcept = 0;
-
-  /// Names of labels: "background", "ground", "line", "goal", then the movers'.
-  [[nodiscard]] virtual const std::vector<std::string>& labels() const = 0;
 };
 
 }  // namespace murosimf::sensors

@@ -46,7 +46,6 @@ class Painter final : public ViewSource {
       }
     }
   }
-  [[nodiscard]] const std::vector<std::string>& labels() const override { return names_; }
 
   struct Look {
     Perspective view;
@@ -54,9 +53,6 @@ class Painter final : public ViewSource {
     double ahead;
   };
   std::vector<Look> looks;
-
- private:
-  std::vector<std::string> names_;
 };
 
 SensorSpec camera(const std::map<std::string, double>& numbers = {}) {

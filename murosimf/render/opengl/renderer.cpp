@@ -50,7 +50,6 @@ Renderer::Renderer(const World& world, const std::vector<Entity*>& movers, const
 Renderer::~Renderer() = default;
 
 void Renderer::locate() { scenery_.locate(); }
-const std::vector<std::string>& Renderer::labels() const { return scenery_.labels(); }
 std::string Renderer::name() const { return contexts_->name; }
 
 DrawTotals Renderer::totals() const {
