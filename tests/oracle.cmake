@@ -1,0 +1,45 @@
+# Comparisons with other programs, where these are installed.
+
+# Kinematics, masses and dynamics against MuJoCo and Pinocchio, lenses against OpenCV, where their Python packages are installed.
+set(MUROSIMF_ORACLE_PYTHON python3 CACHE STRING "Python interpreter that has the packages mujoco, cv2 and numpy")
+foreach(program dump_poses dump_masses dump_robot dump_dynamics dump_trajectory dump_lens)
+  add_executable(${program} oracle/${program}.cpp)
+  target_link_libraries(${program} PRIVATE murosimf murosimf_options fmt::fmt)
+  target_compile_definitions(${program} PRIVATE MUROSIMF_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+endforeach()
+function(add_oracle_test name)
+  add_test(NAME oracle.${name} COMMAND ${MUROSIMF_ORACLE_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/oracle/${name}.py ${ARGN})
+  set_tests_properties(oracle.${name} PROPERTIES SKIP_RETURN_CODE 77)
+endfunction()
+add_oracle_test(kid21_against_mujoco $<TARGET_FILE:dump_poses> ${PROJECT_SOURCE_DIR}/models/kid21.xml)
+add_oracle_test(meshes_against_mujoco $<TARGET_FILE:dump_masses>)
+add_oracle_test(robots_against_mujoco $<TARGET_FILE:dump_robot> ${PROJECT_SOURCE_DIR}/../shared/data)
+add_oracle_test(converted_robots_in_mujoco $<TARGET_FILE:murosimf_app> ${PROJECT_SOURCE_DIR}/models
+  ${PROJECT_SOURCE_DIR}/../shared/data)
+add_oracle_test(random_trees_against_mujoco $<TARGET_FILE:dump_dynamics>)
+add_oracle_test(random_trees_against_pinocchio $<TARGET_FILE:dump_dynamics>)
+add_oracle_test(trajectories_against_mujoco $<TARGET_FILE:dump_trajectory>)
+add_oracle_test(lenses_against_opencv $<TARGET_FILE:dump_lens>)
+
+# Collision against FCL, where it is installed.
+find_package(fcl QUIET)
+if(fcl_FOUND)
+  add_executable(test_fcl oracle/fcl_test.cpp)
+  target_compile_options(test_fcl PRIVATE ${sanitizer_options})
+  target_link_libraries(test_fcl PRIVATE murosimf murosimf_options GTest::gtest_main Eigen3::Eigen fmt::fmt fcl)
+  gtest_discover_tests(test_fcl TEST_PREFIX oracle_fcl. DISCOVERY_TIMEOUT 60 PROPERTIES ENVIRONMENT "${leak_options}")
+endif()
+
+# Files of robots against the reference reader of URDF, where it is installed.
+find_package(PkgConfig QUIET)
+if(PkgConfig_FOUND)
+  pkg_check_modules(urdfdom QUIET IMPORTED_TARGET urdfdom)
+endif()
+if(TARGET PkgConfig::urdfdom)
+  add_executable(test_urdfdom oracle/urdfdom_test.cpp)
+  target_compile_options(test_urdfdom PRIVATE ${sanitizer_options})
+  target_compile_definitions(test_urdfdom PRIVATE MUROSIMF_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(test_urdfdom PRIVATE
+    murosimf murosimf_options GTest::gtest_main Eigen3::Eigen fmt::fmt PkgConfig::urdfdom)
+  gtest_discover_tests(test_urdfdom TEST_PREFIX oracle. DISCOVERY_TIMEOUT 60 PROPERTIES ENVIRONMENT "${leak_options}")
+endif()
