@@ -2,6 +2,7 @@
 
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/kinematics.h"
+#include "murosimf/render/scenery.h"
 
 namespace murosimf::io {
 namespace {
@@ -23,11 +24,6 @@ Poses poses_of(const Entity& entity) {
   return rest;
 }
 
-bool is_default(const Color& color) {
-  const Color gray;
-  return color.red == gray.red && color.green == gray.green && color.blue == gray.blue;
-}
-
 }  // namespace
 
 std::vector<render::ViewedShape> viewed_shapes(const Entity& entity) {
@@ -37,7 +33,7 @@ std::vector<render::ViewedShape> viewed_shapes(const Entity& entity) {
     for (const PlacedShape& placed : *entity.model().find(properties::shapes, i)) {
       if (std::holds_alternative<Plane>(placed.shape)) continue;
       result.push_back({placed.shape, poses.r[i] + poses.R[i] * placed.position, poses.R[i] * placed.orientation,
-                        is_default(placed.color) ? entity.options().color : placed.color});
+                        render::color_on(entity, placed.color)});
     }
   }
   return result;

@@ -9,11 +9,6 @@
 namespace murosimf::render {
 namespace {
 
-bool is_default(const Color& color) {
-  const Color gray;
-  return color.red == gray.red && color.green == gray.green && color.blue == gray.blue;
-}
-
 double farthest(const Solid& solid) {
   double square = 0;
   for (const Corner& corner : solid.corners) {
@@ -24,6 +19,12 @@ double farthest(const Solid& solid) {
 }
 
 }  // namespace
+
+Color color_on(const Entity& entity, const Color& color) {
+  const Color gray;
+  const bool is_default = color.red == gray.red && color.green == gray.green && color.blue == gray.blue;
+  return is_default ? entity.options().color : color;
+}
 
 EntityLooks looks_of_shapes(const Entity& entity) {
   EntityLooks looks;
@@ -67,14 +68,16 @@ void Scenery::add_entity(Entity& entity, const std::vector<Entity*>& movers, con
     if (!markings_) markings_ = model.find(properties::markings, i);
   }
   const EntityLooks own = looks(entity);
-  const auto color_of = [&](const Color& color) { return is_default(color) ? entity.options().color : color; };
   for (const ShownShape& shown : own.shapes) {
-    add_shape({.owner = owner, .object = shown.object, .color = color_of(shown.placed.color), .label = label},
+    add_shape({.owner = owner, .object = shown.object, .color = color_on(entity, shown.placed.color), .label = label},
               shown.placed);
   }
   for (const Looks& part : own.solids) {
-    Piece piece{
-        .owner = owner, .object = part.object, .form = Form::mesh, .color = color_of(part.color), .label = label};
+    Piece piece{.owner = owner,
+                .object = part.object,
+                .form = Form::mesh,
+                .color = color_on(entity, part.color),
+                .label = label};
     piece.radius = farthest(part.solid);
     piece.mesh = add_mesh(part.solid);
     pieces_.push_back(piece);

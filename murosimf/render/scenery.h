@@ -32,6 +32,9 @@ struct EntityLooks {
 };
 using LooksOf = std::function<EntityLooks(const Entity&)>;
 
+/// The color in which an entity shows something of `color`.
+[[nodiscard]] Color color_on(const Entity& entity, const Color& color);
+
 /// All shapes of the model.
 [[nodiscard]] EntityLooks looks_of_shapes(const Entity& entity);
 
