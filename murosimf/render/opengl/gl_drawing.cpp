@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "murosimf/render/opengl/gl_matrix.h"
+#include "murosimf/render/opengl/gl_solids.h"
+#include "murosimf/render/opengl/gl_strokes.h"
 #include "murosimf/render/opengl/shaders.h"
 
 namespace murosimf::render {
@@ -20,7 +22,6 @@ constexpr double nearest = 0.01;     // [m]
 constexpr int shadow_side = 2048;    // [px]
 constexpr std::size_t most_targets = 8;
 
-using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;
 
 Float3 floats(const Vec3d& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
@@ -48,134 +49,6 @@ void set_ground_color(GlProgram& program, const Color& color, const Light& light
   set(program, "in_light", shown(1));
   set(program, "in_shade", shown(0));
 }
-
-void attribute(GLuint index, GLint numbers, GLenum type, std::size_t stride, std::size_t offset, bool per_instance,
-               bool normalized = false) {
-  const void* place = reinterpret_cast<const void*>(offset);
-  glEnableVertexAttribArray(index);
-  if (type == GL_UNSIGNED_INT) {
-    glVertexAttribIPointer(index, numbers, type, static_cast<GLsizei>(stride), place);
-  } else {
-    glVertexAttribPointer(index, numbers, type, normalized ? GL_TRUE : GL_FALSE, static_cast<GLsizei>(stride), place);
-  }
-  glVertexAttribDivisor(index, per_instance ? 1 : 0);
-}
-
-template <class T>
-void upload(GLenum kind, GLuint buffer, const std::vector<T>& data, GLenum use) {
-  glBindBuffer(kind, buffer);
-  glBufferData(kind, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), use);
-}
-
-/// Corners of all solids in one buffer.
-struct SolidBuffers {
-  struct Range {
-    std::size_t first_index = 0, indices = 0;
-    GLint first_corner = 0;
-  };
-
-  void fill(const SolidCatalog& catalog) {
-    std::vector<Corner> corners;
-    std::vector<std::uint32_t> indices;
-    for (const Solid& solid : catalog.solids) {
-      ranges.push_back({indices.size(), solid.triangles.size(), static_cast<GLint>(corners.size())});
-      corners.insert(corners.end(), solid.corners.begin(), solid.corners.end());
-      indices.insert(indices.end(), solid.triangles.begin(), solid.triangles.end());
-    }
-    glBindVertexArray(*array);
-    upload(GL_ELEMENT_ARRAY_BUFFER, *index_buffer, indices, GL_STATIC_DRAW);
-    upload(GL_ARRAY_BUFFER, *corner_buffer, corners, GL_STATIC_DRAW);
-    attribute(0, 3, GL_FLOAT, sizeof(Corner), offsetof(Corner, place), false);
-    attribute(1, 3, GL_FLOAT, sizeof(Corner), offsetof(Corner, normal), false);
-  }
-
-  void draw(const InstanceList& list) {
-    glBindVertexArray(*array);
-    glBindBuffer(GL_ARRAY_BUFFER, *instance_buffer);
-    const auto instances = list.instances();
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()), instances.data(), GL_STREAM_DRAW);
-    for (const InstanceGroup& group : list.groups()) {
-      const std::size_t base = group.first * sizeof(Instance);
-      const auto place = [&](GLuint index, GLint numbers, GLenum type, std::size_t offset, bool normalized = false) {
-        attribute(index, numbers, type, sizeof(Instance), base + offset, true, normalized);
-      };
-      place(2, 4, GL_FLOAT, offsetof(Instance, row_x));
-      place(3, 4, GL_FLOAT, offsetof(Instance, row_y));
-      place(4, 4, GL_FLOAT, offsetof(Instance, row_z));
-      place(5, 3, GL_FLOAT, offsetof(Instance, normal_scale));
-      place(6, 4, GL_UNSIGNED_BYTE, offsetof(Instance, color), true);
-      place(7, 1, GL_UNSIGNED_INT, offsetof(Instance, label));
-      const Range& range = ranges[group.solid];
-      glDrawElementsInstancedBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(range.indices), GL_UNSIGNED_INT,
-                                        reinterpret_cast<const void*>(range.first_index * sizeof(std::uint32_t)),
-                                        static_cast<GLsizei>(group.count), range.first_corner);
-    }
-  }
-
-  std::vector<Range> ranges;
-  GlVertexArray array;
-  GlBuffer corner_buffer, index_buffer, instance_buffer;
-};
-
-/// A corner of the rectangle around one straight piece of a stroke (shaders.cpp).
-struct StrokeCorner {
-  std::array<float, 4> ends, size;
-  Float3 corner;
-};
-
-struct StrokeBuffers {
-  void fill(const Markings& markings) {
-    std::vector<StrokeCorner> corners;
-    for (const Stroke& stroke : markings.strokes) add(stroke, corners);
-    count = static_cast<GLsizei>(corners.size());
-    glBindVertexArray(*array);
-    upload(GL_ARRAY_BUFFER, *buffer, corners, GL_STATIC_DRAW);
-    attribute(0, 4, GL_FLOAT, sizeof(StrokeCorner), offsetof(StrokeCorner, ends), false);
-    attribute(1, 4, GL_FLOAT, sizeof(StrokeCorner), offsetof(StrokeCorner, size), false);
-    attribute(2, 3, GL_FLOAT, sizeof(StrokeCorner), offsetof(StrokeCorner, corner), false);
-  }
-
-  GLsizei count = 0;
-  GlVertexArray array;
-  GlBuffer buffer;
-
- private:
-  /// How a straight piece ends where another one begins.
-  struct Joint {
-    float beyond = 0;   // [m] by which it goes on, so that the outer corner is filled
-    bool soft = false;  // the next one goes on in about the same direction: no edge between them
-  };
-
-  static Joint joint(const Vec3d& before, const Vec3d& at, const Vec3d& after, double half_width) {
-    const Vec3d a = at - before, b = after - at;
-    const double turn = std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y));
-    return {static_cast<float>(half_width * std::tan(std::min(0.5 * turn, 0.25 * pi))), turn < 0.5};
-  }
-
-  static void add(const Stroke& stroke, std::vector<StrokeCorner>& corners) {
-    const auto& p = stroke.points;
-    const double half = 0.5 * stroke.width;
-    const std::size_t last = p.size() - 1;
-    const bool closed = p.size() > 2 && norm(p.front() - p.back()) < 1e-9;
-    for (std::size_t i = 0; i < last; ++i) {
-      Joint begin, end;
-      if (i > 0 || closed) begin = joint(p[i > 0 ? i - 1 : last - 1], p[i], p[i + 1], half);
-      if (i + 1 < last || closed) end = joint(p[i], p[i + 1], p[i + 1 < last ? i + 2 : 1], half);
-      const Float2 a{static_cast<float>(p[i].x), static_cast<float>(p[i].y)};
-      const Float2 b{static_cast<float>(p[i + 1].x), static_cast<float>(p[i + 1].y)};
-      if (a == b) continue;
-      const auto corner = [&](float side, float at) {
-        corners.push_back({{a[0], a[1], b[0], b[1]},
-                           {static_cast<float>(half), begin.beyond, end.beyond, begin.soft ? 1.0F : 0.0F},
-                           {side, at, end.soft ? 1.0F : 0.0F}});
-      };
-      for (const auto& [side, at] :
-           {Float2{-1, 0}, Float2{-1, 1}, Float2{1, 1}, Float2{-1, 0}, Float2{1, 1}, Float2{1, 0}}) {
-        corner(side, at);
-      }
-    }
-  }
-};
 
 /// What the lamp sees: how far its light comes.
 struct ShadowMap {
