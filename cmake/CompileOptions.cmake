@@ -2,7 +2,7 @@
 
 add_library(murosimf_options INTERFACE)
 target_compile_options(murosimf_options INTERFACE
-  -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:${MUROSIMF_UNITY}>>:-Wshadow> -Wnon-virtual-dtor -Wcast-qual -Wno-psabi
+  -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:${MUROSIMF_UNITY}>>:-Wshadow> -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-qual -Wno-psabi
   -Wno-missing-field-initializers
   # products and sums are never fused: the same source gives the same bits on every processor
   -ffp-contract=off)

@@ -65,7 +65,7 @@ void keep_four(Manifold& manifold) noexcept {
   choose(farthest(manifold, [&](const Vec3d& p) { return square(std::max(0.0, dot(aside, p - first))); }));
   choose(farthest(manifold, [&](const Vec3d& p) { return square(std::max(0.0, -dot(aside, p - first))); }));
   take_deepest(manifold, all, norm(along), chosen);
-  std::sort(chosen.index.begin(), chosen.index.begin() + chosen.count);
+  insertion_sort(chosen.index.begin(), chosen.index.begin() + chosen.count);
   for (int k = 0; k < chosen.count; ++k) manifold.points[k] = manifold.points[chosen.index[k]];
   manifold.count = chosen.count;
 }

@@ -1,10 +1,10 @@
 /// manifold.h - where two shapes overlap: one normal and up to eight points.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
+#include "murosimf/math/insertion_sort.h"
 #include "murosimf/math/mat3.h"
 
 namespace murosimf::geometry {
@@ -31,8 +31,8 @@ struct Manifold {
 
 /// Brings the points into an order that stays the same from step to step.
 inline void sort_by_feature(Manifold& manifold) {
-  std::sort(manifold.points.begin(), manifold.points.begin() + manifold.count,
-            [](const ManifoldPoint& a, const ManifoldPoint& b) { return a.feature < b.feature; });
+  insertion_sort(manifold.points.begin(), manifold.points.begin() + manifold.count,
+                 [](const ManifoldPoint& a, const ManifoldPoint& b) { return a.feature < b.feature; });
 }
 
 }  // namespace murosimf::geometry

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "murosimf/geometry/manifold.h"
+#include "murosimf/math/insertion_sort.h"
 
 namespace murosimf::geometry {
 
@@ -71,7 +72,7 @@ Chosen choose_spread(int count, const PointAt& point, const DepthAt& depth) {
   const double missing = depth(deepest) - depth(deepest_chosen);
   if (missing > std::min(detail::clearly_deeper * depth(deepest), detail::clearly_leaning * width))
     chosen.index[chosen.count - 1] = deepest;
-  std::sort(chosen.index.begin(), end);
+  insertion_sort(chosen.index.begin(), end);
   return chosen;
 }
 

@@ -17,14 +17,17 @@
 namespace murosimf::io {
 namespace {
 
-using FilePtr = std::unique_ptr<std::FILE, decltype(&std::fclose)>;
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using FilePtr = std::unique_ptr<std::FILE, CloseFile>;
 
 [[noreturn]] void refuse(const std::string& program, int error) {
   throw SetupError(fmt::format("cannot run '{}': {}", program, std::generic_category().message(error)));
 }
 
 FilePtr temporary(const std::string& program) {
-  FilePtr file(std::tmpfile(), std::fclose);
+  FilePtr file(std::tmpfile());
   if (!file) refuse(program, errno);
   return file;
 }

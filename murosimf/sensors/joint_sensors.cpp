@@ -59,7 +59,7 @@ ServoSensor::ServoSensor(Setup& setup, const SensorSpec& spec, const SensorSurro
   for (const int joint : sensed_joints(setup.model(), spec)) joints_.push_back({joint});
 }
 
-void ServoSensor::measure(std::span<double> values, std::span<const double> column) noexcept {
+void ServoSensor::convert(std::span<double> values, std::span<const double> column) noexcept {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const Joint& joint = joints_[i];
     const double known = column[joint.object];
@@ -88,7 +88,7 @@ MotorCurrent::MotorCurrent(Setup& setup, const SensorSpec& spec, const SensorSur
 
 void MotorCurrent::measure(std::span<double> values) noexcept {
   const bool motor_known = !std::isnan(motor_torque_[joints_[0].object]);
-  ServoSensor::measure(values, motor_known ? motor_torque_ : joint_torque_);
+  ServoSensor::convert(values, motor_known ? motor_torque_ : joint_torque_);
 }
 
 std::string MotorCurrent::remark(std::string_view level) const {

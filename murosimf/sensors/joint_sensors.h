@@ -52,7 +52,8 @@ class ServoSensor : public Sensor {
     int object = 0;
     double factor = 1, otherwise = 0;
   };
-  void measure(std::span<double> values, std::span<const double> column) noexcept;
+  /// Values of a column, times the factors; `otherwise` where the level does not know one (NaN).
+  void convert(std::span<double> values, std::span<const double> column) noexcept;
 
   std::vector<Joint> joints_;
 };
@@ -63,7 +64,7 @@ class JointTorque final : public ServoSensor {
   [[nodiscard]] std::string remark(std::string_view level) const override;
 
  private:
-  void measure(std::span<double> values) noexcept override { ServoSensor::measure(values, torque_); }
+  void measure(std::span<double> values) noexcept override { ServoSensor::convert(values, torque_); }
 
   std::span<const double> torque_;
 };
@@ -84,7 +85,7 @@ class MotorVoltage final : public ServoSensor {
   MotorVoltage(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
 
  private:
-  void measure(std::span<double> values) noexcept override { ServoSensor::measure(values, voltage_); }
+  void measure(std::span<double> values) noexcept override { ServoSensor::convert(values, voltage_); }
 
   std::span<const double> voltage_;
 };
@@ -95,7 +96,7 @@ class MotorTemperature final : public ServoSensor {
   [[nodiscard]] std::string remark(std::string_view level) const override;
 
  private:
-  void measure(std::span<double> values) noexcept override { ServoSensor::measure(values, temperature_); }
+  void measure(std::span<double> values) noexcept override { ServoSensor::convert(values, temperature_); }
 
   std::span<const double> temperature_;
 };

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/temp_folder.h"
+
 namespace murosimf::test {
 
 namespace fs = std::filesystem;
@@ -30,8 +32,7 @@ inline std::string read_file(const fs::path& file) {
 
 inline fs::path scratch(const std::string& name) {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  return fs::path(testing::TempDir()) /
-         (std::string("cli_") + info->test_suite_name() + "_" + info->name() + "_" + name);
+  return fixtures::temp_folder() / (std::string("cli_") + info->test_suite_name() + "_" + info->name() + "_" + name);
 }
 
 inline Result murosimf(const std::string& arguments) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/model/error.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -35,7 +36,7 @@ projection_matrix:
 )";
 
 fs::path write(const std::string& text) {
-  const fs::path file = fs::path(testing::TempDir()) / "camera_info.yaml";
+  const fs::path file = fixtures::temp_folder() / "camera_info.yaml";
   std::ofstream(file) << text;
   return file;
 }

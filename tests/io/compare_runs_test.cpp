@@ -11,6 +11,7 @@
 #include "murosimf/io/compare_verdict.h"
 #include "murosimf/io/scene.h"
 #include "murosimf/model/error.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -56,7 +57,7 @@ class StandingRobot {
   }
 
  private:
-  fs::path file_ = fs::temp_directory_path() / ("compare_runs_test." + std::to_string(::getpid()) + ".toml");
+  fs::path file_ = fixtures::temp_folder() / ("compare_runs_test." + std::to_string(::getpid()) + ".toml");
 };
 
 TEST(MotionRecorder, TakesAHundredSamplesASecondAndTheStart) {

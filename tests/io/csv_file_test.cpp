@@ -11,6 +11,7 @@
 #include "murosimf/io/log_series.h"
 #include "murosimf/model/error.h"
 #include "tests/fixtures.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -38,7 +39,7 @@ class CsvFile : public testing::Test {
     EXPECT_NE(message.find(file_.string() + part), std::string::npos) << text << " said: " << message;
     EXPECT_EQ(message.find('\n'), std::string::npos);
   }
-  fs::path file_ = fs::temp_directory_path() / ("csv_file_test." + std::to_string(::getpid()) + ".csv");
+  fs::path file_ = fixtures::temp_folder() / ("csv_file_test." + std::to_string(::getpid()) + ".csv");
 };
 
 TEST_F(CsvFile, GivesBackWhatALogWrote) {

@@ -13,6 +13,7 @@
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "tests/fixtures.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -23,7 +24,7 @@ using fixtures::says;
 /// A file of its own for every test.
 std::filesystem::path test_file(const std::string& ending) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  return std::filesystem::path(testing::TempDir()) / (std::string("mesh_") + test->name() + ending);
+  return fixtures::temp_folder() / (std::string("mesh_") + test->name() + ending);
 }
 
 std::filesystem::path write(const std::string& bytes, const std::string& ending) {

@@ -10,6 +10,7 @@
 #include "murosimf/io/robot_reader.h"
 #include "murosimf/model/properties.h"
 #include "tests/fixtures.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -21,7 +22,7 @@ using fixtures::says;
 /// A folder of its own for every test.
 std::filesystem::path folder() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto path = std::filesystem::path(testing::TempDir()) / (std::string("mjcf_mesh_") + test->name());
+  const auto path = fixtures::temp_folder() / (std::string("mjcf_mesh_") + test->name());
   std::filesystem::create_directories(path / "meshes");
   return path;
 }

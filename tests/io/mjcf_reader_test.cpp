@@ -13,6 +13,7 @@
 #include "murosimf/io/mjcf_geom.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/kinematics.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -22,7 +23,7 @@ const std::filesystem::path kid21 = std::filesystem::path(MUROSIMF_SOURCE_DIR) /
 /// A file of its own for every test, so that tests can run at the same time.
 std::filesystem::path test_file(const std::string& ending) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  return std::filesystem::path(testing::TempDir()) / (std::string("mjcf_") + test->name() + ending);
+  return fixtures::temp_folder() / (std::string("mjcf_") + test->name() + ending);
 }
 
 std::filesystem::path write(const std::string& text, const std::string& ending = ".xml") {
@@ -596,7 +597,7 @@ TEST(MjcfReader, ADampingRatioIsTurnedIntoAGain) {
 
 TEST(MjcfReader, NamesMissingAndBrokenFiles) {
   EXPECT_TRUE(contains(message_of([] { (void)read_robot("nowhere.xml"); }), "nowhere.xml: there is no such file"));
-  EXPECT_TRUE(contains(message_of([] { (void)read_robot(testing::TempDir()); }), "there is no such file"));
+  EXPECT_TRUE(contains(message_of([] { (void)read_robot(fixtures::temp_folder()); }), "there is no such file"));
   expect_complaint(message("<mujoco>\n<worldbody>\n</mujoco>"), 2, "not well-formed XML");
   expect_complaint(message(""), 1, "not well-formed XML");
   expect_complaint(message("just text"), 1, "not well-formed XML");

@@ -9,6 +9,7 @@
 #include "murosimf/io/data_path.h"
 #include "murosimf/io/scene.h"
 #include "murosimf/model/error.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path write(const std::string& text) {
-  const fs::path file = fs::temp_directory_path() / ("motion_file_test." + std::to_string(::getpid()) + ".toml");
+  const fs::path file = fixtures::temp_folder() / ("motion_file_test." + std::to_string(::getpid()) + ".toml");
   std::ofstream(file) << text;
   return file;
 }

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "murosimf/model/error.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 class OutputFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("output_file_test." + std::to_string(::getpid()));
+    folder_ = fixtures::temp_folder() / ("output_file_test." + std::to_string(::getpid()));
     fs::create_directories(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }

@@ -12,13 +12,14 @@
 
 #include "murosimf/io/child_process.h"
 #include "murosimf/model/error.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path picture() { return fs::temp_directory_path() / ("plot_test." + std::to_string(::getpid()) + ".png"); }
+fs::path picture() { return fixtures::temp_folder() / ("plot_test." + std::to_string(::getpid()) + ".png"); }
 
 std::string content(const fs::path& file) {
   std::stringstream text;

@@ -53,15 +53,18 @@ TEST_P(OwnModel, ComesBackAsItWasWithoutItsTable) {
 INSTANTIATE_TEST_SUITE_P(Mjcf, OwnModel, testing::Values("kid21", "quadruped", "car", "spark_nao0", "spark_nao4"),
                          [](const auto& model) { return std::string(model.param); });
 
-class TeamRobot : public testing::TestWithParam<fs::path (*)()> {};
+class TeamRobot : public testing::TestWithParam<std::pair<std::string, fs::path (*)()>> {};
 
 TEST_P(TeamRobot, ComesBackAsItWas) {
-  const fs::path file = GetParam()();
+  const fs::path file = GetParam().second();
   if (!fs::exists(file)) GTEST_SKIP() << file << " is not there";
   expect_same(*converted(file, {}, false).model, *read_robot(file).model);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, TeamRobot, testing::Values(k1_urdf, k1_mjcf, wolfgang_urdf));
+INSTANTIATE_TEST_SUITE_P(Files, TeamRobot,
+                         testing::Values(std::pair("k1_urdf", k1_urdf), std::pair("k1_mjcf", k1_mjcf),
+                                         std::pair("wolfgang_urdf", wolfgang_urdf)),
+                         [](const auto& robot) { return robot.param.first; });
 
 std::string all_of_urdf() {
   return "<robot name='a &amp; b'>\n"

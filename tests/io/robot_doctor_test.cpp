@@ -8,13 +8,14 @@
 
 #include "murosimf/io/robot_roles.h"
 #include "murosimf/model/properties.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
 
 RobotFile read(const std::string& bodies, const std::string& rest = "") {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto file = std::filesystem::path(testing::TempDir()) / (std::string("doctor_") + test->name() + ".xml");
+  const auto file = fixtures::temp_folder() / (std::string("doctor_") + test->name() + ".xml");
   std::ofstream(file)
       << "<mujoco model='r'><compiler angle='radian'/>\n<worldbody>\n<body name='trunk'><freejoint/>\n"
       << "<inertial pos='0 0 0' mass='1' diaginertia='.01 .01 .01'/><geom type='box' size='.1 .1 .1'/>\n"
@@ -150,7 +151,7 @@ TEST(RobotRoles, ServosAreGuessedFromTorques) {
 TEST(RobotRoles, AreWrittenAsATableThatReadsBack) {
   const RobotFile robot = read(leg("left", 0.1) + leg("right", -0.1) + "<site name='my_imu'/>");
   EXPECT_TRUE(robot.model->find_object("imu"));
-  const auto file = std::filesystem::path(testing::TempDir()) / "doctor_roles.toml";
+  const auto file = fixtures::temp_folder() / "doctor_roles.toml";
   std::ofstream(file) << roles_toml(robot.draft, robot.table);
   const RobotTable table = read_robot_table(file);
   ASSERT_EQ(table.soles.size(), 2u);

@@ -7,13 +7,14 @@
 
 #include "murosimf/io/servo_table.h"
 #include "murosimf/model/error.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
 
 std::filesystem::path write(const std::string& text) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto file = std::filesystem::path(testing::TempDir()) / (std::string("table_") + test->name() + ".toml");
+  const auto file = fixtures::temp_folder() / (std::string("table_") + test->name() + ".toml");
   std::ofstream(file) << text;
   return file;
 }
@@ -135,7 +136,7 @@ TEST(RobotTable, ReadsAnIdealServo) {
 
 /// Writes a servo file beside the table of this test and gives its type.
 std::string servo_file(const std::string& text) {
-  const auto file = std::filesystem::path(testing::TempDir()) /
+  const auto file = fixtures::temp_folder() /
                     (std::string("servo_") + testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml");
   std::ofstream(file) << text;
   return file.stem().string();
@@ -155,8 +156,7 @@ TEST(RobotTable, NamesMistakesInServoFiles) {
   const auto complaint_of = [](const std::string& text, const std::string& more = "") {
     return complaint(section("type = '" + servo_file(text) + "'\n" + more));
   };
-  const std::string file =
-      (std::filesystem::path(testing::TempDir()) / "servo_NamesMistakesInServoFiles.toml").string();
+  const std::string file = (fixtures::temp_folder() / "servo_NamesMistakesInServoFiles.toml").string();
   EXPECT_EQ(complaint_of("law = 'dc_motor'\nstall_torque = -1\n"),
             ":2:8: " + file + ":2:16: 'stall_torque' must be a finite number, at least 0");
   EXPECT_EQ(complaint_of("stall = 1\n"),

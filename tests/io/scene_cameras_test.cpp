@@ -11,6 +11,7 @@
 #include "murosimf/sensors/reading.h"
 #include "tests/law.h"
 #include "tests/render/drawn.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -23,7 +24,7 @@ using sensors::frames_of;
 
 std::string write_scene(const std::string& text) {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = testing::TempDir() + "scene_cameras_" + info->name() + ".toml";
+  const std::string file = fixtures::temp_folder().string() + "/" + "scene_cameras_" + info->name() + ".toml";
   std::ofstream(file) << text;
   return file;
 }

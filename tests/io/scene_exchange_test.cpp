@@ -6,6 +6,7 @@
 #include "murosimf/io/scene.h"
 #include "murosimf/model/properties.h"
 #include "tests/fixtures.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -34,7 +35,7 @@ position = [-1.0, 1.0]
 
 std::string write_scene(const std::string& text) {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = testing::TempDir() + "scene_exchange_" + info->name() + ".toml";
+  const std::string file = fixtures::temp_folder().string() + "/" + "scene_exchange_" + info->name() + ".toml";
   std::ofstream(file) << text;
   return file;
 }

@@ -6,6 +6,7 @@
 #include "murosimf/io/scene.h"
 #include "murosimf/sensors/reading.h"
 #include "tests/fixtures.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -21,7 +22,7 @@ const std::string two = "[[robots]]\nname = 'one'\n[[robots]]\nname = 'two'\npos
 
 std::string write_scene(const std::string& text) {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = testing::TempDir() + "scene_sensors_" + info->name() + ".toml";
+  const std::string file = fixtures::temp_folder().string() + "/" + "scene_sensors_" + info->name() + ".toml";
   std::ofstream(file) << text;
   return file;
 }
@@ -77,7 +78,7 @@ TEST(SceneSensors, DefaultsMayChangeFromTheCommandLineToo) {
 }
 
 TEST(SceneSensors, PartsMayStandBesideTheScene) {
-  std::ofstream(testing::TempDir() + "part_of_scene.toml") << "type = 'gyroscope'\nrate = 40\n";
+  std::ofstream(fixtures::temp_folder().string() + "/" + "part_of_scene.toml") << "type = 'gyroscope'\nrate = 40\n";
   Scene scene(write_scene(start + "[[robots]]\nname = 'one'\n[robots.sensors.x]\npart = 'part_of_scene'\n"));
   EXPECT_EQ(rate_of(reading(scene, "one", "x")), 40);
 }
@@ -153,7 +154,7 @@ void PrintTo(const Mistake& mistake, std::ostream* stream) { *stream << mistake.
 class SceneSensorMistake : public testing::TestWithParam<Mistake> {};
 
 TEST_P(SceneSensorMistake, IsOneLine) {
-  const std::string file = testing::TempDir() + "scene_sensor_mistake_" + GetParam().name + ".toml";
+  const std::string file = fixtures::temp_folder().string() + "/" + "scene_sensor_mistake_" + GetParam().name + ".toml";
   std::ofstream(file) << start << GetParam().text;
   const std::string what = error_of([&] { Scene scene(file, {.overrides = GetParam().overrides}); });
   for (const std::string_view part : GetParam().parts) EXPECT_TRUE(says(what, {part}));

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "murosimf/model/properties.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -39,7 +40,7 @@ position = [1.0, 0.0]
 
 std::string write_scene(const std::string& text) {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = testing::TempDir() + "scene_" + info->name() + ".toml";
+  const std::string file = fixtures::temp_folder().string() + "/" + "scene_" + info->name() + ".toml";
   std::ofstream(file) << text;
   return file;
 }

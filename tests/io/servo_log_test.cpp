@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "murosimf/model/error.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -35,7 +36,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 class ServoLogFile : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("servo_log_test." + std::to_string(::getpid()));
+    folder_ = fixtures::temp_folder() / ("servo_log_test." + std::to_string(::getpid()));
     fs::create_directories(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }

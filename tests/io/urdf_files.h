@@ -11,6 +11,7 @@
 
 #include "murosimf/io/urdf_reader.h"
 #include "murosimf/model/error.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io::urdf_files {
 
@@ -18,7 +19,7 @@ inline std::filesystem::path test_folder() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   std::string name = std::string("urdf_") + test->test_suite_name() + "_" + test->name();
   std::ranges::replace(name, '/', '_');
-  const auto folder = std::filesystem::path(testing::TempDir()) / name;
+  const auto folder = fixtures::temp_folder() / name;
   std::filesystem::create_directories(folder);
   return folder;
 }

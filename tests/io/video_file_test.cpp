@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/fixtures.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -19,7 +20,7 @@ using fixtures::says;
 class VideoFiles : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
+    folder_ = fixtures::temp_folder() /
               (std::string("video_file_") + testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);

@@ -12,6 +12,7 @@
 #include "murosimf/math/random.h"
 #include "tests/oracle/random_urdf.h"
 #include "tests/robot_data.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf {
 namespace {
@@ -190,7 +191,7 @@ void compare(const std::filesystem::path& file, int count) {
 }
 
 TEST(urdf_against_urdfdom, RandomRobots) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "urdfdom_random.urdf";
+  const auto file = fixtures::temp_folder() / "urdfdom_random.urdf";
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE(seed);
     std::ofstream(file) << oracle::RandomUrdf(seed).text();

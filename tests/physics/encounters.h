@@ -24,7 +24,8 @@ class Overlap {
   collision::BodyRef a_, b_;
 };
 
-inline Vec3d momentum(Entity& e) { return e.base().get(properties::total_mass) * Rig::velocity(e); }
+/// [N s]
+inline Vec3d linear_momentum(Entity& e) { return e.base().get(properties::total_mass) * Rig::velocity(e); }
 
 /// A rig whose ground is the field of 2008, with both goals.
 struct Pitch : Rig {

@@ -27,7 +27,7 @@ struct Meeting {
     Vec3d sum;
     for (Entity* robot : {first, second}) {
       const bool free = robot->base().get(properties::pushable) != 0;
-      sum += free ? momentum(*robot) : robot->base().get(properties::absorbed_impulse).f;
+      sum += free ? linear_momentum(*robot) : robot->base().get(properties::absorbed_impulse).f;
     }
     return sum;
   }

@@ -124,9 +124,9 @@ TEST(SelfCollision, KeepsTheMomentumOfTheRobot) {
     Bender bender({.self_collision = on}, false);
     Rig::launch(*bender.robot, {0.3, -0.2, 0.1});
     bender.rig.simulation.step();
-    const Vec3d before = momentum(*bender.robot);
+    const Vec3d before = linear_momentum(*bender.robot);
     bender.rig.run(2);
-    drift[on] = norm(momentum(*bender.robot) - before);
+    drift[on] = norm(linear_momentum(*bender.robot) - before);
     EXPECT_EQ(bender.touches().empty(), !on);
   }
   law::expect_below({.law = "limbs touch in free flight: change of the robot's momentum beyond that without contact",

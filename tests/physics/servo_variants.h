@@ -12,13 +12,15 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/io/robot_reader.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::test {
 
 /// kid21 with this number of all servos scaled, by a changed copy of its table.
 inline ModelPtr kid21_with(const std::string& key, double factor) {
   const std::filesystem::path models = std::string(MUROSIMF_SOURCE_DIR) + "/models";
-  const std::filesystem::path copy = testing::TempDir() + fmt::format("kid21_{}_{}_{}", key, factor, getpid());
+  const std::filesystem::path copy =
+      fixtures::temp_folder().string() + "/" + fmt::format("kid21_{}_{}_{}", key, factor, getpid());
   std::filesystem::create_directories(copy);
   std::filesystem::copy_file(models / "kid21.xml", copy / "kid21.xml");
   std::ifstream table(models / "kid21.toml");
@@ -42,7 +44,7 @@ inline ModelPtr kid21_with(const std::string& key, double factor) {
 /// 2025, parameter files of github.com/Rhoban/bam): k_t = 1.602 N m/A, R = 2.316 ohm.
 inline ModelPtr kid21_with_m6() {
   const std::filesystem::path models = std::string(MUROSIMF_SOURCE_DIR) + "/models";
-  const std::filesystem::path copy = testing::TempDir() + fmt::format("kid21_m6_{}", getpid());
+  const std::filesystem::path copy = fixtures::temp_folder().string() + "/" + fmt::format("kid21_m6_{}", getpid());
   std::filesystem::create_directories(copy);
   std::filesystem::copy_file(models / "kid21.xml", copy / "kid21.xml");
   std::ifstream table(models / "kid21.toml");

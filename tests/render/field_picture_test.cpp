@@ -19,6 +19,7 @@ TEST(FieldPicture, IsWritten) { GTEST_SKIP() << "this build has no cairo"; }
 #include "murosimf/io/output_file.h"
 #include "murosimf/model/error.h"
 #include "tests/render/picture.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::render {
 namespace {
@@ -30,7 +31,7 @@ constexpr Color red{0.85, 0.15, 0.15}, blue{0.15, 0.4, 0.85}, orange{1, 0.5, 0};
 class FieldPicture : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("field_picture_test." + std::to_string(::getpid()));
+    folder_ = fixtures::temp_folder() / ("field_picture_test." + std::to_string(::getpid()));
     fs::create_directories(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }

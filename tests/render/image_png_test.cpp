@@ -10,6 +10,7 @@
 
 #ifdef MUROSIMF_HAS_CAIRO
 #include "tests/render/picture.h"
+#include "tests/temp_folder.h"
 #endif
 
 namespace murosimf::render {
@@ -28,7 +29,7 @@ TEST(ImagePng, IsReadBackAsItWas) {
         *channel = static_cast<std::uint8_t>(noise >> 24);
       }
     }
-    const std::string file = testing::TempDir() + "image_png_test.png";
+    const std::string file = fixtures::temp_folder().string() + "/" + "image_png_test.png";
     std::ofstream(file, std::ios::binary) << image_png(image);
     const Picture picture(file);
     ASSERT_EQ(picture.columns(), width);

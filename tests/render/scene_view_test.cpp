@@ -13,6 +13,7 @@
 #include "murosimf/io/output_file.h"
 #include "murosimf/model/error.h"
 #include "tests/render/picture.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::render {
 namespace {
@@ -49,7 +50,7 @@ TEST(View, MeasuresPixelsRightAndDownAndDepthTowardsTheEye) {
 class SceneView : public testing::Test {
  protected:
   void SetUp() override {
-    file_ = std::filesystem::temp_directory_path() / ("scene_view_test." + std::to_string(::getpid()) + ".png");
+    file_ = fixtures::temp_folder() / ("scene_view_test." + std::to_string(::getpid()) + ".png");
   }
   void TearDown() override { std::filesystem::remove(file_); }
 

@@ -6,6 +6,7 @@
 
 #include "murosimf/io/scene.h"
 #include "tests/law.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::test {
 namespace {
@@ -42,7 +43,7 @@ TEST(Determinism, StartPlacesDoNotDependOnOtherRobots) {
   const std::string file = std::string(MUROSIMF_SOURCE_DIR) + "/scenes/three_on_three.toml";
   std::stringstream text;
   text << std::ifstream(file).rdbuf();
-  const std::string crowded = testing::TempDir() + "crowded.toml";
+  const std::string crowded = fixtures::temp_folder().string() + "/" + "crowded.toml";
   std::string longer = text.str();
   longer.insert(longer.find("[[robots]]"), "[[robots]]\nname = \"guest\"\nlevel = \"kinematic_walking\"\n\n");
   std::ofstream(crowded) << longer;
