@@ -596,7 +596,7 @@ TEST(MjcfReader, ADampingRatioIsTurnedIntoAGain) {
 
 TEST(MjcfReader, NamesMissingAndBrokenFiles) {
   EXPECT_TRUE(contains(message_of([] { (void)read_robot("nowhere.xml"); }), "nowhere.xml: there is no such file"));
-  EXPECT_TRUE(contains(message_of([] { (void)read_robot(testing::TempDir()); }), "there is no such file"));
+  EXPECT_TRUE(contains(message_of([] { (void)read_robot(testing::TempDir()); }), "this is a folder"));
   expect_complaint(message("<mujoco>\n<worldbody>\n</mujoco>"), 2, "not well-formed XML");
   expect_complaint(message(""), 1, "not well-formed XML");
   expect_complaint(message("just text"), 1, "not well-formed XML");
