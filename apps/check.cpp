@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/last_words.h"
 #include "apps/standard_output.h"
 #include "murosimf/io/data_path.h"
 #include "murosimf/io/model_report.h"
@@ -43,7 +44,7 @@ int report_unreadable(const CheckOptions& options, const SetupError& error) {
   report.name = options.model;
   report.findings.push_back(io::make_finding(io::Severity::error, error.what()));
   if (!options.json.empty()) write_result(options.json, "", io::to_json(report));
-  fmt::print(stderr, "murosimf: {}\n", error.what());
+  say_error(error.what());
   return 1;
 }
 

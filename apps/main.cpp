@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/last_words.h"
 #include "murosimf/model/error.h"
 
 namespace {
@@ -242,6 +243,7 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  say_last_words_of_everything();
   CLI::App app("MuRoSimF: teams of humanoid robots at exchangeable levels of physical detail", "murosimf");
   app.require_subcommand(1);
   app.set_version_flag("--version", MUROSIMF_VERSION);
@@ -273,14 +275,10 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    fmt::print(stderr, "murosimf: {}; --help shows what there is\n", error.what());
-    return 2;
-  } catch (const murosimf::SetupError& error) {
-    fmt::print(stderr, "murosimf: {}\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "murosimf: unexpected: {}\n", error.what());
-    return 3;
+    say_error(error.what(), "; --help shows what there is");
+    return users_mistake;
+  } catch (...) {
+    return exit_code_of_exception();
   }
   return exit_code;
 }

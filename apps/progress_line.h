@@ -3,10 +3,9 @@
 
 #include <unistd.h>
 
-#include <cstdio>
 #include <string>
 
-#include <fmt/format.h>
+#include "apps/last_words.h"
 
 namespace murosimf::app {
 
@@ -14,15 +13,14 @@ class ProgressLine {
  public:
   ProgressLine() = default;
   ~ProgressLine() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) show_on_terminal("\r\033[K");
   }
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const std::string& text) const {
     if (!shown_) return;
-    fmt::print(stderr, "\r\033[K{}", text);
-    std::fflush(stderr);
+    show_on_terminal("\r\033[K" + text);
   }
 
  private:

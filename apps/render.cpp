@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/last_words.h"
 #include "apps/standard_output.h"
 #include "murosimf/io/output_file.h"
 #include "murosimf/io/scene.h"
@@ -230,7 +231,7 @@ int render(RenderOptions options) {
   }
   scene.simulation().initialize();
   if (!source) source = std::make_unique<Eye>(scene, options);
-  for (const std::string& warning : scene.report({}).warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : scene.report({}).warnings) say_warning(warning);
   scene.simulation().run(time);
   if (!options.video.empty()) {
     write_video(*source, scene, options);

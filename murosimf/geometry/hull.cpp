@@ -143,6 +143,11 @@ std::optional<ConvexHull> try_hull(const std::vector<Vec3d>& points, std::vector
 /// are planes to the last digit; triangles.
 std::optional<ConvexHull> find_hull(const std::vector<Vec3d>& points, double half) {
   auto coordinates = scaled(points, half);
+  if (points.size() > many_points) {
+    const double outside = thinning * std::ldexp(half, -std::ilogb(half));
+    auto hull = try_hull(points, coordinates, fmt::format("qhull C-0 W{:.6e}", outside));
+    if (hull && is_convex(*hull, 4 * plane_tolerance * half)) return hull;
+  }
   for (const std::string& options :
        {fmt::format("qhull C-0 C{:.0e}", plane_tolerance), std::string("qhull"), std::string("qhull Qt")}) {
     auto hull = try_hull(points, coordinates, options);
@@ -200,7 +205,7 @@ Hull make_hull(std::span<const Vec3d> points) {
   if (!hull || !(thickness(*hull) > least_thickness * extent.half())) {
     throw SetupError("the points lie in a plane; a hull needs a volume");
   }
-  return {std::move(*hull), extent.middle()};
+  return {std::move(*hull), extent.middle(), points.size() > many_points ? thinning * extent.half() : 0};
 }
 
 }  // namespace murosimf::geometry

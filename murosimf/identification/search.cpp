@@ -3,12 +3,17 @@
 #include <nlopt.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
+#include <fmt/format.h>
+
 #include "murosimf/math/random.h"
+#include "murosimf/model/error.h"
 
 namespace murosimf::identification {
 namespace {
@@ -91,6 +96,17 @@ void run(Start& start, const SearchOptions& options, std::uint64_t number) {
   minimize(start, NLOPT_LN_SBPLX, (1 - global_share) * options.evaluations);
 }
 
+/// Calls work(i) for every i below `count`, each in a thread of its own; throws SetupError if the system does not give so many.
+void in_threads(int count, const std::function<void(std::size_t)>& work) {
+  std::vector<std::jthread> threads;  // join when they go
+  try {
+    for (int i = 0; i < count; ++i) threads.emplace_back(work, static_cast<std::size_t>(i));
+  } catch (const std::system_error& error) {
+    throw SetupError(fmt::format("only {} of {} threads could begin ({}); use fewer: --threads {}", threads.size(),
+                                 count, error.code().message(), std::max<std::size_t>(1, threads.size())));
+  }
+}
+
 }  // namespace
 
 Found search(const Objective& objective, const SearchOptions& options, const Progress& progress) {
@@ -100,9 +116,7 @@ Found search(const Objective& objective, const SearchOptions& options, const Pro
     for (std::size_t i = first; i < starts.size(); i += static_cast<std::size_t>(options.threads))
       run(starts[i], options, i);
   };
-  std::vector<std::thread> threads;
-  for (int i = 0; i < options.threads; ++i) threads.emplace_back(work, static_cast<std::size_t>(i));
-  for (std::thread& thread : threads) thread.join();
+  in_threads(std::min(options.threads, options.starts), work);
 
   const auto best = std::ranges::min_element(starts, {}, &Start::cost);
   Found found{.servo = objective.servo_at(best->places), .places = best->places, .cost = best->cost, .costs = {}};

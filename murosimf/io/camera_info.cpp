@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include "murosimf/io/input_file.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
@@ -50,10 +51,9 @@ class Fields {
 
  private:
   static YAML::Node load(const std::string& file) {
+    const std::string text = read_input_file(file, most_yaml_bytes);
     try {
-      return YAML::LoadFile(file);
-    } catch (const YAML::BadFile&) {
-      throw SetupError(fmt::format("cannot read '{}'", file));
+      return YAML::Load(text);
     } catch (const YAML::ParserException& error) {
       throw SetupError(fmt::format("{}:{}: {}", file, error.mark.line + 1, error.msg));
     }

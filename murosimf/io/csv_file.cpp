@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "murosimf/io/input_file.h"
 #include "murosimf/io/text_lines.h"
 #include "murosimf/io/xml_element.h"
 #include "murosimf/model/error.h"
@@ -29,11 +28,7 @@ struct Cell {
 class CellReader {
  public:
   explicit CellReader(const fs::path& file) : name_(file.string()) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || fs::is_directory(file)) throw SetupError(fmt::format("'{}' cannot be read", name_));
-    std::ostringstream text;
-    text << stream.rdbuf();
-    text_ = text.str();
+    text_ = read_input_file(file, most_table_bytes);
     if (text_.starts_with("\xef\xbb\xbf")) place_ = 3;  // byte order mark
   }
 

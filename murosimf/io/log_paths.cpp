@@ -80,6 +80,7 @@ std::vector<LoggedNumber> properties_meant(const std::vector<Search>& all) {
 /// Throws if no path of `numbers` goes on as the pattern does: says where it ends, and what there is.
 void refuse_where_it_ends(const Search& search, std::vector<LoggedNumber> numbers,
                           const std::array<std::string_view, 3>& kinds) {
+  if (numbers.empty()) throw SetupError(fmt::format("'{}' has no numbers that change", search.entity->name()));
   for (std::size_t i = 0; i < search.parts.size(); ++i) {
     std::vector<std::string_view> names;
     for (const LoggedNumber& number : numbers) {

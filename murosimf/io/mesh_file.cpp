@@ -1,10 +1,9 @@
 #include "murosimf/io/mesh_file.h"
 
-#include <system_error>
-
 #include <fmt/format.h>
 
 #include "murosimf/io/dae_file.h"
+#include "murosimf/io/input_file.h"
 #include "murosimf/io/mesh_limits.h"
 #include "murosimf/io/obj_file.h"
 #include "murosimf/io/stl_file.h"
@@ -20,13 +19,7 @@ namespace {
 
 /// Size of a regular file that is not empty [byte].
 std::size_t checked_size(const std::filesystem::path& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) fail(path, "there is no such mesh file");
-  if (std::filesystem::is_directory(status)) fail(path, "this is a folder, not a mesh file");
-  if (!std::filesystem::is_regular_file(status)) fail(path, "this is no ordinary file");
-  const auto size = std::filesystem::file_size(path, error);
-  if (error) fail(path, "the file cannot be read");
+  const auto size = check_input_file(path, most_mesh_bytes);
   if (size == 0) fail(path, "the mesh file is empty");
   return size;
 }

@@ -15,8 +15,8 @@ constexpr double concave_ratio = 1.1;  // [1] hull over mesh volume, above which
 constexpr double most_width = 20;      // [m] no robot is so large; a file in millimeters is
 
 ConvexPart make_part(const geometry::TriangleMesh& mesh) {
-  auto [hull, middle] = geometry::make_hull(mesh.vertices);
-  return {{std::make_shared<const ConvexHull>(std::move(hull))}, middle};
+  auto [hull, middle, error] = geometry::make_hull(mesh.vertices);
+  return {{std::make_shared<const ConvexHull>(std::move(hull))}, middle, error};
 }
 
 geometry::SolidMass part_mass(const ConvexPart& part) {
@@ -98,8 +98,11 @@ std::vector<std::string> mesh_doubts(const SolidMesh& mesh) {
   for (const ConvexPart& part : mesh.parts) {
     const std::size_t count = part.shape.hull->vertices.size();
     if (count > geometry::many_vertices) {
-      doubts.push_back(fmt::format("its hull has {} vertices, which slows contact down; simplify it ({} are plenty)",
-                                   count, geometry::many_vertices));
+      const std::string thinned =
+          part.error > 0 ? fmt::format(" although it leaves out what stands out by less than {:.2g} mm", 1e3 * part.error)
+                         : "";
+      doubts.push_back(fmt::format("its hull has {} vertices{}, which slows contact down; simplify it ({} are plenty)",
+                                   count, thinned, geometry::many_vertices));
     }
   }
   return doubts;

@@ -17,7 +17,8 @@ namespace murosimf::io {
 /// One convex part of a mesh.
 struct ConvexPart {
   Convex shape;
-  Vec3d middle;  ///< [m] of the shape's origin, mesh frame
+  Vec3d middle;      ///< [m] of the shape's origin, mesh frame
+  double error = 0;  ///< [m] by which the mesh may stand out of it (geometry/hull.h)
 };
 
 /// A mesh and the convex parts that contact sees instead of it.

@@ -51,7 +51,7 @@ MeshFile read_inline_mesh(const MjcfAttributes& attributes) {
     file.mesh.triangles.push_back({corner(i), corner(i + 1), corner(i + 2)});
   }
   if (corners.empty()) {
-    const auto [hull, middle] = geometry::make_hull(file.mesh.vertices);
+    const auto [hull, middle, error] = geometry::make_hull(file.mesh.vertices);
     file.mesh = geometry::triangles_of(hull);
     for (Vec3d& vertex : file.mesh.vertices) vertex += middle;
   }

@@ -1,11 +1,10 @@
 #include "murosimf/io/robot_conversion.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
+#include "murosimf/io/input_file.h"
 #include "murosimf/io/mjcf_reader.h"
 #include "murosimf/io/mjcf_sensor.h"
 #include "murosimf/io/mjcf_writer.h"
@@ -26,12 +25,6 @@ RobotDraft read_all_bodies(const fs::path& file, ReaderOptions options) {
   for (const TableName& mesh : read_table_beside(file).part_per_group) options.part_per_group.push_back(mesh.name);
   const bool urdf = XmlFile(file).root().tag() == "robot";
   return urdf ? read_urdf(file, options) : read_mjcf(file, options);
-}
-
-std::string text_of(const fs::path& file) {
-  std::stringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
 }
 
 /// Sensors of the robot file that MJCF has no word for. `draft`: as it is written, with the same sensors as the robot's.
@@ -73,8 +66,9 @@ RobotConversion convert_robot(const fs::path& file, const ConversionOptions& opt
   result.mjcf = to_mjcf(draft, {options.folder});
   fs::path table = file;
   table.replace_extension(".toml");
-  result.own_table = fs::exists(table);
-  result.toml = result.own_table ? text_of(table) : roles_toml(robot.draft, robot.table);
+  std::error_code none;
+  result.own_table = fs::exists(table, none);
+  result.toml = result.own_table ? read_input_file(table, most_toml_bytes) : roles_toml(robot.draft, robot.table);
   result.toml += sensor_sections(sensors_for_table(robot, draft, result.warnings));
   return result;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/toml_bounds.h"
 #include "murosimf/io/toml_reader.h"
 #include "murosimf/model/error.h"
 
@@ -35,6 +36,7 @@ std::vector<toml::table*> all_robots(toml::table& scene) {
 }  // namespace
 
 toml::table Assignment::parsed() const {
+  check_toml_bounds(value, where);
   try {
     return toml::parse("value = " + value, where);
   } catch (const toml::parse_error&) {

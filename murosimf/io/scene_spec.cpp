@@ -10,6 +10,7 @@
 #include "murosimf/io/scene_overrides.h"
 #include "murosimf/io/sensor_toml.h"
 #include "murosimf/io/toml_reader.h"
+#include "murosimf/model/time.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/render/light.h"
 
@@ -271,7 +272,8 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   });
   require(spec.duration >= 0, scene, "duration", "must not be negative");
   require(spec.duration <= longest_duration, scene, "duration", "is longer than simulated time can count");
-  require(spec.rate > 0, scene, "rate", "must be positive");
+  require(spec.rate >= slowest_rate && spec.rate <= fastest_rate, scene, "rate",
+          fmt::format("must be from {} to {} Hz", slowest_rate, fastest_rate));
   read_start(scene, spec);
   read_field(scene, spec);
   read_view(scene, spec);

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "murosimf/io/input_file.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
@@ -19,14 +18,6 @@ using identification::ServoSample;
 using nlohmann::json;
 
 constexpr double longest_log = 3600;  // [s]; more is a mistake in the unit
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || fs::is_directory(file)) throw SetupError("cannot be read");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 /// "line 3: 'NaN' is ..." for the place where the parser stopped.
 std::string what_is_wrong(const std::string& text, std::size_t byte) {
@@ -129,12 +120,14 @@ ServoLog log_of(const json& log) {
 }
 
 std::vector<fs::path> files_of(const fs::path& name) {
-  if (!fs::exists(name)) throw SetupError(fmt::format("there is no log '{}'", name.string()));
-  if (!fs::is_directory(name)) return {name};
+  std::error_code error;
+  if (!fs::exists(name, error)) throw SetupError(fmt::format("there is no log '{}'", name.string()));
+  if (!fs::is_directory(name, error)) return {name};
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(name)) {
+  for (const auto& entry : fs::directory_iterator(name, error)) {
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   }
+  if (error) throw SetupError(fmt::format("folder '{}' cannot be read: {}", name.string(), error.message()));
   if (files.empty()) throw SetupError(fmt::format("folder '{}' has no logs (*.json)", name.string()));
   std::ranges::sort(files);
   return files;
@@ -143,8 +136,9 @@ std::vector<fs::path> files_of(const fs::path& name) {
 }  // namespace
 
 ServoLog read_servo_log(const fs::path& file) {
+  const std::string text = read_input_file(file, most_record_bytes);
   return at(file.string(), [&] {
-    const json content = parse(text_of(file));
+    const json content = parse(text);
     ServoLog log = log_of(content);
     log.name = file.stem().string();
     return log;

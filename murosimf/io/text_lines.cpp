@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/input_file.h"
 #include "murosimf/io/xml_element.h"
 #include "murosimf/model/error.h"
 
@@ -17,7 +18,9 @@ constexpr std::string_view blanks = " \t\r\v\f";
 }  // namespace
 
 TextLines::TextLines(const std::filesystem::path& file, bool backslash_joins)
-    : name_(file.string()), stream_(file, std::ios::binary), backslash_joins_(backslash_joins) {
+    : name_(file.string()), backslash_joins_(backslash_joins) {
+  check_input_file(file, most_mesh_bytes);
+  stream_.open(file, std::ios::binary);
   if (!stream_) throw SetupError(one_line(fmt::format("{}: the file cannot be read", name_)));
 }
 

@@ -2,25 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
+#include "murosimf/io/input_file.h"
+#include "murosimf/io/toml_bounds.h"
+#include "murosimf/io/xml_element.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
 
 toml::table parse_toml_file(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::stringstream text;
-  text << stream.rdbuf();
-  if (!stream) throw SetupError(fmt::format("cannot read '{}'", file.string()));
+  const std::string text = read_input_file(file, most_toml_bytes);
+  check_toml_bounds(text, file.string());
   try {
-    return toml::parse(text.str(), file.string());
+    return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     const auto& begin = error.source().begin;
-    throw SetupError(fmt::format("{}:{}:{}: {}", file.string(), begin.line, begin.column, error.description()));
+    throw SetupError(
+        one_line(fmt::format("{}:{}:{}: {}", file.string(), begin.line, begin.column, error.description())));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
+#include "murosimf/io/input_file.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
@@ -31,10 +32,8 @@ std::unique_ptr<XmlSource> read_source(const std::filesystem::path& file) {
   source->name = file.string();
   const std::string& name = source->name;
   tinyxml2::XMLDocument& document = source->document;
-  const auto error = document.LoadFile(name.c_str());
-  if (error == tinyxml2::XML_ERROR_FILE_NOT_FOUND || std::filesystem::is_directory(file)) {
-    throw SetupError(one_line(fmt::format("{}: there is no such file", name)));
-  }
+  const std::string text = read_input_file(file, most_xml_bytes);
+  const auto error = document.Parse(text.data(), text.size());
   if (error != tinyxml2::XML_SUCCESS || !document.RootElement()) {
     const int line = std::max(1, document.ErrorLineNum());
     throw SetupError(one_line(

@@ -1,14 +1,23 @@
 #include "murosimf/model/access.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
 namespace murosimf {
 
+namespace {
+
+std::uint8_t bit_of(AccessMode mode) { return static_cast<std::uint8_t>(1U << static_cast<unsigned>(mode)); }
+
+}  // namespace
+
 void AccessSet::add(const Access& access) {
-  const auto same = [&](const Access& other) { return other.column == access.column && other.mode == access.mode; };
-  if (std::none_of(all_.begin(), all_.end(), same)) all_.push_back(access);
+  std::uint8_t& modes = modes_[access.column];
+  const std::uint8_t bit = bit_of(access.mode);
+  if ((modes & bit) == 0) all_.push_back(access);
+  modes |= bit;
 }
 
 void AccessSet::claim(const Entity& entity) {
@@ -20,13 +29,11 @@ bool AccessSet::claims(const Entity* entity) const {
 }
 
 bool AccessSet::writes(const ColumnBase* column) const {
-  return std::any_of(all_.begin(), all_.end(),
-                     [&](const Access& a) { return a.column == column && a.mode == AccessMode::write; });
+  const auto found = modes_.find(column);
+  return found != modes_.end() && (found->second & bit_of(AccessMode::write)) != 0;
 }
 
-bool AccessSet::touches(const ColumnBase* column) const {
-  return std::any_of(all_.begin(), all_.end(), [&](const Access& a) { return a.column == column; });
-}
+bool AccessSet::touches(const ColumnBase* column) const { return modes_.contains(column); }
 
 bool conflict(const AccessSet& a, const AccessSet& b) {
   const auto writes_what_touches = [](const AccessSet& writer, const AccessSet& other) {
@@ -44,13 +51,15 @@ bool conflict(const AccessSet& a, const AccessSet& b) {
 
 namespace {
 
-bool somebody_supplies(const std::vector<NamedAccess>& algorithms, const ColumnBase* column) {
-  return std::any_of(algorithms.begin(), algorithms.end(), [&](const NamedAccess& algorithm) {
-    const auto& all = algorithm.access->all();
-    return std::any_of(all.begin(), all.end(), [&](const Access& access) {
-      return access.column == column && access.mode != AccessMode::read;
-    });
-  });
+/// Columns that somebody writes, or that have a value without.
+std::unordered_set<const ColumnBase*> supplied_columns(const std::vector<NamedAccess>& algorithms) {
+  std::unordered_set<const ColumnBase*> supplied;
+  for (const NamedAccess& algorithm : algorithms) {
+    for (const Access& access : algorithm.access->all()) {
+      if (access.mode != AccessMode::read) supplied.insert(access.column);
+    }
+  }
+  return supplied;
 }
 
 /// The other side of the message: who writes to that entity at all.
@@ -71,9 +80,10 @@ std::string writers_of(const std::vector<NamedAccess>& algorithms, const Entity*
 }  // namespace
 
 void check_every_read_is_written(const std::vector<NamedAccess>& algorithms) {
+  const auto supplied = supplied_columns(algorithms);
   for (const NamedAccess& reader : algorithms) {
     for (const Access& access : reader.access->all()) {
-      if (access.mode != AccessMode::read || somebody_supplies(algorithms, access.column)) continue;
+      if (access.mode != AccessMode::read || supplied.contains(access.column)) continue;
       throw SetupError(fmt::format("'{}' reads '{}' of '{}', but nobody writes it: {}; attach an algorithm that does",
                                    reader.algorithm, access.column->info().name, access.entity->name(),
                                    writers_of(algorithms, access.entity)));

@@ -1,7 +1,9 @@
 /// access.h - what an algorithm reads and writes, and when two of them must not run at the same time.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "murosimf/model/entity.h"
@@ -26,12 +28,14 @@ class AccessSet {
   /// All columns of an entity, also those that nobody has asked for yet: the algorithm has others work on it.
   void claim(const Entity& entity);
   [[nodiscard]] bool claims(const Entity* entity) const;
+  [[nodiscard]] const std::vector<const Entity*>& claimed() const { return claimed_; }
   [[nodiscard]] const std::vector<Access>& all() const { return all_; }
   [[nodiscard]] bool writes(const ColumnBase* column) const;
   [[nodiscard]] bool touches(const ColumnBase* column) const;
 
  private:
   std::vector<Access> all_;
+  std::unordered_map<const ColumnBase*, std::uint8_t> modes_;  // one bit for each: robots that see all others have thousands
   std::vector<const Entity*> claimed_;
 };
 

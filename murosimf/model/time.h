@@ -7,6 +7,10 @@ namespace murosimf {
 
 using Duration = std::chrono::nanoseconds;
 
+// Of everything that is done again and again [Hz]; others are mistakes of users.
+constexpr double slowest_rate = 1e-3;
+constexpr double fastest_rate = 1e5;
+
 [[nodiscard]] constexpr double seconds(Duration duration) { return static_cast<double>(duration.count()) * 1e-9; }
 
 /// Nearest whole number of nanoseconds.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -20,17 +21,53 @@ double nearest_rate(std::int64_t period, std::int64_t tick) {
   return 1e9 / static_cast<double>(multiples * divisor);
 }
 
+/// The first wave after those of all earlier algorithms with which one conflicts, by what these touch: asking each pair of
+/// algorithms takes too long where hundreds of robots see each other.
+class FirstFreeWaves {
+ public:
+  [[nodiscard]] std::size_t for_algorithm(const AccessSet& access) const {
+    std::size_t wave = 0;
+    for (const Access& a : access.all()) {
+      const bool writes = a.mode == AccessMode::write;
+      wave = std::max({wave, after(writes ? touched_ : written_, a.column), after(claimed_, a.entity)});
+    }
+    for (const Entity* entity : access.claimed()) wave = std::max(wave, after(entered_, entity));
+    return wave;
+  }
+
+  void put(const AccessSet& access, std::size_t wave) {
+    for (const Access& a : access.all()) {
+      raise(touched_[a.column], wave + 1);
+      raise(entered_[a.entity], wave + 1);
+      if (a.mode == AccessMode::write) raise(written_[a.column], wave + 1);
+    }
+    for (const Entity* entity : access.claimed()) raise(claimed_[entity], wave + 1);
+  }
+
+ private:
+  template <class Key>
+  using Waves = std::unordered_map<const Key*, std::size_t>;
+
+  template <class Key>
+  static std::size_t after(const Waves<Key>& waves, const Key* key) {
+    const auto found = waves.find(key);
+    return found == waves.end() ? 0 : found->second;
+  }
+  static void raise(std::size_t& wave, std::size_t to) { wave = std::max(wave, to); }
+
+  // the wave behind the last one in which somebody ...
+  Waves<ColumnBase> touched_, written_;  // reads or writes the column, writes it
+  Waves<Entity> entered_, claimed_;      // touches anything of the entity, claims it
+};
+
 }  // namespace
 
 std::vector<Wave> make_waves(std::span<const std::size_t> due, std::span<const AccessSet* const> access) {
   std::vector<Wave> waves;
+  FirstFreeWaves free;
   for (const std::size_t algorithm : due) {
-    std::size_t wave = 0;
-    for (std::size_t earlier = waves.size(); earlier-- > 0 && wave == 0;) {
-      const bool clash = std::any_of(waves[earlier].begin(), waves[earlier].end(),
-                                     [&](std::size_t other) { return conflict(*access[algorithm], *access[other]); });
-      if (clash) wave = earlier + 1;
-    }
+    const std::size_t wave = free.for_algorithm(*access[algorithm]);
+    free.put(*access[algorithm], wave);
     if (wave == waves.size()) waves.emplace_back();
     waves[wave].push_back(algorithm);
   }

@@ -11,8 +11,6 @@ namespace {
 using WallClock = std::chrono::steady_clock;
 
 constexpr std::int64_t timed_every = 8;
-constexpr double slowest_rate = 1e-3;  // [Hz]
-constexpr double fastest_rate = 1e5;   // [Hz]
 
 }  // namespace
 

@@ -1,5 +1,11 @@
 #include "murosimf/runtime/thread_pool.h"
 
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
 namespace murosimf {
 namespace {
 
@@ -15,10 +21,22 @@ void relax() {
 }  // namespace
 
 ThreadPool::ThreadPool(int threads) {
-  for (int t = 1; t < threads; ++t) workers_.emplace_back([this] { work(); });
+  try {
+    for (int t = 1; t < threads; ++t) workers_.emplace_back([this] { work(); });
+  } catch (const std::system_error& error) {
+    const std::size_t begun = workers_.size() + 1;
+    stop();  // nobody calls the destructor of what was not constructed
+    throw SetupError(fmt::format("only {} of {} threads could begin ({}); use fewer: --threads {}", begun, threads,
+                                 error.code().message(), begun));
+  } catch (...) {
+    stop();
+    throw;
+  }
 }
 
-ThreadPool::~ThreadPool() {
+ThreadPool::~ThreadPool() { stop(); }
+
+void ThreadPool::stop() {
   stop_.store(true);
   open_.fetch_add(items + 1);
   open_.notify_all();

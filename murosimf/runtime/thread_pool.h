@@ -14,7 +14,7 @@ namespace murosimf {
 
 class ThreadPool {
  public:
-  /// `threads` counts the calling thread too; at least 1.
+  /// `threads` counts the calling thread too; at least 1. Throws SetupError if the system does not give so many.
   explicit ThreadPool(int threads);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
@@ -40,6 +40,7 @@ class ThreadPool {
   /// Takes one item and runs it; false if none is left.
   bool run_one();
   void work();
+  void stop();  ///< ends all threads that have begun
 
   // Generation of the wave in the upper half, items that nobody has taken in the lower one. Taking an item keeps the
   // wave from ending, so whoever took one may read call_ and context_.

@@ -22,14 +22,28 @@ std::vector<Output> outputs() {
           {"mounting_error", "rad", {"roll", "pitch", "yaw"}}};
 }
 
+using LensKey = std::tuple<std::string, int, int, std::array<double, 5>, std::vector<double>>;
+
+LensKey key_of(const LensSpec& lens, double resolution) {
+  return {lens.model, lens.width, lens.height, {lens.fx, lens.fy, lens.cx, lens.cy, resolution}, lens.coefficients};
+}
+
+/// Looking for folds turns the lens round for thousands of pixels: once for equal lenses.
+std::string shared_fold_remark(const Lens& lens) {
+  static std::mutex mutex;
+  static std::map<LensKey, std::string> known;
+  const std::scoped_lock lock(mutex);
+  const auto [place, is_new] = known.try_emplace(key_of(lens.spec(), 1));
+  if (is_new) place->second = lens.fold_remark();
+  return place->second;
+}
+
 /// Equal lenses share one map while somebody uses it.
 std::shared_ptr<const LensMap> shared_map(const LensSpec& lens, double resolution) {
-  using Key = std::tuple<std::string, int, int, std::array<double, 5>, std::vector<double>>;
   static std::mutex mutex;
-  static std::map<Key, std::weak_ptr<const LensMap>> known;
+  static std::map<LensKey, std::weak_ptr<const LensMap>> known;
   const std::scoped_lock lock(mutex);
-  const Key key{
-      lens.model, lens.width, lens.height, {lens.fx, lens.fy, lens.cx, lens.cy, resolution}, lens.coefficients};
+  const LensKey key = key_of(lens, resolution);
   auto map = known[key].lock();
   if (!map) known[key] = map = std::make_shared<const LensMap>(Lens(lens), resolution);
   return map;
@@ -93,7 +107,7 @@ Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
   frame_.wanted = spec_.always_on;
 }
 
-std::string Camera::remark(std::string_view) const { return frame_.info->lens.fold_remark(); }
+std::string Camera::remark(std::string_view) const { return shared_fold_remark(frame_.info->lens); }
 
 void Camera::start() {
   frame_.time = Duration{};

@@ -166,6 +166,7 @@ Opening Lens::opening() const noexcept {
 }
 
 std::string Lens::fold_remark() const {
+  if (plain()) return {};
   constexpr int most = 200;  // samples to a side
   const int columns = std::min(spec_.width, most), rows = std::min(spec_.height, most);
   const auto place = [](int i, int count, int size) { return count > 1 ? (size - 1.0) * i / (count - 1) : 0.0; };

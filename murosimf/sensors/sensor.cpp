@@ -43,7 +43,7 @@ Sensor::Sensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
       watch_(watch),
       period_(reading_.info->period),
       delay_(from_seconds(spec.delay)) {
-  if (period_ % setup.period() != Duration{}) {
+  if (period_ <= Duration{} || period_ % setup.period() != Duration{}) {
     throw SetupError(fmt::format("sensor '{}' with {} Hz does not fit into executions at {:.6g} Hz", spec.name,
                                  spec.rate, 1 / seconds(setup.period())));
   }
@@ -118,8 +118,9 @@ double task_rate(const SensorSpec& spec, Watch watch, double step_rate) {
 
 void check_rate(const SensorSpec& spec, double step_rate) {
   if (spec.rate == 0) return;
-  if (!(spec.rate > 0) || !std::isfinite(spec.rate)) {
-    throw SetupError(fmt::format("the rate of sensor '{}' is {} Hz; it must be positive", spec.name, spec.rate));
+  if (!(spec.rate >= slowest_rate) || !std::isfinite(spec.rate)) {
+    throw SetupError(fmt::format("the rate of sensor '{}' is {} Hz; it must be {} Hz or more, or 0 for every step",
+                                 spec.name, spec.rate, slowest_rate));
   }
   const Duration step = from_seconds(1 / step_rate), period = from_seconds(1 / spec.rate);
   if (spec.rate > step_rate * (1 + 1e-9)) {

@@ -57,7 +57,7 @@ TEST(PlotCommand, DrawsALogBesideIt) {
 
 TEST(PlotCommand, MistakesAreOneLine) {
   const std::string table = write("run.csv", "t,height\n0,1\n1,2\n").string();
-  expect_mistake("plot /no/such/run.csv", {"/no/such/run.csv", "cannot be read"});
+  expect_mistake("plot /no/such/run.csv", {"/no/such/run.csv", "there is no such file"});
   expect_mistake("plot " + table + " heigt", {"run.csv", "did you mean 'height'"});
   expect_mistake("plot " + write("bad.csv", "t,a\n0,high\n").string(), {"bad.csv:2:3", "'high' is no number"});
   expect_mistake("plot " + table + " --out " + table, {"the table itself"});

@@ -49,6 +49,13 @@ double sticking_out(const ConvexHull& hull, const std::vector<Vec3d>& points) {
   return worst;
 }
 
+/// How far the points reach in a direction [m].
+double reach(const std::vector<Vec3d>& points, const Vec3d& direction) {
+  double most = -1e300;
+  for (const Vec3d& p : points) most = std::max(most, dot(direction, p));
+  return most;
+}
+
 std::vector<Vec3d> shifted(std::vector<Vec3d> points, const Vec3d& by) {
   for (Vec3d& p : points) p -= by;
   return points;
@@ -318,6 +325,28 @@ TEST(TriangleMesh, FindsOpenAndFlippedEdges) {
   mesh.triangles.erase(mesh.triangles.begin() + 3);
   EXPECT_EQ(find_seams(mesh).open, 3U);
   EXPECT_EQ(find_seams(mesh).flipped, 0U);
+}
+
+TEST(Hull, ThinsOutManyPointsWithinItsBound) {
+  const std::vector<Vec3d> points = cloud(static_cast<int>(many_points) + 1, true);
+  const auto [hull, middle, error] = make_hull(points);
+  expect_proper(hull);
+  EXPECT_LT(hull.vertices.size(), points.size() / 2);
+  EXPECT_NEAR(error, thinning, 1e-3 * thinning);
+  Dice dice("directions of a hull");
+  for (int i = 0; i < 100; ++i) {
+    const Vec3d direction = dice.unit();
+    const double inside = reach(points, direction) - reach(hull.vertices, direction) - dot(middle, direction);
+    EXPECT_GE(inside, -1e-15);
+    EXPECT_LE(inside, error);
+  }
+}
+
+TEST(Hull, LeavesNothingOutOfFewPoints) {
+  const std::vector<Vec3d> points = cloud(2000, true);
+  const auto [hull, middle, error] = make_hull(points);
+  EXPECT_EQ(hull.vertices.size(), points.size());
+  EXPECT_EQ(error, 0);
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ TEST(MeshFile, DropsVerticesOfNoTriangleAndTheSignOfZero) {
 }
 
 TEST(MeshFile, RefusesWhatIsNoMeshFile) {
-  EXPECT_TRUE(says(complaint(test_file("missing.stl")), {"no such mesh file"}));
+  EXPECT_TRUE(says(complaint(test_file("missing.stl")), {"there is no such file"}));
   const auto folder = test_file("folder.stl");
   std::filesystem::create_directories(folder);
   EXPECT_TRUE(says(complaint(folder), {"folder"}));

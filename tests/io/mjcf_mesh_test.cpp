@@ -290,7 +290,7 @@ TEST(MjcfMesh, NamesFileAndLineOfWhatIsWrong) {
   write("brick.obj", "v 0 0 0\nv 0 nan 0\n");
   EXPECT_TRUE(says(complaint(brick_asset, brick_geom), {":1: mesh 'brick': ", "brick.obj:2: ", "'nan'"}));
   EXPECT_TRUE(says(complaint("<asset><mesh file='x.stl'/></asset>", "<geom type='mesh' mesh='x'/>"),
-                   {":1: mesh 'x': ", "x.stl: ", "no such mesh file"}));
+                   {":1: mesh 'x': ", "x.stl: ", "there is no such file"}));
   write("brick.obj", brick());
   EXPECT_TRUE(
       says(complaint("<asset><mesh file='brick.obj' scale='1 0 1'/></asset>", brick_geom), {":1: ", "scale '1 0 1'"}));
@@ -321,7 +321,7 @@ TEST(MjcfMesh, ThatCannotBeUsedIsLeftOutIfLenient) {
       read("<asset><mesh file='x.stl'/></asset>", inertial + "<geom type='mesh' mesh='x'/><geom size='1'/>", true);
   EXPECT_EQ(shapes_of(result).size(), 1U);
   EXPECT_EQ(warnings_with(result, "robot.xml:3: mesh 'x' ignored: "), 1U);
-  EXPECT_EQ(warnings_with(result, "no such mesh file"), 1U);
+  EXPECT_EQ(warnings_with(result, "there is no such file"), 1U);
 }
 
 }  // namespace

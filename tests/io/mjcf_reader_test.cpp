@@ -597,7 +597,7 @@ TEST(MjcfReader, ADampingRatioIsTurnedIntoAGain) {
 
 TEST(MjcfReader, NamesMissingAndBrokenFiles) {
   EXPECT_TRUE(contains(message_of([] { (void)read_robot("nowhere.xml"); }), "nowhere.xml: there is no such file"));
-  EXPECT_TRUE(contains(message_of([] { (void)read_robot(fixtures::temp_folder()); }), "there is no such file"));
+  EXPECT_TRUE(contains(message_of([] { (void)read_robot(fixtures::temp_folder()); }), "this is a folder"));
   expect_complaint(message("<mujoco>\n<worldbody>\n</mujoco>"), 2, "not well-formed XML");
   expect_complaint(message(""), 1, "not well-formed XML");
   expect_complaint(message("just text"), 1, "not well-formed XML");

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
+#include "murosimf/render/opengl/driver_memory.h"
 
 namespace murosimf::render {
 namespace {
@@ -76,6 +77,7 @@ struct GlContext::Handles {
 };
 
 GlContext::GlContext() : handles_(std::make_unique<Handles>()) {
+  check_driver_memory();
   check_libraries();
   for (EGLDisplay display : displays()) {
     EGLContext context = make_context(display);

@@ -1,0 +1,29 @@
+/// last_words.h - how the program says why it ends: one line on standard error, whatever state that or the memory is in.
+#pragma once
+
+#include <string_view>
+
+namespace murosimf::app {
+
+// Exit codes.
+constexpr int users_mistake = 2;
+constexpr int unexpected = 3;  ///< no memory, or a mistake of the program
+
+/// "murosimf: text" in one line on standard error. Never throws: a line that cannot be written is lost, and the exit code
+/// still says it.
+void say_error(std::string_view text, std::string_view hint = {}) noexcept;
+
+/// "warning: text", likewise.
+void say_warning(std::string_view text) noexcept;
+
+/// As it is, without a line break: what changes on a terminal.
+void show_on_terminal(std::string_view text) noexcept;
+
+/// From now on memory that is used up while nobody can catch it (a step, another thread) ends the program with one line and
+/// the exit code `unexpected`.
+void say_last_words_of_everything();
+
+/// About the exception that is being handled: says one line, returns the exit code.
+int exit_code_of_exception() noexcept;
+
+}  // namespace murosimf::app
