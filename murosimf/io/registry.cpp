@@ -1,5 +1,6 @@
 #include "murosimf/io/registry.h"
 
+#include <algorithm>
 #include <array>
 
 #include "murosimf/collision/implicit_stick.h"
@@ -97,6 +98,26 @@ void attach_obstacle_course(Simulation& simulation, Entity& robot, const Control
   simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz);
 }
 
+Vec3d clipped_command(const Vec3d& v, const Vec3d& fastest) {
+  const auto clip = [](double x, double limit) { return std::clamp(x, -limit, limit); };
+  return {clip(v.x, fastest.x), clip(v.y, fastest.y), clip(v.z, fastest.z)};
+}
+
+Vec3d walks_at(const Model& model, const Vec3d& command) {
+  return clipped_command(command, control::seeded_parameters(control::find_legs(model)).fastest);
+}
+
+Vec3d trots_at(const Model& model, const Vec3d& command) {
+  return clipped_command(command, control::seeded_trot(model, control::find_four_legs(model)).fastest);
+}
+
+Vec3d drives_at(const Model& model, const Vec3d& command) {
+  const control::Vehicle car = control::find_vehicle(model);
+  if (std::abs(command.x) < 1e-3) return {command.x, 0, 0};  // a car does not turn on the spot
+  const double curvature = std::clamp(command.z / command.x, car.least_curvature, car.greatest_curvature);
+  return {command.x, 0, command.x * curvature};
+}
+
 template <class Law>
 std::shared_ptr<const collision::ContactLaw> make_law() {
   return std::make_shared<Law>();
@@ -106,15 +127,22 @@ std::shared_ptr<const collision::ContactLaw> make_paper_multipoint() {
   return std::make_shared<collision::PaperLaw>(collision::PaperLawOptions{.one_point_per_body = false});
 }
 
+// Keys: what stands in a scene file; "position.z" is the height in `position`.
 constexpr std::array level_entries{
     Level{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
-          false, "joint_reference", make_kinematic_walking},
+          false, "joint_reference", "stance_pose stance_foot remaining_shift remaining_turn", make_kinematic_walking},
     Level{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)", true,
-          "joint_reference base_rigid integrator", make_simplified_dynamics},
+          "joint_reference base_rigid integrator contact position.z roll_deg pitch_deg",
+          "applied_force linear_velocity angular_velocity base_quaternion", make_simplified_dynamics},
     Level{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)", true,
-          "joint_reference fixed_base integrator", make_full_dynamics},
+          "joint_reference fixed_base integrator contact position.z roll_deg pitch_deg",
+          "applied_force linear_velocity angular_velocity base_quaternion", make_full_dynamics},
     Level{"articulated_dynamics", "servos make torque, the whole tree moves as it must", true,
-          "fixed_base integrator servo_law", make_articulated_dynamics},
+          "fixed_base integrator servo_law contact position.z roll_deg pitch_deg self_collision",
+          "applied_force linear_velocity angular_velocity base_quaternion "
+          "supply_voltage torque_enabled servo_temperature sent_target sent_target_age backlash_play backlash_side "
+          "rotor_rate joint_load felt_acceleration",
+          make_articulated_dynamics},
 };
 
 constexpr std::array contact_entries{
@@ -131,20 +159,30 @@ constexpr std::array contact_entries{
 };
 
 constexpr std::array controller_entries{
-    Controller{"none", "joints stay where they are put", attach_none},
-    Controller{"walk", "walks with the velocity in walk_command", attach_walk},
-    Controller{"trot", "trots on four legs with the velocity in walk_command", attach_trot},
-    Controller{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", attach_balance},
-    Controller{"keyframes", "plays the key frames of a motion once", attach_keyframes},
-    Controller{"drive", "drives a car with the speed and turning rate in walk_command", attach_drive},
-    Controller{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth",
+    Controller{"none", "joints stay where they are put", "posture", attach_none},
+    Controller{"walk", "walks with the velocity in walk_command", "command", attach_walk, walks_at},
+    Controller{"trot", "trots on four legs with the velocity in walk_command", "command", attach_trot, trots_at},
+    Controller{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", "", attach_balance},
+    Controller{"keyframes", "plays the key frames of a motion once", "motion", attach_keyframes},
+    Controller{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
+               drives_at},
+    Controller{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",
                attach_ball_chaser},
-    Controller{"localize", "walks a round on the field and finds out from its camera where it is", attach_localize},
-    Controller{"obstacle_course", "crosses the field without touching magenta poles that its camera sees",
+    Controller{"localize", "walks a round on the field and finds out from its camera where it is", "", attach_localize},
+    Controller{"obstacle_course", "crosses the field without touching magenta poles that its camera sees", "",
                attach_obstacle_course},
 };
 
 }  // namespace
+
+bool has_word(std::string_view words, std::string_view word) {
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t end = std::min(words.find(' ', begin), words.size());
+    if (words.substr(begin, end - begin) == word) return true;
+    begin = end + 1;
+  }
+  return false;
+}
 
 LevelOptions level_options(const RobotSpec& robot) {
   LevelOptions options;

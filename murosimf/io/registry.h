@@ -31,6 +31,7 @@ struct Level {
   std::string_view name, meaning;
   bool dynamic;              ///< forces move it: it needs contact with the ground
   std::string_view options;  ///< keys of a robot that it uses, besides those that all levels use
+  std::string_view inputs;   ///< properties that may be set and act at this level, besides those that do at all levels
   std::unique_ptr<MotionLevel> (*make)(Setup&, const LevelOptions&);
 };
 
@@ -55,8 +56,13 @@ struct ControllerOptions {
 
 struct Controller {
   std::string_view name, meaning;
+  std::string_view options;  ///< keys of a robot that it uses, besides those that all controllers use
   void (*attach)(Simulation&, Entity&, const ControllerOptions&);
+  Vec3d (*attainable)(const Model&, const Vec3d& command) = nullptr;  ///< [m/s, m/s, rad/s] what it makes of a command
 };
+
+/// True if `word` is among the words of a list in the registry.
+[[nodiscard]] bool has_word(std::string_view words, std::string_view word);
 
 /// The options that a robot of a scene asks for.
 [[nodiscard]] LevelOptions level_options(const RobotSpec& robot);

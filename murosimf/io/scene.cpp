@@ -35,7 +35,12 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
   note_about_sensors();
   attach_observers();
   scatter_postures();
-  simulation_->after_initialize([this] { apply_settings(); });
+  warn_about_settings();
+  simulation_->after_initialize([this] {
+    check_properties();
+    apply_settings();
+    warn_about_start();
+  });
   schedule_events();
 }
 
@@ -170,19 +175,6 @@ void Scene::warn(const RobotSpec& robot, const std::string& text) {
   warnings_.push_back(fmt::format("{}: {}", robot.name, text));
 }
 
-void Scene::warn_about_unused_keys(const RobotSpec& robot) {
-  const Level& level = find_entry(levels(), "level", robot.level);
-  const auto unused = [&](bool given, std::string_view key) {
-    if (!given || level.options.find(key) != std::string_view::npos) return;
-    warn(robot, fmt::format("{} has no '{}'; it changes nothing", robot.level, key));
-  };
-  unused(robot.fixed_base, "fixed_base");
-  unused(robot.base_rigid, "base_rigid");
-  unused(!robot.servo_law.empty(), "servo_law");
-  unused(robot.integrator != motion::Integrator::semi_implicit_euler, "integrator");
-  unused(robot.joint_reference != "filter", "joint_reference");
-}
-
 void Scene::warn_about(const RobotSpec& robot, const Model& model) {
   const Level& level = find_entry(levels(), "level", robot.level);
   const bool servos = robot.level == "articulated_dynamics";
@@ -209,7 +201,6 @@ void Scene::attach_motion() {
   if (ball_) attach(*ball_, {});
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const RobotSpec& robot = spec_.robots[i];
-    warn_about_unused_keys(robot);
     warn_about(robot, robots_[i]->model());
     at(robot.where, [&] { attach(*robots_[i], level_options(robot)); });
   }
@@ -262,6 +253,8 @@ RunReport Scene::report(Duration wall, const Lateness& lateness) const {
   report.warnings = warnings_;
   const auto& frozen = simulation_->warnings();
   report.warnings.insert(report.warnings.end(), frozen.begin(), frozen.end());
+  const auto to_come = events_to_come();
+  report.warnings.insert(report.warnings.end(), to_come.begin(), to_come.end());
   for (const Entity* mover : movers_) {
     if (auto line = motion::overload_message(*mover); !line.empty()) report.warnings.push_back(std::move(line));
   }

@@ -60,6 +60,9 @@ class Scene {
   /// Draws the field from above with everybody's path so far. Throws SetupError if the file cannot be written.
   void write_picture(const std::filesystem::path& file) const;
 
+  /// One line for each event whose time has not come; none before the first step.
+  [[nodiscard]] std::vector<std::string> events_to_come() const;
+
   /// Robots and ball, in the order of sensors' labels.
   [[nodiscard]] const std::vector<Entity*>& movers() const { return movers_; }
 
@@ -97,7 +100,16 @@ class Scene {
   void attach_contact();
   void note(const RobotSpec& robot, const std::string& text);
   void warn(const RobotSpec& robot, const std::string& text);
-  void warn_about_unused_keys(const RobotSpec& robot);
+  /// Whatever the scene says that changes nothing (unused_settings.h).
+  void warn_about_settings();
+  void check_no_contact(const RobotSpec& robot, const Model& model);
+  /// Settings and events, before the first step (property_checks.h).
+  void check_properties();
+  void check_property(const PropertySetting& setting, double time);
+  /// Who stands in whom.
+  void warn_about_start();
+  /// Has a controller's next cycles looked at, which may write what was set.
+  void watch(const PropertySetting& setting, const std::string& entity);
   /// What a user may have overlooked: steps too long, joints without servos.
   void warn_about(const RobotSpec& robot, const Model& model);
   void attach_motion();
@@ -118,6 +130,7 @@ class Scene {
   std::set<std::pair<std::string, std::string>> said_;  // robots, and remarks of their sensors
   std::vector<std::string> notes_;                      // about sensors
   std::vector<std::string> warnings_;                   // from reading models
+  std::map<std::string, int> settings_;                 // how often each property was set
   std::unique_ptr<render::Renderer> renderer_;          // of cameras
   bool cannot_draw_ = false;
   Entity* field_ = nullptr;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/property_checks.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/io/scene.h"
 #include "murosimf/motion/servo_law.h"
@@ -14,9 +15,6 @@ void Scene::schedule_events() {
   const SceneSpec& spec = spec_;
   for (const SceneEvent& event : spec.events) {
     for (const std::string& entity : event.entities) {
-      if (event.setting && !event.setting->object.empty()) {
-        at(event.where, [&] { (void)simulation_->world().entity(entity).object(event.setting->object); });
-      }
       // a call for everybody: one who refuses does not keep the others from changing
       simulation_->at(from_seconds(event.time), [this, &event, &entity] { apply(event, entity); });
     }
@@ -37,6 +35,8 @@ void Scene::apply(const PropertySetting& setting, const std::string& entity) {
     Entity& changed = simulation_->world().entity(entity);
     ObjectAccess object = setting.object.empty() ? changed.base() : changed.object(setting.object);
     object.set(setting.property, setting.numbers);
+    simulation_->record(to_text(setting, changed));
+    watch(setting, entity);
   });
 }
 
@@ -66,6 +66,7 @@ void Scene::exchange_level(std::string_view robot, std::string_view level) {
   RobotSpec changed = spec;
   changed.level = find_entry(levels(), "level", level).name;
   renew_level(changed);
+  if (changed.level == spec.level) simulation_->record(fmt::format("{}: {}, as before", robot, level));
   spec = std::move(changed);
 }
 

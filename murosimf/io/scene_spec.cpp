@@ -24,6 +24,11 @@ void require(bool condition, const TomlTable& table, std::string_view key, std::
   if (!condition) throw SetupError(fmt::format("{}: '{}' {}", table.where(key), key, message));
 }
 
+/// An empty name means nothing; it must not look as if it did.
+void require_name(const std::string& name, const TomlTable& table, std::string_view key) {
+  require(!name.empty(), table, key, "is empty: leave it out, or name something");
+}
+
 Color read_color(const TomlTable& table, const Color& otherwise) {
   Vec3d rgb{otherwise.red, otherwise.green, otherwise.blue};
   table.read("color", rgb);
@@ -31,6 +36,14 @@ Color read_color(const TomlTable& table, const Color& otherwise) {
   require(fits(rgb.x) && fits(rgb.y) && fits(rgb.z), table, "color",
           "must be three numbers from 0 to 1: red, green, blue");
   return {rgb.x, rgb.y, rgb.z};
+}
+
+/// Two numbers would be a place on the ground.
+void read_gravity(const TomlTable& scene, SceneSpec& spec) {
+  const toml::node* node = scene.find("gravity");
+  const toml::array* list = node ? node->as_array() : nullptr;
+  require(!list || list->size() == 3, scene, "gravity", "must be three numbers in brackets: x, y, z in m/s^2");
+  scene.read("gravity", spec.gravity);
 }
 
 void read_start(const TomlTable& scene, SceneSpec& spec) {
@@ -60,6 +73,7 @@ void read_field(const TomlTable& scene, SceneSpec& spec) {
   field.read("surface", spec.field.surface);
   field.read("grain", spec.field.grain);
   field.read("goals", spec.field.goals);
+  require_name(spec.field.surface, field, "surface");
   require(spec.field.grain.z == 0, field, "grain", "lies in the ground: [x, y]");
   at(field.where("size"), [&] { return field_size(spec.field.size); });
 }
@@ -133,6 +147,7 @@ void read_ball(const TomlTable& scene, SceneSpec& spec) {
   table.read("hollow", ball.options.hollow);
   table.read("material", ball.options.material);
   table.read("contact", ball.contact);
+  require_name(ball.options.material, table, "material");
   at(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", ball.contact); });
   require(ball.options.radius > 0, table, "radius", "must be positive");
   require(ball.options.mass > 0, table, "mass", "must be positive");
@@ -159,6 +174,9 @@ void read_teams(const TomlTable& scene, SceneSpec& spec) {
 
 void read_robot(const TomlTable& table, RobotSpec& robot) {
   robot.where = table.where();
+  for (const std::string_view key : robot_keys()) {
+    if (table.find(key)) robot.given[std::string(key)] = {table.where(key)};
+  }
   table.read("name", robot.name);
   table.read("team", robot.team);
   table.read("model", robot.model);
@@ -170,9 +188,9 @@ void read_robot(const TomlTable& table, RobotSpec& robot) {
   table.read("joint_reference", robot.joint_reference);
   table.read("base_rigid", robot.base_rigid);
   table.read("fixed_base", robot.fixed_base);
-  std::string integrator;
-  table.read("integrator", integrator);
-  if (!integrator.empty()) {
+  if (table.find("integrator")) {
+    std::string integrator;
+    table.read("integrator", integrator);
     robot.integrator = at(table.where("integrator"),
                           [&] { return find_entry(motion::integrators(), "integrator", integrator).integrator; });
   }
@@ -206,6 +224,7 @@ void read_robots(const TomlTable& scene, SceneSpec& spec) {
   RobotSpec defaults;
   if (const toml::table* node = scene.table("defaults")) {
     read_robot(TomlTable(*node, table_keys("defaults")), defaults);
+    for (auto& [key, given] : defaults.given) given.by_default = true;
   }
   for (const toml::table* node : scene.tables("robots")) {
     const TomlTable table(*node, robot_keys());
@@ -229,12 +248,24 @@ void read_robots(const TomlTable& scene, SceneSpec& spec) {
   }
 }
 
+void check_pair(const GivenPair& pair, const std::vector<GivenPair>& earlier) {
+  if (pair.a.empty() || pair.b.empty()) throw SetupError(pair.where + ": 'pair' has an empty name");
+  for (const GivenPair& other : earlier) {
+    if ((other.a != pair.a || other.b != pair.b) && (other.a != pair.b || other.b != pair.a)) continue;
+    throw SetupError(fmt::format("{}: the pair of '{}' and '{}' is set twice, first at {}", pair.where, pair.a, pair.b,
+                                 other.where));
+  }
+}
+
 void read_materials(const TomlTable& scene, SceneSpec& spec) {
   for (const toml::table* node : scene.tables("materials")) {
     const TomlTable table(*node, {"pair", "friction", "rolling", "restitution", "stiffness", "grain_effect"});
     const toml::array* names = (*node)["pair"].as_array();
     const bool pair_of_texts = names && names->size() == 2 && (*names)[0].is_string() && (*names)[1].is_string();
     require(pair_of_texts, table, "pair", "must be two material names");
+    const GivenPair given{**(*names)[0].as_string(), **(*names)[1].as_string(), table.where("pair")};
+    check_pair(given, spec.material_pairs);
+    spec.material_pairs.push_back(given);
     PairSurface pair;
     table.read("friction", pair.friction);
     table.read("rolling", pair.rolling);
@@ -242,7 +273,7 @@ void read_materials(const TomlTable& scene, SceneSpec& spec) {
     table.read("stiffness", pair.stiffness);
     table.read("grain_effect", pair.grain_effect);
     at(table.where(), [&] {
-      spec.materials.set((*names)[0].value_or(std::string{}), (*names)[1].value_or(std::string{}), pair);
+      spec.materials.set(given.a, given.b, pair);
       return 0;
     });
   }
@@ -264,7 +295,7 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   scene.read("duration", spec.duration);
   scene.read("seed", spec.seed);
   scene.read("rate", spec.rate);
-  scene.read("gravity", spec.gravity);
+  read_gravity(scene, spec);
   std::string body_contact = "island_gauss_seidel";
   scene.read("body_contact", body_contact);
   spec.body_contact = at(scene.where("body_contact"), [&] {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,6 +66,12 @@ struct TeamSpec {
   double attacks = 1;  ///< +1: the goal at positive x, -1: the other one
 };
 
+/// That a scene says something: where, and whether only its [defaults] do.
+struct GivenKey {
+  std::string where;
+  bool by_default = false;
+};
+
 struct RobotSpec {
   std::string name;
   std::string team;
@@ -85,6 +92,13 @@ struct RobotSpec {
   Vec3d command;               ///< [m/s, m/s, rad/s]
   CollisionOptions collision;
   SensorChanges sensors;
+  std::map<std::string, GivenKey> given;  ///< its keys that somebody has set
+};
+
+/// A pair of [[materials]], for messages; its numbers stand in the table.
+struct GivenPair {
+  std::string a, b;
+  std::string where;
 };
 
 /// A property to set: --set 'blue1.pelvis.applied_force=[0,0,0,5,0,0]'.
@@ -124,6 +138,7 @@ struct SceneSpec {
   std::vector<TeamSpec> teams;
   std::vector<RobotSpec> robots;
   MaterialTable materials = MaterialTable::standard();
+  std::vector<GivenPair> material_pairs;  ///< those of `materials` that the scene sets
   std::vector<PropertySetting> settings;
   std::vector<SceneEvent> events;  ///< in the order of time
 };

@@ -25,7 +25,7 @@ SensorValue value_of(const std::string& key, const toml::node& node) {
   if (const auto* list = node.as_array()) return list_of(key, *list);
   if (const auto* text = node.as_string()) return {text->get(), place};
   if (const auto* truth = node.as_boolean()) return {truth->get(), place};
-  if (node.is_number()) return {*node.value<double>(), place};
+  if (node.is_number()) return {numbers_of(node)->front(), place};
   fail_at(node.source(), fmt::format("'{}' is a date or time; no key of a sensor is", key));
 }
 

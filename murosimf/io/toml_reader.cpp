@@ -11,6 +11,22 @@
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
+namespace {
+
+/// Whole numbers beyond 2^53 have neighbors that no floating-point number can tell from them.
+double number_of(const toml::node& node) {
+  constexpr std::int64_t largest = std::int64_t{1} << 53;
+  const auto* whole = node.as_integer();
+  if (!whole) return **node.as_floating_point();
+  if (**whole > largest || **whole < -largest) {
+    fail_at(node.source(), fmt::format("{} has too many digits to be held exactly (2^53 = {} is the largest whole "
+                                       "number); write it with a decimal point",
+                                       **whole, largest));
+  }
+  return static_cast<double>(**whole);
+}
+
+}  // namespace
 
 toml::table parse_toml_file(const std::filesystem::path& file) {
   const std::string text = read_input_file(file, most_toml_bytes);
@@ -26,7 +42,7 @@ toml::table parse_toml_file(const std::filesystem::path& file) {
 
 std::string where(const toml::source_region& source) {
   const std::string path = source.path ? *source.path : std::string("scene");
-  if (path.starts_with("--set")) return path;
+  if (path.starts_with("--")) return path;  // of an option
   return fmt::format("{}:{}:{}", path, source.begin.line, source.begin.column);
 }
 
@@ -128,9 +144,9 @@ std::string TomlTable::where(std::string_view key) const {
 std::optional<std::vector<double>> numbers_of(const toml::node& node) {
   std::vector<double> numbers;
   const auto add = [&](const toml::node& element) {
-    const auto number = element.value<double>();
-    if (number && element.is_number()) numbers.push_back(*number);
-    return element.is_number();
+    if (!element.is_number()) return false;
+    numbers.push_back(number_of(element));
+    return true;
   };
   if (const toml::array* array = node.as_array()) {
     for (const toml::node& element : *array) {

@@ -18,6 +18,15 @@ Simulation::Simulation(int threads) : world_(std::make_unique<World>()), pool_(t
 
 Simulation::~Simulation() = default;
 
+std::vector<std::string> Simulation::writers_of(const Entity& entity, std::string_view property) const {
+  const ColumnBase* column = entity.find(property);
+  std::vector<std::string> names;
+  for (const auto& task : tasks_) {
+    if (column && task->access.writes(column)) names.push_back(task->name);
+  }
+  return names;
+}
+
 Algorithm& Simulation::attach(std::string name, Entity& entity, double rate_hz, const Maker<Algorithm>& make) {
   if (initialized_) throw SetupError(fmt::format("'{}' is attached after the first step", name));
   auto task = new_task(std::move(name), entity, rate_hz);

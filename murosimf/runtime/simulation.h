@@ -105,6 +105,8 @@ class Simulation {
 
   /// One row per name and rate, in the order of attaching.
   [[nodiscard]] std::vector<AlgorithmStatistics> statistics() const;
+  /// Names of the algorithms that write a property of an entity while stepping; empty: nobody does.
+  [[nodiscard]] std::vector<std::string> writers_of(const Entity& entity, std::string_view property) const;
   /// What happened on the way, in the order of time: exchanges, and whatever record() was called with.
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
   void record(std::string text) { events_.push_back({now_, std::move(text)}); }
