@@ -14,17 +14,17 @@
 
 namespace murosimf::geometry {
 
-constexpr double plane_tolerance = 1e-7;  ///< [1] of the largest half size; single precision rounds by 6e-8
-constexpr double least_thickness = 1e-6;  ///< [1] of the largest half size; what is thinner counts as flat
+constexpr double plane_tolerance = 1e-7;     ///< [1] of the largest half size; single precision rounds by 6e-8
+constexpr double least_thickness = 1e-6;     ///< [1] of the largest half size; what is thinner counts as flat
 constexpr std::size_t many_points = 20'000;  ///< of which a hull is thinned out
-constexpr double thinning = 5e-4;           ///< [1] of the largest half size: 0.05 mm on a body that is 20 cm wide
+constexpr double thinning = 5e-4;            ///< [1] of the largest half size: 0.05 mm on a body that is 20 cm wide
 /// A hull of more vertices makes contact tests slow; who reads files warns about it.
 constexpr std::size_t many_vertices = 256;
 
 struct Hull {
-  ConvexHull hull;  ///< the middle of its axis-aligned box is the origin
-  Vec3d middle;     ///< [m] where that is in the frame of the points
-  double error = 0; ///< [m] how far the exact hull may stand out, because there were many points
+  ConvexHull hull;   ///< the middle of its axis-aligned box is the origin
+  Vec3d middle;      ///< [m] where that is in the frame of the points
+  double error = 0;  ///< [m] how far the exact hull may stand out, because there were many points
 };
 
 /// Vertices stand in the order of the points, each face begins with its lowest vertex, faces and neighbors are sorted:

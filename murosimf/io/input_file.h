@@ -10,12 +10,12 @@
 namespace murosimf::io {
 
 // The largest files that are read [byte].
-constexpr std::uintmax_t most_toml_bytes = 16'000'000;     ///< scenes, motions, tables
-constexpr std::uintmax_t most_yaml_bytes = 1'000'000;      ///< calibrations
-constexpr std::uintmax_t most_xml_bytes = 256'000'000;     ///< robots, meshes (COLLADA)
-constexpr std::uintmax_t most_record_bytes = 256'000'000;  ///< recordings of servos
-constexpr std::uintmax_t most_mesh_bytes = 512'000'000;    ///< STL, OBJ
-constexpr std::uintmax_t most_table_bytes = 1'000'000'000; ///< numbers over time (CSV)
+constexpr std::uintmax_t most_toml_bytes = 16'000'000;      ///< scenes, motions, tables
+constexpr std::uintmax_t most_yaml_bytes = 1'000'000;       ///< calibrations
+constexpr std::uintmax_t most_xml_bytes = 256'000'000;      ///< robots, meshes (COLLADA)
+constexpr std::uintmax_t most_record_bytes = 256'000'000;   ///< recordings of servos
+constexpr std::uintmax_t most_mesh_bytes = 512'000'000;     ///< STL, OBJ
+constexpr std::uintmax_t most_table_bytes = 1'000'000'000;  ///< numbers over time (CSV)
 
 /// The size of the file [byte]. Throws SetupError, one line that begins with the file's name: there is no such file, it is
 /// a folder, a device or a pipe, cannot be read, or is larger than `most`.

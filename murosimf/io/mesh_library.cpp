@@ -99,8 +99,9 @@ std::vector<std::string> mesh_doubts(const SolidMesh& mesh) {
     const std::size_t count = part.shape.hull->vertices.size();
     if (count > geometry::many_vertices) {
       const std::string thinned =
-          part.error > 0 ? fmt::format(" although it leaves out what stands out by less than {:.2g} mm", 1e3 * part.error)
-                         : "";
+          part.error > 0
+              ? fmt::format(" although it leaves out what stands out by less than {:.2g} mm", 1e3 * part.error)
+              : "";
       doubts.push_back(fmt::format("its hull has {} vertices{}, which slows contact down; simplify it ({} are plenty)",
                                    count, thinned, geometry::many_vertices));
     }

@@ -13,9 +13,8 @@ namespace {
 void check_rate(const RunLogOptions& options) {
   const double rate = options.property_rate;
   if (rate >= slowest_rate && rate <= options.step_rate) return;
-  throw SetupError(
-      fmt::format("properties cannot be logged at {} Hz; write a rate from {} to the {} steps per second", rate,
-                  slowest_rate, options.step_rate));
+  throw SetupError(fmt::format("properties cannot be logged at {} Hz; write a rate from {} to the {} steps per second",
+                               rate, slowest_rate, options.step_rate));
 }
 
 LoggedSensor& sensor_named(std::vector<LoggedSensor>& sensors, const std::string& name) {

@@ -31,7 +31,8 @@ class BoundsScan {
   }
 
   void open() {
-    if (++open_ > most_open_brackets) refuse(fmt::format("more than {} brackets inside each other", most_open_brackets));
+    if (++open_ > most_open_brackets)
+      refuse(fmt::format("more than {} brackets inside each other", most_open_brackets));
   }
 
   void skip_comment() { place_ = std::min(text_.find('\n', place_), text_.size()); }

@@ -35,7 +35,8 @@ class AccessSet {
 
  private:
   std::vector<Access> all_;
-  std::unordered_map<const ColumnBase*, std::uint8_t> modes_;  // one bit for each: robots that see all others have thousands
+  std::unordered_map<const ColumnBase*, std::uint8_t>
+      modes_;  // one bit for each: robots that see all others have thousands
   std::vector<const Entity*> claimed_;
 };
 

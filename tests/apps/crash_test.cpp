@@ -21,8 +21,8 @@ std::string repeated(const std::string& text, int count) {
 /// With at most that much address space [kB].
 Result with_memory(int kilobytes, const std::string& arguments) {
   const fs::path out = scratch("out"), err = scratch("err");
-  const std::string command = "ulimit -v " + std::to_string(kilobytes) + "; exec " MUROSIMF_PROGRAM " " + arguments + " >" +
-                              out.string() + " 2>" + err.string() + " </dev/null";
+  const std::string command = "ulimit -v " + std::to_string(kilobytes) + "; exec " MUROSIMF_PROGRAM " " + arguments +
+                              " >" + out.string() + " 2>" + err.string() + " </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
 }
@@ -50,7 +50,8 @@ TEST(Crash, WhereARateIsNoRate) {
 }
 
 TEST(Crash, WhereTomlNeverEnds) {
-  for (const std::string& text : {repeated("a.", 50000) + "a = 1", "a = " + repeated("[", 50000), "[" + repeated("a.", 50000)}) {
+  for (const std::string& text :
+       {repeated("a.", 50000) + "a = 1", "a = " + repeated("[", 50000), "[" + repeated("a.", 50000)}) {
     expect_mistake("run " + write("deep.toml", text).string(), {"deep.toml:1:", "more than"});
   }
   expect_mistake("run walk --set walker.position=" + repeated("[", 500), {"--set", "more than 64 brackets"});

@@ -112,7 +112,7 @@ TEST(Hull, OfAnOctahedronHasEightTriangles) {
 TEST(Hull, EnclosesAllPointsAndConsistsOfThem) {
   for (const bool on_sphere : {false, true}) {
     const auto points = cloud(1000, on_sphere);
-    const auto [hull, middle] = make_hull(points);
+    const auto [hull, middle, error] = make_hull(points);
     expect_proper(hull);
     EXPECT_LT(sticking_out(hull, shifted(points, middle)), 1e-12);
     for (const Vec3d& vertex : hull.vertices) {
@@ -159,7 +159,7 @@ TEST(Hull, JoinsPlanesThatSinglePrecisionBroke) {
       const Vec3d q = turn * corner;
       points.push_back({static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)});
     }
-    const auto [hull, middle] = make_hull(points);
+    const auto [hull, middle, error] = make_hull(points);
     EXPECT_EQ(hull.faces.size(), 6U) << "round " << round;
     EXPECT_EQ(hull.vertices.size(), 8U) << "round " << round;
     EXPECT_LT(sticking_out(hull, shifted(points, middle)), 0.15 * 4 * plane_tolerance);
@@ -177,7 +177,7 @@ TEST(Hull, HasConvexFacesEvenIfPointsAlmostLieInPlanes) {
       p.*axis = (dice.chance(0.5) ? 1 : -1) + dice.uniform(-noise, noise);
       points.push_back({0.5 * p.x, 0.1 * p.y, p.z});
     }
-    const auto [hull, middle] = make_hull(points);
+    const auto [hull, middle, error] = make_hull(points);
     EXPECT_LT(sticking_out(hull, shifted(points, middle)), 10 * plane_tolerance) << "round " << round;
     for (std::size_t i = 0; i < hull.faces.size(); ++i) {
       const auto corner = [&](std::size_t k) { return hull.vertices[hull.faces[i][k % hull.faces[i].size()]]; };
@@ -229,7 +229,7 @@ TEST(MeshMass, OfABoxAndATetrahedronIsTheirClosedForm) {
   const SymMat3d expected{h.y * h.y + h.z * h.z, h.x * h.x + h.z * h.z, h.x * h.x + h.y * h.y};
   EXPECT_LT(difference(box.inertia, (box.volume / 3) * expected), 1e-15);
 
-  const auto [corner, at] = make_hull(std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  const auto [corner, at, error] = make_hull(std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   const auto solid = solid_mass(corner);
   EXPECT_NEAR(solid.volume, 1.0 / 6, 1e-15);
   EXPECT_LT(norm(solid.center + at - Vec3d{0.25, 0.25, 0.25}), 1e-15);
@@ -239,7 +239,7 @@ TEST(MeshMass, OfABoxAndATetrahedronIsTheirClosedForm) {
 }
 
 TEST(MeshMass, OfManyPointsOnASphereIsNearlyThatOfABall) {
-  const auto [hull, middle] = make_hull(cloud(4000, true));
+  const auto [hull, middle, error] = make_hull(cloud(4000, true));
   const auto solid = solid_mass(hull);
   // a facet of edge a lies about a^2 / 4 under the sphere; 4000 points: a^2 = 0.0036
   EXPECT_NEAR(solid.volume, 4.0 / 3 * pi, 0.02);

@@ -88,7 +88,7 @@ std::string ascii_stl(const geometry::TriangleMesh& mesh) {
 geometry::TriangleMesh block() {
   std::vector<Vec3d> corners;
   for (int i = 0; i < 8; ++i) corners.push_back({1.0 + (i & 1), 2.0 + (i & 2), i & 4 ? 6.0 : 3.0});
-  const auto [hull, middle] = geometry::make_hull(corners);
+  const auto [hull, middle, error] = geometry::make_hull(corners);
   auto mesh = geometry::triangles_of(hull);
   for (Vec3d& v : mesh.vertices) v += middle;
   return mesh;

@@ -142,7 +142,8 @@ TEST(Sensor, MistakesAreNamedInOneLine) {
             "sensor 'a' with 2000 Hz is faster than the simulation's 1000 steps per second");
   EXPECT_EQ(error({.name = "a", .type = "imu", .rate = 300}),
             "sensor 'a' with 300 Hz: 1000 Hz is not a whole multiple of that; 333.3333333333333 or 250 Hz would do");
-  EXPECT_EQ(error({.name = "a", .type = "imu", .rate = -1}), "the rate of sensor 'a' is -1 Hz; it must be 0.001 Hz or more, or 0 for every step");
+  EXPECT_EQ(error({.name = "a", .type = "imu", .rate = -1}),
+            "the rate of sensor 'a' is -1 Hz; it must be 0.001 Hz or more, or 0 for every step");
   EXPECT_EQ(error({.name = "a", .type = "imu", .delay = -1}),
             "the delay of sensor 'a' is -1 s; it must be from 0 to 10");
   EXPECT_EQ(error({.name = "a", .type = "imu", .signals = {{"gyroscope", {.noise = -1}}}}),
