@@ -83,7 +83,7 @@ void Sensor::step(const Instant& instant) noexcept {
     for_outputs(*reading_.info, values_,
                 [&](std::size_t i, std::span<double> numbers) { signals_[i].disturb(numbers); });
   }
-  if (due) take_sample(instant);
+  if (due && ready()) take_sample(instant);
   deliver(instant);
 }
 

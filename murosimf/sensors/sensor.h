@@ -45,6 +45,8 @@ class Sensor : public Algorithm {
   virtual void measure(std::span<double> values) noexcept = 0;
   /// What is shown of a sample whose values have got their errors; changes nothing if there is nothing to add.
   virtual void present(std::span<double>) noexcept {}
+  /// Whether there is anything to be sampled yet; false: no sample is taken at this instant.
+  [[nodiscard]] virtual bool ready() const noexcept { return true; }
   /// Forgets what was before the instant 0. May throw SetupError: nothing has been executed yet.
   virtual void start() {}
   /// How many samples were taken before this one.
