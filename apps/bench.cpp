@@ -8,6 +8,7 @@
 #include "apps/collision_probe.h"
 #include "apps/commands.h"
 #include "apps/interruption.h"
+#include "apps/last_words.h"
 #include "apps/progress.h"
 #include "apps/standard_output.h"
 #include "murosimf/io/collision_report.h"
@@ -147,7 +148,7 @@ int bench(const BenchOptions& options) {
     }
   }
   if (interrupted()) {
-    fmt::print(stderr, "murosimf: stopped by {} after {} of {} scenes\n", signal_name(), reports.size(), cases().size());
+    say_error(fmt::format("stopped by {} after {} of {} scenes", signal_name(), reports.size(), cases().size()));
   }
   write_result(options.json, io::to_text(reports), io::to_json(reports));
   return exit_code();

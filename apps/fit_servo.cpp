@@ -7,6 +7,7 @@
 
 #include "apps/commands.h"
 #include "apps/interruption.h"
+#include "apps/last_words.h"
 #include "apps/progress.h"
 #include "apps/servo_logs.h"
 #include "apps/standard_output.h"
@@ -124,7 +125,7 @@ int fit_servo(const FitServoOptions& options) {
   io::write_file(options.out, io::to_toml(report.servo));
   write_result(options.json, io::to_text(report), io::to_json(report));
   if (report.stopped) {
-    fmt::print(stderr, "murosimf: stopped by {}; '{}' is the best so far\n", signal_name(), options.out);
+    say_error(fmt::format("stopped by {}; '{}' is the best so far", signal_name(), options.out));
   }
   return exit_code();
 }
