@@ -39,6 +39,7 @@ class Cases:
 
     def __init__(self, program):
         self.scenes = texts("scenes/*.toml")
+        self.everything = (ROOT / "tests/fuzz/seeds/everything.toml").read_text()
         self.scene_names = sorted(file.stem for file in ROOT.glob("scenes/*.toml"))
         self.robots = texts("models/*.xml") + texts("tests/fuzz/seeds/*.mjcf")
         self.urdfs = texts("tests/fuzz/seeds/*.urdf")
@@ -60,8 +61,9 @@ class Cases:
         return rng.choices(kinds, weights)[0](rng)
 
     def scene(self, rng):
+        text = self.everything if rng.random() < 0.5 else rng.choice(self.scenes)
         return ["run", "scene.toml", *SHORT, *rng.choice([[], [], ["--threads", "2"], ["--lenient"]])], {
-            "scene.toml": mutated(rng, rng.choice(self.scenes))}
+            "scene.toml": mutated(rng, text)}
 
     def robot(self, rng, name, files):
         """What can be done with a robot file."""
