@@ -33,6 +33,7 @@ struct Standing {
   std::vector<Vec3d> r;  ///< [m] of its objects
   std::vector<Mat3d> R;
   double reach = 0;  ///< [m] about its base
+  bool moves = true;
   std::optional<collision::Compound> compound;
 };
 
@@ -69,22 +70,30 @@ std::optional<ObjectPair> first_overlap(Standing& one, Standing& other) {
     }
     return !found;
   };
-  (void)collision::for_pairs(a, b, collision::only_touching(a, b, test));
+  // kinds of shapes count on what stands still; between movers everything touches (model/shape.h)
+  if (other.moves) {
+    (void)collision::for_pairs(a, b, test);
+  } else {
+    (void)collision::for_pairs(a, b, collision::only_touching(a, b, test));
+  }
   return found;
 }
 
 std::string name_in(const Standing& standing, int object) { return standing.entity->model().objects()[object].name; }
 
 std::string overlap_line(const Standing& one, const Standing& other, const ObjectPair& objects) {
-  return fmt::format("{} and {} overlap at the start ('{}' is in '{}'): contact throws them apart", one.entity->name(),
+  return fmt::format("{} and {} overlap at the start ('{}' is in '{}'): contact pushes them apart", one.entity->name(),
                      other.entity->name(), name_in(one, objects.a), name_in(other, objects.b));
 }
 
 /// [m] above the plane z = 0.
 double lowest_of(const Standing& standing) {
   double lowest = std::numeric_limits<double>::infinity();
+  const collision::GroundPlane ground;
   for (const auto& shape : collision::ground_shapes(standing.entity->model())) {
-    lowest = std::min(lowest, collision::lowest_point(shape, standing.r[shape.object], standing.R[shape.object], {}));
+    if (!may_touch(shape.placed, ground)) continue;
+    lowest =
+        std::min(lowest, collision::lowest_point(shape, standing.r[shape.object], standing.R[shape.object], ground));
   }
   return lowest;
 }
@@ -99,7 +108,7 @@ std::vector<std::string> start_overlaps(const Entity& field, std::span<Entity* c
   std::vector<Standing> standing;
   standing.reserve(movers.size() + 1);
   for (const Entity* mover : movers) standing.emplace_back(*mover);
-  standing.emplace_back(field);
+  standing.emplace_back(field).moves = false;
   for (Standing& s : standing) {
     const auto [known, is_new] = reaches.try_emplace(&s.entity->model(), 0);
     if (is_new) known->second = collision::farthest_reach(s.entity->model());
@@ -113,7 +122,7 @@ std::vector<std::string> start_overlaps(const Entity& field, std::span<Entity* c
       }
     }
     if (const double lowest = lowest_of(standing[i]); lowest < -deepest_contact) {
-      lines.push_back(fmt::format("{} is in the ground by {:.0f} mm at the start: contact throws it out",
+      lines.push_back(fmt::format("{} is in the ground by {:.0f} mm at the start: contact pushes it out",
                                   movers[i]->name(), -1e3 * lowest));
     }
   }
