@@ -19,7 +19,7 @@ template <class Number>
     const bool good = error == std::errc{} && end == text.data() + text.size() && number >= low && number <= high;
     return good ? std::string{} : fmt::format("Value {} not in range {} to {}", text, low, high);
   };
-  return {check, fmt::format("in [{} - {}]", low, high)};
+  return {check, fmt::format("{} in [{} - {}]", CLI::detail::type_name<Number>(), low, high)};
 }
 
 }  // namespace murosimf::app

@@ -237,6 +237,7 @@ int render(RenderOptions options) {
   } else {
     io::write_file(options.out, render::image_png(source->take(scene.simulation().now())));
   }
+  if (const auto line = scene.events_to_come(); !line.empty()) fmt::print(stderr, "warning: {}\n", line);
   return 0;
 }
 
