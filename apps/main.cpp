@@ -10,6 +10,7 @@
 #include "apps/commands.h"
 #include "apps/interruption.h"
 #include "apps/last_words.h"
+#include "apps/option_range.h"
 #include "murosimf/model/error.h"
 
 namespace {
@@ -34,10 +35,10 @@ void add_scene(CLI::App& command, Options& options) {
   command.add_option("scene", options.scene, "Scene file (TOML), or the name of one that comes with the program")
       ->required();
   command.add_option("--threads", options.threads, "Threads; results do not depend on their number")
-      ->check(CLI::Range(1, 256))
+      ->check(in_range(1, 256))
       ->capture_default_str();
   command.add_option("--seed", options.seed, "Seed of all random numbers, instead of the scene's")
-      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
+      ->check(in_range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
   command
       .add_option("--set", options.overrides,
                   "PATH=VALUE: change the scene, for example 'blue.*.level=simplified_dynamics'")
@@ -124,9 +125,9 @@ void add_compare(CLI::App& app, CompareCommand& command, int& exit_code) {
       ->allow_extra_args(false);
   compare_command->add_option("--duration", options.duration, "Simulated seconds, instead of the scene's");
   compare_command->add_option("--seed", options.seed, "Seed of all random numbers, instead of the scene's")
-      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
+      ->check(in_range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
   compare_command->add_option("--repeat", options.repeat, "Timed runs per level; their median counts")
-      ->check(CLI::Range(1, 1000))
+      ->check(in_range(1, 1000))
       ->capture_default_str();
   compare_command->add_option("--threshold", command.thresholds, "NAME=VALUE: what still counts as the same")
       ->allow_extra_args(false);
@@ -194,16 +195,16 @@ void add_fit_servo(CLI::App& app, FitServoOptions& options, int& exit_code) {
   fit->add_option("--cross-validate", options.cross_validate,
                   "'trajectory' or 'gain': leave each of them out once, and say how well it is foreseen");
   fit->add_option("--seed", options.seed, "Seed of the search; the same seed finds the same servo")
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1000000000}))
+      ->check(in_range(std::int64_t{0}, std::int64_t{1000000000}))
       ->capture_default_str();
   fit->add_option("--starts", options.starts, "Searches from different points")
-      ->check(CLI::Range(1, 1000))
+      ->check(in_range(1, 1000))
       ->capture_default_str();
   fit->add_option("--windows", options.windows, "Share of short windows in what is minimized, against whole recordings")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(in_range(0.0, 1.0))
       ->capture_default_str();
   fit->add_option("--threads", options.threads, "Threads, instead of all; results do not depend on their number")
-      ->check(CLI::Range(1, 256));
+      ->check(in_range(1, 256));
   fit->add_option("--json", options.json, "Write JSON to this file, or to standard output with '-'");
   fit->callback([&] { exit_code = fit_servo(options); });
 }

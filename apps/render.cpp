@@ -298,6 +298,7 @@ int render(RenderOptions options) {
   const bool written = options.video.empty() ? write_picture(*source, scene.simulation(), options)
                                              : write_video(*source, scene.simulation(), options,
                                                            options.duration.value_or(scene.spec().duration));
+  if (const auto line = scene.events_to_come(); !interrupted() && !line.empty()) say_warning(line);
   if (interrupted()) say_stopped(options, scene.simulation(), written);
   return exit_code();
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ double value_of(const std::string& text, std::size_t begin, const std::string& w
   double value = 0;
   const char* end = text.data() + text.size();
   const auto [parsed, error] = std::from_chars(text.data() + begin, end, value);
-  if (error != std::errc{} || parsed != end || !(value >= 0)) {
+  if (error != std::errc{} || parsed != end || !(value >= 0 && std::isfinite(value))) {
     throw SetupError(where + ": the value must be a number from 0");
   }
   return value;

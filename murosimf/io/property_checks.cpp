@@ -100,20 +100,24 @@ bool is_variable(std::string_view name) {
                              [&](const auto& entry) { return !entry.constant && entry.info.name == name; });
 }
 
+std::string called(const Entity& entity, int index) {
+  return fmt::format("entity '{}', object '{}'", entity.name(), entity.model().objects()[index].name);
+}
+
 /// As setting it now would find it. False if there is no such property yet, but a level may bring it.
 bool can_be_set(Entity& entity, ObjectAccess object, int index, const PropertySetting& setting, bool level_changes) {
   const ColumnBase* column = entity.find(setting.property);
   if (!column && level_changes && is_variable(setting.property)) return false;
+  if (!column && is_variable(setting.property)) {
+    throw SetupError(fmt::format("{}: nobody here uses '{}': neither {} nor its controller and sensors",
+                                 called(entity, index), setting.property, entity.level));
+  }
   const bool whole = column && column->info().scope != Scope::object;
   const bool fits = column && column->numbers() > 0 && column->numbers() == setting.numbers.size() &&
                     std::ranges::all_of(setting.numbers, [](double x) { return std::isfinite(x); }) &&
                     (whole ? index == 0 : !entity.model().objects()[index].structural);
   if (!fits) object.set(setting.property, setting.numbers);  // says why not, and sets nothing
   return true;
-}
-
-std::string called(const Entity& entity, int index) {
-  return fmt::format("entity '{}', object '{}'", entity.name(), entity.model().objects()[index].name);
 }
 
 /// Throws SetupError if the property means nothing for this object.

@@ -255,8 +255,7 @@ RunReport Scene::report(Duration wall, const Lateness& lateness) const {
   report.warnings = warnings_;
   const auto& frozen = simulation_->warnings();
   report.warnings.insert(report.warnings.end(), frozen.begin(), frozen.end());
-  const auto to_come = events_to_come();
-  report.warnings.insert(report.warnings.end(), to_come.begin(), to_come.end());
+  if (auto line = events_to_come(); !line.empty()) report.warnings.push_back(std::move(line));
   for (const Entity* mover : movers_) {
     if (auto line = motion::overload_message(*mover); !line.empty()) report.warnings.push_back(std::move(line));
   }

@@ -63,8 +63,8 @@ class Scene {
   /// SetupError if the file cannot be written.
   void write_picture(const std::filesystem::path& file) const;
 
-  /// One line for each event whose time has not come; none before the first step.
-  [[nodiscard]] std::vector<std::string> events_to_come() const;
+  /// A line about events whose time has not come; empty if all have, and before the first step.
+  [[nodiscard]] std::string events_to_come() const;
 
   /// Robots and ball, in the order of sensors' labels.
   [[nodiscard]] const std::vector<Entity*>& movers() const { return movers_; }

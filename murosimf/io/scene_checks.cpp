@@ -83,17 +83,15 @@ void Scene::warn_about_start() {
   warnings_.insert(warnings_.end(), lines.begin(), lines.end());
 }
 
-std::vector<std::string> Scene::events_to_come() const {
-  std::vector<std::string> lines;
+std::string Scene::events_to_come() const {
   const Duration now = simulation_->now();
-  if (now == Duration{}) return lines;
-  for (const SceneEvent& event : spec_.events) {
-    if (from_seconds(event.time) <= now - simulation_->tick()) continue;
-    auto line = fmt::format("{}: its time, {:.3f} s, never came: the run ended at {:.3f} s", event.where, event.time,
-                            seconds(now));
-    if (lines.empty() || lines.back() != line) lines.push_back(std::move(line));
-  }
-  return lines;
+  if (now == Duration{}) return {};
+  const auto comes_later = [&](const SceneEvent& e) { return from_seconds(e.time) > now - simulation_->tick(); };
+  const auto first = std::ranges::find_if(spec_.events, comes_later);
+  if (first == spec_.events.end()) return {};
+  return fmt::format("the run ended at {:.3f} s: {} of {} events did not come, the first at {:.3f} s ({})",
+                     seconds(now), std::ranges::distance(first, spec_.events.end()), spec_.events.size(), first->time,
+                     first->where);
 }
 
 void Scene::watch(const PropertySetting& setting, const std::string& entity) {

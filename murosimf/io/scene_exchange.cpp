@@ -15,6 +15,9 @@ void Scene::schedule_events() {
   const SceneSpec& spec = spec_;
   for (const SceneEvent& event : spec.events) {
     for (const std::string& entity : event.entities) {
+      if (event.setting && !event.setting->object.empty()) {
+        at(event.where, [&] { (void)simulation_->world().entity(entity).object(event.setting->object); });
+      }
       // a call for everybody: one who refuses does not keep the others from changing
       simulation_->at(from_seconds(event.time), [this, &event, &entity] { apply(event, entity); });
     }

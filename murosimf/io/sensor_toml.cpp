@@ -45,6 +45,7 @@ SensorTable table_of(std::string name, const toml::table& node) {
   for (const auto& [key, value] : node) {
     const std::string word(key.str());
     if (const toml::table* output = value.as_table()) {
+      if (output->empty()) fail_at(value.source(), fmt::format("'{}' is an empty table: it says nothing", word));
       SensorValues& values = table.outputs[word];
       for (const auto& [inner, number] : *output) {
         if (number.is_table()) fail_at(inner.source(), fmt::format("'{}' must not be a table", inner.str()));

@@ -1,0 +1,90 @@
+// Numbers of options: what is no number, or no sensible one, is refused in one line before anything is computed.
+#include "tests/apps/program.h"
+
+namespace murosimf::test {
+namespace {
+
+/// A command line up to its numeric option.
+struct NumericOption {
+  const char* command;
+  const char* option;
+};
+
+constexpr NumericOption numeric_options[]{
+    {"run walk", "--threads"},
+    {"run walk", "--seed"},
+    {"run walk", "--duration"},
+    {"run walk", "--speed"},
+    {"run walk --pictures FOLDER", "--picture-every"},
+    {"run walk --duration 0.1 --log walker.pelvis.position --out FILE", "--log-rate"},
+    {"render walk --out FILE", "--time"},
+    {"render walk --out FILE", "--threads"},
+    {"render walk --out FILE", "--seed"},
+    {"render walk --video FILE.mp4", "--fps"},
+    {"render walk --video FILE.mp4", "--duration"},
+    {"compare walk --entity walker", "--duration"},
+    {"compare walk --entity walker", "--seed"},
+    {"compare walk --entity walker", "--repeat"},
+    {"compare walk --entity walker", "--threshold path="},
+    {"fit-servo nowhere --out FILE", "--seed"},
+    {"fit-servo nowhere --out FILE", "--starts"},
+    {"fit-servo nowhere --out FILE", "--windows"},
+    {"fit-servo nowhere --out FILE", "--threads"},
+    {"run walk --at", "TIME:walker.level=full_dynamics"},
+};
+
+std::string command_line(const NumericOption& numeric, const std::string& value) {
+  std::string line = std::string(numeric.command) + " " + numeric.option;
+  const auto fill = [&](const std::string& word, const std::string& text) {
+    const auto place = line.find(word);
+    if (place != std::string::npos) line.replace(place, word.size(), text);
+    return place != std::string::npos;
+  };
+  fill("FOLDER", scratch("folder").string());
+  fill("FILE", scratch("file").string());
+  const bool inside = fill("TIME", value);
+  if (!inside) line += (line.back() == '=' ? "" : " ") + value;
+  return line;
+}
+
+TEST(NumericOptions, RefuseWhatIsNoSensibleNumber) {
+  for (const NumericOption& numeric : numeric_options) {
+    for (const char* value : {"nan", "inf", "-inf", "-1", "1e400", "99999999999999999999999", "two", "1x"}) {
+      const std::string line = command_line(numeric, value);
+      const Result result = murosimf(line);
+      EXPECT_EQ(result.exit_code, 2) << line << "\n" << result.errors;
+      EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << line << "\n" << result.errors;
+    }
+  }
+}
+
+TEST(NumericOptions, AreAllInThisTest) {
+  std::size_t found = 0;
+  for (const char* command :
+       {"run", "render", "plot", "compare", "check", "convert", "list", "bench", "fit-servo", "replay-servo", "lens"}) {
+    std::stringstream help(murosimf(std::string(command) + " --help").output);
+    for (std::string line; std::getline(help, line);) {
+      const auto option = line.find("--");
+      if (option == std::string::npos || line.find_first_not_of(' ') != option) continue;
+      const bool numeric = line.find(" INT") != std::string::npos || line.find(" FLOAT") != std::string::npos ||
+                           line.find(" UINT") != std::string::npos;
+      if (!numeric) continue;
+      ++found;
+      const std::string name = line.substr(option, line.find_first_of(" :=", option) - option);
+      const bool known = std::any_of(std::begin(numeric_options), std::end(numeric_options), [&](const auto& entry) {
+        const std::string text = entry.command;
+        return text.substr(0, text.find(' ')) == command && entry.option == name;
+      });
+      EXPECT_TRUE(known) << command << " " << name << " is not tried in this test";
+    }
+  }
+  EXPECT_GT(found, 10U) << "the help looks different";
+}
+
+TEST(NumericOptions, SeedsAreExact) {
+  const Result result = murosimf("run walk --duration 0 --seed 9007199254740993");
+  EXPECT_NE(result.output.find("seed 9007199254740993,"), std::string::npos) << result.output;
+}
+
+}  // namespace
+}  // namespace murosimf::test
