@@ -91,9 +91,7 @@ class BenchProgress {
   int halves_ = 0;
 };
 
-io::SceneOptions scene_options(const Case& measured) {
-  return {.overrides = measured.overrides, .stop = interrupted};
-}
+io::SceneOptions scene_options(const Case& measured) { return {.overrides = measured.overrides, .stop = interrupted}; }
 
 void run_to(Simulation& simulation, double time, BenchProgress& progress) {
   Clock as_fast_as_possible;
@@ -147,7 +145,8 @@ int bench(const BenchOptions& options) {
     }
   }
   if (interrupted()) {
-    fmt::print(stderr, "murosimf: stopped by {} after {} of {} scenes\n", signal_name(), reports.size(), cases().size());
+    fmt::print(stderr, "murosimf: stopped by {} after {} of {} scenes\n", signal_name(), reports.size(),
+               cases().size());
   }
   write_result(options.json, io::to_text(reports), io::to_json(reports));
   return exit_code();

@@ -194,7 +194,8 @@ void check(const RenderOptions& options) {
     throw SetupError(fmt::format("--fps {}: must be from 1 to 240", options.fps));
   }
   if (!(options.slow >= 0.01 && options.slow <= 1000)) {
-    throw SetupError(fmt::format("--slow {}: must be from 0.01 to 1000; 1 shows things as fast as they are", options.slow));
+    throw SetupError(
+        fmt::format("--slow {}: must be from 0.01 to 1000; 1 shows things as fast as they are", options.slow));
   }
   if (options.duration && time_of("--duration", *options.duration) == Duration{}) refuse_no_time();
   if (!options.light.empty()) check_light(options.light);

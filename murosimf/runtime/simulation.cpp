@@ -11,8 +11,8 @@ namespace {
 using WallClock = std::chrono::steady_clock;
 
 constexpr std::int64_t all_timed = 64, timed_every = 8;  // calls
-constexpr double slowest_rate = 1e-3;  // [Hz]
-constexpr double fastest_rate = 1e5;   // [Hz]
+constexpr double slowest_rate = 1e-3;                    // [Hz]
+constexpr double fastest_rate = 1e5;                     // [Hz]
 
 }  // namespace
 
