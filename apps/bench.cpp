@@ -92,9 +92,7 @@ class BenchProgress {
   int halves_ = 0;
 };
 
-io::SceneOptions scene_options(const Case& measured) {
-  return {.overrides = measured.overrides, .stop = interrupted};
-}
+io::SceneOptions scene_options(const Case& measured) { return {.overrides = measured.overrides, .stop = interrupted}; }
 
 void run_to(Simulation& simulation, double time, BenchProgress& progress) {
   Clock as_fast_as_possible;

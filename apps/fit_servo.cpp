@@ -74,15 +74,14 @@ Result fit(const Task& task, const Logs& logs, const std::string& what) {
                                                      .window_share = task.options.windows};
   const identification::Objective objective(task.model, task.prior, logs, objective_options);
   Progress line;
-  const auto coarse =
-      identification::search(objective,
-                             {.seed = static_cast<std::uint64_t>(task.options.seed),
-                              .starts = task.options.starts,
-                              .threads = threads_of(task.options),
-                              .stop = interrupted},
-                             [&](double share, double best) {
-                               line.show(share, fmt::format("{}, cost {:.1f} mrad", what, 1e3 * best));
-                             });
+  const auto coarse = identification::search(objective,
+                                             {.seed = static_cast<std::uint64_t>(task.options.seed),
+                                              .starts = task.options.starts,
+                                              .threads = threads_of(task.options),
+                                              .stop = interrupted},
+                                             [&](double share, double best) {
+                                               line.show(share, fmt::format("{}, cost {:.1f} mrad", what, 1e3 * best));
+                                             });
   // with the step of a replay: where an arm stops must not depend on the step of the search
   constexpr int refinement = 1500;
   objective_options.step = replay_step;

@@ -51,8 +51,7 @@ std::optional<ProcessResult> run_process(const std::vector<std::string>& argumen
   }
   std::rewind(in.get());
   pid_t child = 0;
-  if (const int error = spawn(arguments, {fileno(in.get()), fileno(out.get()), fileno(err.get())}, child);
-      error != 0) {
+  if (const int error = spawn(arguments, {fileno(in.get()), fileno(out.get()), fileno(err.get())}, child); error != 0) {
     if (error == ENOENT || error == EACCES) return std::nullopt;
     refuse(program, error);
   }

@@ -38,7 +38,8 @@ struct AlgorithmStatistics {
   std::string name;
   double rate_hz = 0;
   std::int64_t calls = 0;
-  double us_per_call = 0;  ///< mean; after the first 64 calls from every eighth: taking the time of all would slow them down
+  double us_per_call =
+      0;  ///< mean; after the first 64 calls from every eighth: taking the time of all would slow them down
 };
 
 /// Something that happened once: a level was exchanged, or refused.

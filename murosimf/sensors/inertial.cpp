@@ -75,6 +75,8 @@ Accelerometer::Accelerometer(Setup& setup, const SensorSpec& spec, const SensorS
 
 void Accelerometer::measure(std::span<double> values) noexcept { write(force_.next(), values); }
 
+void Accelerometer::expect(std::span<double> values) const noexcept { write(force_.at_rest(), values); }
+
 Orientation::Orientation(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
     : Sensor(setup, spec, surroundings, {orientation()}), mounting_(setup, spec) {}
 
@@ -92,6 +94,8 @@ void Imu::measure(std::span<double> values) noexcept {
   write(force_.next(), values.subspan(3));
   std::fill_n(values.begin() + 6, 4, 0.0);
 }
+
+void Imu::expect(std::span<double> values) const noexcept { write(force_.at_rest(), values.subspan(3)); }
 
 void Imu::present(std::span<double> values) noexcept { turn_by_errors(mounting_.orientation(), values.subspan(6)); }
 

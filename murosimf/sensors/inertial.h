@@ -8,14 +8,15 @@
 ///                     f(t) = (R(t) + R(t - h))^T/2 ((v(t) - v(t - h))/h - g),  v = r'
 ///     orientation     q, sensor axes to world axes                                           w x y z
 ///
-/// The accelerometer shows specific force: +9.81 up at rest, 0 in free fall (REP-145). It is the mean over the period that
-/// ends at the sample, from velocities: what strapdown navigation calls an increment of velocity, divided by T. So nothing
-/// between two samples is lost or counted twice: samples add up to the change of velocity, whatever the rate is. The value
-/// of a single step would be aliased. A kinematic walker's velocity is a staircase with the steps of its controller, and
-/// jumps when the feet swap: samples in phase with the controller see the same part of each stair (at 100 Hz the mean of a
-/// walk was 5.7 m/s^2 off); under a contact law one step in T / h shows an impact, T / h times too strong. Real parts
-/// decimate in the same way. It is the same equation at every level. Impacts are seen as peaks of jump / T; a part's own
-/// low-pass works on the moving mean over T. The first sample comes after a first period: before there is no change.
+/// The accelerometer shows specific force: +9.81 up at rest, 0 in free fall (REP-145). It is the mean over the period
+/// that ends at the sample, from velocities: what strapdown navigation calls an increment of velocity, divided by T. So
+/// nothing between two samples is lost or counted twice: samples add up to the change of velocity, whatever the rate
+/// is. The value of a single step would be aliased. A kinematic walker's velocity is a staircase with the steps of its
+/// controller, and jumps when the feet swap: samples in phase with the controller see the same part of each stair (at
+/// 100 Hz the mean of a walk was 5.7 m/s^2 off); under a contact law one step in T / h shows an impact, T / h times too
+/// strong. Real parts decimate in the same way. It is the same equation at every level. Impacts are seen as peaks of
+/// jump / T; a part's own low-pass works on the moving mean over T. The first sample comes after a first period, as
+/// before there is no change; until then the reading shows what a sensor at rest would.
 /// Errors of the orientation (noise, bias, drift; all [rad]) are a rotation vector e in sensor axes: q exp(e).
 /// Source: Titterton, Weston, Strapdown Inertial Navigation Technology, ch. 2 (specific force), ch. 11 (increments).
 #pragma once
@@ -46,6 +47,7 @@ class SpecificForce {
   /// To be called in every step. The first time it is NaN; then the mean since the start, until a window is full.
   [[nodiscard]] Vec3d next() noexcept;
   [[nodiscard]] bool ready() const noexcept { return calls_ > 1; }
+  [[nodiscard]] Vec3d at_rest() const noexcept { return transpose(mounting_.orientation()) * -gravity_; }
 
  private:
   [[nodiscard]] Vec3d of_step() noexcept;
@@ -69,6 +71,7 @@ class Accelerometer final : public Sensor {
   void measure(std::span<double> values) noexcept override;
   void start() noexcept override { force_.start(); }
   [[nodiscard]] bool ready() const noexcept override { return force_.ready(); }
+  void expect(std::span<double> values) const noexcept override;
 
   SpecificForce force_;
 };
@@ -94,6 +97,7 @@ class Imu final : public Sensor {
   void present(std::span<double> values) noexcept override;
   void start() noexcept override { force_.start(); }
   [[nodiscard]] bool ready() const noexcept override { return force_.ready(); }
+  void expect(std::span<double> values) const noexcept override;
 
   Mounting mounting_;
   SpecificForce force_;

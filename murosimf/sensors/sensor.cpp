@@ -83,7 +83,7 @@ void Sensor::step(const Instant& instant) noexcept {
     for_outputs(*reading_.info, values_,
                 [&](std::size_t i, std::span<double> numbers) { signals_[i].disturb(numbers); });
   }
-  if (due && ready()) take_sample(instant);
+  if (due) ready() ? take_sample(instant) : show_what_is_expected();
   deliver(instant);
 }
 
@@ -96,6 +96,12 @@ void Sensor::take_sample(const Instant& instant) noexcept {
   present(sample.values);
   taken(taken_);
   ++taken_;
+}
+
+void Sensor::show_what_is_expected() noexcept {
+  std::copy(values_.begin(), values_.end(), reading_.values.begin());
+  expect(reading_.values);
+  present(reading_.values);
 }
 
 void Sensor::deliver(const Instant& instant) noexcept {

@@ -177,11 +177,13 @@ TEST_F(Interruption, ABenchmarkKeepsTheScenesItHasDone) {
 
 /// A servo at one place.
 std::string long_log() {
-  std::string text = "{\"mass\": 0.5, \"length\": 0.1, \"arm_mass\": 0.05, \"kp\": 400, \"vin\": 7.4, \"motor\": \"xl330\",\n"
-                     "\"trajectory\": \"sin_time_square\", \"entries\": [";
+  std::string text =
+      "{\"mass\": 0.5, \"length\": 0.1, \"arm_mass\": 0.05, \"kp\": 400, \"vin\": 7.4, \"motor\": \"xl330\",\n"
+      "\"trajectory\": \"sin_time_square\", \"entries\": [";
   for (int i = 0; i < 1000; ++i) {
     if (i > 0) text += ",\n";
-    text += "{\"timestamp\": " + std::to_string(0.01 * i) + ", \"position\": 0.01, \"speed\": 0, \"input_volts\": 7.4, " +
+    text += "{\"timestamp\": " + std::to_string(0.01 * i) +
+            ", \"position\": 0.01, \"speed\": 0, \"input_volts\": 7.4, " +
             "\"goal_position\": " + (i < 20 ? "0.0" : "0.6") + ", \"torque_enable\": true}";
   }
   return text + "]}";
@@ -216,7 +218,8 @@ class InterruptedVideo : public Interruption {
     return "render " + scene_ + " --size 64x48 --duration 1e6 --video " + video;
   }
   static bool cannot_draw(const OnTerminal& program) {
-    return program.shown().find("cannot draw") != std::string::npos || program.shown().find("OpenGL") != std::string::npos;
+    return program.shown().find("cannot draw") != std::string::npos ||
+           program.shown().find("OpenGL") != std::string::npos;
   }
 };
 
@@ -244,7 +247,8 @@ TEST_F(InterruptedVideo, ASecondSignalEndsTheProgramAndItsChildrenAtOnce) {
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
   EXPECT_EQ(files(), (std::vector<std::string>{"bin", "ended", "pid"})) << "nothing half is left";
   const pid_t child = std::stoi(read_file(file("pid")));
-  while (kill(child, 0) == 0 && read_file("/proc/" + std::to_string(child) + "/stat").find(") Z") == std::string::npos) {
+  while (kill(child, 0) == 0 &&
+         read_file("/proc/" + std::to_string(child) + "/stat").find(") Z") == std::string::npos) {
     std::this_thread::sleep_for(5ms);
   }
 }

@@ -49,6 +49,26 @@ TEST(SceneSensors, RobotsCarryThoseOfTheirFiles) {
   }
 }
 
+// Over many steps nothing is accelerated: what is left of the mean is 0.3 m/s over 20 s, and how far the torso leans.
+TEST(SceneSensors, AnAccelerometerOfAKinematicWalkerShowsGravityInTheMean) {
+  for (const double rate : {100.0, 200.0, 500.0, 1000.0}) {
+    Scene scene(write_scene(start + "[[robots]]\nname = 'one'\ncommand = [0.2, 0, 0]\n[robots.sensors.felt]\n" +
+                            "type = 'accelerometer'\nframe = 'torso'\nrate = " + std::to_string(rate) + "\n"));
+    scene.simulation().run(2s);
+    const Reading& felt = reading(scene, "one", "felt");
+    Vec3d sum;
+    std::uint64_t samples = 0;
+    for (std::uint64_t seen = felt.samples; samples < static_cast<std::uint64_t>(20 * rate);) {
+      scene.simulation().step();
+      if (felt.samples == seen) continue;
+      seen = felt.samples;
+      ++samples;
+      sum += Vec3d{felt.values[0], felt.values[1], felt.values[2]};
+    }
+    EXPECT_LT(fixtures::difference((1 / static_cast<double>(samples)) * sum, {0, 0, 9.81}), 0.05) << rate << " Hz";
+  }
+}
+
 TEST(SceneSensors, ASceneAddsChangesAndRemoves) {
   Scene scene(write_scene(
       start +
