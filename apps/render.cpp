@@ -222,6 +222,7 @@ int render(RenderOptions options) {
                                   .seed = options.seed,
                                   .overrides = options.overrides,
                                   .events = options.events,
+                                  .pushes = options.pushes,
                                   .lenient = options.lenient});
   std::unique_ptr<PictureSource> source;
   if (!options.camera.empty()) {

@@ -77,6 +77,7 @@ int run(const RunOptions& options) {
                                   .seed = options.seed,
                                   .overrides = options.overrides,
                                   .events = options.events,
+                                  .pushes = options.pushes,
                                   .lenient = options.lenient,
                                   .cameras = !options.no_cameras});
   const Duration duration = duration_of(options.duration.value_or(scene.spec().duration));
