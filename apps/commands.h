@@ -18,6 +18,7 @@ struct RunOptions {
   std::optional<std::int64_t> seed;  ///< from 0
   std::vector<std::string> overrides;
   std::vector<std::string> events;
+  std::vector<std::string> pushes;
   std::string json;              ///< file, "-" for standard output
   std::string picture;           ///< PNG file
   std::string pictures;          ///< folder for a sequence of PNG files
@@ -47,7 +48,7 @@ struct RenderOptions {
   std::optional<double> duration;  ///< [s] of the video
   int threads = 1;
   std::optional<std::int64_t> seed;
-  std::vector<std::string> overrides, events;
+  std::vector<std::string> overrides, events, pushes;
   bool lenient = false;
 };
 
@@ -102,7 +103,7 @@ struct CompareCommand {
 int compare(const CompareCommand& command);
 
 /// `what`: levels, contacts, body_contacts, volumes, integrators, servo_laws, controllers, sensors, parts,
-/// lenses, properties.
+/// lenses, materials, scenes, models, properties.
 int list(const std::string& what);
 
 struct FitServoOptions {

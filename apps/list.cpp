@@ -1,14 +1,17 @@
-// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses and properties.
+// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, materials and properties.
 #include <fmt/format.h>
 
+#include "apps/command_line.h"
 #include "apps/commands.h"
 #include "apps/standard_output.h"
 #include "murosimf/collision/pair_law.h"
 #include "murosimf/geometry/any_tree.h"
 #include "murosimf/io/camera_info.h"
+#include "murosimf/io/data_path.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/io/sensor_table.h"
 #include "murosimf/io/sensor_types.h"
+#include "murosimf/model/material.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/servo_law.h"
@@ -44,7 +47,32 @@ std::string properties_text() {
   return text;
 }
 
+/// What comes with the program and has a file.
+std::string file_names(std::string_view kind, std::string_view extension) {
+  return fmt::format("{}\n", fmt::join(io::data_file_names(kind, extension), "\n"));
+}
+
+/// The pairs that come with the program; a scene changes them by [[materials]] and --set materials.friction.
+std::string materials_text() {
+  std::string text = fmt::format("{:<10} {:<10} {:>9} {:>9} {:>12} {:>12} {:>13}\n", "material", "and", "friction",
+                                 "rolling", "restitution", "stiffness", "grain_effect");
+  const MaterialTable materials = MaterialTable::standard();
+  for (const auto& [names, pair] : materials.pairs()) {
+    const std::string stiffness = pair.stiffness > 0 ? fmt::format("{:g} N/m", pair.stiffness) : "by weight";
+    text += fmt::format("{:<10} {:<10} {:>9g} {:>9g} {:>12g} {:>12} {:>13g}\n", names.first, names.second,
+                        pair.friction, pair.rolling, pair.restitution, stiffness, pair.grain_effect);
+  }
+  return text;
+}
+
 }  // namespace
+
+const std::vector<std::string>& list_kinds() {
+  static const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",   "integrators",
+                                              "servo_laws", "controllers", "sensors",       "parts",     "lenses",
+                                              "materials",  "scenes",      "models",        "properties"};
+  return kinds;
+}
 
 int list(const std::string& what) {
   std::string text;
@@ -64,6 +92,9 @@ int list(const std::string& what) {
   if (what == "lenses") {
     for (const auto& name : io::lens_names()) text += fmt::format("{}\n", name);
   }
+  if (what == "scenes") text = file_names("scenes", ".toml");
+  if (what == "models") text = file_names("models", ".xml");
+  if (what == "materials") text = materials_text();
   if (what == "properties") text = properties_text();
   write_standard_output(text);
   return 0;

@@ -7,10 +7,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "apps/command_line.h"
 #include "apps/commands.h"
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/option_range.h"
+#include "apps/standard_output.h"
+#include "apps/version.h"
 #include "murosimf/model/error.h"
 
 namespace {
@@ -46,6 +49,10 @@ void add_scene(CLI::App& command, Options& options) {
   command
       .add_option("--at", options.events,
                   "TIME:PATH=VALUE: change the scene while it runs, for example '3:blue1.level=articulated_dynamics'")
+      ->allow_extra_args(false);
+  command
+      .add_option("--push", options.pushes,
+                  "OBJECT=FORCE@BEGIN..END: push a body, for example 'blue1.torso=[60,0,0]@2..2.1' (N, world axes, s)")
       ->allow_extra_args(false);
   command.add_flag("--lenient", options.lenient, "Accept unknown elements in model files, with a warning");
 }
@@ -173,13 +180,9 @@ void add_bench(CLI::App& app, BenchOptions& options, std::string& what, int& exi
 
 void add_list(CLI::App& app, std::string& what, int& exit_code) {
   CLI::App* list_command = app.add_subcommand("list", "List the names that there are");
-  list_command
-      ->add_option("what", what,
-                   "levels, contacts, body_contacts, volumes, integrators, servo_laws, controllers, sensors, parts, "
-                   "lenses or properties")
+  list_command->add_option("what", what, fmt::format("{}", fmt::join(list_kinds(), ", ")))
       ->required()
-      ->check(CLI::IsMember({"levels", "contacts", "body_contacts", "volumes", "integrators", "servo_laws",
-                             "controllers", "sensors", "parts", "lenses", "properties"}));
+      ->check(CLI::IsMember(list_kinds()));
   list_command->callback([&] { exit_code = list(what); });
 }
 
@@ -232,6 +235,16 @@ void add_lens(CLI::App& app, LensOptions& options, int& exit_code) {
   lens_command->callback([&] { exit_code = lens(options); });
 }
 
+/// Commands that say what the definition of the others gives.
+void add_shell(CLI::App& app, std::string& shell) {
+  CLI::App* completion = app.add_subcommand("completion", "Write a script that completes this command line in a shell");
+  completion->add_option("shell", shell, "bash or zsh")->required()->check(CLI::IsMember(completion_shells()));
+  completion->callback([&] { write_standard_output(completion_script(app, shell)); });
+  app.add_subcommand("man", "Write the manual page (roff): murosimf man | man -l -")->callback([&] {
+    write_standard_output(manual_page(app));
+  });
+}
+
 /// The parser would only say that a command is required.
 void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> names;
@@ -252,7 +265,7 @@ int main(int argc, char** argv) {
   catch_signals();
   CLI::App app("MuRoSimF: teams of humanoid robots at exchangeable levels of physical detail", "murosimf");
   app.require_subcommand(1);
-  app.set_version_flag("--version", MUROSIMF_VERSION);
+  app.set_version_flag("--version", version_text());
   RunOptions run_options;
   PlotOptions plot_options;
   RenderOptions render_options;
@@ -263,7 +276,7 @@ int main(int argc, char** argv) {
   FitServoOptions fit_servo_options;
   ReplayServoOptions replay_servo_options;
   LensOptions lens_options;
-  std::string what, what_to_bench;
+  std::string what, what_to_bench, shell;
   int exit_code = 0;
   add_run(app, run_options, exit_code);
   add_render(app, render_options, exit_code);
@@ -276,6 +289,7 @@ int main(int argc, char** argv) {
   add_fit_servo(app, fit_servo_options, exit_code);
   add_replay_servo(app, replay_servo_options, exit_code);
   add_lens(app, lens_options, exit_code);
+  add_shell(app, shell);
   try {
     refuse_unknown_command(app, argc, argv);
     app.parse(argc, argv);

@@ -284,6 +284,7 @@ int render(RenderOptions options) {
                                   .seed = options.seed,
                                   .overrides = options.overrides,
                                   .events = options.events,
+                                  .pushes = options.pushes,
                                   .lenient = options.lenient,
                                   .stop = interrupted});
   std::unique_ptr<PictureSource> source;

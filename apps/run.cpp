@@ -67,6 +67,7 @@ int run(const RunOptions& options) {
                                   .seed = options.seed,
                                   .overrides = options.overrides,
                                   .events = options.events,
+                                  .pushes = options.pushes,
                                   .lenient = options.lenient,
                                   .cameras = !options.no_cameras,
                                   .paths = !options.picture.empty(),

@@ -11,6 +11,11 @@ install(TARGETS murosimf EXPORT murosimf
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 if(TARGET murosimf_app)
   install(TARGETS murosimf_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  # where shells and man look for them
+  install(FILES ${CMAKE_BINARY_DIR}/share/murosimf.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+    RENAME murosimf OPTIONAL)
+  install(FILES ${CMAKE_BINARY_DIR}/share/_murosimf DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions OPTIONAL)
+  install(FILES ${CMAKE_BINARY_DIR}/share/murosimf.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/murosimf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.h")

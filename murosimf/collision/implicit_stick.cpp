@@ -88,7 +88,8 @@ bool accept_point(ContactPoint& c, const ContactParameters& p, double dt, const 
     return false;
   }
   // slipping: friction that would push along the motion means that the point has come to rest
-  if (dot(tangential_force(c, v_t), v_t) > 0) {
+  // (without friction the sign is that of a rounding error)
+  if (p.friction > 0 && dot(tangential_force(c, v_t), v_t) > 0) {
     c.state = ContactState::stick;
     return false;
   }

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "murosimf/io/json_schema.h"
+
 namespace murosimf::io {
 namespace {
 
@@ -62,7 +64,7 @@ std::string to_text(const std::vector<CollisionReport>& reports) {
 std::string to_json(const std::vector<CollisionReport>& reports) {
   toml::array scenes;
   for (const CollisionReport& report : reports) scenes.push_back(table_of(report));
-  const toml::table root{{"scenes", std::move(scenes)}};
+  const toml::table root{{"schema", json_schema("bench")}, {"scenes", std::move(scenes)}};
   std::stringstream stream;
   stream << toml::json_formatter(root) << "\n";
   return stream.str();

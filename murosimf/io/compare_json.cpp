@@ -6,6 +6,7 @@
 #include <toml++/toml.h>
 
 #include "murosimf/io/compare_report.h"
+#include "murosimf/io/json_schema.h"
 
 namespace murosimf::io {
 namespace {
@@ -76,7 +77,8 @@ std::string to_json(const Comparison& c, const Recommendation& recommendation, c
   limits.insert("fall_time", thresholds.fall_time);
   toml::array entries;
   for (std::size_t i = 0; i < c.entries.size(); ++i) entries.push_back(entry_table(c, i));
-  const toml::table root{{"scene", c.scene},
+  const toml::table root{{"schema", json_schema("compare")},
+                         {"scene", c.scene},
                          {"entity", c.entity},
                          {"duration_s", c.duration},
                          {"seed", static_cast<std::int64_t>(c.seed)},

@@ -122,7 +122,8 @@ std::vector<GoalBox> goal_boxes(const FieldSize& size, double side) {
           {"bar_rear", {{w, y + w, w}}, {side * rear, 0, w}}};
 }
 
-ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& grain, bool goals) {
+ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& grain, bool goals,
+                     const std::vector<Chain>& standing) {
   PlacedShape ground;
   ground.shape = Plane{};
   ground.surface.material = ground_material;
@@ -130,7 +131,7 @@ ModelPtr field_model(const FieldSize& size, const std::string& ground_material, 
   ground.color = carpet_green;
   Chain chain;
   chain.base("field").with(properties::shapes, {ground}).with(properties::markings, field_markings(size));
-  std::vector<Chain> boxes;
+  std::vector<Chain> boxes = standing;
   if (goals) {
     for (const GoalBox& part : goal_boxes(size, -1)) boxes.push_back(goal_box(part, "goal_left"));
     for (const GoalBox& part : goal_boxes(size, 1)) boxes.push_back(goal_box(part, "goal_right"));

@@ -89,8 +89,8 @@ struct GoalBox {
 /// A model named after the field. Its base, "field", is a plane of `ground_material` with the markings; `grain`: where
 /// the pile of the ground leans (model/shape.h), in the field's axes. Each box of a goal is an object of its own, of
 /// plastic, with its frame in its middle: "goal_right_crossbar" belongs to the goal at x > 0, "goal_left_post_left" is
-/// the post at y > 0 of the goal at x < 0. These are the 13 objects of the field in the paper (7.5).
+/// the post at y > 0 of the goal at x < 0. `standing`: more that stands on the field. The goals are the 13 objects of the field in the paper (7.5).
 [[nodiscard]] ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& grain = {},
-                                   bool goals = true);
+                                   bool goals = true, const std::vector<Chain>& standing = {});
 
 }  // namespace murosimf::io

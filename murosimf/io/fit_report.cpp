@@ -8,6 +8,7 @@
 
 #include "murosimf/identification/bench_servo.h"
 #include "murosimf/identification/parameter.h"
+#include "murosimf/io/json_schema.h"
 
 namespace murosimf::io {
 namespace {
@@ -112,7 +113,8 @@ std::string to_json(const FitReport& report) {
   for (const auto* parameter : identification::friction_model(report.servo.friction_model).parameters) {
     values.insert(parameter->name, parameter->get(bench_of(report.servo)));
   }
-  toml::table root{{"model", report.servo.friction_model},
+  toml::table root{{"schema", json_schema("fit-servo")},
+                   {"model", report.servo.friction_model},
                    {"base", report.servo.base},
                    {"prior", report.servo.prior},
                    {"seed", static_cast<std::int64_t>(report.seed)},
@@ -130,7 +132,8 @@ std::string to_json(const FitReport& report) {
 }
 
 std::string to_json(const ReplayReport& report) {
-  return text_of(toml::table{{"servo", report.servo},
+  return text_of(toml::table{{"schema", json_schema("replay-servo")},
+                             {"servo", report.servo},
                              {"mean_error_rad", mean_error(report.logs)},
                              {"logs", json_of(report.logs)}});
 }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/io/log_catalog.h"
+#include "murosimf/io/setting_targets.h"
 #include "murosimf/model/error.h"
 #include "murosimf/sensors/reading.h"
 
@@ -77,6 +78,36 @@ std::vector<LoggedNumber> properties_meant(const std::vector<Search>& all) {
   return meant;
 }
 
+/// "blue1.joint_torque": of all its joints, each by its own name, in the order of the model.
+std::vector<LoggedNumber> numbers_of_joints(const Search& search) {
+  const auto& objects = search.entity->model().objects();
+  std::vector<LoggedNumber> numbers = numbers_of_properties(*search.entity);
+  std::erase_if(numbers, [&](const LoggedNumber& number) {
+    const Object& object = objects[number.object];
+    const std::string path = fmt::format("{}.{}.{}", search.entity->name(), object.name, number.property);
+    const bool own_name = fmt::format("{}.", fmt::join(number.path, ".")).starts_with(path + ".");
+    const bool label = search.parts.size() == 1 || matches(search.parts[1], number.path.back());
+    return number.property != search.parts[0] || !object.is_joint() || !own_name || !label;
+  });
+  std::stable_sort(numbers.begin(), numbers.end(),
+                   [](const LoggedNumber& a, const LoggedNumber& b) { return a.object < b.object; });
+  return numbers;
+}
+
+bool means_joints(const Search& search) {
+  return !search.parts.empty() && search.parts.size() <= 2 && is_of_joints(search.parts[0]);
+}
+
+std::vector<LoggedNumber> joints_meant(const std::vector<Search>& all) {
+  std::vector<LoggedNumber> meant;
+  for (const Search& search : all) {
+    if (!means_joints(search)) continue;
+    const auto numbers = numbers_of_joints(search);
+    meant.insert(meant.end(), numbers.begin(), numbers.end());
+  }
+  return meant;
+}
+
 /// Throws if no path of `numbers` goes on as the pattern does: says where it ends, and what there is.
 void refuse_where_it_ends(const Search& search, std::vector<LoggedNumber> numbers,
                           const std::array<std::string_view, 3>& kinds) {
@@ -115,6 +146,10 @@ bool has_object(const Search& search) {
 
 [[noreturn]] void refuse(const Search& search) {
   const std::string& entity = search.entity->name();
+  if (means_joints(search)) {
+    throw SetupError(fmt::format("joints of '{}' have no '{}' at {}: nothing writes it there", entity, search.parts[0],
+                                 search.entity->level.empty() ? "its level" : search.entity->level));
+  }
   const auto sensors = numbers_of_sensors(*search.entity);
   const bool sensor = std::any_of(sensors.begin(), sensors.end(), [&](const LoggedNumber& number) {
     return !search.parts.empty() && matches(search.parts[0], number.path[1]);
@@ -139,6 +174,7 @@ std::vector<LoggedNumber> meant_by(const World& world, const std::string& patter
     const auto all = searches(world, parts);
     auto meant = sensors_meant(all);
     if (meant.empty()) meant = properties_meant(all);
+    if (meant.empty()) meant = joints_meant(all);
     if (all.empty()) refuse_entity(world, parts[0]);
     if (meant.empty()) {
       const auto sensing = std::find_if(all.begin(), all.end(),

@@ -3,6 +3,7 @@
 ///     blue1.imu.gyroscope.x            one number of a sensor: entity, sensor, output, label
 ///     blue*.encoders                   * and ? match within a part; what is left out at the end means all below
 ///     blue.*.imu                       of a team's robots, as for --set
+///     blue1.joint_torque               a property of joints: of all of them
 ///     blue1.l_foot.external_force      a property of an object, where no sensor has that path
 #pragma once
 

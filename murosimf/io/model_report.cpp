@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include "murosimf/control/leg.h"
+#include "murosimf/io/json_schema.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
@@ -271,7 +272,8 @@ std::string to_text(const ModelReport& report) {
 std::string to_json(const ModelReport& report) {
   toml::array tree;
   for (const ReportRow& row : report.tree) tree.push_back(row_table(row));
-  const toml::table table{{"name", report.name},
+  const toml::table table{{"schema", json_schema("check")},
+                          {"name", report.name},
                           {"total_mass_kg", report.total_mass_kg},
                           {"joints", report.joints},
                           {"bodies", report.bodies},

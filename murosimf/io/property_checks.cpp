@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "murosimf/io/registry.h"
+#include "murosimf/io/setting_targets.h"
 #include "murosimf/io/unused_settings.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/servo_law.h"
@@ -178,14 +179,11 @@ bool moves_height(const PropertySetting& setting, const Entity& entity) {
   return setting.property == "position" && place && setting.numbers[2] != place->values[0].z;
 }
 
-}  // namespace
-
-std::string check_setting(Simulation& simulation, const SceneSpec& spec, const PropertySetting& setting,
-                          const std::string& name, double time) {
-  Entity& entity = simulation.world().entity(name);
-  ObjectAccess object = setting.object.empty() ? entity.base() : entity.object(setting.object);
-  const int index = setting.object.empty() ? 0 : *entity.model().find_object(setting.object);
-  if (!can_be_set(entity, object, index, setting, changes_level_before(spec, name, time))) return {};
+/// check_setting for one of the objects that are meant.
+std::string check_object(Simulation& simulation, const SceneSpec& spec, const PropertySetting& setting, Entity& entity,
+                         int index, double time) {
+  const ObjectAccess object(entity, index);
+  if (!can_be_set(entity, object, index, setting, changes_level_before(spec, entity.name(), time))) return {};
   const SettableProperty* property = find_settable(setting.property);
   if (!property) {
     if (is_variable(setting.property)) check_writers(simulation, entity, index, setting.property);
@@ -197,12 +195,23 @@ std::string check_setting(Simulation& simulation, const SceneSpec& spec, const P
       throw SetupError(fmt::format("{}: '{}' {}", called(entity, index), setting.property, why));
     }
   }
-  const RobotSpec* robot = find_spec(spec, name);
+  const RobotSpec* robot = find_spec(spec, entity.name());
   if (!robot) return {};  // a ball is at one level, which has them all
   if (auto why = why_it_does_not_act(spec, *robot, entity, index, *property, time); !why.empty()) return why;
   const auto levels = levels_from(spec, *robot, time);
   if (!levels.front()->dynamic && levels.size() == 1 && moves_height(setting, entity)) {
     return fmt::format("{} does not use z of 'position'", levels.front()->name);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string check_setting(Simulation& simulation, const SceneSpec& spec, const PropertySetting& setting,
+                          const std::string& name, double time) {
+  Entity& entity = simulation.world().entity(name);
+  for (const int index : objects_meant(entity.model(), setting.object, setting.property)) {
+    if (auto why = check_object(simulation, spec, setting, entity, index, time); !why.empty()) return why;
   }
   return {};
 }
@@ -218,11 +227,18 @@ std::string check_command(const RobotSpec& robot, const Model& model, const Vec3
       command.x, command.y, command.z, robot.controller, most.x, most.y, most.z);
 }
 
-std::string to_text(const PropertySetting& setting, const Entity& entity) {
+std::string path_of(const PropertySetting& setting, const Entity& entity) {
+  if (setting.object.empty() && is_of_joints(setting.property)) {
+    return fmt::format("{}.{}", entity.name(), setting.property);
+  }
   const std::string& object = setting.object.empty() ? entity.model().objects()[0].name : setting.object;
+  return fmt::format("{}.{}.{}", entity.name(), object, setting.property);
+}
+
+std::string to_text(const PropertySetting& setting, const Entity& entity) {
   const std::string value = setting.numbers.size() == 1 ? fmt::format("{}", setting.numbers[0])
                                                         : fmt::format("[{}]", fmt::join(setting.numbers, ", "));
-  return fmt::format("{}.{}.{} = {}", entity.name(), object, setting.property, value);
+  return fmt::format("{} = {}", path_of(setting, entity), value);
 }
 
 }  // namespace murosimf::io

@@ -20,7 +20,10 @@ namespace murosimf::io {
 /// What a controller makes of a walking velocity that is more than it can; empty if it follows it.
 [[nodiscard]] std::string check_command(const RobotSpec& robot, const Model& model, const Vec3d& command);
 
-/// "walker.pelvis.applied_force = [0, 0, 0, 0, 20, 0]"
+/// "walker.pelvis.applied_force"; "walker.joint_target" of all joints.
+[[nodiscard]] std::string path_of(const PropertySetting& setting, const Entity& entity);
+
+/// "walker.pelvis.applied_force = [0, 20, 0, 0, 0, 0]"
 [[nodiscard]] std::string to_text(const PropertySetting& setting, const Entity& entity);
 
 }  // namespace murosimf::io

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "murosimf/io/json_schema.h"
+
 namespace murosimf::io {
 namespace {
 
@@ -80,7 +82,8 @@ std::string to_text(const RunReport& report) {
 }
 
 std::string to_json(const RunReport& report) {
-  json root{{"scene", report.scene},
+  json root{{"schema", json_schema("run")},
+            {"scene", report.scene},
             {"simulated_s", report.simulated},
             {"wall_s", report.wall},
             {"real_time_factor", report.real_time_factor},

@@ -10,6 +10,7 @@
 #include "murosimf/io/data_path.h"
 #include "murosimf/io/entity_looks.h"
 #include "murosimf/io/field.h"
+#include "murosimf/io/model_constants.h"
 #include "murosimf/io/motion_file.h"
 #include "murosimf/io/output_file.h"
 #include "murosimf/io/registry.h"
@@ -22,7 +23,8 @@
 
 namespace murosimf::io {
 Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
-    : spec_(read_scene(find_data_file(name.string(), "scenes", ".toml"), options.overrides, options.events)),
+    : spec_(read_scene(find_data_file(name.string(), "scenes", ".toml"), options.overrides, options.events,
+                       options.pushes)),
       options_(options),
       simulation_(std::make_unique<Simulation>(options.threads)) {
   if (options.seed) spec_.seed = *options.seed;
@@ -31,9 +33,11 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
   add_entities();
   attach_sensors();
   attach_controllers();
+  attach_pushes();
   attach_contact();
   attach_motion();
   note_about_sensors();
+  warn_about_static_bodies();
   attach_observers();
   scatter_postures();
   warn_about_settings();
@@ -47,13 +51,11 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
 
 void Scene::add_entities() {
   World& world = simulation_->world();
-  field_ = &world.add("field", field_model(field_size(spec_.field.size), spec_.field.surface, spec_.field.grain,
-                                           spec_.field.goals));
-  check_materials(field_->model());
+  add_field();
   if (spec_.ball) {
     EntityOptions options;
     options.position = spec_.ball->position;
-    const ModelPtr model = ball_model(spec_.ball->options);
+    const ModelPtr model = model_for("ball", ball_model(spec_.ball->options));
     check_materials(*model);
     options.color = model->find(properties::shapes, 0)->front().color;
     ball_ = &world.add("ball", model, options);
@@ -62,6 +64,7 @@ void Scene::add_entities() {
     movers_.push_back(ball_);
   }
   for (const RobotSpec& robot : spec_.robots) add_robot(robot);
+  add_bodies();
 }
 
 void Scene::add_robot(const RobotSpec& robot) {
@@ -76,7 +79,7 @@ void Scene::add_robot(const RobotSpec& robot) {
   for (const TeamSpec& team : spec_.teams) {
     if (team.name == robot.team) options.color = team.color;
   }
-  const ModelPtr robot_model = model(robot.model, robot.where);
+  const ModelPtr robot_model = model_for(robot.name, model(robot.model, robot.where));
   Entity& entity =
       at(robot.where, [&]() -> Entity& { return simulation_->world().add(robot.name, robot_model, options); });
   entity.level = robot.level;
@@ -164,6 +167,7 @@ void Scene::attach_contact() {
   };
   if (ball_) attach(*ball_, ball_->level, spec_.ball->contact);
   for (std::size_t i = 0; i < robots_.size(); ++i) attach(*robots_[i], robots_[i]->level, spec_.robots[i].contact);
+  for (Entity* body : bodies_) attach(*body, body->level, body->contact);
   simulation_->attach<collision::BodyContact>("body_contact", *field_, spec_.rate, movers_, spec_.materials,
                                               collision::BodyContactOptions{.law = spec_.body_contact});
 }
@@ -205,6 +209,7 @@ void Scene::attach_motion() {
     warn_about(robot, robots_[i]->model());
     at(robot.where, [&] { attach(*robots_[i], level_options(robot)); });
   }
+  for (Entity* body : bodies_) at(body_spec(*body)->where, [&] { attach(*body, {}); });
 }
 
 void Scene::attach_observers() {
@@ -217,7 +222,9 @@ void Scene::apply_settings() {
   if (ball_) {
     ball_->base().set(properties::linear_velocity, spec_.ball->velocity);
   }
+  start_bodies();
   for (const PropertySetting& setting : spec_.settings) {
+    if (is_constant(setting)) continue;  // done with the model
     for (const std::string& name : setting.entities) apply(setting, name);
   }
 }
@@ -288,6 +295,10 @@ void Scene::write_picture(const std::filesystem::path& file) const {
     path.is_ball = entity == ball_;
     path.number = shirt_number(entity->name());
     if (path.is_ball) path.size = spec_.ball->options.radius;
+    if (const BodySpec* body = body_spec(entity)) {  // as round things, too
+      path.is_ball = true;
+      if (body->shape) path.size = bounding_radius(*body->shape);
+    }
     paths.push_back(std::move(path));
   }
   const Markings* markings = field_->model().find(properties::markings, 0);

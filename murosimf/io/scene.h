@@ -31,6 +31,7 @@ struct SceneOptions {
   std::optional<std::uint64_t> seed;   ///< instead of the scene's
   std::vector<std::string> overrides;  ///< PATH=VALUE, as for --set
   std::vector<std::string> events;     ///< TIME:PATH=VALUE, as for --at
+  std::vector<std::string> pushes;     ///< OBJECT=FORCE@BEGIN..END, as for --push
   bool lenient = false;                ///< accept unknown elements in model files
   bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames
   bool paths = false;                  ///< remember where everybody has been, for write_picture
@@ -66,7 +67,7 @@ class Scene {
   /// A line about events whose time has not come; empty if all have, and before the first step.
   [[nodiscard]] std::string events_to_come() const;
 
-  /// Robots and ball, in the order of sensors' labels.
+  /// Robots, ball and bodies, in the order of sensors' labels.
   [[nodiscard]] const std::vector<Entity*>& movers() const { return movers_; }
 
   /// A renderer of this scene for who looks from outside (murosimf render), in the scene's light. The simulation must
@@ -82,7 +83,17 @@ class Scene {
     std::vector<sensors::SensorSpec> sensors;  // of its files
   };
 
+  /// The model, or a copy with the constants that the scene changes for this entity.
+  [[nodiscard]] ModelPtr model_for(const std::string& entity, const ModelPtr& model);
   void add_entities();
+  void add_field();
+  void add_bodies();
+  void add_body(const BodySpec& body);
+  /// Null if it is no body of [[bodies]].
+  [[nodiscard]] const BodySpec* body_spec(const Entity& entity) const;
+  void start_bodies();
+  /// Who cannot walk on what stands on the field.
+  void warn_about_static_bodies();
   void add_robot(const RobotSpec& robot);
   [[nodiscard]] Mat3d random_tilt(const RandomStream& random) const;
   void scatter_postures();
@@ -100,6 +111,10 @@ class Scene {
   /// The same of one robot, unless it was said before.
   void note_about_sensors(const RobotSpec& robot);
   void attach_controllers();
+  [[nodiscard]] std::string level_at(const Entity& entity, double time) const;
+  /// Throws SetupError if its level ignores forces when the push begins.
+  void check_feels(const Entity& entity, const PushSpec& push) const;
+  void attach_pushes();
   void attach_contact();
   void note(const RobotSpec& robot, const std::string& text);
   void warn(const RobotSpec& robot, const std::string& text);
@@ -130,18 +145,20 @@ class Scene {
   SceneSpec spec_;
   SceneOptions options_;
   std::unique_ptr<Simulation> simulation_;
-  std::map<std::string, RobotKind> models_;             // equal robots share one
-  std::set<std::pair<std::string, std::string>> said_;  // robots, and remarks of their sensors
-  std::vector<std::string> notes_;                      // about sensors
-  std::vector<std::string> warnings_;                   // from reading models
-  std::map<std::string, int> settings_;                 // how often each property was set
-  std::unique_ptr<render::Renderer> renderer_;          // of cameras
+  std::map<std::string, RobotKind> models_;                              // equal robots share one
+  std::map<std::pair<ModelPtr, std::string>, ModelPtr> changed_models_;  // equal changes share one, too
+  std::set<std::pair<std::string, std::string>> said_;                   // robots, and remarks of their sensors
+  std::vector<std::string> notes_;                                       // about sensors
+  std::vector<std::string> warnings_;                                    // from reading models
+  std::map<std::string, int> settings_;                                  // how often each property was set
+  std::unique_ptr<render::Renderer> renderer_;                           // of cameras
   bool cannot_draw_ = false;
   Entity* field_ = nullptr;
   Entity* ball_ = nullptr;
   std::vector<Entity*> robots_;                               // in the order of the spec
   std::vector<std::vector<const sensors::Sensor*>> sensors_;  // by robot
-  std::vector<Entity*> movers_;                               // robots and ball
+  std::vector<Entity*> bodies_;                               // those of [[bodies]] that move
+  std::vector<Entity*> movers_;                               // robots, ball and bodies
   std::vector<collision::GroundContact*> ground_contacts_;    // by mover
   const PathRecorder* recorder_ = nullptr;                    // null: nobody asked for paths
 };

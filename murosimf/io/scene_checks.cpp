@@ -6,6 +6,7 @@
 
 #include "murosimf/io/property_checks.h"
 #include "murosimf/io/scene.h"
+#include "murosimf/io/setting_targets.h"
 #include "murosimf/io/start_overlaps.h"
 #include "murosimf/io/unused_settings.h"
 #include "murosimf/model/properties.h"
@@ -101,12 +102,16 @@ void Scene::watch(const PropertySetting& setting, const std::string& entity) {
       setting.property == properties::joint_target.name || setting.property == properties::joint_rate_target.name;
   const auto writers = simulation_->writers_of(robot, setting.property);
   if (!target || writers.empty()) return;
-  const std::string name = fmt::format("{}.{}.{}", entity, setting.object, setting.property);
+  const std::string name = path_of(setting, robot);
+  const auto objects = objects_meant(robot.model(), setting.object, setting.property);
   const int count = ++settings_[name];
-  simulation_->at(simulation_->now() + some_cycles, [this, setting, entity, writers, name, count] {
+  simulation_->at(simulation_->now() + some_cycles, [this, setting, entity, objects, writers, name, count] {
     if (settings_[name] != count) return;  // set anew meanwhile
-    const Quantity now = simulation_->world().entity(entity).object(setting.object).get(setting.property);
-    if (now.numbers == setting.numbers) return;
+    Entity& changed = simulation_->world().entity(entity);
+    const auto is_there = [&](int object) {
+      return ObjectAccess(changed, object).get(setting.property).numbers == setting.numbers;
+    };
+    if (std::ranges::all_of(objects, is_there)) return;
     warnings_.push_back(fmt::format("{}: what was set is gone: {} of {} writes '{}' ({})", name,
                                     fmt::join(writers, ", "), entity, setting.property, setting.where));
   });

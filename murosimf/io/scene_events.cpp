@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include "murosimf/io/registry.h"
+#include "murosimf/io/scene_bodies.h"
 #include "murosimf/io/scene_overrides.h"
 #include "murosimf/io/scene_path.h"
+#include "murosimf/io/setting_targets.h"
 #include "murosimf/io/toml_reader.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/servo_law.h"
@@ -45,6 +47,17 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
     entities = {"ball"};
     used = 1;
   }
+  const auto bodies = bodies_called(scene, change.path[0]);
+  if (entities.empty() && !bodies.empty()) {
+    entities = names_of(bodies);
+    used = 1;
+    const bool property = change.path.size() > 2 || change.path.back() == "contact";
+    if (!property)
+      throw SetupError(
+          fmt::format("{}: a body has no '{}' that could change while it runs; "
+                      "its contact and its properties can",
+                      where, change.path.back()));
+  }
   const std::size_t rest = change.path.size() - std::min(change.path.size(), used);
   if (entities.empty() || rest == 0) {
     const auto names = entity_names(scene);
@@ -52,7 +65,7 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
         fmt::format("{}: {}", where, unknown_name("entity", change.path[0], {names.begin(), names.end()})));
   }
   SceneEvent event{time, where, entities, change.path.back(), change.value, {}};
-  if (rest > 1) {
+  if (rest > 1 || is_of_joints(event.key)) {
     event.setting = property_setting(change, used, entities);
   } else {
     check_key(change, event.key, exchangeable_keys());

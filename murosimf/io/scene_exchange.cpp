@@ -6,6 +6,7 @@
 #include "murosimf/io/property_checks.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/io/scene.h"
+#include "murosimf/io/setting_targets.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/motion/torque_watch.h"
 
@@ -15,8 +16,11 @@ void Scene::schedule_events() {
   const SceneSpec& spec = spec_;
   for (const SceneEvent& event : spec.events) {
     for (const std::string& entity : event.entities) {
-      if (event.setting && !event.setting->object.empty()) {
-        at(event.where, [&] { (void)simulation_->world().entity(entity).object(event.setting->object); });
+      if (event.setting) {
+        at(event.where, [&] {
+          const Model& model = simulation_->world().entity(entity).model();
+          (void)objects_meant(model, event.setting->object, event.setting->property);
+        });
       }
       // a call for everybody: one who refuses does not keep the others from changing
       simulation_->at(from_seconds(event.time), [this, &event, &entity] { apply(event, entity); });
@@ -36,8 +40,9 @@ void Scene::apply(const SceneEvent& event, const std::string& entity) {
 void Scene::apply(const PropertySetting& setting, const std::string& entity) {
   at(setting.where, [&] {
     Entity& changed = simulation_->world().entity(entity);
-    ObjectAccess object = setting.object.empty() ? changed.base() : changed.object(setting.object);
-    object.set(setting.property, setting.numbers);
+    for (const int object : objects_meant(changed.model(), setting.object, setting.property)) {
+      ObjectAccess(changed, object).set(setting.property, setting.numbers);
+    }
     simulation_->record(to_text(setting, changed));
     watch(setting, entity);
   });
@@ -90,6 +95,10 @@ void Scene::exchange_contact(std::string_view entity, std::string_view law) {
   simulation_->record(fmt::format("{}: contact {}", entity, law));
   if (*mover == ball_) {
     ball_->contact = spec_.ball->contact = law;
+    return;
+  }
+  if (std::find(bodies_.begin(), bodies_.end(), *mover) != bodies_.end()) {
+    (*mover)->contact = law;
     return;
   }
   RobotSpec& robot = spec_of(entity);

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/scene_bodies.h"
 #include "murosimf/io/scene_path.h"
+#include "murosimf/io/setting_targets.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
@@ -32,6 +34,17 @@ void assign_sensor(toml::table& robot, const Assignment& o, std::size_t begin) {
   assign(*table, o.path.back(), o);
 }
 
+/// Names of bodies that are entities: static ones are not.
+std::vector<std::string> moving_names(const std::vector<toml::table*>& bodies, const Assignment& o) {
+  std::vector<std::string> names;
+  for (const toml::table* body : bodies) {
+    if (!(*body)["static"].value_or(false)) names.push_back(text_of(*body, "name"));
+  }
+  if (names.empty())
+    throw SetupError(fmt::format("{}: '{}' stands there for good; only its keys change", o.where, o.path[0]));
+  return names;
+}
+
 [[noreturn]] void refuse_unknown(const toml::table& scene, const Assignment& o) {
   const std::vector<std::string> names = entity_names(scene);
   std::vector<std::string_view> candidates(names.begin(), names.end());
@@ -44,9 +57,10 @@ void assign_sensor(toml::table& robot, const Assignment& o, std::size_t begin) {
 }  // namespace
 
 const std::vector<std::string_view>& scene_keys() {
-  static const std::vector<std::string_view> keys{"name",  "duration", "seed",   "rate",      "gravity", "body_contact",
-                                                  "start", "field",    "view",   "views",     "light",   "ball",
-                                                  "teams", "defaults", "robots", "materials", "events"};
+  static const std::vector<std::string_view> keys{"name",         "duration",  "seed",   "rate",     "gravity",
+                                                  "body_contact", "start",     "field",  "view",     "views",
+                                                  "light",        "ball",      "teams",  "defaults", "robots",
+                                                  "bodies",       "materials", "events", "pushes"};
   return keys;
 }
 
@@ -54,7 +68,7 @@ std::vector<std::string_view> table_keys(std::string_view table) {
   if (table == "start") {
     return {"jitter_position", "jitter_heading_deg", "jitter_tilt_deg", "jitter_posture_deg"};
   }
-  if (table == "field") return {"size", "surface", "grain", "goals"};
+  if (table == "field") return {"size", "surface", "grain", "goals", "friction"};
   if (table == "view") return {"center", "width", "azimuth_deg", "elevation_deg"};
   if (table == "light") return {"name", "toward", "brightness", "shadows", "samples"};
   if (table == "ball") return {"position", "velocity", "radius", "mass", "hollow", "material", "contact"};
@@ -80,15 +94,25 @@ void apply_override(toml::table& scene, const std::string& override_text, std::v
   const Assignment o = split_assignment(override_text, fmt::format("--set '{}'", override_text));
   const auto [robots, used] = robots_of(scene, o.path);
   const std::size_t rest = o.path.size() - used;
-  if (!robots.empty() && rest == 1) {
+  const auto names = [&robots = robots] {
+    std::vector<std::string> result;
+    for (const toml::table* robot : robots) result.push_back(text_of(*robot, "name"));
+    return result;
+  };
+  if (!robots.empty() && rest == 1 && is_of_joints(o.path.back())) {
+    settings.push_back(property_setting(o, used, names()));
+  } else if (!robots.empty() && rest == 1) {
     check_key(o, o.path.back(), robot_keys());
     for (toml::table* robot : robots) assign(*robot, o.path.back(), o);
   } else if (!robots.empty() && rest >= 2 && o.path[used] == "sensors") {
     for (toml::table* robot : robots) assign_sensor(*robot, o, used);
   } else if (!robots.empty() && rest >= 2) {
-    std::vector<std::string> names;
-    for (const toml::table* robot : robots) names.push_back(text_of(*robot, "name"));
-    settings.push_back(property_setting(o, used, std::move(names)));
+    settings.push_back(property_setting(o, used, names()));
+  } else if (const auto bodies = bodies_called(scene, o.path[0]); !bodies.empty() && o.path.size() == 2) {
+    check_key(o, o.path[1], body_keys());
+    for (toml::table* body : bodies) assign(*body, o.path[1], o);
+  } else if (!bodies.empty() && o.path.size() >= 3) {
+    settings.push_back(property_setting(o, 1, moving_names(bodies, o)));
   } else if (o.path.size() == 1) {
     check_key(o, o.path[0], scene_keys());
     assign(scene, o.path[0], o);

@@ -95,6 +95,11 @@ std::vector<std::string> entity_names(const toml::table& scene) {
       if (const toml::table* robot = node.as_table()) names.push_back(text_of(*robot, "name"));
     }
   }
+  if (const toml::array* all = scene["bodies"].as_array()) {
+    for (const toml::node& node : *all) {
+      if (const toml::table* body = node.as_table()) names.push_back(text_of(*body, "name"));
+    }
+  }
   if (scene.contains("ball")) names.emplace_back("ball");
   return names;
 }
@@ -104,9 +109,27 @@ void check_key(const Assignment& assignment, std::string_view key, const std::ve
   throw SetupError(fmt::format("{}: {}", assignment.where, unknown_name("setting", key, known)));
 }
 
+std::vector<double> named_force(const toml::table& table) {
+  std::vector<double> numbers(6, 0.0);
+  for (const auto& [key, node] : table) {
+    const bool force = key.str() == "force";
+    if (!force && key.str() != "moment") {
+      throw SetupError(unknown_name("part of a force", key.str(), {"force", "moment"}));
+    }
+    const auto three = node.is_array() ? numbers_of(node) : std::nullopt;
+    if (!three || three->size() != 3) {
+      throw SetupError(fmt::format("{} must be three numbers in brackets, in world axes", key.str()));
+    }
+    std::copy(three->begin(), three->end(), numbers.begin() + (force ? 0 : 3));
+  }
+  return numbers;
+}
+
 PropertySetting property_setting(const Assignment& assignment, std::size_t begin, std::vector<std::string> entities) {
   const toml::table value = assignment.parsed();
-  const auto numbers = numbers_of(*value.get("value"));
+  const toml::node& node = *value.get("value");
+  const auto numbers =
+      node.is_table() ? at(assignment.where, [&] { return named_force(*node.as_table()); }) : numbers_of(node);
   if (!numbers) {
     throw SetupError(fmt::format("{}: the value must be a number or numbers in brackets", assignment.where));
   }

@@ -39,11 +39,15 @@ struct Assignment {
 /// The text under a key; empty if there is none.
 [[nodiscard]] std::string text_of(const toml::table& table, std::string_view key);
 
-/// Names of robots, and "ball" if there is one.
+/// Names of robots and bodies, and "ball" if there is one.
 [[nodiscard]] std::vector<std::string> entity_names(const toml::table& scene);
 
 /// Throws SetupError with the nearest name if `key` is not among `known`.
 void check_key(const Assignment& assignment, std::string_view key, const std::vector<std::string_view>& known);
+
+/// A force and a moment by name, {force=[...], moment=[...]}, as six numbers: force, moment. What is left out is 0.
+/// Throws SetupError.
+[[nodiscard]] std::vector<double> named_force(const toml::table& table);
 
 /// The assignment as a property of entities: object and property are the parts of the path from `begin` on. Throws
 /// SetupError if the value is no numbers.

@@ -6,8 +6,11 @@
 
 #include "murosimf/io/field.h"
 #include "murosimf/io/registry.h"
+#include "murosimf/io/scene_bodies.h"
 #include "murosimf/io/scene_events.h"
+#include "murosimf/io/scene_materials.h"
 #include "murosimf/io/scene_overrides.h"
+#include "murosimf/io/scene_pushes.h"
 #include "murosimf/io/sensor_toml.h"
 #include "murosimf/io/toml_reader.h"
 #include "murosimf/model/time.h"
@@ -74,6 +77,8 @@ void read_field(const TomlTable& scene, SceneSpec& spec) {
   field.read("grain", spec.field.grain);
   field.read("goals", spec.field.goals);
   require_name(spec.field.surface, field, "surface");
+  if (field.find("friction")) field.read("friction", spec.field.friction.emplace());
+  require(spec.field.friction.value_or(0) >= 0, field, "friction", "must not be negative");
   require(spec.field.grain.z == 0, field, "grain", "lies in the ground: [x, y]");
   at(field.where("size"), [&] { return field_size(spec.field.size); });
 }
@@ -282,11 +287,14 @@ void read_materials(const TomlTable& scene, SceneSpec& spec) {
 }  // namespace
 
 SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                     const std::vector<std::string>& at_options) {
+                     const std::vector<std::string>& at_options, const std::vector<std::string>& push_options) {
   SceneSpec spec;
   toml::table document = parse_toml_file(file);
   if (document.empty()) throw SetupError(fmt::format("{}: the file is empty", file.string()));
-  for (const std::string& text : overrides) apply_override(document, text, spec.settings);
+  std::vector<MaterialChange> material_changes;
+  for (const std::string& text : overrides) {
+    if (!take_material_change(text, material_changes)) apply_override(document, text, spec.settings);
+  }
 
   const TomlTable scene(document, scene_keys());
   spec.file = file;
@@ -313,8 +321,11 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   read_ball(scene, spec);
   read_teams(scene, spec);
   read_robots(scene, spec);
+  read_bodies(scene, spec);
   read_materials(scene, spec);
+  apply_material_changes(material_changes, spec);
   spec.events = read_events(document, at_options);
+  spec.pushes = read_pushes(document, push_options);
   return spec;
 }
 

@@ -10,6 +10,7 @@
 
 #include "murosimf/collision/pair_law.h"
 #include "murosimf/io/ball.h"
+#include "murosimf/io/body_spec.h"
 #include "murosimf/io/sensor_table.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/math/vec3.h"
@@ -27,6 +28,7 @@ struct FieldSpec {
   std::string surface = "carpet";
   Vec3d grain;  ///< [1] where its pile leans, in the ground; zero: nowhere
   bool goals = true;
+  std::optional<double> friction;  ///< [1] between the ground and everything; empty: by the pairs of materials
 };
 
 struct BallSpec {
@@ -101,7 +103,7 @@ struct GivenPair {
   std::string where;
 };
 
-/// A property to set: --set 'blue1.pelvis.applied_force=[0,0,0,5,0,0]'.
+/// A property to set: --set 'blue1.pelvis.applied_force=[5,0,0,0,0,0]'.
 struct PropertySetting {
   std::string where;
   std::vector<std::string> entities;
@@ -116,6 +118,16 @@ struct SceneEvent {
   std::vector<std::string> entities;
   std::string key, value;  ///< of a robot; with `setting`, only for messages
   std::optional<PropertySetting> setting;
+};
+
+/// A force for a while, at the center of mass of a body: --push.
+struct PushSpec {
+  std::string where;
+  std::vector<std::string> entities;
+  std::string object;         ///< empty: the base
+  Vec3d force;                ///< [N] world
+  Vec3d moment;               ///< [N m] world
+  double begin = 0, end = 0;  ///< [s]
 };
 
 struct SceneSpec {
@@ -137,17 +149,20 @@ struct SceneSpec {
   std::optional<BallSpec> ball;
   std::vector<TeamSpec> teams;
   std::vector<RobotSpec> robots;
+  std::vector<BodySpec> bodies;
   MaterialTable materials = MaterialTable::standard();
   std::vector<GivenPair> material_pairs;  ///< those of `materials` that the scene sets
   std::vector<PropertySetting> settings;
   std::vector<SceneEvent> events;  ///< in the order of time
+  std::vector<PushSpec> pushes;
 };
 
 /// Reads a scene file (docs/scenes.md). `overrides` are PATH=VALUE as for --set: a key of the file ("duration=5",
 /// "field.surface=grass"), a key of robots ("blue1.level=...", "blue.*.level=..."), or a property
-/// ("blue1.pelvis.applied_force=[0,0,0,5,0,0]"). `at_options` are TIME:PATH=VALUE as for --at (scene_events.h). Throws
-/// SetupError with file:line:column.
+/// ("blue1.pelvis.applied_force=[5,0,0,0,0,0]"). `at_options` are TIME:PATH=VALUE as for --at (scene_events.h),
+/// `push_options` are as for --push (scene_pushes.h). Throws SetupError with file:line:column.
 [[nodiscard]] SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {},
-                                   const std::vector<std::string>& at_options = {});
+                                   const std::vector<std::string>& at_options = {},
+                                   const std::vector<std::string>& push_options = {});
 
 }  // namespace murosimf::io

@@ -144,6 +144,13 @@ std::string complaint_about_heat(const Servo& servo) {
 
 }  // namespace
 
+ServoDraft::ServoDraft(const Servo& servo) : servo_(servo) {
+  for (const Number& number : numbers) {
+    if (number.of(servo_) != 0) given_.emplace(number.key);
+  }
+  for (const std::string_view key : law_of(servo_).needed) given_.emplace(key);
+}
+
 void ServoDraft::take(const toml::table& table, const Names& others) {
   take_law(table);
   if (const toml::node* voltage = table.get("voltage"); voltage && !given_.empty()) {

@@ -19,6 +19,8 @@ class ServoDraft {
  public:
   /// A servo without numbers; `type` becomes Servo::type.
   explicit ServoDraft(std::string type) { servo_.type = std::move(type); }
+  /// A complete servo, to be changed.
+  explicit ServoDraft(const Servo& servo);
 
   /// Takes over the law and the numbers of `table`, which win over earlier ones. If it changes the voltage of earlier
   /// numbers, then stall torque, no-load rate and position gain follow in proportion, because a duty cycle is a share

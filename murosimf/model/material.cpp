@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -51,6 +52,16 @@ void MaterialTable::set(const std::string& a, const std::string& b, const PairSu
   pairs_[key(a, b)] = pair;
 }
 
+void MaterialTable::set_all(double PairSurface::*number, double value) {
+  const auto pairs = pairs_;
+  for (auto [names, pair] : pairs) {
+    pair.*number = value;
+    set(names.first, names.second, pair);
+  }
+  others_.*number = value;
+  if (number == &PairSurface::friction) other_friction_ = value;
+}
+
 bool MaterialTable::knows(const std::string& material) const {
   return std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& entry) {
     return entry.first.first == material || entry.first.second == material;
@@ -60,8 +71,9 @@ bool MaterialTable::knows(const std::string& material) const {
 std::vector<std::string_view> MaterialTable::names() const {
   std::vector<std::string_view> names;
   for (const auto& [pair, surface] : pairs_) {
-    names.push_back(pair.first);
-    names.push_back(pair.second);
+    for (const std::string& name : {std::cref(pair.first), std::cref(pair.second)}) {
+      if (!name.empty()) names.emplace_back(name);
+    }
   }
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -71,8 +83,8 @@ std::vector<std::string_view> MaterialTable::names() const {
 PairSurface MaterialTable::find(const Surface& a, const Surface& b) const {
   const auto found = pairs_.find(key(a.material, b.material));
   if (found != pairs_.end()) return found->second;
-  PairSurface pair;
-  pair.friction = std::max(a.friction, b.friction);
+  PairSurface pair = others_;
+  pair.friction = other_friction_.value_or(std::max(a.friction, b.friction));
   return pair;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,15 +30,22 @@ class MaterialTable {
   /// Order of the two names does not matter. Throws SetupError if a number is not finite or impossible.
   void set(const std::string& a, const std::string& b, const PairSurface& pair);
 
+  /// One number of all pairs, also of those that are not in the table. Throws SetupError as set() does.
+  void set_all(double PairSurface::*number, double value);
+
   /// True if some pair of the table has this material.
   [[nodiscard]] bool knows(const std::string& material) const;
   [[nodiscard]] std::vector<std::string_view> names() const;
+  /// What the table has, by the names of both; the empty name is that of surfaces without one.
+  [[nodiscard]] const auto& pairs() const { return pairs_; }
 
   /// The table's entry; for pairs that are not in it, the larger friction of the two surfaces (as in MuJoCo) and
   /// the defaults above.
   [[nodiscard]] PairSurface find(const Surface& a, const Surface& b) const;
 
  private:
+  PairSurface others_;                    // pairs that are not in the table; without its friction:
+  std::optional<double> other_friction_;  // [1] of those; empty: the larger one of the two surfaces
   std::map<std::pair<std::string, std::string>, PairSurface> pairs_;
 };
 

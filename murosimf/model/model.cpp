@@ -13,7 +13,21 @@ Model::Model(std::string name, Chain chain)
   check_structure();
   name_all_objects();
   index_names(chain.aliases());
+  use_constants();
+}
+
+Model Model::with(ConstantTable constants) const {
+  Model changed = *this;
+  changed.constants_ = std::move(constants);
+  changed.use_constants();
+  return changed;
+}
+
+/// Works out what follows from objects and constants.
+void Model::use_constants() {
   check_masses();
+  joints_.clear();
+  bodies_.clear();
   tree_ = Tree(objects_, constants_);
   for (int i = 0; i < size(); ++i) {
     if (objects_[i].is_joint()) joints_.push_back(i);

@@ -51,6 +51,8 @@ class Model {
     return constants_.find(property, object);
   }
   [[nodiscard]] const ConstantTable& constants() const { return constants_; }
+  /// The same tree with other values of its constants. Throws SetupError if a mass or inertia is impossible.
+  [[nodiscard]] Model with(ConstantTable constants) const;
 
   /// Where an object stands in the frame of the link it is fixed to.
   [[nodiscard]] FixedObject placement(int object) const;
@@ -60,6 +62,7 @@ class Model {
   void index_names(const std::vector<std::pair<std::string, int>>& aliases);
   void check_structure() const;
   void check_masses() const;
+  void use_constants();
 
   std::string name_;
   std::vector<Object> objects_;

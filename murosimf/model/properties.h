@@ -67,9 +67,9 @@ inline constexpr Property<double> rotor_rate       {{"rotor_rate", "rad/s", "joi
 inline constexpr Property<double> torque_need      {{"torque_need", "N m | N", "joint", "joint_torque, smoothed over 20 ms"}};
 inline constexpr Property<Overload> overload       {{"overload", "N m, N m, rad/s, s", "joint", "where torque_need exceeded the servo the most: needed, given, rate, time"}};
 inline constexpr Property<double> cycle_target       {{"cycle_target", "rad | m", "joint", "target that the present control cycle runs to"}};
-inline constexpr Property<Forced> applied_force      {{"applied_force", "N m, N", "world, at the object's origin", "push on a body that stays until it is changed: moment, force"}};
-inline constexpr Property<Forced> interaction_force  {{"interaction_force", "N m, N", "world, at the object's origin", "contacts with other moving bodies: moment, force"}};
-inline constexpr Property<Forced> external_force     {{"external_force", "N m, N", "world, at the object's origin", "sum of pushes and contacts: moment, force"}};
+inline constexpr Property<Forced> applied_force      {{"applied_force", "N, N m", "world, at the object's origin", "push on a body that stays until it is changed: force, moment"}};
+inline constexpr Property<Forced> interaction_force  {{"interaction_force", "N, N m", "world, at the object's origin", "contacts with other moving bodies: force, moment"}};
+inline constexpr Property<Forced> external_force     {{"external_force", "N, N m", "world, at the object's origin", "sum of pushes and contacts: force, moment"}};
 inline constexpr Property<Sym6d>  external_damping   {{"external_damping", "N m s, N s, N s/m", "world, at the object's origin", "how fast external_force falls with the object's velocity"}};
 
 // ---- variable: one for the whole entity ----
@@ -84,7 +84,7 @@ inline constexpr Property<Vec3d>  remaining_shift    {{"remaining_shift", "m", "
 inline constexpr Property<Vec3d>  remaining_turn     {{"remaining_turn", "rad", "world", "of the base from its pinned attitude, likewise, as rotation vector", Scope::base}};
 inline constexpr Property<double> pushable           {{"pushable", "1", "-", "1: forces move the entity, 0: it pushes and is never pushed", Scope::base}};
 inline constexpr Property<Vec3d>  separation         {{"separation", "m", "world, horizontal", "way in this step out of bodies that are not pushed either", Scope::base}};
-inline constexpr Property<Forced> absorbed_impulse   {{"absorbed_impulse", "N m s, N s", "world, at the world's origin", "what contacts gave to a body that cannot be pushed", Scope::base}};
+inline constexpr Property<Forced> absorbed_impulse   {{"absorbed_impulse", "N s, N m s", "world, at the world's origin", "what contacts gave to a body that cannot be pushed", Scope::base}};
 inline constexpr Property<Vec3d>  walk_command       {{"walk_command", "m/s, m/s, rad/s", "robot, x forward", "desired walking velocity", Scope::base}};
 inline constexpr Property<Vec3d>  gait_velocity      {{"gait_velocity", "m/s, m/s, rad/s", "robot, x forward", "walking velocity after the slew limits", Scope::base}};
 inline constexpr Property<double> path_curvature     {{"path_curvature", "1/m", "-", "of the path that a car drives, positive to the left", Scope::base}};

@@ -84,7 +84,7 @@ TEST(MotionRecorder, SeesPitchAndRollAtAnyHeading) {
 
 // On ice 6 N overcome friction of 2.1 N and pull the robot forward; both soles slip as far as it goes.
 TEST(MotionRecorder, SeesBothFeetSlip) {
-  const auto record = StandingRobot("").record({"r.pelvis.applied_force=[0,0,0,6,0,0]"}, 1);
+  const auto record = StandingRobot("").record({"r.pelvis.applied_force=[6,0,0,0,0,0]"}, 1);
   const double moved = record.samples.back().base.x - record.samples.front().base.x;
   ASSERT_GT(moved, 0.1);
   EXPECT_NEAR(record.samples.back().slip, 2 * moved, 0.1 * moved);

@@ -55,7 +55,7 @@ time = 0.2
 set = "blue2.command = [0.1, 0, 0]"
 )";
   Scene scene(write_scene(game + events),
-              {.events = {"0.5:ball.contact=paper", "0.7:blue2.pelvis.applied_force=[0,0,0,0,1,0]",
+              {.events = {"0.5:ball.contact=paper", "0.7:blue2.pelvis.applied_force=[0,1,0,0,0,0]",
                           "0.6:blue2.servo_law=ideal_pd"}});
   Entity& robot = scene.simulation().world().entity("blue2");
   scene.simulation().run(201ms);
@@ -99,7 +99,7 @@ TEST(Timeline, RefusesMistakesBeforeTheRun) {
   EXPECT_TRUE(says(mistake("blue1.level=full_dynamics"), {"write TIME:PATH=VALUE"}));
   EXPECT_TRUE(says(mistake("nan:blue1.level=full_dynamics"), {"the time must be"}));
   EXPECT_TRUE(says(mistake("-1:blue1.level=full_dynamics"), {"the time must be"}));
-  EXPECT_TRUE(says(mistake("1:blue1.pelvs.applied_force=[0,0,0,0,0,1]"), {"unknown object 'pelvs'", "pelvis"}));
+  EXPECT_TRUE(says(mistake("1:blue1.pelvs.applied_force=[0,0,1,0,0,0]"), {"unknown object 'pelvs'", "pelvis"}));
   EXPECT_TRUE(says(mistake("1:blue1.command=fast"), {"must be a number"}));
 
   const auto event = [](const std::string& text) {

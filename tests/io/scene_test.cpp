@@ -120,7 +120,7 @@ grain_effect = 0.25
 
 TEST(Scene, OverridesSetPropertiesByName) {
   Scene scene(write_scene(small_scene),
-              {.overrides = {"blue2.pelvis.applied_force=[0,0,0,1,2,3]", "*.pelvis.walk_command=[0.1,0,0]"}});
+              {.overrides = {"blue2.pelvis.applied_force=[1,2,3,0,0,0]", "*.pelvis.walk_command=[0.1,0,0]"}});
   scene.simulation().initialize();
   World& world = scene.simulation().world();
   EXPECT_EQ(world.entity("blue2").base().get(properties::applied_force).f.z, 3);

@@ -120,8 +120,8 @@ TEST(EntityTest, AccessByName) {
   EXPECT_EQ(entity.object("right_knee").get(joint_position), 0.5);
   const std::vector<double> push{1, 2, 3, 4, 5, 6};
   entity.base().set("external_force", push);
-  EXPECT_EQ(difference(entity.base().get(external_force).n, {1, 2, 3}), 0);  // moment first
-  EXPECT_EQ(difference(entity.base().get(external_force).f, {4, 5, 6}), 0);
+  EXPECT_EQ(difference(entity.base().get(external_force).f, {1, 2, 3}), 0);  // force first
+  EXPECT_EQ(difference(entity.base().get(external_force).n, {4, 5, 6}), 0);
   EXPECT_EQ(entity.base().get("external_force").numbers, push);
   const Quantity m = entity.object("right_knee").get("mass");
   EXPECT_EQ(m.numbers, (std::vector<double>{0.3}));

@@ -1,0 +1,55 @@
+#include "murosimf/motion/push.h"
+
+#include <algorithm>
+
+#include "murosimf/model/properties.h"
+
+namespace murosimf::motion {
+namespace {
+
+/// [1] How much of the step the push lasts.
+double share_of_step(const TimedPush& push, const Instant& instant) {
+  const Duration from = std::max(push.begin, instant.now), to = std::min(push.end, instant.now + instant.period);
+  return to > from ? seconds(to - from) / seconds(instant.period) : 0;
+}
+
+bool same(const Forced& a, const Forced& b) { return is_zero(Forced{a.n - b.n, a.f - b.f}); }
+
+}  // namespace
+
+Push::Push(Setup& setup, std::vector<TimedPush> pushes)
+    : pushes_(std::move(pushes)),
+      R_(setup.read(properties::orientation)),
+      applied_force_(setup.write(properties::applied_force)) {
+  for (const TimedPush& push : pushes_) {
+    const auto is_it = [&](const Pushed& pushed) { return pushed.object == push.object; };
+    if (std::any_of(pushed_.begin(), pushed_.end(), is_it)) continue;
+    const Vec3d* center = setup.model().find(properties::center_of_mass, push.object);
+    pushed_.push_back({push.object, center ? *center : Vec3d{}, {}, {}});
+  }
+}
+
+void Push::initialize() { std::fill(applied_force_.begin(), applied_force_.end(), Forced{}); }
+
+Forced Push::sum_for(const Pushed& pushed, const Instant& instant) const noexcept {
+  Forced sum;
+  for (const TimedPush& push : pushes_) {
+    const double share = push.object == pushed.object ? share_of_step(push, instant) : 0;
+    if (share == 0) continue;
+    const Vec3d arm = R_[pushed.object] * pushed.center;
+    sum += Forced{share * (push.moment + cross(arm, push.force)), share * push.force};
+  }
+  return sum;
+}
+
+void Push::step(const Instant& instant) noexcept {
+  for (Pushed& pushed : pushed_) {
+    Forced& applied = applied_force_[pushed.object];
+    if (!same(applied, pushed.written)) pushed.own = applied;
+    applied = pushed.own;
+    applied += sum_for(pushed, instant);
+    pushed.written = applied;
+  }
+}
+
+}  // namespace murosimf::motion

@@ -1,0 +1,45 @@
+/// push.h - algorithm: pushes of one entity's bodies for a while, with a force at their center of mass.
+///
+/// Adds to `applied_force` in every step that a push overlaps, by the share of the step that it does, so that its impulse
+/// is exact; force and moment keep their direction in the world while the body turns. What users set there stays.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "murosimf/model/algorithm.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::motion {
+
+struct TimedPush {
+  int object = 0;  ///< a body of the model
+  Vec3d force;     ///< [N] world
+  Vec3d moment;    ///< [N m] world
+  Duration begin{}, end{};
+};
+
+class Push final : public Algorithm {
+ public:
+  /// To be attached before the contact with the ground, at the same rate.
+  Push(Setup& setup, std::vector<TimedPush> pushes);
+
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+ private:
+  struct Pushed {
+    int object = 0;
+    Vec3d center;    // [m] of its mass, own axes
+    Forced own;      // what others set
+    Forced written;  // own, and pushes
+  };
+  [[nodiscard]] Forced sum_for(const Pushed& pushed, const Instant& instant) const noexcept;
+
+  std::vector<TimedPush> pushes_;
+  std::vector<Pushed> pushed_;
+  std::span<const Mat3d> R_;
+  std::span<Forced> applied_force_;
+};
+
+}  // namespace murosimf::motion
