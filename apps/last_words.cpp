@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <exception>
@@ -42,6 +43,8 @@ void write_printable(std::string_view text) noexcept {
 
 /// For std::terminate: the program cannot go on, and nothing of it is safe to be cleaned up.
 [[noreturn]] void end_at_once() noexcept {
+  static std::atomic_flag said;
+  while (said.test_and_set()) ::pause();  // another thread says it, and ends the program
   if (std::current_exception()) _exit(exit_code_of_exception());
   say_error("unexpected: the program ended itself");
   std::abort();

@@ -71,9 +71,10 @@ TEST(Crash, WhereThreadsCannotBegin) {
 
 TEST(Crash, WhereMemoryEnds) {
   if (!can_limit_memory) GTEST_SKIP() << "sanitizers reserve more memory than a limit leaves";
-  const std::string log = " --log 'walker.*.*' --log-rate 1000 --out " + scratch("l.csv").string();
-  expect_one_line(with_memory(60000, "run walk --duration 3000" + log), 3, "murosimf: out of memory");
-  expect_one_line(with_memory(120000, "run walk --duration 3000 --threads 2" + log), 3, "murosimf: out of memory");
+  const std::string run = "run three_on_three --no-cameras --duration 3000 --out " + scratch("l.csv").string() +
+                          " --log '*.*.position' --log '*.*.orientation' --log '*.*.joint_position' --log-rate 1000";
+  expect_one_line(with_memory(80000, run), 3, "murosimf: out of memory");
+  expect_one_line(with_memory(80000, run + " --threads 2"), 3, "murosimf: out of memory");
 }
 
 TEST(Crash, WhereADriverHasTooLittleMemory) {

@@ -32,7 +32,7 @@ TEST(TomlBounds, TakeWhatPeopleWrite) {
         "a = '''\n" + repeated(".[{\n", 1000) + "''' # it's\nb = \"\"\"" + repeated("[\\\"", 100) + "\"\"\"",
         repeated("a.", most_key_parts - 1) + "a = 1",
         "a = " + repeated("[", most_open_brackets) + repeated("]", most_open_brackets)}) {
-    EXPECT_EQ(complaint(text), "") << text;
+    EXPECT_EQ(complaint(text), "no error") << text.substr(0, 60);
   }
 }
 
