@@ -20,7 +20,7 @@ namespace {
 using Numbers = std::span<const double>;
 
 /// What a property that users may set belongs to.
-enum class Owner { anybody, base, body, joint, servo, motor };
+enum class Owner { base, body, joint, servo, motor };
 
 /// Why a property cannot have these numbers; empty if it can.
 using ValueCheck = std::string_view (*)(Numbers);
@@ -65,8 +65,6 @@ constexpr std::array settable{
     SettableProperty{"backlash_play", Owner::joint, true},
     SettableProperty{"backlash_side", Owner::joint, true},
     SettableProperty{"rotor_rate", Owner::joint, true},
-    SettableProperty{"joint_load", Owner::joint, true},
-    SettableProperty{"felt_acceleration", Owner::anybody, true},
     SettableProperty{"gait_velocity"},
     SettableProperty{"gait_phase"},
     SettableProperty{"gait_amplitude"},
@@ -128,7 +126,6 @@ void check_owner(const Entity& entity, int index, const SettableProperty& proper
     if (!good) throw SetupError(fmt::format("{}: '{}' is for {}", called(entity, index), property.name, what));
   };
   switch (property.owner) {
-    case Owner::anybody: return;
     case Owner::base:
       return need(index == 0, fmt::format("the base '{}' only; the others follow it", model.objects()[0].name));
     case Owner::body: {

@@ -69,9 +69,11 @@ set = "blue2.command = [0.1, 0, 0]"
   scene.simulation().run(101ms);
   EXPECT_EQ(robot.base().get(properties::applied_force).f.y, 1);
   EXPECT_EQ(texts(scene),
-            (std::vector<std::string>{"blue2: articulated_dynamics -> full_dynamics", "blue2: contact kelvin_voigt",
-                                      "ball: contact paper", "blue2: servo law ideal_pd"}));
-  EXPECT_EQ(scene.report({}).events[0].time, Duration(500ms));
+            (std::vector<std::string>{"blue2.pelvis.walk_command = [0.1, 0, 0]",
+                                      "blue2: articulated_dynamics -> full_dynamics", "blue2: contact kelvin_voigt",
+                                      "ball: contact paper", "blue2: servo law ideal_pd",
+                                      "blue2.pelvis.applied_force = [0, 0, 0, 0, 1, 0]"}));
+  EXPECT_EQ(scene.report({}).events[1].time, Duration(500ms));
 }
 
 TEST(Timeline, ARefusalIsAWarningAndTheOthersChange) {

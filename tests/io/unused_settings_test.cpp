@@ -112,11 +112,11 @@ TEST(UnusedMaterials, AreRefusedIfNobodyKnowsThem) {
   const auto with = [](const std::string& pairs) { return What{.text = pair_scene + pairs}; };
   EXPECT_EQ(warnings_of(with("[[materials]]\npair = ['rubber', 'carpet']\n")), "");
   EXPECT_TRUE(says(refusal_of(with("[[materials]]\npair = ['rubber', 'carpt']\n")),
-                   {".toml:11:", "unknown material 'carpt'; did you mean 'carpet'?"}));
+                   {".toml:12:", "unknown material 'carpt'; did you mean 'carpet'?"}));
   EXPECT_TRUE(says(warnings_of(with("[[materials]]\npair = ['rubber', 'grass']\n")), {"nothing here is of 'grass'"}));
   EXPECT_TRUE(says(refusal_of(with("[[materials]]\npair = ['rubber', 'carpet']\n[[materials]]\npair = ['carpet', "
                                    "'rubber']\n")),
-                   {".toml:13:", "is set twice, first at", ".toml:11:"}));
+                   {".toml:14:", "is set twice, first at", ".toml:12:"}));
   EXPECT_TRUE(says(refusal_of(with("[[materials]]\npair = ['', 'carpet']\n")), {"empty name"}));
 }
 
