@@ -106,7 +106,7 @@ int rows_in_legend(const Panel& panel) {
 
 /// High enough for its legend.
 int height_of(const Plot& plot, const Panel& panel) {
-  return std::max(plot.panel_height, legend_row * rows_in_legend(panel) + 70);
+  return std::max(plot.panel_height, legend_row * rows_in_legend(panel) + 100);
 }
 
 /// Room at the right for the widest legend, the same in all panels.
@@ -177,7 +177,7 @@ std::string gnuplot_script(const Plot& all) {
   }
   script += "set grid linetype 1 linewidth 1 linecolor rgb '#c8c8c8'\n";
   script += fmt::format("set lmargin 14\nset rmargin {}\n", legend > 0 ? legend / letter + 3 : 3);
-  script += "set key outside right top vertical Left reverse samplen 4 noautotitle maxrows 64\n";
+  script += "set key at graph 1.02, graph 1 left top vertical Left reverse samplen 4 noautotitle maxrows 64\n";
   script += fmt::format("set multiplot title {}\n", as_text(plot.title));
   write_panels(script, plot, height);
   return script + "unset multiplot\n";

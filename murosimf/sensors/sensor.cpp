@@ -87,13 +87,17 @@ void Sensor::step(const Instant& instant) noexcept {
   deliver(instant);
 }
 
+/// From values with their errors to what a user sees.
+void Sensor::show(std::span<double> values) noexcept {
+  for_outputs(*reading_.info, values, [&](std::size_t i, std::span<double> numbers) { signals_[i].convert(numbers); });
+  present(values);
+}
+
 void Sensor::take_sample(const Instant& instant) noexcept {
   Sample& sample = on_the_way_[taken_ % on_the_way_.size()];
   sample.time = instant.now;
   std::copy(values_.begin(), values_.end(), sample.values.begin());
-  for_outputs(*reading_.info, sample.values,
-              [&](std::size_t i, std::span<double> numbers) { signals_[i].convert(numbers); });
-  present(sample.values);
+  show(sample.values);
   taken(taken_);
   ++taken_;
 }
@@ -101,7 +105,7 @@ void Sensor::take_sample(const Instant& instant) noexcept {
 void Sensor::show_what_is_expected() noexcept {
   std::copy(values_.begin(), values_.end(), reading_.values.begin());
   expect(reading_.values);
-  present(reading_.values);
+  show(reading_.values);
 }
 
 void Sensor::deliver(const Instant& instant) noexcept {

@@ -68,6 +68,7 @@ class Sensor : public Algorithm {
   void make_signals(const SensorSpec& spec, std::uint64_t seed, const std::string& robot, const SignalPeriods& periods);
   void take_sample(const Instant& instant) noexcept;
   void show_what_is_expected() noexcept;
+  void show(std::span<double> values) noexcept;
   void deliver(const Instant& instant) noexcept;
 
   Reading& reading_;

@@ -48,7 +48,7 @@ class OnTerminal {
   }
   void send(int signal) const { kill(pid_, signal); }
   /// As a user does it: the terminal sends a signal to all programs in its foreground.
-  void type_control_c() const { (void)!write(terminal_, "\x03", 1); }
+  void type_control_c() const { (void)!::write(terminal_, "\x03", 1); }
 
   /// As waitpid has it.
   int wait() {
@@ -69,7 +69,7 @@ class OnTerminal {
  private:
   bool read_some() {
     std::array<char, 4096> buffer{};
-    const auto count = read(terminal_, buffer.data(), buffer.size());
+    const auto count = ::read(terminal_, buffer.data(), buffer.size());
     if (count <= 0) return false;  // a terminal without programs is an error
     shown_.append(buffer.data(), static_cast<std::size_t>(count));
     return true;

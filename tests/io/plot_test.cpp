@@ -109,7 +109,7 @@ TEST(PlotScript, ManyCurvesLookDifferent) {
     looks.insert(script.substr(at, script.find(" title", at) - at));
   }
   EXPECT_EQ(looks.size(), 32U);
-  EXPECT_NE(script.find(",654 font"), std::string::npos) << "as high as its legend: " << script.substr(0, 100);
+  EXPECT_NE(script.find(",684 font"), std::string::npos) << "as high as its legend: " << script.substr(0, 100);
 }
 
 TEST(PlotScript, EveryPanelHasItsOwnLegend) {
