@@ -1,7 +1,8 @@
 // How well a robot knows where it is on the field, from the lines that its camera sees, against where it really is.
 //
+// <!-- not run (example_self_localization  ): takes minutes -->
 //     example_self_localization                        # a table over thirteen seeds; takes minutes
-//     example_self_localization 8                      # one run of 8 s each
+//     example_self_localization 3                      # one run of 3 s each
 //     example_self_localization localization.png 0.1   # the particles at a time [s], as in the paper's Fig. 7
 #include <algorithm>
 #include <cmath>

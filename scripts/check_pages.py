@@ -32,8 +32,9 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DATA = ["docs", "examples", "lenses", "models", "motions", "parts", "scenes", "servos", "tests/data", "tests/fuzz/seeds"]
-COMMAND = re.compile(r"(murosimf|example_\w+|build/release/\S+|scripts/\S+|cmake|ctest|python3|pip|pre-commit|export|xacro)(?= |$)")
+COMMAND = re.compile(r"(murosimf\w*|example_\w+|build/release/\S+|scripts/\S+|cmake|ctest|python3|pip|pre-commit|export|xacro)(?= |$)")
 MARK = re.compile(r"\s*<!-- (not run|run with|each after|needs|before|append to|output of|figures vary)(?: \((.*?)\))?: (.*) -->$")
+OPTIONS = re.compile(r"(--\S+ (?:'[^']*'|\S+) ?)+")
 # What a machine may lack: such a command counts as not run.
 LACKS = re.compile(r"no pictures by OpenGL|needs the program gnuplot|cannot run 'ffmpeg'|built without|in this build")
 # What differs from run to run and from machine to machine.
@@ -126,7 +127,7 @@ def calls_of(block):
         line, number = block.lines[i], block.first + i
         base = block.mark("each after", line)
         if base and line.startswith("--"):
-            written = re.split(r"\s{2,}", line)[0]
+            written = OPTIONS.match(line).group().rstrip()
             calls.append(Call(block, number, written, f"{base} {written}"))
         elif COMMAND.match(line):
             while line.endswith("\\") and i + 1 < len(block.lines):
@@ -247,13 +248,13 @@ class Check:
 
     def page(self, page):
         for block in page.blocks:
-            for name in block.all("append to"):
-                with (self.scratch.folder / name).open("a") as file:
-                    file.write("\n".join(["", *block.lines, ""]))
             for command in block.all("before"):
                 code, printed = self.scratch.run(command)
                 if code:
                     self.complain(page, block.first, f"'{command}' before this block fails: {' '.join(printed)}")
+            for name in block.all("append to"):
+                with (self.scratch.folder / name).open("a") as file:
+                    file.write("\n".join(["", *block.lines, ""]))
             for call in calls_of(block):
                 self.call(page, call)
         if self.options.update:
