@@ -1,7 +1,7 @@
 // How hard a push a standing robot withstands: stiffly, and with a controller that reads its inertial sensor.
 //
-//     build/release/example_ankle_strategy             # a table
-//     build/release/example_ankle_strategy push.png    # and both runs of one push as a plot
+//     example_ankle_strategy             # a table
+//     example_ankle_strategy push.png    # and both runs of one push as a plot
 #include <cmath>
 #include <cstdio>
 #include <string>

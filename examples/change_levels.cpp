@@ -1,6 +1,6 @@
 // A robot walks cheaply, becomes exact while it is pushed, and walks on cheaply: levels change while the scene runs.
 //
-//     build/release/example_change_levels
+//     example_change_levels
 #include <cstdio>
 
 #include <murosimf/io/scene.h>

@@ -1,8 +1,9 @@
 // A robot crosses the field between poles that its camera sees: does it touch one?
 //
-//     build/release/example_obstacle_challenge                      # a table: five seeds at every level
-//     build/release/example_obstacle_challenge kinematic_walking    # one seed at one level
-//     build/release/example_obstacle_challenge course camera 12     # course.png, camera.png at a time [s], as in the paper's Fig. 8
+// <!-- not run (example_obstacle_challenge  ): takes minutes -->
+//     example_obstacle_challenge                      # a table: five seeds at every level
+//     example_obstacle_challenge kinematic_walking    # one seed at one level
+//     example_obstacle_challenge course camera 12     # course.png, camera.png at a time [s], as in the paper's Fig. 8
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

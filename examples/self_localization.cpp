@@ -1,8 +1,9 @@
 // How well a robot knows where it is on the field, from the lines that its camera sees, against where it really is.
 //
-//     build/release/example_self_localization                        # a table
-//     build/release/example_self_localization 8                      # of runs of 8 s
-//     build/release/example_self_localization localization.png 0.1   # the particles at a time [s], as in the paper's Fig. 7
+// <!-- not run (example_self_localization  ): takes minutes -->
+//     example_self_localization                        # a table over thirteen seeds; takes minutes
+//     example_self_localization 3                      # one run of 3 s each
+//     example_self_localization localization.png 0.1   # the particles at a time [s], as in the paper's Fig. 7
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -52,7 +53,7 @@ struct Errors {
   std::vector<double> found;           // [s] by run: from then on the place was near enough for a second
 };
 
-/// Adds a run. [s] `duration`; 0: the scene's.
+/// Makes one run. [s] `duration`; 0: the scene's.
 void run(const Setting& setting, std::uint64_t seed, double duration, Errors& errors) {
   io::Scene scene("self_localization", {.seed = seed, .overrides = setting.overrides});
   if (duration == 0) duration = scene.spec().duration;
@@ -73,31 +74,49 @@ void run(const Setting& setting, std::uint64_t seed, double duration, Errors& er
   errors.found.push_back(found);
 }
 
-/// Mean, what 95 % are below, largest.
+/// Mean, median, what 95 % are below, largest.
 void print(std::vector<double> numbers, double unit, const char* format) {
   if (numbers.empty()) return;
   std::sort(numbers.begin(), numbers.end());
+  const auto count = static_cast<double>(numbers.size());
+  const auto share = [&](double part) { return unit * numbers[static_cast<std::size_t>(part * (count - 1))]; };
   double sum = 0;
   for (const double number : numbers) sum += number;
-  const auto count = static_cast<double>(numbers.size());
-  std::printf(format, unit * sum / count, unit * numbers[static_cast<std::size_t>(0.95 * (count - 1))],
-              unit * numbers.back());
+  std::printf(format, unit * sum / count, share(0.5), share(0.95), share(1));
 }
 
+void print_row(const char* camera, const char* seed, const Errors& errors) {
+  std::printf("%-29s %4s  ", camera, seed);
+  print(errors.place, 1, "%.3f  %.3f   %.3f  %.3f    ");
+  print(errors.heading, 180 / pi, "%5.1f  %5.1f   %5.1f  %5.1f    ");
+  std::printf("%5.1f\n", *std::max_element(errors.found.begin(), errors.found.end()));
+  std::fflush(stdout);
+}
+
+void append(std::vector<double>& all, const std::vector<double>& some) {
+  all.insert(all.end(), some.begin(), some.end());
+}
+
+/// Every seed, then all of them together. No seed is left out.
 void print_table(double duration) {
   std::printf(
-      "                               position [m]           heading [deg]          within %.1f m\n"
-      "camera                         mean   95 %%   largest   mean   95 %%   largest  after [s]\n",
+      "                                    position [m]                     heading [deg]                   within "
+      "%.1f m\n"
+      "camera                        seed  mean   median  95 %%   largest   mean  median   95 %%  largest     after "
+      "[s]\n",
       near_enough);
-  const std::uint64_t runs = duration == 0 ? 3 : 1;
+  const std::uint64_t runs = duration == 0 ? 13 : 1;
   for (const Setting& setting : settings) {
-    Errors errors;
-    for (std::uint64_t seed = 1; seed <= runs; ++seed) run(setting, seed, duration, errors);
-    std::printf("%-30s ", setting.name);
-    print(errors.place, 1, "%.3f  %.3f  %.3f    ");
-    print(errors.heading, 180 / pi, "%5.1f  %5.1f  %5.1f    ");
-    std::printf("%.1f\n", *std::max_element(errors.found.begin(), errors.found.end()));
-    std::fflush(stdout);
+    Errors all;
+    for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+      Errors errors;
+      run(setting, seed, duration, errors);
+      print_row(setting.name, std::to_string(seed).c_str(), errors);
+      append(all.place, errors.place);
+      append(all.heading, errors.heading);
+      append(all.found, errors.found);
+    }
+    print_row(setting.name, "all", all);
   }
 }
 
