@@ -20,6 +20,17 @@ def swap_number(rng, text):
     return _replace_one(rng, text, NUMBER, lambda _: rng.choice(NUMBERS))
 
 
+def scale_numbers(rng, text):
+    """Numbers that are still numbers of their kind, some of them far off: these get past the readers."""
+    factor = rng.choice([0, -1, 0.5, 2, 1e-3, 1e3, 1e-6, 1e6, 1e-12, 1e12])
+    share = rng.choice([0.02, 0.02, 0.1, 0.5, 1])
+
+    def scaled(match):
+        return f"{float(match.group()) * factor:.6g}" if rng.random() < share else match.group()
+
+    return NUMBER.sub(scaled, text)
+
+
 def swap_quoted(rng, text):
     others = QUOTED.findall(text)
 
@@ -95,7 +106,7 @@ def flip_byte(rng, text):
     return text[:at] + chr(ord(text[at]) ^ (1 << rng.randrange(7))) + text[at + 1:]
 
 
-MUTATORS = [(swap_number, 12), (swap_quoted, 8), (swap_word, 5), (misspell, 4), (drop_lines, 5), (repeat_lines, 4), (move_lines, 2),
+MUTATORS = [(swap_number, 12), (scale_numbers, 8), (swap_quoted, 8), (swap_word, 5), (misspell, 4), (drop_lines, 5), (repeat_lines, 4), (move_lines, 2),
             (insert_piece, 3), (drop_piece, 3), (cut_off, 1), (nest_deep, 1), (flip_byte, 2)]
 
 

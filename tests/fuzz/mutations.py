@@ -3,7 +3,7 @@
 
     tests/fuzz/mutations.py --program build/release/murosimf                 1,000 cases
     tests/fuzz/mutations.py --program build/release/murosimf --cases 50000   some twenty minutes
-    tests/fuzz/mutations.py --program build/release/murosimf --only 4711     one of them again; says what it does
+    tests/fuzz/mutations.py --program build/release/murosimf --only 4711 --keep found   one of them again, and its files
 
 Mistakes are made in scenes, robots, their tables, motions, parts, servos, lenses, recordings, meshes, tables of numbers and
 options. A case fails if the program ends by a signal, takes longer than 20 s, ends with a code that is none of its own,
@@ -34,7 +34,7 @@ NEVER = ("terminate called", "Traceback", "AddressSanitizer", "runtime error:", 
          "out of memory")
 
 
-def complaint(code, output, errors):
+def complaint(code, errors):
     """What is wrong with how the program ended; empty if nothing is."""
     for words in NEVER:
         if words in errors:
@@ -78,21 +78,26 @@ class Tester:
         try:
             done = subprocess.run([self.options.program, *arguments], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True,
                                   timeout=TIME_LIMIT)
-            wrong = complaint(done.returncode, done.stdout.decode(errors="replace"), done.stderr.decode(errors="replace"))
+            wrong = complaint(done.returncode, done.stderr.decode(errors="replace"))
             code = done.returncode
         except subprocess.TimeoutExpired:
             wrong, code = f"it takes more than {TIME_LIMIT} s", -1
         if not wrong and any(folder.rglob("*.part")):
             wrong = "a .part file is left"
-        if wrong and self.options.keep:
-            shutil.copytree(folder, self.options.keep / str(number), dirs_exist_ok=True)
+        if wrong:
+            self.keep(folder)
         shutil.rmtree(folder)
         return Outcome(number, wrong, code)
+
+    def keep(self, folder):
+        if self.options.keep:
+            shutil.copytree(folder, self.options.keep / folder.name, dirs_exist_ok=True)
 
     def show(self, number):
         """One case in full."""
         arguments, folder = self.prepare(number)
-        print("in", folder)
+        self.keep(folder)
+        print("in", self.options.keep / folder.name if self.options.keep else folder)
         print(" ".join(map(repr, [self.options.program, *arguments])), flush=True)
         done = subprocess.run([self.options.program, *arguments], cwd=folder, stdin=subprocess.DEVNULL, timeout=TIME_LIMIT)
         print("exit code", done.returncode)
