@@ -120,6 +120,11 @@ TEST(UnusedMaterials, AreRefusedIfNobodyKnowsThem) {
   EXPECT_TRUE(says(refusal_of(with("[[materials]]\npair = ['', 'carpet']\n")), {"empty name"}));
 }
 
+TEST(UnusedMaterials, APileThatNothingFeelsIsNamed) {
+  EXPECT_TRUE(says(warnings_of({.set = {"field.grain=[1, 0]"}}), {"pile of 'carpet'", "'grain' changes nothing"}));
+  EXPECT_EQ(warnings_of({.set = {"field.grain=[1, 0]", "field.surface=grass"}}), "");
+}
+
 TEST(UnusedMaterials, OfARobotsOwnFileAreKnown) {
   const std::string ball = "[ball]\nmaterial = 'foam'\n[[materials]]\npair = ['foam', 'carpet']\n";
   EXPECT_EQ(warnings_of({.text = ball}), "");
