@@ -171,6 +171,14 @@ std::string why_no_target(const Model& model, int joint, const std::vector<const
   return {};
 }
 
+/// It would move a base that is bolted to the world.
+bool moves_fixed_base(const RobotSpec& robot, const std::vector<const Level*>& levels, int index,
+                      std::string_view property) {
+  const bool moves = property == "linear_velocity" || property == "angular_velocity" || property == "applied_force";
+  return robot.fixed_base && index == 0 && moves &&
+         std::ranges::all_of(levels, [](const Level* level) { return has_word(level->options, "fixed_base"); });
+}
+
 std::string why_it_does_not_act(const SceneSpec& spec, const RobotSpec& robot, const Entity& entity, int index,
                                 const SettableProperty& property, double time) {
   const auto levels = levels_from(spec, robot, time);
@@ -178,6 +186,7 @@ std::string why_it_does_not_act(const SceneSpec& spec, const RobotSpec& robot, c
     return has_word(level->inputs, property.name);
   });
   if (!acts) return fmt::format("{} does not use '{}'", levels.front()->name, property.name);
+  if (moves_fixed_base(robot, levels, index, property.name)) return "its base is fixed";
   if (property.name == "joint_target" || property.name == "joint_rate_target") {
     return why_no_target(entity.model(), index, levels, property.name);
   }

@@ -170,6 +170,14 @@ TEST(PropertySettings, ThatChangeNothingAreNamed) {
   EXPECT_EQ(warnings_of({.set = {push}, .at = {"0.01:still.level=full_dynamics"}}), "") << "it acts later";
 }
 
+TEST(PropertySettings, OfAFixedBaseAreNamed) {
+  for (const char* setting :
+       {"linear_velocity=[1, 0, 0]", "angular_velocity=[1, 0, 0]", "applied_force=[0, 0, 0, 1, 0, 0]"}) {
+    EXPECT_TRUE(says(warnings_of({.set = {"real.fixed_base=true", std::string("real.pelvis.") + setting}}),
+                     {"real: its base is fixed; it changes nothing"}));
+  }
+}
+
 TEST(PropertySettings, OfServosNeedAServoThatUsesThem) {
   EXPECT_TRUE(says(refusal_of({.set = {"real.j_l_shin.supply_voltage=-1"}}), {"must not be negative"}));
   EXPECT_TRUE(says(refusal_of({.set = {"real.j_l_shin.torque_enabled=2"}}), {"must be 0 or 1"}));
