@@ -158,6 +158,28 @@ std::string why_no_motor(const Servo& servo, const RobotSpec& robot, std::string
   return {};
 }
 
+/// Which of the two targets a joint has; empty if it is this one.
+std::string why_no_target(const Model& model, int joint, const std::vector<const Level*>& levels,
+                          std::string_view property) {
+  const Servo* servo = model.find(properties::servo, joint);
+  const bool of_rate = servo && motion::follows_rate(*servo);
+  if (of_rate != (property == "joint_rate_target")) {
+    return fmt::format("this joint follows '{}'", of_rate ? "joint_rate_target" : "joint_target");
+  }
+  if (model.find(properties::joint_coupling, joint)) return "this joint follows another one";
+  const auto needs_servo = [](const Level* level) { return has_word(level->options, "servo_law"); };
+  if (!servo && std::ranges::all_of(levels, needs_servo)) return "this joint has no servo and hangs free";
+  return {};
+}
+
+/// It would move a base that is bolted to the world.
+bool moves_fixed_base(const RobotSpec& robot, const std::vector<const Level*>& levels, int index,
+                      std::string_view property) {
+  const bool moves = property == "linear_velocity" || property == "angular_velocity" || property == "applied_force";
+  return robot.fixed_base && index == 0 && moves &&
+         std::ranges::all_of(levels, [](const Level* level) { return has_word(level->options, "fixed_base"); });
+}
+
 std::string why_it_does_not_act(const SceneSpec& spec, const RobotSpec& robot, const Entity& entity, int index,
                                 const SettableProperty& property, double time) {
   const auto levels = levels_from(spec, robot, time);
@@ -165,6 +187,10 @@ std::string why_it_does_not_act(const SceneSpec& spec, const RobotSpec& robot, c
     return has_word(level->inputs, property.name);
   });
   if (!acts) return fmt::format("{} does not use '{}'", levels.front()->name, property.name);
+  if (moves_fixed_base(robot, levels, index, property.name)) return "its base is fixed";
+  if (property.name == "joint_target" || property.name == "joint_rate_target") {
+    return why_no_target(entity.model(), index, levels, property.name);
+  }
   if (property.owner == Owner::motor) {
     return why_no_motor(*entity.model().find(properties::servo, index), robot, property.name);
   }

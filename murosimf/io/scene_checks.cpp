@@ -32,7 +32,9 @@ void Scene::warn_about_settings() {
   std::set<std::string> materials;
   add_materials(field_->model(), materials);
   for (const Entity* mover : movers_) add_materials(mover->model(), materials);
-  add(unused_pairs(spec_, {materials.begin(), materials.end()}));
+  const std::vector<std::string> used(materials.begin(), materials.end());
+  add(unused_pairs(spec_, used));
+  if (auto line = unused_grain(spec_, used); !line.empty()) warnings_.push_back(std::move(line));
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const RobotSpec& robot = spec_.robots[i];
     check_no_contact(robot, robots_[i]->model());

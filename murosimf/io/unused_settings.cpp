@@ -153,4 +153,15 @@ std::vector<std::string> unused_pairs(const SceneSpec& spec, const std::vector<s
   return lines;
 }
 
+std::string unused_grain(const SceneSpec& spec, const std::vector<std::string>& used) {
+  if (is_zero(spec.field.grain)) return {};
+  Surface ground, body;
+  ground.material = spec.field.surface;
+  for (const std::string& name : used) {
+    body.material = name;
+    if (spec.materials.find(ground, body).grain_effect > 0) return {};
+  }
+  return fmt::format("field: nothing here feels the pile of '{}'; 'grain' changes nothing", spec.field.surface);
+}
+
 }  // namespace murosimf::io

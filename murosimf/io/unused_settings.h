@@ -23,4 +23,7 @@ struct Level;
 /// Throws SetupError, with the nearest name, for a material that nobody knows.
 [[nodiscard]] std::vector<std::string> unused_pairs(const SceneSpec& spec, const std::vector<std::string>& used);
 
+/// A line if the pile of the ground leans and nothing of these materials feels it; else empty.
+[[nodiscard]] std::string unused_grain(const SceneSpec& spec, const std::vector<std::string>& used);
+
 }  // namespace murosimf::io

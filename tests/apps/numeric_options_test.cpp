@@ -50,6 +50,8 @@ std::string command_line(const NumericOption& numeric, const std::string& value)
 TEST(NumericOptions, RefuseWhatIsNoSensibleNumber) {
   for (const NumericOption& numeric : numeric_options) {
     for (const char* value : {"nan", "inf", "-inf", "-1", "1e400", "99999999999999999999999", "two", "1x"}) {
+      const bool large_is_fine = std::string(numeric.option).ends_with('=');
+      if (large_is_fine && value[0] == '9') continue;
       const std::string line = command_line(numeric, value);
       const Result result = murosimf(line);
       EXPECT_EQ(result.exit_code, 2) << line << "\n" << result.errors;

@@ -1,11 +1,12 @@
 // The rule of docs/scenes.md, tried with every property at every level: what is set acts, is refused, or is warned about.
-#include <cmath>
-
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -19,16 +20,27 @@ namespace {
 using namespace std::chrono_literals;
 using Columns = std::map<std::string, std::vector<double>>;
 
-/// Stands still for 60 ms, so that every walk cycle begins at the same time.
+/// A robot, and objects of it: its base, joints, a link.
+struct Subject {
+  std::string model, level, controller;
+  std::vector<std::string> objects;
+
+  [[nodiscard]] std::vector<std::string> overrides() const {
+    std::vector<std::string> all{"walker.sensors=false", "walker.model=" + model, "walker.level=" + level,
+                                 "walker.controller=" + controller};
+    if (controller == "none") all.emplace_back("walker.command=[0,0,0]");
+    return all;
+  }
+};
+
+/// Runs for 60 ms.
 class Trial {
  public:
-  Trial(std::string level, std::string controller) : level_(std::move(level)), controller_(std::move(controller)) {}
+  explicit Trial(Subject subject) : subject_(std::move(subject)) {}
 
   /// All columns after the run but `without`. Throws SetupError if the setting is refused.
   Columns run(const std::vector<std::string>& settings, std::string_view without) {
-    SceneOptions options{.overrides = {"walker.sensors=false", "walker.level=" + level_, "duration=1",
-                                       "walker.controller=" + controller_}};
-    if (controller_ == "none") options.overrides.emplace_back("walker.command=[0,0,0]");
+    SceneOptions options{.overrides = subject_.overrides()};
     options.overrides.insert(options.overrides.end(), settings.begin(), settings.end());
     Scene scene("walk", options);
     scene.simulation().run(60ms);
@@ -38,16 +50,14 @@ class Trial {
 
   /// Names and numbers of what could be set, at the beginning.
   std::map<std::string, std::vector<double>> settable(const std::string& object) const {
-    SceneOptions options{
-        .overrides = {"walker.sensors=false", "walker.level=" + level_, "walker.controller=" + controller_}};
-    Scene scene("walk", options);
+    Scene scene("walk", {.overrides = subject_.overrides()});
     scene.simulation().initialize();
     Entity& robot = scene.simulation().world().entity("walker");
     std::map<std::string, std::vector<double>> found;
     for (const auto& entry : properties::catalog()) {
       const ColumnBase* column = entry.constant ? nullptr : robot.find(entry.info.name);
       if (!column || column->numbers() == 0) continue;
-      if (column->info().scope != Scope::object && object != "pelvis") continue;
+      if (column->info().scope != Scope::object && object != subject_.objects.front()) continue;
       found[std::string(entry.info.name)] = robot.object(object).get(entry.info.name).numbers;
     }
     return found;
@@ -69,7 +79,7 @@ class Trial {
     return columns;
   }
 
-  std::string level_, controller_;
+  Subject subject_;
 };
 
 /// Other numbers that the property can have.
@@ -81,34 +91,74 @@ std::vector<double> changed(const std::string& property, std::vector<double> num
 }
 
 /// What is neither refused nor warned about nor changes any other number.
-std::set<std::string> ignored_at(const std::string& level, const std::string& controller) {
+std::set<std::string> ignored_of(const Subject& subject) {
   std::set<std::string> ignored;
-  Trial trial(level, controller);
-  for (const std::string object : {"pelvis", "j_l_shin", "l_shin"}) {
+  Trial trial(subject);
+  for (const std::string& object : subject.objects) {
     for (const auto& [property, numbers] : trial.settable(object)) {
       const std::string setting =
           fmt::format("walker.{}.{}=[{}]", object, property, fmt::join(changed(property, numbers), ","));
       try {
         const Columns with = trial.run({setting}, property);
-        const bool said = std::ranges::any_of(trial.warnings, [&](const std::string& warning) {
-          return warning.find(property) != std::string::npos;
+        const bool said = std::ranges::any_of(trial.warnings, [&, &name = property](const std::string& warning) {
+          return warning.find(name) != std::string::npos;
         });
         if (!said && with == trial.run({}, property)) ignored.insert(object + "." + property);
       } catch (const SetupError&) {
-        continue;
+        continue;  // refused
       }
     }
   }
   return ignored;
 }
 
+void expect_nothing_ignored(const Subject& subject) {
+  EXPECT_EQ(ignored_of(subject), std::set<std::string>{})
+      << subject.model << " at " << subject.level << " with " << subject.controller;
+}
+
 TEST(Settings, ActOrAreRefusedOrWarnedAboutAtEveryLevel) {
   for (const Level& level : levels()) {
     for (const char* controller : {"walk", "none"}) {
-      EXPECT_EQ(ignored_at(std::string(level.name), controller), std::set<std::string>{})
-          << level.name << " " << controller;
+      expect_nothing_ignored({"kid21", std::string(level.name), controller, {"pelvis", "j_l_shin", "l_shin"}});
     }
   }
+}
+
+TEST(Settings, ActOrAreRefusedOrWarnedAboutOnWheels) {
+  for (const char* level : {"full_dynamics", "articulated_dynamics"}) {
+    for (const char* controller : {"drive", "none"}) {
+      expect_nothing_ignored({"car", level, controller, {"chassis", "steer_left", "turn_rear_left"}});
+    }
+  }
+}
+
+/// An arm on a heavy base, with a servo that has everything and one that has little.
+std::string write_arm() {
+  const std::string stem = fmt::format("{}settings_arm_{}", testing::TempDir(), getpid());
+  std::ofstream(stem + ".xml") << R"(<mujoco><worldbody><body name="base" pos="0 0 1"><freejoint/><geom size=".1"/>
+<body name="upper" pos="0 .2 0"><joint name="shoulder" axis="0 1 0"/><geom size=".05" pos=".1 0 0"/>
+<body name="lower" pos=".2 0 0"><joint name="elbow" axis="0 1 0"/><geom size=".05" pos=".1 0 0"/>
+</body></body></body></worldbody></mujoco>)";
+  std::ofstream(stem + ".toml") << R"([servos.warm]
+type = "mx106"
+backlash = 0.02
+heat_capacity = 60
+thermal_resistance = 4
+command_period = 0.01
+joints = ["shoulder"]
+[servos.plain]
+stall_torque = 6
+no_load_rate = 6
+position_gain = 30
+joints = ["elbow"]
+)";
+  return stem + ".xml";
+}
+
+TEST(Settings, ActOrAreRefusedOrWarnedAboutWithServosOfAllKinds) {
+  const std::string arm = write_arm();
+  expect_nothing_ignored({arm, "articulated_dynamics", "none", {"base", "shoulder", "elbow", "lower"}});
 }
 
 }  // namespace

@@ -120,6 +120,11 @@ TEST(UnusedMaterials, AreRefusedIfNobodyKnowsThem) {
   EXPECT_TRUE(says(refusal_of(with("[[materials]]\npair = ['', 'carpet']\n")), {"empty name"}));
 }
 
+TEST(UnusedMaterials, APileThatNothingFeelsIsNamed) {
+  EXPECT_TRUE(says(warnings_of({.set = {"field.grain=[1, 0]"}}), {"pile of 'carpet'", "'grain' changes nothing"}));
+  EXPECT_EQ(warnings_of({.set = {"field.grain=[1, 0]", "field.surface=grass"}}), "");
+}
+
 TEST(UnusedMaterials, OfARobotsOwnFileAreKnown) {
   const std::string ball = "[ball]\nmaterial = 'foam'\n[[materials]]\npair = ['foam', 'carpet']\n";
   EXPECT_EQ(warnings_of({.text = ball}), "");
@@ -163,6 +168,14 @@ TEST(PropertySettings, ThatChangeNothingAreNamed) {
   EXPECT_TRUE(says(warnings_of({.at = {"0.01:" + push}}), {"does not use 'applied_force'", "--at"}));
   EXPECT_EQ(warnings_of({.at = {"0.005:still.level=full_dynamics", "0.01:" + push}}), "");
   EXPECT_EQ(warnings_of({.set = {push}, .at = {"0.01:still.level=full_dynamics"}}), "") << "it acts later";
+}
+
+TEST(PropertySettings, OfAFixedBaseAreNamed) {
+  for (const char* setting :
+       {"linear_velocity=[1, 0, 0]", "angular_velocity=[1, 0, 0]", "applied_force=[0, 0, 0, 1, 0, 0]"}) {
+    EXPECT_TRUE(says(warnings_of({.set = {"real.fixed_base=true", std::string("real.pelvis.") + setting}}),
+                     {"real: its base is fixed; it changes nothing"}));
+  }
 }
 
 TEST(PropertySettings, OfServosNeedAServoThatUsesThem) {
