@@ -1,6 +1,5 @@
 #include "murosimf/io/child_pipe.h"
 
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 
@@ -12,6 +11,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "murosimf/io/spawn.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
@@ -45,18 +45,12 @@ ChildPipe::ChildPipe(const std::vector<std::string>& arguments, const std::strin
     cannot_run(program_, std::generic_category().message(errno));
   }
   socket_ = ends[0];
-  std::vector<char*> argv;
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(errors_.get()), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(errors_.get()), STDERR_FILENO);
-  const int error = posix_spawnp(&child_, argv[0], &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
+  const int words = fileno(errors_.get()), error = spawn(arguments, {ends[1], words, words}, child_);
   close(ends[1]);
-  if (error == 0) return;
+  if (error == 0) {
+    running_.emplace(child_);
+    return;
+  }
   close(socket_);
   if (error == ENOENT || error == EACCES) cannot_run(program_, advice);
   cannot_run(program_, std::generic_category().message(error));
@@ -74,6 +68,7 @@ int ChildPipe::wait() noexcept {
   int status = 0;
   while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
   }
+  running_.reset();
   child_ = -1;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }

@@ -4,18 +4,22 @@
 #include <cstddef>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <sys/types.h>
 
+#include "murosimf/io/leftovers.h"
+
 namespace murosimf::io {
 
 class ChildPipe {
  public:
   /// Starts `arguments[0]`, looked up in PATH, without a shell. Throws SetupError with `advice` if there is no such
-  /// program, and if the system cannot start one.
+  /// program, and if the system cannot start one. It is in a process group of its own: Ctrl-C on a terminal, and whatever
+  /// else is sent to this program's group, does not reach it.
   ChildPipe(const std::vector<std::string>& arguments, const std::string& advice);
   /// Ends the program if finish() was not called.
   ~ChildPipe();
@@ -35,6 +39,7 @@ class ChildPipe {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> errors_;
   int socket_ = -1;
   pid_t child_ = -1;
+  std::optional<Leftover> running_;
 };
 
 }  // namespace murosimf::io

@@ -1,6 +1,5 @@
 #include "murosimf/io/child_process.h"
 
-#include <spawn.h>
 #include <sys/wait.h>
 
 #include <array>
@@ -12,6 +11,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "murosimf/io/leftovers.h"
+#include "murosimf/io/spawn.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
@@ -37,19 +38,6 @@ std::string contents(std::FILE* file) {
   return text;
 }
 
-/// 0, or errno of what failed.
-int start(const std::vector<std::string>& arguments, const std::array<std::FILE*, 3>& streams, pid_t& child) {
-  std::vector<char*> argv;
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  for (int i = 0; i < 3; ++i) posix_spawn_file_actions_adddup2(&actions, fileno(streams[i]), i);
-  const int error = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  return error;
-}
-
 }  // namespace
 
 std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments, const std::string& input) {
@@ -60,10 +48,11 @@ std::optional<ProcessResult> run_process(const std::vector<std::string>& argumen
   }
   std::rewind(in.get());
   pid_t child = 0;
-  if (const int error = start(arguments, {in.get(), out.get(), err.get()}, child); error != 0) {
+  if (const int error = spawn(arguments, {fileno(in.get()), fileno(out.get()), fileno(err.get())}, child); error != 0) {
     if (error == ENOENT || error == EACCES) return std::nullopt;
     refuse(program, error);
   }
+  const Leftover running(child);
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) refuse(program, errno);

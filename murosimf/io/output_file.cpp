@@ -3,11 +3,13 @@
 #include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "murosimf/io/leftovers.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
@@ -49,6 +51,7 @@ void check_writable(const fs::path& file) {
   check_place(file);
   if (is_special(file)) return;
   const fs::path probe = part_of(file);
+  const Leftover half_file(probe);
   const int failure = write_bytes(probe, {});
   std::error_code error;
   fs::remove(probe, error);
@@ -60,6 +63,8 @@ void write_file(const fs::path& file, const std::string& bytes) {
   const bool special = is_special(file);
   const fs::path target = special ? file : part_of(file);
   std::error_code error;
+  std::optional<Leftover> half_file;
+  if (!special) half_file.emplace(target);
   int failure = write_bytes(target, bytes);
   if (failure == 0 && !special) {
     fs::rename(target, file, error);

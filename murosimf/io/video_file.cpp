@@ -57,6 +57,7 @@ VideoFile::VideoFile(std::filesystem::path file, int width, int height, double f
     : file_(std::move(file)), part_(file_) {
   check_file(file_);
   part_.replace_filename(fmt::format(".{}.{}.part{}", file_.stem().string(), ::getpid(), file_.extension().string()));
+  half_video_.emplace(part_);
   ffmpeg_.emplace(command(part_, width, height, frames_per_second), no_ffmpeg);
 }
 

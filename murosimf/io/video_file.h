@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "murosimf/io/child_pipe.h"
+#include "murosimf/io/leftovers.h"
 #include "murosimf/sensors/image.h"
 
 namespace murosimf::io {
@@ -28,6 +29,7 @@ class VideoFile {
 
  private:
   std::filesystem::path file_, part_;
+  std::optional<Leftover> half_video_;
   std::optional<ChildPipe> ffmpeg_;
 };
 
