@@ -12,6 +12,7 @@ namespace murosimf {
 namespace {
 
 constexpr Duration patience = std::chrono::milliseconds(100);
+constexpr Duration nap = std::chrono::milliseconds(20);
 
 class SteadyTime final : public WallTime {
  public:
@@ -37,12 +38,18 @@ void Clock::start(Duration simulated) {
   wall_start_ = wall_->now();
 }
 
-void Clock::wait_until(Duration simulated) {
+void Clock::sleep_until(Duration due, const StopRequest& stop) {
+  for (Duration now = wall_->now(); now < due && !(stop && stop()); now = wall_->now()) {
+    wall_->sleep_until(std::min(due, now + nap));
+  }
+}
+
+void Clock::wait_until(Duration simulated, const StopRequest& stop) {
   if (!speed_) return;
   ++lateness_.steps;
   const Duration due = wall_start_ + from_seconds(seconds(simulated - simulated_start_) / *speed_);
   const Duration behind = wall_->now() - due;
-  if (behind <= Duration{}) return wall_->sleep_until(due);
+  if (behind <= Duration{}) return sleep_until(due, stop);
   if (behind > tolerance) {
     ++lateness_.late_steps;
     lateness_.worst = std::max(lateness_.worst, behind);

@@ -1,6 +1,7 @@
 /// clock.h - how simulated time follows the wall clock: in real time, slower, faster, or as fast as possible.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -15,6 +16,9 @@ class WallTime {
   [[nodiscard]] virtual Duration now() = 0;
   virtual void sleep_until(Duration time) = 0;
 };
+
+/// Whether to end early. Called often, by the thread that runs the simulation.
+using StopRequest = std::function<bool()>;
 
 /// How late a simulation was, in wall time.
 struct Lateness {
@@ -33,14 +37,16 @@ class Clock {
   void start(Duration simulated);
 
   /// Returns when `simulated` is due. Does not wait if the simulation is late; after more than 100 ms of delay the
-  /// schedule is moved instead of being caught up with in a rush.
-  void wait_until(Duration simulated);
+  /// schedule is moved instead of being caught up with in a rush. Returns within 20 ms of wall time once `stop` says true.
+  void wait_until(Duration simulated, const StopRequest& stop = {});
 
   [[nodiscard]] const Lateness& lateness() const { return lateness_; }
 
   static constexpr Duration tolerance = std::chrono::milliseconds(2);
 
  private:
+  void sleep_until(Duration due, const StopRequest& stop);
+
   std::optional<double> speed_;
   std::unique_ptr<WallTime> wall_;
   Duration wall_start_{};

@@ -12,13 +12,27 @@ PathRecorder::PathRecorder(Setup& setup, const std::vector<Entity*>& entities) {
 }
 
 void PathRecorder::initialize() {
-  for (Path& path : paths_) path.points.reserve(4096);
+  for (Path& path : paths_) path.points.reserve(most_points);
+  calls_ = 0;
+  every_ = 1;
   record();
 }
 
-void PathRecorder::step(const Instant&) noexcept { record(); }
+void PathRecorder::step(const Instant&) noexcept {
+  if (++calls_ % every_ == 0) record();
+}
+
+/// The start stays; so the points are those of calls that 2 every_ divides.
+void PathRecorder::thin_out() noexcept {
+  for (Path& path : paths_) {
+    for (std::size_t i = 0; 2 * i < most_points; ++i) path.points[i] = path.points[2 * i];
+    path.points.resize(most_points / 2);
+  }
+  every_ *= 2;
+}
 
 void PathRecorder::record() noexcept {
+  if (!paths_.empty() && paths_.front().points.size() == most_points) thin_out();
   for (std::size_t i = 0; i < paths_.size(); ++i) paths_[i].points.push_back(positions_[i][0]);
 }
 

@@ -38,7 +38,8 @@ struct AlgorithmStatistics {
   std::string name;
   double rate_hz = 0;
   std::int64_t calls = 0;
-  double us_per_call = 0;  ///< mean over every eighth call; taking the time of all would slow the shortest ones down
+  double us_per_call =
+      0;  ///< mean; after the first 64 calls from every eighth: taking the time of all would slow them down
 };
 
 /// Something that happened once: a level was exchanged, or refused.
@@ -91,12 +92,17 @@ class Simulation {
   void initialize();
 
   /// Advances by at least `duration` (whole ticks), paced by `clock`. `progress`, if given, is called about ten times
-  /// per wall second with the present simulated time. Throws SetupError if the duration is negative.
+  /// per wall second with the present simulated time. Throws SetupError if the duration is negative. Ends early, between
+  /// two ticks, if stopped().
   void run(Duration duration, Clock& clock, const std::function<void(Duration)>& progress = {});
   /// As fast as possible.
   void run(Duration duration);
   /// One tick.
   void step();
+
+  /// Has run() end early once `stop` says true; asked before every tick and while a clock waits. step() does not ask.
+  void stop_if(StopRequest stop) { stop_ = std::move(stop); }
+  [[nodiscard]] bool stopped() const { return stop_ && stop_(); }
 
   [[nodiscard]] Duration now() const { return now_; }
   [[nodiscard]] Duration tick() const { return plan_.tick(); }
@@ -121,7 +127,7 @@ class Simulation {
     AccessSet access;
     bool frozen = false;  ///< of the entity, taken over between ticks so that it cannot change during one
     std::int64_t calls = 0;
-    std::int64_t timed_calls = 0;
+    std::int64_t timed_calls = 0;  ///< that `time` stands for
     Duration time{};
   };
   struct TimedCall {
@@ -151,6 +157,7 @@ class Simulation {
   Duration now_{};
   std::int64_t ticks_ = 0;
   bool initialized_ = false;
+  StopRequest stop_;
   std::vector<std::function<void()>> after_initialize_;
   std::vector<std::string> warnings_;
   std::size_t frozen_reported_ = 0;

@@ -74,6 +74,14 @@ TEST(Clock, LongDelaysMoveTheScheduleInsteadOfRacing) {
   EXPECT_EQ(p.clock.lateness().late_steps, 1);
 }
 
+// A step that takes a thousand seconds of wall time is left soon after somebody asks for that.
+TEST(Clock, StopsWaitingWhenAsked) {
+  Paced p(1e-6);
+  p.clock.wait_until(1ms, [&] { return p.wall >= 7s; });
+  EXPECT_GE(p.wall, 7s);
+  EXPECT_LE(p.wall, 7s + 20ms);
+}
+
 TEST(Clock, ImpossibleSpeedsAreRefused) {
   for (const double speed :
        {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

@@ -108,6 +108,76 @@ TEST(Simulation, StatisticsCountCallsByNameAndRate) {
   EXPECT_EQ(rows[1].calls, 50);
 }
 
+/// Takes a while when it is called first.
+class SlowAtFirst final : public Algorithm {
+ public:
+  explicit SlowAtFirst(Setup& setup) : counter_(setup.write(counter)[0]) {}
+  void step(const Instant&) noexcept override {
+    const auto start = std::chrono::steady_clock::now();
+    while (counter_ == 0 && std::chrono::steady_clock::now() - start < 32ms) {
+    }
+    counter_ += 1;
+  }
+
+ private:
+  double& counter_;
+};
+
+// The first call is one of 32, not one of 4 that were timed: no algorithm takes more time than there was.
+TEST(Simulation, StatisticsOfAShortRunCountEveryCallOnce) {
+  Simulation simulation;
+  simulation.attach<SlowAtFirst>("slow", simulation.world().add("a", dot()), 1000);
+  const auto start = std::chrono::steady_clock::now();
+  simulation.run(32ms);
+  const std::chrono::duration<double, std::micro> wall = std::chrono::steady_clock::now() - start;
+  EXPECT_GE(simulation.statistics()[0].us_per_call, 1000);
+  EXPECT_LE(simulation.statistics()[0].us_per_call * 32, wall.count());
+  simulation.run(1000ms);
+  EXPECT_GE(simulation.statistics()[0].us_per_call, 32e3 / 1032);
+  EXPECT_EQ(simulation.statistics()[0].calls, 1032);
+}
+
+TEST(Simulation, RunsEndEarlyWhenAsked) {
+  Simulation simulation;
+  simulation.attach<Count>("count", simulation.world().add("a", dot()), 1000);
+  simulation.stop_if([&] { return simulation.now() >= 30ms; });
+  simulation.run(100ms);
+  EXPECT_EQ(simulation.now(), Duration(30ms));
+  EXPECT_TRUE(simulation.stopped());
+  simulation.stop_if({});
+  simulation.run(100ms);
+  EXPECT_EQ(simulation.now(), Duration(130ms)) << "it can go on";
+}
+
+// Position of a body in one dimension: the time [s].
+class Tell final : public Algorithm {
+ public:
+  explicit Tell(Setup& setup) : position_(setup.write(properties::position)) {}
+  void step(const Instant& instant) noexcept override { position_[0].x = seconds(instant.now + instant.period); }
+
+ private:
+  std::span<Vec3d> position_;
+};
+
+TEST(PathRecorder, KeepsNoMoreThanItsShareHoweverLongARunIs) {
+  Simulation simulation;
+  Entity& a = simulation.world().add("a", dot());
+  simulation.attach<Tell>("tell", a, PathRecorder::rate_hz);
+  const auto& recorder =
+      simulation.attach<PathRecorder>("recorder", a, PathRecorder::rate_hz, std::vector<Entity*>{&a});
+  simulation.run(200s);
+  const auto& points = recorder.paths()[0].points;
+  EXPECT_EQ(points.size(), 4001U) << "all of them";
+  simulation.run(800s);
+  EXPECT_LE(points.size(), PathRecorder::most_points);
+  EXPECT_GT(points.size(), PathRecorder::most_points / 2);
+  EXPECT_EQ(points[0].x, 0);
+  EXPECT_GT(points.back().x, 999);
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    ASSERT_NEAR(points[i].x - points[i - 1].x, points[2].x - points[1].x, 1e-9) << "equal periods";
+  }
+}
+
 TEST(Simulation, FrozenEntitiesAreSkippedAndReportedOnce) {
   Simulation simulation;
   Entity& a = simulation.world().add("a", dot());
