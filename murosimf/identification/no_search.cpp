@@ -13,7 +13,8 @@ Found search(const Objective& /*objective*/, const SearchOptions& /*options*/, c
   return {};
 }
 
-Found refine(const Found& /*found*/, const Objective& /*objective*/, int /*evaluations*/) {
+Found refine(const Found& /*found*/, const Objective& /*objective*/, int /*evaluations*/,
+             const std::function<bool()>& /*stop*/) {
   check_search();
   return {};
 }

@@ -3,6 +3,7 @@
 #include <nlopt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -39,13 +40,16 @@ class Board {
 struct Start {
   Objective objective;
   Board& board;
+  const std::function<bool()>& stop;
   std::vector<double> places;
+  nlopt_opt search = nullptr;  // while it runs
   double cost = std::numeric_limits<double>::infinity();
   int evaluations = 0;
 };
 
 double evaluate(unsigned count, const double* places, double* /*gradient*/, void* data) {
   Start& start = *static_cast<Start*>(data);
+  if (start.stop && start.stop()) nlopt_force_stop(start.search);
   const double cost = start.objective({places, count});
   if (cost < start.cost) {
     start.cost = cost;
@@ -66,6 +70,7 @@ void minimize(Start& start, nlopt_algorithm algorithm, double evaluations) {
   nlopt_set_ftol_rel(search.get(), 1e-5);
   nlopt_set_xtol_rel(search.get(), 1e-6);
   nlopt_set_initial_step1(search.get(), 0.03);
+  start.search = search.get();
   std::vector<double> point = start.places;
   double cost = 0;
   nlopt_optimize(search.get(), point.data(), &cost);
@@ -88,6 +93,7 @@ void run(Start& start, const SearchOptions& options, std::uint64_t number) {
   nlopt_srand(static_cast<unsigned long>(seed));  // of this thread
   start.places = first_point(start.objective, seed);
   minimize(start, NLOPT_GN_CRS2_LM, global_share * options.evaluations);
+  if (options.stop && options.stop()) return;
   minimize(start, NLOPT_LN_SBPLX, (1 - global_share) * options.evaluations);
 }
 
@@ -95,25 +101,30 @@ void run(Start& start, const SearchOptions& options, std::uint64_t number) {
 
 Found search(const Objective& objective, const SearchOptions& options, const Progress& progress) {
   Board board(progress, options.starts * options.evaluations);
-  std::vector<Start> starts(static_cast<std::size_t>(options.starts), Start{objective, board, {}});
+  std::vector<Start> starts(static_cast<std::size_t>(options.starts), Start{objective, board, options.stop, {}});
   const auto work = [&](std::size_t first) {
-    for (std::size_t i = first; i < starts.size(); i += static_cast<std::size_t>(options.threads))
+    for (std::size_t i = first; i < starts.size(); i += static_cast<std::size_t>(options.threads)) {
+      if (options.stop && options.stop()) return;
       run(starts[i], options, i);
+    }
   };
   std::vector<std::thread> threads;
   for (int i = 0; i < options.threads; ++i) threads.emplace_back(work, static_cast<std::size_t>(i));
   for (std::thread& thread : threads) thread.join();
 
   const auto best = std::ranges::min_element(starts, {}, &Start::cost);
+  if (best->places.empty()) best->places = first_point(objective, options.seed);  // stopped before it began
   Found found{.servo = objective.servo_at(best->places), .places = best->places, .cost = best->cost, .costs = {}};
-  for (const Start& start : starts) found.costs.push_back(start.cost);
+  for (const Start& start : starts) {
+    if (std::isfinite(start.cost)) found.costs.push_back(start.cost);
+  }
   return found;
 }
 
-Found refine(const Found& found, const Objective& objective, int evaluations) {
+Found refine(const Found& found, const Objective& objective, int evaluations, const std::function<bool()>& stop) {
   const Progress nobody;
   Board board(nobody, evaluations);
-  Start start{objective, board, found.places};
+  Start start{objective, board, stop, found.places};
   minimize(start, NLOPT_LN_SBPLX, evaluations);
   return {objective.servo_at(start.places), start.places, start.cost, found.costs};
 }

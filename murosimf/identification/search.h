@@ -18,23 +18,25 @@ struct SearchOptions {
   int starts = 4;
   int evaluations = 8000;  ///< of the objective, per start
   int threads = 1;
+  std::function<bool()> stop{};  ///< true: end with the best so far; asked from any thread
 };
 
 struct Found {
   multibody::BenchServo servo;
   std::vector<double> places;  ///< of the objective
   double cost = 0;             ///< [rad] of the objective
-  std::vector<double> costs;   ///< [rad] of every start: if they differ much, more starts are needed
+  std::vector<double> costs;   ///< [rad] of every start that began: if they differ much, more starts are needed
 };
 
 /// Gets the share that is done, 0 to 1, and the lowest cost [rad] so far; one call at a time, from any thread.
 using Progress = std::function<void(double share, double best)>;
 
-/// Throws SetupError in a build without NLopt.
+/// Throws SetupError in a build without NLopt. A search that was stopped before any evaluation has an infinite cost.
 [[nodiscard]] Found search(const Objective& objective, const SearchOptions& options, const Progress& progress = {});
 
 /// A local search with another objective of the same parameters, one with finer steps, from where `found` is.
-[[nodiscard]] Found refine(const Found& found, const Objective& objective, int evaluations);
+[[nodiscard]] Found refine(const Found& found, const Objective& objective, int evaluations,
+                           const std::function<bool()>& stop = {});
 
 /// Throws SetupError in a build without NLopt: found out before logs are read.
 void check_search();

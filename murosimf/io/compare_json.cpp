@@ -33,8 +33,9 @@ toml::table entry_table(const Comparison& c, std::size_t i) {
     return table;
   }
   const Measures& m = e.measures;
-  table.insert("cost_us_per_s", e.cost);
-  table.insert("cost_share", e.cost / c.entries[c.reference].cost);
+  const double reference = c.entries[c.reference].cost;
+  if (e.cost > 0) table.insert("cost_us_per_s", e.cost);
+  if (e.cost > 0 && reference > 0) table.insert("cost_share", e.cost / reference);
   table.insert("path_length_m", m.path_length);
   table.insert("end_m", toml::array{m.end.x, m.end.y, m.end.z});
   table.insert("slip_m", m.slip);
@@ -80,6 +81,7 @@ std::string to_json(const Comparison& c, const Recommendation& recommendation, c
                          {"duration_s", c.duration},
                          {"seed", static_cast<std::int64_t>(c.seed)},
                          {"timed_runs", c.repeat},
+                         {"stopped", c.stopped},
                          {"entries", std::move(entries)},
                          {"thresholds", std::move(limits)},
                          {"recommendation", recommendation_table(c, recommendation)}};

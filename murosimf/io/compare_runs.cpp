@@ -27,6 +27,7 @@ SceneOptions scene_options(const CompareOptions& options) {
   result.seed = options.seed;
   result.overrides = options.overrides;
   result.lenient = options.lenient;
+  result.stop = options.stop;
   return result;
 }
 
@@ -81,6 +82,15 @@ void check_events(const SceneSpec& spec, const std::string& robot) {
   }
 }
 
+bool asked_to_stop(const CompareOptions& options) { return options.stop && options.stop(); }
+
+/// Each level runs once to be seen, and `repeat` times to be timed.
+void tell(const CompareOptions& options, const Comparison& c, std::size_t runs_done, const std::string& what) {
+  if (!options.progress) return;
+  const std::size_t all = c.entries.size() * static_cast<std::size_t>(1 + options.repeat);
+  options.progress(static_cast<double>(runs_done) / static_cast<double>(all), what);
+}
+
 bool has_servos(const Model& model) { return !model.having(properties::servo).empty(); }
 
 /// Runs it once with an observer.
@@ -96,6 +106,11 @@ void observe(const CompareOptions& options, double duration, CompareEntry& entry
       simulation.attach<motion::MotionRecorder>("motion_recorder", robot, scene->spec().rate,
                                                 motion::MotionRecorderOptions{.servos = servos, .longest = duration});
   simulation.run(from_seconds(duration));
+  if (simulation.now() < from_seconds(duration)) {
+    entry.stopped = true;
+    entry.refusal = fmt::format("stopped at {:.3f} s", seconds(simulation.now()));
+    return;
+  }
   entry.record = recorder.record();
   entry.measures = measures_of(entry.record);
   if (robot.frozen()) entry.frozen = *robot.frozen_reason();
@@ -103,8 +118,9 @@ void observe(const CompareOptions& options, double duration, CompareEntry& entry
 }
 
 void observe_all(const CompareOptions& options, Comparison& result) {
-  for (CompareEntry& entry : result.entries) {
-    if (options.progress) options.progress(fmt::format("{} {}", entry.level, entry.contact));
+  for (std::size_t i = 0; i < result.entries.size(); ++i) {
+    CompareEntry& entry = result.entries[i];
+    tell(options, result, i, fmt::format("{} {}", entry.level, entry.contact));
     try {
       observe(options, result.duration, entry);
     } catch (const SetupError& error) {
@@ -112,6 +128,7 @@ void observe_all(const CompareOptions& options, Comparison& result) {
     }
   }
   const auto& entries = result.entries;
+  if (asked_to_stop(options)) return;
   if (std::none_of(entries.begin(), entries.end(), [](const CompareEntry& e) { return e.ran(); })) {
     throw SetupError(fmt::format("no level of '{}' can start; {}: {}", options.entity, entries.back().level,
                                  entries.back().refusal));
@@ -148,9 +165,12 @@ double median(std::vector<double> values) {
 void measure_cost(const CompareOptions& options, Comparison& result) {
   std::vector<std::vector<double>> times(result.entries.size());
   for (int round = 0; round < options.repeat; ++round) {
-    if (options.progress) options.progress(fmt::format("timing {} of {}", round + 1, options.repeat));
     for (std::size_t i = 0; i < times.size(); ++i) {
-      if (result.entries[i].ran()) times[i].push_back(timed_run(options, result.duration, result.entries[i]));
+      const std::size_t runs = (static_cast<std::size_t>(round) + 1) * times.size() + i;
+      tell(options, result, runs, fmt::format("timing {} of {}", round + 1, options.repeat));
+      if (!result.entries[i].ran() || asked_to_stop(options)) continue;
+      const double time = timed_run(options, result.duration, result.entries[i]);
+      if (!asked_to_stop(options)) times[i].push_back(time);
     }
   }
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -195,6 +215,7 @@ Comparison compare(const CompareOptions& options) {
     if (entry.ran()) entry.deviations = deviations_of(entry.record, reference);
   }
   measure_cost(options, result);
+  result.stopped = asked_to_stop(options);
   return result;
 }
 

@@ -21,21 +21,26 @@ struct CompareOptions {
   std::optional<std::uint64_t> seed;   ///< instead of the scene's
   int repeat = 3;                      ///< timed runs per level; their median counts
   bool lenient = false;                ///< accept unknown elements in model files
-  std::function<void(const std::string&)> progress;  ///< told what runs next; may be empty
+  /// Told what runs, and the share of the work that is done; may be empty.
+  std::function<void(double share, const std::string& what)> progress{};
+  std::function<bool()> stop{};  ///< true: end with what there is; may be empty
 };
 
 /// One level under one contact law.
 struct CompareEntry {
   std::string level;
   std::string contact;   ///< empty at levels without contact
-  std::string refusal;   ///< why it could not start; empty: it ran
+  std::string refusal;   ///< why it did not run; empty: it ran
+  bool stopped = false;  ///< it did not run to its end because somebody asked for that
   std::string frozen;    ///< why the robot was frozen on the way; empty: it was not
   std::string overload;  ///< which servos were too weak for what was told (full_dynamics); empty: none
   motion::MotionRecord record;
   Measures measures;
   Deviations deviations;  ///< from the reference
-  double cost = 0;        ///< [us] of processor time per simulated second, of the whole scene
+  double cost = 0;        ///< [us] of processor time per simulated second, of the whole scene; 0: not measured
   [[nodiscard]] bool ran() const { return refusal.empty(); }
+  /// "could not start: ...", "stopped at 1.234 s".
+  [[nodiscard]] std::string why_not() const { return (stopped ? "" : "could not start: ") + refusal; }
 };
 
 struct Comparison {
@@ -45,6 +50,7 @@ struct Comparison {
   int repeat = 0;
   std::vector<CompareEntry> entries;  ///< levels from simple to detailed, laws as they were asked for
   std::size_t reference = 0;          ///< the most detailed level that ran, under the first law
+  bool stopped = false;               ///< before all had run and been timed: maybe none ran, maybe no cost is known
 };
 
 /// "full_dynamics", or "full_dynamics with paper" if the level ran under several laws.

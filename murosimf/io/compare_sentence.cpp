@@ -124,7 +124,10 @@ Recommendation recommend(const Comparison& comparison, const Thresholds& thresho
   const CompareEntry& reference = entries[comparison.reference];
   for (const CompareEntry& entry : entries) result.verdicts.push_back(judge(entry, reference, thresholds));
   const auto ran = std::count_if(entries.begin(), entries.end(), [](const CompareEntry& e) { return e.ran(); });
-  if (!reference.frozen.empty()) {
+  if (comparison.stopped) {
+    result.sentence = "nothing can be said: the comparison was stopped";
+    for (LevelVerdict& verdict : result.verdicts) verdict.adequate = false;
+  } else if (!reference.frozen.empty()) {
     result.sentence = fmt::format("nothing can be said: {}, with which the others are compared, froze: {}",
                                   label(comparison, reference), reference.frozen);
     for (LevelVerdict& verdict : result.verdicts) verdict.adequate = false;

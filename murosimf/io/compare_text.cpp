@@ -31,12 +31,14 @@ std::string servos(const CompareEntry& e) {
 
 std::string happened(const CompareEntry& e, double reference_cost) {
   const std::string front = fmt::format("{:<20} {:<19}", e.level, law(e));
-  if (!e.ran()) return fmt::format("{} could not start: {}\n", front, e.refusal);
+  if (!e.ran()) return fmt::format("{} {}\n", front, e.why_not());
   const Measures& m = e.measures;
   const std::string torque = m.peak_joint.empty() ? "-" : fmt::format("{:.2f} Nm", m.peak_torque);
-  return fmt::format("{} {:>9.0f} {:>5.2f} {:>5.2f} m {:>5.3f} m {:>5.3f} m {:>10} {:>9} {:>6.2f} {:>5.2f} m  {}\n",
-                     front, e.cost, e.cost / reference_cost, m.path_length, m.slip, m.clearance, torque, falls(m),
-                     m.end.x, m.end.y, servos(e));
+  const bool timed = e.cost > 0 && reference_cost > 0;
+  const std::string cost =
+      timed ? fmt::format("{:>9.0f} {:>5.2f}", e.cost, e.cost / reference_cost) : "        -     -";
+  return fmt::format("{} {} {:>5.2f} m {:>5.3f} m {:>5.3f} m {:>10} {:>9} {:>6.2f} {:>5.2f} m  {}\n", front, cost,
+                     m.path_length, m.slip, m.clearance, torque, falls(m), m.end.x, m.end.y, servos(e));
 }
 
 std::string happened(const Comparison& c) {

@@ -40,7 +40,7 @@ std::string event_difference(const Measures& mine, const Measures& reference, do
 LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference, const Thresholds& thresholds) {
   LevelVerdict verdict;
   if (!entry.ran()) {
-    verdict.reasons.push_back("could not start: " + entry.refusal);
+    verdict.reasons.push_back(entry.why_not());
     return verdict;
   }
   if (!entry.frozen.empty()) verdict.reasons.push_back("froze: " + entry.frozen);

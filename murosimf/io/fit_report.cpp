@@ -116,6 +116,7 @@ std::string to_json(const FitReport& report) {
                    {"base", report.servo.base},
                    {"prior", report.servo.prior},
                    {"seed", static_cast<std::int64_t>(report.seed)},
+                   {"stopped", report.stopped},
                    {"costs_rad", std::move(costs)},
                    {"parameters", std::move(values)},
                    {"mean_error_rad", mean_error(report.servo.fitted)},

@@ -21,6 +21,7 @@ struct FitReport {
   std::vector<double> costs;                 ///< [rad] that the starts of the search reached
   std::vector<LogError> validated;           ///< logs that were not fitted
   std::vector<UnseenGroup> cross_validated;  ///< each by a fit of its own to the other logs
+  bool stopped = false;                      ///< before the search was over: the servo is the best so far
 };
 
 struct ReplayReport {
@@ -34,7 +35,7 @@ struct ReplayReport {
 [[nodiscard]] std::string to_text(const FitReport& report);
 [[nodiscard]] std::string to_text(const ReplayReport& report);
 
-/// One JSON object: model, base, prior, seed, costs_rad [], parameters {name: value}, mean_error_rad,
+/// One JSON object: model, base, prior, seed, stopped, costs_rad [], parameters {name: value}, mean_error_rad,
 /// logs [{name, trajectory, firmware_gain, error_rad}], validated [the same], mean_validated_error_rad (if any),
 /// cross_validated [{unseen, error_rad, logs}], mean_cross_validated_error_rad (if any).
 [[nodiscard]] std::string to_json(const FitReport& report);

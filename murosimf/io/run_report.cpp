@@ -46,6 +46,11 @@ std::string sensor_line(const std::vector<SensorReport>& sensors) {
   return fmt::format("{} sensor{}, {} samples\n", sensors.size(), sensors.size() == 1 ? "" : "s", samples);
 }
 
+json stop_object(const RunReport& report) {
+  if (!report.stopped) return nullptr;
+  return {{"time_s", report.simulated}, {"by", report.stopped->by}, {"asked_s", report.stopped->asked}};
+}
+
 }  // namespace
 
 std::string to_text(const RunReport& report) {
@@ -62,6 +67,10 @@ std::string to_text(const RunReport& report) {
   }
   text += fmt::format("\n{:.2f} s simulated in {:.3f} s: {:.0f} times real time on {} thread{}\n", report.simulated,
                       report.wall, report.real_time_factor, report.threads, report.threads == 1 ? "" : "s");
+  if (report.stopped) {
+    text += fmt::format("stopped by {} at {:.3f} s of {:.3f} s\n", report.stopped->by, report.simulated,
+                        report.stopped->asked);
+  }
   text += fmt::format("seed {}, state hash {:016x}\n", report.seed, report.state_hash);
   text += sensor_line(report.sensors);
   for (const Event& event : report.events) text += fmt::format("{:.3f} s: {}\n", seconds(event.time), event.text);
@@ -78,6 +87,7 @@ std::string to_json(const RunReport& report) {
             {"threads", report.threads},
             {"seed", report.seed},
             {"state_hash", fmt::format("{:016x}", report.state_hash)},
+            {"stopped", stop_object(report)},
             {"entities", json::array()},
             {"sensors", json::object()},
             {"algorithms", json::array()},

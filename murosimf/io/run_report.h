@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,12 @@ struct SensorReport {
   sensors::Reading reading;
 };
 
+/// A run that something has ended before its time.
+struct EarlyStop {
+  std::string by;    ///< "SIGINT"
+  double asked = 0;  ///< [s] of simulated time that there should have been
+};
+
 struct RunReport {
   std::string scene;
   double simulated = 0;  ///< [s]
@@ -33,6 +40,7 @@ struct RunReport {
   int threads = 1;
   std::uint64_t seed = 0;
   std::uint64_t state_hash = 0;
+  std::optional<EarlyStop> stopped;  ///< at `simulated`; nothing: it came to its end
   std::vector<EntityReport> entities;
   std::vector<SensorReport> sensors;
   std::vector<AlgorithmStatistics> algorithms;
@@ -44,7 +52,8 @@ struct RunReport {
 /// Tables with aligned columns: entities, algorithms, sums, events, notes, warnings. Of sensors only how many there are.
 [[nodiscard]] std::string to_text(const RunReport& report);
 
-/// One JSON object: simulated_s, wall_s, real_time_factor, threads, seed, state_hash (hexadecimal text),
+/// One JSON object: simulated_s, wall_s, real_time_factor, threads, seed, state_hash (hexadecimal text), stopped (null, or
+/// {time_s, by, asked_s} if a signal ended the run early),
 /// entities [{name, model, level, contact, controller, team, position, distance_m, falls, frozen}],
 /// sensors {entity: {sensor: {type, time_s, samples, outputs: {name: {unit, labels, values}}}}} with null for what is no
 /// finite number, algorithms [{name, rate_hz, calls, us_per_call}], events [{time_s, text}], notes [], warnings [].

@@ -27,6 +27,7 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
       simulation_(std::make_unique<Simulation>(options.threads)) {
   if (options.seed) spec_.seed = *options.seed;
   simulation_->world().gravity = spec_.gravity;
+  simulation_->stop_if(options.stop);
   add_entities();
   attach_sensors();
   attach_controllers();
@@ -217,6 +218,7 @@ void Scene::attach_motion() {
 
 void Scene::attach_observers() {
   for (Entity* entity : movers_) simulation_->attach<motion::Odometer>("odometer", *entity, motion::Odometer::rate_hz);
+  if (!options_.paths) return;
   recorder_ = &simulation_->attach<PathRecorder>("path_recorder", *field_, PathRecorder::rate_hz, movers_);
 }
 
@@ -272,17 +274,27 @@ RunReport Scene::report(Duration wall, const Lateness& lateness) const {
   return report;
 }
 
+/// [m] world; ends where it is now.
+std::vector<Vec3d> Scene::path_of(Entity& entity) const {
+  std::vector<Vec3d> points;
+  if (recorder_) {
+    const auto& paths = recorder_->paths();
+    points = std::ranges::find(paths, &entity, &PathRecorder::Path::entity)->points;
+  }
+  points.push_back(entity.base().get(properties::position));
+  return points;
+}
+
 void Scene::write_picture(const std::filesystem::path& file) const {
   std::vector<render::Path> paths;
-  for (const PathRecorder::Path& recorded : recorder_->paths()) {
-    Entity& entity = *recorded.entity;
+  for (Entity* entity : movers_) {
     render::Path path;
-    path.name = entity.name();
-    path.color = entity.options().color;
-    path.points = recorded.points;
-    path.heading = heading(entity.base().get(properties::orientation));
-    path.is_ball = &entity == ball_;
-    path.number = shirt_number(entity.name());
+    path.name = entity->name();
+    path.color = entity->options().color;
+    path.points = path_of(*entity);
+    path.heading = heading(entity->base().get(properties::orientation));
+    path.is_ball = entity == ball_;
+    path.number = shirt_number(entity->name());
     if (path.is_ball) path.size = spec_.ball->options.radius;
     paths.push_back(std::move(path));
   }

@@ -33,6 +33,8 @@ struct SceneOptions {
   std::vector<std::string> events;     ///< TIME:PATH=VALUE, as for --at
   bool lenient = false;                ///< accept unknown elements in model files
   bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames
+  bool paths = false;                  ///< remember where everybody has been, for write_picture
+  StopRequest stop{};                  ///< ends runs of the simulation early (Simulation::stop_if)
 };
 
 class Scene {
@@ -57,7 +59,8 @@ class Scene {
   /// What has happened so far. `wall` is the wall time that it took.
   [[nodiscard]] RunReport report(Duration wall, const Lateness& lateness = {}) const;
 
-  /// Draws the field from above with everybody's path so far. Throws SetupError if the file cannot be written.
+  /// Draws the field from above with everybody's path so far (without SceneOptions::paths: only where they are now). Throws
+  /// SetupError if the file cannot be written.
   void write_picture(const std::filesystem::path& file) const;
 
   /// Robots and ball, in the order of sensors' labels.
@@ -102,6 +105,7 @@ class Scene {
   void warn_about(const RobotSpec& robot, const Model& model);
   void attach_motion();
   void attach_observers();
+  [[nodiscard]] std::vector<Vec3d> path_of(Entity& entity) const;
   void schedule_events();
   void apply_settings();
   void apply(const PropertySetting& setting, const std::string& entity);
@@ -126,7 +130,7 @@ class Scene {
   std::vector<std::vector<const sensors::Sensor*>> sensors_;  // by robot
   std::vector<Entity*> movers_;                               // robots and ball
   std::vector<collision::GroundContact*> ground_contacts_;    // by mover
-  const PathRecorder* recorder_ = nullptr;
+  const PathRecorder* recorder_ = nullptr;                    // null: nobody asked for paths
 };
 
 }  // namespace murosimf::io
