@@ -1,11 +1,14 @@
 // `murosimf bench collision`: what collision detection tests and costs, in the paper's scene, on a full field, in a heap.
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "apps/collision_probe.h"
 #include "apps/commands.h"
+#include "apps/interruption.h"
+#include "apps/progress.h"
 #include "apps/standard_output.h"
 #include "murosimf/io/collision_report.h"
 #include "murosimf/io/scene.h"
@@ -69,29 +72,62 @@ std::vector<Entity*> movers_of(World& world, const Entity& environment) {
   return movers;
 }
 
+/// Shows how far all cases are: each counts the same, and its run with the probe as much as that without.
+class BenchProgress {
+ public:
+  void begin(const Case& measured) {
+    until_ = measured.until;
+    what_ = measured.name;
+  }
+  void end_half() { ++halves_; }
+  void show(Duration now) {
+    line_.show((halves_ + seconds(now) / until_) / (2 * static_cast<double>(cases().size())), what_);
+  }
+
+ private:
+  Progress line_;
+  std::string what_;
+  double until_ = 1;  // [s]
+  int halves_ = 0;
+};
+
+io::SceneOptions scene_options(const Case& measured) { return {.overrides = measured.overrides, .stop = interrupted}; }
+
+void run_to(Simulation& simulation, double time, BenchProgress& progress) {
+  Clock as_fast_as_possible;
+  simulation.run(std::max(Duration{}, from_seconds(time) - simulation.now()), as_fast_as_possible,
+                 [&](Duration now) { progress.show(now); });
+}
+
 /// Time of the same scene without the probe [us per step].
-double step_us(const Case& measured) {
-  io::Scene scene(measured.scene, {.overrides = measured.overrides});
+double step_us(const Case& measured, BenchProgress& progress) {
+  io::Scene scene(measured.scene, scene_options(measured));
   Simulation& simulation = scene.simulation();
-  simulation.run(from_seconds(measured.from));
+  run_to(simulation, measured.from, progress);
   const auto start = std::chrono::steady_clock::now();
-  simulation.run(from_seconds(measured.until - measured.from));
+  run_to(simulation, measured.until, progress);
   const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
   return time.count() / ((measured.until - measured.from) * scene.spec().rate);
 }
 
-io::CollisionReport measure(const Case& measured) {
-  io::Scene scene(measured.scene, {.overrides = measured.overrides});
+/// Nothing if it was interrupted.
+std::optional<io::CollisionReport> measure(const Case& measured, BenchProgress& progress) {
+  progress.begin(measured);
+  io::Scene scene(measured.scene, scene_options(measured));
   Simulation& simulation = scene.simulation();
   Entity& field = simulation.world().entity("field");
   const auto& probe = simulation.attach<CollisionProbe>("collision_probe", field, scene.spec().rate,
                                                         movers_of(simulation.world(), field), scene.spec().materials);
-  simulation.run(from_seconds(measured.until));
+  run_to(simulation, measured.until, progress);
+  if (interrupted()) return std::nullopt;
+  progress.end_half();
   const auto first = static_cast<std::ptrdiff_t>(measured.from * scene.spec().rate);
   io::CollisionReport report = summed_up({probe.samples().begin() + first, probe.samples().end()}, probe.naive_tests());
   report.scene = measured.name;
   report.robots = static_cast<int>(scene.spec().robots.size());
-  report.step_us = step_us(measured);
+  report.step_us = step_us(measured, progress);
+  if (interrupted()) return std::nullopt;
+  progress.end_half();
   return report;
 }
 
@@ -99,12 +135,21 @@ io::CollisionReport measure(const Case& measured) {
 
 int bench(const BenchOptions& options) {
   check_json_file(options.json);
+  end_gently();
   std::vector<io::CollisionReport> reports;
-  for (const Case& measured : cases()) {
-    reports.push_back(measure(measured));
+  {
+    BenchProgress progress;
+    for (const Case& measured : cases()) {
+      if (auto report = measure(measured, progress)) reports.push_back(*report);
+      if (interrupted()) break;
+    }
+  }
+  if (interrupted()) {
+    fmt::print(stderr, "murosimf: stopped by {} after {} of {} scenes\n", signal_name(), reports.size(),
+               cases().size());
   }
   write_result(options.json, io::to_text(reports), io::to_json(reports));
-  return 0;
+  return exit_code();
 }
 
 }  // namespace murosimf::app

@@ -43,6 +43,7 @@ struct RenderOptions {
   std::string out;                 ///< PNG file
   std::string video;               ///< video file
   double fps = 25;                 ///< of a video that is no camera's
+  double slow = 1;                 ///< a video takes so many times longer than what it shows
   std::optional<double> duration;  ///< [s] of the video
   int threads = 1;
   std::optional<std::int64_t> seed;

@@ -1,24 +1,15 @@
 // `murosimf compare`: which level of detail is adequate for an experiment.
-#include <unistd.h>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/interruption.h"
+#include "apps/progress.h"
 #include "apps/standard_output.h"
 #include "murosimf/io/compare_report.h"
 
 namespace murosimf::app {
-namespace {
-
-/// One line on the terminal that says what runs; nothing if standard error is no terminal.
-void show_progress(const std::string& what) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  fmt::print(stderr, "\r\033[K{}{}", what.empty() ? "" : "compare: ", what);
-  std::fflush(stderr);
-}
-
-}  // namespace
-
 int compare(const CompareCommand& command) {
   io::Thresholds thresholds;
   for (const std::string& text : command.thresholds) thresholds.set(text);
@@ -26,15 +17,19 @@ int compare(const CompareCommand& command) {
   check_json_file(command.json);
   if (!command.plots.empty()) io::check_plots(command.plots);
 
+  end_gently();
+  std::optional<Progress> progress(std::in_place);
   io::CompareOptions options = command.options;
-  options.progress = show_progress;
+  options.progress = [&](double share, const std::string& what) { progress->show(share, what); };
+  options.stop = interrupted;
   const io::Comparison comparison = io::compare(options);
-  show_progress({});
+  progress.reset();
+  if (comparison.stopped) fmt::print(stderr, "murosimf: stopped by {}; what had not ended is missing\n", signal_name());
   const io::Recommendation recommendation = io::recommend(comparison, thresholds);
   write_result(command.json, io::to_text(comparison, recommendation),
                io::to_json(comparison, recommendation, thresholds));
-  if (!command.plots.empty()) io::write_plots(comparison, command.plots);
-  return 0;
+  if (!command.plots.empty() && !comparison.stopped) io::write_plots(comparison, command.plots);
+  return comparison.stopped ? exit_code() : 0;
 }
 
 }  // namespace murosimf::app

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "apps/progress_line.h"
+#include "apps/interruption.h"
+#include "apps/progress.h"
 #include "apps/servo_logs.h"
 #include "apps/standard_output.h"
 #include "murosimf/identification/bench_servo.h"
@@ -71,20 +72,20 @@ Result fit(const Task& task, const Logs& logs, const std::string& what) {
                                                      .current_limit = bench.current_limit,
                                                      .window_share = task.options.windows};
   const identification::Objective objective(task.model, task.prior, logs, objective_options);
-  const ProgressLine line;
-  const auto coarse =
-      identification::search(objective,
-                             {.seed = static_cast<std::uint64_t>(task.options.seed),
-                              .starts = task.options.starts,
-                              .threads = threads_of(task.options)},
-                             [&](double share, double best) {
-                               line.show(fmt::format("{}: {:3.0f} %, cost {:.1f} mrad", what, 100 * share, 1e3 * best));
-                             });
+  Progress line;
+  const auto coarse = identification::search(objective,
+                                             {.seed = static_cast<std::uint64_t>(task.options.seed),
+                                              .starts = task.options.starts,
+                                              .threads = threads_of(task.options),
+                                              .stop = interrupted},
+                                             [&](double share, double best) {
+                                               line.show(share, fmt::format("{}, cost {:.1f} mrad", what, 1e3 * best));
+                                             });
   // with the step of a replay: where an arm stops must not depend on the step of the search
   constexpr int refinement = 1500;
   objective_options.step = replay_step;
   const identification::Objective fine(task.model, task.prior, logs, objective_options);
-  const auto found = identification::refine(coarse, fine, refinement);
+  const auto found = identification::refine(coarse, fine, refinement, interrupted);
   return {{.servo = identification::servo_of(found.servo, task.base),
            .friction_model = std::string(task.model.name),
            .encoder_offset = found.servo.encoder_offset,
@@ -107,17 +108,24 @@ int fit_servo(const FitServoOptions& options) {
   std::vector<identification::Fold> folds;
   if (!options.cross_validate.empty()) folds = identification::folds(logs, options.cross_validate);
 
+  end_gently();
   const Result result = fit(task, logs, "fit");
   io::FitReport report{.servo = result.servo, .seed = static_cast<std::uint64_t>(options.seed), .costs = result.costs};
   report.servo.fitted = ServoReplay(report.servo, logs).errors();
   if (!unseen.empty()) report.validated = ServoReplay(report.servo, unseen).errors();
   for (const identification::Fold& fold : folds) {
+    if (interrupted()) break;
     const Result other = fit(task, fold.fitted, "without " + fold.unseen);
+    if (interrupted()) break;
     report.cross_validated.push_back({fold.unseen, ServoReplay(other.servo, fold.left_out).errors()});
   }
+  report.stopped = interrupted();
   io::write_file(options.out, io::to_toml(report.servo));
   write_result(options.json, io::to_text(report), io::to_json(report));
-  return 0;
+  if (report.stopped) {
+    fmt::print(stderr, "murosimf: stopped by {}; '{}' is the best so far\n", signal_name(), options.out);
+  }
+  return exit_code();
 }
 
 }  // namespace murosimf::app

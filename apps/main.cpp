@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/interruption.h"
 #include "murosimf/model/error.h"
 
 namespace {
@@ -86,6 +87,9 @@ void add_render(CLI::App& app, RenderOptions& options, int& exit_code) {
   command->add_option("--fps", options.fps, "Pictures per second of a video; a camera has its own")
       ->needs(video)
       ->excludes(camera)
+      ->capture_default_str();
+  command->add_option("--slow", options.slow, "Slow motion: a video takes so many times longer than what it shows")
+      ->needs(video)
       ->capture_default_str();
   command->add_option("--duration", options.duration, "Simulated seconds of a video, instead of the scene's")
       ->needs(video);
@@ -242,6 +246,7 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  catch_signals();
   CLI::App app("MuRoSimF: teams of humanoid robots at exchangeable levels of physical detail", "murosimf");
   app.require_subcommand(1);
   app.set_version_flag("--version", MUROSIMF_VERSION);

@@ -2,10 +2,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/interruption.h"
+#include "apps/progress.h"
 #include "apps/standard_output.h"
 #include "murosimf/io/output_file.h"
 #include "murosimf/io/scene.h"
@@ -59,10 +63,12 @@ Layer layer_of(const std::string& name) {
 class PictureSource {
  public:
   virtual ~PictureSource() = default;
-  /// Between two pictures of a video [s].
-  [[nodiscard]] virtual Duration period() const = 0;
-  /// The picture of an instant that has come, or the first one after it; the simulation may go on for that.
-  virtual sensors::ColorImage take(Duration instant) = 0;
+  /// Pictures per second of a video, and per second of simulated time.
+  [[nodiscard]] virtual double fps() const = 0;
+  [[nodiscard]] virtual double rate() const = 0;
+  /// The picture of an instant that has come, or the first one after it; the simulation may go on for that. Nothing if it
+  /// was interrupted.
+  virtual std::optional<sensors::ColorImage> take(Duration instant) = 0;
 };
 
 /// A place from where people look.
@@ -73,15 +79,17 @@ class Eye final : public PictureSource {
         view_(options.view),
         size_(size_of(options.size)),
         layer_(layer_of(options.layer)),
-        period_(from_seconds(1 / options.fps)) {
+        fps_(options.fps),
+        slow_(options.slow) {
     (void)io::eye_perspective(scene, view_, size_.width, size_.height);
     io::LightSpec light = scene.spec().light;
     light.shadows = !options.no_shadows;
     light.samples = std::max(light.samples, 4);
     renderer_ = scene.make_renderer(light);
   }
-  [[nodiscard]] Duration period() const override { return period_; }
-  sensors::ColorImage take(Duration /*instant*/) override {
+  [[nodiscard]] double fps() const override { return fps_; }
+  [[nodiscard]] double rate() const override { return fps_ * slow_; }
+  std::optional<sensors::ColorImage> take(Duration /*instant*/) override {
     sensors::View view;
     const sensors::Layers layers{layer_ == Layer::color, layer_ == Layer::depth, layer_ == Layer::labels};
     renderer_->draw(io::eye_perspective(scene_, view_, size_.width, size_.height), layers, 0, view);
@@ -95,7 +103,7 @@ class Eye final : public PictureSource {
   std::string view_;
   Size size_;
   Layer layer_;
-  Duration period_;
+  double fps_, slow_;
   std::unique_ptr<render::Renderer> renderer_;
 };
 
@@ -106,14 +114,17 @@ class RobotCamera final : public PictureSource {
       : simulation_(scene.simulation()),
         path_(options.camera),
         frame_(find(scene.simulation().world(), path_)),
-        layer_(layer_of(options.layer)) {
+        layer_(layer_of(options.layer)),
+        slow_(options.slow) {
     if (options.size.empty()) return;
     throw SetupError(fmt::format("--size: the size of a camera is its own; {} changes it", setting("width=640")));
   }
-  [[nodiscard]] Duration period() const override { return frame_.info->period; }
-  sensors::ColorImage take(Duration instant) override {
+  [[nodiscard]] double fps() const override { return rate() / slow_; }
+  [[nodiscard]] double rate() const override { return 1 / seconds(frame_.info->period); }
+  std::optional<sensors::ColorImage> take(Duration instant) override {
     // a frame of now is there after the next step, or later by its delay
     while (frame_.number == 0 || frame_.time < instant) {
+      if (interrupted()) return std::nullopt;
       if (simulation_.now() > instant + frame_.info->period + std::chrono::seconds(10)) {
         throw SetupError(fmt::format("--camera '{}': it shows nothing", path_));
       }
@@ -161,6 +172,7 @@ class RobotCamera final : public PictureSource {
   std::string path_;
   const sensors::Frame& frame_;
   Layer layer_;
+  double slow_;
 };
 
 void check_light(const std::string& name) {
@@ -181,6 +193,10 @@ void check(const RenderOptions& options) {
   if (!(options.fps >= 1 && options.fps <= 240)) {
     throw SetupError(fmt::format("--fps {}: must be from 1 to 240", options.fps));
   }
+  if (!(options.slow >= 0.01 && options.slow <= 1000)) {
+    throw SetupError(
+        fmt::format("--slow {}: must be from 0.01 to 1000; 1 shows things as fast as they are", options.slow));
+  }
   if (options.duration && time_of("--duration", *options.duration) == Duration{}) refuse_no_time();
   if (!options.light.empty()) check_light(options.light);
   if (options.video.empty()) {
@@ -196,24 +212,69 @@ void check_drawing() {
   const render::Renderer renderer(nothing, {}, render::looks_of_shapes);
 }
 
-void write_video(PictureSource& source, io::Scene& scene, const RenderOptions& options) {
-  Simulation& simulation = scene.simulation();
-  const Duration end = simulation.now() + from_seconds(options.duration.value_or(scene.spec().duration));
-  std::optional<io::VideoFile> video;
-  for (Duration next = simulation.now(); next < end; next += source.period()) {
-    simulation.run(std::max(Duration{}, next - simulation.now()));
-    const sensors::ColorImage picture = source.take(next);
-    if (!video) video.emplace(options.video, picture.width(), picture.height(), 1 / seconds(source.period()));
-    video->add(picture);
+/// Runs to the steps that are nearest to given times, and shows how far it is on the way to `end`.
+class PacedScene {
+ public:
+  PacedScene(Simulation& simulation, Duration end)
+      : simulation_(simulation), begin_(seconds(simulation.now())), end_(seconds(end)) {}
+  void run_to(Duration time) {
+    const Duration tick = simulation_.tick(), away = time - simulation_.now();
+    Clock as_fast_as_possible;
+    if (2 * away >= tick) {
+      simulation_.run((away + tick / 2) / tick * tick, as_fast_as_possible, [this](Duration now) { show(now); });
+    }
+    show(simulation_.now());
   }
-  if (!video) refuse_no_time();
-  video->finish();
+
+ private:
+  void show(Duration now) {
+    if (end_ <= begin_) return;
+    line_.show((seconds(now) - begin_) / (end_ - begin_), fmt::format("{:.2f} of {:.2f} s", seconds(now), end_));
+  }
+
+  Simulation& simulation_;
+  Progress line_;
+  double begin_, end_;  // [s]
+};
+
+/// False if it was interrupted before the first picture.
+bool write_video(PictureSource& source, Simulation& simulation, const RenderOptions& options, double duration) {
+  const Duration begin = simulation.now(), end = begin + from_seconds(duration);
+  PacedScene scene(simulation, end);
+  std::optional<io::VideoFile> video;
+  for (std::int64_t i = 0;; ++i) {
+    const Duration next = begin + from_seconds(static_cast<double>(i) / source.rate());
+    if (next >= end) break;
+    scene.run_to(next);
+    const auto picture = interrupted() ? std::nullopt : source.take(next);
+    if (!picture) break;
+    if (!video) video.emplace(options.video, picture->width(), picture->height(), source.fps());
+    video->add(*picture);
+  }
+  if (!video && !interrupted()) refuse_no_time();
+  if (video) video->finish();
+  return video.has_value();
+}
+
+/// False if it was interrupted.
+bool write_picture(PictureSource& source, Simulation& simulation, const RenderOptions& options) {
+  const auto picture = interrupted() ? std::nullopt : source.take(simulation.now());
+  if (picture) io::write_file(options.out, render::image_png(*picture));
+  return picture.has_value();
+}
+
+/// What is there, for who has interrupted it.
+void say_stopped(const RenderOptions& options, const Simulation& simulation, bool written) {
+  const std::string file = options.video.empty() ? options.out : options.video;
+  fmt::print(stderr, "murosimf: stopped by {} at {:.3f} s; {}\n", signal_name(), seconds(simulation.now()),
+             written ? fmt::format("'{}' ends there", file) : fmt::format("there is no '{}'", file));
 }
 
 }  // namespace
 
 int render(RenderOptions options) {
   check(options);
+  end_gently();
   if (options.view.empty() && options.camera.empty()) options.view = "overview";
   if (options.camera.empty() && options.size.empty()) options.size = "1280x720";
   const Duration time = time_of("--time", options.time);
@@ -222,7 +283,8 @@ int render(RenderOptions options) {
                                   .seed = options.seed,
                                   .overrides = options.overrides,
                                   .events = options.events,
-                                  .lenient = options.lenient});
+                                  .lenient = options.lenient,
+                                  .stop = interrupted});
   std::unique_ptr<PictureSource> source;
   if (!options.camera.empty()) {
     source = std::make_unique<RobotCamera>(scene, options);
@@ -231,13 +293,12 @@ int render(RenderOptions options) {
   scene.simulation().initialize();
   if (!source) source = std::make_unique<Eye>(scene, options);
   for (const std::string& warning : scene.report({}).warnings) fmt::print(stderr, "warning: {}\n", warning);
-  scene.simulation().run(time);
-  if (!options.video.empty()) {
-    write_video(*source, scene, options);
-  } else {
-    io::write_file(options.out, render::image_png(source->take(scene.simulation().now())));
-  }
-  return 0;
+  PacedScene(scene.simulation(), time).run_to(time);
+  const bool written = options.video.empty() ? write_picture(*source, scene.simulation(), options)
+                                             : write_video(*source, scene.simulation(), options,
+                                                           options.duration.value_or(scene.spec().duration));
+  if (interrupted()) say_stopped(options, scene.simulation(), written);
+  return exit_code();
 }
 
 }  // namespace murosimf::app

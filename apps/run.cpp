@@ -1,6 +1,4 @@
 // `murosimf run`: builds a scene, runs it, reports.
-#include <unistd.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -9,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/interruption.h"
 #include "apps/picture_sequence.h"
+#include "apps/progress.h"
 #include "apps/standard_output.h"
 #include "murosimf/io/output_file.h"
 #include "murosimf/io/run_log.h"
@@ -36,34 +36,24 @@ Duration duration_of(double s) {
   return from_seconds(s);
 }
 
-/// One line on the terminal that grows; nothing if standard error is no terminal.
-class ProgressBar {
+/// How far a run has come.
+class RunProgress {
  public:
-  explicit ProgressBar(Duration duration) : duration_(duration), shown_(isatty(STDERR_FILENO) != 0) {}
-  ~ProgressBar() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
-  }
-  ProgressBar(const ProgressBar&) = delete;
-  ProgressBar& operator=(const ProgressBar&) = delete;
-
-  void show(Duration now) const {
-    if (!shown_) return;
-    constexpr int width = 40;
-    const double share = duration_ > Duration{} ? seconds(now) / seconds(duration_) : 1;
-    const int done = static_cast<int>(std::min(1.0, share) * width);
-    fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:.1f} of {:.1f} s", "", done, "", width - done, seconds(now),
-               seconds(duration_));
-    std::fflush(stderr);
+  explicit RunProgress(Duration end) : end_(seconds(end)) {}
+  void show(Duration now) {
+    const double share = end_ > 0 ? seconds(now) / end_ : 1;
+    line_.show(share, fmt::format("{:.1f} of {:.1f} s", seconds(now), end_));
   }
 
  private:
-  Duration duration_;
-  bool shown_;
+  Progress line_;
+  double end_;  // [s]
 };
 
 }  // namespace
 
 int run(const RunOptions& options) {
+  end_gently();
   Clock clock(speed_of(options.speed));
   if (options.duration) duration_of(*options.duration);
   // where results go is checked before anything is computed, so that no result is lost
@@ -78,7 +68,9 @@ int run(const RunOptions& options) {
                                   .overrides = options.overrides,
                                   .events = options.events,
                                   .lenient = options.lenient,
-                                  .cameras = !options.no_cameras});
+                                  .cameras = !options.no_cameras,
+                                  .paths = !options.picture.empty(),
+                                  .stop = interrupted});
   const Duration duration = duration_of(options.duration.value_or(scene.spec().duration));
   Simulation& simulation = scene.simulation();
   std::optional<io::RunLog> log;
@@ -90,24 +82,26 @@ int run(const RunOptions& options) {
 
   Duration wall{};  // without that for pictures
   {
-    const ProgressBar bar(duration);
+    RunProgress progress(duration);
     const auto advance_to = [&](Duration time) {
       const auto start = WallClock::now();
-      simulation.run(std::max(Duration{}, time - simulation.now()), clock, [&](Duration now) { bar.show(now); });
+      simulation.run(std::max(Duration{}, time - simulation.now()), clock, [&](Duration now) { progress.show(now); });
       wall += WallClock::now() - start;
     };
     while (pictures && pictures->next() <= duration) {
       advance_to(pictures->next());
+      if (interrupted()) break;
       pictures->take(scene);
     }
     advance_to(duration);
   }
-  const io::RunReport report = scene.report(wall, clock.lateness());
+  io::RunReport report = scene.report(wall, clock.lateness());
+  if (simulation.now() < duration) report.stopped = {signal_name(), options.duration.value_or(scene.spec().duration)};
 
   if (log) log->write(options.out);
   write_result(options.json, io::to_text(report), io::to_json(report));
   if (!options.picture.empty()) scene.write_picture(options.picture);
-  return 0;
+  return report.stopped ? exit_code() : 0;
 }
 
 }  // namespace murosimf::app

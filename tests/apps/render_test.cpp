@@ -168,6 +168,31 @@ TEST_F(Render, AVideoThroughACameraShowsEachOfItsFramesOnce) {
       << "frames that come late are the same frames";
 }
 
+/// [s] for which the first picture of a GIF is shown.
+double seconds_of_first_picture(const std::string& gif) {
+  const auto at = gif.find(std::string("\x21\xf9\x04", 3));
+  if (at == std::string::npos) return 0;
+  return 0.01 * (static_cast<std::uint8_t>(gif.at(at + 4)) + 256 * static_cast<std::uint8_t>(gif.at(at + 5)));
+}
+
+TEST_F(Render, SlowMotionHasMorePicturesOfTheSameTime) {
+  if (!has_ffmpeg()) GTEST_SKIP() << "no ffmpeg here";
+  const std::string slow = draw("--size 16x16 --duration 0.1 --fps 20 --slow 4", "a.gif");
+  EXPECT_EQ(pictures_in_gif(slow), 8) << "one every 12.5 ms";
+  EXPECT_EQ(seconds_of_first_picture(slow), 0.05);
+  EXPECT_EQ(pictures_in_mp4(draw("--size 16x16 --duration 0.1 --fps 30 --slow 7", "a.mp4")), 21U);
+  const std::string eye = draw("--camera one.camera --duration 0.3 --slow 4", "a.gif");
+  EXPECT_EQ(pictures_in_gif(eye), 6) << "a camera has its own rate";
+  EXPECT_EQ(seconds_of_first_picture(eye), 0.2);
+}
+
+TEST_F(Render, SlowMotionIsOfVideosAndOfAPossibleSpeed) {
+  expect_refused("--slow 4" + out(), {"--slow requires --video"});
+  for (const char* slow : {"0", "-1", "nan", "1e9"}) {
+    expect_refused("--slow " + std::string(slow) + video("a.mp4"), {"--slow", "0.01 to 1000"});
+  }
+}
+
 TEST_F(Render, NamesWithColonsAndSpacesAreFiles) {
   if (!has_ffmpeg()) GTEST_SKIP() << "no ffmpeg here";
   const std::string name = "goal: one.gif";

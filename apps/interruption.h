@@ -1,0 +1,27 @@
+/// interruption.h - Ctrl-C and its like end a long command early, without losing what it has.
+///
+/// SIGINT (Ctrl-C), SIGTERM (kill, timeout, a cluster's scheduler) and SIGHUP (the terminal went away) are one thing here.
+/// At first each ends the program at once. After end_gently() the first of them only asks: the command looks at
+/// interrupted() in its loops, ends them, writes its results, and returns exit_code(). The next one, unless it comes within
+/// a tenth of a second (`timeout` sends two), ends the program at once. At once means: as if nobody caught it, except that
+/// half-written files are removed and programs that it has started are ended (io/leftovers.h).
+///
+/// The library knows nothing of signals; its loops have a `stop` that is asked (Simulation::stop_if).
+#pragma once
+
+#include <string>
+
+namespace murosimf::app {
+
+/// To be called once, first of all. A SIGHUP that is ignored (nohup) stays ignored.
+void catch_signals();
+/// For commands that ask interrupted().
+void end_gently();
+
+[[nodiscard]] bool interrupted();
+/// "SIGINT", "SIGTERM" or "SIGHUP"; empty: nothing has come.
+[[nodiscard]] std::string signal_name();
+/// 128 + number of the signal, as shells have it: 130, 143 or 129; 0: nothing has come.
+[[nodiscard]] int exit_code();
+
+}  // namespace murosimf::app
