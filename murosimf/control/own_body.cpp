@@ -48,7 +48,9 @@ OwnBody::Part OwnBody::part(const FixedObject& place) const {
 }
 
 bool OwnBody::sense() noexcept {
-  if (encoders_.samples == 0 || imu_.samples == 0) return false;
+  // an inertial unit shows its orientation before its first sample (sensors/inertial.h)
+  const bool no_orientation = std::ranges::all_of(orientation_, [](double number) { return number == 0; });
+  if (encoders_.samples == 0 || no_orientation) return false;
   for (std::size_t i = 0; i < joints_.size(); ++i) q_[joints_[i]] = encoders_.values[i];
   const auto in_base = [&](const Part& part) {
     return multibody::pose_in_base<double>(model_.tree(), part.path, part.place, q_);

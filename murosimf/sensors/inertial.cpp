@@ -1,5 +1,9 @@
 #include "murosimf/sensors/inertial.h"
 
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
 #include "murosimf/sensors/three_numbers.h"
 
 namespace murosimf::sensors {
@@ -27,16 +31,16 @@ void Gyroscope::measure(std::span<double> values) noexcept {
   write(transpose(mounting_.orientation()) * mounting_.angular_velocity(), values);
 }
 
-SpecificForce::SpecificForce(Setup& setup, const SensorSpec& spec)
-    : mounting_(setup, spec), gravity_(setup.world().gravity), period_(seconds(setup.period())) {}
+SpecificForce::SpecificForce(Setup& setup, const SensorSpec& spec, Duration window)
+    : mounting_(setup, spec),
+      gravity_(setup.world().gravity),
+      period_(seconds(setup.period())),
+      window_(static_cast<std::size_t>(std::max<Duration::rep>(1, window / setup.period()))) {}
 
-Vec3d SpecificForce::next() noexcept {
+/// Over the step that has just ended.
+Vec3d SpecificForce::of_step() noexcept {
   const Mat3d R = mounting_.orientation();
   const Vec3d v = mounting_.velocity();
-  if (steps_++ == 0) {
-    last_orientation_ = R;
-    last_velocity_ = v;
-  }
   const Vec3d force = (1 / period_) * (v - last_velocity_) - gravity_;
   const Vec3d felt = 0.5 * (transpose(R) * force + transpose(last_orientation_) * force);
   last_orientation_ = R;
@@ -44,10 +48,34 @@ Vec3d SpecificForce::next() noexcept {
   return felt;
 }
 
+/// The sum is made anew once per window: rounding errors do not add up.
+void SpecificForce::put_in(const Vec3d& force) noexcept {
+  const std::size_t place = calls_ % window_.size();
+  if (place == 0) sum_ = std::accumulate(window_.begin() + 1, window_.end(), Vec3d{});
+  if (place != 0) sum_ -= window_[place];
+  sum_ += force;
+  window_[place] = force;
+}
+
+Vec3d SpecificForce::next() noexcept {
+  const Vec3d force = of_step();
+  if (calls_++ == 0) {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    std::fill(window_.begin(), window_.end(), Vec3d{});
+    sum_ = {};
+    return {nothing, nothing, nothing};
+  }
+  put_in(force);
+  return (1 / static_cast<double>(std::min<std::size_t>(calls_ - 1, window_.size()))) * sum_;
+}
+
 Accelerometer::Accelerometer(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
-    : Sensor(setup, spec, surroundings, {accelerometer()}, Watch::always), force_(setup, spec) {}
+    : Sensor(setup, spec, surroundings, {accelerometer()}, Watch::always),
+      force_(setup, spec, reading().info->period) {}
 
 void Accelerometer::measure(std::span<double> values) noexcept { write(force_.next(), values); }
+
+void Accelerometer::expect(std::span<double> values) const noexcept { write(force_.at_rest(), values); }
 
 Orientation::Orientation(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
     : Sensor(setup, spec, surroundings, {orientation()}), mounting_(setup, spec) {}
@@ -59,13 +87,15 @@ void Orientation::present(std::span<double> values) noexcept { turn_by_errors(mo
 Imu::Imu(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
     : Sensor(setup, spec, surroundings, {gyroscope(), accelerometer(), orientation()}, Watch::always),
       mounting_(setup, spec),
-      force_(setup, spec) {}
+      force_(setup, spec, reading().info->period) {}
 
 void Imu::measure(std::span<double> values) noexcept {
   write(transpose(mounting_.orientation()) * mounting_.angular_velocity(), values);
   write(force_.next(), values.subspan(3));
   std::fill_n(values.begin() + 6, 4, 0.0);
 }
+
+void Imu::expect(std::span<double> values) const noexcept { write(force_.at_rest(), values.subspan(3)); }
 
 void Imu::present(std::span<double> values) noexcept { turn_by_errors(mounting_.orientation(), values.subspan(6)); }
 

@@ -38,7 +38,7 @@ struct SensorInfo {
 
 struct Reading {
   Duration time{};             ///< simulated, at which the sample was taken; its numbers may have come later
-  std::uint64_t samples = 0;   ///< that have come so far; 0: none, values are 0
+  std::uint64_t samples = 0;   ///< that have come so far; 0: none, values are 0, or (inertial.h) as at rest
   std::vector<double> values;  ///< of all outputs, one after the other; never moves. NaN: nothing seen
   std::shared_ptr<const SensorInfo> info;
 

@@ -83,19 +83,29 @@ void Sensor::step(const Instant& instant) noexcept {
     for_outputs(*reading_.info, values_,
                 [&](std::size_t i, std::span<double> numbers) { signals_[i].disturb(numbers); });
   }
-  if (due) take_sample(instant);
+  if (due) ready() ? take_sample(instant) : show_what_is_expected();
   deliver(instant);
+}
+
+/// From values with their errors to what a user sees.
+void Sensor::show(std::span<double> values) noexcept {
+  for_outputs(*reading_.info, values, [&](std::size_t i, std::span<double> numbers) { signals_[i].convert(numbers); });
+  present(values);
 }
 
 void Sensor::take_sample(const Instant& instant) noexcept {
   Sample& sample = on_the_way_[taken_ % on_the_way_.size()];
   sample.time = instant.now;
   std::copy(values_.begin(), values_.end(), sample.values.begin());
-  for_outputs(*reading_.info, sample.values,
-              [&](std::size_t i, std::span<double> numbers) { signals_[i].convert(numbers); });
-  present(sample.values);
+  show(sample.values);
   taken(taken_);
   ++taken_;
+}
+
+void Sensor::show_what_is_expected() noexcept {
+  std::copy(values_.begin(), values_.end(), reading_.values.begin());
+  expect(reading_.values);
+  show(reading_.values);
 }
 
 void Sensor::deliver(const Instant& instant) noexcept {

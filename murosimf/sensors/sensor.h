@@ -45,6 +45,10 @@ class Sensor : public Algorithm {
   virtual void measure(std::span<double> values) noexcept = 0;
   /// What is shown of a sample whose values have got their errors; changes nothing if there is nothing to add.
   virtual void present(std::span<double>) noexcept {}
+  /// Whether there is anything to be sampled yet; false: no sample is taken at this instant, and the reading shows the
+  /// values that measure() has left, changed by expect(), for readers that cannot wait.
+  [[nodiscard]] virtual bool ready() const noexcept { return true; }
+  virtual void expect(std::span<double>) const noexcept {}
   /// Forgets what was before the instant 0. May throw SetupError: nothing has been executed yet.
   virtual void start() {}
   /// How many samples were taken before this one.
@@ -63,6 +67,8 @@ class Sensor : public Algorithm {
   };
   void make_signals(const SensorSpec& spec, std::uint64_t seed, const std::string& robot, const SignalPeriods& periods);
   void take_sample(const Instant& instant) noexcept;
+  void show_what_is_expected() noexcept;
+  void show(std::span<double> values) noexcept;
   void deliver(const Instant& instant) noexcept;
 
   Reading& reading_;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/io/scene.h"
+#include "murosimf/model/properties.h"
 #include "murosimf/sensors/reading.h"
 #include "tests/fixtures.h"
 
@@ -45,6 +46,39 @@ TEST(SceneSensors, RobotsCarryThoseOfTheirFiles) {
     }
     EXPECT_NEAR(reading(scene, name, "imu").output("accelerometer")[2], 9.81, 1.5);
     EXPECT_EQ(reading(scene, name, "encoders").values.size(), 21u);
+  }
+}
+
+/// Mean of what an accelerometer on the torso of a kinematic walker feels in 20 s: in its axes, and in those of the world.
+std::pair<Vec3d, Vec3d> mean_felt(double rate) {
+  Scene scene(write_scene(start + "[[robots]]\nname = 'one'\ncommand = [0.2, 0, 0]\n[robots.sensors.felt]\n" +
+                          "type = 'accelerometer'\nframe = 'torso'\nrate = " + std::to_string(rate) + "\n"));
+  scene.simulation().run(2s);
+  const Reading& felt = reading(scene, "one", "felt");
+  const ObjectAccess torso = robot(scene, "one").object("torso");
+  Vec3d own, world;
+  const auto count = static_cast<std::uint64_t>(20 * rate), first = felt.samples;
+  for (std::uint64_t seen = first; seen < first + count;) {
+    const Mat3d orientation = torso.get(properties::orientation);
+    scene.simulation().step();
+    if (felt.samples == seen) continue;
+    seen = felt.samples;
+    const Vec3d f{felt.values[0], felt.values[1], felt.values[2]};
+    own += f;
+    world += orientation * f;
+  }
+  const double share = 1 / static_cast<double>(count);
+  return {share * own, share * world};
+}
+
+// Over many steps nothing is accelerated. What is left: 0.3 m/s in 20 s, and the torso turns during a sample by up to
+// 0.8 rad/s times 5 ms. In its own axes, which rock with the steps, the mean is what it is, but the same at every rate.
+TEST(SceneSensors, AnAccelerometerOfAKinematicWalkerShowsGravityInTheMean) {
+  const Vec3d own_of_steps = mean_felt(1000).first;
+  for (const double rate : {100.0, 200.0, 500.0, 1000.0}) {
+    const auto [own, world] = mean_felt(rate);
+    EXPECT_LT(fixtures::difference(world, {0, 0, 9.81}), 0.05) << rate << " Hz";
+    EXPECT_LT(fixtures::difference(own, own_of_steps), 0.005) << rate << " Hz";
   }
 }
 

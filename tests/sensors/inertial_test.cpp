@@ -48,6 +48,56 @@ TEST(Accelerometer, ShowsNothingInFreeFall) {
                     norm(vector_of(sensor.reading(), "accelerometer")), 1e-9, "m/s^2");
 }
 
+/// The first sample, and when it was taken [s].
+std::pair<double, Vec3d> first_sample_in_free_fall(double rate) {
+  test::Rig rig;
+  Entity& box = rig.add("box", test::box_model(), {.position = {0, 0, 5}});
+  auto& sensor =
+      io::attach_sensor(rig.simulation, box, {.name = "a", .type = "accelerometer", .rate = rate}, {}, rig.rate);
+  rig.attach_dynamics(box, {.on_ground = false});
+  for (int i = 0; i < 100 && sensor.reading().samples == 0; ++i) rig.simulation.step();
+  return {seconds(sensor.reading().time), vector_of(sensor.reading(), "accelerometer")};
+}
+
+TEST(Accelerometer, ItsFirstSampleIsOfAFirstPeriod) {
+  for (const double rate : {100.0, 1000.0}) {
+    const auto [time, force] = first_sample_in_free_fall(rate);
+    EXPECT_EQ(time, 1 / rate);
+    EXPECT_LT(norm(force), 1e-9);
+  }
+}
+
+// Before there is a sample, who reads it all the same must not see a body that falls, or no axes at all.
+TEST(Accelerometer, BeforeTheFirstSampleItShowsRest) {
+  const auto leaning = [](double) { return test::BodyMotion{.orientation = rotation_y(0.3)}; };
+  test::SensorRig<Imu> rig(leaning, {.name = "imu", .rate = 100});
+  rig.simulation.step();
+  EXPECT_EQ(rig.reading().samples, 0U);
+  EXPECT_LT(fixtures::difference(vector_of(rig.reading(), "accelerometer"), {-g * std::sin(0.3), 0, g * std::cos(0.3)}),
+            1e-12);
+  EXPECT_NEAR(rig.reading().output("orientation")[0], std::cos(0.15), 1e-12);
+}
+
+// A velocity that goes up in stairs, as that of a walker whose controller has a period of 10 ms: what a sample sees must not
+// depend on where in the period it is taken.
+TEST(Accelerometer, SamplesAddUpToTheChangeOfVelocity) {
+  const auto stairs = [](double t) {
+    return test::BodyMotion{.velocity = {0.02 * std::floor(t / 0.010 + 1e-6), 0, 0}};
+  };
+  for (const double rate : {100.0, 200.0, 500.0, 1000.0}) {
+    test::SensorRig<Accelerometer> rig(stairs, {.name = "a", .rate = rate});
+    double change = 0;
+    std::uint64_t seen = 0;
+    for (int i = 0; i <= 1000; ++i) {
+      rig.simulation.step();
+      if (rig.reading().samples > seen) change += vector_of(rig.reading(), "accelerometer").x / rate;
+      seen = rig.reading().samples;
+    }
+    EXPECT_EQ(seen, static_cast<std::uint64_t>(rate));
+    EXPECT_NEAR(change, 2.0, 1e-9) << rate << " Hz";
+  }
+}
+
 /// On a turntable about the world's z, the sensor 0.3 m off its axis and turned outwards along x.
 test::BodyMotion turntable(double t) {
   constexpr double rate = 6;
