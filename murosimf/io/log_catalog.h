@@ -12,7 +12,8 @@ namespace murosimf::io {
 /// Numbers of all sensors.
 [[nodiscard]] std::vector<LoggedNumber> numbers_of_sensors(Entity& entity);
 
-/// Numbers of all properties that change, of all objects, by each name that these have.
+/// Numbers of all properties that change, of all objects, by each name that these have. What is of joints only is there for
+/// joints only.
 [[nodiscard]] std::vector<LoggedNumber> numbers_of_properties(Entity& entity);
 
 /// The parts of a path between its dots.

@@ -51,7 +51,9 @@ std::vector<const CsvColumn*> chosen(const CsvTable& table, const Parts& pattern
 
 std::string key_of(const CsvColumn& column) {
   const Parts parts = path_parts(column.name);
-  return parts.size() < 3 ? column.unit : fmt::format("{}.{} {}", parts[0], parts[1], column.unit);
+  if (parts.size() < 3) return column.unit;
+  if (parts.size() == 3) return fmt::format("{}.*.{} {}", parts[0], parts[2], column.unit);
+  return fmt::format("{}.{} {}", parts[0], parts[1], column.unit);
 }
 
 std::vector<Group> groups_of(const std::vector<const CsvColumn*>& columns) {
@@ -65,30 +67,55 @@ std::vector<Group> groups_of(const std::vector<const CsvColumn*>& columns) {
   return groups;
 }
 
-/// What all names of a panel begin with, in whole parts; all but the last part if there is only one.
-Parts common_parts(const Group& group) {
-  Parts common = path_parts(group.columns[0]->name);
-  common.pop_back();
-  for (const CsvColumn* column : group.columns) {
-    Parts parts = path_parts(column->name);
-    parts.pop_back();
-    const auto [end, unused] = std::mismatch(common.begin(), common.end(), parts.begin(), parts.end());
-    common.erase(end, common.end());
+/// What all names of a panel begin with, in whole parts, but never all of one.
+std::size_t common_parts(const std::vector<Parts>& names) {
+  std::size_t common = names[0].size() - 1;
+  for (const Parts& parts : names) {
+    const auto most = static_cast<std::ptrdiff_t>(std::min(common, parts.size() - 1));
+    const auto end = std::mismatch(parts.begin(), parts.begin() + most, names[0].begin()).first;
+    common = static_cast<std::size_t>(end - parts.begin());
   }
   return common;
 }
 
+/// Whether they are the same number of several objects: "blue1.left_knee.joint_position".
+bool of_many_objects(const std::vector<Parts>& names) {
+  return std::ranges::all_of(names, [&](const Parts& parts) {
+    return parts.size() == 3 && parts[0] == names[0][0] && parts[2] == names[0][2];
+  });
+}
+
+/// What stands at the axis, and what is left for each curve.
+struct PanelNames {
+  std::string label;
+  std::vector<std::string> curves;
+};
+
+PanelNames names_of(const Group& group) {
+  std::vector<Parts> names;
+  for (const CsvColumn* column : group.columns) names.push_back(path_parts(column->name));
+  if (names.size() == 1) return {group.columns[0]->name, {""}};
+  PanelNames result;
+  if (of_many_objects(names)) {
+    result.label = fmt::format("{}.*.{}", names[0][0], names[0][2]);
+    for (const Parts& parts : names) result.curves.push_back(parts[1]);
+    return result;
+  }
+  const auto common = static_cast<std::ptrdiff_t>(common_parts(names));
+  result.label = fmt::format("{}", fmt::join(names[0].begin(), names[0].begin() + common, "."));
+  for (const Parts& parts : names) {
+    result.curves.push_back(fmt::format("{}", fmt::join(parts.begin() + common, parts.end(), ".")));
+  }
+  return result;
+}
+
 Panel panel_of(const Group& group) {
-  const Parts common = common_parts(group);
-  const bool alone = group.columns.size() == 1;
+  const PanelNames names = names_of(group);
   const std::string& unit = group.columns[0]->unit;
-  std::string label = alone ? group.columns[0]->name : fmt::format("{}", fmt::join(common, "."));
-  if (!unit.empty()) label += label.empty() ? unit : fmt::format(" [{}]", unit);
-  Panel panel{.y_label = label, .curves = {}};
-  for (const CsvColumn* column : group.columns) {
-    const Parts parts = path_parts(column->name);
-    const Parts rest(parts.begin() + static_cast<std::ptrdiff_t>(common.size()), parts.end());
-    panel.curves.push_back({alone ? "" : fmt::format("{}", fmt::join(rest, ".")), column->times, column->values});
+  Panel panel{.y_label = names.label, .curves = {}};
+  if (!unit.empty()) panel.y_label += names.label.empty() ? unit : fmt::format(" [{}]", unit);
+  for (std::size_t i = 0; i < group.columns.size(); ++i) {
+    panel.curves.push_back({names.curves[i], group.columns[i]->times, group.columns[i]->values});
   }
   return panel;
 }

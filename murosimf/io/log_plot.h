@@ -1,7 +1,7 @@
 /// log_plot.h - a table of numbers over time as a picture: one panel for all numbers of one sensor with the same unit.
 ///
-/// Names with three parts or more ("blue1.imu.gyroscope.x") belong to the sensor or object of the first two; all others
-/// are together by unit.
+/// Names with four parts or more ("blue1.imu.gyroscope.x") belong to the sensor or object of the first two; with three
+/// ("blue1.left_knee.joint_position") those of all objects of a robot are together; all others are together by unit.
 #pragma once
 
 #include <string>

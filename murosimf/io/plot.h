@@ -30,15 +30,15 @@ struct Plot {
   std::string title;
   std::string x_label;        ///< with unit
   std::vector<Panel> panels;  ///< one above the other
-  int width = 900;            ///< [pixels]
-  int panel_height = 320;     ///< [pixels]
+  int width = 900;            ///< [pixels] without the legends, which stand at the right
+  int panel_height = 320;     ///< [pixels]; a panel whose legend is longer is higher
 };
 
 /// Throws SetupError if there is no gnuplot that starts. To be called before a long run whose result is to be drawn.
 void check_gnuplot();
 
-/// Draws `plot` to a PNG file, which is whole or not there at all. Curves of the same place in their panels have the same
-/// color. Throws SetupError if gnuplot is missing or fails, a curve has other than equally many x and y, there is
+/// Draws `plot` to a PNG file, which is whole or not there at all. Every panel has its own legend; curves of the same place in
+/// their panels look the same, and up to 35 in a panel are told apart by color and dashes. Throws SetupError if gnuplot is missing or fails, a curve has other than equally many x and y, there is
 /// nothing to draw, or the file cannot be written.
 void write_plot(const std::filesystem::path& file, const Plot& plot);
 

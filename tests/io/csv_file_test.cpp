@@ -117,6 +117,18 @@ TEST(LogPlot, HasAPanelForEachUnitOfASensor) {
   EXPECT_EQ(plot.panels[3].curves[1].name, "width");
 }
 
+TEST(LogPlot, HasAPanelForTheSameNumberOfManyObjects) {
+  CsvTable table{"t", {}};
+  for (int i = 0; i < 21; ++i) table.columns.push_back(column("a.j" + std::to_string(i) + ".joint_position", "rad"));
+  table.columns.push_back(column("b.j0.joint_position", "rad"));
+  const Plot plot = plot_of(table, "");
+  ASSERT_EQ(plot.panels.size(), 2U);
+  EXPECT_EQ(plot.panels[0].y_label, "a.*.joint_position [rad]");
+  ASSERT_EQ(plot.panels[0].curves.size(), 21U);
+  EXPECT_EQ(plot.panels[0].curves[20].name, "j20");
+  EXPECT_EQ(plot.panels[1].y_label, "b.j0.joint_position [rad]");
+}
+
 TEST(LogPlot, DrawsWhatPatternsName) {
   const CsvTable table{"t",
                        {column("a.imu.gyroscope.x", "rad/s"), column("a.imu.accelerometer.x", "m/s^2"),
@@ -138,7 +150,7 @@ TEST(LogPlot, RefusesMoreThanCanBeToldApart) {
   CsvTable rays{"t", {}}, panels{"t", {}};
   for (int i = 0; i < 100; ++i) {
     rays.columns.push_back(column("a.laser.distance." + std::to_string(i), "m"));
-    panels.columns.push_back(column("a.part" + std::to_string(i) + ".x", "m"));
+    panels.columns.push_back(column("a.part" + std::to_string(i) + ".place.x", "m"));
   }
   for (const auto& [table, what] : {std::pair{rays, "100 curves"}, std::pair{panels, "100 panels"}}) {
     try {

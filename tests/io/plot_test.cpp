@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <set>
 #include <sstream>
 
 #include "murosimf/io/child_process.h"
@@ -67,7 +68,7 @@ TEST_F(Plots, ArePngPicturesOfTheSizeAskedFor) {
                          .panel_height = 200});
   const std::string bytes = content(picture());
   EXPECT_EQ(bytes.substr(1, 3), "PNG");
-  EXPECT_EQ(number_at(bytes, 16), 500U);
+  EXPECT_EQ(number_at(bytes, 16), 500U + 67U) << "and the legend";
   EXPECT_EQ(number_at(bytes, 20), 440U);
 }
 
@@ -89,6 +90,40 @@ TEST_F(Plots, LeaveOutWhatHasNoNumbers) {
   EXPECT_NE(script.find("0 0\n\n2 1\n3 2\n"), std::string::npos) << script;
   write_plot(picture(), plot);
   EXPECT_EQ(content(picture()).substr(1, 3), "PNG");
+}
+
+std::size_t count_of(const std::string& part, const std::string& text) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(PlotScript, ManyCurvesLookDifferent) {
+  Panel panel{"angle [rad]", {}};
+  for (int i = 0; i < 32; ++i) panel.curves.push_back(parabola("joint" + std::to_string(i)));
+  const std::string script = gnuplot_script({.title = "All", .panels = {panel}});
+  std::set<std::string> looks;
+  for (auto at = script.find("linecolor rgb '#", script.find("plot $")); at != std::string::npos;
+       at = script.find("linecolor rgb '#", at + 1)) {
+    looks.insert(script.substr(at, script.find(" title", at) - at));
+  }
+  EXPECT_EQ(looks.size(), 32U);
+  EXPECT_NE(script.find(",684 font"), std::string::npos) << "as high as its legend: " << script.substr(0, 100);
+}
+
+TEST(PlotScript, EveryPanelHasItsOwnLegend) {
+  const Panel one{"a", {parabola("x"), parabola("y")}};
+  const std::string script = gnuplot_script({.title = "T", .panels = {one, one}});
+  EXPECT_EQ(count_of("title 'x'", script), 2U);
+  EXPECT_EQ(script.find("unset key"), std::string::npos);
+}
+
+TEST(PlotScript, LongLabelsAreBroken) {
+  const std::string label = "blue1.left_upper_leg_of_the_robot.measured_position [rad]";
+  const std::string script = gnuplot_script({.title = "T", .panels = {{label, {parabola("")}}}});
+  EXPECT_NE(script.find("set ylabel 'blue1.left_upper_leg_of_the_robot.'.\"\\n\".'measured_position [rad]'\n"),
+            std::string::npos)
+      << script.substr(script.find("set ylabel"), 120);
 }
 
 TEST_F(Plots, SayWhatIsWrong) {
