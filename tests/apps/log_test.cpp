@@ -20,6 +20,18 @@ TEST(Log, IsATableOfNumbersOverTime) {
   EXPECT_NE(text.find("\n0.08,"), std::string::npos);
 }
 
+TEST(Log, OfAllJointsIsOnePicture) {
+  const fs::path table = scratch("joints.csv"), picture = scratch("joints.png");
+  const Result run = murosimf("run walk --duration 0.05 --log 'walker.*.joint_position' --out " + table.string());
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  const std::string text = read_file(table), header = text.substr(0, text.find('\n'));
+  EXPECT_EQ(std::count(header.begin(), header.end(), ','), 21) << "joints only: " << header;
+  if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot here";
+  const Result drawn = murosimf("plot " + table.string() + " --out " + picture.string());
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
+  EXPECT_EQ(read_file(picture).substr(1, 3), "PNG");
+}
+
 TEST(Log, OfAMistakeIsOneLineAndNoFile) {
   const std::string out = " --out " + scratch("run.csv").string();
   expect_mistake("run walk --log walker.pelvis.position", {"--log", "--out"});
