@@ -25,7 +25,7 @@ std::string roff(const std::string& text) {
 }
 
 std::string option_entry(const CLI::Option& option) {
-  if (option.get_lnames().empty() && option.get_pname().empty()) return {};
+  if (option.get_lnames().empty() && !option.get_positional()) return {};
   const std::string name = option.get_positional() ? option.get_name(true) : "--" + option.get_lnames().front();
   const bool flag = !option.get_positional() && option.get_items_expected_max() == 0;
   const std::string value = option.get_positional() || flag ? "" : " \\fIvalue\\fR";

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/model_constants.h"
 #include "murosimf/io/property_checks.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/io/scene.h"
@@ -18,6 +19,10 @@ void Scene::schedule_events() {
     for (const std::string& entity : event.entities) {
       if (event.setting) {
         at(event.where, [&] {
+          if (is_constant(*event.setting)) {
+            throw SetupError(
+                fmt::format("'{}' is a constant of the model; set it before the run, by --set", event.key));
+          }
           const Model& model = simulation_->world().entity(entity).model();
           (void)objects_meant(model, event.setting->object, event.setting->property);
         });

@@ -60,8 +60,8 @@ void Scene::attach_pushes() {
         const int object = pushed_object(entity->model(), push);
         all[entity].push_back({object, push.force, push.moment, from_seconds(push.begin), from_seconds(push.end)});
         const bool named = entity->model().find_object(push.object).has_value();
-      const std::string text =
-          push_text(name + "." + (named ? push.object : entity->model().objects()[object].name), push);
+        const std::string text =
+            push_text(name + "." + (named ? push.object : entity->model().objects()[object].name), push);
         simulation_->at(from_seconds(push.begin), [this, text] { simulation_->record(text); });
       });
   }

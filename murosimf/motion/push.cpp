@@ -13,7 +13,7 @@ double share_of_step(const TimedPush& push, const Instant& instant) {
   return to > from ? seconds(to - from) / seconds(instant.period) : 0;
 }
 
-bool same(const Forced& a, const Forced& b) { return is_zero(Forced{a.n - b.n, a.f - b.f}); }
+bool same_push(const Forced& a, const Forced& b) { return is_zero(Forced{a.n - b.n, a.f - b.f}); }
 
 }  // namespace
 
@@ -45,7 +45,7 @@ Forced Push::sum_for(const Pushed& pushed, const Instant& instant) const noexcep
 void Push::step(const Instant& instant) noexcept {
   for (Pushed& pushed : pushed_) {
     Forced& applied = applied_force_[pushed.object];
-    if (!same(applied, pushed.written)) pushed.own = applied;
+    if (!same_push(applied, pushed.written)) pushed.own = applied;
     applied = pushed.own;
     applied += sum_for(pushed, instant);
     pushed.written = applied;

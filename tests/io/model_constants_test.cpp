@@ -126,6 +126,18 @@ TEST(ModelConstants, TargetsOfAllJointsAreSetAtOnce) {
   EXPECT_EQ(scene.simulation().world().entity("blue2").object("j_l_shin").get(properties::torque_enabled), 0);
 }
 
+TEST(ModelConstants, DoNotChangeWhileAModelRuns) {
+  for (const char* event : {"1:blue1.torso.mass=2", "1:blue1.joint_damping=1", "1:blue1.servo.stall_torque=2"}) {
+    std::string message;
+    try {
+      const Scene scene(constants_scene(), {.events = {event}});
+    } catch (const SetupError& error) {
+      message = error.what();
+    }
+    EXPECT_TRUE(contains_all(message, {event, "is a constant of the model; set it before the run"})) << message;
+  }
+}
+
 // friction by --set
 
 PairSurface pair_of(const std::vector<std::string>& settings, const std::string& a, const std::string& b) {

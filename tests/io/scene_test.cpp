@@ -211,7 +211,7 @@ TEST(SceneMistakes, InOverridesNameTheOverride) {
   expect_mistake(set("blue1.pelvs.joint_position=1"), {"unknown object 'pelvs'; did you mean 'pelvis'?"});
   expect_mistake(set("blue1.pelvis.walk_command=[1]"), {"'walk_command' takes 3 numbers, not 1"});
   expect_mistake(set("blue1.pelvis.walk_command=[nan,0,0]"), {"cannot be nan"});
-  expect_mistake(set("blue1.l_shin.mass=1"), {"'mass' is a constant of the model"});
+  expect_mistake(set("blue1.l_shin.mass=0"), {"it must be above 0"});
   expect_mistake(set("ball.radus=1"), {"--set 'ball.radus=1'", "did you mean 'radius'?"});
   expect_mistake(set("field.grain=[0, 0, 1]"), {"--set 'field.grain=[0, 0, 1]'", "'grain' lies in the ground"});
   expect_mistake(set("red1.contact=paper_multi"), {"unknown contact law 'paper_multi'", "'paper_multipoint'"});

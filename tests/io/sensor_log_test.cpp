@@ -231,7 +231,8 @@ TEST(LogPaths, AreEntityObjectProperty) {
   EXPECT_EQ(names(world, {"walker.pelvis.external_force"}),
             (std::vector<std::string>{"walker.pelvis.external_force.fx [N]", "walker.pelvis.external_force.fy [N]",
                                       "walker.pelvis.external_force.fz [N]", "walker.pelvis.external_force.nx [N m]",
-                                      "walker.pelvis.external_force.ny [N m]", "walker.pelvis.external_force.nz [N m]"}));
+                                      "walker.pelvis.external_force.ny [N m]",
+                                      "walker.pelvis.external_force.nz [N m]"}));
   EXPECT_EQ(names(world, {"walker.pelvis.walk_command.z"}),
             std::vector<std::string>{"walker.pelvis.walk_command.z [rad/s]"});
   EXPECT_EQ(names(world, {"walker.head.offset.position.x"}),
