@@ -20,7 +20,7 @@ namespace {
 using Numbers = std::span<const double>;
 
 /// What a property that users may set belongs to.
-enum class Owner { base, body, joint, servo, motor };
+enum class Owner { base, body, joint, servo, motor, gear };
 
 /// Why a property cannot have these numbers; empty if it can.
 using ValueCheck = std::string_view (*)(Numbers);
@@ -60,11 +60,9 @@ constexpr std::array settable{
     SettableProperty{"supply_voltage", Owner::motor, true, not_negative},
     SettableProperty{"torque_enabled", Owner::servo, true, zero_or_one},
     SettableProperty{"servo_temperature", Owner::motor, true, above_absolute_zero},
-    SettableProperty{"sent_target", Owner::servo, true},
-    SettableProperty{"sent_target_age", Owner::servo, true},
-    SettableProperty{"backlash_play", Owner::joint, true},
-    SettableProperty{"backlash_side", Owner::joint, true},
-    SettableProperty{"rotor_rate", Owner::joint, true},
+    SettableProperty{"backlash_play", Owner::gear, true},
+    SettableProperty{"backlash_side", Owner::gear, true},
+    SettableProperty{"rotor_rate", Owner::gear, true},
     SettableProperty{"gait_velocity"},
     SettableProperty{"gait_phase"},
     SettableProperty{"gait_amplitude"},
@@ -137,7 +135,8 @@ void check_owner(const Entity& entity, int index, const SettableProperty& proper
       return need(std::ranges::find(joints, index) != joints.end(), "joints");
     }
     case Owner::servo:
-    case Owner::motor: return need(model.find(properties::servo, index) != nullptr, "joints with a servo");
+    case Owner::motor:
+    case Owner::gear: return need(model.find(properties::servo, index) != nullptr, "joints with a servo");
   }
 }
 
@@ -190,6 +189,9 @@ std::string why_it_does_not_act(const SceneSpec& spec, const RobotSpec& robot, c
   if (moves_fixed_base(robot, levels, index, property.name)) return "its base is fixed";
   if (property.name == "joint_target" || property.name == "joint_rate_target") {
     return why_no_target(entity.model(), index, levels, property.name);
+  }
+  if (property.owner == Owner::gear && entity.model().find(properties::servo, index)->backlash <= 0) {
+    return "this servo has no 'backlash'";
   }
   if (property.owner == Owner::motor) {
     return why_no_motor(*entity.model().find(properties::servo, index), robot, property.name);

@@ -140,7 +140,7 @@ constexpr std::array level_entries{
     Level{"articulated_dynamics", "servos make torque, the whole tree moves as it must", true,
           "fixed_base integrator servo_law contact position.z roll_deg pitch_deg self_collision",
           "applied_force linear_velocity angular_velocity base_quaternion "
-          "supply_voltage torque_enabled servo_temperature sent_target sent_target_age backlash_play backlash_side "
+          "supply_voltage torque_enabled servo_temperature backlash_play backlash_side "
           "rotor_rate",
           make_articulated_dynamics},
 };

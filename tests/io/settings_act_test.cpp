@@ -86,6 +86,7 @@ class Trial {
 std::vector<double> changed(const std::string& property, std::vector<double> numbers) {
   if (property == "base_quaternion") return {std::cos(0.05), std::sin(0.05), 0, 0};
   if (property == "stance_foot" || property == "torque_enabled") return {1 - numbers[0]};
+  if (property == "path_curvature") return {0.5};  // less is steered back in one cycle
   for (double& number : numbers) number += property == "applied_force" ? 5 : 0.02;
   return numbers;
 }
@@ -151,6 +152,8 @@ joints = ["shoulder"]
 stall_torque = 6
 no_load_rate = 6
 position_gain = 30
+rotor_inertia = 0.01
+coulomb_friction = 0.05
 joints = ["elbow"]
 )";
   return stem + ".xml";
