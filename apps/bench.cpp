@@ -145,8 +145,7 @@ int bench(const BenchOptions& options) {
     }
   }
   if (interrupted()) {
-    fmt::print(stderr, "murosimf: stopped by {} after {} of {} scenes\n", signal_name(), reports.size(),
-               cases().size());
+    say(fmt::format("stopped by {} after {} of {} scenes", signal_name(), reports.size(), cases().size()));
   }
   write_result(options.json, io::to_text(reports), io::to_json(reports));
   return exit_code();

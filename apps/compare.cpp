@@ -24,7 +24,7 @@ int compare(const CompareCommand& command) {
   options.stop = interrupted;
   const io::Comparison comparison = io::compare(options);
   progress.reset();
-  if (comparison.stopped) fmt::print(stderr, "murosimf: stopped by {}; what had not ended is missing\n", signal_name());
+  if (comparison.stopped) say(fmt::format("stopped by {}; what had not ended is missing", signal_name()));
   const io::Recommendation recommendation = io::recommend(comparison, thresholds);
   write_result(command.json, io::to_text(comparison, recommendation),
                io::to_json(comparison, recommendation, thresholds));

@@ -123,7 +123,7 @@ int fit_servo(const FitServoOptions& options) {
   io::write_file(options.out, io::to_toml(report.servo));
   write_result(options.json, io::to_text(report), io::to_json(report));
   if (report.stopped) {
-    fmt::print(stderr, "murosimf: stopped by {}; '{}' is the best so far\n", signal_name(), options.out);
+    say(fmt::format("stopped by {}; '{}' is the best so far", signal_name(), options.out));
   }
   return exit_code();
 }

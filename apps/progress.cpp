@@ -31,7 +31,7 @@ std::string time_left(double share, double elapsed) {
 Progress::Progress() : shown_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-  if (shown_) fmt::print(stderr, "\r\033[K");
+  if (shown_) std::fputs("\r\033[K", stderr);
 }
 
 void Progress::show(double share, const std::string& words) {
@@ -40,7 +40,8 @@ void Progress::show(double share, const std::string& words) {
   next_ = now + std::chrono::milliseconds(100);
   share = std::clamp(share, 0.0, 1.0);
   const std::string left = time_left(share, std::chrono::duration<double>(now - start_).count());
-  fmt::print(stderr, "\r\033[K{} {}{}{}", bar_of(share), words, left.empty() ? "" : ", ", left);
+  const std::string line = fmt::format("\r\033[K{} {}{}{}", bar_of(share), words, left.empty() ? "" : ", ", left);
+  std::fputs(line.c_str(), stderr);  // may fail: the terminal may be gone
   std::fflush(stderr);
 }
 

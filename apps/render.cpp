@@ -266,8 +266,8 @@ bool write_picture(PictureSource& source, Simulation& simulation, const RenderOp
 /// What is there, for who has interrupted it.
 void say_stopped(const RenderOptions& options, const Simulation& simulation, bool written) {
   const std::string file = options.video.empty() ? options.out : options.video;
-  fmt::print(stderr, "murosimf: stopped by {} at {:.3f} s; {}\n", signal_name(), seconds(simulation.now()),
-             written ? fmt::format("'{}' ends there", file) : fmt::format("there is no '{}'", file));
+  say(fmt::format("stopped by {} at {:.3f} s; {}", signal_name(), seconds(simulation.now()),
+                  written ? fmt::format("'{}' ends there", file) : fmt::format("there is no '{}'", file)));
 }
 
 }  // namespace

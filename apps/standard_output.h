@@ -5,12 +5,15 @@
 
 namespace murosimf::app {
 
-/// Throws SetupError if standard output is closed or full.
+/// Throws SetupError if standard output is closed or full; not after SIGHUP, when nobody is there to read it.
 void write_standard_output(const std::string& text);
 
 /// `json_file` as users give it: empty for none, "-" for standard output. To be called before anything is computed, so that
 /// no result is lost. Throws SetupError if the file could not be written.
 void check_json_file(const std::string& json_file);
+
+/// One line to standard error, whether that can be written to or not.
+void say(const std::string& line);
 
 /// `json` alone to standard output if the user asked for that there; else `text`, and `json` to the file if there is one.
 void write_result(const std::string& json_file, const std::string& text, const std::string& json);
