@@ -100,8 +100,8 @@ int run(const RunOptions& options) {
   if (simulation.now() < duration) report.stopped = {signal_name(), options.duration.value_or(scene.spec().duration)};
 
   if (log) log->write(options.out);
-  write_result(options.json, io::to_text(report), io::to_json(report));
   if (!options.picture.empty()) scene.write_picture(options.picture);
+  write_result(options.json, io::to_text(report), io::to_json(report));
   return report.stopped ? exit_code() : 0;
 }
 

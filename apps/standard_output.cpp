@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/interruption.h"
 #include "murosimf/io/output_file.h"
 #include "murosimf/model/error.h"
 
@@ -13,7 +14,7 @@ namespace murosimf::app {
 
 void write_standard_output(const std::string& text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (!written || std::fflush(stdout) != 0) {
+  if ((!written || std::fflush(stdout) != 0) && signal_name() != "SIGHUP") {
     throw SetupError(fmt::format("cannot write to standard output: {}", std::generic_category().message(errno)));
   }
 }
@@ -24,8 +25,8 @@ void check_json_file(const std::string& json_file) {
 
 void write_result(const std::string& json_file, const std::string& text, const std::string& json) {
   if (json_file == "-") return write_standard_output(json);
-  write_standard_output(text);
   if (!json_file.empty()) io::write_file(json_file, json);
+  write_standard_output(text);
 }
 
 }  // namespace murosimf::app

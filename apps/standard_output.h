@@ -5,7 +5,7 @@
 
 namespace murosimf::app {
 
-/// Throws SetupError if standard output is closed or full.
+/// Throws SetupError if standard output is closed or full; not after SIGHUP, when nobody is there to read it.
 void write_standard_output(const std::string& text);
 
 /// `json_file` as users give it: empty for none, "-" for standard output. To be called before anything is computed, so that

@@ -50,6 +50,12 @@ class OnTerminal {
   /// As a user does it: the terminal sends a signal to all programs in its foreground.
   void type_control_c() const { (void)!::write(terminal_, "\x03", 1); }
 
+  /// Takes the terminal away, as a window that is closed does. SIGHUP comes from the system.
+  void hang_up() {
+    close(terminal_);
+    terminal_ = -1;
+  }
+
   /// As waitpid has it.
   int wait() {
     while (read_some()) {
@@ -125,6 +131,16 @@ TEST_F(Interruption, EverySignalHasItsExitCode) {
     EXPECT_EQ(program.exit_code(), code) << program.shown();
     expect_in(program.output(), {signal == SIGTERM ? "stopped by SIGTERM at " : "stopped by SIGHUP at "});
   }
+}
+
+TEST_F(Interruption, ATerminalThatGoesAwayTakesNothingWithIt) {
+  OnTerminal program("run " + scene_ + " --duration 1e6 --no-cameras --json " + file("r.json") + " --picture " +
+                     file("p.png"));
+  ASSERT_TRUE(program.wait_for("of 1000000.0 s")) << program.shown();
+  program.hang_up();
+  EXPECT_EQ(program.exit_code(), 129);
+  expect_in(read_file(file("r.json")), {"\"by\": \"SIGHUP\""});
+  EXPECT_EQ(files(), (std::vector<std::string>{"p.png", "r.json"}));
 }
 
 // As `timeout` does it.
