@@ -17,6 +17,7 @@ of the block that begin so.
     <!-- needs (murosimf check): examples/robot.urdf -->          is not run where that is missing
     <!-- before: cp scenes/walk.toml mine.toml -->                what a reader has done before
     <!-- append to: mine.toml -->                                 the block is (a part of) this file
+    <!-- then: murosimf run mine.toml -->                        what proves that file right
     <!-- output of: murosimf list levels -->                      the block is what this prints; "output of (exit 2)" if it fails
     <!-- figures vary: they depend on the driver -->              numbers in the quotes of this block are not compared
 """
@@ -33,7 +34,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DATA = ["docs", "examples", "lenses", "models", "motions", "parts", "scenes", "servos", "tests/data", "tests/fuzz/seeds"]
 COMMAND = re.compile(r"(murosimf\w*|example_\w+|build/release/\S+|scripts/\S+|cmake|ctest|python3|pip|pre-commit|export|xacro)(?= |$)")
-MARK = re.compile(r"\s*<!-- (not run|run with|each after|needs|before|append to|output of|figures vary)(?: \((.*?)\))?: (.*) -->$")
+MARK = re.compile(r"\s*<!-- (not run|run with|each after|needs|before|append to|then|output of|figures vary)(?: \((.*?)\))?: (.*) -->$")
 OPTIONS = re.compile(r"(--\S+ (?:'[^']*'|\S+) ?)+")
 # What a machine may lack: such a command counts as not run.
 LACKS = re.compile(r"no pictures by OpenGL|needs the program gnuplot|cannot run 'ffmpeg'|built without|in this build")
@@ -248,17 +249,21 @@ class Check:
 
     def page(self, page):
         for block in page.blocks:
-            for command in block.all("before"):
-                code, printed = self.scratch.run(command)
-                if code:
-                    self.complain(page, block.first, f"'{command}' before this block fails: {' '.join(printed)}")
+            self.unseen(page, block, "before")
             for name in block.all("append to"):
                 with (self.scratch.folder / name).open("a") as file:
                     file.write("\n".join(["", *block.lines, ""]))
+            self.unseen(page, block, "then")
             for call in calls_of(block):
                 self.call(page, call)
         if self.options.update:
             page.save()
+
+    def unseen(self, page, block, kind):
+        for command in block.all(kind) if not self.options.list else []:
+            code, printed = self.scratch.run(command)
+            if code:
+                self.complain(page, block.first, f"'{command}', {kind} this block, fails: {' '.join(printed[-3:])}")
 
     def call(self, page, call):
         reason = self.why_not(call)
