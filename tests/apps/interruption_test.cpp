@@ -107,6 +107,12 @@ class Interruption : public testing::Test {
   std::string scene_;
 };
 
+/// False if it does not come in a minute.
+bool comes(const std::string& file) {
+  for (int i = 0; i < 12000 && !fs::exists(file); ++i) std::this_thread::sleep_for(5ms);
+  return fs::exists(file);
+}
+
 void expect_in(const std::string& text, const std::vector<std::string>& parts) {
   for (const std::string& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << " in: " << text;
 }
@@ -155,7 +161,7 @@ TEST_F(Interruption, TwoAtOnceAreOne) {
 // A step of 1 ms lasts a thousand seconds; there is nothing on the terminal by which its beginning shows.
 TEST_F(Interruption, AStepIsNotWaitedFor) {
   OnTerminal program("run " + scene_ + " --speed 1e-6 --no-cameras --pictures " + file("p") + " --picture-every 1");
-  while (!fs::exists(file("p/0000.png"))) std::this_thread::sleep_for(5ms);
+  ASSERT_TRUE(comes(file("p/0000.png"))) << program.shown();
   program.send(SIGINT);
   EXPECT_EQ(program.exit_code(), 130) << program.shown();
 }
@@ -256,8 +262,8 @@ TEST_F(InterruptedVideo, ASecondSignalEndsTheProgramAndItsChildrenAtOnce) {
   OnTerminal program(render(file("v.mp4")), path);
   if (!program.wait_for("of 1000000.00 s") && cannot_draw(program)) GTEST_SKIP() << program.shown();
   program.send(SIGINT);
-  while (!fs::exists(file("ended"))) std::this_thread::sleep_for(5ms);  // now it waits for the child
-  std::this_thread::sleep_for(150ms);                                   // that is no second time yet
+  ASSERT_TRUE(comes(file("ended"))) << program.shown();  // now it waits for the child
+  std::this_thread::sleep_for(150ms);                    // before, it would be the same signal
   program.send(SIGINT);
   const int status = program.wait();
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
@@ -277,7 +283,7 @@ TEST_F(Interruption, ShortCommandsEndAtOnce) {
   fs::permissions(bin + "/gnuplot", fs::perms::owner_all);
   const std::string table = write("t.csv", "time [s],a\n0,1\n1,2\n").string();
   OnTerminal program("plot " + table + " --out " + file("t.png"), "PATH=" + bin + ":$PATH");
-  while (!fs::exists(file("begun"))) std::this_thread::sleep_for(5ms);
+  ASSERT_TRUE(comes(file("begun"))) << program.shown();
   program.send(SIGTERM);
   const int status = program.wait();
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM) << status;
