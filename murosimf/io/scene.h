@@ -64,7 +64,7 @@ class Scene {
   /// SetupError if the file cannot be written.
   void write_picture(const std::filesystem::path& file) const;
 
-  /// A line about events whose time has not come; empty if all have, and before the first step.
+  /// A line about events and pushes whose time has not come; empty if all have, and before the first step.
   [[nodiscard]] std::string events_to_come() const;
 
   /// Robots, ball and bodies, in the order of sensors' labels.

@@ -1,6 +1,8 @@
 // What a scene sets: whether it acts, is impossible, or changes nothing. docs/scenes.md has the rule.
 #include <algorithm>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -89,12 +91,17 @@ void Scene::warn_about_start() {
 std::string Scene::events_to_come() const {
   const Duration now = simulation_->now();
   if (now == Duration{}) return {};
-  const auto comes_later = [&](const SceneEvent& e) { return from_seconds(e.time) > now - simulation_->tick(); };
-  const auto first = std::ranges::find_if(spec_.events, comes_later);
-  if (first == spec_.events.end()) return {};
-  return fmt::format("the run ended at {:.3f} s: {} of {} events did not come, the first at {:.3f} s ({})",
-                     seconds(now), std::ranges::distance(first, spec_.events.end()), spec_.events.size(), first->time,
-                     first->where);
+  std::vector<std::pair<double, const std::string*>> late;  // [s], and where it is written
+  const auto look_at = [&](double time, const std::string& where) {
+    if (from_seconds(time) > now - simulation_->tick()) late.emplace_back(time, &where);
+  };
+  for (const SceneEvent& event : spec_.events) look_at(event.time, event.where);
+  for (const PushSpec& push : spec_.pushes) look_at(push.begin, push.where);
+  if (late.empty()) return {};
+  const auto& [time, where] = *std::ranges::min_element(late, {}, [](const auto& one) { return one.first; });
+  return fmt::format("the run ended at {:.3f} s: {} of {} {} did not come, the first at {:.3f} s ({})", seconds(now),
+                     late.size(), spec_.events.size() + spec_.pushes.size(),
+                     spec_.pushes.empty() ? "events" : "events and pushes", time, *where);
 }
 
 void Scene::watch(const PropertySetting& setting, const std::string& entity) {

@@ -16,6 +16,7 @@
 #include "murosimf/io/xml_element.h"
 #include "murosimf/model/error.h"
 #include "tests/fixtures.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -39,7 +40,7 @@ class InputFile : public testing::Test {
     return path;
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("input_file_" + std::to_string(::getpid()));
+  const fs::path folder_ = fixtures::temp_folder() / ("input_file_" + std::to_string(::getpid()));
 };
 
 TEST_F(InputFile, IsReadByteForByte) {

@@ -12,13 +12,15 @@
 #include <string>
 #include <vector>
 
+#include "tests/temp_folder.h"
+
 namespace murosimf::io {
 namespace {
 
 namespace fs = std::filesystem;
 
 fs::path leftover_file(const std::string& name) {
-  fs::path file = fs::temp_directory_path() / ("leftovers_test." + std::to_string(::getpid()) + "." + name);
+  fs::path file = fixtures::temp_folder() / ("leftovers_test." + std::to_string(::getpid()) + "." + name);
   std::ofstream(file) << "half";
   return file;
 }

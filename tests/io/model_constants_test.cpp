@@ -6,13 +6,14 @@
 
 #include "murosimf/io/scene.h"
 #include "murosimf/model/properties.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
 
 std::string constants_scene() {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = testing::TempDir() + "constants_" + info->name() + ".toml";
+  const std::string file = fixtures::temp_folder().string() + "/" + "constants_" + info->name() + ".toml";
   std::ofstream(file) << R"([ball]
 [[teams]]
 name = "blue"

@@ -8,13 +8,14 @@
 
 #include "murosimf/io/scene.h"
 #include "murosimf/model/properties.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
 
 std::string body_scene(const std::string& text) {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = testing::TempDir() + "bodies_" + info->name() + ".toml";
+  const std::string file = fixtures::temp_folder().string() + "/" + "bodies_" + info->name() + ".toml";
   std::ofstream(file) << "[field]\ngoals = false\n" << text;
   return file;
 }

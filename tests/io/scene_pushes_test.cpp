@@ -1,11 +1,13 @@
 // Pushes: --push and [[pushes]].
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
 #include "murosimf/io/scene.h"
 #include "murosimf/model/properties.h"
+#include "tests/temp_folder.h"
 
 namespace murosimf::io {
 namespace {
@@ -13,7 +15,7 @@ namespace {
 /// A box that floats, and a kinematic robot far away.
 std::string pushed_scene(const std::string& more = {}) {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = testing::TempDir() + "pushes_" + info->name() + ".toml";
+  const std::string file = fixtures::temp_folder().string() + "/" + "pushes_" + info->name() + ".toml";
   std::ofstream(file) << R"(gravity = [0, 0, 0]
 [[bodies]]
 name = "box"
@@ -113,6 +115,16 @@ TEST(Pushes, AreRefusedBeforeTheRun) {
   EXPECT_TRUE(says_all(push_mistake("box=[1,0,nan]@0..1"), {"finite"}));
   EXPECT_TRUE(says_all(push_mistake("r.torso=[1,0,0]@1..2"), {"'r' is at kinematic_walking", "simplified_dynamics"}));
   EXPECT_EQ(push_mistake("r.torso=[1,0,0]@1..2", {"0.5:r.level=full_dynamics"}), "") << "it is dynamic by then";
+}
+
+TEST(Pushes, ThatTheRunDoesNotReachAreNamed) {
+  Scene scene(pushed_scene(), {.pushes = {"box=[60,0,0]@0.001..0.002", "box=[60,0,0]@3..4"}});
+  scene.simulation().run(std::chrono::milliseconds(20));
+  const auto warnings = scene.report({}).warnings;
+  const auto late = std::ranges::find_if(warnings, [](const std::string& w) {
+    return says_all(w, {"1 of 2 events and pushes", "the first at 3.000 s"});
+  });
+  EXPECT_NE(late, warnings.end());
 }
 
 }  // namespace
