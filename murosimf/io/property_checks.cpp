@@ -252,7 +252,7 @@ std::string check_command(const RobotSpec& robot, const Model& model, const Vec3
       command.x, command.y, command.z, robot.controller, most.x, most.y, most.z);
 }
 
-std::string path_of(const PropertySetting& setting, const Entity& entity) {
+std::string setting_path(const PropertySetting& setting, const Entity& entity) {
   if (setting.object.empty() && is_of_joints(setting.property)) {
     return fmt::format("{}.{}", entity.name(), setting.property);
   }
@@ -263,7 +263,7 @@ std::string path_of(const PropertySetting& setting, const Entity& entity) {
 std::string to_text(const PropertySetting& setting, const Entity& entity) {
   const std::string value = setting.numbers.size() == 1 ? fmt::format("{}", setting.numbers[0])
                                                         : fmt::format("[{}]", fmt::join(setting.numbers, ", "));
-  return fmt::format("{} = {}", path_of(setting, entity), value);
+  return fmt::format("{} = {}", setting_path(setting, entity), value);
 }
 
 }  // namespace murosimf::io

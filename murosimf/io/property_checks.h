@@ -21,7 +21,7 @@ namespace murosimf::io {
 [[nodiscard]] std::string check_command(const RobotSpec& robot, const Model& model, const Vec3d& command);
 
 /// "walker.pelvis.applied_force"; "walker.joint_target" of all joints.
-[[nodiscard]] std::string path_of(const PropertySetting& setting, const Entity& entity);
+[[nodiscard]] std::string setting_path(const PropertySetting& setting, const Entity& entity);
 
 /// "walker.pelvis.applied_force = [0, 20, 0, 0, 0, 0]"
 [[nodiscard]] std::string to_text(const PropertySetting& setting, const Entity& entity);

@@ -295,7 +295,7 @@ void Scene::write_picture(const std::filesystem::path& file) const {
     path.is_ball = entity == ball_;
     path.number = shirt_number(entity->name());
     if (path.is_ball) path.size = spec_.ball->options.radius;
-    if (const BodySpec* body = body_spec(entity)) {  // as round things, too
+    if (const BodySpec* body = body_spec(*entity)) {  // as round things, too
       path.is_ball = true;
       if (body->shape) path.size = bounding_radius(*body->shape);
     }

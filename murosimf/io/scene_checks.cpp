@@ -111,7 +111,7 @@ void Scene::watch(const PropertySetting& setting, const std::string& entity) {
       setting.property == properties::joint_target.name || setting.property == properties::joint_rate_target.name;
   const auto writers = simulation_->writers_of(robot, setting.property);
   if (!target || writers.empty()) return;
-  const std::string name = path_of(setting, robot);
+  const std::string name = setting_path(setting, robot);
   const auto objects = objects_meant(robot.model(), setting.object, setting.property);
   const int count = ++settings_[name];
   simulation_->at(simulation_->now() + some_cycles, [this, setting, entity, objects, writers, name, count] {

@@ -53,7 +53,8 @@ TEST_P(OwnModel, ComesBackAsItWasWithoutItsTable) {
 INSTANTIATE_TEST_SUITE_P(Mjcf, OwnModel, testing::Values("kid21", "quadruped", "car", "spark_nao0", "spark_nao4"),
                          [](const auto& model) { return std::string(model.param); });
 
-class TeamRobot : public testing::TestWithParam<std::pair<std::string, fs::path (*)()>> {};
+using TeamFile = std::pair<std::string, fs::path (*)()>;
+class TeamRobot : public testing::TestWithParam<TeamFile> {};
 
 TEST_P(TeamRobot, ComesBackAsItWas) {
   const fs::path file = GetParam().second();
@@ -62,8 +63,8 @@ TEST_P(TeamRobot, ComesBackAsItWas) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, TeamRobot,
-                         testing::Values(std::pair("k1_urdf", k1_urdf), std::pair("k1_mjcf", k1_mjcf),
-                                         std::pair("wolfgang_urdf", wolfgang_urdf)),
+                         testing::Values(TeamFile("k1_urdf", k1_urdf), TeamFile("k1_mjcf", k1_mjcf),
+                                         TeamFile("wolfgang_urdf", wolfgang_urdf)),
                          [](const auto& robot) { return robot.param.first; });
 
 std::string all_of_urdf() {
