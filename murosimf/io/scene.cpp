@@ -13,6 +13,7 @@
 #include "murosimf/io/model_constants.h"
 #include "murosimf/io/motion_file.h"
 #include "murosimf/io/output_file.h"
+#include "murosimf/io/property_checks.h"
 #include "murosimf/io/registry.h"
 #include "murosimf/io/robot_reader.h"
 #include "murosimf/io/viewed_shapes.h"
@@ -224,8 +225,13 @@ void Scene::apply_settings() {
   }
   start_bodies();
   for (const PropertySetting& setting : spec_.settings) {
-    if (is_constant(setting)) continue;  // done with the model
-    for (const std::string& name : setting.entities) apply(setting, name);
+    for (const std::string& name : setting.entities) {
+      if (is_constant(setting)) {  // done with the model
+        simulation_->record(to_text(setting, simulation_->world().entity(name)));
+      } else {
+        apply(setting, name);
+      }
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/io/model_constants.h"
 #include "murosimf/io/property_checks.h"
 #include "murosimf/io/scene.h"
 #include "murosimf/io/setting_targets.h"
@@ -77,7 +78,9 @@ void Scene::check_property(const PropertySetting& setting, double time) {
 }
 
 void Scene::check_properties() {
-  for (const PropertySetting& setting : spec_.settings) check_property(setting, 0);
+  for (const PropertySetting& setting : spec_.settings) {
+    if (!is_constant(setting)) check_property(setting, 0);  // constants were checked with the model
+  }
   for (const SceneEvent& event : spec_.events) {
     if (event.setting) check_property(*event.setting, event.time);
   }

@@ -22,6 +22,7 @@ constexpr NumericOption numeric_options[]{
     {"render walk --out FILE", "--seed"},
     {"render walk --video FILE.mp4", "--fps"},
     {"render walk --video FILE.mp4", "--duration"},
+    {"render walk --video FILE.mp4", "--slow"},
     {"compare walk --entity walker", "--duration"},
     {"compare walk --entity walker", "--seed"},
     {"compare walk --entity walker", "--repeat"},

@@ -1,6 +1,7 @@
 // Boxes, spheres, ramps and steps of a scene file: what they are, what they do, and every mistake in one line.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -150,8 +151,9 @@ controller = "none"
   EXPECT_TRUE(scene.report({}).warnings.empty());
   Scene kinematic(body_scene(scene_text), {.overrides = {"r.level=kinematic_walking"}});
   const auto warnings = kinematic.report({}).warnings;
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(has(warnings[0], "r: kinematic_walking takes the ground for a plane")) << warnings[0];
+  EXPECT_TRUE(std::ranges::any_of(warnings, [](const std::string& warning) {
+    return has(warning, "r: kinematic_walking takes the ground for a plane");
+  }));
 }
 
 TEST(SceneBodies, ChangeByOverridesAndEvents) {

@@ -72,7 +72,7 @@ set = "blue2.command = [0.1, 0, 0]"
             (std::vector<std::string>{"blue2.pelvis.walk_command = [0.1, 0, 0]",
                                       "blue2: articulated_dynamics -> full_dynamics", "blue2: contact kelvin_voigt",
                                       "ball: contact paper", "blue2: servo law ideal_pd",
-                                      "blue2.pelvis.applied_force = [0, 0, 0, 0, 1, 0]"}));
+                                      "blue2.pelvis.applied_force = [0, 1, 0, 0, 0, 0]"}));
   EXPECT_EQ(scene.report({}).events[1].time, Duration(500ms));
 }
 

@@ -158,7 +158,7 @@ TEST(PropertySettings, ThatWouldBeOverwrittenAreRefused) {
   EXPECT_TRUE(says(refusal_of({.set = {"real.j_l_shin.joint_torque=5"}}), {"that articulated_dynamics writes"}));
   EXPECT_TRUE(says(refusal_of({.at = {"0.01:real.j_l_shin.joint_torque=5"}}), {"--at", "articulated_dynamics writes"}));
   EXPECT_TRUE(says(refusal_of({.set = {"real.l_shin.position=[0, 0, 1]"}}), {"is for the base 'pelvis' only"}));
-  EXPECT_TRUE(says(refusal_of({.set = {"real.pelvis.joint_target=1"}}), {"is for joints"}));
+  EXPECT_TRUE(says(refusal_of({.set = {"real.pelvis.joint_target=1"}}), {"'pelvis'", "is no joint"}));
   EXPECT_EQ(warnings_of({.set = {"real.j_l_shin.joint_position=0.3", "real.pelvis.position=[0, 1, 0.5]"}}), "");
 }
 
