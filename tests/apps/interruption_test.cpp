@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <functional>
 #include <thread>
 
 #include "tests/apps/program.h"
@@ -107,10 +108,14 @@ class Interruption : public testing::Test {
   std::string scene_;
 };
 
-/// False if it does not come in a minute.
+/// False if it does not happen in a minute.
+bool happens(const std::function<bool()>& what) {
+  for (int i = 0; i < 12000 && !what(); ++i) std::this_thread::sleep_for(5ms);
+  return what();
+}
+
 bool comes(const std::string& file) {
-  for (int i = 0; i < 12000 && !fs::exists(file); ++i) std::this_thread::sleep_for(5ms);
-  return fs::exists(file);
+  return happens([&] { return fs::exists(file); });
 }
 
 void expect_in(const std::string& text, const std::vector<std::string>& parts) {
@@ -249,6 +254,7 @@ TEST_F(InterruptedVideo, EndsWhereItIs) {
   if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";
   OnTerminal program(render(file("v.mp4")));
   if (!program.wait_for("of 1000000.00 s") && cannot_draw(program)) GTEST_SKIP() << program.shown();
+  ASSERT_TRUE(happens([&] { return !files().empty(); })) << "ffmpeg has had a picture";
   program.type_control_c();  // reaches ffmpeg, too, if that were in the foreground
   EXPECT_EQ(program.exit_code(), 130) << program.shown();
   expect_in(program.shown(), {"stopped by SIGINT at ", "v.mp4' ends there"});
@@ -261,6 +267,7 @@ TEST_F(InterruptedVideo, ASecondSignalEndsTheProgramAndItsChildrenAtOnce) {
                                        "\ncat >/dev/null\ntouch " + file("ended") + "\nexec sleep 1000\n");
   OnTerminal program(render(file("v.mp4")), path);
   if (!program.wait_for("of 1000000.00 s") && cannot_draw(program)) GTEST_SKIP() << program.shown();
+  ASSERT_TRUE(comes(file("pid"))) << "a child has begun";
   program.send(SIGINT);
   ASSERT_TRUE(comes(file("ended"))) << program.shown();  // now it waits for the child
   std::this_thread::sleep_for(150ms);                    // before, it would be the same signal

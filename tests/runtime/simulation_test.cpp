@@ -112,6 +112,7 @@ TEST(Simulation, StatisticsCountCallsByNameAndRate) {
 class SlowAtFirst final : public Algorithm {
  public:
   explicit SlowAtFirst(Setup& setup) : counter_(setup.write(counter)[0]) {}
+  void initialize() override { counter_ = 0; }
   void step(const Instant&) noexcept override {
     const auto start = std::chrono::steady_clock::now();
     while (counter_ == 0 && std::chrono::steady_clock::now() - start < 32ms) {
@@ -153,6 +154,7 @@ TEST(Simulation, RunsEndEarlyWhenAsked) {
 class Tell final : public Algorithm {
  public:
   explicit Tell(Setup& setup) : position_(setup.write(properties::position)) {}
+  void initialize() override { position_[0] = {}; }
   void step(const Instant& instant) noexcept override { position_[0].x = seconds(instant.now + instant.period); }
 
  private:
