@@ -126,8 +126,9 @@ std::vector<const Level*> levels_from(const SceneSpec& spec, const RobotSpec& ro
 
 std::vector<std::string> unused_keys(const SceneSpec& spec) {
   std::vector<std::string> lines;
-  if (spec.robots.empty() && !spec.ball) {
-    lines.emplace_back("nothing moves in this scene: it has neither [[robots]] nor a [ball]");
+  const bool bodies_stand = std::ranges::all_of(spec.bodies, &BodySpec::is_static);
+  if (spec.robots.empty() && !spec.ball && bodies_stand) {
+    lines.emplace_back("nothing moves in this scene: it has neither [[robots]] nor a [ball] nor [[bodies]] that move");
   }
   for (const UsedKey& key : used_keys) add_keys(spec, key, lines);
   add_events(spec, lines);

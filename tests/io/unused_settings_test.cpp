@@ -106,6 +106,9 @@ TEST(UnusedKeys, CommandsBeyondTheWalkSayWhatItDoes) {
 TEST(UnusedKeys, ASceneInWhichNothingMovesSaysSo) {
   EXPECT_TRUE(says(warnings_of({.text = "duration = 1\n"}), {"nothing moves in this scene"}));
   EXPECT_EQ(warnings_of({.text = "[ball]\nposition = [0, 0]\n"}), "");
+  const std::string box = "[[bodies]]\nname = 'box'\nshape = 'box'\nsize = [0.1, 0.1, 0.1]\n";
+  EXPECT_EQ(warnings_of({.text = box + "mass = 1\n"}), "") << "a body moves";
+  EXPECT_TRUE(says(warnings_of({.text = box + "static = true\n"}), {"nothing moves in this scene"}));
 }
 
 TEST(UnusedMaterials, AreRefusedIfNobodyKnowsThem) {
