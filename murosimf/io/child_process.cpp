@@ -5,23 +5,18 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <memory>
 #include <system_error>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "murosimf/io/file_pointer.h"
 #include "murosimf/io/leftovers.h"
 #include "murosimf/io/spawn.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
 namespace {
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using FilePtr = std::unique_ptr<std::FILE, CloseFile>;
 
 [[noreturn]] void refuse(const std::string& program, int error) {
   throw SetupError(fmt::format("cannot run '{}': {}", program, std::generic_category().message(error)));

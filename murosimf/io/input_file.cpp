@@ -5,18 +5,16 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <memory>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "murosimf/io/file_pointer.h"
 #include "murosimf/io/xml_element.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
 namespace {
-
-using InputPtr = std::unique_ptr<std::FILE, decltype(&std::fclose)>;
 
 [[noreturn]] void refuse_input(const std::filesystem::path& file, const std::string& reason) {
   throw SetupError(one_line(fmt::format("{}: {}", file.string(), reason)));
@@ -60,7 +58,7 @@ std::uintmax_t check_input_file(const std::filesystem::path& file, std::uintmax_
 
 std::string read_input_file(const std::filesystem::path& file, std::uintmax_t most) {
   check_input_file(file, most);
-  const InputPtr stream(std::fopen(file.c_str(), "rb"), std::fclose);
+  const FilePtr stream(std::fopen(file.c_str(), "rb"));
   if (!stream) refuse_input(file, fmt::format("the file cannot be read: {}", std::generic_category().message(errno)));
   std::string bytes = bytes_of(stream.get(), most);
   if (std::ferror(stream.get()) != 0) refuse_input(file, "the file cannot be read to its end");

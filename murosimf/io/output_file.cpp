@@ -2,13 +2,13 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "murosimf/io/file_pointer.h"
 #include "murosimf/io/leftovers.h"
 #include "murosimf/model/error.h"
 
@@ -16,7 +16,6 @@ namespace murosimf::io {
 namespace {
 
 namespace fs = std::filesystem;
-using FilePtr = std::unique_ptr<std::FILE, decltype(&std::fclose)>;
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& reason) {
   throw SetupError(fmt::format("cannot write '{}': {}", file.string(), reason));
@@ -39,7 +38,7 @@ void check_place(const fs::path& file) {
 
 /// 0, or errno of what failed.
 int write_bytes(const fs::path& file, const std::string& bytes) {
-  FilePtr out(std::fopen(file.c_str(), "wb"), std::fclose);
+  FilePtr out(std::fopen(file.c_str(), "wb"));
   if (!out) return errno;
   if (std::fwrite(bytes.data(), 1, bytes.size(), out.get()) != bytes.size()) return errno;
   return std::fclose(out.release()) == 0 ? 0 : errno;
