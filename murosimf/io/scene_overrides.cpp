@@ -94,9 +94,9 @@ void apply_override(toml::table& scene, const std::string& override_text, std::v
   const Assignment o = split_assignment(override_text, fmt::format("--set '{}'", override_text));
   const auto [robots, used] = robots_of(scene, o.path);
   const std::size_t rest = o.path.size() - used;
-  const auto names = [&robots = robots] {
+  const auto names = [&found = robots] {
     std::vector<std::string> result;
-    for (const toml::table* robot : robots) result.push_back(text_of(*robot, "name"));
+    for (const toml::table* robot : found) result.push_back(text_of(*robot, "name"));
     return result;
   };
   if (!robots.empty() && rest == 1 && is_of_joints(o.path.back())) {
