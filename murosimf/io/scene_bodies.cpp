@@ -9,6 +9,7 @@
 
 #include "murosimf/io/mass_properties.h"
 #include "murosimf/io/registry.h"
+#include "murosimf/io/toml_color.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::io {
@@ -81,15 +82,6 @@ void read_mass(const TomlTable& table, BodySpec& body) {
   body_must(body.mass > 0, table, has_density ? "density" : "mass", "must be positive");
 }
 
-Color read_body_color(const TomlTable& table, const Color& otherwise) {
-  Vec3d rgb{otherwise.red, otherwise.green, otherwise.blue};
-  table.read("color", rgb);
-  const auto fits = [](double x) { return x >= 0 && x <= 1; };
-  body_must(fits(rgb.x) && fits(rgb.y) && fits(rgb.z), table, "color",
-            "must be three numbers from 0 to 1: red, green, blue");
-  return {rgb.x, rgb.y, rgb.z};
-}
-
 double read_degrees(const TomlTable& table, std::string_view key) {
   double degrees = 0;
   table.read(key, degrees);
@@ -136,7 +128,7 @@ BodySpec read_body(const toml::table& node) {
   body_must(!body.name.empty(), table, "name", "of the body is missing");
   table.read("static", body.is_static);
   read_kind(table, body);
-  body.color = read_body_color(table, body.color);
+  body.color = read_color(table, body.color);
   read_place(table, body);
   if (body.is_static) {
     refuse_keys(table, "static body", {"mass", "density", "velocity", "angular_velocity", "contact"});

@@ -12,6 +12,7 @@
 #include "murosimf/io/scene_overrides.h"
 #include "murosimf/io/scene_pushes.h"
 #include "murosimf/io/sensor_toml.h"
+#include "murosimf/io/toml_color.h"
 #include "murosimf/io/toml_reader.h"
 #include "murosimf/model/time.h"
 #include "murosimf/motion/servo_law.h"
@@ -30,15 +31,6 @@ void require(bool condition, const TomlTable& table, std::string_view key, std::
 /// An empty name means nothing; it must not look as if it did.
 void require_name(const std::string& name, const TomlTable& table, std::string_view key) {
   require(!name.empty(), table, key, "is empty: leave it out, or name something");
-}
-
-Color read_color(const TomlTable& table, const Color& otherwise) {
-  Vec3d rgb{otherwise.red, otherwise.green, otherwise.blue};
-  table.read("color", rgb);
-  const auto fits = [](double x) { return x >= 0 && x <= 1; };
-  require(fits(rgb.x) && fits(rgb.y) && fits(rgb.z), table, "color",
-          "must be three numbers from 0 to 1: red, green, blue");
-  return {rgb.x, rgb.y, rgb.z};
 }
 
 /// Two numbers would be a place on the ground.
