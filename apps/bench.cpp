@@ -11,8 +11,8 @@
 #include "apps/last_words.h"
 #include "apps/progress.h"
 #include "apps/standard_output.h"
-#include "murosimf/io/collision_report.h"
-#include "murosimf/io/scene.h"
+#include "murosimf/scene/collision_report.h"
+#include "murosimf/scene/scene.h"
 
 namespace murosimf::app {
 namespace {

@@ -8,12 +8,12 @@
 #include "apps/commands.h"
 #include "apps/last_words.h"
 #include "apps/standard_output.h"
-#include "murosimf/io/data_path.h"
-#include "murosimf/io/model_report.h"
-#include "murosimf/io/output_file.h"
-#include "murosimf/io/robot_doctor.h"
-#include "murosimf/io/robot_picture.h"
-#include "murosimf/io/robot_roles.h"
+#include "murosimf/files/data_path.h"
+#include "murosimf/check/model_report.h"
+#include "murosimf/files/output_file.h"
+#include "murosimf/check/robot_doctor.h"
+#include "murosimf/appearance/robot_picture.h"
+#include "murosimf/robot/robot_roles.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {

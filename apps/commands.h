@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/io/compare_runs.h"
+#include "murosimf/compare/compare_runs.h"
 
 namespace murosimf::app {
 
@@ -23,7 +23,7 @@ struct RunOptions {
   std::string picture;           ///< PNG file
   std::string pictures;          ///< folder for a sequence of PNG files
   double picture_every = 0.5;    ///< [s] of simulated time
-  std::vector<std::string> log;  ///< what is recorded (io/log_paths.h)
+  std::vector<std::string> log;  ///< what is recorded (logging/log_paths.h)
   std::string out;               ///< CSV file for that
   double log_rate = 100;         ///< [Hz] of properties in it
   bool no_cameras = false;       ///< nothing is drawn for cameras
@@ -35,7 +35,7 @@ int run(const RunOptions& options);
 struct RenderOptions {
   std::string scene;
   double time = 0;                 ///< [s] of the picture, or of the video's beginning
-  std::string view;                ///< name of a place (io/scene_eyes.h)
+  std::string view;                ///< name of a place (scene/scene_eyes.h)
   std::string camera;              ///< ROBOT.CAMERA instead
   std::string size;                ///< WIDTHxHEIGHT; empty: 1280x720
   std::string layer = "color";     ///< or depth, labels

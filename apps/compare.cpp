@@ -8,7 +8,7 @@
 #include "apps/last_words.h"
 #include "apps/progress.h"
 #include "apps/standard_output.h"
-#include "murosimf/io/compare_report.h"
+#include "murosimf/compare/compare_report.h"
 
 namespace murosimf::app {
 int compare(const CompareCommand& command) {

@@ -5,9 +5,9 @@
 
 #include "apps/commands.h"
 #include "apps/standard_output.h"
-#include "murosimf/io/data_path.h"
-#include "murosimf/io/output_file.h"
-#include "murosimf/io/robot_conversion.h"
+#include "murosimf/files/data_path.h"
+#include "murosimf/files/output_file.h"
+#include "murosimf/robot/robot_conversion.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {

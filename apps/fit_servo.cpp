@@ -14,11 +14,11 @@
 #include "murosimf/identification/bench_servo.h"
 #include "murosimf/identification/folds.h"
 #include "murosimf/identification/search.h"
-#include "murosimf/io/fit_report.h"
-#include "murosimf/io/output_file.h"
-#include "murosimf/io/prior_file.h"
-#include "murosimf/io/servo_log.h"
-#include "murosimf/io/servo_table.h"
+#include "murosimf/formats/servo_log/fit_report.h"
+#include "murosimf/files/output_file.h"
+#include "murosimf/formats/servo_log/prior_file.h"
+#include "murosimf/formats/servo_log/servo_log.h"
+#include "murosimf/components/servo_table.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {

@@ -9,7 +9,7 @@
 #include <ctime>
 #include <string_view>
 
-#include "murosimf/io/leftovers.h"
+#include "murosimf/files/leftovers.h"
 
 namespace murosimf::app {
 namespace {

@@ -3,11 +3,11 @@
 
 #include "apps/commands.h"
 #include "apps/standard_output.h"
-#include "murosimf/io/camera_info.h"
-#include "murosimf/io/output_file.h"
+#include "murosimf/components/camera_info.h"
+#include "murosimf/files/output_file.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
-#include "murosimf/sensors/lens_fit.h"
+#include "murosimf/imaging/lens_fit.h"
 
 namespace murosimf::app {
 namespace {

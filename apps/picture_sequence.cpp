@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/io/output_file.h"
+#include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {

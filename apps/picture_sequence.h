@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "murosimf/io/scene.h"
+#include "murosimf/scene/scene.h"
 
 namespace murosimf::app {
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "murosimf/io/csv_file.h"
-#include "murosimf/io/log_plot.h"
+#include "murosimf/files/csv_file.h"
+#include "murosimf/logging/log_plot.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {

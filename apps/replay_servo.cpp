@@ -7,10 +7,10 @@
 #include "apps/commands.h"
 #include "apps/servo_logs.h"
 #include "apps/standard_output.h"
-#include "murosimf/io/fit_report.h"
-#include "murosimf/io/output_file.h"
-#include "murosimf/io/plot.h"
-#include "murosimf/io/servo_log.h"
+#include "murosimf/formats/servo_log/fit_report.h"
+#include "murosimf/files/output_file.h"
+#include "murosimf/logging/plot.h"
+#include "murosimf/formats/servo_log/servo_log.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {

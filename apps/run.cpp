@@ -11,9 +11,9 @@
 #include "apps/picture_sequence.h"
 #include "apps/progress.h"
 #include "apps/standard_output.h"
-#include "murosimf/io/output_file.h"
-#include "murosimf/io/run_log.h"
-#include "murosimf/io/scene.h"
+#include "murosimf/files/output_file.h"
+#include "murosimf/logging/run_log.h"
+#include "murosimf/scene/scene.h"
 
 namespace murosimf::app {
 namespace {

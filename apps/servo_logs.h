@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "murosimf/identification/bench_logs.h"
-#include "murosimf/io/fitted_servo.h"
+#include "murosimf/formats/servo_log/fitted_servo.h"
 
 namespace murosimf::app {
 

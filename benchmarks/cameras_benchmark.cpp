@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/io/scene.h"
+#include "murosimf/scene/scene.h"
 #include "murosimf/render/renderer.h"
 #include "murosimf/sensors/frame.h"
 

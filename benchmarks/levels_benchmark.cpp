@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "murosimf/collision/contact.h"
-#include "murosimf/io/scene.h"
+#include "murosimf/scene/scene.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::benchmarks {

@@ -1,8 +1,8 @@
 /// robots.h - the robot that all benchmarks use.
 #pragma once
 
-#include "murosimf/io/data_path.h"
-#include "murosimf/io/robot_reader.h"
+#include "murosimf/files/data_path.h"
+#include "murosimf/robot/robot_reader.h"
 
 namespace murosimf::benchmarks {
 

@@ -3,8 +3,8 @@
 
 #include "murosimf/collision/queries.h"
 #include "murosimf/collision/scan.h"
-#include "murosimf/io/scene.h"
-#include "murosimf/io/sensor_types.h"
+#include "murosimf/scene/scene.h"
+#include "murosimf/components/sensor_types.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::benchmarks {

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/control/walk_engine.h"
-#include "murosimf/io/scene.h"
+#include "murosimf/locomotion/walk_engine.h"
+#include "murosimf/scene/scene.h"
 #include "murosimf/model/properties.h"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <string>
 
-#include <murosimf/io/plot.h>
-#include <murosimf/io/scene.h>
+#include <murosimf/logging/plot.h>
+#include <murosimf/scene/scene.h>
 #include <murosimf/model/properties.h>
 #include <murosimf/sensors/reading.h>
 

@@ -3,7 +3,7 @@
 
 #include <murosimf/collision/queries.h>
 #include <murosimf/collision/touches.h>
-#include <murosimf/io/scene.h>
+#include <murosimf/scene/scene.h>
 #include <murosimf/model/properties.h>
 
 int main() {

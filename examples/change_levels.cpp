@@ -3,7 +3,7 @@
 //     example_change_levels
 #include <cstdio>
 
-#include <murosimf/io/scene.h>
+#include <murosimf/scene/scene.h>
 #include <murosimf/model/properties.h>
 
 int main() {

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <optional>
 
-#include <murosimf/io/scene.h>
+#include <murosimf/scene/scene.h>
 #include <murosimf/math/quaternion.h>
 #include <murosimf/model/properties.h>
 #include <murosimf/sensors/camera.h>

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include <murosimf/io/scene.h>
+#include <murosimf/scene/scene.h>
 #include <murosimf/model/properties.h>
 
 int main() {

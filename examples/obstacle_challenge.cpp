@@ -12,11 +12,11 @@
 #include <vector>
 
 #include <murosimf/collision/queries.h>
-#include <murosimf/control/obstacle_course.h>
-#include <murosimf/control/planar.h>
-#include <murosimf/io/field.h>
-#include <murosimf/io/output_file.h>
-#include <murosimf/io/scene.h>
+#include <murosimf/behavior/obstacle_course.h>
+#include <murosimf/perception/planar.h>
+#include <murosimf/scene/field.h>
+#include <murosimf/files/output_file.h>
+#include <murosimf/scene/scene.h>
 #include <murosimf/render/field_picture.h>
 #include <murosimf/render/image_png.h>
 

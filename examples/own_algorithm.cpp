@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include <murosimf/io/scene.h>
+#include <murosimf/scene/scene.h>
 #include <murosimf/model/properties.h>
 
 using namespace murosimf;

@@ -8,7 +8,7 @@
 #include <string>
 
 #include <murosimf/identification/bench_servo.h>
-#include <murosimf/io/servo_table.h>
+#include <murosimf/components/servo_table.h>
 #include <murosimf/model/error.h>
 #include <murosimf/multibody/servo_pendulum.h>
 

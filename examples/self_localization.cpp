@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include <murosimf/control/localize.h>
-#include <murosimf/io/field.h>
-#include <murosimf/io/output_file.h>
-#include <murosimf/io/scene.h>
+#include <murosimf/behavior/localize.h>
+#include <murosimf/scene/field.h>
+#include <murosimf/files/output_file.h>
+#include <murosimf/scene/scene.h>
 #include <murosimf/render/field_picture.h>
 
 using namespace murosimf;

@@ -1,6 +1,6 @@
 /// visual_mesh.h - meshes of a model that are for the eye only: where they stand, not what is in them.
 ///
-/// Nothing of the physics depends on them, so no file is opened before somebody draws the model (io/visual_meshes.h);
+/// Nothing of the physics depends on them, so no file is opened before somebody draws the model (appearance/visual_meshes.h);
 /// only then it shows whether it is there.
 #pragma once
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "murosimf/sensors/image.h"
+#include "murosimf/imaging/image.h"
 
 namespace murosimf::render {
 

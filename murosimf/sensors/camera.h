@@ -18,13 +18,13 @@
 #include <optional>
 #include <vector>
 
-#include "murosimf/sensors/bayer.h"
+#include "murosimf/imaging/bayer.h"
 #include "murosimf/sensors/camera_spec.h"
 #include "murosimf/sensors/frame.h"
-#include "murosimf/sensors/gaussian_blur.h"
-#include "murosimf/sensors/image_noise.h"
-#include "murosimf/sensors/lens_map.h"
-#include "murosimf/sensors/light.h"
+#include "murosimf/imaging/gaussian_blur.h"
+#include "murosimf/imaging/image_noise.h"
+#include "murosimf/imaging/lens_map.h"
+#include "murosimf/imaging/light.h"
 #include "murosimf/sensors/mounting.h"
 #include "murosimf/sensors/sensor.h"
 

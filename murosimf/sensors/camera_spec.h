@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "murosimf/sensors/lens.h"
+#include "murosimf/imaging/lens.h"
 #include "murosimf/sensors/sensor_spec.h"
 #include "murosimf/sensors/view_source.h"
 

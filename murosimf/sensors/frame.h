@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "murosimf/model/setup.h"
-#include "murosimf/sensors/image.h"
-#include "murosimf/sensors/lens.h"
+#include "murosimf/imaging/image.h"
+#include "murosimf/imaging/lens.h"
 
 namespace murosimf::sensors {
 

@@ -5,7 +5,7 @@
 
 #include "murosimf/math/mat3.h"
 #include "murosimf/model/setup.h"
-#include "murosimf/sensors/image.h"
+#include "murosimf/imaging/image.h"
 
 namespace murosimf::sensors {
 

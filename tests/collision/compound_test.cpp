@@ -8,8 +8,8 @@
 
 #include "murosimf/collision/ground_points.h"
 #include "murosimf/collision/robot_tree.h"
-#include "murosimf/io/data_path.h"
-#include "murosimf/io/robot_reader.h"
+#include "murosimf/files/data_path.h"
+#include "murosimf/robot/robot_reader.h"
 #include "murosimf/multibody/kinematics.h"
 #include "tests/geometry/volume_fixtures.h"
 

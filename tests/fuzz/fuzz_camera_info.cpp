@@ -1,5 +1,5 @@
 // Calibrations of cameras, YAML.
-#include "murosimf/io/camera_info.h"
+#include "murosimf/components/camera_info.h"
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -3,7 +3,7 @@
 
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
-#include "murosimf/io/mesh_file.h"
+#include "murosimf/formats/mesh/mesh_file.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace murosimf::fuzz {

@@ -1,5 +1,5 @@
 // Key-frame motions.
-#include "murosimf/io/motion_file.h"
+#include "murosimf/scene/motion_file.h"
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

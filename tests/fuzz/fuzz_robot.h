@@ -1,7 +1,7 @@
 /// fuzz_robot.h - a robot file, and the first steps of the robot that it makes.
 #pragma once
 
-#include "murosimf/io/robot_reader.h"
+#include "murosimf/robot/robot_reader.h"
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/runtime/simulation.h"
 #include "tests/fuzz/fuzz.h"

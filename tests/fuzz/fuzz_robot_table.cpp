@@ -1,5 +1,5 @@
 // TOML files beside a robot; servos in them come from servo tables, sensors from parts.
-#include "murosimf/io/robot_table.h"
+#include "murosimf/robot/robot_table.h"
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,5 +1,5 @@
 // Scene files.
-#include "murosimf/io/scene_spec.h"
+#include "murosimf/scene/scene_spec.h"
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -10,7 +10,7 @@
 
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
-#include "murosimf/io/mass_properties.h"
+#include "murosimf/description/mass_properties.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::geometry {

@@ -8,8 +8,8 @@
 
 #include "murosimf/identification/bench_logs.h"
 #include "murosimf/identification/bench_servo.h"
-#include "murosimf/io/fitted_servo.h"
-#include "murosimf/io/servo_log.h"
+#include "murosimf/formats/servo_log/fitted_servo.h"
+#include "murosimf/formats/servo_log/servo_log.h"
 #include "tests/law.h"
 
 namespace murosimf::identification {

@@ -10,7 +10,7 @@
 /// Rotors (armature) are in all of them.
 #include <cstdio>
 
-#include "murosimf/io/robot_reader.h"
+#include "murosimf/robot/robot_reader.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/articulated_body.h"
 #include "murosimf/multibody/inverse_dynamics.h"

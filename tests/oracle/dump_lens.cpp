@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/sensors/lens.h"
+#include "murosimf/imaging/lens.h"
 
 namespace {
 

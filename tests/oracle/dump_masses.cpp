@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/io/robot_reader.h"
+#include "murosimf/robot/robot_reader.h"
 #include "murosimf/model/properties.h"
 
 namespace {

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/io/robot_reader.h"
+#include "murosimf/robot/robot_reader.h"
 #include "murosimf/math/random.h"
 #include "murosimf/model/error.h"
 #include "murosimf/multibody/kinematics.h"

@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "murosimf/collision/ground_contact.h"
-#include "murosimf/io/registry.h"
-#include "murosimf/io/robot_reader.h"
+#include "murosimf/scene/registry.h"
+#include "murosimf/robot/robot_reader.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/runtime/simulation.h"

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include "murosimf/io/urdf_reader.h"
+#include "murosimf/formats/urdf/urdf_reader.h"
 #include "murosimf/math/random.h"
 #include "tests/oracle/random_urdf.h"
 #include "tests/robot_data.h"

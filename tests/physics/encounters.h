@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "murosimf/collision/queries.h"
-#include "murosimf/io/field.h"
+#include "murosimf/scene/field.h"
 #include "tests/physics/rig.h"
 
 namespace murosimf::test {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "murosimf/collision/pair_finder.h"
-#include "murosimf/io/scene.h"
+#include "murosimf/scene/scene.h"
 
 namespace murosimf::test {
 namespace {

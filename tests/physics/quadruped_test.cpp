@@ -1,7 +1,7 @@
 // A four-legged robot stands, trots as it is told, and is refused where two feet are needed.
 #include <gtest/gtest.h>
 
-#include "murosimf/control/trot.h"
+#include "murosimf/locomotion/trot.h"
 #include "tests/physics/stand.h"
 
 namespace murosimf::test {

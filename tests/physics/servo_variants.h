@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "murosimf/io/robot_reader.h"
+#include "murosimf/robot/robot_reader.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::test {

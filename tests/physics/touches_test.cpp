@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/io/field.h"
+#include "murosimf/scene/field.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 

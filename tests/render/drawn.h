@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/io/field.h"
+#include "murosimf/scene/field.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/render/renderer.h"

@@ -15,8 +15,8 @@ TEST(FieldPicture, IsWritten) { GTEST_SKIP() << "this build has no cairo"; }
 
 #include <unistd.h>
 
-#include "murosimf/io/field.h"
-#include "murosimf/io/output_file.h"
+#include "murosimf/scene/field.h"
+#include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "tests/render/picture.h"
 #include "tests/temp_folder.h"

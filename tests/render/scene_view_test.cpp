@@ -9,8 +9,8 @@
 
 #include <unistd.h>
 
-#include "murosimf/io/field.h"
-#include "murosimf/io/output_file.h"
+#include "murosimf/scene/field.h"
+#include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "tests/render/picture.h"
 #include "tests/temp_folder.h"

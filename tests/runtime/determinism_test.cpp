@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "murosimf/io/scene.h"
+#include "murosimf/scene/scene.h"
 #include "tests/law.h"
 #include "tests/temp_folder.h"
 

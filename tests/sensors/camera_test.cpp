@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/sensors/srgb.h"
+#include "murosimf/imaging/srgb.h"
 #include "tests/sensors/range_rig.h"
 
 namespace murosimf::sensors {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "murosimf/io/sensor_types.h"
+#include "murosimf/components/sensor_types.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "murosimf/io/sensor_types.h"
+#include "murosimf/components/sensor_types.h"
 #include "tests/fixtures.h"
 #include "tests/physics/rig.h"
 

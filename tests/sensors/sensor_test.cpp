@@ -1,7 +1,7 @@
 // What all sensors share: instants of samples, delay, names, and noise that nobody else changes.
 #include "murosimf/sensors/sensor.h"
 
-#include "murosimf/io/sensor_types.h"
+#include "murosimf/components/sensor_types.h"
 #include "murosimf/sensors/true_motion.h"
 #include "tests/fixtures.h"
 #include "tests/physics/rig.h"

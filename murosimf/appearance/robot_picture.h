@@ -1,0 +1,15 @@
+/// robot_picture.h - what a robot file looks like: from the front, from its left side, from above and from an angle.
+#pragma once
+
+#include <string>
+
+#include "murosimf/description/robot_draft.h"
+
+namespace murosimf::io {
+
+/// A PNG file, as bytes: the robot in the pose of the file, four times in a row to the same scale. Bodies are drawn with
+/// their meshes for the eye, or else with the shapes that collide. Meshes that cannot be read are left out. Throws
+/// SetupError if this build has no pictures.
+[[nodiscard]] std::string robot_picture_png(const RobotDraft& draft, int columns = 1600, int rows = 640);
+
+}  // namespace murosimf::io

@@ -1,0 +1,36 @@
+/// video_file.h - pictures, one after the other, as a video: an ffmpeg process writes it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "murosimf/files/child_pipe.h"
+#include "murosimf/files/leftovers.h"
+#include "murosimf/imaging/image.h"
+
+namespace murosimf::io {
+
+/// The extension decides about the kind of video: .mp4, .webm, .gif, .mkv, .mov or .avi. Throws SetupError if it is none
+/// of these, if the file could not be written now, or if there is no ffmpeg: found out before a long run, not after it.
+void check_video(const std::filesystem::path& file);
+
+class VideoFile {
+ public:
+  /// Nothing is at `file` before finish(). Throws SetupError as check_video.
+  VideoFile(std::filesystem::path file, int width, int height, double frames_per_second);
+  ~VideoFile();
+  VideoFile(const VideoFile&) = delete;
+  VideoFile& operator=(const VideoFile&) = delete;
+
+  /// A picture of the size above. Throws SetupError with ffmpeg's words if it gives up.
+  void add(const sensors::ColorImage& picture);
+  /// The video is whole now. Throws as add().
+  void finish();
+
+ private:
+  std::filesystem::path file_, part_;
+  std::optional<Leftover> half_video_;
+  std::optional<ChildPipe> ffmpeg_;
+};
+
+}  // namespace murosimf::io

@@ -1,0 +1,90 @@
+#include "murosimf/appearance/visual_meshes.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/geometry/mesh_mass.h"
+#include "murosimf/geometry/mesh_reduction.h"
+#include "murosimf/formats/mesh/mesh_file.h"
+#include "murosimf/formats/mesh/mesh_library.h"
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::io {
+namespace {
+
+/// True if something of it can be seen.
+bool add_visuals(const Model& model, int object, Looks& looks) {
+  const Visuals* visuals = model.find(properties::visuals, object);
+  bool any = false;
+  for (const VisualMesh& visual : visuals ? *visuals : Visuals{}) {
+    try {
+      looks.meshes.push_back({object, visual_triangles(visual), visual.color});
+      any = true;
+    } catch (const SetupError& error) {
+      looks.warnings.push_back(fmt::format("{}; '{}' is drawn without it", error.what(), model.objects()[object].name));
+    }
+  }
+  return any;
+}
+
+void add_shape(const PlacedShape& placed, int object, Looks& looks) {
+  const Convex* convex = std::get_if<Convex>(&placed.shape);
+  if (!convex) {
+    looks.shapes.push_back({object, placed});
+    return;
+  }
+  geometry::TriangleMesh mesh = geometry::triangles_of(*convex->hull);
+  for (Vec3d& v : mesh.vertices) v = placed.position + placed.orientation * v;
+  looks.meshes.push_back({object, std::move(mesh), placed.color});
+}
+
+void reduce(Looks& looks, std::size_t most) {
+  std::vector<geometry::TriangleMesh> meshes;
+  for (SeenMesh& seen : looks.meshes) meshes.push_back(std::move(seen.mesh));
+  auto [reduced, error] = geometry::reduce_meshes(std::move(meshes), most);
+  for (std::size_t i = 0; i < reduced.size(); ++i) looks.meshes[i].mesh = std::move(reduced[i]);
+  std::erase_if(looks.meshes, [](const SeenMesh& seen) { return seen.mesh.triangles.empty(); });
+  looks.error = error;
+}
+
+}  // namespace
+
+Visuals visuals_of(const RobotDraft& draft, const DraftBody& body) {
+  Visuals visuals;
+  for (const DraftVisual& visual : body.visuals) {
+    const auto mesh = std::ranges::find(draft.meshes, visual.mesh, &DraftMesh::name);
+    if (mesh == draft.meshes.end() || mesh->file.empty()) continue;
+    visuals.push_back({mesh->file.string(), mesh->scale, mesh->origin.position, mesh->origin.orientation,
+                       visual.place.position, visual.place.orientation, visual.color});
+  }
+  return visuals;
+}
+
+geometry::TriangleMesh visual_triangles(const VisualMesh& mesh) {
+  const Vec3d& s = mesh.scale;
+  if (s.x == 0 || s.y == 0 || s.z == 0) {
+    throw SetupError(fmt::format("{}: a scale of 0 makes the mesh flat; correct it", mesh.file));
+  }
+  geometry::TriangleMesh triangles = read_mesh_file(mesh.file).mesh;
+  for (Vec3d& v : triangles.vertices) v = transposed_times(mesh.file_orientation, v - mesh.file_position);
+  scale_mesh(triangles, s);
+  for (Vec3d& v : triangles.vertices) v = mesh.position + mesh.orientation * v;
+  return triangles;
+}
+
+Looks looks_of(const Model& model, std::size_t most) {
+  Looks looks;
+  for (int object = 0; object < model.size(); ++object) {
+    const bool dressed = add_visuals(model, object, looks);
+    const Shapes* shapes = model.find(properties::shapes, object);
+    for (const PlacedShape& placed : shapes ? *shapes : Shapes{}) {
+      if (!dressed || !placed.collides) add_shape(placed, object, looks);
+    }
+  }
+  reduce(looks, most);
+  return looks;
+}
+
+}  // namespace murosimf::io

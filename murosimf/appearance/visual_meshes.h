@@ -1,0 +1,49 @@
+/// visual_meshes.h - meshes for the eye (model/visual_mesh.h) as triangles: here their files are read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "murosimf/geometry/triangle_mesh.h"
+#include "murosimf/description/robot_draft.h"
+#include "murosimf/model/model.h"
+#include "murosimf/model/visual_mesh.h"
+
+namespace murosimf::io {
+
+/// The meshes for the eye of a body of the draft, in the body's frame. Left out is what stands in the robot file itself.
+[[nodiscard]] Visuals visuals_of(const RobotDraft& draft, const DraftBody& body);
+
+/// All triangles of the mesh, in the frame of its object; corners at the same place are one vertex. Throws SetupError:
+/// mesh file, line if there is one, what is wrong, what to do.
+[[nodiscard]] geometry::TriangleMesh visual_triangles(const VisualMesh& mesh);
+
+/// Triangles of one color that move with an object.
+struct SeenMesh {
+  int object = 0;               ///< of the model
+  geometry::TriangleMesh mesh;  ///< object frame
+  Color color;
+};
+
+/// A shape that is no mesh.
+struct SeenShape {
+  int object = 0;  ///< of the model
+  PlacedShape placed;
+};
+
+/// What is to be drawn of a model.
+struct Looks {
+  std::vector<SeenMesh> meshes;   ///< of meshes for the eye and convex polyhedra
+  std::vector<SeenShape> shapes;  ///< all others
+  double error = 0;               ///< [m] by which surfaces have moved, root mean square; 0: all triangles are there
+  std::vector<std::string> warnings;  ///< one line each: meshes that could not be read and are left out
+};
+
+constexpr std::size_t usual_triangles = 3000;  ///< of the meshes of a robot in a camera's picture
+
+/// An object with meshes for the eye is drawn as these, and as those of its shapes that do not collide; another one as
+/// all of its shapes. The meshes of the whole model have at most `most` triangles together (geometry/mesh_reduction.h). Reads files,
+/// which takes a while: keep the answer as long as the model.
+[[nodiscard]] Looks looks_of(const Model& model, std::size_t most = usual_triangles);
+
+}  // namespace murosimf::io

@@ -1,0 +1,85 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/geometry/distance.h"
+#include "murosimf/formats/mesh/mesh_file.h"
+#include "murosimf/check/robot_doctor.h"
+#include "murosimf/robot/robot_soles.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+constexpr double overlap = 0.001;              // [m] less is a matter of rounding
+constexpr std::size_t many_triangles = 50000;  // of one mesh: its picture costs more than the physics
+
+geometry::Pose pose_of(const Place& body, const PlacedShape& shape) {
+  const Place at = inside(body, {shape.position, shape.orientation});
+  return {at.position, at.orientation};
+}
+
+/// [m] how deep two bodies are in each other at most, in the pose of the file; 0: not at all.
+double deepest(const DraftBody& a, const Place& at_a, const DraftBody& b, const Place& at_b) {
+  double depth = 0;
+  for (const DraftShape& s : a.shapes) {
+    for (const DraftShape& t : b.shapes) {
+      if (!s.placed.collides || !t.placed.collides || !may_touch(s.placed, t.placed)) continue;
+      const auto pose_s = pose_of(at_a, s.placed), pose_t = pose_of(at_b, t.placed);
+      const double reach = bounding_radius(s.placed.shape) + bounding_radius(t.placed.shape);
+      if (norm(pose_s.position - pose_t.position) > reach) continue;
+      depth = std::max(depth, -geometry::distance(s.placed.shape, pose_s, t.placed.shape, pose_t).distance);
+    }
+  }
+  return depth;
+}
+
+bool is_excluded(const RobotDraft& draft, const DraftBody& a, const DraftBody& b) {
+  return std::ranges::any_of(draft.exclusions, [&](const DraftExclusion& pair) {
+    return (pair.body1 == a.name && pair.body2 == b.name) || (pair.body1 == b.name && pair.body2 == a.name);
+  });
+}
+
+void examine_overlaps(const RobotDraft& draft, std::vector<Finding>& findings) {
+  const auto places = body_places(draft);
+  for (std::size_t a = 0; a < draft.bodies.size(); ++a) {
+    for (std::size_t b = a + 1; b < draft.bodies.size(); ++b) {
+      const bool neighbors = draft.bodies[b].parent == static_cast<int>(a);
+      if (neighbors || is_excluded(draft, draft.bodies[a], draft.bodies[b])) continue;
+      const double depth = deepest(draft.bodies[a], places[a], draft.bodies[b], places[b]);
+      if (depth <= overlap) continue;
+      findings.push_back(
+          {Severity::warning, draft.bodies[b].where,
+           fmt::format("shapes of '{}' and '{}' overlap by {:.1f} mm in the pose of the file", draft.bodies[a].name,
+                       draft.bodies[b].name, 1000 * depth),
+           "they cannot touch each other while inner collisions are on; make one smaller if they should"});
+    }
+  }
+}
+
+void examine_meshes(const RobotDraft& draft, std::vector<Finding>& findings) {
+  for (const DraftMesh& mesh : draft.meshes) {
+    std::error_code none;
+    if (mesh.file.empty() || !std::filesystem::is_regular_file(mesh.file, none)) continue;
+    std::size_t triangles = 0;
+    try {
+      triangles = read_mesh_file(mesh.file).mesh.triangles.size();
+    } catch (const SetupError& error) {
+      findings.push_back({Severity::warning, mesh.where, error.what(), "it cannot be drawn"});
+    }
+    if (triangles <= many_triangles) continue;
+    findings.push_back({Severity::warning, mesh.where, fmt::format("mesh '{}' has {} triangles", mesh.name, triangles),
+                        fmt::format("{} are plenty for a picture", many_triangles)});
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> examine_shapes(const RobotDraft& draft) {
+  std::vector<Finding> findings;
+  examine_overlaps(draft, findings);
+  examine_meshes(draft, findings);
+  return findings;
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "murosimf/check/robot_doctor.h"
+#include "murosimf/robot/robot_soles.h"
+
+namespace murosimf::io {
+namespace {
+
+constexpr double mass_difference = 0.01;     // [1] of the mass; files round less
+constexpr double center_difference = 0.003;  // [m]
+constexpr double range_difference = 0.02;    // [rad | m]
+
+/// The name of the other side's part; empty if the name says no side, or says right.
+std::string right_name(const std::string& name) {
+  constexpr std::array<std::array<const char*, 2>, 3> anywhere{
+      {{"left", "right"}, {"Left", "Right"}, {"LEFT", "RIGHT"}}};
+  for (const auto& [left, right] : anywhere) {
+    if (const auto at = name.find(left); at != std::string::npos) {
+      return std::string(name).replace(at, std::string(left).size(), right);
+    }
+  }
+  if (name.size() < 2) return {};
+  std::string other = name;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool begins = i == 0 || name[i - 1] == '_';
+    const bool ends = i + 1 == name.size() || name[i + 1] == '_' || (name[i] == 'L' && i == 0);
+    if (!begins || !ends || (name[i] != 'l' && name[i] != 'L')) continue;
+    other[i] = name[i] == 'l' ? 'r' : 'R';
+    return other;
+  }
+  return {};
+}
+
+Vec3d mirrored(const Vec3d& v) { return {v.x, -v.y, v.z}; }
+
+void compare_masses(const DraftBody& left, const DraftBody& right, std::vector<Finding>& findings) {
+  const double larger = std::max(left.solid.mass, right.solid.mass);
+  if (std::abs(left.solid.mass - right.solid.mass) <= mass_difference * larger) return;
+  findings.push_back(
+      {Severity::warning, right.solid_where.empty() ? right.where : right.solid_where,
+       fmt::format("'{}' weighs {:.4g} kg, '{}' {:.4g} kg", right.name, right.solid.mass, left.name, left.solid.mass),
+       "correct one of them, unless the robot is like that"});
+}
+
+void compare_centers(const DraftBody& left, const DraftBody& right, const Place& at_left, const Place& at_right,
+                     std::vector<Finding>& findings) {
+  const Vec3d l = at_left.position + at_left.orientation * left.solid.center;
+  const Vec3d r = at_right.position + at_right.orientation * right.solid.center;
+  const double apart = norm(mirrored(l) - r);
+  if (!(left.solid.mass > 0) || !(right.solid.mass > 0) || apart <= center_difference) return;
+  findings.push_back(
+      {Severity::warning, right.solid_where.empty() ? right.where : right.solid_where,
+       fmt::format("the centers of mass of '{}' and '{}' are {:.2g} m from being each other's mirror image", left.name,
+                   right.name, apart),
+       "compare both, a sign may be wrong"});
+}
+
+/// Ranges of twins are the same, or negated and swapped where the axes are mirrored.
+void compare_ranges(const DraftJoint& left, const DraftJoint& right, std::vector<Finding>& findings) {
+  if (left.range.has_value() != right.range.has_value()) {
+    findings.push_back({Severity::warning, right.where,
+                        fmt::format("only one of joints '{}' and '{}' has a range", left.name, right.name),
+                        "write it for both"});
+    return;
+  }
+  if (!left.range) return;
+  const Vec3d& l = *left.range;
+  const Vec3d& r = *right.range;
+  const bool same = std::abs(l.x - r.x) <= range_difference && std::abs(l.y - r.y) <= range_difference;
+  const bool negated = std::abs(l.x + r.y) <= range_difference && std::abs(l.y + r.x) <= range_difference;
+  if (same || negated) return;
+  findings.push_back({Severity::warning, right.where,
+                      fmt::format("joint '{}' reaches from {:.4g} to {:.4g}, '{}' from {:.4g} to {:.4g}", right.name,
+                                  r.x, r.y, left.name, l.x, l.y),
+                      "compare both, one may be wrong"});
+}
+
+}  // namespace
+
+std::vector<Finding> examine_symmetry(const RobotDraft& draft) {
+  std::map<std::string, std::size_t> bodies;
+  std::map<std::string, const DraftJoint*> joints;
+  for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
+    bodies[draft.bodies[i].name] = i;
+    for (const DraftJoint& joint : draft.bodies[i].joints) joints[joint.name] = &joint;
+  }
+  std::vector<Finding> findings;
+  const auto places = body_places(draft);
+  for (std::size_t l = 0; l < draft.bodies.size(); ++l) {
+    const auto twin = bodies.find(right_name(draft.bodies[l].name));
+    if (twin == bodies.end()) continue;
+    compare_masses(draft.bodies[l], draft.bodies[twin->second], findings);
+    compare_centers(draft.bodies[l], draft.bodies[twin->second], places[l], places[twin->second], findings);
+  }
+  for (const auto& [name, joint] : joints) {
+    const auto twin = joints.find(right_name(name));
+    if (twin != joints.end()) compare_ranges(*joint, *twin->second, findings);
+  }
+  return findings;
+}
+
+}  // namespace murosimf::io

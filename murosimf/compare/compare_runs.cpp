@@ -1,0 +1,222 @@
+#include "murosimf/compare/compare_runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include <fmt/format.h>
+
+#include "murosimf/scene/registry.h"
+#include "murosimf/scene/scene.h"
+#include "murosimf/motion/torque_watch.h"
+
+namespace murosimf::io {
+namespace {
+
+constexpr double longest_record = 36000;  // [s] of which memory could be set aside
+
+/// [s] of processor time that this thread has taken: other programs on the machine do not count.
+double processor_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+SceneOptions scene_options(const CompareOptions& options) {
+  SceneOptions result;
+  result.seed = options.seed;
+  result.overrides = options.overrides;
+  result.lenient = options.lenient;
+  result.stop = options.stop;
+  return result;
+}
+
+std::unique_ptr<Scene> build(const CompareOptions& options, const CompareEntry& entry) {
+  SceneOptions scene = scene_options(options);
+  scene.overrides.push_back(fmt::format("{}.level={}", options.entity, entry.level));
+  if (!entry.contact.empty()) scene.overrides.push_back(fmt::format("{}.contact={}", options.entity, entry.contact));
+  return std::make_unique<Scene>(options.scene, scene);
+}
+
+/// The robot that is to change, from the scene as it is.
+const RobotSpec& find_robot(const SceneSpec& spec, const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const RobotSpec& robot : spec.robots) {
+    if (robot.name == name) return robot;
+    names.emplace_back(robot.name);
+  }
+  if (name == "ball" && spec.ball) throw SetupError("--entity 'ball': a ball has one level; name a robot");
+  if (name == "field") throw SetupError("--entity 'field': the field does not move; name a robot");
+  if (names.empty()) throw SetupError(fmt::format("--entity '{}': the scene has no robots", name));
+  throw SetupError(fmt::format("--entity '{}': {}", name, unknown_name("robot", name, names)));
+}
+
+std::vector<CompareEntry> entries_for(const CompareOptions& options, const RobotSpec& robot) {
+  for (const std::string& name : options.levels) at("--levels", [&] { return &find_entry(levels(), "level", name); });
+  std::vector<std::string> laws = options.contacts;
+  if (laws.empty()) laws.push_back(robot.contact);
+  for (const std::string& name : laws) at("--contacts", [&] { return &find_entry(contacts(), "contact law", name); });
+  std::vector<CompareEntry> entries;
+  for (const Level& level : levels()) {
+    const std::string name(level.name);
+    const auto& wanted = options.levels;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
+    for (const std::string& law : laws) {
+      CompareEntry entry;
+      entry.level = name;
+      if (level.dynamic) entry.contact = law;
+      entries.push_back(std::move(entry));
+      if (!level.dynamic) break;  // it has no contact: one run is enough
+    }
+  }
+  return entries;
+}
+
+/// A level that changes on the way is none that could be compared.
+void check_events(const SceneSpec& spec, const std::string& robot) {
+  for (const SceneEvent& event : spec.events) {
+    const bool concerned = std::find(event.entities.begin(), event.entities.end(), robot) != event.entities.end();
+    if (!concerned || (event.key != "level" && event.key != "contact")) continue;
+    throw SetupError(fmt::format("{}: the {} of '{}' changes on the way; take the event out of the scene to compare it",
+                                 event.where, event.key, robot));
+  }
+}
+
+bool asked_to_stop(const CompareOptions& options) { return options.stop && options.stop(); }
+
+/// Each level runs once to be seen, and `repeat` times to be timed.
+void tell(const CompareOptions& options, const Comparison& c, std::size_t runs_done, const std::string& what) {
+  if (!options.progress) return;
+  const std::size_t all = c.entries.size() * static_cast<std::size_t>(1 + options.repeat);
+  options.progress(static_cast<double>(runs_done) / static_cast<double>(all), what);
+}
+
+bool has_servos(const Model& model) { return !model.having(properties::servo).empty(); }
+
+/// Runs it once with an observer.
+void observe(const CompareOptions& options, double duration, CompareEntry& entry) {
+  const auto scene = build(options, entry);
+  Simulation& simulation = scene->simulation();
+  Entity& robot = simulation.world().entity(options.entity);
+  const bool servos = entry.level == "articulated_dynamics";
+  if (servos && !robot.model().joints().empty() && !has_servos(robot.model())) {
+    throw SetupError(fmt::format("model '{}' has no servos", robot.model().name()));
+  }
+  const auto& recorder =
+      simulation.attach<motion::MotionRecorder>("motion_recorder", robot, scene->spec().rate,
+                                                motion::MotionRecorderOptions{.servos = servos, .longest = duration});
+  simulation.run(from_seconds(duration));
+  if (simulation.now() < from_seconds(duration)) {
+    entry.stopped = true;
+    entry.refusal = fmt::format("stopped at {:.3f} s", seconds(simulation.now()));
+    return;
+  }
+  entry.record = recorder.record();
+  entry.measures = measures_of(entry.record);
+  if (robot.frozen()) entry.frozen = *robot.frozen_reason();
+  entry.overload = motion::overload_message(robot);
+}
+
+void observe_all(const CompareOptions& options, Comparison& result) {
+  for (std::size_t i = 0; i < result.entries.size(); ++i) {
+    CompareEntry& entry = result.entries[i];
+    tell(options, result, i, fmt::format("{} {}", entry.level, entry.contact));
+    try {
+      observe(options, result.duration, entry);
+    } catch (const SetupError& error) {
+      entry.refusal = error.what();
+    }
+  }
+  const auto& entries = result.entries;
+  if (asked_to_stop(options)) return;
+  if (std::none_of(entries.begin(), entries.end(), [](const CompareEntry& e) { return e.ran(); })) {
+    throw SetupError(fmt::format("no level of '{}' can start; {}: {}", options.entity, entries.back().level,
+                                 entries.back().refusal));
+  }
+}
+
+/// The most detailed level that ran; of its laws the first.
+std::size_t find_reference(const std::vector<CompareEntry>& entries) {
+  std::size_t best = 0;
+  bool found = false;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (!entries[i].ran() || (found && entries[best].level == entries[i].level)) continue;
+    best = i;
+    found = true;
+  }
+  return best;
+}
+
+double timed_run(const CompareOptions& options, double duration, const CompareEntry& entry) {
+  const auto scene = build(options, entry);
+  scene->simulation().initialize();
+  const double start = processor_time();
+  scene->simulation().run(from_seconds(duration));
+  return processor_time() - start;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+/// Levels take turns, so that a machine that becomes slower does not make one of them look dear.
+void measure_cost(const CompareOptions& options, Comparison& result) {
+  std::vector<std::vector<double>> times(result.entries.size());
+  for (int round = 0; round < options.repeat; ++round) {
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const std::size_t runs = (static_cast<std::size_t>(round) + 1) * times.size() + i;
+      tell(options, result, runs, fmt::format("timing {} of {}", round + 1, options.repeat));
+      if (!result.entries[i].ran() || asked_to_stop(options)) continue;
+      const double time = timed_run(options, result.duration, result.entries[i]);
+      if (!asked_to_stop(options)) times[i].push_back(time);
+    }
+  }
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!times[i].empty()) result.entries[i].cost = 1e6 * median(times[i]) / result.duration;
+  }
+}
+
+double checked_duration(const CompareOptions& options, const SceneSpec& spec) {
+  const double duration = options.duration.value_or(spec.duration);
+  if (!(duration > 0) || duration > longest_record) {
+    throw SetupError(fmt::format("--duration {}: must be a number above 0 and up to {}", duration, longest_record));
+  }
+  return duration;
+}
+
+}  // namespace
+
+std::string label(const Comparison& comparison, const CompareEntry& entry) {
+  const auto other_law = [&](const CompareEntry& e) { return e.level == entry.level && e.contact != entry.contact; };
+  const bool several = std::any_of(comparison.entries.begin(), comparison.entries.end(), other_law);
+  return several ? fmt::format("{} with {}", entry.level, entry.contact) : entry.level;
+}
+
+Comparison compare(const CompareOptions& options) {
+  if (options.repeat < 1) throw SetupError(fmt::format("--repeat {}: must be at least 1", options.repeat));
+  Comparison result;
+  {
+    const Scene scene(options.scene, scene_options(options));
+    const SceneSpec& spec = scene.spec();
+    result.scene = spec.name;
+    result.entity = options.entity;
+    result.duration = checked_duration(options, spec);
+    result.seed = spec.seed;
+    result.repeat = options.repeat;
+    result.entries = entries_for(options, find_robot(spec, options.entity));
+    check_events(spec, options.entity);
+  }
+  observe_all(options, result);
+  result.reference = find_reference(result.entries);
+  const motion::MotionRecord& reference = result.entries[result.reference].record;
+  for (CompareEntry& entry : result.entries) {
+    if (entry.ran()) entry.deviations = deviations_of(entry.record, reference);
+  }
+  measure_cost(options, result);
+  result.stopped = asked_to_stop(options);
+  return result;
+}
+
+}  // namespace murosimf::io

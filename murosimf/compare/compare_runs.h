@@ -1,0 +1,63 @@
+/// compare_runs.h - runs the same experiment at several levels and contact laws, and measures what each costs.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/compare/compare_metrics.h"
+
+namespace murosimf::io {
+
+struct CompareOptions {
+  std::string scene;                   ///< file, or name of a scene that comes with the program
+  std::string entity;                  ///< the robot whose level changes; all others stay as the scene has them
+  std::vector<std::string> levels;     ///< empty: all
+  std::vector<std::string> contacts;   ///< empty: the scene's for that robot
+  std::vector<std::string> overrides;  ///< PATH=VALUE, as for --set
+  std::optional<double> duration;      ///< [s] instead of the scene's
+  std::optional<std::uint64_t> seed;   ///< instead of the scene's
+  int repeat = 3;                      ///< timed runs per level; their median counts
+  bool lenient = false;                ///< accept unknown elements in model files
+  /// Told what runs, and the share of the work that is done; may be empty.
+  std::function<void(double share, const std::string& what)> progress{};
+  std::function<bool()> stop{};  ///< true: end with what there is; may be empty
+};
+
+/// One level under one contact law.
+struct CompareEntry {
+  std::string level;
+  std::string contact;   ///< empty at levels without contact
+  std::string refusal;   ///< why it did not run; empty: it ran
+  bool stopped = false;  ///< it did not run to its end because somebody asked for that
+  std::string frozen;    ///< why the robot was frozen on the way; empty: it was not
+  std::string overload;  ///< which servos were too weak for what was told (full_dynamics); empty: none
+  motion::MotionRecord record;
+  Measures measures;
+  Deviations deviations;  ///< from the reference
+  double cost = 0;        ///< [us] of processor time per simulated second, of the whole scene; 0: not measured
+  [[nodiscard]] bool ran() const { return refusal.empty(); }
+  /// "could not start: ...", "stopped at 1.234 s".
+  [[nodiscard]] std::string why_not() const { return (stopped ? "" : "could not start: ") + refusal; }
+};
+
+struct Comparison {
+  std::string scene, entity;
+  double duration = 0;  ///< [s]
+  std::uint64_t seed = 0;
+  int repeat = 0;
+  std::vector<CompareEntry> entries;  ///< levels from simple to detailed, laws as they were asked for
+  std::size_t reference = 0;          ///< the most detailed level that ran, under the first law
+  bool stopped = false;               ///< before all had run and been timed: maybe none ran, maybe no cost is known
+};
+
+/// "full_dynamics", or "full_dynamics with paper" if the level ran under several laws.
+[[nodiscard]] std::string label(const Comparison& comparison, const CompareEntry& entry);
+
+/// Throws SetupError for users' mistakes: unknown scene, entity, level or law (with the nearest name), an entity without levels,
+/// no level that can start. A level that the model or the scene cannot have is no mistake: its entry says why.
+[[nodiscard]] Comparison compare(const CompareOptions& options);
+
+}  // namespace murosimf::io

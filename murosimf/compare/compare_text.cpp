@@ -1,0 +1,90 @@
+// The comparison as tables.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/compare/compare_report.h"
+
+namespace murosimf::io {
+namespace {
+
+std::string law(const CompareEntry& entry) { return entry.contact.empty() ? "-" : entry.contact; }
+
+std::string head(const Comparison& c) {
+  return fmt::format("{}: {} for {:g} s, seed {}; reference: {}\n", c.scene, c.entity, c.duration, c.seed,
+                     label(c, c.entries[c.reference]));
+}
+
+/// "1, 0.52 s": how often, and when first.
+std::string falls(const Measures& m) {
+  if (m.falls == 0) return "0";
+  const std::size_t first = m.events[1].down ? 1 : 2;
+  return fmt::format("{}, {:.2f} s", m.falls, m.events[first].time);
+}
+
+std::string servos(const CompareEntry& e) {
+  if (!e.frozen.empty()) return "frozen";
+  if (e.level == "articulated_dynamics") return fmt::format("{:.0f} % full", 100 * e.record.full_duty);
+  return e.overload.empty() ? "-" : "too weak";
+}
+
+std::string happened(const CompareEntry& e, double reference_cost) {
+  const std::string front = fmt::format("{:<20} {:<19}", e.level, law(e));
+  if (!e.ran()) return fmt::format("{} {}\n", front, e.why_not());
+  const Measures& m = e.measures;
+  const std::string torque = m.peak_joint.empty() ? "-" : fmt::format("{:.2f} Nm", m.peak_torque);
+  const bool timed = e.cost > 0 && reference_cost > 0;
+  const std::string cost =
+      timed ? fmt::format("{:>9.0f} {:>5.2f}", e.cost, e.cost / reference_cost) : "        -     -";
+  return fmt::format("{} {} {:>5.2f} m {:>5.3f} m {:>5.3f} m {:>10} {:>9} {:>6.2f} {:>5.2f} m  {}\n", front, cost,
+                     m.path_length, m.slip, m.clearance, torque, falls(m), m.end.x, m.end.y, servos(e));
+}
+
+std::string happened(const Comparison& c) {
+  std::string text =
+      fmt::format("\n{:<20} {:<19} {:>9} {:>5} {:>7} {:>7} {:>7} {:>10} {:>9} {:>14}  {}\n", "level", "contact",
+                  "us per s", "cost", "path", "slip", "lift", "torque", "falls", "ends at", "servos");
+  for (const CompareEntry& entry : c.entries) text += happened(entry, c.entries[c.reference].cost);
+  return text;
+}
+
+std::string deviated(const CompareEntry& e) {
+  std::string text = fmt::format("{:<20} {:<19}", e.level, law(e));
+  for (const Quantity& q : quantities()) text += fmt::format(" {:>11}", number_of(q, q.of(e.deviations)));
+  const double torque = 100 * e.deviations.torque;
+  return text + fmt::format(" {:>8}\n", std::isnan(torque) ? "-" : fmt::format("{:.0f} %", torque));
+}
+
+std::string judged(const CompareEntry& e, const LevelVerdict& verdict) {
+  const std::string text =
+      verdict.adequate ? "adequate" : fmt::format("not adequate: {}", fmt::join(verdict.reasons, "; "));
+  return fmt::format("{:<20} {:<19} {}\n", e.level, law(e), text);
+}
+
+/// Those that can be compared with the reference: their deviations, then what follows from them.
+std::string compared(const Comparison& c, const Recommendation& r) {
+  std::string numbers = fmt::format("\n{:<20} {:<19}", "off the reference by", "");
+  for (const Quantity& q : quantities()) numbers += fmt::format(" {:>11}", q.name);
+  numbers += fmt::format(" {:>8}\n", "torque");
+  std::string words;
+  for (std::size_t i = 0; i < c.entries.size(); ++i) {
+    const CompareEntry& e = c.entries[i];
+    if (!e.ran() || i == c.reference) continue;
+    numbers += deviated(e);
+    words += judged(e, r.verdicts[i]);
+  }
+  return words.empty() ? std::string{} : numbers + "\n" + words;
+}
+
+}  // namespace
+
+std::string to_text(const Comparison& comparison, const Recommendation& recommendation) {
+  std::string text = head(comparison) + happened(comparison) + compared(comparison, recommendation) + "\n";
+  for (const CompareEntry& entry : comparison.entries) {
+    if (!entry.overload.empty()) text += fmt::format("{}: {}\n", label(comparison, entry), entry.overload);
+  }
+  return text + recommendation.sentence + "\n";
+}
+
+}  // namespace murosimf::io

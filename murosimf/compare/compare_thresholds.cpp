@@ -1,0 +1,64 @@
+#include "murosimf/compare/compare_thresholds.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/math/scalar.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+constexpr std::array all{
+    Quantity{"path_length", "path length", "%", 100, 1, 20, &Deviations::path_length},
+    Quantity{"path", "path", "m", 1, 3, 0.12, &Deviations::path},
+    Quantity{"center_mean", "mean place of the center of mass", "m", 1, 3, 0.10, &Deviations::center_mean},
+    Quantity{"center_max", "center of mass", "m", 1, 3, 0.20, &Deviations::center_max},
+    Quantity{"pitch", "torso pitch", "deg", 180 / pi, 1, 5, &Deviations::pitch},
+    Quantity{"roll", "torso roll", "deg", 180 / pi, 1, 5, &Deviations::roll},
+    Quantity{"rate", "torso angular rate", "rad/s", 1, 2, 0.7, &Deviations::rate},
+    Quantity{"slip", "foot slip", "mm/s", 1000, 1, 20, &Deviations::slip},
+    Quantity{"clearance", "foot clearance", "mm", 1000, 0, 20, &Deviations::clearance},
+};
+
+double value_of(const std::string& text, std::size_t begin, const std::string& where) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [parsed, error] = std::from_chars(text.data() + begin, end, value);
+  if (error != std::errc{} || parsed != end || !(value >= 0 && std::isfinite(value))) {
+    throw SetupError(where + ": the value must be a number from 0");
+  }
+  return value;
+}
+
+}  // namespace
+
+std::span<const Quantity> quantities() { return all; }
+
+std::string number_of(const Quantity& quantity, double value) {
+  return fmt::format("{:.{}f} {}", value, quantity.decimals, quantity.unit);
+}
+
+Thresholds::Thresholds() {
+  for (const Quantity& quantity : all) values.push_back(quantity.threshold);
+}
+
+void Thresholds::set(const std::string& text) {
+  const std::string where = fmt::format("--threshold '{}'", text);
+  const auto equals = text.find('=');
+  if (equals == std::string::npos) throw SetupError(where + ": write NAME=VALUE, for example 'pitch=5'");
+  const std::string name = text.substr(0, equals);
+  std::vector<std::string_view> names{"fall_time"};
+  double* known = name == "fall_time" ? &fall_time : nullptr;
+  for (std::size_t q = 0; q < all.size(); ++q) {
+    names.push_back(all[q].name);
+    if (all[q].name == name) known = &values[q];
+  }
+  if (!known) throw SetupError(fmt::format("{}: {}", where, unknown_name("threshold", name, names)));
+  *known = value_of(text, equals + 1, where);
+}
+
+}  // namespace murosimf::io

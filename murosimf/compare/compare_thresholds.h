@@ -1,0 +1,41 @@
+/// compare_thresholds.h - which deviations count, and from which size on (docs/compare.md gives the reasons).
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/compare/compare_metrics.h"
+
+namespace murosimf::io {
+
+/// One deviation that has a threshold.
+struct Quantity {
+  std::string_view name;   ///< for --threshold
+  std::string_view words;  ///< in sentences
+  std::string_view unit;   ///< of the threshold and of what is printed
+  double scale;            ///< from SI to that unit
+  int decimals;            ///< that are worth printing
+  double threshold;        ///< default, in that unit
+  double Deviations::*deviation;
+
+  [[nodiscard]] double of(const Deviations& deviations) const { return scale * (deviations.*deviation); }
+};
+
+[[nodiscard]] std::span<const Quantity> quantities();
+
+/// "12.9 %"
+[[nodiscard]] std::string number_of(const Quantity& quantity, double value);
+
+/// What still counts as the same.
+struct Thresholds {
+  Thresholds();
+  /// "NAME=VALUE", in the unit of the quantity. Throws SetupError with the nearest name.
+  void set(const std::string& text);
+
+  std::vector<double> values;  ///< as quantities(), in their units
+  double fall_time = 0.25;     ///< [s] between the falls of two levels
+};
+
+}  // namespace murosimf::io

@@ -1,0 +1,31 @@
+/// compare_verdict.h - which level is adequate: the cheapest one that deviates by less than the thresholds.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "murosimf/compare/compare_runs.h"
+#include "murosimf/compare/compare_thresholds.h"
+
+namespace murosimf::io {
+
+struct LevelVerdict {
+  bool adequate = false;
+  std::vector<std::string> reasons;  ///< why not
+};
+
+/// Adequate is what ran to its end, fell and got up when the reference did, and deviates by less than the thresholds. Runs
+/// after a fall drift apart at any level: if the reference fell, its falls alone are compared.
+[[nodiscard]] LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference,
+                                 const Thresholds& thresholds);
+
+struct Recommendation {
+  std::string sentence;
+  std::string level, contact;          ///< adequate at the lowest cost; empty if nothing can be said
+  std::vector<LevelVerdict> verdicts;  ///< as the entries
+};
+
+/// Costs that differ by less than a fifth count as equal: then the simpler level is recommended.
+[[nodiscard]] Recommendation recommend(const Comparison& comparison, const Thresholds& thresholds);
+
+}  // namespace murosimf::io

@@ -1,0 +1,19 @@
+// Stands in for the reader and writer of calibrations where yaml-cpp is missing.
+#include "murosimf/components/camera_info.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+[[noreturn]] void refuse() {
+  throw SetupError(
+      "camera calibrations are off in this build: yaml-cpp was missing (Debian and Ubuntu: libyaml-cpp-dev)");
+}
+
+}  // namespace
+
+CameraInfo read_camera_info(const std::filesystem::path& /*file*/) { refuse(); }
+
+std::string camera_info_yaml(const CameraInfo& /*info*/) { refuse(); }
+
+}  // namespace murosimf::io

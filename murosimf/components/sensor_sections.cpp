@@ -1,0 +1,83 @@
+#include "murosimf/components/sensor_sections.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "murosimf/scene/registry.h"
+#include "murosimf/components/sensor_signal.h"
+#include "murosimf/components/sensor_types.h"
+#include "murosimf/components/servo_sections.h"
+
+namespace murosimf::io {
+namespace {
+
+using sensors::SensorSpec;
+
+/// [rad] Angles r, p, y with R_z(y) R_y(p) R_x(r) = turn.
+Vec3d roll_pitch_yaw(const Mat3d& turn) {
+  const Vec3d &x = turn.x, &y = turn.y, &z = turn.z;  // columns
+  const double level = std::hypot(x.x, x.y);
+  const double pitch = std::atan2(-x.z, level);
+  if (level < 1e-9) return {std::atan2(-z.y, y.y), pitch, 0};  // only the sum of roll and yaw matters
+  return {std::atan2(y.z, z.z), pitch, std::atan2(x.y, x.x)};
+}
+
+std::string place_of(const SensorSpec& spec) {
+  std::string text;
+  if (!spec.frame.empty()) text += fmt::format("frame = {}\n", quoted(spec.frame));
+  const Vec3d& p = spec.position;
+  if (!is_zero(p)) text += fmt::format("position = [{}, {}, {}]\n", p.x, p.y, p.z);
+  const auto angles = [&](const char* key, const Vec3d& rpy) {
+    const Vec3d degrees = (180 / std::numbers::pi) * rpy;
+    text += fmt::format("{} = [{:.13g}, {:.13g}, {:.13g}]\n", key, degrees.x, degrees.y, degrees.z);
+  };
+  if (!is_identity(spec.orientation)) angles("rpy_deg", roll_pitch_yaw(spec.orientation));
+  if (!is_zero(spec.mounting_error)) angles("mounting_error_deg", spec.mounting_error);
+  return text;
+}
+
+std::string objects_of(const SensorSpec& spec) {
+  if (spec.objects.empty()) return {};
+  std::string names;
+  for (const std::string& object : spec.objects) names += (names.empty() ? "" : ", ") + quoted(object);
+  const SensorType& type = find_entry(sensor_types(), "sensor type", spec.type);
+  return fmt::format("{} = [{}]\n", type.objects, names);
+}
+
+std::string numbers_of(const SensorSpec& spec) {
+  const SensorType& type = find_entry(sensor_types(), "sensor type", spec.type);
+  const std::string flags = fmt::format(" {} ", type.flags);
+  std::string text;
+  for (const auto& [key, number] : spec.numbers) {
+    const bool is_flag = flags.find(fmt::format(" {} ", key)) != std::string::npos;
+    text += is_flag ? fmt::format("{} = {}\n", key, number != 0) : fmt::format("{} = {}\n", key, number);
+  }
+  for (const auto& [key, word] : spec.texts) text += fmt::format("{} = {}\n", key, quoted(word));
+  return text;
+}
+
+std::string section(const SensorSpec& spec) {
+  std::string text = fmt::format("\n[sensors.{}]\ntype = {}\n", spec.name, quoted(spec.type)) + place_of(spec);
+  if (spec.rate > 0) text += fmt::format("rate = {}\n", spec.rate);
+  if (spec.delay > 0) text += fmt::format("delay = {}\n", spec.delay);
+  text += objects_of(spec);
+  text += numbers_of(spec);
+  if (const auto all = spec.signals.find(""); all != spec.signals.end()) text += signal_toml(all->second);
+  for (const auto& [output, signal] : spec.signals) {
+    if (output.empty()) continue;
+    text += fmt::format("[sensors.{}.{}]\n{}", spec.name, output, signal_toml(signal));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string sensor_sections(const std::vector<SensorSpec>& sensors) {
+  std::string text;
+  for (const SensorSpec& spec : sensors) text += section(spec);
+  return text;
+}
+
+}  // namespace murosimf::io

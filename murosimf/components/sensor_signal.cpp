@@ -1,0 +1,99 @@
+#include "murosimf/components/sensor_signal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/components/sensor_values.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+using sensors::SignalSpec;
+
+struct Key {
+  std::string_view name;
+  double SignalSpec::*member;
+  bool bound = false;  ///< of the range: may be negative or infinite
+};
+
+constexpr std::array keys{Key{"scale_error", &SignalSpec::scale_error},
+                          Key{"misalignment", &SignalSpec::misalignment},
+                          Key{"bias", &SignalSpec::bias},
+                          Key{"bias_random_walk", &SignalSpec::bias_random_walk},
+                          Key{"noise_density", &SignalSpec::noise_density},
+                          Key{"noise", &SignalSpec::noise},
+                          Key{"low_pass", &SignalSpec::low_pass},
+                          Key{"lowest", &SignalSpec::lowest, true},
+                          Key{"highest", &SignalSpec::highest, true},
+                          Key{"resolution", &SignalSpec::resolution}};
+
+void take_range(SignalSpec& signal, const SensorValues& values) {
+  const SensorValue& value = values.at("range");
+  if (values.contains("lowest") || values.contains("highest")) {
+    fail(value.where, "'range' says the same as 'lowest' and 'highest'; keep one");
+  }
+  const double range = number_of("range", value);
+  if (!(range > 0)) fail(value.where, "'range' must be a number above 0: from -range to range");
+  signal.lowest = -range;
+  signal.highest = range;
+}
+
+void take_bits(SignalSpec& signal, const SensorValue& value) {
+  const double bits = number_of("bits", value);
+  if (!(bits >= 0 && bits <= 32 && bits == std::floor(bits))) {
+    fail(value.where, "'bits' must be a whole number from 0 to 32");
+  }
+  signal.bits = static_cast<int>(bits);
+}
+
+void take_number(SignalSpec& signal, const Key& key, const SensorValue& value) {
+  const double number = number_of(std::string(key.name), value);
+  if (!key.bound && !(number >= 0 && std::isfinite(number))) {
+    fail(value.where, fmt::format("'{}' must be a finite number, at least 0", key.name));
+  }
+  signal.*key.member = number;
+}
+
+}  // namespace
+
+std::vector<std::string_view> signal_keys() {
+  std::vector<std::string_view> names;
+  for (const Key& key : keys) names.push_back(key.name);
+  names.insert(names.end(), {"range", "bits"});
+  return names;
+}
+
+void change_signal(SignalSpec& signal, const SensorValues& values) {
+  if (values.contains("range")) take_range(signal, values);
+  if (values.contains("bits") && !values.contains("resolution")) signal.resolution = 0;
+  if (values.contains("resolution") && !values.contains("bits")) signal.bits = 0;
+  for (const auto& [name, value] : values) {
+    if (name == "range") continue;
+    if (name == "bits") {
+      take_bits(signal, value);
+      continue;
+    }
+    const auto key = std::ranges::find(keys, name, &Key::name);
+    if (key == keys.end()) fail(value.where, unknown_name("key of a sensor's output", name, signal_keys()));
+    take_number(signal, *key, value);
+  }
+}
+
+std::string signal_toml(const SignalSpec& signal) {
+  const SignalSpec perfect;
+  std::string text;
+  const bool symmetric = signal.lowest == -signal.highest && std::isfinite(signal.highest);
+  for (const Key& key : keys) {
+    if (signal.*key.member == perfect.*key.member || (key.bound && symmetric)) continue;
+    text += fmt::format("{} = {}\n", key.name, signal.*key.member);
+  }
+  if (symmetric) text += fmt::format("range = {}\n", signal.highest);
+  if (signal.bits != 0) text += fmt::format("bits = {}\n", signal.bits);
+  return text;
+}
+
+}  // namespace murosimf::io

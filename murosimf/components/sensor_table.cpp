@@ -1,0 +1,262 @@
+#include "murosimf/components/sensor_table.h"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "murosimf/components/camera_info.h"
+#include "murosimf/files/data_path.h"
+#include "murosimf/scene/registry.h"
+#include "murosimf/components/sensor_signal.h"
+#include "murosimf/components/sensor_toml.h"
+#include "murosimf/components/sensor_types.h"
+#include "murosimf/components/sensor_values.h"
+#include "murosimf/model/error.h"
+#include "murosimf/sensors/camera_spec.h"
+
+namespace murosimf::io {
+namespace {
+
+using sensors::SensorSpec;
+using Names = std::vector<std::string_view>;
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double farthest_place = 1e4;                    // [m]
+constexpr double lowest_rate = 1e-3, highest_rate = 1e6;  // [Hz] nanoseconds count them exactly
+
+Names words_of(std::string_view text) {
+  Names words;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (end > 0) words.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return words;
+}
+
+bool contains(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
+
+/// Writes what a table says into a spec whose type is known.
+class Changer {
+ public:
+  explicit Changer(SensorSpec& spec)
+      : spec_(spec),
+        type_(find_entry(sensor_types(), "sensor type", spec.type)),
+        numbers_(words_of(type_.numbers)),
+        objects_(words_of(type_.objects)),
+        flags_(words_of(type_.flags)),
+        texts_(words_of(type_.texts)) {}
+
+  /// `keys`: those besides numbers, objects and signals that the table may have.
+  void take(const SensorTable& table, const Names& keys, const std::filesystem::path& beside) {
+    check_keys(table, keys);
+    if (const auto file = table.values.find("calibration"); file != table.values.end()) {
+      take_calibration(table, file->second, beside);  // first: the keys beside it win
+    }
+    SensorValues signal;
+    for (const auto& [key, value] : table.values) {
+      const bool own = contains(keys, key) || is_own(key);
+      if (own) {
+        take_value(key, value);
+      } else {
+        signal.emplace(key, value);
+      }
+    }
+    if (signal.empty()) return;
+    spec_.signals.try_emplace("");
+    for (auto& [output, numbers] : spec_.signals) change_signal(numbers, signal);
+  }
+
+  void take_outputs(const SensorTable& table, bool of_part) {
+    for (const auto& [output, values] : table.outputs) {
+      const bool known = spec_.signals.contains(output);
+      if (of_part && !known) spec_.part_outputs.insert(output);
+      if (!of_part) spec_.part_outputs.erase(output);
+      change_signal(spec_.signals.try_emplace(output, spec_.signal(output)).first->second, values);
+    }
+  }
+
+ private:
+  void check_keys(const SensorTable& table, Names known) const {
+    for (const Names* keys : {&numbers_, &objects_, &flags_, &texts_})
+      known.insert(known.end(), keys->begin(), keys->end());
+    const Names signal = signal_keys();
+    known.insert(known.end(), signal.begin(), signal.end());
+    for (const auto& [key, value] : table.values) {
+      if (contains(known, key)) continue;
+      fail(value.where, unknown_name(fmt::format("key of sensor type '{}',", type_.name), key, known));
+    }
+  }
+
+  /// The type has a key of this name.
+  [[nodiscard]] bool is_own(std::string_view key) const {
+    return contains(numbers_, key) || contains(objects_, key) || contains(flags_, key) || contains(texts_, key);
+  }
+
+  /// The numbers of a calibration file; scaled, if the table asks for another size of the picture.
+  void take_calibration(const SensorTable& table, const SensorValue& value, const std::filesystem::path& beside) {
+    const std::string name = name_of("calibration", value);
+    const auto file = at(value.where, [&] { return find_lens_file(name, beside); });
+    const sensors::LensSpec lens = at(value.where, [&] { return read_camera_info(file).lens; });
+    const auto scale = [&](const char* key, int size) {
+      const auto other = table.values.find(key);
+      return other == table.values.end() ? 1 : finite_number(key, other->second) / size;
+    };
+    const double x = scale("width", lens.width), y = scale("height", lens.height);
+    for (const std::string_view model : sensors::lens_models()) {
+      for (const std::string& key : sensors::lens_coefficients(model)) spec_.numbers.erase(key);
+    }
+    spec_.texts["lens"] = lens.model;
+    spec_.numbers["width"] = lens.width;
+    spec_.numbers["height"] = lens.height;
+    spec_.numbers["fx"] = x * lens.fx;
+    spec_.numbers["fy"] = y * lens.fy;
+    spec_.numbers["cx"] = x * (lens.cx + 0.5) - 0.5;  // pixels begin half of one before their middle
+    spec_.numbers["cy"] = y * (lens.cy + 0.5) - 0.5;
+    const auto keys = sensors::lens_coefficients(lens.model);
+    for (std::size_t i = 0; i < keys.size() && i < lens.coefficients.size(); ++i) {
+      spec_.numbers[keys[i]] = lens.coefficients[i];
+    }
+  }
+
+  void take_value(const std::string& key, const SensorValue& value) {
+    if (contains(numbers_, key)) {
+      spec_.numbers[key] = finite_number(key, value);
+    } else if (contains(flags_, key)) {
+      spec_.numbers[key] = flag_of(key, value) ? 1 : 0;
+    } else if (key == "calibration") {
+      return;  // taken already
+    } else if (contains(texts_, key)) {
+      spec_.texts[key] = name_of(key, value);
+    } else if (contains(objects_, key)) {
+      spec_.objects = names_of(key, value);
+    } else if (key == "rate") {
+      spec_.rate = finite_number(key, value);
+      if (!(spec_.rate >= lowest_rate && spec_.rate <= highest_rate)) {
+        fail(value.where, "'rate' must be from 0.001 to 1000000 Hz; without it there is a sample in every step");
+      }
+    } else if (key == "delay") {
+      spec_.delay = finite_number(key, value);
+      if (!(spec_.delay >= 0 && spec_.delay <= 10)) fail(value.where, "'delay' must be from 0 to 10 s");
+    } else if (key == "frame") {
+      spec_.frame = name_of(key, value);
+    } else if (key == "position") {
+      spec_.position = vector_of(key, value);
+      if (!(norm(spec_.position) <= farthest_place)) fail(value.where, "'position' is further than 10 km away");
+    } else if (key == "rpy_deg") {
+      const Vec3d rpy = degree * vector_of(key, value);
+      spec_.orientation = rotation_z(rpy.z) * rotation_y(rpy.y) * rotation_x(rpy.x);
+    } else if (key == "mounting_error_deg") {
+      spec_.mounting_error = degree * vector_of(key, value);
+    }
+  }
+
+  SensorSpec& spec_;
+  const SensorType& type_;
+  Names numbers_, objects_, flags_, texts_;
+};
+
+std::optional<std::string> text_of(const SensorTable& table, const std::string& key) {
+  const auto found = table.values.find(key);
+  if (found == table.values.end()) return std::nullopt;
+  return name_of(key, found->second);
+}
+
+SensorTable read_part(const std::string& name, const std::string& where, const std::filesystem::path& beside) {
+  if (const auto file = look_for_data_file(name, "parts", ".toml", beside)) return read_part_file(*file);
+  const auto names = sensor_parts();
+  fail(where, unknown_name("part", name, Names(names.begin(), names.end())));
+}
+
+void check_signals(const SensorSpec& spec) {
+  for (const auto& [output, signal] : spec.signals) {
+    at(spec.where, [&, &name = output, &numbers = signal] {
+      at(name.empty() ? spec.name : spec.name + "." + name, [&] { sensors::check(numbers); });
+    });
+  }
+}
+
+/// The type that a table says, if it says one.
+std::optional<std::string> type_of(const SensorTable& table) {
+  const auto type = text_of(table, "type");
+  if (type) at(table.values.at("type").where, [&] { (void)find_entry(sensor_types(), "sensor type", *type); });
+  return type;
+}
+
+/// The sensor as it is before keys are taken over: `old`, or a new one. Null: there is none of that name.
+SensorSpec begin(const SensorSpec* old, const SensorTable& table, const std::optional<SensorTable>& part) {
+  auto type = type_of(table);
+  SensorSpec spec;
+  if (old && !type) spec = *old;
+  if (!old && !type && part) type = type_of(*part);
+  if (type) spec.type = *type;
+  if (spec.type.empty()) fail(table.where, fmt::format("sensor '{}' needs type = \"...\"", table.name));
+  spec.name = table.name;
+  spec.where = table.where;
+  return spec;
+}
+
+/// The sensor that a table makes of `old`.
+SensorSpec changed(const SensorSpec* old, const SensorTable& table, const std::filesystem::path& beside) {
+  std::optional<SensorTable> part;
+  if (const auto name = text_of(table, "part")) part = read_part(*name, table.values.at("part").where, beside);
+  SensorSpec spec = begin(old, table, part);
+  Changer changer(spec);
+  if (part) {
+    spec.part = part->name;
+    spec.signals.clear();
+    spec.numbers.clear();
+    spec.texts.clear();
+    spec.part_outputs.clear();
+    changer.take(*part, {"type", "rate", "delay"}, beside);
+    changer.take_outputs(*part, true);
+  }
+  changer.take(table, {"type", "part", "frame", "position", "rpy_deg", "mounting_error_deg", "rate", "delay"}, beside);
+  changer.take_outputs(table, false);
+  check_signals(spec);
+  return spec;
+}
+
+[[noreturn]] void refuse_removal(const SensorTable& table, const std::vector<SensorSpec>& sensors) {
+  Names names;
+  for (const SensorSpec& spec : sensors) names.push_back(spec.name);
+  if (names.empty()) fail(table.where, fmt::format("there is no sensor '{}' to remove", table.name));
+  fail(table.where, unknown_name("sensor", table.name, names));
+}
+
+}  // namespace
+
+bool is_sensor_name(std::string_view name) {
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !name.empty() && std::ranges::all_of(name, fits);
+}
+
+void change_sensors(std::vector<SensorSpec>& sensors, const std::vector<SensorTable>& tables,
+                    const std::filesystem::path& beside) {
+  for (const SensorTable& table : tables) {
+    const auto found = std::ranges::find(sensors, table.name, &SensorSpec::name);
+    const bool known = found != sensors.end();
+    if (table.removes) {
+      if (!known) refuse_removal(table, sensors);
+      sensors.erase(found);
+      continue;
+    }
+    if (!is_sensor_name(table.name)) {
+      fail(table.where, fmt::format("'{}' is no name of a sensor: letters, digits, _ and - only", table.name));
+    }
+    SensorSpec spec = changed(known ? &*found : nullptr, table, beside);
+    if (known) {
+      *found = std::move(spec);
+    } else {
+      sensors.push_back(std::move(spec));
+    }
+  }
+}
+
+std::vector<std::string> sensor_parts() { return data_file_names("parts", ".toml"); }
+
+}  // namespace murosimf::io

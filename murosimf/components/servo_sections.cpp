@@ -1,0 +1,109 @@
+#include "murosimf/components/servo_sections.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "murosimf/files/xml_element.h"
+
+namespace murosimf::io {
+namespace {
+
+constexpr std::size_t line_length = 100;
+
+/// What tells drives apart: gains, limits and losses of a joint.
+struct Drive {
+  bool guessed = false;
+  double stall_torque = 0, position_gain = 0, velocity_gain = 0;
+  double armature = 0, friction = 0, damping = 0;
+  bool operator==(const Drive&) const = default;
+};
+
+struct Group {
+  Drive drive;
+  std::vector<std::string> joints;
+};
+
+Drive drive_of(const DraftJoint& joint) {
+  const Servo& servo = *joint.servo;
+  return {servo.type == guessed_servo,
+          servo.stall_torque,
+          servo.position_gain,
+          servo.velocity_gain,
+          joint.armature,
+          joint.friction,
+          joint.damping};
+}
+
+std::vector<Group> groups_of(const RobotDraft& draft) {
+  std::set<std::string> followers;
+  for (const DraftMimic& mimic : draft.mimics) followers.insert(mimic.joint);
+  std::vector<Group> groups;
+  for (const DraftBody& body : draft.bodies) {
+    for (const DraftJoint& joint : body.joints) {
+      if (!joint.servo || followers.contains(joint.name)) continue;
+      const Drive drive = drive_of(joint);
+      auto group = std::ranges::find(groups, drive, &Group::drive);
+      if (group == groups.end()) group = groups.insert(groups.end(), {drive, {}});
+      group->joints.push_back(joint.name);
+    }
+  }
+  return groups;
+}
+
+std::string line(std::string_view key, double value, std::string_view meaning) {
+  return fmt::format("{:<40}# {}\n", fmt::format("{} = {}", key, value), meaning);
+}
+
+std::string unless_zero(std::string_view key, double value, std::string_view meaning) {
+  return value == 0 ? "" : line(key, value, meaning);
+}
+
+std::string joint_list(const std::vector<std::string>& joints) {
+  std::string text = "joints = [\n", row = " ";
+  for (const std::string& joint : joints) {
+    const std::string item = " " + quoted(joint) + ",";
+    if (row.size() + item.size() > line_length && row.size() > 1) {
+      text += row + "\n";
+      row = " ";
+    }
+    row += item;
+  }
+  return text + row + "\n]\n";
+}
+
+std::string section(const Drive& drive) {
+  const std::string guess = drive.guessed ? " guessed: all torque at 0.1 rad, all force at 0.02 m" : "";
+  return "law = \"ideal_pd\"\n" + unless_zero("stall_torque", drive.stall_torque, "[N m] largest torque") +
+         line("position_gain", drive.position_gain, "[N m/rad | N/m]" + guess) +
+         unless_zero("velocity_gain", drive.velocity_gain,
+                     "[N m s/rad]" + std::string(drive.guessed ? " guessed" : "")) +
+         line("rotor_inertia", drive.armature, "[kg m^2] armature of the joint") +
+         unless_zero("coulomb_friction", drive.friction, "[N m] frictionloss of the joint") +
+         unless_zero("viscous_friction", drive.damping, "[N m s/rad] damping of the joint");
+}
+
+}  // namespace
+
+std::string quoted(const std::string& name) {
+  std::string text = "\"";
+  for (const char c : one_line(name)) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + "\"";
+}
+
+std::string servo_sections(const RobotDraft& draft) {
+  std::string text;
+  int number = 0;
+  for (const Group& group : groups_of(draft)) {
+    text += fmt::format("[servos.servo_{}]\n{}{}\n", ++number, section(group.drive), joint_list(group.joints));
+  }
+  return text;
+}
+
+}  // namespace murosimf::io

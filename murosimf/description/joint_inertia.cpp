@@ -1,0 +1,44 @@
+#include "murosimf/description/joint_inertia.h"
+
+#include <cmath>
+
+namespace murosimf::io {
+
+double reference_of(const RobotDraft& draft, const std::string& name) {
+  for (const DraftBody& body : draft.bodies) {
+    for (const DraftJoint& joint : body.joints) {
+      if (joint.name == name) return joint.reference;
+    }
+  }
+  return 0;
+}
+
+double reflected_inertia(const RobotDraft& draft, std::size_t body, const DraftJoint& joint) {
+  const Vec3d axis = (1.0 / norm(joint.axis)) * joint.axis;
+  std::vector<std::optional<Place>> places(draft.bodies.size());  // in the frame of `body`; none: not behind it
+  places[body] = Place{};
+  double inertia = joint.armature;
+  for (std::size_t b = body; b < draft.bodies.size(); ++b) {
+    const DraftBody& moved_body = draft.bodies[b];
+    if (b != body && moved_body.parent >= 0 && places[moved_body.parent]) {
+      places[b] = inside(*places[moved_body.parent], moved_body.place);
+    }
+    if (!places[b]) continue;
+    const MassProperties solid = moved(moved_body.solid, places[b]->position, places[b]->orientation);
+    const SymMat3d at_anchor = solid.inertia + solid.mass * inertia_of_point(solid.center - joint.anchor);
+    inertia += joint.kind == Kind::prismatic ? solid.mass : dot(axis, at_anchor * axis);
+  }
+  return inertia;
+}
+
+void resolve_damping_ratios(RobotDraft& draft) {
+  for (std::size_t b = 0; b < draft.bodies.size(); ++b) {
+    for (DraftJoint& joint : draft.bodies[b].joints) {
+      if (!joint.servo || !(joint.damping_ratio > 0)) continue;
+      joint.servo->velocity_gain =
+          2 * joint.damping_ratio * std::sqrt(joint.servo->position_gain * reflected_inertia(draft, b, joint));
+    }
+  }
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,65 @@
+#include "murosimf/files/data_path.h"
+
+#include <cstdlib>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> data_roots() {
+  std::vector<fs::path> roots;
+  if (const char* variable = std::getenv("MUROSIMF_DATA")) roots.emplace_back(variable);
+  std::error_code error;
+  if (const fs::path program = fs::read_symlink("/proc/self/exe", error); !error) {
+    roots.push_back(program.parent_path().parent_path() / "share" / "murosimf");
+  }
+  roots.emplace_back(MUROSIMF_INSTALL_DATA_DIR);
+  roots.emplace_back(MUROSIMF_SOURCE_DIR);
+  return roots;
+}
+
+}  // namespace
+
+std::filesystem::path find_data_file(std::string_view name, std::string_view kind, std::string_view extension,
+                                     const std::filesystem::path& beside) {
+  if (const auto file = look_for_data_file(name, kind, extension, beside)) return *file;
+  throw SetupError(fmt::format("no file '{}' or '{}{}' here or among the {} that come with the program", name, name,
+                               extension, kind));
+}
+
+std::optional<std::filesystem::path> look_for_data_file(std::string_view name, std::string_view kind,
+                                                        std::string_view extension,
+                                                        const std::filesystem::path& beside) {
+  std::vector<fs::path> places{fs::path(name)};
+  if (!beside.empty()) places.push_back(beside / name);
+  for (const fs::path& root : data_roots()) {
+    places.push_back(root / name);
+    places.push_back(root / kind / name);
+  }
+  for (const fs::path& place : places) {
+    for (const fs::path& candidate : {place, fs::path(place.string() + std::string(extension))}) {
+      std::error_code error;
+      if (fs::is_regular_file(candidate, error)) return candidate;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> data_file_names(std::string_view kind, std::string_view extension) {
+  std::set<std::string> names;
+  for (const fs::path& root : data_roots()) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(root / kind, error)) {
+      if (entry.path().extension() == extension) names.insert(entry.path().stem().string());
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
+}  // namespace murosimf::io

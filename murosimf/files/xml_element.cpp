@@ -1,0 +1,150 @@
+#include "murosimf/files/xml_element.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include "murosimf/files/input_file.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+}  // namespace
+
+/// One XML file, and what its include elements bring in.
+struct XmlSource {
+  std::string name;
+  tinyxml2::XMLDocument document;
+  std::map<const void*, XmlElement> included;  ///< root of the other file, by XmlElement::id
+};
+
+namespace {
+
+std::unique_ptr<XmlSource> read_source(const std::filesystem::path& file) {
+  auto source = std::make_unique<XmlSource>();
+  source->name = file.string();
+  const std::string& name = source->name;
+  tinyxml2::XMLDocument& document = source->document;
+  const std::string text = read_input_file(file, most_xml_bytes);
+  const auto error = document.Parse(text.data(), text.size());
+  if (error != tinyxml2::XML_SUCCESS || !document.RootElement()) {
+    const int line = std::max(1, document.ErrorLineNum());
+    throw SetupError(one_line(
+        fmt::format("{}:{}: not well-formed XML ({}); correct the file there", name, line, document.ErrorName())));
+  }
+  return source;
+}
+
+}  // namespace
+
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
+  return line;
+}
+
+std::optional<std::vector<double>> parse_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  std::size_t begin = text.find_first_not_of(blanks);
+  while (begin != std::string_view::npos) {
+    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    if (text[begin] == '+') ++begin;
+    double number = 0;
+    const char* last = text.data() + end;
+    const auto [stop, error] = std::from_chars(text.data() + begin, last, number);
+    if (error != std::errc{} || stop != last || !std::isfinite(number)) return std::nullopt;
+    numbers.push_back(number);
+    begin = text.find_first_not_of(blanks, end);
+  }
+  return numbers;
+}
+
+std::string XmlElement::tag() const { return element_->Name(); }
+
+int XmlElement::line() const { return element_->GetLineNum(); }
+
+std::string XmlElement::where() const { return fmt::format("{}:{}", source_->name, line()); }
+
+std::optional<std::string> XmlElement::attribute(const char* name) const {
+  const char* value = element_->Attribute(name);
+  return value ? std::optional<std::string>(value) : std::nullopt;
+}
+
+std::vector<XmlAttribute> XmlElement::attributes() const {
+  std::vector<XmlAttribute> result;
+  for (const auto* a = element_->FirstAttribute(); a; a = a->Next()) result.push_back({a->Name(), a->Value()});
+  return result;
+}
+
+std::string XmlElement::text() const {
+  const char* start = element_->GetText();
+  std::string_view text = start ? start : "";
+  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+  text.remove_prefix(begin);
+  return std::string(text.substr(0, text.find_last_not_of(blanks) + 1));
+}
+
+std::vector<XmlElement> XmlElement::children() const {
+  std::vector<XmlElement> result;
+  for (const auto* c = element_->FirstChildElement(); c; c = c->NextSiblingElement()) {
+    if (const auto included = source_->included.find(c); included != source_->included.end()) {
+      for (const XmlElement& child : included->second.children()) result.push_back(child);
+    } else {
+      result.emplace_back(c, source_);
+    }
+  }
+  return result;
+}
+
+std::vector<XmlElement> XmlElement::children(std::string_view tag) const {
+  std::vector<XmlElement> result;
+  for (const XmlElement& child : children()) {
+    if (child.tag() == tag) result.push_back(child);
+  }
+  return result;
+}
+
+void XmlElement::fail(std::string_view message) const {
+  throw SetupError(one_line(fmt::format("{}: {}", where(), message)));
+}
+
+XmlFile::XmlFile(const std::filesystem::path& file) { sources_.push_back(read_source(file)); }
+
+XmlFile::~XmlFile() = default;
+
+XmlElement XmlFile::root() const { return {sources_[0]->document.RootElement(), sources_[0].get()}; }
+
+void XmlFile::follow_includes() { follow_includes(*sources_[0], root()); }
+
+void XmlFile::follow_includes(XmlSource& source, const XmlElement& element) {
+  for (const XmlElement& child : element.children()) {
+    if (child.tag() != "include") {
+      follow_includes(source, child);
+      continue;
+    }
+    const auto name = child.attribute("file");
+    if (!name || name->empty()) child.fail("include without a file; add file=\"...\"");
+    const auto path = std::filesystem::path(sources_[0]->name).parent_path() / *name;
+    for (const auto& other : sources_) {
+      std::error_code none;
+      if (std::filesystem::equivalent(other->name, path, none)) {
+        child.fail(fmt::format("'{}' is included a second time; a file can be included once", *name));
+      }
+    }
+    XmlSource& file = *sources_.emplace_back(at(child.where(), [&] { return read_source(path); }));
+    const XmlElement included(file.document.RootElement(), &file);
+    follow_includes(file, included);
+    source.included.emplace(child.id(), included);
+  }
+}
+
+}  // namespace murosimf::io

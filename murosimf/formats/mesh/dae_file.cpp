@@ -1,0 +1,113 @@
+#include "murosimf/formats/mesh/dae_file.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/formats/mesh/dae_geometry.h"
+#include "murosimf/formats/mesh/mesh_limits.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+constexpr std::size_t most_nodes = 100'000;  // a node can be used again and again
+
+/// v becomes turn v + shift; the turn may scale.
+struct Affine {
+  Mat3d turn;
+  Vec3d shift;
+};
+
+Affine operator*(const Affine& a, const Affine& b) { return {a.turn * b.turn, a.turn * b.shift + a.shift}; }
+
+Affine read_step(const XmlElement& element) {
+  const std::string tag = element.tag();
+  if (tag == "matrix") {
+    const auto m = dae_numbers(element, 16);  // by rows
+    return {{{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}}, {m[3], m[7], m[11]}};
+  }
+  if (tag == "translate") {
+    const auto v = dae_numbers(element, 3);
+    return {{}, {v[0], v[1], v[2]}};
+  }
+  if (tag == "scale") {
+    const auto v = dae_numbers(element, 3);
+    return {{{v[0], 0, 0}, {0, v[1], 0}, {0, 0, v[2]}}, {}};
+  }
+  if (tag != "rotate") return {};
+  const auto v = dae_numbers(element, 4);  // axis, angle [deg]
+  const Vec3d axis{v[0], v[1], v[2]};
+  if (!(norm(axis) > 1e-12)) return {};
+  return {rotation((1.0 / norm(axis)) * axis, v[3] * pi / 180.0), {}};
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::filesystem::path& file) : xml_(file), ids_(xml_.root()) {}
+
+  MeshFile read() {
+    const XmlElement root = xml_.root();
+    if (root.tag() != "COLLADA") root.fail(fmt::format("the root is <{}>, not <COLLADA>", root.tag()));
+    const double unit = read_unit(root);
+    const Affine frame{{{unit, 0, 0}, {0, unit, 0}, {0, 0, unit}}, {}};
+    for (const XmlElement& scene : root.children("scene")) {
+      for (const XmlElement& instance : scene.children("instance_visual_scene")) {
+        for (const XmlElement& node : ids_.find(instance, "url").children("node")) add_node(node, frame);
+      }
+    }
+    return std::move(file_);
+  }
+
+ private:
+  /// [m]
+  static double read_unit(const XmlElement& root) {
+    for (const XmlElement& asset : root.children("asset")) {
+      for (const XmlElement& unit : asset.children("unit")) {
+        const auto meter = parse_numbers(unit.attribute("meter").value_or("1"));
+        if (!meter || meter->size() != 1 || !((*meter)[0] > 0)) unit.fail("meter of <unit> is no length; correct it");
+        return (*meter)[0];
+      }
+    }
+    return 1;
+  }
+
+  void add_node(const XmlElement& node, Affine frame, int depth = 0) {
+    if (++nodes_ > most_nodes || depth > 200) node.fail("the nodes of the file never end; export the mesh again");
+    for (const XmlElement& child : node.children()) frame = frame * read_step(child);
+    for (const XmlElement& child : node.children()) {
+      const std::string tag = child.tag();
+      if (tag == "node") add_node(child, frame, depth + 1);
+      if (tag == "instance_node") add_node(ids_.find(child, "url"), frame, depth + 1);
+      if (tag == "instance_geometry") add_geometry(ids_.find(child, "url"), frame);
+    }
+  }
+
+  void add_geometry(const XmlElement& geometry, const Affine& frame) {
+    const auto mesh = read_dae_geometry(geometry, ids_);
+    auto& [vertices, triangles] = file_.mesh;
+    if (triangles.size() + mesh.triangles.size() > most_triangles) geometry.fail(too_many());
+    file_.part_begin.push_back(triangles.size());
+    const auto base = static_cast<std::uint32_t>(vertices.size());
+    for (const Vec3d& v : mesh.vertices) {
+      vertices.push_back(frame.turn * v + frame.shift);
+      if (!std::isfinite(norm(vertices.back()))) geometry.fail("its nodes scale the mesh beyond all numbers");
+    }
+    const bool mirrored = dot(frame.turn.x, cross(frame.turn.y, frame.turn.z)) < 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      triangles.push_back({base + a, base + (mirrored ? c : b), base + (mirrored ? b : c)});
+    }
+    if (mesh.triangles.empty()) file_.part_begin.pop_back();
+  }
+
+  XmlFile xml_;
+  DaeIds ids_;
+  MeshFile file_;
+  std::size_t nodes_ = 0;
+};
+
+}  // namespace
+
+MeshFile read_dae(const std::filesystem::path& file) { return Reader(file).read(); }
+
+}  // namespace murosimf::io

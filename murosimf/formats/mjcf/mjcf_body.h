@@ -1,0 +1,15 @@
+/// mjcf_body.h - bodies of an MJCF file, as parts of a draft: their places, joints, mass, shapes and sites.
+#pragma once
+
+#include "murosimf/formats/mjcf/mjcf_context.h"
+
+namespace murosimf::io {
+
+/// The whole robot, from the body with the free joint on. Its place in the file is left out: the scene places robots.
+/// Fills bodies, cameras and base_joint of `draft`.
+void read_bodies(const XmlElement& base, const std::string& child_class, const MjcfContext& context, RobotDraft& draft);
+
+/// True for `freejoint` and for a joint of type free.
+[[nodiscard]] bool is_free_joint(const XmlElement& joint, const std::string& child_class, const MjcfDefaults& defaults);
+
+}  // namespace murosimf::io

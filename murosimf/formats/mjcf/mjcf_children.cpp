@@ -1,0 +1,43 @@
+#include "murosimf/formats/mjcf/mjcf_children.h"
+
+namespace murosimf::io {
+namespace {
+
+void collect(const XmlElement& parent, const MjcfChild& around, const MjcfDefaults& defaults,
+             const MjcfCompiler& compiler, std::vector<MjcfChild>& children) {
+  for (const XmlElement& element : parent.children()) {
+    if (element.tag() != "frame") {
+      children.push_back({element, around.child_class, around.frame});
+      continue;
+    }
+    MjcfAttributes attributes(element);
+    attributes.overlay(element);
+    const Place own{attributes.vector("pos", {}), read_orientation(attributes, compiler)};
+    const MjcfChild frame{element, defaults.child_class(element, around.child_class), inside(around.frame, own)};
+    collect(element, frame, defaults, compiler, children);
+  }
+}
+
+void collect(const XmlElement& parent, std::string_view tag, std::vector<XmlElement>& elements) {
+  for (const XmlElement& element : parent.children()) {
+    if (element.tag() == "frame") collect(element, tag, elements);
+    if (element.tag() == tag) elements.push_back(element);
+  }
+}
+
+}  // namespace
+
+std::vector<MjcfChild> children_in(const XmlElement& body, const std::string& child_class, const MjcfDefaults& defaults,
+                                   const MjcfCompiler& compiler) {
+  std::vector<MjcfChild> children;
+  collect(body, {body, child_class, {}}, defaults, compiler, children);
+  return children;
+}
+
+std::vector<XmlElement> elements_in(const XmlElement& body, std::string_view tag) {
+  std::vector<XmlElement> elements;
+  collect(body, tag, elements);
+  return elements;
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,43 @@
+#include "murosimf/formats/mjcf/mjcf_names.h"
+
+#include <fmt/format.h>
+
+#include "murosimf/formats/mjcf/mjcf_children.h"
+
+namespace murosimf::io {
+
+MjcfNames::MjcfNames(const XmlElement& base) { walk(base); }
+
+void MjcfNames::walk(const XmlElement& body) {
+  add(body, bodies_, fmt::format("body_{}", bodies_.names.size() + 1));
+  name_all(body, "joint", joints_);
+  for (const XmlElement& joint : body.children("freejoint")) {
+    if (joint.attribute("name")) add(joint, joints_, {});
+  }
+  name_all(body, "site", sites_);
+  name_all(body, "geom", geoms_);
+  for (const XmlElement& child : elements_in(body, "body")) walk(child);
+}
+
+void MjcfNames::name_all(const XmlElement& body, const char* tag, Names& names) {
+  int unnamed = 0;
+  for (const XmlElement& element : elements_in(body, tag)) {
+    std::string otherwise = fmt::format("{}.{}", of(body), tag);
+    if (!element.attribute("name") && ++unnamed > 1) otherwise += fmt::format("{}", unnamed);
+    add(element, names, otherwise);
+  }
+}
+
+void MjcfNames::add(const XmlElement& element, Names& names, const std::string& otherwise) {
+  const std::string name = element.attribute("name").value_or(otherwise);
+  if (name.empty()) element.fail(fmt::format("the name of this {} is empty; give it one", element.tag()));
+  const auto [first, fresh] = names.lines.emplace(name, element.line());
+  if (!fresh) {
+    element.fail(
+        fmt::format("{} '{}' appears twice, first in line {}; rename one", element.tag(), name, first->second));
+  }
+  names.names.push_back(name);
+  names_.emplace(element.id(), name);
+}
+
+}  // namespace murosimf::io

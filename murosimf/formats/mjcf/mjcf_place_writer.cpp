@@ -1,0 +1,17 @@
+#include "murosimf/formats/mjcf/mjcf_place_writer.h"
+
+#include <cmath>
+
+#include "murosimf/math/quaternion.h"
+
+namespace murosimf::io {
+
+void write_place(XmlText& xml, const Place& place) {
+  xml.vector_unless_zero("pos", place.position);
+  if (is_identity(place.orientation)) return;
+  const auto clean = [](double x) { return std::fabs(x) < 1e-15 ? 0.0 : x; };  // rounding of rotations
+  const Quaterniond q = from_matrix(place.orientation);
+  xml.numbers("quat", {clean(q.w), clean(q.x), clean(q.y), clean(q.z)});
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,12 @@
+/// mjcf_place_writer.h - pos and quat of an element.
+#pragma once
+
+#include "murosimf/description/robot_draft.h"
+#include "murosimf/files/xml_text.h"
+
+namespace murosimf::io {
+
+/// Adds them to the open element, where they are not zero and no turn.
+void write_place(XmlText& xml, const Place& place);
+
+}  // namespace murosimf::io

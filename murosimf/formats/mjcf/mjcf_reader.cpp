@@ -1,0 +1,103 @@
+#include "murosimf/formats/mjcf/mjcf_reader.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/description/joint_inertia.h"
+#include "murosimf/formats/mjcf/mjcf_actuator.h"
+#include "murosimf/formats/mjcf/mjcf_body.h"
+#include "murosimf/formats/mjcf/mjcf_relations.h"
+#include "murosimf/formats/mjcf/mjcf_vocabulary.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+/// The robot's first body and the class that holds around it.
+struct Base {
+  XmlElement body;
+  std::string child_class;
+};
+
+void note_world(const XmlElement& world, std::vector<std::string>& notes) {
+  for (const char* tag : {"geom", "site"}) {
+    for (const XmlElement& element : world.children(tag)) {
+      const bool plane = element.attribute("type").value_or("") == "plane";
+      notes.push_back(one_line(fmt::format("{}: world {} '{}' ignored: {}", element.where(), tag,
+                                           element.attribute("name").value_or(""),
+                                           plane ? "the scene brings its own ground" : "it is no part of the robot")));
+    }
+  }
+}
+
+std::vector<Base> top_bodies(const XmlElement& root, const MjcfDefaults& defaults) {
+  std::vector<Base> bodies;
+  for (const XmlElement& world : root.children("worldbody")) {
+    for (const XmlElement& body : world.children("body")) bodies.push_back({body, defaults.child_class(world, {})});
+  }
+  return bodies;
+}
+
+Base find_base(const XmlElement& root, const MjcfDefaults& defaults, bool lenient, std::vector<std::string>& warnings) {
+  const auto bodies = top_bodies(root, defaults);
+  if (bodies.empty()) root.fail("there is no body in worldbody; a robot needs one");
+  if (bodies.size() > 1) {
+    const auto what = fmt::format("second body in worldbody, '{}'; a robot file has one robot",
+                                  bodies[1].body.attribute("name").value_or(""));
+    if (!lenient) bodies[1].body.fail(what);
+    warnings.push_back(one_line(fmt::format("{}: {}", bodies[1].body.where(), what)));
+  }
+  for (const Base& base : bodies) {
+    const std::string child_class = defaults.child_class(base.body, base.child_class);
+    const auto joints = base.body.children();
+    if (std::ranges::any_of(joints, [&](const auto& j) { return is_free_joint(j, child_class, defaults); }))
+      return base;
+  }
+  bodies[0].body.fail(fmt::format("body '{}' has no free joint; add <freejoint/> to it",
+                                  bodies[0].body.attribute("name").value_or("")));
+}
+
+/// settotalmass: masses and inertias in proportion.
+void scale_masses(const MjcfCompiler& compiler, RobotDraft& draft) {
+  double total = 0;
+  for (const DraftBody& body : draft.bodies) total += body.solid.mass;
+  if (!(compiler.total_mass > 0) || !(total > 0)) return;
+  const double factor = compiler.total_mass / total;
+  for (DraftBody& body : draft.bodies) {
+    body.solid.mass *= factor;
+    body.solid.inertia = factor * body.solid.inertia;
+  }
+}
+
+}  // namespace
+
+RobotDraft read_mjcf(const std::filesystem::path& file, const ReaderOptions& options) {
+  XmlFile xml(file);
+  const XmlElement root = xml.root();
+  if (root.tag() != "mujoco") {
+    root.fail(fmt::format("the root is <{}>, not <mujoco>; this is no MJCF file", root.tag()));
+  }
+  xml.follow_includes();
+  RobotDraft draft;
+  draft.file = file;
+  draft.name = root.attribute("model").value_or(file.stem().string());
+  check_words(root, mjcf_vocabulary(), options.lenient, draft.warnings, draft.notes);
+  for (const XmlElement& world : root.children("worldbody")) note_world(world, draft.notes);
+
+  const MjcfDefaults defaults(root);
+  const MjcfCompiler compiler = read_compiler(root);
+  const auto [base, child_class] = find_base(root, defaults, options.lenient, draft.warnings);
+  const MjcfNames names(base);
+  MjcfMeshes meshes(file, root, defaults, compiler, options.part_per_group, draft.warnings);
+  draft.meshes = meshes.drafts();
+  const auto actuators = read_actuators(root, defaults, compiler, names, options.lenient, draft.warnings);
+  const MjcfContext context{defaults, compiler, names, actuators, options.lenient, meshes, draft.warnings};
+  read_bodies(base, child_class, context, draft);
+  scale_masses(compiler, draft);
+  resolve_damping_ratios(draft);
+  read_relations(root, names, defaults, draft);
+  return draft;
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,26 @@
+/// mjcf_sensor.h - elements of the section `sensor` of an MJCF file.
+///
+/// `noise` is the deviation of every sample, `cutoff` the largest magnitude that is shown; both hold for all outputs. A
+/// frame sensor of an object of type "body" measures at the center of mass (those of "xbody" at the body's frame).
+/// Source: XML reference of the MuJoCo documentation, "sensor".
+#pragma once
+
+#include "murosimf/formats/mjcf/mjcf_defaults.h"
+#include "murosimf/description/robot_draft.h"
+#include "murosimf/files/xml_element.h"
+#include "murosimf/files/xml_text.h"
+
+namespace murosimf::io {
+
+/// `draft`: its bodies are read already. A sensor of an actuator becomes one of the actuator's joint.
+[[nodiscard]] DraftSensor read_mjcf_sensor(const XmlElement& element, const XmlElement& root,
+                                           const MjcfDefaults& defaults, const RobotDraft& draft);
+
+/// The section `sensor`: an element for each sensor that MJCF has and whose object is in the draft, a comment for the
+/// others. Cameras of MJCF are not among them: they stand in bodies (mjcf_camera.h).
+void write_mjcf_sensors(XmlText& xml, const RobotDraft& draft);
+
+/// It has an element of MJCF's own, in the section `sensor` or in a body.
+[[nodiscard]] bool is_mjcf_sensor(const DraftSensor& sensor, const RobotDraft& draft);
+
+}  // namespace murosimf::io

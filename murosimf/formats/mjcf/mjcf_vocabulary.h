@@ -1,0 +1,15 @@
+/// mjcf_vocabulary.h - which elements and attributes of MJCF the reader knows, and what it does with the others.
+///
+/// Source: the XML reference of the MuJoCo documentation.
+#pragma once
+
+#include "murosimf/files/xml_vocabulary.h"
+
+namespace murosimf::io {
+
+[[nodiscard]] const XmlVocabulary& mjcf_vocabulary();
+
+/// Tags of the actuators that the reader understands.
+[[nodiscard]] bool is_actuator(std::string_view tag);
+
+}  // namespace murosimf::io

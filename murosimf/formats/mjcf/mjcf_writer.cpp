@@ -1,0 +1,171 @@
+#include "murosimf/formats/mjcf/mjcf_writer.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "murosimf/formats/mjcf/mjcf_camera.h"
+#include "murosimf/formats/mjcf/mjcf_geom_writer.h"
+#include "murosimf/formats/mjcf/mjcf_place_writer.h"
+#include "murosimf/formats/mjcf/mjcf_sensor.h"
+#include "murosimf/files/xml_text.h"
+
+namespace murosimf::io {
+namespace {
+
+constexpr double least_inertia = 1e-13;  // [kg m^2] readers refuse a mass without inertia
+constexpr double sole_thickness = 1e-3;  // [m] half; only looked at
+
+class Writer {
+ public:
+  Writer(const RobotDraft& draft, const MjcfWriterOptions& options)
+      : draft_(draft), geoms_(draft, options.folder, xml_), children_(draft.bodies.size()) {
+    for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
+      if (draft.bodies[i].parent >= 0) children_[draft.bodies[i].parent].push_back(i);
+    }
+  }
+
+  std::string write() {
+    xml_.begin("mujoco").text("model", draft_.name);
+    xml_.begin("compiler").text("angle", "radian").text("autolimits", "true").text("inertiafromgeom", "false").end();
+    geoms_.write_assets();
+    xml_.begin("worldbody");
+    write_body(0);
+    xml_.end();
+    write_contacts();
+    write_couplings();
+    write_actuators();
+    write_mjcf_sensors(xml_, draft_);
+    xml_.end();
+    return xml_.result();
+  }
+
+ private:
+  void write_body(std::size_t index) {
+    const DraftBody& body = draft_.bodies[index];
+    xml_.begin("body").text("name", body.name);
+    write_place(xml_, body.place);
+    if (index == 0) xml_.begin("freejoint").text_unless_empty("name", draft_.base_joint).end();
+    for (const DraftJoint& joint : body.joints) write_joint(joint);
+    write_inertial(body.solid);
+    geoms_.write_geoms(body);
+    for (const DraftFrame& frame : body.frames) write_frame(frame);
+    for (const std::size_t child : children_[index]) write_body(child);
+    xml_.end();
+  }
+
+  void write_joint(const DraftJoint& joint) {
+    xml_.begin("joint").text("name", joint.name);
+    if (joint.kind == Kind::prismatic) xml_.text("type", "slide");
+    xml_.vector_unless_zero("pos", joint.anchor).vector("axis", joint.axis);
+    if (joint.range) xml_.numbers("range", {joint.range->x, joint.range->y});
+    xml_.number_unless(0, "ref", joint.reference);
+    xml_.number_unless(0, "armature", joint.armature).number_unless(0, "damping", joint.damping);
+    xml_.number_unless(0, "frictionloss", joint.friction);
+    xml_.number_unless(0, "stiffness", joint.stiffness).number_unless(0, "springref", joint.spring_reference);
+    if (joint.effort_limit > 0) xml_.numbers("actuatorfrcrange", {-joint.effort_limit, joint.effort_limit});
+    xml_.end();
+  }
+
+  void write_inertial(const MassProperties& solid) {
+    if (!(solid.mass > 0)) return;
+    SymMat3d I = solid.inertia;
+    if (!(principal_moments(I).x > 0)) I = with_least_moment(I, least_inertia);
+    xml_.begin("inertial").vector("pos", solid.center).numbers("mass", {solid.mass});
+    if (I.xy == 0 && I.xz == 0 && I.yz == 0) {
+      xml_.numbers("diaginertia", {I.xx, I.yy, I.zz});
+    } else {
+      xml_.numbers("fullinertia", {I.xx, I.yy, I.zz, I.xy, I.xz, I.yz});
+    }
+    xml_.end();
+  }
+
+  void write_frame(const DraftFrame& frame) {
+    xml_.begin(frame.kind == "camera" ? "camera" : "site").text("name", frame.name);
+    write_place(xml_, frame.place);
+    if (frame.kind == "camera") write_camera(frame);
+    if (frame.box) {
+      xml_.text("type", "box").numbers("size", {frame.box->half_length, frame.box->half_width, sole_thickness});
+    }
+    xml_.end();
+  }
+
+  void write_camera(const DraftFrame& frame) {
+    for (const DraftSensor& sensor : draft_.sensors) {
+      if (is_mjcf_camera(sensor) && sensor.frame == frame.name) return write_mjcf_camera(xml_, sensor);
+    }
+  }
+
+  void write_contacts() {
+    if (draft_.exclusions.empty() && draft_.pairs.empty()) return;
+    xml_.begin("contact");
+    for (const DraftExclusion& pair : draft_.exclusions) {
+      const std::string &first = body_of(pair.body1), &second = body_of(pair.body2);
+      if (first != second) xml_.begin("exclude").text("body1", first).text("body2", second).end();
+    }
+    for (const DraftPair& pair : draft_.pairs) {
+      xml_.begin("pair").text("geom1", pair.shape1).text("geom2", pair.shape2).end();
+    }
+    xml_.end();
+  }
+
+  /// The body itself, or the one that it is welded to.
+  [[nodiscard]] const std::string& body_of(const std::string& name) const {
+    for (const DraftBody& body : draft_.bodies) {
+      const auto is_it = [&](const DraftFrame& frame) { return frame.kind == "body" && frame.name == name; };
+      if (std::ranges::any_of(body.frames, is_it)) return body.name;
+    }
+    return name;
+  }
+
+  void write_couplings() {
+    if (draft_.mimics.empty()) return;
+    xml_.begin("equality");
+    for (const DraftMimic& mimic : draft_.mimics) {
+      xml_.begin("joint").text("joint1", mimic.joint).text("joint2", mimic.leader);
+      // the format counts both positions from their references
+      const double offset =
+          mimic.offset - reference_of(draft_, mimic.joint) + mimic.ratio * reference_of(draft_, mimic.leader);
+      xml_.numbers("polycoef", {offset, mimic.ratio, 0, 0, 0}).end();
+    }
+    xml_.end();
+  }
+
+  void write_actuators() {
+    std::vector<const DraftJoint*> driven;
+    for (const DraftBody& body : draft_.bodies) {
+      for (const DraftJoint& joint : body.joints) {
+        if (joint.servo) driven.push_back(&joint);
+      }
+    }
+    if (driven.empty()) return;
+    xml_.begin("actuator");
+    for (const DraftJoint* joint : driven) write_actuator(*joint);
+    xml_.end();
+  }
+
+  void write_actuator(const DraftJoint& joint) {
+    const Servo& servo = *joint.servo;
+    const bool holds = servo.position_gain > 0, brakes = servo.velocity_gain > 0;
+    xml_.begin(holds ? "position" : brakes ? "velocity" : "motor").text("name", joint.name).text("joint", joint.name);
+    if (holds) xml_.numbers("kp", {servo.position_gain});
+    if (brakes) xml_.numbers("kv", {servo.velocity_gain});
+    if (servo.stall_torque > 0) xml_.numbers("forcerange", {-servo.stall_torque, servo.stall_torque});
+    xml_.end();
+  }
+
+  const RobotDraft& draft_;
+  XmlText xml_;
+  MjcfGeomWriter geoms_;
+  std::vector<std::vector<std::size_t>> children_;
+};
+
+}  // namespace
+
+std::string to_mjcf(const RobotDraft& draft, const MjcfWriterOptions& options) {
+  return Writer(draft, options).write();
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,141 @@
+#include "murosimf/formats/servo_log/fit_report.h"
+
+#include <sstream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include "murosimf/identification/bench_servo.h"
+#include "murosimf/identification/parameter.h"
+#include "murosimf/files/json_schema.h"
+
+namespace murosimf::io {
+namespace {
+
+using identification::FrictionModel;
+
+constexpr double mrad = 1e3;
+
+std::string rows(const std::vector<LogError>& logs, std::string_view how) {
+  std::string text;
+  for (const LogError& log : logs) {
+    text += fmt::format("{:<24} {:<18} {:>6g} {:>8.1f} mrad  {}\n", log.log, log.trajectory, log.firmware_gain,
+                        mrad * log.error, how);
+  }
+  return text;
+}
+
+std::string head() { return fmt::format("{:<24} {:<18} {:>6} {:>13}\n", "log", "trajectory", "gain", "error"); }
+
+std::string mean_row(std::string_view of, double error) {
+  return fmt::format("{:<50} {:>8.1f} mrad\n", of, mrad * error);
+}
+
+toml::array json_of(const std::vector<LogError>& logs) {
+  toml::array array;
+  for (const LogError& log : logs) {
+    array.push_back(toml::table{{"name", log.log},
+                                {"trajectory", log.trajectory},
+                                {"firmware_gain", log.firmware_gain},
+                                {"error_rad", log.error}});
+  }
+  return array;
+}
+
+std::string text_of(const toml::table& table) {
+  std::stringstream stream;
+  stream << toml::json_formatter(table) << "\n";
+  return stream.str();
+}
+
+multibody::BenchServo bench_of(const FittedServo& fitted) {
+  return identification::bench_servo(fitted.servo, fitted.encoder_offset);
+}
+
+std::string parameter_rows(const FittedServo& fitted) {
+  std::string text;
+  for (const auto* parameter : identification::friction_model(fitted.friction_model).parameters) {
+    text += fmt::format("{:<34} {:>12.6g} {}\n", parameter->name, parameter->get(bench_of(fitted)), parameter->unit);
+  }
+  return text;
+}
+
+double mean_of_groups(const std::vector<UnseenGroup>& groups) {
+  std::vector<LogError> all;
+  for (const UnseenGroup& group : groups) all.insert(all.end(), group.logs.begin(), group.logs.end());
+  return mean_error(all);
+}
+
+void add_cross_validation(const FitReport& report, toml::table& root) {
+  if (report.cross_validated.empty()) return;
+  toml::array groups;
+  for (const UnseenGroup& group : report.cross_validated) {
+    groups.push_back(
+        toml::table{{"unseen", group.name}, {"error_rad", mean_error(group.logs)}, {"logs", json_of(group.logs)}});
+  }
+  root.insert("cross_validated", std::move(groups));
+  root.insert("mean_cross_validated_error_rad", mean_of_groups(report.cross_validated));
+}
+
+}  // namespace
+
+double mean_error(const std::vector<LogError>& logs) {
+  double sum = 0;
+  for (const LogError& log : logs) sum += log.error;
+  return logs.empty() ? 0 : sum / static_cast<double>(logs.size());
+}
+
+std::string to_text(const FitReport& report) {
+  std::vector<double> costs;
+  for (const double cost : report.costs) costs.push_back(mrad * cost);
+  std::string text = head() + rows(report.servo.fitted, "fitted") + rows(report.validated, "not fitted");
+  for (const UnseenGroup& group : report.cross_validated) text += rows(group.logs, "left out: " + group.name);
+  text += fmt::format("\n{}", mean_row("mean of fitted logs", mean_error(report.servo.fitted)));
+  if (!report.validated.empty()) text += mean_row("mean of logs that were not fitted", mean_error(report.validated));
+  for (const UnseenGroup& group : report.cross_validated) {
+    text += mean_row(fmt::format("mean of {}, fitted to the others", group.name), mean_error(group.logs));
+  }
+  text += fmt::format("\n{}", parameter_rows(report.servo));
+  return text + fmt::format("\nmodel {}, prior {}, seed {}; cost of each start [mrad]: {:.1f}\n",
+                            report.servo.friction_model, report.servo.prior, report.seed, fmt::join(costs, " "));
+}
+
+std::string to_text(const ReplayReport& report) {
+  return head() + rows(report.logs, "") + "\n" +
+         mean_row(fmt::format("mean, servo {}", report.servo), mean_error(report.logs));
+}
+
+std::string to_json(const FitReport& report) {
+  toml::array costs;
+  for (const double cost : report.costs) costs.push_back(cost);
+  toml::table values;
+  for (const auto* parameter : identification::friction_model(report.servo.friction_model).parameters) {
+    values.insert(parameter->name, parameter->get(bench_of(report.servo)));
+  }
+  toml::table root{{"schema", json_schema("fit-servo")},
+                   {"model", report.servo.friction_model},
+                   {"base", report.servo.base},
+                   {"prior", report.servo.prior},
+                   {"seed", static_cast<std::int64_t>(report.seed)},
+                   {"stopped", report.stopped},
+                   {"costs_rad", std::move(costs)},
+                   {"parameters", std::move(values)},
+                   {"mean_error_rad", mean_error(report.servo.fitted)},
+                   {"logs", json_of(report.servo.fitted)}};
+  if (!report.validated.empty()) {
+    root.insert("validated", json_of(report.validated));
+    root.insert("mean_validated_error_rad", mean_error(report.validated));
+  }
+  add_cross_validation(report, root);
+  return text_of(root);
+}
+
+std::string to_json(const ReplayReport& report) {
+  return text_of(toml::table{{"schema", json_schema("replay-servo")},
+                             {"servo", report.servo},
+                             {"mean_error_rad", mean_error(report.logs)},
+                             {"logs", json_of(report.logs)}});
+}
+
+}  // namespace murosimf::io

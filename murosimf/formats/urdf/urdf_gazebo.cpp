@@ -1,0 +1,166 @@
+#include "murosimf/formats/urdf/urdf_gazebo.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "murosimf/formats/urdf/urdf_sensor.h"
+#include "murosimf/formats/urdf/urdf_value.h"
+
+namespace murosimf::io {
+namespace {
+
+// looks, plugins, and settings of solvers
+constexpr std::array<std::string_view, 29> without_meaning{"material",
+                                                           "kp",
+                                                           "kd",
+                                                           "fdir1",
+                                                           "maxVel",
+                                                           "minDepth",
+                                                           "maxContacts",
+                                                           "soft_cfm",
+                                                           "soft_erp",
+                                                           "laserRetro",
+                                                           "visual",
+                                                           "plugin",
+                                                           "selfCollide",
+                                                           "stopCfm",
+                                                           "self_collide",
+                                                           "stopErp",
+                                                           "stopKp",
+                                                           "stopKd",
+                                                           "fudgeFactor",
+                                                           "cfm",
+                                                           "erp",
+                                                           "cfmDamping",
+                                                           "useParentModelFrame",
+                                                           "provideFeedback",
+                                                           "dampingFactor",
+                                                           "implicitSpringDamper",
+                                                           "disableFixedJointLumping",
+                                                           "preserveFixedJoint",
+                                                           "static"};
+// parts of other formats, put into the robot
+constexpr std::array<std::string_view, 6> injected{"link", "joint", "model", "include", "collision", "inertial"};
+
+template <class Words>
+bool contains(const Words& words, std::string_view word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+bool is_true(const XmlElement& element) {
+  const std::string text = element.text();
+  return text == "true" || text == "True" || text == "1";
+}
+
+bool takes_weight(const XmlElement& element) {
+  const std::string tag = element.tag();
+  return tag == "gravity" ? !is_true(element) : tag == "turnGravityOff" && is_true(element);
+}
+
+/// What takes motion or speed away from a part of the robot.
+bool takes_motion(const XmlElement& element) {
+  const std::string tag = element.tag();
+  if (tag == "static" || tag == "kinematic") return is_true(element);
+  return tag == "dampingFactor" && text_number(element) != 0;
+}
+
+bool is_switch(std::string_view tag) { return tag == "gravity" || tag == "turnGravityOff" || tag == "kinematic"; }
+
+/// Elements that mean the same wherever they stand.
+void note_other(const XmlElement& element, UrdfLog& log) {
+  const std::string tag = element.tag();
+  if (takes_weight(element)) {
+    log.warn(element, "gravity is switched off for parts of the robot in gazebo; here all of it has weight");
+  } else if (takes_motion(element)) {
+    log.refuse(element, fmt::format("<{}> {} in a gazebo block is not supported; remove it", tag, element.text()));
+  } else if (contains(injected, tag)) {
+    log.refuse(element, fmt::format("<{}> in a gazebo block is not supported; write it as URDF", tag));
+  } else if (contains(without_meaning, tag) || is_switch(tag)) {
+    log.note(element, fmt::format("element '{}' in gazebo is not used", tag));
+  } else {
+    log.warn(element, fmt::format("unknown element '{}' in gazebo is not used", tag));
+  }
+}
+
+double at_least_zero(const XmlElement& element) {
+  const double number = text_number(element);
+  if (number < 0) element.fail(fmt::format("<{}> is negative; it must be at least 0", element.tag()));
+  return number;
+}
+
+void read_friction(const XmlElement& block, DraftBody& body, UrdfLog& log) {
+  const auto mu1 = only_child(block, "mu1"), mu2 = only_child(block, "mu2");
+  if (!mu1 && !mu2) return;
+  const double friction = at_least_zero(mu1 ? *mu1 : *mu2);
+  if (mu2 && at_least_zero(*mu2) != friction) {
+    log.warn(*mu2, fmt::format("friction of link '{}' differs by direction; mu1 is taken for all", body.name));
+  }
+  for (DraftShape& shape : body.shapes) shape.placed.surface.friction = friction;
+}
+
+void read_link_block(const XmlElement& block, DraftBody& body, RobotDraft& draft, UrdfLog& log) {
+  read_friction(block, body, log);
+  for (const XmlElement& element : block.children()) {
+    const std::string tag = element.tag();
+    if (tag == "mu1" || tag == "mu2") continue;
+    if (tag == "sensor") {
+      draft.sensors.push_back(read_sensor(element, body.name, log));
+    } else {
+      note_other(element, log);
+    }
+  }
+}
+
+/// `link`: the one behind the joint, which has the joint's frame; a fixed joint is no object of the model.
+void read_joint_block(const XmlElement& block, const std::string& link, DraftJoint* joint, RobotDraft& draft,
+                      UrdfLog& log) {
+  for (const XmlElement& element : block.children()) {
+    const std::string tag = element.tag();
+    if (tag == "springStiffness" && joint) {
+      joint->stiffness = at_least_zero(element);
+    } else if (tag == "springReference" && joint) {
+      joint->spring_reference = text_number(element);
+    } else if (tag == "sensor") {
+      draft.sensors.push_back(read_sensor(element, joint ? joint->name : link, log));
+    } else {
+      note_other(element, log);
+    }
+  }
+}
+
+DraftJoint* moving_joint(RobotDraft& draft, const std::string& name) {
+  for (DraftBody& body : draft.bodies) {
+    for (DraftJoint& joint : body.joints) {
+      if (joint.name == name) return &joint;
+    }
+  }
+  return nullptr;
+}
+
+void read_block(const XmlElement& block, const std::string& name, const UrdfTree& tree, RobotDraft& draft,
+                UrdfLog& log) {
+  const auto body = std::ranges::find_if(draft.bodies, [&](const DraftBody& b) { return b.name == name; });
+  if (body != draft.bodies.end()) return read_link_block(block, *body, draft, log);
+  if (const int joint = tree.find_joint(name); joint >= 0) {
+    const std::string& link = tree.links[static_cast<std::size_t>(tree.joints[joint].child)].name;
+    return read_joint_block(block, link, moving_joint(draft, name), draft, log);
+  }
+  log.warn(block, fmt::format("gazebo block for '{}', which is no link or joint; it is left out", name));
+}
+
+}  // namespace
+
+void read_gazebo(const XmlElement& robot, const UrdfTree& tree, RobotDraft& draft, UrdfLog& log) {
+  for (const XmlElement& block : robot.children("gazebo")) {
+    if (const auto name = block.attribute("reference")) {
+      read_block(block, *name, tree, draft, log);
+    } else {
+      for (const XmlElement& element : block.children()) note_other(element, log);
+    }
+  }
+}
+
+}  // namespace murosimf::io

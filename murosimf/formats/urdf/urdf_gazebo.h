@@ -1,0 +1,17 @@
+/// urdf_gazebo.h - what the `gazebo` blocks of a URDF file say about links and joints.
+///
+/// Read are friction (mu1, and mu2 where it differs: a warning), springs at joints, and sensors; what would change the
+/// robot otherwise is refused; plugins, looks and solver settings are notes.
+/// Source: SDFormat documentation, "URDF in Gazebo".
+#pragma once
+
+#include "murosimf/description/robot_draft.h"
+#include "murosimf/formats/urdf/urdf_log.h"
+#include "murosimf/formats/urdf/urdf_tree.h"
+
+namespace murosimf::io {
+
+/// `draft` has the bodies of all links.
+void read_gazebo(const XmlElement& robot, const UrdfTree& tree, RobotDraft& draft, UrdfLog& log);
+
+}  // namespace murosimf::io

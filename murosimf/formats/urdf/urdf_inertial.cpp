@@ -1,0 +1,87 @@
+#include "murosimf/formats/urdf/urdf_inertial.h"
+
+#include <fmt/format.h>
+
+#include "murosimf/formats/urdf/urdf_value.h"
+
+namespace murosimf::io {
+namespace {
+
+/// Some files write both halves of the tensor.
+void compare_halves(const UrdfLink& link, const XmlElement& element, UrdfLog& log) {
+  constexpr const char* halves[][2] = {{"ixy", "iyx"}, {"ixz", "izx"}, {"iyz", "izy"}};
+  for (const auto& [upper, lower] : halves) {
+    if (!element.attribute(lower) || needed_number(element, lower) == number_or(element, upper, 0)) continue;
+    log.warn(element, fmt::format("inertia of link '{0}' is not symmetric: {2} is not {1}; {1} is taken", link.name,
+                                  upper, lower));
+  }
+}
+
+SymMat3d read_tensor(const UrdfLink& link, const XmlElement& inertial, UrdfLog& log) {
+  const XmlElement element = needed_child(inertial, "inertia");
+  compare_halves(link, element, log);
+  return {needed_number(element, "ixx"), needed_number(element, "iyy"), needed_number(element, "izz"),
+          number_or(element, "ixy", 0),  number_or(element, "ixz", 0),  number_or(element, "iyz", 0)};
+}
+
+constexpr double frame_mass = 0.01;  // [kg] below it, a link without inertia is taken for a frame
+
+bool is_zero(const SymMat3d& I) { return I.xx == 0 && I.yy == 0 && I.zz == 0 && I.xy == 0 && I.xz == 0 && I.yz == 0; }
+
+double read_mass(const UrdfLink& link, const XmlElement& inertial) {
+  const XmlElement element = needed_child(inertial, "mass");
+  const double mass = needed_number(element, "value");
+  if (mass < 0) element.fail(fmt::format("mass {} kg of link '{}' is negative; correct it", mass, link.name));
+  return mass;
+}
+
+void balance_moments(const UrdfLink& link, const XmlElement& inertial, MassProperties& solid, UrdfLog& log) {
+  solid.inertia = diagonal((solid.inertia.xx + solid.inertia.yy + solid.inertia.zz) / 3.0);
+  log.note(inertial, fmt::format("inertia of link '{}' replaced by its mean: balanceinertia", link.name));
+}
+
+void check_tensor(const UrdfLink& link, const XmlElement& inertial, bool welded, bool balance, MassProperties& solid,
+                  UrdfLog& log) {
+  const Vec3d moments = principal_moments(solid.inertia);
+  const bool thin = welded && moments.x >= -1e-6 * moments.z;
+  if (!(moments.x > 0) && !thin) {
+    inertial.fail(
+        fmt::format("inertia of link '{}' is not positive definite (smallest principal moment {:.3g} kg m^2); "
+                    "correct it",
+                    link.name, moments.x));
+  }
+  if (!breaks_triangle_inequality(moments)) return;
+  if (balance) return balance_moments(link, inertial, solid, log);
+  log.warn(inertial,
+           fmt::format("no solid body has the principal moments {:.4g} {:.4g} {:.4g} kg m^2 of link '{}': two "
+                       "of them must not be less than the third",
+                       moments.x, moments.y, moments.z, link.name));
+}
+
+}  // namespace
+
+MassProperties read_inertial(const UrdfLink& link, bool welded, bool balance, UrdfLog& log) {
+  const auto inertial = only_child(link.element, "inertial");
+  if (!inertial) return {};
+  MassProperties solid;
+  const Place place = read_origin(*inertial);
+  solid.mass = read_mass(link, *inertial);
+  solid.center = place.position;
+  solid.inertia = rotated(place.orientation, read_tensor(link, *inertial, log));
+  if (is_zero(solid.inertia)) {
+    if (solid.mass >= frame_mass && !welded) {
+      log.refuse(*inertial, fmt::format("link '{}' moves and has mass but no inertia; write its inertia", link.name));
+    } else if (solid.mass > 0) {
+      log.note(*inertial, "links with mass and without inertia are points");
+    }
+    return solid;
+  }
+  if (solid.mass == 0) {
+    log.refuse(*inertial, fmt::format("link '{}' has inertia but no mass; write its mass", link.name));
+    return {};
+  }
+  check_tensor(link, *inertial, welded, balance, solid, log);
+  return solid;
+}
+
+}  // namespace murosimf::io

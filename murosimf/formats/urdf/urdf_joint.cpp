@@ -1,0 +1,118 @@
+#include "murosimf/formats/urdf/urdf_joint.h"
+
+#include <map>
+
+#include <fmt/format.h>
+
+#include "murosimf/formats/urdf/urdf_value.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+Vec3d read_axis(const UrdfJoint& joint) {
+  const auto element = only_child(joint.element, "axis");
+  const Vec3d axis = element ? vector_or(*element, "xyz", {1, 0, 0}) : Vec3d{1, 0, 0};
+  const double length = norm(axis);
+  if (!(length > 1e-9)) {
+    element->fail(fmt::format("axis of joint '{}' has no direction; write one, or make the joint fixed", joint.name));
+  }
+  return (1.0 / length) * axis;
+}
+
+void read_range(const UrdfJoint& joint, const XmlElement& limit, DraftJoint& draft, UrdfLog& log) {
+  const double lower = number_or(limit, "lower", 0), upper = number_or(limit, "upper", 0);
+  if (lower > upper) {
+    limit.fail(fmt::format("limits of joint '{}' are upside down: lower {} is above upper {}; swap them", joint.name,
+                           lower, upper));
+  }
+  if (lower < upper) {
+    draft.range = {lower, upper, 0};
+    return;
+  }
+  log.refuse(limit, fmt::format("joint '{}' cannot move: lower and upper limit are both {}; write its range, or make "
+                                "it fixed or continuous",
+                                joint.name, lower));
+}
+
+void read_limits(const UrdfJoint& joint, DraftJoint& draft, UrdfLog& log) {
+  const auto limit = only_child(joint.element, "limit");
+  const bool bounded = joint.type != "continuous";
+  if (!limit) {
+    if (!bounded) return;
+    joint.element.fail(fmt::format("{} joint '{}' has no limit; add <limit lower upper effort velocity>{}", joint.type,
+                                   joint.name, joint.type == "revolute" ? ", or make it continuous" : ""));
+  }
+  if (bounded) {
+    read_range(joint, *limit, draft, log);
+  } else if (limit->attribute("lower") || limit->attribute("upper")) {
+    log.note(*limit, "lower and upper limits of continuous joints are not used");
+  }
+  draft.effort_limit = at_least_zero(*limit, "effort");
+  draft.rate_limit = at_least_zero(*limit, "velocity");
+}
+
+DraftMimic read_mimic(const UrdfTree& tree, const UrdfJoint& follower, const XmlElement& element) {
+  DraftMimic mimic{follower.name, needed_text(element, "joint"), element.where(), number_or(element, "multiplier", 1),
+                   number_or(element, "offset", 0)};
+  const int leader = tree.find_joint(mimic.leader);
+  if (leader < 0) {
+    std::vector<std::string_view> names;
+    for (const UrdfJoint& joint : tree.joints) names.push_back(joint.name);
+    element.fail(unknown_name("joint", mimic.leader, names));
+  }
+  if (tree.joints[leader].type == "fixed" || tree.joints[leader].type == "floating") {
+    element.fail(fmt::format("joint '{}' mimics '{}', which is {}; name one that moves", follower.name, mimic.leader,
+                             tree.joints[leader].type));
+  }
+  return mimic;
+}
+
+/// Follows the leaders of every joint: more steps than there are joints is a circle.
+void check_circles(const UrdfTree& tree, const std::vector<DraftMimic>& mimics) {
+  std::map<std::string, std::string> leaders;
+  for (const DraftMimic& mimic : mimics) leaders.emplace(mimic.joint, mimic.leader);
+  for (const DraftMimic& mimic : mimics) {
+    std::string joint = mimic.joint;
+    for (std::size_t steps = 0; leaders.contains(joint); ++steps) {
+      joint = leaders.at(joint);
+      if (steps < mimics.size()) continue;
+      const XmlElement element = needed_child(tree.joints[tree.find_joint(mimic.joint)].element, "mimic");
+      element.fail(
+          fmt::format("joint '{}' ends up mimicking itself; let one joint of the circle move freely", mimic.joint));
+    }
+  }
+}
+
+}  // namespace
+
+DraftJoint read_joint(const UrdfJoint& joint, UrdfLog& log) {
+  DraftJoint draft;
+  draft.name = joint.name;
+  draft.where = joint.element.where();
+  draft.kind = joint.type == "prismatic" ? Kind::prismatic : Kind::revolute;
+  draft.axis = read_axis(joint);
+  read_limits(joint, draft, log);
+  if (const auto dynamics = only_child(joint.element, "dynamics")) {
+    draft.damping = at_least_zero(*dynamics, "damping");
+    draft.friction = at_least_zero(*dynamics, "friction");
+  }
+  return draft;
+}
+
+std::vector<DraftMimic> read_mimics(const UrdfTree& tree, UrdfLog& log) {
+  std::vector<DraftMimic> mimics;
+  for (const UrdfJoint& joint : tree.joints) {
+    const auto element = only_child(joint.element, "mimic");
+    if (!element) continue;
+    if (joint.type == "fixed" || joint.type == "floating") {
+      log.note(*element, fmt::format("mimic of {} joints is not used", joint.type));
+    } else {
+      mimics.push_back(read_mimic(tree, joint, *element));
+    }
+  }
+  check_circles(tree, mimics);
+  return mimics;
+}
+
+}  // namespace murosimf::io

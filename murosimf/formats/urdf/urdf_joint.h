@@ -1,0 +1,18 @@
+/// urdf_joint.h - joints of a URDF file: kind, axis, range, dynamics, and which joint follows which.
+#pragma once
+
+#include <vector>
+
+#include "murosimf/description/robot_draft.h"
+#include "murosimf/formats/urdf/urdf_tree.h"
+
+namespace murosimf::io {
+
+/// A joint that moves. Its frame is that of the link below it. Throws SetupError: no axis direction, no limits where
+/// the type needs them, impossible numbers.
+[[nodiscard]] DraftJoint read_joint(const UrdfJoint& joint, UrdfLog& log);
+
+/// All `mimic` elements of joints that move. Throws SetupError: unknown or fixed leader, circles.
+[[nodiscard]] std::vector<DraftMimic> read_mimics(const UrdfTree& tree, UrdfLog& log);
+
+}  // namespace murosimf::io

@@ -1,0 +1,27 @@
+#include "murosimf/formats/urdf/urdf_log.h"
+
+#include <fmt/format.h>
+
+namespace murosimf::io {
+namespace {
+
+std::string line(const XmlElement& at, const std::string& message) {
+  return one_line(fmt::format("{}: {}", at.where(), message));
+}
+
+}  // namespace
+
+void UrdfLog::note(const XmlElement& at, const std::string& message) {
+  if (said_.insert(message).second) draft_.notes.push_back(line(at, message));
+}
+
+void UrdfLog::warn(const XmlElement& at, const std::string& message) {
+  if (said_.insert(message).second) draft_.warnings.push_back(line(at, message));
+}
+
+void UrdfLog::refuse(const XmlElement& at, const std::string& message) {
+  if (!lenient_) at.fail(message);
+  warn(at, message);
+}
+
+}  // namespace murosimf::io

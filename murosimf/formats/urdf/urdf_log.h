@@ -1,0 +1,30 @@
+/// urdf_log.h - where the readers of URDF put what they have to say about a file.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "murosimf/description/robot_draft.h"
+#include "murosimf/files/xml_element.h"
+
+namespace murosimf::io {
+
+class UrdfLog {
+ public:
+  UrdfLog(RobotDraft& draft, bool lenient) : draft_(draft), lenient_(lenient) {}
+
+  /// What means nothing here; the same message is noted once.
+  void note(const XmlElement& at, const std::string& message);
+  /// What looks wrong; the same message is told once.
+  void warn(const XmlElement& at, const std::string& message);
+  /// What would change the robot: throws SetupError, or is a warning if the reader is lenient.
+  void refuse(const XmlElement& at, const std::string& message);
+  [[nodiscard]] bool lenient() const { return lenient_; }
+
+ private:
+  RobotDraft& draft_;
+  bool lenient_;
+  std::set<std::string> said_;
+};
+
+}  // namespace murosimf::io

@@ -1,0 +1,49 @@
+#include "murosimf/formats/urdf/urdf_mesh.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/formats/urdf/urdf_value.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+
+std::optional<DraftMesh> UrdfMeshes::find(const XmlElement& mesh) {
+  const auto file = paths_.find(needed_text(mesh, "filename"));
+  if (!file) return std::nullopt;
+  const Vec3d scale = vector_or(mesh, "scale", {1, 1, 1});
+  const auto same = [&](const DraftMesh& known) { return known.file == *file && is_zero(known.scale - scale); };
+  const auto known = std::ranges::find_if(draft_.meshes, same);
+  if (known != draft_.meshes.end()) return *known;
+  DraftMesh entry;
+  entry.name = free_name(file->stem().string());
+  entry.where = mesh.where();
+  entry.file = *file;
+  entry.scale = scale;
+  draft_.meshes.push_back(entry);
+  return entry;
+}
+
+std::string UrdfMeshes::free_name(const std::string& stem) const {
+  std::string name = stem;
+  const auto taken = [&](const DraftMesh& known) { return known.name == name; };
+  for (int number = 2; std::ranges::any_of(draft_.meshes, taken); ++number) name = fmt::format("{}_{}", stem, number);
+  return name;
+}
+
+const std::vector<ConvexPart>& UrdfMeshes::parts(const DraftMesh& mesh, const XmlElement& user) {
+  const bool split = std::ranges::find(part_per_group_, mesh.name) != part_per_group_.end();
+  const std::string where = fmt::format("{}: mesh '{}'", user.where(), mesh.name);
+  const SolidMesh& solid = at(where, [&]() -> const SolidMesh& { return library_.get(mesh.file, mesh.scale, split); });
+  if (!solid.flat.empty()) throw SetupError(one_line(fmt::format("{}: {}", where, solid.flat)));
+  for (const std::string& doubt : mesh_doubts(solid)) log_.warn(user, fmt::format("mesh '{}': {}", mesh.name, doubt));
+  return solid.parts;
+}
+
+std::string UrdfMeshes::complaint(const XmlElement& mesh) {
+  const std::string name = needed_text(mesh, "filename");
+  return fmt::format("there is no mesh file '{}'; {}", name, UrdfMeshPaths::advice(name));
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,42 @@
+/// urdf_mesh.h - meshes of a URDF file: named once, and read once, when something shall collide.
+///
+/// A mesh is called by the stem of its file; another file or another scale with the same stem gets a number.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/formats/mesh/mesh_library.h"
+#include "murosimf/description/reader_options.h"
+#include "murosimf/description/robot_draft.h"
+#include "murosimf/formats/urdf/urdf_log.h"
+#include "murosimf/formats/urdf/urdf_mesh_path.h"
+
+namespace murosimf::io {
+
+class UrdfMeshes {
+ public:
+  UrdfMeshes(UrdfMeshPaths paths, std::vector<std::string> part_per_group, RobotDraft& draft, UrdfLog& log)
+      : paths_(std::move(paths)), part_per_group_(std::move(part_per_group)), draft_(draft), log_(log) {}
+
+  /// The entry among the draft's meshes for a `mesh` element; nothing if its file is not there.
+  [[nodiscard]] std::optional<DraftMesh> find(const XmlElement& mesh);
+
+  /// What contact sees of it. Throws SetupError: the line of the element, then what is wrong with the mesh.
+  [[nodiscard]] const std::vector<ConvexPart>& parts(const DraftMesh& mesh, const XmlElement& user);
+
+  /// That there is no such file, and what to do.
+  [[nodiscard]] static std::string complaint(const XmlElement& mesh);
+
+ private:
+  [[nodiscard]] std::string free_name(const std::string& stem) const;
+
+  UrdfMeshPaths paths_;
+  std::vector<std::string> part_per_group_;
+  RobotDraft& draft_;
+  UrdfLog& log_;
+  MeshLibrary library_;
+};
+
+}  // namespace murosimf::io

@@ -1,0 +1,114 @@
+#include "murosimf/formats/urdf/urdf_reader.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/formats/urdf/urdf_gazebo.h"
+#include "murosimf/formats/urdf/urdf_inertial.h"
+#include "murosimf/formats/urdf/urdf_joint.h"
+#include "murosimf/formats/urdf/urdf_shape.h"
+#include "murosimf/formats/urdf/urdf_transmission.h"
+#include "murosimf/formats/urdf/urdf_value.h"
+#include "murosimf/formats/urdf/urdf_vocabulary.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+/// What a `mujoco` block asks for.
+struct Compiler {
+  std::optional<std::string> mesh_folder;
+  bool strip_path = true;  // MuJoCo's default for URDF
+  bool balance = false;
+};
+
+bool flag(const XmlElement& element, const char* name, bool fallback) {
+  const std::string text = element.attribute(name).value_or(fallback ? "true" : "false");
+  if (text != "true" && text != "false") element.fail(fmt::format("{} is '{}'; write true or false", name, text));
+  return text == "true";
+}
+
+Compiler read_compiler(const XmlElement& robot) {
+  Compiler compiler;
+  for (const XmlElement& mujoco : robot.children("mujoco")) {
+    for (const XmlElement& element : mujoco.children("compiler")) {
+      if (const auto folder = element.attribute("meshdir")) compiler.mesh_folder = *folder;
+      compiler.strip_path = flag(element, "strippath", compiler.strip_path);
+      compiler.balance = flag(element, "balanceinertia", compiler.balance);
+    }
+  }
+  return compiler;
+}
+
+void check_root(const XmlElement& robot) {
+  if (robot.tag() != "robot") {
+    robot.fail(fmt::format("the root is <{}>, not <robot>; this is no URDF file", robot.tag()));
+  }
+  refuse_xacro(robot);
+}
+
+UrdfMeshPaths mesh_paths(const std::filesystem::path& file, const ReaderOptions& options, const Compiler& compiler) {
+  UrdfMeshPaths paths(file, options.packages, options.search_paths);
+  if (compiler.mesh_folder) paths.also_look_in(*compiler.mesh_folder, compiler.strip_path);
+  return paths;
+}
+
+bool is_fixed(const UrdfTree& tree, int joint) { return tree.joints[joint].type == "fixed"; }
+
+/// True if a fixed joint is above or below the link.
+bool is_welded(const UrdfTree& tree, const UrdfLink& link) {
+  const auto fixed = [&](int joint) { return is_fixed(tree, joint); };
+  return (link.joint >= 0 && fixed(link.joint)) || std::ranges::any_of(link.children, fixed);
+}
+
+DraftBody read_body(const UrdfTree& tree, const UrdfLink& link, bool balance, UrdfLog& log) {
+  DraftBody body;
+  body.name = link.name;
+  body.where = link.element.where();
+  body.solid = read_inertial(link, is_welded(tree, link), balance, log);
+  if (const auto inertial = only_child(link.element, "inertial")) body.solid_where = inertial->where();
+  return body;
+}
+
+/// Bodies by the order of the tree; `number` of a link is that of its body.
+void read_bodies(const UrdfTree& tree, bool balance, UrdfShapes& shapes, RobotDraft& draft, UrdfLog& log) {
+  std::vector<int> number(tree.links.size());
+  for (const int index : tree.order) {
+    const UrdfLink& link = tree.links[index];
+    number[index] = static_cast<int>(draft.bodies.size());
+    DraftBody body = read_body(tree, link, balance, log);
+    shapes.add(link.element, body);
+    if (index != tree.order[0]) {
+      const UrdfJoint& joint = tree.joints[link.joint];
+      body.parent = number[joint.parent];
+      body.place = read_origin(joint.element);
+      if (!is_fixed(tree, link.joint)) body.joints.push_back(read_joint(joint, log));
+    }
+    draft.bodies.push_back(std::move(body));
+  }
+}
+
+}  // namespace
+
+RobotDraft read_urdf(const std::filesystem::path& file, const ReaderOptions& options) {
+  const XmlFile xml(file);
+  const XmlElement robot = xml.root();
+  check_root(robot);
+  RobotDraft draft;
+  draft.name = robot.attribute("name").value_or(file.stem().string());
+  draft.file = file;
+  check_words(robot, urdf_vocabulary(), options.lenient, draft.warnings, draft.notes);
+  UrdfLog log(draft, options.lenient);
+  const UrdfTree tree = read_tree(robot, log);
+  const Compiler compiler = read_compiler(robot);
+  UrdfMeshes meshes(mesh_paths(file, options, compiler), options.part_per_group, draft, log);
+  UrdfShapes shapes(read_colors(robot), std::move(meshes), log);
+  read_bodies(tree, compiler.balance, shapes, draft, log);
+  draft.mimics = read_mimics(tree, log);
+  read_gazebo(robot, tree, draft, log);
+  read_transmissions(robot, tree, log);
+  return draft;
+}
+
+}  // namespace murosimf::io

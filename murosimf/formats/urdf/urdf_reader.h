@@ -1,0 +1,20 @@
+/// urdf_reader.h - a robot from a URDF file.
+///
+/// Every link becomes a body in the frame of the joint above it; links at fixed joints are bodies without joints. The
+/// root is the base. An empty link above a floating joint is the world and left out, and so is the robot's place in it:
+/// the scene places robots. Servos are not made here: `limit` gives a joint's largest effort and rate. Read besides:
+/// `mimic`, of gazebo blocks what urdf_gazebo.h says, the compiler options meshdir, strippath and balanceinertia of a
+/// `mujoco` block. What means nothing to a robot's model (plugins, transmissions, textures) is a note; what is unknown
+/// or would change the motion is an error.
+/// Source: URDF XML specification.
+#pragma once
+
+#include "murosimf/description/reader_options.h"
+#include "murosimf/description/robot_draft.h"
+
+namespace murosimf::io {
+
+/// Throws SetupError: file, line, what is wrong, what to do.
+[[nodiscard]] RobotDraft read_urdf(const std::filesystem::path& file, const ReaderOptions& options = {});
+
+}  // namespace murosimf::io

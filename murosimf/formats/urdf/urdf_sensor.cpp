@@ -1,0 +1,169 @@
+#include "murosimf/formats/urdf/urdf_sensor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/formats/urdf/urdf_value.h"
+
+namespace murosimf::io {
+namespace {
+
+/// The number of an element inside; `fallback` if there is none.
+double child_number(const XmlElement& parent, const char* tag, double fallback = 0) {
+  const auto child = only_child(parent, tag);
+  return child ? text_number(*child) : fallback;
+}
+
+struct Distortion {
+  const char *key, *in_lens, *in_plugin;
+};
+constexpr std::array distortions{Distortion{"k1", "k1", "distortionK1"}, Distortion{"k2", "k2", "distortionK2"},
+                                 Distortion{"k3", "k3", "distortionK3"}, Distortion{"p1", "p1", "distortionT1"},
+                                 Distortion{"p2", "p2", "distortionT2"}};
+
+/// Also from the element `name` of each plugin of the sensor.
+double distortion(const XmlElement& sensor, const std::optional<XmlElement>& lens, const char* in_lens,
+                  const char* in_plugin) {
+  if (lens && only_child(*lens, in_lens)) return child_number(*lens, in_lens);
+  for (const XmlElement& plugin : sensor.children("plugin")) {
+    if (only_child(plugin, in_plugin)) return child_number(plugin, in_plugin);
+  }
+  return 0;
+}
+
+double pixels(const XmlElement& image, const char* tag, double usual) {
+  const double number = child_number(image, tag, usual);
+  if (number >= 1 && number <= 1e5 && number == std::floor(number)) return number;
+  image.fail(fmt::format("{} of the image is {}; write whole pixels, 1 to 100000", tag, number));
+}
+
+/// The format counts the center of the picture from the picture's corner, not from the middle of a pixel.
+void read_lens(const XmlElement& intrinsics, std::map<std::string, double>& numbers) {
+  numbers["fx"] = child_number(intrinsics, "fx", 277);
+  numbers["fy"] = child_number(intrinsics, "fy", 277);
+  numbers["cx"] = child_number(intrinsics, "cx", 160) - 0.5;
+  numbers["cy"] = child_number(intrinsics, "cy", 120) - 0.5;
+  if (!(numbers["fx"] > 0 && numbers["fy"] > 0)) intrinsics.fail("fx and fy of a lens must be positive");
+}
+
+void read_opening(const XmlElement& camera, std::map<std::string, double>& numbers) {
+  const double opening = child_number(camera, "horizontal_fov", 1.047);
+  if (!(opening > 0 && opening < 2 * pi)) {
+    camera.fail(fmt::format("horizontal_fov of the camera is {}; write radians, above 0 and below 6.28", opening));
+  }
+  numbers["opening"] = opening;
+}
+
+/// What is not said is as the format has it by default.
+std::map<std::string, double> read_camera(const XmlElement& sensor, const XmlElement& camera) {
+  std::map<std::string, double> numbers{{"width", 320}, {"height", 240}};
+  if (const auto image = only_child(camera, "image")) {
+    for (auto& [side, size] : numbers) size = pixels(*image, side.c_str(), size);
+  }
+  const auto lens = only_child(camera, "lens");
+  const auto intrinsics = lens ? only_child(*lens, "intrinsics") : std::nullopt;
+  if (intrinsics) {
+    read_lens(*intrinsics, numbers);
+  } else {
+    read_opening(camera, numbers);
+  }
+  const auto bend = only_child(camera, "distortion");
+  std::map<std::string, double> bends;
+  for (const auto& [key, in_lens, in_plugin] : distortions) bends[key] = distortion(sensor, bend, in_lens, in_plugin);
+  if (std::ranges::any_of(bends, [](const auto& entry) { return entry.second != 0; })) numbers.merge(bends);
+  return numbers;
+}
+
+Place read_pose(const XmlElement& sensor) {
+  const auto pose = only_child(sensor, "pose");
+  if (!pose || pose->text().empty()) return {};
+  const auto p = needed_numbers(*pose, pose->text(), 6, "<pose>");
+  return {{p[0], p[1], p[2]}, from_roll_pitch_yaw({p[3], p[4], p[5]})};
+}
+
+/// The larger error of each kind.
+void widen(sensors::SignalSpec& signal, const XmlElement& noise, UrdfLog& log) {
+  const double deviation = child_number(noise, "stddev"), bias = child_number(noise, "bias_stddev");
+  if (deviation < 0 || bias < 0) noise.fail("a deviation of noise is negative; it must be at least 0");
+  signal.noise = std::max(signal.noise, deviation);
+  signal.bias = std::max(signal.bias, bias);
+  for (const char* tag : {"mean", "bias_mean", "dynamic_bias_stddev"}) {
+    if (child_number(noise, tag) != 0) log.note(noise, fmt::format("<{}> of noise is not simulated", tag));
+  }
+}
+
+/// Noise of the axes x, y, z inside `quantity`.
+void read_axes(const XmlElement& imu, const char* quantity, const char* output, DraftSensor& draft, UrdfLog& log) {
+  const auto inside = only_child(imu, quantity);
+  if (!inside) return;
+  for (const char* tag : {"x", "y", "z"}) {
+    const auto axis = only_child(*inside, tag);
+    if (!axis) continue;
+    if (const auto noise = only_child(*axis, "noise")) widen(draft.signals[output], *noise, log);
+  }
+}
+
+void read_imu(const XmlElement& imu, DraftSensor& draft, UrdfLog& log) {
+  read_axes(imu, "angular_velocity", "gyroscope", draft, log);
+  read_axes(imu, "linear_acceleration", "accelerometer", draft, log);
+  const auto noise = only_child(imu, "noise");  // older than SDFormat 1.5
+  if (!noise) return;
+  if (const auto rate = only_child(*noise, "rate")) widen(draft.signals["gyroscope"], *rate, log);
+  if (const auto accel = only_child(*noise, "accel")) widen(draft.signals["accelerometer"], *accel, log);
+}
+
+void read_scan(const XmlElement& scan, DraftSensor& draft, UrdfLog& log) {
+  const auto horizontal = only_child(scan, "horizontal");
+  if (const auto vertical = only_child(scan, "vertical"); vertical && child_number(*vertical, "samples", 1) > 1) {
+    log.note(*vertical, "a laser scans one plane only; <vertical> is not used");
+  }
+  if (!horizontal) return;
+  const double first = child_number(*horizontal, "min_angle"), last = child_number(*horizontal, "max_angle");
+  draft.numbers["rays"] =
+      std::round(child_number(*horizontal, "samples", 640) * child_number(*horizontal, "resolution", 1));
+  draft.numbers["opening"] = last - first;
+  draft.numbers["first_angle"] = first;
+}
+
+/// A scanner's element is called as its kind, without the GPU.
+void read_laser(const XmlElement& laser, DraftSensor& draft, UrdfLog& log) {
+  if (const auto scan = only_child(laser, "scan")) read_scan(*scan, draft, log);
+  if (const auto range = only_child(laser, "range")) {
+    draft.numbers["nearest"] = child_number(*range, "min");
+    draft.numbers["farthest"] = child_number(*range, "max");
+    if (const double step = child_number(*range, "resolution"); step > 0) draft.signals[""].resolution = step;
+  }
+  if (const auto noise = only_child(laser, "noise")) widen(draft.signals[""], *noise, log);
+}
+
+}  // namespace
+
+double text_number(const XmlElement& element) {
+  const std::string text = element.text();
+  const std::string value = text.empty() ? element.attribute("value").value_or("") : text;
+  return needed_numbers(element, value, 1, fmt::format("<{}>", element.tag()))[0];
+}
+
+DraftSensor read_sensor(const XmlElement& sensor, const std::string& frame, UrdfLog& log) {
+  DraftSensor draft{sensor.attribute("type").value_or(""),
+                    sensor.attribute("name").value_or(""),
+                    frame,
+                    sensor.where(),
+                    read_pose(sensor),
+                    child_number(sensor, "update_rate")};
+  const auto cameras = sensor.children("camera");
+  if (!cameras.empty()) draft.numbers = read_camera(sensor, cameras[0]);
+  if (draft.rate != 0 && !(draft.rate >= 1e-3 && draft.rate <= 1e6)) {
+    sensor.fail(fmt::format("update_rate of the sensor is {}; write 0 or from 0.001 to 1000000 Hz", draft.rate));
+  }
+  if (const auto imu = only_child(sensor, "imu")) read_imu(*imu, draft, log);
+  for (const char* tag : {"ray", "lidar"}) {
+    if (const auto laser = only_child(sensor, tag)) read_laser(*laser, draft, log);
+  }
+  return draft;
+}
+
+}  // namespace murosimf::io

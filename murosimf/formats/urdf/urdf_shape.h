@@ -1,0 +1,46 @@
+/// urdf_shape.h - `visual` and `collision` elements of links of a URDF file.
+///
+/// Meshes that collide become convex hulls. Those for the eye are named, not read: the physics does not need them.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "murosimf/description/robot_draft.h"
+#include "murosimf/formats/urdf/urdf_log.h"
+#include "murosimf/formats/urdf/urdf_mesh.h"
+
+namespace murosimf::io {
+
+/// Colors by name of material, wherever in the file they are defined; the first definition counts.
+using UrdfColors = std::map<std::string, Color>;
+[[nodiscard]] UrdfColors read_colors(const XmlElement& robot);
+
+class UrdfShapes {
+ public:
+  UrdfShapes(UrdfColors colors, UrdfMeshes meshes, UrdfLog& log)
+      : colors_(std::move(colors)), meshes_(std::move(meshes)), log_(log) {}
+
+  /// Adds the shapes of a link to its body. Shapes that collide have the color of the link's first visual. Throws
+  /// SetupError: impossible sizes, collision mesh missing or unreadable. A visual mesh that is missing is a warning.
+  void add(const XmlElement& link, DraftBody& body);
+
+ private:
+  /// Something that fills space, before it is a shape.
+  struct Part {
+    XmlElement element;
+    bool collides = false;
+    Color color{};
+  };
+  void add_part(const Part& part, DraftBody& body);
+  void add_mesh(const Part& part, const XmlElement& mesh, DraftBody& body);
+  void add_visual_mesh(const Part& part, const XmlElement& mesh, DraftBody& body);
+  void add_collision_mesh(const Part& part, const XmlElement& mesh, DraftBody& body);
+  [[nodiscard]] Color color_of(const XmlElement& visual);
+
+  UrdfColors colors_;
+  UrdfMeshes meshes_;
+  UrdfLog& log_;
+};
+
+}  // namespace murosimf::io

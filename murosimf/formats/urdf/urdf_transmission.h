@@ -1,0 +1,12 @@
+/// urdf_transmission.h - `transmission` elements of a URDF file: nothing of them is used, because servos are described
+/// on the output side of their gears; mistakes in them are still told.
+#pragma once
+
+#include "murosimf/formats/urdf/urdf_tree.h"
+
+namespace murosimf::io {
+
+/// Notes gear ratios that are not 1, warns about joints that do not exist.
+void read_transmissions(const XmlElement& robot, const UrdfTree& tree, UrdfLog& log);
+
+}  // namespace murosimf::io

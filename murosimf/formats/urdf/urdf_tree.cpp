@@ -1,0 +1,170 @@
+#include "murosimf/formats/urdf/urdf_tree.h"
+
+#include <map>
+
+#include <fmt/format.h>
+
+#include "murosimf/formats/urdf/urdf_value.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+using Index = std::map<std::string, int, std::less<>>;
+
+void add_name(Index& index, const std::string& name, const XmlElement& element) {
+  const int number = static_cast<int>(index.size());
+  if (index.emplace(name, number).second) return;
+  element.fail(fmt::format("{} '{}' is already there; choose another name", element.tag(), name));
+}
+
+int known_link(const Index& links, const XmlElement& joint, const char* end) {
+  const XmlElement element = needed_child(joint, end);
+  const std::string name = needed_text(element, "link");
+  if (const auto found = links.find(name); found != links.end()) return found->second;
+  std::vector<std::string_view> known;
+  for (const auto& [link, number] : links) known.push_back(link);
+  element.fail(unknown_name("link", name, known));
+}
+
+std::string read_type(const XmlElement& joint, const std::string& name) {
+  std::string type = needed_text(joint, "type");
+  if (type == "planar") {
+    joint.fail(fmt::format("planar joint '{}' is not supported; use two prismatic joints and a revolute one", name));
+  }
+  for (const char* known : {"revolute", "continuous", "prismatic", "fixed", "floating"}) {
+    if (type == known) return type;
+  }
+  joint.fail(unknown_name("type of joint", type, {"revolute", "continuous", "prismatic", "fixed", "floating"}));
+}
+
+void read_links(const XmlElement& robot, UrdfTree& tree, Index& names) {
+  for (const XmlElement& element : robot.children("link")) {
+    const std::string name = needed_text(element, "name");
+    add_name(names, name, element);
+    tree.links.push_back({name, element});
+  }
+  if (tree.links.empty()) robot.fail("there is no link; a robot needs one");
+}
+
+void connect(UrdfTree& tree, int number) {
+  const UrdfJoint& joint = tree.joints[number];
+  UrdfLink& child = tree.links[joint.child];
+  if (joint.parent == joint.child) {
+    joint.element.fail(fmt::format("joint '{}' joins link '{}' to itself; correct it", joint.name, child.name));
+  }
+  if (child.joint >= 0) {
+    joint.element.fail(fmt::format("link '{}' has two parents, by joints '{}' and '{}'; remove one", child.name,
+                                   tree.joints[child.joint].name, joint.name));
+  }
+  child.joint = number;
+  tree.links[joint.parent].children.push_back(number);
+}
+
+void read_joints(const XmlElement& robot, UrdfTree& tree, const Index& links) {
+  Index names;
+  for (const XmlElement& element : robot.children("joint")) {
+    const std::string name = needed_text(element, "name");
+    add_name(names, name, element);
+    const std::string type = read_type(element, name);
+    const int number = static_cast<int>(tree.joints.size());
+    tree.joints.push_back(
+        {name, type, element, known_link(links, element, "parent"), known_link(links, element, "child")});
+    connect(tree, number);
+  }
+}
+
+int find_root(const UrdfTree& tree) {
+  int root = -1;
+  for (int i = 0; i < static_cast<int>(tree.links.size()); ++i) {
+    if (tree.links[i].joint >= 0) continue;
+    if (root >= 0) {
+      tree.links[i].element.fail(fmt::format("link '{}' is a second root beside '{}'; add a joint that holds it",
+                                             tree.links[i].name, tree.links[root].name));
+    }
+    root = i;
+  }
+  if (root < 0) {
+    const UrdfJoint& joint = tree.joints[tree.links[0].joint];
+    joint.element.fail(fmt::format("joint '{}' is part of a circle: no link is without parent; open it", joint.name));
+  }
+  return root;
+}
+
+/// The links below `root`, parents first.
+std::vector<int> below(const UrdfTree& tree, int root) {
+  std::vector<int> order, open{root};
+  while (!open.empty()) {
+    const int link = open.back();
+    open.pop_back();
+    order.push_back(link);
+    const auto& children = tree.links[link].children;
+    for (auto joint = children.rbegin(); joint != children.rend(); ++joint) open.push_back(tree.joints[*joint].child);
+  }
+  return order;
+}
+
+void check_reached(const UrdfTree& tree, const std::vector<int>& order) {
+  std::vector<bool> reached(tree.links.size());
+  for (const int link : order) reached[link] = true;
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    if (reached[i]) continue;
+    const UrdfJoint& joint = tree.joints[tree.links[i].joint];
+    joint.element.fail(fmt::format("joint '{}' is part of a circle that the root '{}' does not reach; open it",
+                                   joint.name, tree.links[order[0]].name));
+  }
+}
+
+bool is_empty(const UrdfLink& link) { return link.element.children().empty(); }
+
+/// The robot's base: the root, or what floats below it.
+int find_base(const UrdfTree& tree, int root, UrdfLog& log) {
+  const UrdfLink& link = tree.links[root];
+  if (link.children.size() != 1 || !is_empty(link)) return root;
+  const UrdfJoint& joint = tree.joints[link.children[0]];
+  if (joint.type == "floating") {
+    log.note(joint.element,
+             fmt::format("link '{}' stands for the world and is left out; the scene places the robot", link.name));
+    return joint.child;
+  }
+  if (joint.type == "fixed" && link.name == "world") {
+    log.warn(joint.element,
+             fmt::format("joint '{}' bolts the robot to the world; here it is free to move", joint.name));
+  }
+  return root;
+}
+
+void refuse_floating(const UrdfTree& tree, int base) {
+  for (const UrdfJoint& joint : tree.joints) {
+    if (joint.type != "floating" || joint.child == base) continue;
+    joint.element.fail(fmt::format("floating joint '{}' inside the robot; only its base may float", joint.name));
+  }
+}
+
+template <class Entries>
+int find(const Entries& entries, std::string_view name) {
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (entries[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+}  // namespace
+
+int UrdfTree::find_link(std::string_view name) const { return find(links, name); }
+int UrdfTree::find_joint(std::string_view name) const { return find(joints, name); }
+
+UrdfTree read_tree(const XmlElement& robot, UrdfLog& log) {
+  UrdfTree tree;
+  Index names;
+  read_links(robot, tree, names);
+  read_joints(robot, tree, names);
+  const int root = find_root(tree);
+  check_reached(tree, below(tree, root));
+  const int base = find_base(tree, root, log);
+  refuse_floating(tree, base);
+  tree.order = below(tree, base);
+  return tree;
+}
+
+}  // namespace murosimf::io

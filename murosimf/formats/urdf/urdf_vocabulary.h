@@ -1,0 +1,16 @@
+/// urdf_vocabulary.h - the elements and attributes of URDF.
+///
+/// Sources: URDF XML specification; XML reference of the MuJoCo documentation, "URDF extensions", for `mujoco`.
+/// Contents of `gazebo` blocks are urdf_gazebo.h's.
+#pragma once
+
+#include "murosimf/files/xml_vocabulary.h"
+
+namespace murosimf::io {
+
+[[nodiscard]] const XmlVocabulary& urdf_vocabulary();
+
+/// Throws SetupError if a file still has elements of the macro language xacro.
+void refuse_xacro(const XmlElement& robot);
+
+}  // namespace murosimf::io

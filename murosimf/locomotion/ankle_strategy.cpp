@@ -1,0 +1,97 @@
+#include "murosimf/locomotion/ankle_strategy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "murosimf/model/error.h"
+#include "murosimf/sensors/reading.h"
+#include "murosimf/sensors/three_numbers.h"
+
+namespace murosimf::control {
+namespace {
+
+using sensors::vector_of;
+
+Vec3d unit_of(const Vec3d& v) noexcept { return norm(v) > 0 ? (1 / norm(v)) * v : v; }
+double pitch_of(const Vec3d& up) noexcept { return std::atan2(-up.x, up.z); }
+
+/// Of the pendulum that a robot of this stance is (as for the sway of gait.h). `gravity` [m/s^2]
+double fall_rate(const WalkParameters& stance, const Vec3d& gravity) {
+  constexpr double height_above_sole = 1.072;
+  return std::sqrt(norm(gravity) / (height_above_sole * stance.hip_height));
+}
+
+std::span<const double> inertial(Setup& setup, const char* output) {
+  return at("a robot that balances needs a sensor 'imu' with gyroscope and accelerometer",
+            [&] { return sensors::read_output(setup, output); });
+}
+
+}  // namespace
+
+AnkleStrategy::AnkleStrategy(Setup& setup, const AnkleStrategyOptions& options)
+    : options_(options),
+      legs_(find_legs(setup.model())),
+      stance_(seeded_parameters(legs_)),
+      fall_rate_(fall_rate(stance_, setup.world().gravity)),
+      gyroscope_(inertial(setup, "imu.gyroscope")),
+      accelerometer_(inertial(setup, "imu.accelerometer")),
+      up_(setup.write(properties::balance_up)[0]),
+      upright_(setup.write(properties::balance_upright)[0]),
+      bias_(setup.write(properties::balance_bias)[0]),
+      capture_(setup.write(properties::balance_capture)[0]),
+      target_(setup.write(properties::joint_target)) {}
+
+void AnkleStrategy::initialize() {
+  up_ = upright_ = {0, 0, 1};
+  bias_ = {};
+  capture_ = 0;
+  std::fill(target_.begin(), target_.end(), 0.0);
+  write_targets();
+}
+
+void AnkleStrategy::step(const Instant& instant) noexcept {
+  const double period = seconds(instant.period), now = seconds(instant.now);
+  if (now < options_.settle_time) {
+    settle(period / (now + period));
+  } else {
+    follow_up(period);
+    answer(period);
+  }
+}
+
+/// Means so far, of which this sample is a `share`.
+void AnkleStrategy::settle(double share) noexcept {
+  bias_ += share * (vector_of(gyroscope_) - bias_);
+  upright_ += share * (unit_of(vector_of(accelerometer_)) - upright_);
+  up_ = unit_of(upright_);
+}
+
+void AnkleStrategy::follow_up(double period) noexcept {
+  const Vec3d pull = unit_of(vector_of(accelerometer_)) - up_;
+  up_ += period * (cross(up_, vector_of(gyroscope_) - bias_) + (1 / options_.trust_time) * pull);
+  up_ = unit_of(up_);
+}
+
+void AnkleStrategy::answer(double period) noexcept {
+  const double lean = pitch_of(up_) - pitch_of(upright_), rate = gyroscope_[1] - bias_.y;
+  capture_ += period / options_.smooth_time * (lean + rate / fall_rate_ - capture_);
+  write_targets();
+}
+
+/// From the stance of the walk engine: soles turned about the ankles.
+void AnkleStrategy::write_targets() noexcept {
+  const double sole = std::clamp(options_.gain * capture_, -options_.limit, options_.limit);
+  const Mat3d level_to_pelvis = rotation_y(-stance_.pitch);
+  GaitPose pose = home_pose(legs_);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Leg& leg = legs_[side];
+    const double outward = side == 0 ? 1 : -1;
+    const Vec3d ankle{-stance_.setback, outward * stance_.half_width - leg.hip.y,
+                      leg.ankle_height - stance_.hip_height};
+    const FootTarget target{.ankle = level_to_pelvis * ankle, .sole = level_to_pelvis * rotation_y(sole)};
+    bend(leg, target, std::span(pose.q[side]).first(leg.joints.size()));
+    for (std::size_t i = 0; i < leg.joints.size(); ++i) target_[leg.joints[i]] = pose.q[side][i];
+  }
+}
+
+}  // namespace murosimf::control

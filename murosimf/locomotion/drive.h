@@ -1,0 +1,50 @@
+/// drive.h - algorithm: turns a wanted speed and turning rate into rates of wheels and angles of steering.
+///
+/// The command is `walk_command` [m/s, m/s, rad/s]: speed of the middle of the unsteered axle, a sideways speed that means
+/// nothing to a car, and the turning rate. With the curvature c = turning rate / speed of the path, a wheel with its
+/// pivot at (x, y) from there rolls without slipping if
+///
+///     angle = atan2(c x, 1 - c y)      rate = speed (sqrt((1 - c y)^2 + (c x)^2) - c b) / radius
+///
+/// b: how far the wheel's middle is to the left of its pivot. The ends of the steering limit the curvature: the car then
+/// keeps its speed and turns less. At speed 0 the wheels are held and the steering stays.
+/// Source: Ackermann's condition, that the axles of all wheels meet in one point; any textbook of vehicle dynamics.
+#pragma once
+
+#include "murosimf/locomotion/vehicle.h"
+#include "murosimf/model/algorithm.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::control {
+
+struct DriveOptions {
+  double acceleration = 3;  ///< [m/s^2] a third of what tires on carpet can transmit; assumption
+  double steering = 4;      ///< [1/(m s)] change of curvature: 0.3 s from straight to the end with models/car.xml
+};
+
+class Drive final : public Algorithm {
+ public:
+  /// `command` [m/s, m/s, rad/s]: walk_command until somebody sets another. Throws SetupError if the model has no driven
+  /// wheel (vehicle.h).
+  explicit Drive(Setup& setup, const Vec3d& command = {}, const DriveOptions& options = {});
+
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+  static constexpr double rate_hz = 100;
+
+ private:
+  void advance(double dt) noexcept;
+  void write_targets() noexcept;
+
+  Vehicle vehicle_;
+  DriveOptions options_;
+  const Vec3d& command_;           // [m/s, m/s, rad/s]
+  Vec3d& velocity_;                // [m/s, m/s, rad/s] after the slew limits
+  double& curvature_;              // [1/m]
+  std::span<double> target_;       // [rad] by object
+  std::span<double> rate_target_;  // [rad/s] by object
+};
+
+}  // namespace murosimf::control

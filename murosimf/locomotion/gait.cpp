@@ -1,0 +1,122 @@
+#include "murosimf/locomotion/gait.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "murosimf/locomotion/stride.h"
+
+namespace murosimf::control {
+namespace {
+
+/// Both feet get everywhere at this walking velocity.
+bool reaches(const std::array<Leg, 2>& legs, const WalkParameters& p, const Vec3d& velocity) {
+  constexpr int phases = 100;
+  GaitPose pose = home_pose(legs);
+  for (int i = 0; i < phases; ++i) {
+    pose = gait_pose(legs, p, 2 * pi * i / phases, 1, velocity, pose);
+    if (!pose.reachable) return false;
+  }
+  return true;
+}
+
+/// Full speed forward while turning half as fast as possible, back, sideways and turning on the spot.
+bool reaches_at_full_speed(const std::array<Leg, 2>& legs, const WalkParameters& p) {
+  const auto& [x, y, z] = p.fastest;
+  return reaches(legs, p, {x, 0, 0.5 * z}) && reaches(legs, p, {-x, 0, 0}) && reaches(legs, p, {0, y, 0}) &&
+         reaches(legs, p, {0, 0, z});
+}
+
+/// Where the legs do not reach: less of what alone is too fast already, or less of everything.
+void slow_down(const std::array<Leg, 2>& legs, WalkParameters& p) {
+  constexpr double slower = 0.8;
+  auto& [x, y, z] = p.fastest;
+  const bool forward = reaches(legs, p, {x, 0, 0}) && reaches(legs, p, {-x, 0, 0});
+  const bool sideways = reaches(legs, p, {0, y, 0}), turning = reaches(legs, p, {0, 0, z});
+  const bool alone = forward && sideways && turning;
+  if (!forward || alone) x *= slower;
+  if (!sideways || alone) y *= slower;
+  if (!turning || alone) z *= slower;
+}
+
+/// Bends the knees more where ranges or offsets of the hinges keep the feet from the ends of their strides; if that does
+/// not help, makes strides shorter.
+void fit_to_reach(const std::array<Leg, 2>& legs, WalkParameters& p) {
+  constexpr double lower = 0.99;
+  constexpr int heights = 12, lengths = 12;
+  WalkParameters tried = p;
+  for (int i = 0; i < lengths; ++i) {
+    tried.hip_height = p.hip_height;
+    for (int k = 0; k < heights; ++k) {
+      if (reaches_at_full_speed(legs, tried)) {
+        p = tried;
+        return;
+      }
+      tried.hip_height = legs[0].ankle_height + lower * (tried.hip_height - legs[0].ankle_height);
+    }
+    tried.hip_height = p.hip_height;
+    slow_down(legs, tried);
+  }
+}
+
+}  // namespace
+
+WalkParameters seeded_parameters(const std::array<Leg, 2>& legs) {
+  constexpr double kid21_leg = 0.24;             // [m] thigh and shin
+  constexpr double kid21_half_hip_width = 0.05;  // [m]
+  constexpr double gravity = 9.81;               // [m/s^2]
+  WalkParameters p;
+  const double scale = (legs[0].thigh + legs[0].shin) / kid21_leg;
+  const double half_hip_width = 0.5 * (legs[0].hip.y - legs[1].hip.y);
+  const double kid21_ankle_height = 0.04;  // [m]
+  p.hip_height = (p.hip_height - kid21_ankle_height) * scale + legs[0].ankle_height;
+  p.period *= std::sqrt(scale);
+  p.lift *= scale;
+  p.setback *= scale;
+  p.half_width = half_hip_width + (p.half_width - kid21_half_hip_width) * scale;
+  p.slew.x *= scale;
+  p.slew.y *= scale;
+  p.fastest.x *= std::sqrt(scale);
+  p.fastest.y *= std::sqrt(scale);
+  fit_to_reach(legs, p);
+  const double w = std::sqrt(gravity / (1.072 * p.hip_height));
+  p.sway = half_hip_width * (1 - 1 / std::cosh(w * p.period / 4));
+  return p;
+}
+
+GaitPose home_pose(const std::array<Leg, 2>& legs) noexcept {
+  GaitPose pose;
+  for (std::size_t side = 0; side < 2; ++side) std::ranges::copy(legs[side].home, pose.q[side].begin());
+  return pose;
+}
+
+GaitPose gait_pose(const std::array<Leg, 2>& legs, const WalkParameters& p, double phase, double amplitude,
+                   const Vec3d& velocity, const GaitPose& start) noexcept {
+  const double d = p.double_support * pi / 2;
+  const double stance_time = p.period * (pi + 2 * d) / (2 * pi);
+  const double sway = amplitude * p.sway * std::sin(phase + p.lead);
+  const Mat3d level_to_pelvis = rotation_y(-p.pitch);
+  GaitPose pose = start;
+  pose.reachable = true;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Leg& leg = legs[side];
+    const double outward = side == 0 ? 1 : -1;
+    const Stride s = stride(side == 0 ? phase - pi : phase, d);
+    const Vec3d ankle{s.xi * velocity.x * stance_time - p.setback,
+                      outward * p.half_width - leg.hip.y + s.xi * velocity.y * stance_time - sway,
+                      -p.hip_height + leg.ankle_height + amplitude * p.lift * s.lift};
+    const double standing = side == 0 ? std::sin(phase) : -std::sin(phase);
+    const FootTarget target{.ankle = level_to_pelvis * ankle,
+                            .sole = level_to_pelvis * rotation_z(s.xi * velocity.z * stance_time),
+                            .roll = standing > 0 ? outward * amplitude * p.hip_roll * standing : 0};
+    const bool reached = bend(leg, target, std::span(pose.q[side]).first(leg.joints.size()));
+    pose.reachable = pose.reachable && reached;
+  }
+  return pose;
+}
+
+GaitPose gait_pose(const std::array<Leg, 2>& legs, const WalkParameters& p, double phase, double amplitude,
+                   const Vec3d& velocity) noexcept {
+  return gait_pose(legs, p, phase, amplitude, velocity, home_pose(legs));
+}
+
+}  // namespace murosimf::control

@@ -1,0 +1,56 @@
+/// gait.h - an omnidirectional open-loop walk: where both feet are at every phase.
+///
+/// Phase ph in [0, 2 pi); the left foot stands during (0, pi). With xi and lift of stride.h for p = ph - pi (left) or ph
+/// (right) and d = double_support pi/2, the ankle in the level frame of the pelvis, x and z from the hip center, y from the middle:
+///     x = xi vx Ts - x0                        z = -h + ankle height + hz lift
+///     y = +-fy + xi vy Ts - ay sin(ph + lead)  yaw = xi wz Ts
+/// with Ts = T (pi + 2 d)/(2 pi); the pelvis leans forward by `pitch`, and the standing leg's hip roll lifts the
+/// swinging side by `hip_roll` sin(ph) against the droop of its servos.
+/// Source: the project's walk study (parameters found by random search in MuJoCo on the kid21 robot).
+#pragma once
+
+#include <array>
+
+#include "murosimf/locomotion/leg.h"
+
+namespace murosimf::control {
+
+struct WalkParameters {
+  double period = 0.452;           ///< [s] T, two steps
+  double sway = 0.0094;            ///< [m] ay, sideways
+  double lift = 0.0445;            ///< [m] hz, height of the swinging foot
+  double hip_height = 0.2612;      ///< [m] h, hip center above the sole
+  double setback = 0.0128;         ///< [m] x0, feet behind the hips
+  double pitch = 0.031;            ///< [rad] forward lean of the pelvis
+  double double_support = 0.003;   ///< [1] share of the period with both feet down
+  double half_width = 0.0557;      ///< [m] fy, ankle from the middle
+  double lead = -0.128;            ///< [rad] of the sway
+  double hip_roll = 0.055;         ///< [rad] against droop
+  Vec3d slew{0.375, 0.25, 2};      ///< [m/s^2, m/s^2, rad/s^2] of the walking velocity
+  Vec3d fastest{0.25, 0.10, 0.8};  ///< [m/s, m/s, rad/s] commands beyond are clipped
+};
+
+/// Parameters for a robot with these legs: those of kid21 scaled by the leg's length (lengths by l, times by sqrt(l)),
+/// the sway from the linear inverted pendulum: ay = b (1 - 1/cosh(w T/4)), w = sqrt(g / z_c), b half the hip width,
+/// z_c = 1.072 h the height of the center of mass. Where the legs do not reach the ends of the strides at full speed, hips
+/// are lowered and strides made shorter until they do.
+/// Source: Kajita et al., "The 3D Linear Inverted Pendulum Mode", IROS 2001, for the pendulum's periodic orbit.
+[[nodiscard]] WalkParameters seeded_parameters(const std::array<Leg, 2>& legs);
+
+/// Joint positions [rad] of both legs, left first, in the order of their joints.
+struct GaitPose {
+  std::array<std::array<double, most_hinges>, 2> q{};
+  bool reachable = true;
+};
+
+/// Both legs at home.
+[[nodiscard]] GaitPose home_pose(const std::array<Leg, 2>& legs) noexcept;
+
+/// `amplitude` 0 stands, 1 walks; `velocity` [m/s, m/s, rad/s] forward, left, turning left. `start` is where legs without
+/// a closed form begin to look: the pose of the cycle before, or home.
+[[nodiscard]] GaitPose gait_pose(const std::array<Leg, 2>& legs, const WalkParameters& parameters, double phase,
+                                 double amplitude, const Vec3d& velocity, const GaitPose& start) noexcept;
+[[nodiscard]] GaitPose gait_pose(const std::array<Leg, 2>& legs, const WalkParameters& parameters, double phase,
+                                 double amplitude, const Vec3d& velocity) noexcept;
+
+}  // namespace murosimf::control

@@ -1,0 +1,40 @@
+#include "murosimf/locomotion/gait_clock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace murosimf::control {
+namespace {
+
+constexpr double ramp = 0.6;  // [periods] from standing to full sway and lift
+
+double approach(double value, double goal, double step) { return value + std::clamp(goal - value, -step, step); }
+
+Vec3d clipped(const Vec3d& v, const Vec3d& limit) {
+  return {std::clamp(v.x, -limit.x, limit.x), std::clamp(v.y, -limit.y, limit.y), std::clamp(v.z, -limit.z, limit.z)};
+}
+
+}  // namespace
+
+GaitClock::GaitClock(Setup& setup, const Vec3d& command)
+    : command_(setup.input(properties::walk_command, command)[0]),
+      velocity_(setup.write(properties::gait_velocity)[0]),
+      phase_(setup.write(properties::gait_phase)[0]),
+      amplitude_(setup.write(properties::gait_amplitude)[0]) {}
+
+void GaitClock::initialize() noexcept {
+  velocity_ = {};
+  phase_ = amplitude_ = 0;
+}
+
+void GaitClock::advance(double dt, const GaitLimits& limits) noexcept {
+  const Vec3d goal = clipped(command_, limits.fastest);
+  const Vec3d& slew = limits.slew;
+  velocity_ = {approach(velocity_.x, goal.x, dt * slew.x), approach(velocity_.y, goal.y, dt * slew.y),
+               approach(velocity_.z, goal.z, dt * slew.z)};
+  const bool walking = !is_zero(goal) || !is_zero(velocity_);
+  amplitude_ = approach(amplitude_, walking ? 1 : 0, dt / (ramp * limits.period));
+  phase_ = amplitude_ > 0 ? std::fmod(phase_ + 2 * pi * dt / limits.period, 2 * pi) : 0.0;
+}
+
+}  // namespace murosimf::control

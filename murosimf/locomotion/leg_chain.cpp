@@ -1,0 +1,77 @@
+#include "murosimf/locomotion/leg_chain.h"
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::control {
+namespace {
+
+LegHinge hinge(const Model& model, const Link& link) {
+  if (link.kind != LinkKind::revolute) {
+    throw SetupError(fmt::format("model '{}' has no leg that can be walked with: '{}' is not a hinge", model.name(),
+                                 model.objects()[link.object].name));
+  }
+  LegHinge result{.object = link.object, .offset = link.offset, .turn = link.turn, .axis = link.axis};
+  if (const Vec3d* range = model.find(properties::joint_range, link.object)) {
+    result.lowest = range->x;
+    result.highest = range->y;
+  }
+  return result;
+}
+
+}  // namespace
+
+LegChain read_chain(const Model& model, int sole) {
+  LegChain chain;
+  const Tree& tree = model.tree();
+  const FixedObject place = model.placement(sole);
+  for (int l = place.link; l > 0; l = tree.links[l].parent) {
+    chain.hinges.insert(chain.hinges.begin(), hinge(model, tree.links[l]));
+  }
+  if (chain.hinges.size() > most_hinges) {
+    throw SetupError(
+        fmt::format("model '{}' has no leg that can be walked with: {} joints between the base and its "
+                    "sole, more than {}",
+                    model.name(), chain.hinges.size(), most_hinges));
+  }
+  chain.tip = place.offset;
+  chain.sole = place.turned ? place.turn : Mat3d{};
+  return chain;
+}
+
+ChainPose pose_of(const LegChain& chain, std::span<const double> q) noexcept {
+  ChainPose pose;
+  Vec3d r;
+  Mat3d R;
+  for (std::size_t i = 0; i < chain.hinges.size(); ++i) {
+    const LegHinge& hinge = chain.hinges[i];
+    r += R * hinge.offset;
+    R = R * hinge.turn;
+    pose.place[i] = r;
+    pose.axis[i] = R * hinge.axis;
+    R = R * rotation(hinge.axis, q[i]);
+  }
+  pose.tip = r + R * chain.tip;
+  pose.sole = R * chain.sole;
+  return pose;
+}
+
+Vec3d center_of_axes(const ChainPose& pose, std::size_t first, std::size_t end, const Vec3d& reference) {
+  constexpr double pull = 1e-6;  // of the reference, against axes that determine no point
+  constexpr int rounds = 3;      // each makes what the pull displaces a million times smaller
+  Vec3d center = reference;
+  for (int round = 0; round < rounds; ++round) {
+    SymMat3d squares = diagonal(pull);
+    Vec3d sum;
+    for (std::size_t i = first; i < end; ++i) {
+      squares += inertia_of_point(pose.axis[i]);
+      sum += tangential(pose.place[i] - center, pose.axis[i]);
+    }
+    center += inverse(squares) * sum;
+  }
+  return center;
+}
+
+}  // namespace murosimf::control

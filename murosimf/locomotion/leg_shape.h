@@ -1,0 +1,25 @@
+/// leg_shape.h - where hip, knee and ankle of a chain of hinges are.
+///
+/// The knee is the hinge whose axis keeps the greatest distance from both ends of the leg: the larger of the smaller of
+/// its distances from the first hinge and from the sole. Hinges before it are the hip's, those behind it the ankle's;
+/// their centers are the points nearest to their axes (a leg without an ankle has its sole there). All at angles 0.
+#pragma once
+
+#include <string>
+
+#include "murosimf/locomotion/leg_chain.h"
+
+namespace murosimf::control {
+
+struct LegShape {
+  std::size_t knee = 0;
+  Vec3d hip, ankle;            ///< [m] centers at angles 0, in the frame of the base
+  double thigh = 0, shin = 0;  ///< [m] from the knee's axis to the two centers
+  double straight = 0;         ///< [rad] angle of the knee with a straight leg
+  double bend = 1;             ///< sign in which the knee bends: where its range is, or so that it goes forward
+};
+
+/// Why there is no such leg in `problem`, which stays empty otherwise.
+[[nodiscard]] LegShape shape_of(const LegChain& chain, std::string& problem);
+
+}  // namespace murosimf::control

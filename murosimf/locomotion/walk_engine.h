@@ -1,0 +1,37 @@
+/// walk_engine.h - algorithm: turns a walking velocity into joint targets, one control cycle after the other.
+///
+/// Reads `walk_command`; keeps its state in gait_phase, gait_amplitude and gait_velocity, so that it can be watched,
+/// saved and restored; writes `joint_target` of all joints (arms and head stay at zero).
+#pragma once
+
+#include "murosimf/locomotion/gait.h"
+#include "murosimf/locomotion/gait_clock.h"
+#include "murosimf/model/algorithm.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::control {
+
+class WalkEngine final : public Algorithm {
+ public:
+  /// `command` [m/s, m/s, rad/s]: walk_command until somebody sets another. Parameters are seeded from the legs.
+  /// Throws SetupError if the model has no two legs that find_legs understands.
+  explicit WalkEngine(Setup& setup, const Vec3d& command = {});
+  WalkEngine(Setup& setup, const Vec3d& command, const WalkParameters& parameters);
+
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+  static constexpr double rate_hz = 100;
+
+ private:
+  [[nodiscard]] GaitPose last_pose() const noexcept;
+  void write_targets(const GaitPose& start) noexcept;
+
+  std::array<Leg, 2> legs_;
+  WalkParameters parameters_;
+  GaitClock clock_;
+  std::span<double> target_;  // [rad] by object
+};
+
+}  // namespace murosimf::control

@@ -1,0 +1,87 @@
+#include "murosimf/logging/run_log.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/files/output_file.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+void check_rate(const RunLogOptions& options) {
+  const double rate = options.property_rate;
+  if (rate >= slowest_rate && rate <= options.step_rate) return;
+  throw SetupError(fmt::format("properties cannot be logged at {} Hz; write a rate from {} to the {} steps per second",
+                               rate, slowest_rate, options.step_rate));
+}
+
+LoggedSensor& sensor_named(std::vector<LoggedSensor>& sensors, const std::string& name) {
+  for (LoggedSensor& known : sensors) {
+    if (known.sensor == name) return known;
+  }
+  sensors.push_back({.sensor = name, .numbers = {}, .names = {}});
+  return sensors.back();
+}
+
+}  // namespace
+
+RunLog::RunLog(Simulation& simulation, const std::vector<std::string>& patterns, const RunLogOptions& options)
+    : simulation_(simulation), property_rate_(options.property_rate) {
+  check_rate(options);
+  const std::vector<LoggedNumber> logged = find_logged(simulation.world(), patterns);
+  attach_sensor_logs(logged, options.step_rate);
+  for (const LoggedNumber& number : logged) {
+    if (number.sensor.empty()) add_property(number);
+  }
+  if (!properties_.empty()) simulation_.at(Duration{}, [this] { note_properties(); });
+}
+
+void RunLog::attach_sensor_logs(const std::vector<LoggedNumber>& logged, double rate) {
+  for (const auto& entity : simulation_.world().entities()) {
+    std::vector<LoggedSensor> sensors;
+    for (const LoggedNumber& number : logged) {
+      if (number.entity != entity.get() || number.sensor.empty()) continue;
+      LoggedSensor& sensor = sensor_named(sensors, number.sensor);
+      sensor.numbers.push_back(number.index);
+      sensor.names.push_back(number.name());
+    }
+    if (!sensors.empty()) {
+      sensor_logs_.push_back(&simulation_.attach<SensorLog>("sensor_log", *entity, rate, sensors));
+    }
+  }
+}
+
+void RunLog::add_property(const LoggedNumber& number) {
+  const bool next = properties_.empty() || properties_.back().entity != number.entity ||
+                    properties_.back().object != number.object || properties_.back().property != number.property;
+  if (next) properties_.push_back({number.entity, number.object, number.property, {}, {}});
+  properties_.back().numbers.push_back(number.index);
+  properties_.back().series.names.push_back(number.name());
+}
+
+void RunLog::note_properties() {
+  for (PropertyLog& one : properties_) {
+    const ColumnBase* column = one.entity->find(one.property);
+    if (!column) continue;  // its level was exchanged
+    const Quantity quantity = ObjectAccess(*one.entity, one.object).get(one.property);
+    one.series.times.push_back(simulation_.now());
+    for (const std::size_t number : one.numbers) one.series.values.push_back(quantity.numbers[number]);
+  }
+  ++notes_;
+  simulation_.at(from_seconds(static_cast<double>(notes_) / property_rate_), [this] { note_properties(); });
+}
+
+std::string RunLog::csv() const {
+  std::vector<const LogSeries*> all;
+  for (const SensorLog* log : sensor_logs_) {
+    for (const LogSeries& series : log->series()) all.push_back(&series);
+  }
+  for (const PropertyLog& log : properties_) all.push_back(&log.series);
+  return to_csv(all);
+}
+
+void RunLog::write(const std::filesystem::path& file) const { write_file(file, csv()); }
+
+}  // namespace murosimf::io

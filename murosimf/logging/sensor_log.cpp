@@ -1,0 +1,30 @@
+#include "murosimf/logging/sensor_log.h"
+
+namespace murosimf::io {
+
+SensorLog::SensorLog(Setup& setup, const std::vector<LoggedSensor>& logged) {
+  for (const LoggedSensor& one : logged) {
+    sources_.push_back({sensors::read_reading(setup, one.sensor), one.numbers});
+    series_.push_back({.names = one.names, .times = {}, .values = {}});
+  }
+}
+
+void SensorLog::initialize() {
+  for (Source& source : sources_) source.samples = 0;
+  for (LogSeries& series : series_) {
+    series.times.clear();
+    series.values.clear();
+  }
+}
+
+void SensorLog::step(const Instant&) noexcept {
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    Source& source = sources_[i];
+    if (source.reading.samples == source.samples) continue;
+    source.samples = source.reading.samples;
+    series_[i].times.push_back(source.reading.time);
+    for (const std::size_t number : source.numbers) series_[i].values.push_back(source.reading.values[number]);
+  }
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,48 @@
+/// sensor_log.h - algorithm: notes every sample of sensors of one entity.
+///
+/// Attached last, at the rate of the simulation's steps; a sample is noted in the step in which it arrives, under the
+/// instant at which it was taken.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "murosimf/logging/log_series.h"
+#include "murosimf/model/algorithm.h"
+#include "murosimf/model/setup.h"
+#include "murosimf/sensors/reading.h"
+
+namespace murosimf::io {
+
+/// What is noted of one sensor.
+struct LoggedSensor {
+  std::string sensor;
+  std::vector<std::size_t> numbers;  ///< indices of its values
+  std::vector<std::string> names;    ///< of the same, with unit
+};
+
+class SensorLog final : public Algorithm {
+ public:
+  /// Throws SetupError if the entity has no such sensor.
+  SensorLog(Setup& setup, const std::vector<LoggedSensor>& logged);
+
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+  /// One per sensor; they do not move. They grow with the run.
+  [[nodiscard]] const std::deque<LogSeries>& series() const { return series_; }
+
+ private:
+  struct Source {
+    const sensors::Reading& reading;
+    std::vector<std::size_t> numbers;
+    std::uint64_t samples = 0;  // that are noted
+  };
+
+  std::vector<Source> sources_;
+  std::deque<LogSeries> series_;  // by source
+};
+
+}  // namespace murosimf::io

@@ -1,0 +1,246 @@
+#include "murosimf/robot/robot_builder.h"
+
+#include <set>
+
+#include <fmt/format.h>
+
+#include "murosimf/appearance/visual_meshes.h"
+#include "murosimf/files/xml_element.h"
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::io {
+namespace {
+
+/// One object to come, with the joint it stands for.
+struct Step {
+  Object object;
+  const DraftJoint* joint = nullptr;
+};
+
+class Builder {
+ public:
+  Builder(RobotDraft& draft, const RobotTable& table) : draft_(draft), table_(table), children_(draft.bodies.size()) {
+    for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
+      const DraftBody& body = draft.bodies[i];
+      bodies_.insert(body.name);
+      for (const DraftJoint& joint : body.joints) joints_.insert(joint.name);
+      if (body.parent >= 0) children_[body.parent].push_back(i);
+      for (const DraftFrame& frame : body.frames) (frame.kind == "body" ? bodies_ : frames_).insert(frame.name);
+    }
+  }
+
+  [[nodiscard]] Chain build() {
+    Chain chain;
+    const std::string& base = draft_.bodies[0].name;
+    const std::string& base_joint = draft_.base_joint;
+    if (base_joint != base) joints_.insert(base_joint);
+    chain.base(free_name(base, draft_.bodies[0].where, "body"));
+    if (!base_joint.empty() && base_joint != base) chain.alias(base_joint);
+    if (!frames_.contains(base)) add_other_names(chain, table_.frames, base);
+    add_pairs(chain);
+    finish(chain, 0);
+    return chain;
+  }
+
+ private:
+  /// The base or the last object of a body: mass and shapes, then everything that hangs on it.
+  void finish(Chain& chain, std::size_t index) {
+    const DraftBody& body = draft_.bodies[index];
+    add_mass(chain, body);
+    add_shapes(chain, body);
+    std::vector<Chain> branches;
+    for (const std::size_t child : children_[index]) branches.push_back(build_body(child));
+    for (const DraftFrame& frame : body.frames) branches.push_back(build_frame(frame));
+    chain.fork(branches);
+  }
+
+  [[nodiscard]] Chain build_body(std::size_t index) {
+    const DraftBody& body = draft_.bodies[index];
+    Chain chain;
+    for (const Step& step : name_last(steps(body), body)) add(chain, step);
+    if (chain.objects().back().is_joint()) add_alias(chain, body);
+    if (!frames_.contains(body.name)) add_other_names(chain, table_.frames, body.name);
+    finish(chain, index);
+    return chain;
+  }
+
+  [[nodiscard]] static std::vector<Step> steps(const DraftBody& body) {
+    const auto& [offset, turn] = body.place;
+    std::vector<Step> result;
+    if (!is_zero(offset)) result.push_back({{Kind::translation, -1, offset, {}, body.name + ".offset", true}});
+    if (!is_identity(turn)) result.push_back({{Kind::rotation, -1, {}, turn, body.name + ".turn", true}});
+    for (const DraftJoint& joint : body.joints) {
+      const bool away = !is_zero(joint.anchor);
+      if (away) result.push_back({{Kind::translation, -1, joint.anchor, {}, joint.name + ".anchor", true}});
+      if (joint.reference != 0) result.push_back({back_to_zero(joint)});
+      result.push_back({{joint.kind, -1, joint.axis, {}, joint.name}, &joint});
+      if (away) result.push_back({{Kind::translation, -1, -joint.anchor, {}, joint.name + ".back", true}});
+    }
+    if (result.empty()) result.push_back({{Kind::translation, -1, {}, {}, {}}});
+    return result;
+  }
+
+  /// In the pose of the file the joint stands at `reference`, so this undoes it.
+  [[nodiscard]] static Object back_to_zero(const DraftJoint& joint) {
+    const Vec3d axis = (1.0 / norm(joint.axis)) * joint.axis;
+    const std::string name = joint.name + ".zero";
+    if (joint.kind == Kind::prismatic) return {Kind::translation, -1, -joint.reference * axis, {}, name, true};
+    return {Kind::rotation, -1, {}, rotation(axis, -joint.reference), name, true};
+  }
+
+  /// The body's name for the last object, if it is no joint.
+  [[nodiscard]] std::vector<Step> name_last(std::vector<Step> steps, const DraftBody& body) {
+    Object& last = steps.back().object;
+    if (!steps.back().joint) last.name = free_name(body.name, body.where, "body");
+    last.structural = false;  // it is the body, and somebody may look at it
+    return steps;
+  }
+
+  void add(Chain& chain, const Step& step) {
+    const Object& object = step.object;
+    if (object.kind == Kind::translation) chain.translation(object.vector, object.name);
+    if (object.kind == Kind::rotation) chain.rotation(object.turn, object.name);
+    if (object.kind == Kind::revolute) chain.revolute(object.name, object.vector);
+    if (object.kind == Kind::prismatic) chain.prismatic(object.name, object.vector);
+    if (object.structural) chain.structural();
+    if (!step.joint) return;
+    add_joint_constants(chain, *step.joint);
+    add_other_names(chain, table_.joints, step.joint->name);
+    const bool meant = !bodies_.contains(step.joint->name) && !frames_.contains(step.joint->name);
+    if (meant) add_other_names(chain, table_.frames, step.joint->name);
+  }
+
+  /// A servo of the table has rotor, friction and speed-torque line of its own: the file's describe the same part.
+  void add_joint_constants(Chain& chain, const DraftJoint& joint) const {
+    if (joint.range) chain.with(properties::joint_range, *joint.range);
+    if (joint.stiffness > 0) {
+      chain.with(properties::joint_stiffness, joint.stiffness);
+      chain.with(properties::joint_spring_reference, joint.spring_reference);
+    }
+    for (const DraftMimic& mimic : draft_.mimics) {
+      if (mimic.joint == joint.name) {
+        chain.with(properties::joint_coupling, {mimic.leader, mimic.ratio, mimic.offset});
+      }
+    }
+    if (const auto found = table_.servos.find(joint.name); found != table_.servos.end()) {
+      chain.with(properties::servo, found->second.servo);
+      return;
+    }
+    if (joint.armature > 0) chain.with(properties::joint_armature, joint.armature);
+    if (joint.damping > 0) chain.with(properties::joint_damping, joint.damping);
+    if (joint.friction > 0) chain.with(properties::joint_friction, joint.friction);
+    if (joint.servo) chain.with(properties::servo, *joint.servo);
+  }
+
+  /// The table's other names for what the file calls `name`, each once: things of several kinds may share it.
+  void add_other_names(Chain& chain, const std::map<std::string, TableName>& others, const std::string& name) {
+    for (const auto& [other, meant] : others) {
+      if (meant.name == name && other != name && other_names_.insert(other).second) chain.alias(other);
+    }
+  }
+
+  void add_alias(Chain& chain, const DraftBody& body) {
+    if (chain.objects().back().name != body.name) chain.alias(free_name(body.name, body.where, "body"));
+  }
+
+  void add_pairs(Chain& chain) const {
+    ExcludedPairs excluded;
+    for (const DraftExclusion& pair : draft_.exclusions) {
+      excluded.emplace_back(object_of(pair.body1), object_of(pair.body2));
+    }
+    AllowedPairs allowed;
+    for (const DraftPair& pair : draft_.pairs) {
+      for (const ShapeOfObject& a : find_shapes(pair.shape1)) {
+        for (const ShapeOfObject& b : find_shapes(pair.shape2)) allowed.emplace_back(a, b);
+      }
+    }
+    if (!excluded.empty()) chain.with(properties::excluded_pairs, excluded);
+    if (!allowed.empty()) chain.with(properties::allowed_pairs, allowed);
+  }
+
+  /// Name of the object that is a body, or the frame of one that is welded to another.
+  [[nodiscard]] std::string object_of(const std::string& body) const {
+    return joints_.contains(body) ? body + ".body" : body;
+  }
+
+  /// Several if it is a mesh of several parts.
+  [[nodiscard]] std::vector<ShapeOfObject> find_shapes(const std::string& name) const {
+    std::vector<ShapeOfObject> shapes;
+    for (const DraftBody& body : draft_.bodies) {
+      for (std::size_t i = 0; i < body.shapes.size(); ++i) {
+        if (body.shapes[i].name == name) shapes.push_back({object_of(body.name), i});
+      }
+    }
+    return shapes;
+  }
+
+  /// Name of a body or frame; with a suffix if something else has it: a joint, for a frame also a body, or another frame.
+  [[nodiscard]] std::string free_name(const std::string& name, const std::string& where, const std::string& kind) {
+    const bool is_frame = kind != "body";
+    const char* owner = joints_.contains(name)               ? "joint"
+                        : is_frame && bodies_.contains(name) ? "body"
+                        : given_.contains(name)              ? "frame"
+                                                             : nullptr;
+    std::string free = owner ? name + "." + kind : name;
+    while (given_.contains(free)) free += "2";
+    given_.insert(free);
+    if (owner) {
+      draft_.warnings.push_back(one_line(fmt::format("{}: {} '{}' is called '{}' here, since a {} has the same name",
+                                                     where, kind, name, free, owner)));
+    }
+    return free;
+  }
+
+  void add_shapes(Chain& chain, const DraftBody& body) const {
+    Shapes shapes;
+    for (const DraftShape& shape : body.shapes) shapes.push_back(shape.placed);
+    if (!shapes.empty()) chain.with(properties::shapes, shapes);
+    const Visuals visuals = visuals_of(draft_, body);
+    if (!visuals.empty()) chain.with(properties::visuals, visuals);
+  }
+
+  void add_mass(Chain& chain, const DraftBody& body) {
+    if (body.solid.mass > 0) {
+      chain.with(properties::mass, body.solid.mass);
+      chain.with(properties::center_of_mass, body.solid.center);
+      chain.with(properties::inertia, body.solid.inertia);
+    } else {
+      draft_.warnings.push_back(
+          one_line(fmt::format("{}: body '{}' moves but has no mass; add an inertial", body.where, body.name)));
+    }
+  }
+
+  [[nodiscard]] Chain build_frame(const DraftFrame& frame) {
+    const std::string name = free_name(frame.name, frame.where, frame.kind);
+    const auto& [offset, turn] = frame.place;
+    Chain chain;
+    if (!is_zero(offset)) chain.translation(offset, name + ".offset").structural();
+    if (!is_identity(turn)) chain.rotation(turn, name + ".turn").structural();
+    chain.endpoint(name);
+    if (frame.box && is_sole(frame)) chain.with(properties::sole, *frame.box);
+    add_other_names(chain, table_.frames, frame.name);
+    return chain;
+  }
+
+  [[nodiscard]] bool is_sole(const DraftFrame& frame) const {
+    if (!table_.soles.empty()) return table_.is_sole(frame.name);
+    return frame.box && frame.name.ends_with("sole");
+  }
+
+  RobotDraft& draft_;
+  const RobotTable& table_;
+  std::vector<std::vector<std::size_t>> children_;
+  std::set<std::string> joints_, bodies_, frames_;  // bodies also those that are welded to others
+  std::set<std::string> given_;                     // names that free_name has given
+  std::set<std::string> other_names_;               // that add_other_names has given
+};
+
+}  // namespace
+
+ModelPtr build_model(RobotDraft& draft, const RobotTable& table) {
+  const Chain chain = Builder(draft, table).build();
+  return at(draft.bodies[0].where, [&] { return std::make_shared<const Model>(draft.name, chain); });
+}
+
+}  // namespace murosimf::io

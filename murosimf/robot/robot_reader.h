@@ -1,0 +1,29 @@
+/// robot_reader.h - a robot from its file, MJCF or URDF, and the TOML file beside it, as a Model.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "murosimf/description/reader_options.h"
+#include "murosimf/description/robot_draft.h"
+#include "murosimf/robot/robot_table.h"
+#include "murosimf/model/model.h"
+#include "murosimf/sensors/sensor_spec.h"
+
+namespace murosimf::io {
+
+struct RobotFile {
+  ModelPtr model;
+  std::vector<std::string>
+      warnings;                    ///< one line each: file:line: what looks wrong, or is dropped because of `lenient`
+  std::vector<std::string> notes;  ///< one line each: file:line: what means nothing here
+  RobotTable table;                ///< of the TOML file, completed by what was guessed (robot_roles.h)
+  std::vector<sensors::SensorSpec> sensors;  ///< that it carries
+  RobotDraft draft;                          ///< what the model was made of; bodies without joints are welded
+};
+
+/// The root element tells the format. Throws SetupError: file, line, what is wrong, what to do.
+[[nodiscard]] RobotFile read_robot(const std::filesystem::path& file, const ReaderOptions& options = {});
+
+}  // namespace murosimf::io

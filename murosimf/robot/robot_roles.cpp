@@ -1,0 +1,241 @@
+#include "murosimf/robot/robot_roles.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "murosimf/robot/robot_soles.h"
+#include "murosimf/components/servo_sections.h"
+#include "murosimf/files/xml_element.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+constexpr double full_torque_bend = 0.1;   // [rad] a guessed servo gives all it has at this error
+constexpr double full_force_shift = 0.02;  // [m] of a slider
+constexpr double damping_time = 0.05;      // [s] damping over gain of a guessed servo
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool contains(const std::string& text, std::string_view part) { return lower(text).find(part) != std::string::npos; }
+
+/// The body that has a frame or is called `name`, and the frame.
+struct Found {
+  std::size_t body = 0;
+  DraftFrame* frame = nullptr;
+};
+
+std::optional<Found> find_place(RobotDraft& draft, const std::string& name) {
+  for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
+    for (DraftFrame& frame : draft.bodies[i].frames) {
+      if (frame.name == name) return Found{i, &frame};
+    }
+  }
+  for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
+    if (draft.bodies[i].name == name) return Found{i, nullptr};
+  }
+  return std::nullopt;
+}
+
+/// A sole on the body, under its shapes; its name is `name` with ".sole".
+bool add_sole(RobotDraft& draft, const Found& foot, const std::string& name) {
+  const Mat3d axes = foot.frame ? foot.frame->place.orientation : Mat3d{};
+  auto sole = sole_under(draft, foot.body, name + ".sole", axes);
+  if (sole) draft.bodies[foot.body].frames.push_back(*std::move(sole));
+  return sole.has_value();
+}
+
+bool has_sole_site(const RobotDraft& draft) {
+  return std::ranges::any_of(draft.bodies, [](const DraftBody& body) {
+    return std::ranges::any_of(body.frames, [](const DraftFrame& f) { return f.box && f.name.ends_with("sole"); });
+  });
+}
+
+/// Frames that are called soles and have no rectangle.
+std::vector<std::string> sole_frames(const RobotDraft& draft) {
+  std::vector<std::string> names;
+  for (const DraftBody& body : draft.bodies) {
+    for (const DraftFrame& frame : body.frames) {
+      if (lower(frame.name).ends_with("sole")) names.push_back(frame.name);
+    }
+  }
+  return names;
+}
+
+/// Left before right, of four the front ones first.
+void sort_feet(RobotDraft& draft, std::vector<std::string>& feet) {
+  const auto places = body_places(draft);
+  const auto place = [&](const std::string& foot) { return places[find_place(draft, foot)->body].position; };
+  const auto left_first = [&](const auto& a, const auto& b) { return place(a).y > place(b).y; };
+  if (feet.size() == 4) {
+    std::ranges::sort(feet, [&](const auto& a, const auto& b) { return place(a).x > place(b).x; });
+    std::sort(feet.begin() + 2, feet.end(), left_first);
+  }
+  std::sort(feet.begin(), feet.begin() + 2, left_first);
+}
+
+void guess_soles(RobotDraft& draft, RobotTable& table) {
+  if (!table.soles.empty() || has_sole_site(draft)) return;
+  std::vector<std::string> feet = sole_frames(draft);
+  std::erase_if(feet, [&](const std::string& foot) { return !sole_under(draft, find_place(draft, foot)->body, foot); });
+  if (feet.empty()) {
+    for (const std::size_t body : find_feet(draft)) feet.push_back(draft.bodies[body].name);
+  }
+  if (feet.size() != 2 && feet.size() != 4) return;
+  sort_feet(draft, feet);
+  for (const std::string& foot : feet) table.soles.push_back({foot, draft.bodies[0].where});
+  draft.notes.push_back(
+      fmt::format("{}: guessed: the soles are under {}", draft.bodies[0].where, fmt::join(feet, ", ")));
+}
+
+bool is_joint(const RobotDraft& draft, const std::string& name) {
+  return std::ranges::any_of(draft.bodies, [&](const DraftBody& body) {
+    return std::ranges::find(body.joints, name, &DraftJoint::name) != body.joints.end();
+  });
+}
+
+void take_frame(RobotDraft& draft, RobotTable& table, const std::string& role, const std::string& name) {
+  const bool taken = table.frames.contains(role) || table.joints.contains(role) || find_place(draft, role) ||
+                     is_joint(draft, role) || role == draft.base_joint;
+  if (name.empty() || name == role || taken) return;
+  table.frames[role] = {name, draft.bodies[0].where};
+  draft.notes.push_back(fmt::format("{}: guessed: {} is '{}'", draft.bodies[0].where, role, name));
+}
+
+/// The first frame or body with `word` in its name; one with `better`, too, is preferred.
+std::string name_with(const RobotDraft& draft, std::string_view word, std::string_view better) {
+  std::string found;
+  const auto look_at = [&](const std::string& name) {
+    if (!contains(name, word)) return;
+    if (found.empty() || (!contains(found, better) && contains(name, better))) found = name;
+  };
+  for (const DraftBody& body : draft.bodies) {
+    for (const DraftFrame& frame : body.frames) look_at(frame.name);
+  }
+  for (const DraftBody& body : draft.bodies) look_at(body.name);
+  return found;
+}
+
+std::string frame_of_sensor(RobotDraft& draft, std::string_view kind) {
+  for (const DraftSensor& sensor : draft.sensors) {
+    if (sensor.kind == kind && sensor.obstacle.empty() && find_place(draft, sensor.frame)) return sensor.frame;
+  }
+  return {};
+}
+
+/// The last body on each side whose name says hand, gripper or wrist.
+void guess_hands(RobotDraft& draft, RobotTable& table) {
+  const auto places = body_places(draft);
+  std::map<std::string, std::string> hands;
+  for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
+    const std::string& name = draft.bodies[i].name;
+    const bool hand = contains(name, "hand") || contains(name, "gripper") || contains(name, "wrist");
+    if (hand && std::abs(places[i].position.y) > 0.01) {
+      hands[places[i].position.y > 0 ? "left_hand" : "right_hand"] = name;
+    }
+  }
+  for (const auto& [role, name] : hands) take_frame(draft, table, role, name);
+}
+
+void guess_frames(RobotDraft& draft, RobotTable& table) {
+  std::string imu = frame_of_sensor(draft, "gyro");
+  if (imu.empty()) imu = frame_of_sensor(draft, "imu");
+  take_frame(draft, table, "imu", imu.empty() ? name_with(draft, "imu", "imu_") : imu);
+  const std::string camera = frame_of_sensor(draft, "camera");
+  take_frame(draft, table, "camera", camera.empty() ? name_with(draft, "camera", "optical") : camera);
+  guess_hands(draft, table);
+}
+
+/// [N m | N] that the file gives for whatever moves the joint; 0: nothing.
+double largest_torque(const DraftJoint& joint) {
+  if (joint.servo && joint.servo->stall_torque > 0) return joint.servo->stall_torque;
+  return joint.effort_limit;
+}
+
+bool has_gain(const Servo& servo) { return servo.position_gain > 0 || servo.velocity_gain > 0; }
+
+void guess_servo(DraftJoint& joint) {
+  Servo servo;
+  servo.type = guessed_servo;
+  servo.law = "ideal_pd";
+  servo.stall_torque = largest_torque(joint);
+  servo.no_load_rate = joint.rate_limit;
+  servo.position_gain = servo.stall_torque / (joint.kind == Kind::prismatic ? full_force_shift : full_torque_bend);
+  servo.velocity_gain = damping_time * servo.position_gain;
+  joint.servo = servo;
+}
+
+void guess_servos(RobotDraft& draft, const RobotTable& table) {
+  std::set<std::string> followers;
+  for (const DraftMimic& mimic : draft.mimics) followers.insert(mimic.joint);
+  int guessed = 0;
+  for (DraftBody& body : draft.bodies) {
+    for (DraftJoint& joint : body.joints) {
+      const bool driven = (joint.servo && has_gain(*joint.servo)) || table.servos.contains(joint.name);
+      if (driven || followers.contains(joint.name) || !(largest_torque(joint) > 0)) continue;
+      guess_servo(joint);
+      ++guessed;
+    }
+  }
+  if (guessed == 0) return;
+  draft.notes.push_back(fmt::format(
+      "{}: guessed: position gains of {} servos, all torque at {} rad, all force at {} m; the file has only "
+      "their largest torques",
+      draft.bodies[0].where, guessed, full_torque_bend, full_force_shift));
+}
+
+std::string soles_toml(const RobotTable& table) {
+  const std::vector<std::string_view> two{"left", "right"};
+  const std::vector<std::string_view> four{"front_left", "front_right", "hind_left", "hind_right"};
+  const auto& feet = table.soles.size() == 4 ? four : two;
+  std::string text = "[soles]  # box sites at the bottoms of the feet, or the feet themselves\n";
+  for (std::size_t i = 0; i < std::min(feet.size(), table.soles.size()); ++i) {
+    text += fmt::format("{} = {}\n", feet[i], quoted(table.soles[i].name));
+  }
+  return table.soles.empty() ? "" : text + "\n";
+}
+
+std::string frames_toml(const RobotTable& table) {
+  if (table.frames.empty()) return {};
+  std::string text = "[frames]  # other names for frames, bodies and joints\n";
+  for (const auto& [role, frame] : table.frames) text += fmt::format("{} = {}\n", quoted(role), quoted(frame.name));
+  return text + "\n";
+}
+
+}  // namespace
+
+void place_soles(RobotDraft& draft, RobotTable& table) {
+  for (const TableName& sole : table.soles) {
+    const auto found = find_place(draft, sole.name);
+    const bool placed = found && found->frame && found->frame->box;
+    if (found && !placed && !add_sole(draft, *found, sole.name)) {
+      throw SetupError(
+          fmt::format("{}: '{}' cannot be a sole: its body has no shape that collides", sole.where, sole.name));
+    }
+    table.sole_frames.push_back(placed ? sole.name : sole.name + ".sole");
+  }
+}
+
+void guess_roles(RobotDraft& draft, RobotTable& table) {
+  guess_soles(draft, table);
+  guess_frames(draft, table);
+  guess_servos(draft, table);
+}
+
+std::string roles_toml(const RobotDraft& draft, const RobotTable& table) {
+  const std::string head = fmt::format(
+      "# What the file of {} cannot say, partly guessed (docs/robots.md): correct it. Servos are on the output side "
+      "of\n"
+      "# the gear, SI units; instead of numbers, the type of a ready-made one will do: type = \"mx64\".\n\n",
+      one_line(draft.name));
+  return head + soles_toml(table) + frames_toml(table) + servo_sections(draft);
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,179 @@
+#include "murosimf/robot/robot_sensors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/files/xml_element.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::io {
+namespace {
+
+using sensors::SensorSpec;
+
+struct Kind {
+  std::string_view kind, type;
+  std::string_view difference;  ///< between what the file means and what the sensor shows; may be empty
+};
+
+constexpr double usual_camera_rate = 25;  // [Hz] where the file does not say: steps of 1, 2, 4, 5, 8 ms divide into it
+
+constexpr std::string_view contacts_only = "it shows contact forces of its link, not what its mass adds";
+constexpr std::string_view whole_link = "it shows the contact forces of the whole link";
+
+constexpr std::array kinds{Kind{"accelerometer", "accelerometer", ""},
+                           Kind{"actuatorfrc", "joint_torque", ""},
+                           Kind{"camera", "camera", ""},
+                           Kind{"contact", "contact_force", ""},
+                           Kind{"force", "force_torque", contacts_only},
+                           Kind{"force_torque", "force_torque", contacts_only},
+                           Kind{"frameangvel", "angular_velocity", ""},
+                           Kind{"framelinvel", "linear_velocity", ""},
+                           Kind{"framepos", "position", ""},
+                           Kind{"framequat", "orientation", ""},
+                           Kind{"gpu_lidar", "laser", ""},
+                           Kind{"gpu_ray", "laser", ""},
+                           Kind{"gyro", "gyroscope", ""},
+                           Kind{"imu", "imu", ""},
+                           Kind{"jointactuatorfrc", "joint_torque", ""},
+                           Kind{"jointpos", "joint_position", ""},
+                           Kind{"jointvel", "joint_rate", ""},
+                           Kind{"lidar", "laser", ""},
+                           Kind{"rangefinder", "rangefinder", "nothing found is infinity, not -1"},
+                           Kind{"ray", "laser", ""},
+                           Kind{"subtreecom", "center_of_mass", ""},
+                           Kind{"torque", "force_torque", contacts_only},
+                           Kind{"touch", "contact_force", whole_link},
+                           Kind{"velocimeter", "velocimeter", ""}};
+
+/// Null: no kind that is known.
+const Kind* find_kind(std::string_view name) {
+  const auto found = std::ranges::find(kinds, name, &Kind::kind);
+  return found == kinds.end() ? nullptr : &*found;
+}
+
+/// A name that can stand in a path, and that no other sensor has.
+std::string free_name(const DraftSensor& sensor, const std::string& type, const std::vector<SensorSpec>& others) {
+  std::string name = sensor.name.empty() ? type : sensor.name;
+  std::ranges::replace_if(
+      name,
+      [](char c) {
+        return !is_sensor_name({&c, 1});
+      },
+      '_');
+  const auto taken = [&](const std::string& free) {
+    return std::ranges::find(others, free, &SensorSpec::name) != others.end();
+  };
+  std::string free = name;
+  for (int number = 2; taken(free); ++number) free = fmt::format("{}_{}", name, number);
+  return free;
+}
+
+/// The object of the model that a site, body or joint of the file has become (robot_builder.h).
+std::string object_of(const DraftSensor& sensor, const Model& model) {
+  if (sensor.object_kind.empty()) return sensor.frame;
+  const std::string suffix = sensor.object_kind == "xbody" ? "body" : sensor.object_kind;
+  const std::string renamed = sensor.frame + "." + suffix;
+  return model.find_object(renamed) ? renamed : sensor.frame;
+}
+
+/// Empty: it can be simulated.
+std::string why_not(const DraftSensor& sensor, const Kind* kind, const RobotDraft& draft) {
+  if (!kind) return "not simulated";
+  if (!sensor.obstacle.empty()) return "not simulated: " + sensor.obstacle;
+  const bool of_base = sensor.frame == draft.bodies[0].name;
+  if (sensor.kind == "subtreecom" && !of_base) return "not simulated: only the center of mass of the whole robot is";
+  return {};
+}
+
+void note(RobotDraft& draft, const DraftSensor& sensor, std::string_view text) {
+  if (text.empty()) return;
+  draft.notes.push_back(one_line(
+      fmt::format("{}: sensor {} '{}' at '{}': {}", sensor.where, sensor.kind, sensor.name, sensor.frame, text)));
+}
+
+/// [Hz] The highest rate up to `rate` whose period is a whole number of milliseconds, the usual steps: published cameras
+/// have 30 Hz.
+double rate_of_steps(double rate) {
+  constexpr double rounding = 1e-9;  // [1]
+  return 1e3 / std::ceil(1e3 / rate * (1 - rounding));
+}
+
+/// The rate of a camera, with a note where it is not the file's.
+double camera_rate(RobotDraft& draft, const DraftSensor& camera) {
+  const double rate = rate_of_steps(camera.rate > 0 ? camera.rate : usual_camera_rate);
+  if (camera.rate == 0) {
+    note(draft, camera, fmt::format("assumed: {:.4g} pictures per second", rate));
+  } else if (rate < camera.rate * (1 - 1e-6)) {
+    note(draft, camera, fmt::format("{:.4g} pictures per second, not {:.4g}: steps are 1 ms long", rate, camera.rate));
+  }
+  return rate;
+}
+
+SensorSpec spec_of(const DraftSensor& sensor, const std::string& type, const Model& model) {
+  SensorSpec spec;
+  spec.type = type;
+  spec.where = sensor.where;
+  spec.rate = sensor.rate;
+  spec.numbers = sensor.numbers;
+  spec.signals = sensor.signals;
+  if (sensor.object_kind == "joint" && type.starts_with("joint_")) {
+    spec.objects = {sensor.frame};
+    return spec;
+  }
+  spec.frame = object_of(sensor, model);
+  spec.position = sensor.place.position;
+  spec.orientation = sensor.place.orientation;
+  return spec;
+}
+
+void check_frame(const SensorSpec& spec, const Model& model) {
+  if (spec.frame.empty() || model.find_object(spec.frame)) return;
+  const auto names = model.object_names();
+  throw SetupError(one_line(fmt::format("{}: sensor '{}': {}", spec.where, spec.name,
+                                        unknown_name("frame", spec.frame, {names.begin(), names.end()}))));
+}
+
+/// Its frame is in the model; else it is an error, or a warning if `lenient`.
+bool has_place(const SensorSpec& spec, const Model& model, bool lenient, RobotDraft& draft) {
+  try {
+    check_frame(spec, model);
+  } catch (const SetupError& error) {
+    if (!lenient) throw;
+    draft.warnings.emplace_back(error.what());
+    return false;
+  }
+  return true;
+}
+
+std::vector<SensorSpec> sensors_of_file(RobotDraft& draft, const Model& model, bool lenient) {
+  std::vector<SensorSpec> specs;
+  for (DraftSensor& sensor : draft.sensors) {
+    const Kind* kind = find_kind(sensor.kind);
+    const std::string reason = why_not(sensor, kind, draft);
+    note(draft, sensor, reason.empty() ? kind->difference : reason);
+    if (!reason.empty()) continue;
+    SensorSpec spec = spec_of(sensor, std::string(kind->type), model);
+    if (spec.type == "camera") spec.rate = camera_rate(draft, sensor);
+    spec.name = free_name(sensor, spec.type, specs);
+    if (!has_place(spec, model, lenient, draft)) continue;
+    sensor.becomes = spec.name;
+    specs.push_back(std::move(spec));
+  }
+  return specs;
+}
+
+}  // namespace
+
+std::vector<SensorSpec> sensors_of(RobotDraft& draft, const RobotTable& table, const Model& model,
+                                   const std::filesystem::path& folder, bool lenient) {
+  std::vector<SensorSpec> specs = sensors_of_file(draft, model, lenient);
+  change_sensors(specs, table.sensors, folder);
+  for (const SensorSpec& spec : specs) check_frame(spec, model);
+  return specs;
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,43 @@
+/// robot_sensors.h - the sensors that a robot carries, from its robot file and the tables of the TOML file beside it.
+///
+/// Elements of robot files become sensors of these types; `mjcf_sensor.h` and `urdf_sensor.h` read them.
+///
+///     MJCF  gyro, accelerometer, framequat          gyroscope, accelerometer, orientation
+///           jointpos, jointvel                      joint_position, joint_rate
+///           jointactuatorfrc, actuatorfrc           joint_torque
+///           touch; force, torque                    contact_force; force_torque
+///           framepos, framelinvel, frameangvel      position, linear_velocity, angular_velocity
+///           velocimeter, subtreecom (of the base)   velocimeter, center_of_mass
+///           rangefinder                             rangefinder
+///           camera (of a body)                      camera (mjcf_camera.h)
+///     URDF  imu, contact, force_torque              imu, contact_force, force_torque
+///           ray, gpu_ray, lidar, gpu_lidar          laser
+///           camera                                  camera (urdf_sensor.h)
+///
+/// Numbers of cameras: width and height [px]; opening [rad], from the left to the right border, or fx, fy, cx, cy [px]
+/// (imaging/image.h says from where they count); k1, k2, p1, p2, k3 [1], Brown's distortion, where the file has any. They
+/// look along x, with y to the left and z up. Their rate is lowered to whole milliseconds; 25 Hz where the file has none.
+///
+/// Others are notes, and so is what a sensor shows differently. MJCF's `noise` is SignalSpec::noise, its `cutoff` the range. What has no name is called as its type:
+/// gyroscope, gyroscope_2, ...
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "murosimf/description/robot_draft.h"
+#include "murosimf/robot/robot_table.h"
+#include "murosimf/model/model.h"
+#include "murosimf/sensors/sensor_spec.h"
+
+namespace murosimf::io {
+
+/// The sensors of the draft, changed by the table's, whose parts may stand in `folder`. Sensors of the file that are not
+/// simulated are lines in the draft's notes. Throws SetupError with the place of a sensor on a frame that the model does
+/// not have; with `lenient` such sensors of the file are lines in its warnings.
+[[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(RobotDraft& draft, const RobotTable& table,
+                                                          const Model& model, const std::filesystem::path& folder,
+                                                          bool lenient);
+
+}  // namespace murosimf::io

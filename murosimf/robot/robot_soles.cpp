@@ -1,0 +1,114 @@
+#include "murosimf/robot/robot_soles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "murosimf/geometry/support.h"
+
+namespace murosimf::io {
+namespace {
+
+constexpr double thickness = 0.005;       // [m] what lies so near above the lowest point belongs to the sole
+constexpr double level_feet = 0.01;       // [m] feet need not end at exactly the same height
+constexpr double least_half = 0.01;       // [m] half width of a sole, also under a ball
+constexpr double slope = 0.05;            // [1] points of a flat bottom are the farthest even in tilted directions
+constexpr int directions = 16;            // around
+constexpr std::size_t joints_of_leg = 3;  // at least; a wheel has fewer
+
+/// Farthest points of a shape downwards and nearly so; `at`: of the shape, in the frame whose -z is down.
+void add_low_points(const Shape& shape, const Place& at, std::vector<Vec3d>& points) {
+  const auto add = [&](const Vec3d& down) {
+    const Vec3d local = transposed_times(at.orientation, down);
+    points.push_back(at.position + at.orientation * geometry::support(shape, local));
+  };
+  add({0, 0, -1});
+  for (int i = 0; i < directions; ++i) {
+    // between the axes, too, so that the corners of a box come out
+    const double angle = (i + 0.5) * 2 * pi / directions;
+    add({slope * std::cos(angle), slope * std::sin(angle), -1});
+  }
+}
+
+/// Of all shapes of a body that collide; `place`: of the body in the frame whose -z is down.
+std::vector<Vec3d> low_points(const DraftBody& body, const Place& place) {
+  std::vector<Vec3d> points;
+  for (const DraftShape& shape : body.shapes) {
+    const PlacedShape& placed = shape.placed;
+    if (placed.collides) add_low_points(placed.shape, inside(place, {placed.position, placed.orientation}), points);
+  }
+  return points;
+}
+
+/// [m] infinite without points.
+double lowest(const std::vector<Vec3d>& points) {
+  double z = std::numeric_limits<double>::infinity();
+  for (const Vec3d& p : points) z = std::min(z, p.z);
+  return z;
+}
+
+/// The one of `candidates`, with either sign, that comes nearest to `direction`; it is taken out.
+Vec3d take_nearest(std::vector<Vec3d>& candidates, const Vec3d& direction) {
+  const auto nearest =
+      std::ranges::max_element(candidates, {}, [&](const Vec3d& axis) { return std::abs(dot(axis, direction)); });
+  const Vec3d axis = *nearest;
+  candidates.erase(nearest);
+  return dot(axis, direction) < 0 ? -axis : axis;
+}
+
+/// Axes of a sole in the frame of the base: those of `turn`, renamed.
+Mat3d level_axes(const Mat3d& turn) {
+  std::vector<Vec3d> axes{turn.x, turn.y, turn.z};
+  const Vec3d up = take_nearest(axes, {0, 0, 1});
+  const Vec3d forward = take_nearest(axes, {1, 0, 0});
+  return {forward, cross(up, forward), up};
+}
+
+std::size_t joints_above(const RobotDraft& draft, std::size_t body) {
+  std::size_t count = 0;
+  for (int b = static_cast<int>(body); b >= 0; b = draft.bodies[b].parent) count += draft.bodies[b].joints.size();
+  return count;
+}
+
+}  // namespace
+
+std::vector<Place> body_places(const RobotDraft& draft) {
+  std::vector<Place> places;
+  for (const DraftBody& body : draft.bodies) {
+    places.push_back(body.parent < 0 ? Place{} : inside(places[body.parent], body.place));
+  }
+  return places;
+}
+
+std::optional<DraftFrame> sole_under(const RobotDraft& draft, std::size_t body, const std::string& name,
+                                     const Mat3d& axes) {
+  const Place place = body_places(draft)[body];
+  // axes of the sole to those of the body
+  const Mat3d sole_axes = transpose(place.orientation) * level_axes(place.orientation * axes);
+  std::vector<Vec3d> points = low_points(draft.bodies[body], {{}, transpose(sole_axes)});
+  if (points.empty()) return std::nullopt;
+  const double bottom = lowest(points);
+  std::erase_if(points, [&](const Vec3d& p) { return p.z > bottom + thickness; });
+  const auto [right, left] = std::ranges::minmax(points, {}, &Vec3d::y);
+  const auto [back, front] = std::ranges::minmax(points, {}, &Vec3d::x);
+  DraftFrame sole{name, draft.bodies[body].where};
+  sole.place = {sole_axes * Vec3d{0.5 * (back.x + front.x), 0.5 * (left.y + right.y), bottom}, sole_axes};
+  sole.box = Sole{std::max(least_half, 0.5 * (front.x - back.x)), std::max(least_half, 0.5 * (left.y - right.y))};
+  return sole;
+}
+
+std::vector<std::size_t> find_feet(const RobotDraft& draft) {
+  const auto places = body_places(draft);
+  std::vector<double> bottoms;
+  for (std::size_t i = 0; i < draft.bodies.size(); ++i)
+    bottoms.push_back(lowest(low_points(draft.bodies[i], places[i])));
+  const double ground = *std::ranges::min_element(bottoms);
+  std::vector<std::size_t> feet;
+  for (std::size_t i = 0; i < bottoms.size(); ++i) {
+    if (std::isfinite(bottoms[i]) && bottoms[i] <= ground + level_feet && joints_above(draft, i) >= joints_of_leg)
+      feet.push_back(i);
+  }
+  return feet;
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,24 @@
+/// model_constants.h - constants of a model that a scene changes: --set 'blue1.torso.mass=1.2'.
+///
+///     blue1.torso.mass, .center_of_mass, .inertia               of an object that has a mass
+///     blue1.j_l_shin.joint_damping, .joint_range, ...            of a joint; blue1.joint_damping: of all joints
+///     blue1.j_l_shin.servo.stall_torque, ...                     of its servo; blue1.servo.voltage: of all servos
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "murosimf/scene/scene_spec.h"
+#include "murosimf/model/model.h"
+
+namespace murosimf::io {
+
+/// True if the setting means a constant, not a property that changes while a scene runs.
+[[nodiscard]] bool is_constant(const PropertySetting& setting);
+
+/// A copy of the model with other constants. Masses come first; the inertia goes with its mass, which `remarks` say.
+/// Throws SetupError that begins with the setting's place: for objects without that constant, and impossible numbers.
+[[nodiscard]] ModelPtr with_constants(const Model& model, const std::vector<PropertySetting>& settings,
+                                      std::vector<std::string>& remarks);
+
+}  // namespace murosimf::io

@@ -1,0 +1,269 @@
+#include "murosimf/scene/property_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "murosimf/scene/registry.h"
+#include "murosimf/scene/setting_targets.h"
+#include "murosimf/scene/unused_settings.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/motion/servo_law.h"
+
+namespace murosimf::io {
+namespace {
+
+using Numbers = std::span<const double>;
+
+/// What a property that users may set belongs to.
+enum class Owner { base, body, joint, servo, motor, gear };
+
+/// Why a property cannot have these numbers; empty if it can.
+using ValueCheck = std::string_view (*)(Numbers);
+
+std::string_view not_negative(Numbers numbers) { return numbers[0] < 0 ? "must not be negative" : ""; }
+std::string_view zero_or_one(Numbers numbers) { return numbers[0] == 0 || numbers[0] == 1 ? "" : "must be 0 or 1"; }
+std::string_view above_absolute_zero(Numbers numbers) { return numbers[0] < -273 ? "is colder than anything" : ""; }
+std::string_view unit_length(Numbers numbers) {
+  double square = 0;
+  for (const double number : numbers) square += number * number;
+  return std::abs(std::sqrt(square) - 1) < 1e-3 ? "" : "must have length 1: w, x, y, z of a turn";
+}
+
+/// A property that acts if it is set although algorithms may write it, or that nobody writes.
+struct SettableProperty {
+  std::string_view name;
+  Owner owner = Owner::base;
+  bool of_level = false;  ///< only levels use it that say so (Level::inputs)
+  ValueCheck check = nullptr;
+};
+
+constexpr std::array settable{
+    SettableProperty{"position"},
+    SettableProperty{"linear_velocity", Owner::base, true},
+    SettableProperty{"angular_velocity", Owner::base, true},
+    SettableProperty{"base_quaternion", Owner::base, true, unit_length},
+    SettableProperty{"stance_pose", Owner::base, true},
+    SettableProperty{"stance_foot", Owner::base, true, zero_or_one},
+    SettableProperty{"remaining_shift", Owner::base, true},
+    SettableProperty{"remaining_turn", Owner::base, true},
+    SettableProperty{"joint_position", Owner::joint},
+    SettableProperty{"joint_rate", Owner::joint},
+    SettableProperty{"joint_target", Owner::joint},
+    SettableProperty{"joint_rate_target", Owner::joint},
+    SettableProperty{"cycle_target", Owner::joint},
+    SettableProperty{"applied_force", Owner::body, true},
+    SettableProperty{"supply_voltage", Owner::motor, true, not_negative},
+    SettableProperty{"torque_enabled", Owner::servo, true, zero_or_one},
+    SettableProperty{"servo_temperature", Owner::motor, true, above_absolute_zero},
+    SettableProperty{"backlash_play", Owner::gear, true},
+    SettableProperty{"backlash_side", Owner::gear, true},
+    SettableProperty{"rotor_rate", Owner::gear, true},
+    SettableProperty{"gait_velocity"},
+    SettableProperty{"gait_phase"},
+    SettableProperty{"gait_amplitude"},
+    SettableProperty{"path_curvature"},
+    SettableProperty{"motion_time"},
+    SettableProperty{"balance_up"},
+    SettableProperty{"balance_upright"},
+    SettableProperty{"balance_bias"},
+    SettableProperty{"balance_capture"},
+    SettableProperty{"next_waypoint"},
+};
+
+const SettableProperty* find_settable(std::string_view name) {
+  const auto found = std::ranges::find(settable, name, &SettableProperty::name);
+  return found == settable.end() ? nullptr : &*found;
+}
+
+const RobotSpec* find_spec(const SceneSpec& spec, std::string_view name) {
+  const auto found = std::ranges::find(spec.robots, name, &RobotSpec::name);
+  return found == spec.robots.end() ? nullptr : &*found;
+}
+
+bool changes_level_before(const SceneSpec& spec, const std::string& robot, double time) {
+  return std::ranges::any_of(spec.events, [&](const SceneEvent& event) {
+    const bool concerned = std::ranges::find(event.entities, robot) != event.entities.end();
+    return concerned && event.key == "level" && event.time <= time;
+  });
+}
+
+bool is_variable(std::string_view name) {
+  return std::ranges::any_of(properties::catalog(),
+                             [&](const auto& entry) { return !entry.constant && entry.info.name == name; });
+}
+
+std::string called(const Entity& entity, int index) {
+  return fmt::format("entity '{}', object '{}'", entity.name(), entity.model().objects()[index].name);
+}
+
+/// As setting it now would find it. False if there is no such property yet, but a level may bring it.
+bool can_be_set(Entity& entity, ObjectAccess object, int index, const PropertySetting& setting, bool level_changes) {
+  const ColumnBase* column = entity.find(setting.property);
+  if (!column && level_changes && is_variable(setting.property)) return false;
+  if (!column && is_variable(setting.property)) {
+    throw SetupError(fmt::format("{}: nobody here uses '{}': neither {} nor its controller and sensors",
+                                 called(entity, index), setting.property, entity.level));
+  }
+  const bool whole = column && column->info().scope != Scope::object;
+  const bool fits = column && column->numbers() > 0 && column->numbers() == setting.numbers.size() &&
+                    std::ranges::all_of(setting.numbers, [](double x) { return std::isfinite(x); }) &&
+                    (whole ? index == 0 : !entity.model().objects()[index].structural);
+  if (!fits) object.set(setting.property, setting.numbers);  // says why not, and sets nothing
+  return true;
+}
+
+/// Throws SetupError if the property means nothing for this object.
+void check_owner(const Entity& entity, int index, const SettableProperty& property) {
+  const Model& model = entity.model();
+  const auto need = [&](bool good, std::string_view what) {
+    if (!good) throw SetupError(fmt::format("{}: '{}' is for {}", called(entity, index), property.name, what));
+  };
+  switch (property.owner) {
+    case Owner::base:
+      return need(index == 0, fmt::format("the base '{}' only; the others follow it", model.objects()[0].name));
+    case Owner::body: {
+      const auto bodies = model.bodies();
+      return need(std::ranges::find(bodies, index) != bodies.end(), "objects with mass or shape");
+    }
+    case Owner::joint: {
+      const auto joints = model.joints();
+      return need(std::ranges::find(joints, index) != joints.end(), "joints");
+    }
+    case Owner::servo:
+    case Owner::motor:
+    case Owner::gear: return need(model.find(properties::servo, index) != nullptr, "joints with a servo");
+  }
+}
+
+/// Throws SetupError if what is set would be overwritten.
+void check_writers(const Simulation& simulation, const Entity& entity, int index, std::string_view property) {
+  const auto writers = simulation.writers_of(entity, property);
+  if (writers.empty()) return;
+  throw SetupError(fmt::format("{}: '{}' is a result that {} writes while the scene runs; setting it changes nothing",
+                               called(entity, index), property, fmt::join(writers, ", ")));
+}
+
+/// What a servo does with its supply; empty if it needs it.
+std::string why_no_motor(const Servo& servo, const RobotSpec& robot, std::string_view property) {
+  if (motion::with_law(servo, robot.servo_law).law != "dc_motor") return "the law of this servo has no motor";
+  if (property == "supply_voltage" && servo.voltage <= 0)
+    return "this servo has no 'voltage' that it could differ from";
+  if (property == "servo_temperature" && servo.heat.heat_capacity <= 0) return "this servo has no 'heat_capacity'";
+  return {};
+}
+
+/// Which of the two targets a joint has; empty if it is this one.
+std::string why_no_target(const Model& model, int joint, const std::vector<const Level*>& levels,
+                          std::string_view property) {
+  const Servo* servo = model.find(properties::servo, joint);
+  const bool of_rate = servo && motion::follows_rate(*servo);
+  if (of_rate != (property == "joint_rate_target")) {
+    return fmt::format("this joint follows '{}'", of_rate ? "joint_rate_target" : "joint_target");
+  }
+  if (model.find(properties::joint_coupling, joint)) return "this joint follows another one";
+  const auto needs_servo = [](const Level* level) { return has_word(level->options, "servo_law"); };
+  if (!servo && std::ranges::all_of(levels, needs_servo)) return "this joint has no servo and hangs free";
+  return {};
+}
+
+/// It would move a base that is bolted to the world.
+bool moves_fixed_base(const RobotSpec& robot, const std::vector<const Level*>& levels, int index,
+                      std::string_view property) {
+  const bool moves = property == "linear_velocity" || property == "angular_velocity" || property == "applied_force";
+  return robot.fixed_base && index == 0 && moves &&
+         std::ranges::all_of(levels, [](const Level* level) { return has_word(level->options, "fixed_base"); });
+}
+
+std::string why_it_does_not_act(const SceneSpec& spec, const RobotSpec& robot, const Entity& entity, int index,
+                                const SettableProperty& property, double time) {
+  const auto levels = levels_from(spec, robot, time);
+  const bool acts = !property.of_level || std::ranges::any_of(levels, [&](const Level* level) {
+    return has_word(level->inputs, property.name);
+  });
+  if (!acts) return fmt::format("{} does not use '{}'", levels.front()->name, property.name);
+  if (moves_fixed_base(robot, levels, index, property.name)) return "its base is fixed";
+  if (property.name == "joint_target" || property.name == "joint_rate_target") {
+    return why_no_target(entity.model(), index, levels, property.name);
+  }
+  if (property.owner == Owner::gear && entity.model().find(properties::servo, index)->backlash <= 0) {
+    return "this servo has no 'backlash'";
+  }
+  if (property.owner == Owner::motor) {
+    return why_no_motor(*entity.model().find(properties::servo, index), robot, property.name);
+  }
+  return {};
+}
+
+bool moves_height(const PropertySetting& setting, const Entity& entity) {
+  const auto* place = entity.find(properties::position);
+  return setting.property == "position" && place && setting.numbers[2] != place->values[0].z;
+}
+
+/// check_setting for one of the objects that are meant.
+std::string check_object(Simulation& simulation, const SceneSpec& spec, const PropertySetting& setting, Entity& entity,
+                         int index, double time) {
+  const ObjectAccess object(entity, index);
+  if (!can_be_set(entity, object, index, setting, changes_level_before(spec, entity.name(), time))) return {};
+  const SettableProperty* property = find_settable(setting.property);
+  if (!property) {
+    if (is_variable(setting.property)) check_writers(simulation, entity, index, setting.property);
+    return {};
+  }
+  check_owner(entity, index, *property);
+  if (property->check) {
+    if (const auto why = property->check(setting.numbers); !why.empty()) {
+      throw SetupError(fmt::format("{}: '{}' {}", called(entity, index), setting.property, why));
+    }
+  }
+  const RobotSpec* robot = find_spec(spec, entity.name());
+  if (!robot) return {};  // a ball is at one level, which has them all
+  if (auto why = why_it_does_not_act(spec, *robot, entity, index, *property, time); !why.empty()) return why;
+  const auto levels = levels_from(spec, *robot, time);
+  if (!levels.front()->dynamic && levels.size() == 1 && moves_height(setting, entity)) {
+    return fmt::format("{} does not use z of 'position'", levels.front()->name);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string check_setting(Simulation& simulation, const SceneSpec& spec, const PropertySetting& setting,
+                          const std::string& name, double time) {
+  Entity& entity = simulation.world().entity(name);
+  for (const int index : objects_meant(entity.model(), setting.object, setting.property)) {
+    if (auto why = check_object(simulation, spec, setting, entity, index, time); !why.empty()) return why;
+  }
+  return {};
+}
+
+std::string check_command(const RobotSpec& robot, const Model& model, const Vec3d& command) {
+  const Controller& controller = find_entry(controllers(), "controller", robot.controller);
+  if (!controller.attainable || is_zero(command)) return {};
+  const Vec3d most = controller.attainable(model, command);
+  if (norm(most - command) < 1e-9) return {};
+  return fmt::format(
+      "the command [{:.3g}, {:.3g}, {:.3g}] (m/s, m/s, rad/s) is more than '{}' can do with this robot: "
+      "[{:.3g}, {:.3g}, {:.3g}]",
+      command.x, command.y, command.z, robot.controller, most.x, most.y, most.z);
+}
+
+std::string setting_path(const PropertySetting& setting, const Entity& entity) {
+  if (setting.object.empty() && is_of_joints(setting.property)) {
+    return fmt::format("{}.{}", entity.name(), setting.property);
+  }
+  const std::string& object = setting.object.empty() ? entity.model().objects()[0].name : setting.object;
+  return fmt::format("{}.{}.{}", entity.name(), object, setting.property);
+}
+
+std::string to_text(const PropertySetting& setting, const Entity& entity) {
+  const std::string value = setting.numbers.size() == 1 ? fmt::format("{}", setting.numbers[0])
+                                                        : fmt::format("[{}]", fmt::join(setting.numbers, ", "));
+  return fmt::format("{} = {}", setting_path(setting, entity), value);
+}
+
+}  // namespace murosimf::io

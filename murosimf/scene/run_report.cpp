@@ -1,0 +1,111 @@
+#include "murosimf/scene/run_report.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "murosimf/files/json_schema.h"
+
+namespace murosimf::io {
+namespace {
+
+using nlohmann::json;
+
+json entity_object(const EntityReport& e) {
+  return {{"name", e.name},
+          {"model", e.model},
+          {"level", e.level},
+          {"contact", e.contact},
+          {"controller", e.controller},
+          {"team", e.team},
+          {"position", {e.position.x, e.position.y, e.position.z}},
+          {"distance_m", e.distance},
+          {"falls", e.falls},
+          {"frozen", e.frozen}};
+}
+
+json algorithm_object(const AlgorithmStatistics& a) {
+  return {{"name", a.name}, {"rate_hz", a.rate_hz}, {"calls", a.calls}, {"us_per_call", a.us_per_call}};
+}
+
+json sensor_object(const sensors::Reading& reading) {
+  json outputs = json::object();
+  for (const sensors::Output& output : reading.info->outputs) {
+    const auto values = reading.output(output.name);  // numbers that are not finite become null
+    outputs[output.name] = {{"unit", output.unit},
+                            {"labels", output.labels},
+                            {"values", std::vector<double>(values.begin(), values.end())}};
+  }
+  return {{"type", reading.info->type},
+          {"time_s", static_cast<double>(reading.time.count()) / 1e9},
+          {"samples", reading.samples},
+          {"outputs", std::move(outputs)}};
+}
+
+std::string sensor_line(const std::vector<SensorReport>& sensors) {
+  if (sensors.empty()) return {};
+  std::uint64_t samples = 0;
+  for (const SensorReport& sensor : sensors) samples += sensor.reading.samples;
+  return fmt::format("{} sensor{}, {} samples\n", sensors.size(), sensors.size() == 1 ? "" : "s", samples);
+}
+
+json stop_object(const RunReport& report) {
+  if (!report.stopped) return nullptr;
+  return {{"time_s", report.simulated}, {"by", report.stopped->by}, {"asked_s", report.stopped->asked}};
+}
+
+}  // namespace
+
+std::string to_text(const RunReport& report) {
+  std::string text = fmt::format("{:<12} {:<20} {:<20} {:<12} {:>9} {:>8} {:>6} {:>18}\n", "entity", "level", "contact",
+                                 "controller", "walked", "", "falls", "position");
+  for (const EntityReport& e : report.entities) {
+    text += fmt::format("{:<12} {:<20} {:<20} {:<12} {:>7.2f} m {:>8} {:>6} {:>8.2f} {:>8.2f} m\n", e.name, e.level,
+                        e.contact.empty() ? "-" : e.contact, e.controller.empty() ? "-" : e.controller, e.distance,
+                        e.frozen ? "frozen" : "", e.falls, e.position.x, e.position.y);
+  }
+  text += fmt::format("\n{:<22} {:>9} {:>10} {:>12}\n", "algorithm", "rate", "calls", "time a call");
+  for (const AlgorithmStatistics& a : report.algorithms) {
+    text += fmt::format("{:<22} {:>6.0f} Hz {:>10} {:>9.2f} us\n", a.name, a.rate_hz, a.calls, a.us_per_call);
+  }
+  text += fmt::format("\n{:.2f} s simulated in {:.3f} s: {:.0f} times real time on {} thread{}\n", report.simulated,
+                      report.wall, report.real_time_factor, report.threads, report.threads == 1 ? "" : "s");
+  if (report.stopped) {
+    text += fmt::format("stopped by {} at {:.3f} s of {:.3f} s\n", report.stopped->by, report.simulated,
+                        report.stopped->asked);
+  }
+  text += fmt::format("seed {}, state hash {:016x}\n", report.seed, report.state_hash);
+  text += sensor_line(report.sensors);
+  for (const Event& event : report.events) text += fmt::format("{:.3f} s: {}\n", seconds(event.time), event.text);
+  for (const std::string& note : report.notes) text += fmt::format("note: {}\n", note);
+  for (const std::string& warning : report.warnings) text += fmt::format("warning: {}\n", warning);
+  return text;
+}
+
+std::string to_json(const RunReport& report) {
+  json root{{"schema", json_schema("run")},
+            {"scene", report.scene},
+            {"simulated_s", report.simulated},
+            {"wall_s", report.wall},
+            {"real_time_factor", report.real_time_factor},
+            {"threads", report.threads},
+            {"seed", report.seed},
+            {"state_hash", fmt::format("{:016x}", report.state_hash)},
+            {"stopped", stop_object(report)},
+            {"entities", json::array()},
+            {"sensors", json::object()},
+            {"algorithms", json::array()},
+            {"events", json::array()},
+            {"notes", report.notes},
+            {"warnings", report.warnings}};
+  for (const EntityReport& e : report.entities) root["entities"].push_back(entity_object(e));
+  for (const SensorReport& sensor : report.sensors) {
+    root["sensors"][sensor.entity][sensor.reading.info->name] = sensor_object(sensor.reading);
+  }
+  for (const AlgorithmStatistics& a : report.algorithms) root["algorithms"].push_back(algorithm_object(a));
+  for (const Event& event : report.events) {
+    root["events"].push_back({{"time_s", seconds(event.time)}, {"text", event.text}});
+  }
+  return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace murosimf::io

@@ -1,0 +1,73 @@
+// Pushes of a scene: who feels them, and when.
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "murosimf/scene/registry.h"
+#include "murosimf/scene/scene.h"
+#include "murosimf/scene/setting_targets.h"
+#include "murosimf/motion/push.h"
+
+namespace murosimf::io {
+namespace {
+
+std::string in_brackets(const Vec3d& v) { return fmt::format("({:g}, {:g}, {:g})", v.x, v.y, v.z); }
+
+std::string push_text(const std::string& whom, const PushSpec& push) {
+  const std::string moment = norm(push.moment) > 0 ? fmt::format(", moment {} N m", in_brackets(push.moment)) : "";
+  return fmt::format("push on {}: force {} N{}, until {:g} s", whom, in_brackets(push.force), moment, push.end);
+}
+
+int pushed_object(const Model& model, const PushSpec& push) {
+  const int object = objects_meant(model, push.object, "applied_force").front();
+  const auto bodies = model.bodies();
+  if (std::find(bodies.begin(), bodies.end(), object) != bodies.end()) return object;
+  throw SetupError(fmt::format("'{}' has neither mass nor shape; push a body", model.objects()[object].name));
+}
+
+}  // namespace
+
+/// The level at which the robot will be then, as far as the scene says.
+std::string Scene::level_at(const Entity& entity, double time) const {
+  std::string level = entity.level;
+  for (const SceneEvent& event : spec_.events) {
+    const bool meant = std::find(event.entities.begin(), event.entities.end(), entity.name()) != event.entities.end();
+    if (meant && !event.setting && event.key == "level" && event.time <= time) level = event.value;
+  }
+  return level;
+}
+
+void Scene::check_feels(const Entity& entity, const PushSpec& push) const {
+  const std::string level = level_at(entity, push.begin);
+  if (find_entry(levels(), "level", level).dynamic) return;
+  std::vector<std::string_view> feeling;
+  for (const Level& other : levels()) {
+    if (other.dynamic) feeling.push_back(other.name);
+  }
+  throw SetupError(fmt::format("'{}' is at {} then, which ignores forces; it feels them at {}", entity.name(), level,
+                               fmt::join(feeling, ", ")));
+}
+
+void Scene::attach_pushes() {
+  std::map<Entity*, std::vector<motion::TimedPush>> all;
+  for (const PushSpec& push : spec_.pushes) {
+    for (const std::string& name : push.entities)
+      at(push.where, [&] {
+        Entity* entity = simulation_->world().find(name);
+        if (!entity) throw SetupError(fmt::format("'{}' stands there for good; nothing pushes it", name));
+        check_feels(*entity, push);
+        const int object = pushed_object(entity->model(), push);
+        all[entity].push_back({object, push.force, push.moment, from_seconds(push.begin), from_seconds(push.end)});
+        const bool named = entity->model().find_object(push.object).has_value();
+        const std::string text =
+            push_text(name + "." + (named ? push.object : entity->model().objects()[object].name), push);
+        simulation_->at(from_seconds(push.begin), [this, text] { simulation_->record(text); });
+      });
+  }
+  for (Entity* mover : movers_) {  // a map of addresses has no order that could be repeated
+    if (all.contains(mover)) simulation_->attach<motion::Push>("push", *mover, spec_.rate, all[mover]);
+  }
+}
+
+}  // namespace murosimf::io

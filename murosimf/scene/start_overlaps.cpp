@@ -1,0 +1,161 @@
+#include "murosimf/scene/start_overlaps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "murosimf/collision/compound.h"
+#include "murosimf/collision/ground_points.h"
+#include "murosimf/geometry/collide.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::io {
+namespace {
+
+constexpr double deepest_contact = 5e-3;  // [m] feet and balls sink in by less than 1 mm
+constexpr std::size_t most_pairs = 5;     // that are named
+
+/// What equal entities have in common.
+struct EntityKind {
+  explicit EntityKind(const Model& model)
+      : reach(collision::farthest_reach(model)), ground_shapes(collision::ground_shapes(model)) {}
+
+  double reach;  ///< [m] of all shapes about the base
+  std::vector<collision::GroundShape> ground_shapes;
+  std::optional<collision::Compound> compound;  ///< made if somebody comes near
+};
+
+/// An entity where it stands.
+struct Standing {
+  Standing(const Entity& of, EntityKind& its_kind) : entity(&of), kind(&its_kind) {
+    if (const auto* place = of.find(properties::position)) r = place->values;
+    if (const auto* attitude = of.find(properties::orientation)) R = attitude->values;
+    if (!r.empty() && !R.empty()) return;
+    for (const geometry::Pose& pose : collision::rest_poses(of.model())) {
+      r.push_back(pose.position);
+      R.push_back(pose.orientation);
+    }
+  }
+
+  const Entity* entity;
+  EntityKind* kind;
+  std::vector<Vec3d> r;  ///< [m] of its objects
+  std::vector<Mat3d> R;
+  std::optional<collision::Compound> compound;
+  bool moves = true;
+};
+
+collision::Compound& compound_where(Standing& standing) {
+  if (standing.compound) return *standing.compound;
+  auto& shared = standing.kind->compound;
+  if (!shared) {
+    const Model& model = standing.entity->model();
+    shared.emplace(model, collision::CompoundOptions{.structured = !model.joints().empty()});
+  }
+  standing.compound = shared;
+  standing.compound->refit(standing.r, standing.R);
+  return *standing.compound;
+}
+
+struct OverlapBodies {
+  int a = 0, b = 0;
+};
+
+double depth_of(const geometry::Manifold& manifold) {
+  double depth = 0;
+  for (int i = 0; i < manifold.count; ++i) depth = std::max(depth, manifold.points[i].depth);
+  return depth;
+}
+
+/// The first bodies that are found in each other.
+std::optional<OverlapBodies> first_overlap(Standing& one, Standing& other) {
+  const collision::Compound &a = compound_where(one), &b = compound_where(other);
+  std::optional<OverlapBodies> found;
+  const auto test = [&](int i, int j) {
+    const collision::CollidingShape &first = a.shapes()[i], &second = b.shapes()[j];
+    geometry::Manifold manifold;
+    if (geometry::collide(first.placed.shape, a.pose(i, one.r, one.R), second.placed.shape, b.pose(j, other.r, other.R),
+                          manifold) &&
+        depth_of(manifold) > deepest_contact) {
+      found = OverlapBodies{first.object, second.object};
+    }
+    return !found;
+  };
+  // kinds of shapes count on what stands still; between movers everything touches (model/shape.h)
+  if (other.moves) {
+    (void)collision::for_pairs(a, b, test);
+  } else {
+    (void)collision::for_pairs(a, b, collision::only_touching(a, b, test));
+  }
+  return found;
+}
+
+std::string name_in(const Standing& standing, int object) { return standing.entity->model().objects()[object].name; }
+
+std::string overlap_line(const Standing& one, const Standing& other, const OverlapBodies& objects) {
+  return fmt::format("{} and {} overlap at the start ('{}' is in '{}'): contact pushes them apart", one.entity->name(),
+                     other.entity->name(), name_in(one, objects.a), name_in(other, objects.b));
+}
+
+/// [m] of the lowest point above the plane z = 0, if that may be below it.
+double lowest_of(const Standing& standing) {
+  const collision::GroundPlane ground;
+  double lowest = std::numeric_limits<double>::infinity();
+  if (standing.r[0].z > standing.kind->reach) return lowest;
+  for (const auto& shape : standing.kind->ground_shapes) {
+    if (!may_touch(shape.placed, ground)) continue;
+    lowest =
+        std::min(lowest, collision::lowest_point(shape, standing.r[shape.object], standing.R[shape.object], ground));
+  }
+  return lowest;
+}
+
+bool are_near(const Standing& a, const Standing& b) { return norm(a.r[0] - b.r[0]) <= a.kind->reach + b.kind->reach; }
+
+/// Of pairs, each once; who stands still comes last. No more than `most_pairs`.
+void add_overlaps(std::vector<Standing>& standing, std::vector<std::string>& lines) {
+  for (std::size_t i = 0; i + 1 < standing.size(); ++i) {
+    for (std::size_t j = i + 1; j < standing.size(); ++j) {
+      if (!are_near(standing[i], standing[j])) continue;
+      const auto found = first_overlap(standing[i], standing[j]);
+      if (!found) continue;
+      if (lines.size() == most_pairs) {
+        lines.emplace_back("others overlap at the start, too");
+        return;
+      }
+      lines.push_back(overlap_line(standing[i], standing[j], *found));
+    }
+  }
+}
+
+void add_sunken(const std::vector<Standing>& standing, std::vector<std::string>& lines) {
+  for (const Standing& one : standing) {
+    const double lowest = one.moves ? lowest_of(one) : 0;
+    if (lowest >= -deepest_contact) continue;
+    lines.push_back(fmt::format("{} is in the ground by {:.0f} mm at the start: contact pushes it out",
+                                one.entity->name(), -1e3 * lowest));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> start_overlaps(const Entity& field, std::span<Entity* const> movers) {
+  std::map<const Model*, EntityKind> kinds;
+  std::vector<Standing> standing;
+  standing.reserve(movers.size() + 1);
+  const auto add = [&](const Entity& entity) -> Standing& {
+    EntityKind& kind = kinds.try_emplace(&entity.model(), entity.model()).first->second;
+    return standing.emplace_back(entity, kind);
+  };
+  for (const Entity* mover : movers) add(*mover);
+  add(field).moves = false;
+  std::vector<std::string> lines;
+  add_overlaps(standing, lines);
+  add_sunken(standing, lines);
+  return lines;
+}
+
+}  // namespace murosimf::io

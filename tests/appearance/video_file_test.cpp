@@ -1,0 +1,108 @@
+/// video_file_test - what another program is fed, and that nothing is left of videos that nobody finished.
+#include "murosimf/appearance/video_file.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "tests/fixtures.h"
+#include "tests/temp_folder.h"
+
+namespace murosimf::io {
+namespace {
+
+namespace fs = std::filesystem;
+using fixtures::error_of;
+using fixtures::says;
+
+class VideoFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fixtures::temp_folder() /
+              (std::string("video_file_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  [[nodiscard]] std::string at(const char* name) const { return (folder_ / name).string(); }
+  static std::string text_of(const fs::path& file) {
+    std::stringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+  }
+  [[nodiscard]] int files() const {
+    return static_cast<int>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+  fs::path folder_;
+};
+
+using ChildPipes = VideoFiles;
+
+std::span<const std::byte> bytes(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+TEST_F(ChildPipes, CarryAllBytesInOrder) {
+  std::string text;
+  for (int i = 0; i < 300000; ++i) text += std::to_string(i);
+  ChildPipe pipe({"sh", "-c", "cat > '" + at("out") + "'"}, "");
+  pipe.write(bytes(text.substr(0, 7)));
+  pipe.write({});
+  pipe.write(bytes(text.substr(7)));
+  pipe.finish();
+  EXPECT_TRUE(text_of(at("out")) == text);
+}
+
+TEST_F(ChildPipes, HandArgumentsOverAsTheyAre) {
+  ChildPipe pipe({"sh", "-c", "printf %s \"$1\" > \"$2\"", "sh", "two words; $HOME 'x'", at("out")}, "");
+  pipe.finish();
+  EXPECT_EQ(text_of(at("out")), "two words; $HOME 'x'");
+}
+
+TEST_F(ChildPipes, EndProgramsThatNobodyWaitsFor) {
+  {
+    ChildPipe pipe({"sh", "-c", "cat > '" + at("out") + "'; echo whole > '" + at("end") + "'"}, "");
+    pipe.write(bytes("half"));
+  }
+  EXPECT_FALSE(fs::exists(at("end")));
+}
+
+TEST_F(ChildPipes, SayWhatTheProgramSaidLast) {
+  const auto error = [](const std::string& script) {
+    return error_of([&] { ChildPipe({"sh", "-c", script}, "").finish(); });
+  };
+  EXPECT_TRUE(says(error("echo first >&2; echo 'no room' >&2; exit 3"), {"'sh' gave up: no room"}));
+  EXPECT_TRUE(says(error("printf 'frame 1\\rframe 2\\rtoo big' >&2; exit 1"), {"gave up: too big"}));
+  EXPECT_TRUE(says(error("exit 1"), {"gave up without a word"}));
+  EXPECT_TRUE(says(error("kill -9 $$"), {"gave up without a word"}));
+  EXPECT_TRUE(says(error_of([] { const ChildPipe pipe({"no_such_program"}, "install it"); }),
+                   {"cannot run 'no_such_program': install it"}));
+}
+
+TEST_F(VideoFiles, ThatNobodyFinishesLeaveNothingAndKeepWhatWasThere) {
+  if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";
+  std::ofstream(at("a.mp4")) << "old";
+  {
+    VideoFile video(at("a.mp4"), 16, 16, 10);
+    for (int i = 0; i < 3; ++i) video.add(sensors::ColorImage(16, 16));
+  }
+  EXPECT_EQ(text_of(at("a.mp4")), "old");
+  EXPECT_EQ(files(), 1);
+  VideoFile video(at("a.mp4"), 16, 16, 10);
+  video.add(sensors::ColorImage(16, 16));
+  EXPECT_EQ(text_of(at("a.mp4")), "old") << "until it is whole";
+  video.finish();
+  EXPECT_EQ(text_of(at("a.mp4")).substr(4, 4), "ftyp");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(VideoFiles, OfNoKnownKindAreRefused) {
+  for (const char* name : {"film", "film.", ".mp4", "film.mp3", "film.MP4"}) {
+    EXPECT_TRUE(says(error_of([&] { check_video(at(name)); }), {name, "extension", ".mp4, .webm, .gif"})) << name;
+  }
+  EXPECT_TRUE(says(error_of([&] { const VideoFile v(at("no/such/a.mp4"), 8, 8, 10); }), {"there is no folder"}));
+  EXPECT_EQ(files(), 0);
+}
+
+}  // namespace
+}  // namespace murosimf::io

@@ -1,0 +1,146 @@
+// Meshes for the eye: where they stand in a model, and what is drawn of it.
+#include "murosimf/appearance/visual_meshes.h"
+
+#include <fmt/format.h>
+
+#include "murosimf/robot/robot_reader.h"
+#include "murosimf/model/properties.h"
+#include "tests/fixtures.h"
+#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_data.h"
+
+namespace murosimf::io {
+namespace {
+
+using fixtures::error_of;
+using fixtures::says;
+using urdf_files::expect_near;
+using urdf_files::write;
+
+/// A base and an arm at a hinge; `assets` in line 1, `geoms` of the arm in line 3.
+RobotFile read_arm(const std::string& assets, const std::string& geoms) {
+  const std::string mass = "<inertial mass='1' pos='0 0 0' diaginertia='1 1 1'/>";
+  return read_robot(write("robot.xml", "<mujoco model='r'><asset>" + assets +
+                                           "</asset>\n<worldbody><body name='base'><freejoint/>" + mass +
+                                           "<body name='arm' pos='0 0 1'><joint name='elbow' axis='0 1 0'/>" + mass +
+                                           "\n" + geoms + "</body></body></worldbody></mujoco>"));
+}
+
+const std::string silent = " type='mesh' contype='0' conaffinity='0' ";
+
+/// The only mesh for the eye of a robot, as triangles.
+geometry::TriangleMesh only_mesh(const RobotFile& robot, const std::string& object) {
+  const Model& model = *robot.model;
+  EXPECT_EQ(model.having(properties::visuals), std::vector<int>{model.object_index(object)});
+  const Visuals* visuals = model.find(properties::visuals, model.object_index(object));
+  return visuals && visuals->size() == 1 ? visual_triangles(visuals->at(0)) : geometry::TriangleMesh{};
+}
+
+// Rule: scale * (R(refquat)^T (v - refpos)) in the geom's frame (MuJoCo's documentation, asset/mesh), worked out by hand.
+TEST(VisualMeshes, StandWhereTheMjcfFilePutsThem) {
+  write("t.obj", urdf_files::tetrahedron());
+  const RobotFile robot = read_arm(
+      "<mesh name='t' file='t.obj' scale='2 3 4' refpos='1 0 0' refquat='0.7071067811865476 0 0 0.7071067811865476'/>",
+      "<geom mesh='t' pos='0.1 0.2 0.3' euler='90 0 0' rgba='0.1 0.2 0.3 1'" + silent + "/>");
+  const auto mesh = only_mesh(robot, "arm");
+  ASSERT_EQ(mesh.vertices.size(), 4U);
+  // file (0,0,0) (1,0,0) (0,1,0) (0,0,1), less refpos, turned by -90 deg about z: (x, y) -> (y, -x), scaled; then the
+  // geom's turn by 90 deg about x: (x, y, z) -> (x, -z, y)
+  const std::vector<Vec3d> expected{{0, 0, 3}, {0, 0, 0}, {2, 0, 3}, {0, -4, 3}};
+  for (const Vec3d& v : expected) {
+    double nearest = 1;
+    for (const Vec3d& found : mesh.vertices) nearest = std::min(nearest, norm(found - v - Vec3d{0.1, 0.2, 0.3}));
+    EXPECT_LT(nearest, 1e-12) << v.x << ' ' << v.y << ' ' << v.z;
+  }
+  EXPECT_EQ(robot.model->find(properties::visuals, robot.model->object_index("elbow"))->at(0).color.blue, 0.3);
+}
+
+TEST(VisualMeshes, OfWeldedLinksBelongToWhatTheyAreWeldedTo) {
+  using namespace urdf_files;
+  write("t.obj", tetrahedron());
+  const std::string mesh = "<mesh filename='t.obj' scale='0.1 0.1 0.1'/>";
+  const auto file =
+      write("robot.urdf",
+            urdf_files::robot(
+                link("arm", solid()) + joint("revolute", "base", "arm", any_limit, "elbow") +
+                link("hand", visual(mesh)) +
+                joint("fixed", "arm", "hand", "<origin xyz='1 2 3' rpy='0 0 1.5707963267948966'/>", "wrist")));
+  const auto triangles = only_mesh(read_robot(file), "arm");
+  ASSERT_EQ(triangles.vertices.size(), 4U);
+  Vec3d sum;
+  for (const Vec3d& v : triangles.vertices) sum += v;
+  expect_near(0.25 * sum, Vec3d{1 - 0.025, 2 + 0.025, 3 + 0.025});
+}
+
+TEST(VisualMeshes, MirroredOnesStayOutsideOut) {
+  write("t.obj", urdf_files::tetrahedron());
+  const auto mesh =
+      only_mesh(read_arm("<mesh name='t' file='t.obj' scale='1 -1 1'/>", "<geom mesh='t'" + silent + "/>"), "arm");
+  double volume = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    volume += dot(mesh.vertices[a], cross(mesh.vertices[b], mesh.vertices[c])) / 6;
+  }
+  EXPECT_NEAR(volume, 1.0 / 6, 1e-12);
+}
+
+TEST(VisualMeshes, NameTheFileThatCannotBeRead) {
+  EXPECT_TRUE(says(error_of([] { (void)visual_triangles({.file = "/no/such/mesh.stl"}); }), {"/no/such/mesh.stl"}));
+  const auto file = write("t.obj", urdf_files::tetrahedron()).string();
+  EXPECT_TRUE(says(error_of([&] { (void)visual_triangles({.file = file, .scale = {1, 0, 1}}); }), {"t.obj", "scale"}));
+}
+
+TEST(Looks, AreMeshesForTheEyeInsteadOfWhatCollides) {
+  write("t.obj", urdf_files::tetrahedron());
+  const std::string ball = "<geom type='sphere' size='0.1'/>";
+  const std::string eye = "<geom type='box' size='1 1 1' contype='0' conaffinity='0'/>";
+  const std::string mesh = "<mesh name='t' file='t.obj'/>";
+  const Looks dressed = looks_of(*read_arm(mesh, ball + eye + "<geom mesh='t'" + silent + "/>").model);
+  ASSERT_EQ(dressed.meshes.size(), 1U);
+  ASSERT_EQ(dressed.shapes.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<Box>(dressed.shapes[0].placed.shape));
+  const Looks bare = looks_of(*read_arm(mesh, ball + eye).model);
+  EXPECT_TRUE(bare.meshes.empty());
+  EXPECT_EQ(bare.shapes.size(), 2U);
+}
+
+TEST(Looks, HaveConvexPolyhedraAmongTheMeshes) {
+  write("t.obj", urdf_files::tetrahedron());
+  const RobotFile robot = read_arm("<mesh name='t' file='t.obj'/>", "<geom type='mesh' mesh='t' pos='0 0 5'/>");
+  const Looks looks = looks_of(*robot.model);
+  ASSERT_EQ(looks.meshes.size(), 1U);
+  EXPECT_EQ(looks.meshes[0].object, robot.model->object_index("arm"));
+  EXPECT_EQ(looks.meshes[0].mesh.triangles.size(), 4U);
+  Vec3d sum;
+  for (const Vec3d& v : looks.meshes[0].mesh.vertices) sum += v;
+  expect_near(0.25 * sum, Vec3d{0.25, 0.25, 5.25});
+}
+
+TEST(Looks, LeaveOutWhatCannotBeReadWithAWarning) {
+  const auto broken = write("t.obj", "v 0 0 0\nf 1 2 3\n");
+  const Looks looks = looks_of(
+      *read_arm("<mesh name='t' file='t.obj'/>", "<geom type='sphere' size='0.1'/><geom mesh='t'" + silent + "/>")
+           .model);
+  EXPECT_TRUE(looks.meshes.empty());
+  EXPECT_EQ(looks.shapes.size(), 1U) << "what collides is drawn instead";
+  ASSERT_EQ(looks.warnings.size(), 1U);
+  EXPECT_TRUE(says(looks.warnings[0], {"t.obj:2", "'elbow' is drawn without it"}));
+}
+
+TEST(Looks, OfARealRobotHaveFewTriangles) {
+  if (!std::filesystem::exists(k1_mjcf())) GTEST_SKIP() << "no " << k1_mjcf();
+  const RobotFile robot = read_robot(k1_mjcf());
+  const Looks all = looks_of(*robot.model, 1'000'000), few = looks_of(*robot.model);
+  const auto count = [](const Looks& looks) {
+    std::size_t triangles = 0;
+    for (const SeenMesh& seen : looks.meshes) triangles += seen.mesh.triangles.size();
+    return triangles;
+  };
+  EXPECT_GT(count(all), 200'000U);
+  EXPECT_LE(count(few), usual_triangles);
+  EXPECT_GT(count(few), usual_triangles / 2);
+  EXPECT_LT(few.error, 0.01);
+  EXPECT_TRUE(few.warnings.empty());
+}
+
+}  // namespace
+}  // namespace murosimf::io

@@ -1,0 +1,166 @@
+/// urdf_mesh_test - meshes of URDF files are found, scaled and placed.
+#include <cstdlib>
+
+#include "tests/formats/urdf/urdf_files.h"
+
+namespace murosimf::io {
+namespace {
+
+using namespace urdf_files;
+
+std::string mesh(const std::string& name, const std::string& more = "") {
+  return "<mesh filename='" + name + "' " + more + "/>";
+}
+
+/// The draft of a robot in folder `pkg/urdf` whose link has one collision mesh.
+RobotDraft read_package_robot(const std::string& name, const ReaderOptions& options = {}) {
+  return read_urdf(write("pkg/urdf/robot.urdf", with_link(collision(mesh(name)))), options);
+}
+
+TEST(UrdfMesh, IsConvexScaledAndPlaced) {
+  write("t.obj", tetrahedron());
+  const auto draft =
+      read(with_link("<collision name='c'><origin xyz='10 0 0' rpy='0 0 1.5707963267948966'/><geometry>" +
+                     mesh("t.obj", "scale='2 4 -6'") + "</geometry></collision>"));
+  const auto& shapes = draft.bodies.at(0).shapes;
+  ASSERT_EQ(shapes.size(), 1u);
+  EXPECT_EQ(shapes[0].mesh, "t");
+  // corners 0 0 0, 2 0 0, 0 4 0, 0 0 -6 turned a quarter about z
+  const PlacedShape& placed = shapes[0].placed;
+  std::vector<Vec3d> corners;
+  for (const Vec3d& v : std::get<Convex>(placed.shape).hull->vertices) {
+    corners.push_back(placed.position + placed.orientation * v);
+  }
+  for (const Vec3d& expected : {Vec3d{10, 0, 0}, Vec3d{10, 2, 0}, Vec3d{6, 0, 0}, Vec3d{10, 0, -6}}) {
+    EXPECT_TRUE(std::ranges::any_of(corners, [&](const Vec3d& c) { return norm(c - expected) < 1e-12; }))
+        << expected.x << ' ' << expected.y << ' ' << expected.z;
+  }
+  ASSERT_EQ(draft.meshes.size(), 1u);
+  EXPECT_EQ(draft.meshes[0].name, "t");
+  expect_near(draft.meshes[0].scale, {2, 4, -6});
+}
+
+TEST(UrdfMesh, IsSharedByAllThatUseIt) {
+  write("t.obj", tetrahedron());
+  const auto draft = read(with_link(collision(mesh("t.obj")) + collision(mesh("t.obj"))));
+  const auto& shapes = draft.bodies.at(0).shapes;
+  ASSERT_EQ(shapes.size(), 2u);
+  EXPECT_EQ(std::get<Convex>(shapes[0].placed.shape).hull, std::get<Convex>(shapes[1].placed.shape).hull);
+  EXPECT_EQ(draft.meshes.size(), 1u);
+}
+
+TEST(UrdfMesh, OfAnotherScaleHasAnotherName) {
+  write("t.obj", tetrahedron());
+  const auto draft = read(with_link(collision(mesh("t.obj")) + collision(mesh("t.obj", "scale='2 2 2'"))));
+  EXPECT_EQ(draft.bodies.at(0).shapes.at(0).mesh, "t");
+  EXPECT_EQ(draft.bodies.at(0).shapes.at(1).mesh, "t_2");
+}
+
+TEST(UrdfMesh, HasAPartForEachGroupWhereItIsAskedFor) {
+  write("two.obj",
+        "o a\n" + tetrahedron() + "o b\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n");
+  const auto text = with_link(collision(mesh("two.obj")));
+  EXPECT_EQ(read(text).bodies.at(0).shapes.size(), 1u);
+  EXPECT_EQ(read(text, {.part_per_group = {"two"}}).bodies.at(0).shapes.size(), 2u);
+}
+
+TEST(UrdfMesh, ForTheEyeIsNotRead) {
+  write("t.dae", "this is no mesh");
+  const auto draft = read(
+      with_link("<visual><origin xyz='1 2 3'/><geometry>" + mesh("t.dae", "scale='2 2 2'") + "</geometry></visual>"));
+  ASSERT_EQ(draft.bodies.at(0).visuals.size(), 1u);
+  const DraftVisual& visual = draft.bodies[0].visuals[0];
+  ASSERT_EQ(draft.meshes.size(), 1u);
+  EXPECT_EQ(visual.mesh, draft.meshes[0].name);
+  EXPECT_EQ(draft.meshes[0].file, test_folder() / "t.dae");
+  expect_near(draft.meshes[0].scale, {2, 2, 2});
+  expect_near(visual.place.position, {1, 2, 3});
+  EXPECT_TRUE(draft.bodies[0].shapes.empty());
+  EXPECT_TRUE(draft.warnings.empty());
+}
+
+TEST(UrdfMesh, ForTheEyeMayBeMissing) {
+  const auto draft = read(with_link(visual(mesh("gone.stl")) + visual(mesh("gone.stl"))));
+  ASSERT_EQ(draft.warnings.size(), 1u);
+  EXPECT_TRUE(contains(draft.warnings[0], "robot.urdf:2: for the eye, there is no mesh file 'gone.stl'"));
+}
+
+TEST(UrdfMesh, ThatIsMissingIsLeftOutIfLenient) {
+  const auto draft = read(with_link(collision(mesh("gone.stl"))), {.lenient = true});
+  EXPECT_TRUE(draft.bodies.at(0).shapes.empty());
+  EXPECT_TRUE(any_contains(draft.warnings, "collision mesh left out"));
+}
+
+TEST(UrdfMesh, ThatCannotBeReadIsNamedWithBothLines) {
+  write("bad.obj", "v 0 0 0\nv x\n");
+  const auto what = message(with_link(collision(mesh("bad.obj"))));
+  EXPECT_TRUE(contains(what, "robot.urdf:2: ")) << what;
+  EXPECT_TRUE(contains(what, "bad.obj:2: ")) << what;
+}
+
+TEST(UrdfMesh, ThatIsFlatIsAnError) {
+  write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
+  EXPECT_TRUE(contains(message(with_link(collision(mesh("flat.obj")))), "robot.urdf:2: mesh 'flat'"));
+  write("t.obj", tetrahedron());
+  EXPECT_TRUE(contains(message(with_link(collision(mesh("t.obj", "scale='1 0 1'")))), "scale of 0"));
+}
+
+TEST(UrdfMesh, InMillimetersIsAWarning) {
+  write("big.obj", "v 0 0 0\nv 100 0 0\nv 0 100 0\nv 0 0 100\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const auto draft = read(with_link(collision(mesh("big.obj"))));
+  EXPECT_TRUE(any_contains(draft.warnings, "a file in millimeters needs scale"));
+}
+
+TEST(UrdfMesh, IsFoundByPathsOfEveryKind) {
+  const auto file = write("pkg/meshes/t.obj", tetrahedron());
+  for (const std::string& name : {std::string("../meshes/t.obj"), file.string(), "file://" + file.string(),
+                                  std::string("package://pkg/meshes/t.obj"), std::string("model://pkg/meshes/t.obj")}) {
+    EXPECT_EQ(read_package_robot(name).meshes.at(0).file, file) << name;
+  }
+}
+
+TEST(UrdfMesh, IsFoundInAPackageThatIsCalledOtherwise) {
+  const auto file = write("pkg/meshes/t.obj", tetrahedron());
+  write("pkg/package.xml", "<package format='3'><name> robot_description </name></package>");
+  EXPECT_EQ(read_package_robot("package://robot_description/meshes/t.obj").meshes.at(0).file, file);
+}
+
+TEST(UrdfMesh, IsFoundInAPackageBesideItsOwn) {
+  const auto file = write("looks/t.obj", tetrahedron());
+  EXPECT_EQ(read_package_robot("package://looks/t.obj").meshes.at(0).file, file);
+}
+
+TEST(UrdfMesh, IsFoundWhereThePackageMapSays) {
+  write("pkg/t.obj", "not this one");
+  const auto file = write("elsewhere/t.obj", tetrahedron());
+  const ReaderOptions options{.packages = {{"pkg", test_folder() / "elsewhere"}}};
+  EXPECT_EQ(read_package_robot("package://pkg/t.obj", options).meshes.at(0).file, file);
+}
+
+TEST(UrdfMesh, IsFoundOnTheSearchPath) {
+  const auto file = write("store/far/t.obj", tetrahedron());
+  const ReaderOptions options{.search_paths = {test_folder() / "store"}};
+  EXPECT_EQ(read_package_robot("package://far/t.obj", options).meshes.at(0).file, file);
+  EXPECT_EQ(read_package_robot("far/t.obj", options).meshes.at(0).file, file);
+}
+
+TEST(UrdfMesh, IsFoundOnThePathOfTheEnvironment) {
+  const auto file = write("store/far/t.obj", tetrahedron());
+  setenv("MUROSIMF_PACKAGE_PATH", ("/nowhere:" + (test_folder() / "store").string()).c_str(), 1);
+  const auto draft = read_package_robot("package://far/t.obj");
+  unsetenv("MUROSIMF_PACKAGE_PATH");
+  EXPECT_EQ(draft.meshes.at(0).file, file);
+}
+
+TEST(UrdfMesh, IsFoundInTheFolderThatAMujocoBlockNames) {
+  const auto file = write("assets/t.obj", tetrahedron());
+  const auto text = [](const std::string& compiler) {
+    return "<robot name='r'><mujoco><compiler meshdir='assets' " + compiler + "/></mujoco><link name='base'>" +
+           collision(mesh("meshes/t.obj")) + "</link></robot>";
+  };
+  EXPECT_EQ(read(text("")).meshes.at(0).file, file);
+  EXPECT_TRUE(contains(message(text("strippath='false'")), "there is no mesh"));
+}
+
+}  // namespace
+}  // namespace murosimf::io

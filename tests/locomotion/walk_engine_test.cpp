@@ -1,0 +1,85 @@
+// From command to targets: ramps, limits, standing still again; and the small soccer player.
+#include "murosimf/locomotion/walk_engine.h"
+
+#include <gtest/gtest.h>
+
+#include "murosimf/behavior/ball_chaser.h"
+#include "tests/law.h"
+#include "tests/physics/rig.h"
+
+namespace murosimf::control {
+namespace {
+
+struct Walker {
+  explicit Walker(const Vec3d& command) : robot(rig.add("robot", test::kid21())) {
+    rig.simulation.attach<WalkEngine>("walk_engine", robot, 100, command);
+    rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
+  }
+  test::Rig rig;
+  Entity& robot;
+};
+
+TEST(WalkEngine, StandsWithoutACommand) {
+  Walker walker({});
+  walker.rig.run(0.1);
+  const double knee = walker.robot.object("j_l_shin").get(properties::joint_target);
+  walker.rig.run(2.0);
+  EXPECT_EQ(walker.robot.object("j_l_shin").get(properties::joint_target), knee);
+  EXPECT_EQ(walker.robot.base().get(properties::gait_amplitude), 0);
+}
+
+TEST(WalkEngine, SlewsAndClipsTheCommand) {
+  Walker walker({9, -9, 9});
+  walker.rig.run(0.101);
+  law::expect_near({.law = "walk command slews: speed after 11 control cycles",
+                    .level = "walk_engine",
+                    .source = "limit of 0.375 m/s^2 times 11 times 0.01 s"},
+                   walker.robot.base().get(properties::gait_velocity).x, 11 * 0.01 * 0.375, 1e-9, "m/s");
+  walker.rig.run(3.0);
+  const WalkParameters p = seeded_parameters(find_legs(*test::kid21()));
+  const Vec3d v = walker.robot.base().get(properties::gait_velocity);
+  EXPECT_EQ(v.x, p.fastest.x);
+  EXPECT_EQ(v.y, -p.fastest.y);
+  EXPECT_EQ(v.z, p.fastest.z);
+}
+
+TEST(WalkEngine, StopsWhenTheCommandBecomesZero) {
+  Walker walker({0.2, 0, 0});
+  walker.rig.run(3.0);
+  walker.robot.base().set(properties::walk_command, {});
+  walker.rig.run(2.0);
+  EXPECT_EQ(walker.robot.base().get(properties::gait_amplitude), 0);
+  const Vec3d place = test::Rig::place(walker.robot);
+  walker.rig.run(1.0);
+  law::expect_below({.law = "walk command becomes zero: way in the third second after",
+                     .level = "walk_engine, kinematic_walking",
+                     .source = "it stands"},
+                    norm(test::Rig::place(walker.robot) - place), 1e-6, "m");
+}
+
+/// A chaser alone with a ball on kinematic feet; returns how far the ball came towards the goal at positive x.
+double chase(const Vec3d& start, double heading, const Vec3d& ball_place) {
+  test::Rig rig;
+  Entity& robot = rig.add("robot", test::kid21(), {.position = start, .heading = heading, .team = "blue"});
+  Entity& ball = rig.add("ball", io::ball_model(), {.position = ball_place});
+  const std::vector<Entity*> everybody{&robot, &ball};
+  rig.simulation.attach<sensors::GroundTruth>("ground_truth", robot, 20, sensors::SensorSpec{.name = "ground_truth"},
+                                              sensors::SensorSurroundings{.movers = everybody});
+  rig.simulation.attach<BallChaser>("ball_chaser", robot, 20, BallChaserOptions{.goal = {3, 0, 0}});
+  rig.simulation.attach<WalkEngine>("walk_engine", robot, 100);
+  rig.materials.set("ball", "", {.friction = 0.5, .rolling = 0.03, .restitution = 0.5});
+  rig.attach_together({{&robot, {.level = "kinematic_walking"}}, {&ball, {}}});
+  rig.run(30);
+  return test::Rig::place(ball).x - ball_place.x;
+}
+
+// From behind, from the side, from in front of the ball, and turned away: the ball must go towards the goal.
+TEST(BallChaser, BringsTheBallTowardsTheGoal) {
+  EXPECT_GT(chase({-1, 0, 0}, 0, {0, 0, 0}), 1.0);
+  EXPECT_GT(chase({-1, 0.5, 0}, 2.5, {0, 0, 0}), 0.8);
+  EXPECT_GT(chase({0, -1, 0}, 1.5, {0, 0, 0}), 0.8);
+  EXPECT_GT(chase({1, 0.1, 0}, 3.1, {0, 0, 0}), 0.5);
+}
+
+}  // namespace
+}  // namespace murosimf::control

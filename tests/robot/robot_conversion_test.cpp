@@ -1,0 +1,229 @@
+/// robot_conversion_test - robots that are read, written and read again are the same robots.
+#include "murosimf/robot/robot_conversion.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "murosimf/geometry/mesh_mass.h"
+#include "murosimf/formats/mjcf/mjcf_writer.h"
+#include "murosimf/robot/robot_reader.h"
+#include "murosimf/robot/robot_table.h"
+#include "tests/robot/same_model.h"
+#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_data.h"
+
+namespace murosimf::io {
+namespace {
+
+namespace fs = std::filesystem;
+using same_model::expect_same;
+using urdf_files::test_folder;
+using urdf_files::write;
+
+fs::path own_model(const std::string& name) { return fs::path(MUROSIMF_SOURCE_DIR) / "models" / (name + ".xml"); }
+
+/// Converts, writes both files and reads them.
+RobotFile converted(const fs::path& file, std::optional<geometry::PrimitiveKind> fit = {}, bool with_table = true) {
+  const fs::path out = test_folder() / "out" / "converted.xml";
+  fs::create_directories(out.parent_path());
+  const RobotConversion robot = convert_robot(file, {.folder = out.parent_path(), .fit = fit});
+  write("out/converted.xml", robot.mjcf);
+  fs::remove(fs::path(out).replace_extension(".toml"));
+  if (with_table) write("out/converted.toml", robot.toml);
+  return read_robot(out);
+}
+
+class OwnModel : public testing::TestWithParam<const char*> {};
+
+TEST_P(OwnModel, ComesBackAsItWas) {
+  const auto file = own_model(GetParam());
+  expect_same(*converted(file).model, *read_robot(file).model);
+}
+TEST_P(OwnModel, ComesBackAsItWasWithoutItsTable) {
+  const auto file = write("alone.xml", [&] {
+    std::stringstream text;
+    text << std::ifstream(own_model(GetParam())).rdbuf();
+    return text.str();
+  }());
+  expect_same(*converted(file, {}, false).model, *read_robot(file).model);
+}
+
+INSTANTIATE_TEST_SUITE_P(Mjcf, OwnModel, testing::Values("kid21", "quadruped", "car", "spark_nao0", "spark_nao4"),
+                         [](const auto& model) { return std::string(model.param); });
+
+using TeamFile = std::pair<std::string, fs::path (*)()>;
+class TeamRobot : public testing::TestWithParam<TeamFile> {};
+
+TEST_P(TeamRobot, ComesBackAsItWas) {
+  const fs::path file = GetParam().second();
+  if (!fs::exists(file)) GTEST_SKIP() << file << " is not there";
+  expect_same(*converted(file, {}, false).model, *read_robot(file).model);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, TeamRobot,
+                         testing::Values(TeamFile("k1_urdf", k1_urdf), TeamFile("k1_mjcf", k1_mjcf),
+                                         TeamFile("wolfgang_urdf", wolfgang_urdf)),
+                         [](const auto& robot) { return robot.param.first; });
+
+std::string all_of_urdf() {
+  return "<robot name='a &amp; b'>\n"
+         "<link name='base'><inertial><origin xyz='0.01 0 0.02' rpy='0.1 0.2 0.3'/><mass value='1'/>"
+         "<inertia ixx='0.01' iyy='0.02' izz='0.025' ixy='0.001'/></inertial>"
+         "<collision name='hull'><origin xyz='0 0 0.1' rpy='0.5 0 0'/><geometry><mesh filename='tetra.obj' "
+         "scale='0.1 0.2 -0.1'/></geometry></collision>"
+         "<visual><origin xyz='0 0 0.1'/><geometry><mesh filename='tetra.obj'/></geometry></visual></link>\n"
+         "<link name='fixed'><inertial><mass value='0.2'/><inertia ixx='0' iyy='0' izz='0'/>"
+         "</inertial>"
+         "<collision name='hull'><geometry><sphere radius='0.03'/></geometry></collision></link>\n"
+         "<link name='imu'/>\n"
+         "<link name='arm'><inertial><mass value='0.5'/><inertia ixx='0.001' iyy='0.001' izz='0.001'/></inertial>"
+         "<collision><origin rpy='1 2 3'/><geometry><capsule radius='0.02' "
+         "length='0.2'/></geometry></collision></link>\n"
+         "<link name='slider'><inertial><mass value='0.5'/><inertia ixx='0.001' iyy='0.001' izz='0.001'/></inertial>"
+         "</link>\n"
+         "<joint name='f' type='fixed'><parent link='base'/><child link='fixed'/><origin xyz='0.1 0 0' rpy='0 0 1'/>"
+         "</joint>\n"
+         "<joint name='g' type='fixed'><parent link='fixed'/><child link='imu'/><origin xyz='0 0.1 0' rpy='0 1 0'/>"
+         "</joint>\n"
+         "<joint name='j' type='revolute'><parent link='fixed'/><child link='arm'/><origin xyz='0 0.1 0' "
+         "rpy='0.3 0.2 0.1'/><axis xyz='1 1 0'/><limit lower='-1' upper='2' effort='6' velocity='5'/>"
+         "<dynamics damping='0.1' friction='0.2'/></joint>\n"
+         "<joint name='s' type='prismatic'><parent link='arm'/><child link='slider'/><axis xyz='0 0 1'/>"
+         "<limit lower='-0.1' upper='0.1' effort='3' velocity='1'/><mimic joint='j' multiplier='0.05' offset='0.01'/>"
+         "</joint>\n"
+         "</robot>\n";
+}
+
+fs::path write_all_of_urdf() {
+  write("tetra.obj", urdf_files::tetrahedron());
+  return write("robot.urdf", all_of_urdf());
+}
+
+TEST(RobotConversion, AUrdfRobotComesBackAsItWas) {
+  const auto file = write_all_of_urdf();
+  const RobotFile before = read_robot(file), after = converted(file, {}, false);
+  expect_same(*after.model, *before.model);
+  EXPECT_EQ(after.model->name(), "a & b");
+  ASSERT_EQ(after.draft.bodies[0].visuals.size(), 1u);
+  EXPECT_EQ(after.draft.bodies[1].joints[0].effort_limit, 6);
+  EXPECT_EQ(after.draft.bodies[0].name, "base");
+}
+
+TEST(RobotConversion, WeldedDraftsAreWrittenToo) {
+  const RobotFile before = read_robot(write_all_of_urdf());
+  const RobotFile after = read_robot(write("welded.xml", to_mjcf(before.draft, {test_folder()})));
+  expect_same(*after.model, *before.model);
+}
+
+std::string all_of_mjcf() {
+  return R"(<mujoco model="m"><compiler angle="degree" eulerseq="zyx"/>
+<default><joint damping="0.5" armature="0.01"/><default class="d"><geom friction="0.3" rgba="0.1 0.2 0.3 1"/></default></default>
+<asset><mesh name="inline" vertex="0 0 0  0.1 0 0  0 0.1 0  0 0 0.1" scale="1 2 1" refpos="0.01 0.02 0.03"
+  refquat="1 1 0 0"/><mesh name="parts" file="parts.obj" scale="0.1 0.1 0.1" refpos="0.1 0 0"/></asset>
+<worldbody><geom name="floor" type="plane" size="1 1 1"/><body name="base" pos="0 0 1"><freejoint name="root"/>
+<geom class="d" name="g1" type="box" size="0.1 0.1 0.1" euler="10 20 30" contype="5" conaffinity="-1"/>
+<geom type="mesh" mesh="inline" pos="0.1 0 0" euler="1 2 3"/><site name="left_sole" type="box" size="0.1 0.05 0.01"
+  pos="0 0 -0.1"/><site name="quot&quot;&lt;" euler="90 0 0"/><camera name="eye" pos="0.1 0 0" euler="0 10 0"/>
+<body name="two" pos="0.1 0 0" euler="0 0 45"><joint name="a" axis="0 0 2" pos="0 0.1 0" range="-90 90" ref="10"
+  stiffness="3" springref="5" frictionloss="0.1" actuatorfrcrange="-4 4"/><joint name="b" axis="0 1 0"/>
+<geom name="g2" type="cylinder" size="0.05" fromto="0 0 0 0.1 0.1 0.1" contype="0" conaffinity="0"/>
+<geom name="m2" type="mesh" mesh="parts" pos="0 0.3 0" euler="0 0 30"/>
+<body name="three" pos="0 0 0.2"><joint name="c" axis="1 0 0" type="slide" limited="false"/>
+<geom name="g3" type="ellipsoid" size="0.1 0.05 0.02"/><body name="tip" pos="0 0 0.1"><geom name="g4" size="0.02"/>
+</body></body></body></body></worldbody>
+<actuator><position joint="a" kp="20" kv="1" forcerange="-9 9" gear="2"/><velocity joint="b" kv="0.5"/>
+<motor joint="c" ctrlrange="-7 7"/></actuator>
+<equality><joint joint1="c" joint2="b" polycoef="0.01 0.1 0 0 0"/></equality>
+<contact><exclude body1="base" body2="tip"/><pair geom1="g2" geom2="g1"/><pair geom1="g4" geom2="floor"/></contact>
+<sensor><gyro name="gyro" site="left_sole"/></sensor></mujoco>)";
+}
+
+/// Two tetrahedra side by side, as groups.
+std::string two_parts() {
+  return "g one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+         "g two\nv 2 0 0\nv 3 0 0\nv 2 1 0\nv 2 0 1\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n";
+}
+
+fs::path write_all_of_mjcf() {
+  write("parts.obj", two_parts());
+  write("robot.toml", "[meshes]\npart_per_group = [\"parts\"]\n");
+  return write("robot.xml", all_of_mjcf());
+}
+
+using NamedPairs = std::vector<std::pair<std::string, std::string>>;
+
+TEST(RobotConversion, AllThatMjcfCanSayComesBack) {
+  const auto file = write_all_of_mjcf();
+  const RobotFile before = read_robot(file), after = converted(file);
+  expect_same(*after.model, *before.model);
+  EXPECT_EQ(*after.model->find(properties::excluded_pairs, 0), *before.model->find(properties::excluded_pairs, 0));
+  const auto& pairs = *after.model->find(properties::allowed_pairs, 0);
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].first.object, "two");
+  EXPECT_EQ(after.model->find_object("root"), 0);
+  EXPECT_TRUE(after.model->find(properties::sole, after.model->object_index("left_sole")));
+  EXPECT_TRUE(after.model->find_object("eye"));
+  EXPECT_EQ(after.draft.bodies[1].shapes.size(), 3u) << "one cylinder and two parts of a mesh";
+}
+
+TEST(RobotConversion, TheTextIsTheSameTheSecondTime) {
+  const std::string first = convert_robot(own_model("kid21")).mjcf;
+  const std::string second = convert_robot(write("again.xml", first)).mjcf;
+  EXPECT_EQ(second, first);
+}
+
+TEST(RobotConversion, FittedMeshesKeepVolumeMassAndNames) {
+  const auto file = write_all_of_mjcf();
+  const RobotFile before = read_robot(file), after = converted(file, geometry::PrimitiveKind::box);
+  EXPECT_DOUBLE_EQ(after.model->tree().mass, before.model->tree().mass);
+  const auto& was = before.draft.bodies[1].shapes;
+  const auto& is = after.draft.bodies[1].shapes;
+  ASSERT_EQ(is.size(), was.size());
+  EXPECT_EQ(is[1].name, "m2");
+  EXPECT_EQ(is[2].name, "m2.2");
+  for (std::size_t i = 1; i < is.size(); ++i) {
+    EXPECT_TRUE(std::holds_alternative<Box>(is[i].placed.shape));
+    EXPECT_NEAR(volume(is[i].placed.shape) / volume(was[i].placed.shape), 1, 1e-9);
+    const auto& hull = *std::get<Convex>(was[i].placed.shape).hull;
+    const Vec3d center = was[i].placed.position + was[i].placed.orientation * geometry::solid_mass(hull).center;
+    EXPECT_LT(fixtures::difference(is[i].placed.position, center), 1e-12);
+  }
+  ASSERT_EQ(after.draft.bodies[1].visuals.size(), 1u) << "the mesh itself is still to be seen";
+  const auto fits = convert_robot(file, {.fit = geometry::PrimitiveKind::best}).fits;
+  ASSERT_EQ(fits.size(), 3u);
+  for (const MeshFit& fit : fits) EXPECT_GT(fit.overlap, 0.3) << fit.mesh;
+}
+
+TEST(RobotConversion, UnknownKindsOfPrimitivesAreRefused) {
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([] { (void)primitive_kind("capsul"); }), {"did you mean 'capsule'?"}));
+}
+
+TEST(ServoSections, ActuatorsOfTheFileAreComplete) {
+  const auto file = write("robot.xml", all_of_mjcf());
+  write("parts.obj", two_parts());
+  const auto table = read_robot_table(write("stub.toml", convert_robot(file).toml));
+  ASSERT_EQ(table.servos.size(), 2u) << "joint c follows b and has no servo of its own";
+  const Servo& servo = table.servos.at("a").servo;
+  EXPECT_EQ(servo.law, "ideal_pd");
+  EXPECT_EQ(servo.stall_torque, 4);
+  EXPECT_EQ(servo.position_gain, 80);
+  EXPECT_EQ(servo.velocity_gain, 4);
+  EXPECT_EQ(servo.rotor_inertia, 0.01);
+  EXPECT_EQ(servo.friction.coulomb, 0.1);
+  EXPECT_EQ(servo.friction.viscous, 0.5);
+}
+
+TEST(ServoSections, WhatTheFileLacksIsGuessed) {
+  const auto servos = read_robot_table(write("stub.toml", convert_robot(write_all_of_urdf()).toml)).servos;
+  ASSERT_EQ(servos.size(), 1u);
+  const Servo& servo = servos.at("j").servo;
+  EXPECT_EQ(servo.law, "ideal_pd");
+  EXPECT_EQ(servo.stall_torque, 6);
+  EXPECT_NEAR(servo.position_gain, 60, 1e-12);
+  EXPECT_EQ(servo.friction.coulomb, 0.2);
+}
+
+}  // namespace
+}  // namespace murosimf::io

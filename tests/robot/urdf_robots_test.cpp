@@ -1,0 +1,56 @@
+/// urdf_robots_test - robots of teams are read as they are, without leniency.
+#include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot_data.h"
+
+namespace murosimf::io {
+namespace {
+
+using namespace urdf_files;
+
+struct Counts {
+  std::size_t joints = 0, collisions = 0, visuals = 0;
+  double mass = 0;  ///< [kg]
+};
+
+Counts counts_of(const RobotDraft& draft) {
+  Counts counts;
+  for (const DraftBody& body : draft.bodies) {
+    counts.joints += body.joints.size();
+    counts.visuals += body.visuals.size();
+    counts.collisions += static_cast<std::size_t>(
+        std::ranges::count_if(body.shapes, [](const DraftShape& shape) { return shape.placed.collides; }));
+    counts.mass += body.solid.mass;
+  }
+  return counts;
+}
+
+// Numbers below are counted with grep, and masses summed, in the files themselves.
+TEST(UrdfRobots, BoosterK1) {
+  if (!std::filesystem::exists(k1_urdf())) GTEST_SKIP() << k1_urdf() << " is not there";
+  const RobotDraft draft = read_urdf(k1_urdf());
+  const Counts counts = counts_of(draft);
+  EXPECT_EQ(draft.bodies.size(), 23u);
+  EXPECT_EQ(counts.joints, 22u);
+  EXPECT_EQ(counts.collisions, 20u);
+  EXPECT_EQ(counts.visuals, 24u);
+  EXPECT_NEAR(counts.mass, 19.666, 1e-9);
+  EXPECT_EQ(draft.meshes.size(), 24u);
+  EXPECT_FALSE(any_contains(draft.warnings, "there is no mesh"));
+}
+
+TEST(UrdfRobots, WolfgangOp) {
+  if (!std::filesystem::exists(wolfgang_urdf())) GTEST_SKIP() << wolfgang_urdf() << " is not there";
+  const RobotDraft draft = read_urdf(wolfgang_urdf());
+  const Counts counts = counts_of(draft);
+  EXPECT_EQ(draft.bodies.size(), 47u);
+  EXPECT_EQ(counts.joints, 20u);
+  EXPECT_EQ(counts.collisions, 293u);
+  EXPECT_EQ(counts.visuals, 133u);
+  EXPECT_NEAR(counts.mass, 6.1167, 1e-4);
+  EXPECT_EQ(draft.sensors.size(), 2u);
+  EXPECT_FALSE(any_contains(draft.warnings, "there is no mesh"));
+  EXPECT_TRUE(any_contains(draft.warnings, "camera_optical_frame"));
+}
+
+}  // namespace
+}  // namespace murosimf::io

@@ -1,0 +1,231 @@
+// Scene files: what they mean, what --set changes, and one clear line for every mistake.
+#include "murosimf/scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "murosimf/model/properties.h"
+#include "tests/temp_folder.h"
+
+namespace murosimf::io {
+namespace {
+
+const std::string small_scene = R"(duration = 2.0
+seed = 3
+[ball]
+position = [0.5, 0.0]
+[[teams]]
+name = "blue"
+[[teams]]
+name = "red"
+[defaults]
+model = "kid21"
+controller = "walk"
+[[robots]]
+name = "blue1"
+team = "blue"
+position = [-1.0, 0.5]
+heading_deg = 90
+[[robots]]
+name = "blue2"
+team = "blue"
+level = "simplified_dynamics"
+[[robots]]
+name = "red1"
+team = "red"
+position = [1.0, 0.0]
+)";
+
+std::string write_scene(const std::string& text) {
+  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+  const std::string file = fixtures::temp_folder().string() + "/" + "scene_" + info->name() + ".toml";
+  std::ofstream(file) << text;
+  return file;
+}
+
+SceneSpec spec_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return read_scene(write_scene(text), overrides);
+}
+
+/// The message of the SetupError that reading and building the scene throws; empty if it throws none.
+std::string mistake(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    Scene scene(write_scene(text), {.overrides = overrides});
+    scene.simulation().initialize();
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+void expect_mistake(const std::string& message, const std::vector<std::string>& parts) {
+  EXPECT_EQ(message.find('\n'), std::string::npos) << "more than one line: " << message;
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+}
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = small_scene;
+  const auto place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  return text.replace(place, from.size(), to);
+}
+
+TEST(SceneSpec, ReadsWhatTheFileSays) {
+  const SceneSpec spec = spec_of(small_scene);
+  EXPECT_EQ(spec.duration, 2);
+  EXPECT_EQ(spec.seed, 3u);
+  ASSERT_TRUE(spec.ball);
+  EXPECT_EQ(spec.ball->position.x, 0.5);
+  ASSERT_EQ(spec.robots.size(), 3u);
+  EXPECT_EQ(spec.robots[0].model, "kid21");
+  EXPECT_EQ(spec.robots[0].level, "kinematic_walking");
+  EXPECT_NEAR(spec.robots[0].heading, pi / 2, 1e-12);
+  EXPECT_EQ(spec.robots[1].level, "simplified_dynamics");
+  EXPECT_EQ(spec.teams[0].attacks, 1);
+  EXPECT_EQ(spec.teams[1].attacks, -1);
+}
+
+TEST(SceneSpec, OverridesReachTheirTargets) {
+  const SceneSpec spec = spec_of(small_scene, {"duration=5", "blue.*.level=simplified_dynamics", "red1.contact=paper",
+                                               "field.surface=grass", "blue2.position=[0.1, 0.2]", "ball.mass=0.3",
+                                               "blue.1.heading_deg=0"});
+  EXPECT_EQ(spec.duration, 5);
+  EXPECT_EQ(spec.robots[0].level, "simplified_dynamics");
+  EXPECT_EQ(spec.robots[0].heading, 0);
+  EXPECT_EQ(spec.robots[1].level, "simplified_dynamics");
+  EXPECT_EQ(spec.robots[1].position.y, 0.2);
+  EXPECT_EQ(spec.robots[2].level, "kinematic_walking");
+  EXPECT_EQ(spec.robots[2].contact, "paper");
+  EXPECT_EQ(spec.ball->options.mass, 0.3);
+  EXPECT_EQ(spec.field.surface, "grass");
+}
+
+TEST(SceneSpec, TheGroundMayLean) {
+  const SceneSpec spec = spec_of(small_scene + R"([field]
+surface = "grass"
+grain = [0.0, -1.0]
+[[materials]]
+pair = ["rubber", "grass"]
+friction = 0.6
+grain_effect = 0.25
+)");
+  EXPECT_EQ(spec.field.grain.x, 0);
+  EXPECT_EQ(spec.field.grain.y, -1);
+  EXPECT_EQ(spec.materials.find({.material = "rubber"}, {.material = "grass"}).grain_effect, 0.25);
+  EXPECT_EQ(spec_of(small_scene, {"field.grain=[1, 0]"}).field.grain.x, 1);
+}
+
+TEST(Scene, OverridesSetPropertiesByName) {
+  Scene scene(write_scene(small_scene),
+              {.overrides = {"blue2.pelvis.applied_force=[1,2,3,0,0,0]", "*.pelvis.walk_command=[0.1,0,0]"}});
+  scene.simulation().initialize();
+  World& world = scene.simulation().world();
+  EXPECT_EQ(world.entity("blue2").base().get(properties::applied_force).f.z, 3);
+  EXPECT_EQ(world.entity("red1").base().get(properties::walk_command).x, 0.1);
+}
+
+TEST(Scene, EqualRobotsShareOneModel) {
+  Scene scene(write_scene(small_scene));
+  const World& world = scene.simulation().world();
+  EXPECT_EQ(world.entity("blue1").model_ptr(), world.entity("red1").model_ptr());
+}
+
+TEST(Scene, EveryValueIsReachableFromSimulationToProperty) {
+  Scene scene(write_scene(small_scene));
+  scene.simulation().run(from_seconds(0.1));
+  Entity& robot = scene.simulation().world().entity("blue1");
+  EXPECT_EQ(robot.object("l_shin").get("joint_rate").unit, "rad/s | m/s");
+  EXPECT_EQ(robot.object("l_shin").get("mass").numbers, (std::vector<double>{0.18}));
+  EXPECT_EQ(robot.object("head").get("position").numbers.size(), 3u);
+}
+
+TEST(Scene, ReportNamesEverybodyAndEveryAlgorithm) {
+  Scene scene(write_scene(small_scene));
+  scene.simulation().run(from_seconds(0.5));
+  const RunReport report = scene.report(from_seconds(0.25));
+  ASSERT_EQ(report.entities.size(), 4u);
+  EXPECT_EQ(report.entities[0].name, "ball");
+  EXPECT_DOUBLE_EQ(report.real_time_factor, 2);
+  const std::string json = to_json(report);
+  for (const char* key :
+       {"simulated_s", "wall_s", "real_time_factor", "threads", "state_hash", "entities", "distance_m", "falls",
+        "frozen", "algorithms", "rate_hz", "calls", "us_per_call", "warnings"}) {
+    EXPECT_NE(json.find("\"" + std::string(key) + "\""), std::string::npos) << key;
+  }
+}
+
+TEST(SceneMistakes, AreNamedWithTheirPlace) {
+  expect_mistake(mistake(""), {"the file is empty"});
+  expect_mistake(mistake("duration = \n"), {".toml:1:"});
+  expect_mistake(mistake(with("level = \"simplified_dynamics\"", "level = \"simplified\"")),
+                 {".toml:20:9", "unknown level 'simplified'; did you mean 'simplified_dynamics'?"});
+  expect_mistake(mistake(with("controller = \"walk\"", "controler = \"walk\"")),
+                 {".toml:11:", "unknown key 'controler'; did you mean 'controller'?"});
+  expect_mistake(mistake(with("model = \"kid21\"", "model = \"kid22\"")), {".toml:", "no file 'kid22'"});
+  expect_mistake(mistake(with("name = \"red1\"", "name = \"blue1\"")),
+                 {".toml:22:", "two entities are called 'blue1'"});
+  expect_mistake(mistake(with("name = \"red1\"", "name = \"ball\"")), {"two entities are called 'ball'"});
+  expect_mistake(mistake(with("name = \"red1\"", "name = \"red 1\"")), {"entity name 'red 1'"});
+  expect_mistake(mistake(with("team = \"red\"", "team = \"rad\"")), {".toml:23:", "unknown team 'rad'"});
+  expect_mistake(mistake(with("position = [1.0, 0.0]", "position = [nan, 0.0]")),
+                 {".toml:24:", "'position' must be finite"});
+  expect_mistake(mistake(with("position = [1.0, 0.0]", "position = [1.0]")), {"two or three numbers"});
+  expect_mistake(mistake(with("duration = 2.0", "duration = -2.0")), {".toml:1:", "'duration' must not be negative"});
+  expect_mistake(mistake(with("duration = 2.0", "duration = nan")), {".toml:1:", "'duration' must be a finite number"});
+  expect_mistake(mistake(with("duration = 2.0", "duration = \"long\"")), {"'duration' must be a finite number"});
+  expect_mistake(mistake(with("seed = 3", "rate = 0")), {"'rate' must be from 0.001 to 100000 Hz"});
+  expect_mistake(mistake(with("seed = 3", "rate = 333")), {"does not fit"});
+  expect_mistake(mistake(with("name = \"red\"", "name = \"blue\"")), {".toml:8:", "two teams"});
+  expect_mistake(mistake(with("[ball]\n", "[ball]\nradius = -1\n")), {"'radius' must be positive"});
+}
+
+TEST(SceneMistakes, ThatOnlyWeakenAResultAreWarnings) {
+  const auto warned = [](std::vector<std::string> overrides, const std::string& text) {
+    overrides.emplace_back("*.sensors=false");  // they have warnings of their own
+    Scene scene(write_scene(small_scene), {.overrides = overrides});
+    const auto warnings = scene.report(Duration{}, {}).warnings;
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
+  };
+  EXPECT_FALSE(warned({}, "blue2"));
+  EXPECT_TRUE(warned({"blue2.fixed_base=true"}, "blue2: simplified_dynamics has no 'fixed_base'; it changes nothing"));
+  EXPECT_TRUE(warned({"red1.integrator=rk4"}, "red1: kinematic_walking has no 'integrator'"));
+  EXPECT_FALSE(warned({"blue2.base_rigid=true"}, "blue2"));
+  EXPECT_TRUE(warned({"blue2.contact=paper", "rate=100"},
+                     "blue2: paper under simplified_dynamics is stable with steps up "
+                     "to 2 ms; these are 10 ms long"));
+  EXPECT_FALSE(warned({"rate=100"}, "blue2"));
+}
+
+TEST(SceneMistakes, InOverridesNameTheOverride) {
+  const auto set = [](const std::string& text) { return mistake(small_scene, {text}); };
+  expect_mistake(set("blue1.level=full"), {"--set 'blue1.level=full'", "unknown level 'full'"});
+  expect_mistake(set("blue1.lvel=x"), {"--set 'blue1.lvel=x'", "did you mean 'level'?"});
+  expect_mistake(set("blu1.level=x"), {"--set 'blu1.level=x'", "did you mean 'blue1'?"});
+  expect_mistake(set("duraton=3"), {"did you mean 'duration'?"});
+  expect_mistake(set("blue1.pelvis.joint_positon=1"),
+                 {"entity 'blue1', object 'pelvis'", "did you mean 'joint_position'?"});
+  expect_mistake(set("blue1.pelvs.joint_position=1"), {"unknown object 'pelvs'; did you mean 'pelvis'?"});
+  expect_mistake(set("blue1.pelvis.walk_command=[1]"), {"'walk_command' takes 3 numbers, not 1"});
+  expect_mistake(set("blue1.pelvis.walk_command=[nan,0,0]"), {"cannot be nan"});
+  expect_mistake(set("blue1.l_shin.mass=0"), {"it must be above 0"});
+  expect_mistake(set("ball.radus=1"), {"--set 'ball.radus=1'", "did you mean 'radius'?"});
+  expect_mistake(set("field.grain=[0, 0, 1]"), {"--set 'field.grain=[0, 0, 1]'", "'grain' lies in the ground"});
+  expect_mistake(set("red1.contact=paper_multi"), {"unknown contact law 'paper_multi'", "'paper_multipoint'"});
+  expect_mistake(set("field.surface=gras"), {"unknown material 'gras'; did you mean 'grass'?"});
+  expect_mistake(set("blue1.controller=ball_chser"), {"did you mean 'ball_chaser'?"});
+  expect_mistake(set("blue2.integrator=rk"), {"--set 'blue2.integrator=rk'", "did you mean 'rk4'?"});
+  expect_mistake(set("body_contact=carr"), {"--set 'body_contact=carr'", "did you mean 'carry'?"});
+  expect_mistake(set("red1.heading_deg=1e300"), {"--set 'red1.heading_deg=1e300'", "between -3600 and 3600"});
+  expect_mistake(set("red1.position=[1e9,0]"), {"'position' is further than 10 km away"});
+  expect_mistake(set("start.jitter_heading_deg=1e300"), {"is more than a turn"});
+  expect_mistake(set("blue1.fork_1.position=[0,0,0]"), {"object 'fork_1'", "cannot be set", "follows 'pelvis'"});
+  expect_mistake(set("level"), {"write PATH=VALUE"});
+  expect_mistake(set("blue1..level=x"), {"empty part"});
+}
+
+}  // namespace
+}  // namespace murosimf::io
