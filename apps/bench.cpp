@@ -42,8 +42,8 @@ double median(std::vector<double> numbers) {
   return *middle;
 }
 
-io::CollisionReport summed_up(const std::vector<CollisionProbe::Sample>& samples, std::int64_t naive) {
-  io::CollisionReport report;
+scene::CollisionReport summed_up(const std::vector<CollisionProbe::Sample>& samples, std::int64_t naive) {
+  scene::CollisionReport report;
   report.steps = static_cast<std::int64_t>(samples.size());
   report.naive_tests = naive;
   std::vector<double> pairs, ground;
@@ -53,7 +53,8 @@ io::CollisionReport summed_up(const std::vector<CollisionProbe::Sample>& samples
     report.mean_object_tests += static_cast<double>(sample.objects);
     report.mean_contacts += static_cast<double>(sample.contacts);
     report.worst_share = std::max(report.worst_share, share);
-    ++report.histogram[std::min(io::CollisionReport::bins - 1, static_cast<int>(share * io::CollisionReport::bins))];
+    ++report.histogram[std::min(scene::CollisionReport::bins - 1,
+                                static_cast<int>(share * scene::CollisionReport::bins))];
     pairs.push_back(sample.pairs_us);
     ground.push_back(sample.ground_us);
   }
@@ -92,7 +93,9 @@ class BenchProgress {
   int halves_ = 0;
 };
 
-io::SceneOptions scene_options(const Case& measured) { return {.overrides = measured.overrides, .stop = interrupted}; }
+scene::SceneOptions scene_options(const Case& measured) {
+  return {.overrides = measured.overrides, .stop = interrupted};
+}
 
 void run_to(Simulation& simulation, double time, BenchProgress& progress) {
   Clock as_fast_as_possible;
@@ -102,7 +105,7 @@ void run_to(Simulation& simulation, double time, BenchProgress& progress) {
 
 /// Time of the same scene without the probe [us per step].
 double step_us(const Case& measured, BenchProgress& progress) {
-  io::Scene scene(measured.scene, scene_options(measured));
+  scene::Scene scene(measured.scene, scene_options(measured));
   Simulation& simulation = scene.simulation();
   run_to(simulation, measured.from, progress);
   const auto start = std::chrono::steady_clock::now();
@@ -112,9 +115,9 @@ double step_us(const Case& measured, BenchProgress& progress) {
 }
 
 /// Nothing if it was interrupted.
-std::optional<io::CollisionReport> measure(const Case& measured, BenchProgress& progress) {
+std::optional<scene::CollisionReport> measure(const Case& measured, BenchProgress& progress) {
   progress.begin(measured);
-  io::Scene scene(measured.scene, scene_options(measured));
+  scene::Scene scene(measured.scene, scene_options(measured));
   Simulation& simulation = scene.simulation();
   Entity& field = simulation.world().entity("field");
   const auto& probe = simulation.attach<CollisionProbe>("collision_probe", field, scene.spec().rate,
@@ -123,7 +126,8 @@ std::optional<io::CollisionReport> measure(const Case& measured, BenchProgress& 
   if (interrupted()) return std::nullopt;
   progress.end_half();
   const auto first = static_cast<std::ptrdiff_t>(measured.from * scene.spec().rate);
-  io::CollisionReport report = summed_up({probe.samples().begin() + first, probe.samples().end()}, probe.naive_tests());
+  scene::CollisionReport report =
+      summed_up({probe.samples().begin() + first, probe.samples().end()}, probe.naive_tests());
   report.scene = measured.name;
   report.robots = static_cast<int>(scene.spec().robots.size());
   report.step_us = step_us(measured, progress);
@@ -137,7 +141,7 @@ std::optional<io::CollisionReport> measure(const Case& measured, BenchProgress& 
 int bench(const BenchOptions& options) {
   check_json_file(options.json);
   end_gently();
-  std::vector<io::CollisionReport> reports;
+  std::vector<scene::CollisionReport> reports;
   {
     BenchProgress progress;
     for (const Case& measured : cases()) {
@@ -148,7 +152,7 @@ int bench(const BenchOptions& options) {
   if (interrupted()) {
     say_error(fmt::format("stopped by {} after {} of {} scenes", signal_name(), reports.size(), cases().size()));
   }
-  write_result(options.json, io::to_text(reports), io::to_json(reports));
+  write_result(options.json, scene::to_text(reports), scene::to_json(reports));
   return exit_code();
 }
 

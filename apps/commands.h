@@ -93,7 +93,7 @@ struct BenchOptions {
 int bench(const BenchOptions& options);
 
 struct CompareCommand {
-  io::CompareOptions options;
+  compare::CompareOptions options;
   std::vector<std::string> thresholds;  ///< NAME=VALUE
   std::string json;                     ///< file, "-" for standard output
   std::string plots;                    ///< folder for PNG files

@@ -7,8 +7,8 @@
 #include "apps/standard_output.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/output_file.h"
-#include "murosimf/robot/robot_conversion.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot/robot_conversion.h"
 
 namespace murosimf::app {
 namespace {
@@ -27,12 +27,12 @@ void check_output(const fs::path& in, const fs::path& out, bool force) {
   if (fs::exists(out, error) && !fs::is_directory(out, error) && !force) {
     throw SetupError(fmt::format("'{}' is there already; --force replaces it", out.string()));
   }
-  io::check_writable(out);
+  files::check_writable(out);
 }
 
-std::string fits_text(const std::vector<io::MeshFit>& fits) {
+std::string fits_text(const std::vector<robot::MeshFit>& fits) {
   std::string text;
-  for (const io::MeshFit& fit : fits) {
+  for (const robot::MeshFit& fit : fits) {
     text += fmt::format("  {}: mesh {} becomes a {}, {:.0f} % of the volume in common\n", fit.body, fit.mesh, fit.shape,
                         100 * fit.overlap);
   }
@@ -40,10 +40,10 @@ std::string fits_text(const std::vector<io::MeshFit>& fits) {
 }
 
 /// A TOML file that is there already has somebody's work in it.
-std::string write_table(const fs::path& file, const io::RobotConversion& robot) {
+std::string write_table(const fs::path& file, const robot::RobotConversion& robot) {
   std::error_code error;
   if (fs::exists(file, error)) return fmt::format("{}: was there, kept as it is\n", file.string());
-  io::write_file(file, robot.toml);
+  files::write_file(file, robot.toml);
   return fmt::format("{}: {}\n", file.string(),
                      robot.own_table ? "copied from beside the robot file"
                                      : "soles, frames and servos, partly guessed; correct it");
@@ -52,12 +52,12 @@ std::string write_table(const fs::path& file, const io::RobotConversion& robot) 
 }  // namespace
 
 int convert(const ConvertOptions& options) {
-  const fs::path in = io::find_data_file(options.model, "models", ".xml"), out = options.out;
+  const fs::path in = files::find_data_file(options.model, "models", ".xml"), out = options.out;
   check_output(in, out, options.force);
-  io::ConversionOptions conversion{.folder = out.parent_path(), .reader = {.lenient = options.lenient}};
-  if (!options.fit.empty()) conversion.fit = at("--fit", [&] { return io::primitive_kind(options.fit); });
-  const io::RobotConversion robot = io::convert_robot(in, conversion);
-  io::write_file(out, robot.mjcf);
+  robot::ConversionOptions conversion{.folder = out.parent_path(), .reader = {.lenient = options.lenient}};
+  if (!options.fit.empty()) conversion.fit = at("--fit", [&] { return robot::primitive_kind(options.fit); });
+  const robot::RobotConversion robot = robot::convert_robot(in, conversion);
+  files::write_file(out, robot.mjcf);
   std::string text =
       fmt::format("{}: {} bodies, {} joints, {:.4g} kg\n", out.string(), robot.bodies, robot.joints, robot.mass);
   text += fits_text(robot.fits);

@@ -11,14 +11,14 @@
 #include "apps/progress.h"
 #include "apps/servo_logs.h"
 #include "apps/standard_output.h"
+#include "murosimf/components/servo_table.h"
+#include "murosimf/files/output_file.h"
+#include "murosimf/formats/servo_log/fit_report.h"
+#include "murosimf/formats/servo_log/prior_file.h"
+#include "murosimf/formats/servo_log/servo_log.h"
 #include "murosimf/identification/bench_servo.h"
 #include "murosimf/identification/folds.h"
 #include "murosimf/identification/search.h"
-#include "murosimf/formats/servo_log/fit_report.h"
-#include "murosimf/files/output_file.h"
-#include "murosimf/formats/servo_log/prior_file.h"
-#include "murosimf/formats/servo_log/servo_log.h"
-#include "murosimf/components/servo_table.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
@@ -51,9 +51,10 @@ struct Task {
 
 Task task_of(const FitServoOptions& options, const Logs& logs) {
   const std::string type = options.servo.empty() ? motor_of(logs) : options.servo;
-  const Servo base = io::read_servo(type);
-  const std::string prior = options.prior.empty() ? io::prior_of_type(base.type) : options.prior;
-  return {options, identification::friction_model(options.model), type, prior, base, io::read_prior(prior)};
+  const Servo base = components::read_servo(type);
+  const std::string prior = options.prior.empty() ? formats::servo_log::prior_of_type(base.type) : options.prior;
+  return {options, identification::friction_model(options.model), type, prior,
+          base,    formats::servo_log::read_prior(prior)};
 }
 
 int threads_of(const FitServoOptions& options) {
@@ -62,7 +63,7 @@ int threads_of(const FitServoOptions& options) {
 }
 
 struct Result {
-  io::FittedServo servo;
+  formats::servo_log::FittedServo servo;
   std::vector<double> costs;
 };
 
@@ -102,16 +103,18 @@ int fit_servo(const FitServoOptions& options) {
   identification::check_search();
   (void)identification::friction_model(options.model);
   check_json_file(options.json);
-  io::check_writable(options.out);
-  const Logs logs = io::read_servo_logs(options.logs);
-  const Logs unseen = options.validate.empty() ? Logs{} : io::read_servo_logs(options.validate);
+  files::check_writable(options.out);
+  const Logs logs = formats::servo_log::read_servo_logs(options.logs);
+  const Logs unseen = options.validate.empty() ? Logs{} : formats::servo_log::read_servo_logs(options.validate);
   const Task task = task_of(options, logs);
   std::vector<identification::Fold> folds;
   if (!options.cross_validate.empty()) folds = identification::folds(logs, options.cross_validate);
 
   end_gently();
   const Result result = fit(task, logs, "fit");
-  io::FitReport report{.servo = result.servo, .seed = static_cast<std::uint64_t>(options.seed), .costs = result.costs};
+  formats::servo_log::FitReport report{.servo = result.servo,
+                                       .seed = static_cast<std::uint64_t>(options.seed),
+                                       .costs = result.costs};
   report.servo.fitted = ServoReplay(report.servo, logs).errors();
   if (!unseen.empty()) report.validated = ServoReplay(report.servo, unseen).errors();
   for (const identification::Fold& fold : folds) {
@@ -121,8 +124,8 @@ int fit_servo(const FitServoOptions& options) {
     report.cross_validated.push_back({fold.unseen, ServoReplay(other.servo, fold.left_out).errors()});
   }
   report.stopped = interrupted();
-  io::write_file(options.out, io::to_toml(report.servo));
-  write_result(options.json, io::to_text(report), io::to_json(report));
+  files::write_file(options.out, formats::servo_log::to_toml(report.servo));
+  write_result(options.json, formats::servo_log::to_text(report), formats::servo_log::to_json(report));
   if (report.stopped) {
     say_error(fmt::format("stopped by {}; '{}' is the best so far", signal_name(), options.out));
   }

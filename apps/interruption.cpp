@@ -47,7 +47,7 @@ bool ask(int signal) noexcept {
 void on_signal(int signal) {
   const int saved = errno;
   if (!ask(signal)) {
-    io::remove_leftovers();
+    files::remove_leftovers();
     (void)std::signal(signal, SIG_DFL);
     (void)raise(signal);  // comes when the handler has returned
   }

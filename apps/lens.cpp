@@ -5,9 +5,9 @@
 #include "apps/standard_output.h"
 #include "murosimf/components/camera_info.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/imaging/lens_fit.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
-#include "murosimf/imaging/lens_fit.h"
 
 namespace murosimf::app {
 namespace {
@@ -16,8 +16,8 @@ double degrees(double angle) { return angle * 180 / pi; }
 
 std::string line(std::string_view what, const std::string& text) { return fmt::format("{:<14} {}\n", what, text); }
 
-std::string text_of(const sensors::Lens& lens) {
-  const sensors::LensSpec& spec = lens.spec();
+std::string text_of(const imaging::Lens& lens) {
+  const imaging::LensSpec& spec = lens.spec();
   const auto [horizontal, vertical, diagonal] = lens.opening();
   std::string text = line("model", spec.model);
   text +=
@@ -33,7 +33,7 @@ std::string text_of(const sensors::Lens& lens) {
   return text;
 }
 
-std::string text_of(const sensors::LensFit& fit) {
+std::string text_of(const imaging::LensFit& fit) {
   if (fit.largest_error == 0) return line("fit error", "none");
   return line("fit error", fmt::format("{:.2g} px, at most {:.2g} px at {:.0f}, {:.0f}", fit.usual_error,
                                        fit.largest_error, fit.where.u, fit.where.v));
@@ -42,17 +42,17 @@ std::string text_of(const sensors::LensFit& fit) {
 }  // namespace
 
 int lens(const LensOptions& options) {
-  if (!options.out.empty()) io::check_writable(options.out);
-  const auto file = io::find_lens_file(options.file);
-  io::CameraInfo info = io::read_camera_info(file);
-  const sensors::Lens read(info.lens);
+  if (!options.out.empty()) files::check_writable(options.out);
+  const auto file = components::find_lens_file(options.file);
+  components::CameraInfo info = components::read_camera_info(file);
+  const imaging::Lens read(info.lens);
   std::string text = line("calibration", info.name.empty() ? file.string() : info.name) + text_of(read);
   if (!options.model.empty()) {
-    const sensors::LensFit fit = at(file.string(), [&] { return sensors::fit_lens(read, options.model); });
-    text += fmt::format("\nas {}\n", options.model) + text_of(sensors::Lens(fit.spec)) + text_of(fit);
+    const imaging::LensFit fit = at(file.string(), [&] { return imaging::fit_lens(read, options.model); });
+    text += fmt::format("\nas {}\n", options.model) + text_of(imaging::Lens(fit.spec)) + text_of(fit);
     info.lens = fit.spec;
   }
-  if (!options.out.empty()) io::write_file(options.out, io::camera_info_yaml(info));
+  if (!options.out.empty()) files::write_file(options.out, components::camera_info_yaml(info));
   write_standard_output(text);
   return 0;
 }

@@ -5,16 +5,16 @@
 #include "apps/commands.h"
 #include "apps/standard_output.h"
 #include "murosimf/collision/pair_law.h"
-#include "murosimf/geometry/any_tree.h"
 #include "murosimf/components/camera_info.h"
-#include "murosimf/files/data_path.h"
-#include "murosimf/scene/registry.h"
 #include "murosimf/components/sensor_table.h"
 #include "murosimf/components/sensor_types.h"
+#include "murosimf/files/data_path.h"
+#include "murosimf/geometry/any_tree.h"
 #include "murosimf/model/material.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/servo_law.h"
+#include "murosimf/scene/registry.h"
 
 namespace murosimf::app {
 namespace {
@@ -29,7 +29,7 @@ std::string names_and_meanings(std::span<const Entry> entries) {
 /// With the keys that only some types have.
 std::string sensors_text() {
   std::string text;
-  for (const io::SensorType& type : io::sensor_types()) {
+  for (const components::SensorType& type : components::sensor_types()) {
     const bool both = !type.numbers.empty() && !type.objects.empty();
     const std::string keys = fmt::format("{}{}{}", type.numbers, both ? " " : "", type.objects);
     text += fmt::format("{:<22} {}{}\n", type.name, type.meaning, keys.empty() ? "" : "; keys: " + keys);
@@ -49,7 +49,7 @@ std::string properties_text() {
 
 /// What comes with the program and has a file.
 std::string file_names(std::string_view kind, std::string_view extension) {
-  return fmt::format("{}\n", fmt::join(io::data_file_names(kind, extension), "\n"));
+  return fmt::format("{}\n", fmt::join(files::data_file_names(kind, extension), "\n"));
 }
 
 /// The pairs that come with the program; a scene changes them by [[materials]] and --set materials.friction.
@@ -76,21 +76,21 @@ const std::vector<std::string>& list_kinds() {
 
 int list(const std::string& what) {
   std::string text;
-  if (what == "levels") text = names_and_meanings(io::levels());
-  if (what == "contacts") text = names_and_meanings(io::contacts());
+  if (what == "levels") text = names_and_meanings(scene::levels());
+  if (what == "contacts") text = names_and_meanings(scene::contacts());
   if (what == "body_contacts") text = names_and_meanings(collision::pair_laws());
   if (what == "volumes") {
     for (const auto& name : geometry::volume_names()) text += fmt::format("{}\n", name);
   }
   if (what == "integrators") text = names_and_meanings(motion::integrators());
   if (what == "servo_laws") text = names_and_meanings(motion::servo_laws());
-  if (what == "controllers") text = names_and_meanings(io::controllers());
+  if (what == "controllers") text = names_and_meanings(scene::controllers());
   if (what == "sensors") text = sensors_text();
   if (what == "parts") {
-    for (const auto& name : io::sensor_parts()) text += fmt::format("{}\n", name);
+    for (const auto& name : components::sensor_parts()) text += fmt::format("{}\n", name);
   }
   if (what == "lenses") {
-    for (const auto& name : io::lens_names()) text += fmt::format("{}\n", name);
+    for (const auto& name : components::lens_names()) text += fmt::format("{}\n", name);
   }
   if (what == "scenes") text = file_names("scenes", ".toml");
   if (what == "models") text = file_names("models", ".xml");

@@ -14,7 +14,7 @@ namespace {
 constexpr double shortest = 1e-3;  // [s]
 
 Duration checked(double every) {
-  if (!(every >= shortest && every <= io::longest_duration)) {
+  if (!(every >= shortest && every <= scene::longest_duration)) {
     throw SetupError(fmt::format("--picture-every {}: must be at least {} s", every, shortest));
   }
   return from_seconds(every);
@@ -27,10 +27,10 @@ PictureSequence::PictureSequence(std::filesystem::path folder, double every)
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) throw SetupError(fmt::format("cannot make the folder '{}': {}", folder_.string(), error.message()));
-  io::check_writable(file());
+  files::check_writable(file());
 }
 
-void PictureSequence::take(const io::Scene& scene) {
+void PictureSequence::take(const scene::Scene& scene) {
   scene.write_view(file());
   next_ += every_;
   ++count_;

@@ -16,7 +16,7 @@ class PictureSequence {
   /// Simulated time of the next picture.
   [[nodiscard]] Duration next() const { return next_; }
   /// Writes it: 0000.png, 0001.png, ...
-  void take(const io::Scene& scene);
+  void take(const scene::Scene& scene);
 
  private:
   [[nodiscard]] std::filesystem::path file() const;

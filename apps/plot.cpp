@@ -16,9 +16,9 @@ int plot(const PlotOptions& options) {
   const fs::path picture = options.out.empty() ? fs::path(file).replace_extension(".png") : fs::path(options.out);
   if (picture == file)
     throw SetupError(fmt::format("'{}' is the table itself; name a picture: --out FILE.png", options.file));
-  const io::CsvTable table = io::read_csv(file);
-  io::write_plot(picture,
-                 at(options.file, [&] { return io::plot_of(table, file.filename().string(), options.patterns); }));
+  const files::CsvTable table = files::read_csv(file);
+  logging::write_plot(picture, at(options.file,
+                                  [&] { return logging::plot_of(table, file.filename().string(), options.patterns); }));
   return 0;
 }
 

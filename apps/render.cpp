@@ -12,12 +12,12 @@
 #include "apps/last_words.h"
 #include "apps/progress.h"
 #include "apps/standard_output.h"
-#include "murosimf/files/output_file.h"
-#include "murosimf/scene/scene.h"
-#include "murosimf/scene/scene_eyes.h"
 #include "murosimf/appearance/video_file.h"
+#include "murosimf/files/output_file.h"
 #include "murosimf/render/image_png.h"
 #include "murosimf/render/renderer.h"
+#include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_eyes.h"
 #include "murosimf/sensors/frame.h"
 
 namespace murosimf::app {
@@ -46,7 +46,7 @@ Size size_of(const std::string& text) {
 }
 
 Duration time_of(const char* option, double s) {
-  if (!(s >= 0 && s <= io::longest_duration))
+  if (!(s >= 0 && s <= scene::longest_duration))
     throw SetupError(fmt::format("{} {}: must be a number from 0", option, s));
   return from_seconds(s);
 }
@@ -69,38 +69,38 @@ class PictureSource {
   [[nodiscard]] virtual double rate() const = 0;
   /// The picture of an instant that has come, or the first one after it; the simulation may go on for that. Nothing if it
   /// was interrupted.
-  virtual std::optional<sensors::ColorImage> take(Duration instant) = 0;
+  virtual std::optional<imaging::ColorImage> take(Duration instant) = 0;
 };
 
 /// A place from where people look.
 class Eye final : public PictureSource {
  public:
-  Eye(io::Scene& scene, const RenderOptions& options)
+  Eye(scene::Scene& scene, const RenderOptions& options)
       : scene_(scene),
         view_(options.view),
         size_(size_of(options.size)),
         layer_(layer_of(options.layer)),
         fps_(options.fps),
         slow_(options.slow) {
-    (void)io::eye_perspective(scene, view_, size_.width, size_.height);
-    io::LightSpec light = scene.spec().light;
+    (void)scene::eye_perspective(scene, view_, size_.width, size_.height);
+    scene::LightSpec light = scene.spec().light;
     light.shadows = !options.no_shadows;
     light.samples = std::max(light.samples, 4);
     renderer_ = scene.make_renderer(light);
   }
   [[nodiscard]] double fps() const override { return fps_; }
   [[nodiscard]] double rate() const override { return fps_ * slow_; }
-  std::optional<sensors::ColorImage> take(Duration /*instant*/) override {
+  std::optional<imaging::ColorImage> take(Duration /*instant*/) override {
     sensors::View view;
     const sensors::Layers layers{layer_ == Layer::color, layer_ == Layer::depth, layer_ == Layer::labels};
-    renderer_->draw(io::eye_perspective(scene_, view_, size_.width, size_.height), layers, 0, view);
+    renderer_->draw(scene::eye_perspective(scene_, view_, size_.width, size_.height), layers, 0, view);
     if (const std::string trouble = renderer_->trouble(); !trouble.empty()) throw SetupError(trouble);
     if (layer_ == Layer::depth) return render::shown(view.depth);
     return layer_ == Layer::labels ? render::shown(view.labels) : std::move(view.color);
   }
 
  private:
-  io::Scene& scene_;
+  scene::Scene& scene_;
   std::string view_;
   Size size_;
   Layer layer_;
@@ -111,7 +111,7 @@ class Eye final : public PictureSource {
 /// A camera that a robot carries.
 class RobotCamera final : public PictureSource {
  public:
-  RobotCamera(io::Scene& scene, const RenderOptions& options)
+  RobotCamera(scene::Scene& scene, const RenderOptions& options)
       : simulation_(scene.simulation()),
         path_(options.camera),
         frame_(find(scene.simulation().world(), path_)),
@@ -122,7 +122,7 @@ class RobotCamera final : public PictureSource {
   }
   [[nodiscard]] double fps() const override { return rate() / slow_; }
   [[nodiscard]] double rate() const override { return 1 / seconds(frame_.info->period); }
-  std::optional<sensors::ColorImage> take(Duration instant) override {
+  std::optional<imaging::ColorImage> take(Duration instant) override {
     // a frame of now is there after the next step, or later by its delay
     while (frame_.number == 0 || frame_.time < instant) {
       if (interrupted()) return std::nullopt;
@@ -157,13 +157,13 @@ class RobotCamera final : public PictureSource {
     }
     throw SetupError("write ROBOT.CAMERA" + cameras);
   }
-  static sensors::ColorImage colors(const sensors::ColorImage& image) { return image; }
+  static imaging::ColorImage colors(const imaging::ColorImage& image) { return image; }
   template <class Image>
-  static sensors::ColorImage colors(const Image& image) {
+  static imaging::ColorImage colors(const Image& image) {
     return render::shown(image);
   }
   template <class Image>
-  [[nodiscard]] sensors::ColorImage wanted(const Image& image, std::string_view layer) const {
+  [[nodiscard]] imaging::ColorImage wanted(const Image& image, std::string_view layer) const {
     if (!image.empty()) return colors(image);
     throw SetupError(fmt::format("--layer {}: the camera does not draw it; {} lets it", layer,
                                  setting(fmt::format("{}=true", layer))));
@@ -201,9 +201,9 @@ void check(const RenderOptions& options) {
   if (options.duration && time_of("--duration", *options.duration) == Duration{}) refuse_no_time();
   if (!options.light.empty()) check_light(options.light);
   if (options.video.empty()) {
-    io::check_writable(options.out);
+    files::check_writable(options.out);
   } else {
-    io::check_video(options.video);
+    appearance::check_video(options.video);
   }
 }
 
@@ -242,7 +242,7 @@ class PacedScene {
 bool write_video(PictureSource& source, Simulation& simulation, const RenderOptions& options, double duration) {
   const Duration begin = simulation.now(), end = begin + from_seconds(duration);
   PacedScene scene(simulation, end);
-  std::optional<io::VideoFile> video;
+  std::optional<appearance::VideoFile> video;
   for (std::int64_t i = 0;; ++i) {
     const Duration next = begin + from_seconds(static_cast<double>(i) / source.rate());
     if (next >= end) break;
@@ -260,7 +260,7 @@ bool write_video(PictureSource& source, Simulation& simulation, const RenderOpti
 /// False if it was interrupted.
 bool write_picture(PictureSource& source, Simulation& simulation, const RenderOptions& options) {
   const auto picture = interrupted() ? std::nullopt : source.take(simulation.now());
-  if (picture) io::write_file(options.out, render::image_png(*picture));
+  if (picture) files::write_file(options.out, render::image_png(*picture));
   return picture.has_value();
 }
 
@@ -280,13 +280,13 @@ int render(RenderOptions options) {
   if (options.camera.empty() && options.size.empty()) options.size = "1280x720";
   const Duration time = time_of("--time", options.time);
   if (!options.light.empty()) options.overrides.push_back("light.name=" + options.light);
-  io::Scene scene(options.scene, {.threads = options.threads,
-                                  .seed = options.seed,
-                                  .overrides = options.overrides,
-                                  .events = options.events,
-                                  .pushes = options.pushes,
-                                  .lenient = options.lenient,
-                                  .stop = interrupted});
+  scene::Scene scene(options.scene, {.threads = options.threads,
+                                     .seed = options.seed,
+                                     .overrides = options.overrides,
+                                     .events = options.events,
+                                     .pushes = options.pushes,
+                                     .lenient = options.lenient,
+                                     .stop = interrupted});
   std::unique_ptr<PictureSource> source;
   if (!options.camera.empty()) {
     source = std::make_unique<RobotCamera>(scene, options);

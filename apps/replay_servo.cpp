@@ -7,10 +7,10 @@
 #include "apps/commands.h"
 #include "apps/servo_logs.h"
 #include "apps/standard_output.h"
-#include "murosimf/formats/servo_log/fit_report.h"
 #include "murosimf/files/output_file.h"
-#include "murosimf/logging/plot.h"
+#include "murosimf/formats/servo_log/fit_report.h"
 #include "murosimf/formats/servo_log/servo_log.h"
+#include "murosimf/logging/plot.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
@@ -23,11 +23,11 @@ fs::path picture_of(const std::string& folder, const ServoLog& log) { return fs:
 
 /// Found out before anything is computed.
 void check_plots(const std::string& folder, const std::vector<ServoLog>& logs) {
-  io::check_gnuplot();
+  logging::check_gnuplot();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw SetupError(fmt::format("cannot make the folder '{}': {}", folder, error.message()));
-  for (const ServoLog& log : logs) io::check_writable(picture_of(folder, log));
+  for (const ServoLog& log : logs) files::check_writable(picture_of(folder, log));
 }
 
 void plot(const fs::path& file, const ServoLog& log, const std::vector<double>& simulated, double error) {
@@ -39,7 +39,7 @@ void plot(const fs::path& file, const ServoLog& log, const std::vector<double>& 
     measured.push_back(sample.position);
     off.push_back(1e3 * (simulated[i] - sample.position));
   }
-  io::write_plot(
+  logging::write_plot(
       file,
       {.title = fmt::format("{}: {}, gain {:g}, mean error {:.1f} mrad", log.name, log.trajectory, log.firmware_gain,
                             1e3 * error),
@@ -53,15 +53,15 @@ void plot(const fs::path& file, const ServoLog& log, const std::vector<double>& 
 
 int replay_servo(const ReplayServoOptions& options) {
   check_json_file(options.json);
-  const std::vector<ServoLog> logs = io::read_servo_logs(options.logs);
-  const io::FittedServo servo = io::read_fitted_servo(options.servo);
+  const std::vector<ServoLog> logs = formats::servo_log::read_servo_logs(options.logs);
+  const formats::servo_log::FittedServo servo = formats::servo_log::read_fitted_servo(options.servo);
   if (!options.plot.empty()) check_plots(options.plot, logs);
   const ServoReplay replay(servo, logs);
-  const io::ReplayReport report{servo.servo.type, replay.errors()};
+  const formats::servo_log::ReplayReport report{servo.servo.type, replay.errors()};
   for (std::size_t i = 0; i < logs.size() && !options.plot.empty(); ++i) {
     plot(picture_of(options.plot, logs[i]), logs[i], replay.positions(i), report.logs[i].error);
   }
-  write_result(options.json, io::to_text(report), io::to_json(report));
+  write_result(options.json, formats::servo_log::to_text(report), formats::servo_log::to_json(report));
   return 0;
 }
 

@@ -32,7 +32,8 @@ std::optional<double> speed_of(const std::string& text) {
 
 Duration duration_of(double s) {
   if (!(s >= 0) || !std::isfinite(s)) throw SetupError(fmt::format("--duration {}: must be a number from 0", s));
-  if (s > io::longest_duration) throw SetupError(fmt::format("--duration {}: longer than simulated time can count", s));
+  if (s > scene::longest_duration)
+    throw SetupError(fmt::format("--duration {}: longer than simulated time can count", s));
   return from_seconds(s);
 }
 
@@ -58,26 +59,26 @@ int run(const RunOptions& options) {
   if (options.duration) duration_of(*options.duration);
   // where results go is checked before anything is computed, so that no result is lost
   check_json_file(options.json);
-  if (!options.picture.empty()) io::check_writable(options.picture);
-  if (!options.out.empty()) io::check_writable(options.out);
+  if (!options.picture.empty()) files::check_writable(options.picture);
+  if (!options.out.empty()) files::check_writable(options.out);
   std::optional<PictureSequence> pictures;
   if (!options.pictures.empty()) pictures.emplace(options.pictures, options.picture_every);
 
-  io::Scene scene(options.scene, {.threads = options.threads,
-                                  .seed = options.seed,
-                                  .overrides = options.overrides,
-                                  .events = options.events,
-                                  .pushes = options.pushes,
-                                  .lenient = options.lenient,
-                                  .cameras = !options.no_cameras,
-                                  .paths = !options.picture.empty(),
-                                  .stop = interrupted});
+  scene::Scene scene(options.scene, {.threads = options.threads,
+                                     .seed = options.seed,
+                                     .overrides = options.overrides,
+                                     .events = options.events,
+                                     .pushes = options.pushes,
+                                     .lenient = options.lenient,
+                                     .cameras = !options.no_cameras,
+                                     .paths = !options.picture.empty(),
+                                     .stop = interrupted});
   const Duration duration = duration_of(options.duration.value_or(scene.spec().duration));
   Simulation& simulation = scene.simulation();
-  std::optional<io::RunLog> log;
+  std::optional<logging::RunLog> log;
   if (!options.log.empty()) {
     log.emplace(simulation, options.log,
-                io::RunLogOptions{.step_rate = scene.spec().rate, .property_rate = options.log_rate});
+                logging::RunLogOptions{.step_rate = scene.spec().rate, .property_rate = options.log_rate});
   }
   simulation.initialize();
 
@@ -96,12 +97,12 @@ int run(const RunOptions& options) {
     }
     advance_to(duration);
   }
-  io::RunReport report = scene.report(wall, clock.lateness());
+  scene::RunReport report = scene.report(wall, clock.lateness());
   if (simulation.now() < duration) report.stopped = {signal_name(), options.duration.value_or(scene.spec().duration)};
 
   if (log) log->write(options.out);
   if (!options.picture.empty()) scene.write_picture(options.picture);
-  write_result(options.json, io::to_text(report), io::to_json(report));
+  write_result(options.json, scene::to_text(report), scene::to_json(report));
   return report.stopped ? exit_code() : 0;
 }
 

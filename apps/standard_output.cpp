@@ -20,12 +20,12 @@ void write_standard_output(const std::string& text) {
 }
 
 void check_json_file(const std::string& json_file) {
-  if (!json_file.empty() && json_file != "-") io::check_writable(json_file);
+  if (!json_file.empty() && json_file != "-") files::check_writable(json_file);
 }
 
 void write_result(const std::string& json_file, const std::string& text, const std::string& json) {
   if (json_file == "-") return write_standard_output(json);
-  if (!json_file.empty()) io::write_file(json_file, json);
+  if (!json_file.empty()) files::write_file(json_file, json);
   write_standard_output(text);
 }
 

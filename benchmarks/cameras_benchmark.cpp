@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/scene/scene.h"
 #include "murosimf/render/renderer.h"
+#include "murosimf/scene/scene.h"
 #include "murosimf/sensors/frame.h"
 
 namespace murosimf::benchmarks {
@@ -14,8 +14,8 @@ namespace {
 std::string each(const std::string& key) { return "*.sensors.camera." + key; }
 
 /// Simulates a tenth of a second at a time; frames per second of wall time, and how many times real time that is.
-void play(benchmark::State& bench, const std::string& name, const io::SceneOptions& options) {
-  io::Scene scene(name, options);
+void play(benchmark::State& bench, const std::string& name, const scene::SceneOptions& options) {
+  scene::Scene scene(name, options);
   Simulation& simulation = scene.simulation();
   simulation.initialize();
   constexpr double step = 0.1;  // [s]
@@ -43,8 +43,9 @@ BENCHMARK(size)->ArgName("width")->Arg(160)->Arg(320)->Arg(640)->Arg(1280)->UseR
 
 /// One camera that sees some robots of the eleven-a-side game.
 void robots(benchmark::State& bench) {
-  io::SceneOptions options{.overrides = {"blue1.sensors.camera.always_on=true", "blue1.sensors.camera.opening=1.48"}};
-  io::Scene scene(bench.range(0) > 6 ? "eleven_a_side" : "three_on_three", options);
+  scene::SceneOptions options{
+      .overrides = {"blue1.sensors.camera.always_on=true", "blue1.sensors.camera.opening=1.48"}};
+  scene::Scene scene(bench.range(0) > 6 ? "eleven_a_side" : "three_on_three", options);
   Simulation& simulation = scene.simulation();
   simulation.initialize();
   const auto renderer = scene.make_renderer({});
@@ -67,7 +68,7 @@ BENCHMARK(robots)->ArgNames({"robots", "depth"})->Args({6, 0})->Args({22, 0})->A
 
 /// What one key of the camera adds.
 void with(benchmark::State& bench, const std::vector<std::string>& keys) {
-  io::SceneOptions options;
+  scene::SceneOptions options;
   for (const std::string& key : keys) options.overrides.push_back(key.find("light") == 0 ? key : each(key));
   play(bench, "six_cameras", options);
 }

@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "murosimf/collision/contact.h"
-#include "murosimf/scene/scene.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/scene.h"
 
 namespace murosimf::benchmarks {
 namespace {
@@ -24,7 +24,8 @@ void count_contacts(benchmark::State& bench, Simulation& simulation) {
 
 /// One millisecond of one robot at `level` that follows `command`, control included.
 void robot(benchmark::State& bench, const std::string& level, const std::string& command) {
-  io::Scene scene("walk", {.overrides = {"walker.level=" + level, "walker.command=" + command, "field.goals=false"}});
+  scene::Scene scene("walk",
+                     {.overrides = {"walker.level=" + level, "walker.command=" + command, "field.goals=false"}});
   Simulation& simulation = scene.simulation();
   simulation.run(std::chrono::seconds(1));  // past the start
   for (auto _ : bench) simulation.step();
@@ -36,7 +37,7 @@ void standing_robot(benchmark::State& bench, const char* level) { robot(bench, l
 
 /// One simulated second of the three-on-three game; "real_time" is simulated seconds per second.
 void game(benchmark::State& bench) {
-  io::Scene scene("three_on_three", {.threads = static_cast<int>(bench.range(0))});
+  scene::Scene scene("three_on_three", {.threads = static_cast<int>(bench.range(0))});
   Simulation& simulation = scene.simulation();
   simulation.run(std::chrono::seconds(1));
   for (auto _ : bench) simulation.run(std::chrono::seconds(1));

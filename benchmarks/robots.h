@@ -7,7 +7,7 @@
 namespace murosimf::benchmarks {
 
 inline ModelPtr kid21() {
-  static const ModelPtr model = io::read_robot(io::find_data_file("kid21", "models", ".xml")).model;
+  static const ModelPtr model = robot::read_robot(files::find_data_file("kid21", "models", ".xml")).model;
   return model;
 }
 

@@ -3,9 +3,9 @@
 
 #include "murosimf/collision/queries.h"
 #include "murosimf/collision/scan.h"
-#include "murosimf/scene/scene.h"
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/scene.h"
 
 namespace murosimf::benchmarks {
 namespace {
@@ -23,10 +23,10 @@ struct Match {
     spec.name = "measured";  // no sensor of the robot's own is called so
     spec.type = type;
     spec.orientation = rotation_y(tilt);
-    return io::attach_sensor(simulation, robot, spec, {1, movers}, 1000);
+    return components::attach_sensor(simulation, robot, spec, {1, movers}, 1000);
   }
 
-  io::Scene scene;
+  scene::Scene scene;
   Simulation& simulation;
   Entity& robot;
   std::vector<Entity*> movers;

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "murosimf/locomotion/walk_engine.h"
-#include "murosimf/scene/scene.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/scene.h"
 
 namespace {
 
@@ -35,13 +35,13 @@ double duration_of(const std::string& text) {
 }
 
 void dump(double duration, const std::string& command) {
-  io::Scene scene("walk", {.overrides = {"walker.level=articulated_dynamics", "walker.command=" + command}});
+  scene::Scene scene("walk", {.overrides = {"walker.level=articulated_dynamics", "walker.command=" + command}});
   Simulation& simulation = scene.simulation();
   Entity& robot = simulation.world().entity("walker");
   simulation.initialize();
   const std::string start = start_of(robot);
   const auto& targets = robot.find(properties::joint_target)->values;
-  const Duration cycle = from_seconds(1 / control::WalkEngine::rate_hz);
+  const Duration cycle = from_seconds(1 / locomotion::WalkEngine::rate_hz);
 
   std::vector<std::string> names, rows;
   for (const int i : robot.model().joints()) names.push_back(fmt::format("\"{}\"", robot.model().objects()[i].name));

@@ -21,15 +21,8 @@ if(MUROSIMF_NATIVE)
   target_compile_options(murosimf_options INTERFACE -march=native)
 endif()
 
-# Kernels (murosimf/multibody) step one robot or eight at once and must give the same bits either way: full
-# optimization, and with g++ no vectorizer, which changes last bits.
-function(murosimf_kernel_flags)
-  set(flags -ffp-contract=off)
-  if(CMAKE_BUILD_TYPE STREQUAL "Release")
-    list(APPEND flags -O3)
-  endif()
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    list(APPEND flags -fno-tree-vectorize)
-  endif()
-  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${flags}")
+# murosimf_kernel_flags(<target>): full optimization, and with g++ no vectorizer, which changes last bits.
+function(murosimf_kernel_flags target)
+  target_compile_options(${target} PRIVATE -ffp-contract=off $<$<CONFIG:Release>:-O3>
+    $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize>)
 endfunction()

@@ -5,7 +5,8 @@ include(CMakePackageConfigHelpers)
 
 set(murosimf_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/murosimf)
 
-install(TARGETS murosimf EXPORT murosimf
+get_property(folder_targets GLOBAL PROPERTY murosimf_folder_targets)
+install(TARGETS murosimf ${folder_targets} EXPORT murosimf
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -30,26 +31,25 @@ if(tomlplusplus_DIR)
 else()
   set(murosimf_tomlplusplus_from_pkg_config ON)
 endif()
-get_target_property(murosimf_libraries murosimf LINK_LIBRARIES)
-if("PkgConfig::cairo" IN_LIST murosimf_libraries)
+if(TARGET PkgConfig::cairo)
   set(murosimf_uses_cairo ON)
 else()
   set(murosimf_uses_cairo OFF)
 endif()
 
-if("PkgConfig::opengl" IN_LIST murosimf_libraries)
+if(TARGET PkgConfig::opengl)
   set(murosimf_uses_opengl ON)
 else()
   set(murosimf_uses_opengl OFF)
 endif()
 
-if("NLopt::nlopt" IN_LIST murosimf_libraries)
+if(TARGET NLopt::nlopt)
   set(murosimf_uses_nlopt ON)
 else()
   set(murosimf_uses_nlopt OFF)
 endif()
 
-if("yaml-cpp::yaml-cpp" IN_LIST murosimf_libraries)
+if(TARGET yaml-cpp::yaml-cpp)
   set(murosimf_uses_yaml ON)
 else()
   set(murosimf_uses_yaml OFF)

@@ -7,8 +7,8 @@
 #include <string>
 
 #include <murosimf/logging/plot.h>
-#include <murosimf/scene/scene.h>
 #include <murosimf/model/properties.h>
+#include <murosimf/scene/scene.h>
 #include <murosimf/sensors/reading.h>
 
 using namespace murosimf;
@@ -30,7 +30,7 @@ double lean_of(Entity& robot) {
 
 /// Whether the robot still stands 3 s after a push [N s] forward on its trunk. "walk" stands stiffly.
 bool stands(const std::string& controller, double impulse, Curves* curves = nullptr) {
-  io::Scene scene("nudge", {.overrides = {"events=[]", "robot.controller=" + controller}});
+  scene::Scene scene("nudge", {.overrides = {"events=[]", "robot.controller=" + controller}});
   Simulation& simulation = scene.simulation();
   Entity& robot = simulation.world().entity("robot");
   const auto push = [&](double newtons) {
@@ -60,7 +60,7 @@ void plot(const std::string& file, double impulse) {
   Curves stiff, balancing;
   stands("walk", impulse, &stiff);
   stands("balance", impulse, &balancing);
-  io::write_plot(
+  logging::write_plot(
       file,
       {.title = "A push of " + std::to_string(impulse).substr(0, 3) + " N s in the back",
        .x_label = "time [s]",

@@ -3,12 +3,12 @@
 
 #include <murosimf/collision/queries.h>
 #include <murosimf/collision/touches.h>
-#include <murosimf/scene/scene.h>
 #include <murosimf/model/properties.h>
+#include <murosimf/scene/scene.h>
 
 int main() {
   using namespace murosimf;
-  io::Scene scene("duel", {.overrides = {"blue1.level=simplified_dynamics"}});
+  scene::Scene scene("duel", {.overrides = {"blue1.level=simplified_dynamics"}});
   Simulation& simulation = scene.simulation();
   simulation.run(std::chrono::seconds(2));
   Entity& robot = simulation.world().entity("blue1");

@@ -3,13 +3,13 @@
 //     example_change_levels
 #include <cstdio>
 
-#include <murosimf/scene/scene.h>
 #include <murosimf/model/properties.h>
+#include <murosimf/scene/scene.h>
 
 int main() {
   using namespace murosimf;
   using namespace std::chrono_literals;
-  io::Scene scene("walk");  // a kinematic walker
+  scene::Scene scene("walk");  // a kinematic walker
   Simulation& simulation = scene.simulation();
   Entity& robot = simulation.world().entity("walker");
   const auto push = [&](double newtons) { robot.base().set(properties::applied_force, {{}, {0, newtons, 0}}); };

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <optional>
 
-#include <murosimf/scene/scene.h>
 #include <murosimf/math/quaternion.h>
 #include <murosimf/model/properties.h>
+#include <murosimf/scene/scene.h>
 #include <murosimf/sensors/camera.h>
 #include <murosimf/sensors/reading.h>
 
@@ -62,7 +62,7 @@ class BallFinder final : public Algorithm {
 }  // namespace
 
 int main() {
-  io::Scene scene("duel", {.overrides = {"blue1.sensors.camera.labels=true"}});
+  scene::Scene scene("duel", {.overrides = {"blue1.sensors.camera.labels=true"}});
   Simulation& simulation = scene.simulation();
   Entity& robot = simulation.world().entity("blue1");
   const auto& finder = simulation.attach<BallFinder>("ball_finder", robot, 100, simulation.world().entity("ball"));

@@ -1,11 +1,11 @@
 #include <cstdio>
 
-#include <murosimf/scene/scene.h>
 #include <murosimf/model/properties.h>
+#include <murosimf/scene/scene.h>
 
 int main() {
   using namespace murosimf;
-  io::Scene scene("walk", {.overrides = {"walker.level=simplified_dynamics"}});
+  scene::Scene scene("walk", {.overrides = {"walker.level=simplified_dynamics"}});
   Simulation& simulation = scene.simulation();
   simulation.run(std::chrono::seconds(5));
   const Vec3d head = simulation.world().entity("walker").object("head").get(properties::position);

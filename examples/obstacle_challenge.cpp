@@ -11,14 +11,14 @@
 #include <string>
 #include <vector>
 
-#include <murosimf/collision/queries.h>
 #include <murosimf/behavior/obstacle_course.h>
-#include <murosimf/perception/planar.h>
-#include <murosimf/scene/field.h>
+#include <murosimf/collision/queries.h>
 #include <murosimf/files/output_file.h>
-#include <murosimf/scene/scene.h>
+#include <murosimf/perception/planar.h>
 #include <murosimf/render/field_picture.h>
 #include <murosimf/render/image_png.h>
+#include <murosimf/scene/field.h>
+#include <murosimf/scene/scene.h>
 
 using namespace murosimf;
 using namespace std::chrono_literals;
@@ -34,7 +34,7 @@ struct Crossing {
 };
 
 Crossing cross(const std::string& level, std::uint64_t seed) {
-  io::Scene scene("obstacle_challenge", {.seed = seed, .overrides = {"robot.level=" + level}});
+  scene::Scene scene("obstacle_challenge", {.seed = seed, .overrides = {"robot.level=" + level}});
   Simulation& simulation = scene.simulation();
   Entity& robot = simulation.world().entity("robot");
   collision::QueryScene queries(simulation.world());
@@ -65,20 +65,20 @@ void print_table(const std::vector<std::string>& levels, std::uint64_t seeds) {
 
 /// Poles as they stand, in their own color; obstacles black and the way red, as the robot sees them from where it is.
 void draw(const std::string& course_file, const std::string& camera_file, double time) {
-  io::Scene scene("obstacle_challenge");
+  scene::Scene scene("obstacle_challenge");
   scene.simulation().run(from_seconds(time));
   Entity& robot = scene.simulation().world().entity("robot");
-  const control::Course& course = robot.base().get(control::planned_course);
+  const behavior::Course& course = robot.base().get(behavior::planned_course);
   const Vec3d place = robot.base().get(properties::position);
   const Vec3d truth{place.x, place.y, heading(robot.base().get(properties::orientation))};
   const Vec3d believed = robot.base().get(properties::pose_estimate);
-  const auto shown = [&](const Vec3d& p) { return control::from_frame(truth, control::to_frame(believed, p)); };
+  const auto shown = [&](const Vec3d& p) { return perception::from_frame(truth, perception::to_frame(believed, p)); };
   render::Overlay overlay;
   for (Entity* mover : scene.movers()) {
     if (mover == &robot) continue;
     overlay.circles.push_back({mover->base().get(properties::position), 0.1, magenta, true});
   }
-  for (const control::Obstacle& obstacle : course.obstacles.all()) {
+  for (const perception::Obstacle& obstacle : course.obstacles.all()) {
     overlay.circles.push_back({shown(obstacle.place), 0.12, black});
   }
   overlay.lines.push_back({{}, red, true});
@@ -86,9 +86,10 @@ void draw(const std::string& course_file, const std::string& camera_file, double
   overlay.arrows.push_back({truth, 0.4, blue});
   char title[80];
   std::snprintf(title, sizeof title, "%s: %.1f s", scene.spec().name.c_str(), time);
-  io::write_file(course_file, render::field_picture_png(io::field_markings(io::kid_size_2008), {},
-                                                        {.pixels_per_meter = 100, .title = title, .overlay = overlay}));
-  io::write_file(camera_file, render::image_png(sensors::frames_of(robot).front()->color));
+  files::write_file(course_file,
+                    render::field_picture_png(scene::field_markings(scene::kid_size_2008), {},
+                                              {.pixels_per_meter = 100, .title = title, .overlay = overlay}));
+  files::write_file(camera_file, render::image_png(sensors::frames_of(robot).front()->color));
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include <murosimf/scene/scene.h>
 #include <murosimf/model/properties.h>
+#include <murosimf/scene/scene.h>
 
 using namespace murosimf;
 
@@ -36,7 +36,7 @@ class NodWatcher final : public Algorithm {
 
 int main() {
   for (const char* level : {"kinematic_walking", "simplified_dynamics"}) {
-    io::Scene scene("walk", {.overrides = {std::string("walker.level=") + level}});
+    scene::Scene scene("walk", {.overrides = {std::string("walker.level=") + level}});
     Simulation& simulation = scene.simulation();
     Entity& walker = simulation.world().entity("walker");
     simulation.attach<NodWatcher>("nod_watcher", walker, 100);

@@ -7,8 +7,8 @@
 #include <functional>
 #include <string>
 
-#include <murosimf/identification/bench_servo.h>
 #include <murosimf/components/servo_table.h>
+#include <murosimf/identification/bench_servo.h>
 #include <murosimf/model/error.h>
 #include <murosimf/multibody/servo_pendulum.h>
 
@@ -69,7 +69,7 @@ const Course courses[] = {{"lift_and_drop", 400, [](double t) { return t < 2.5 ?
 
 int main(int argc, char** argv) {
   try {
-    const Servo type = io::read_servo("xl330_m4");
+    const Servo type = components::read_servo("xl330_m4");
     const multibody::BenchServo servo = identification::bench_servo(type, offset);
     for (const Course& course : courses) {
       const std::string text = recording(servo, identification::duty_per_gain(type), course);

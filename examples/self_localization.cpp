@@ -13,10 +13,10 @@
 #include <vector>
 
 #include <murosimf/behavior/localize.h>
-#include <murosimf/scene/field.h>
 #include <murosimf/files/output_file.h>
-#include <murosimf/scene/scene.h>
 #include <murosimf/render/field_picture.h>
+#include <murosimf/scene/field.h>
+#include <murosimf/scene/scene.h>
 
 using namespace murosimf;
 using namespace std::chrono_literals;
@@ -55,7 +55,7 @@ struct Errors {
 
 /// Makes one run. [s] `duration`; 0: the scene's.
 void run(const Setting& setting, std::uint64_t seed, double duration, Errors& errors) {
-  io::Scene scene("self_localization", {.seed = seed, .overrides = setting.overrides});
+  scene::Scene scene("self_localization", {.seed = seed, .overrides = setting.overrides});
   if (duration == 0) duration = scene.spec().duration;
   Simulation& simulation = scene.simulation();
   Entity& robot = simulation.world().entity("robot");
@@ -69,7 +69,7 @@ void run(const Setting& setting, std::uint64_t seed, double duration, Errors& er
     if (now >= near_since + 1) found = std::min(found, near_since);
     if (now <= time_to_find) continue;
     errors.place.push_back(away);
-    errors.heading.push_back(std::abs(control::wrapped(believed.z - is.z)));
+    errors.heading.push_back(std::abs(perception::wrapped(believed.z - is.z)));
   }
   errors.found.push_back(found);
 }
@@ -122,22 +122,22 @@ void print_table(double duration) {
 
 /// Particles red, the estimate dark blue, the truth blue, points on lines yellow.
 void draw(const std::string& file, double time) {
-  io::Scene scene("self_localization");
+  scene::Scene scene("self_localization");
   scene.simulation().run(from_seconds(time));
   Entity& robot = scene.simulation().world().entity("robot");
-  const control::Particles& particles = robot.base().get(control::possible_poses);
+  const behavior::Particles& particles = robot.base().get(behavior::possible_poses);
   const Vec3d believed = robot.base().get(properties::pose_estimate);
   render::Overlay overlay;
-  for (const control::Particle& particle : particles.all) overlay.arrows.push_back({particle.pose, 0.18, red});
-  for (const control::LinePoint& point : particles.points) {
-    overlay.circles.push_back({control::from_frame(believed, point.place), 0.02, yellow, true});
+  for (const perception::Particle& particle : particles.all) overlay.arrows.push_back({particle.pose, 0.18, red});
+  for (const perception::LinePoint& point : particles.points) {
+    overlay.circles.push_back({perception::from_frame(believed, point.place), 0.02, yellow, true});
   }
   overlay.arrows.push_back({truth(robot), 0.5, blue});
   overlay.arrows.push_back({believed, 0.4, dark_blue});
   char title[80];
   std::snprintf(title, sizeof title, "%s: %.1f s", scene.spec().name.c_str(), time);
-  io::write_file(file, render::field_picture_png(io::field_markings(io::kid_size_2008), {},
-                                                 {.pixels_per_meter = 100, .title = title, .overlay = overlay}));
+  files::write_file(file, render::field_picture_png(scene::field_markings(scene::kid_size_2008), {},
+                                                    {.pixels_per_meter = 100, .title = title, .overlay = overlay}));
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Checks the include graph of the library, and the first lines of every header.
 
-Each folder of murosimf/ may include itself and the folders named in `allowed` below, nothing else; programs, tests,
-examples and benchmarks may include everything. Every header begins with `/// name.h - what it is for` and has
+Each folder of murosimf/ may include itself, the folders that stand after its USES in murosimf/CMakeLists.txt, and what
+those use, nothing else; a folder may use only what stands above it there. Programs, tests, examples and benchmarks may
+include everything. No two headers of the library have one name. Every header begins with `/// name.h - what it is for` and has
 `#pragma once`. Prints each violation as file:line: message and exits with 1 if there is one.
 
     scripts/check_includes.py [root of the source tree]
@@ -12,25 +13,34 @@ import re
 import sys
 from pathlib import Path
 
-allowed = {
-    "math": set(),
-    "model": {"math"},
-    "multibody": {"math", "model"},
-    "geometry": {"math", "model"},
-    "collision": {"math", "model", "geometry"},
-    "motion": {"math", "model", "multibody", "geometry", "collision"},
-    "sensors": {"math", "model", "geometry", "collision"},
-    "control": {"math", "model", "multibody", "geometry", "collision", "motion", "sensors"},
-    "identification": {"math", "model", "multibody"},
-    "runtime": {"math", "model"},
-    "render": {"math", "model", "geometry", "collision", "sensors"},
-}
-allowed["io"] = set(allowed)
-allowed["league"] = set(allowed)
-
+folder_line = re.compile(r"^murosimf_folder\(([\w/]+)((?:\s+[^\s()]+)*)\s*\)", re.MULTILINE)
 outside = ["apps", "python", "tests", "examples", "benchmarks"]
 
 include_line = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def folders(root):
+    """The folders of the library, low to high: name to the set of those that it may include. Yields mistakes as text."""
+    allowed, mistakes = {}, []
+    for found in folder_line.finditer((root / "murosimf/CMakeLists.txt").read_text(encoding="utf-8")):
+        name, words = found[1], found[2].split()
+        uses = words[words.index("USES") + 1:] if "USES" in words else []
+        for keyword in ("LINKS", "EXCEPT"):
+            if keyword in uses:
+                uses = uses[:uses.index(keyword)]
+        for use in uses:
+            if use not in allowed:
+                mistakes.append(f"murosimf/{name} uses {use}, which does not stand above it")
+        allowed[name] = set(uses).union(*(allowed.get(use, set()) for use in uses))
+    return allowed, mistakes
+
+
+def folder_of(path, allowed):
+    """The folder of the library in which a path like "formats/mjcf/x.h" stands: the longest that is in the list."""
+    parent = path.rpartition("/")[0]
+    while parent and parent not in allowed:
+        parent = parent.rpartition("/")[0]
+    return parent or None
 
 
 def sources(folder):
@@ -45,7 +55,7 @@ def includes(lines):
             yield number, found[2], found[1] == '"'
 
 
-def check_include(root, file, folder, path, quoted):
+def check_include(root, file, folder, path, quoted, allowed):
     """The message of what is wrong with one #include in `file`, or None. `folder` is None outside the library."""
     if not path.startswith("murosimf/"):
         if folder is None or not quoted:
@@ -55,8 +65,8 @@ def check_include(root, file, folder, path, quoted):
         return f"<{path}>: our own headers stand in quotes"
     if not (root / path).is_file():
         return f'"{path}" does not exist'
-    target = path.split("/")[1]
-    if folder is None or target == folder or target in allowed.get(folder, set()):
+    target = folder_of(path.removeprefix("murosimf/"), allowed)
+    if folder is None or target == folder or target in allowed[folder]:
         return None
     known = ", ".join(["itself"] + [name for name in allowed if name in allowed[folder]])
     return f"murosimf/{folder} may not include murosimf/{target} (only {known})"
@@ -73,20 +83,27 @@ def check_header(file, lines):
 def violations(root):
     """Yields (file, line number, message)."""
     library = root / "murosimf"
-    files = sources(library) + [file for name in outside for file in sources(root / name)]
-    for file in files:
+    allowed, mistakes = folders(root)
+    yield from (("murosimf/CMakeLists.txt", 1, mistake) for mistake in mistakes)
+    headers = {}
+    for file in sources(library) + [file for name in outside for file in sources(root / name)]:
         relative = file.relative_to(root)
-        folder = relative.parts[1] if relative.parts[0] == "murosimf" and len(relative.parts) > 2 else None
+        folder = None
+        if relative.parts[0] == "murosimf":
+            folder = folder_of(relative.as_posix().removeprefix("murosimf/"), allowed)
+            if folder is None:
+                yield relative, 1, f"{relative.parent} is not among the folders of murosimf/CMakeLists.txt"
+                continue
         lines = file.read_text(encoding="utf-8").splitlines()
-        if folder is not None and folder not in allowed:
-            yield relative, 1, f"murosimf/{folder} is not in the table of scripts/check_includes.py"
-            continue
         for number, path, quoted in includes(lines):
-            message = check_include(root, file, folder, path, quoted)
+            message = check_include(root, file, folder, path, quoted, allowed)
             if message:
                 yield relative, number, message
         if file.suffix == ".h":
             yield from ((relative, number, message) for number, message in check_header(file, lines))
+            other = headers.setdefault(file.name, relative) if folder else relative
+            if other != relative:
+                yield relative, 1, f"{other} has the same name"
 
 
 def main():

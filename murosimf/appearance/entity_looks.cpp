@@ -4,7 +4,7 @@
 
 #include "murosimf/appearance/visual_meshes.h"
 
-namespace murosimf::io {
+namespace murosimf::appearance {
 namespace {
 
 render::EntityLooks drawn(const Looks& looks) {
@@ -49,4 +49,4 @@ render::EntityLooks LooksLibrary::looks(const Entity& entity) {
   return own;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::appearance

@@ -8,7 +8,7 @@
 #include "murosimf/appearance/number_plates.h"
 #include "murosimf/render/scenery.h"
 
-namespace murosimf::io {
+namespace murosimf::appearance {
 
 /// 3 of "blue3"; -1 if the name ends in no number, or in one of more than three digits.
 [[nodiscard]] int shirt_number(const std::string& name);
@@ -31,4 +31,4 @@ class LooksLibrary {
   std::vector<std::string> warnings_;
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::appearance

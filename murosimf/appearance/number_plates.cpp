@@ -10,7 +10,7 @@
 #include "murosimf/geometry/support.h"
 #include "murosimf/multibody/kinematics.h"
 
-namespace murosimf::io {
+namespace murosimf::appearance {
 namespace {
 
 constexpr double width_share = 0.3;   // [1] of the trunk's width: half of the plate's
@@ -187,4 +187,4 @@ geometry::TriangleMesh number_on(const NumberPlate& plate, int number) {
   return mesh;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::appearance

@@ -7,11 +7,11 @@
 
 #include <vector>
 
-#include "murosimf/geometry/triangle_mesh.h"
 #include "murosimf/appearance/visual_meshes.h"
+#include "murosimf/geometry/triangle_mesh.h"
 #include "murosimf/model/model.h"
 
-namespace murosimf::io {
+namespace murosimf::appearance {
 
 /// A rectangle that moves with an object.
 struct NumberPlate {
@@ -28,4 +28,4 @@ struct NumberPlate {
 /// The number as large as the plate allows, in the frame of the plate's object. Throws SetupError for a negative number.
 [[nodiscard]] geometry::TriangleMesh number_on(const NumberPlate& plate, int number);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::appearance

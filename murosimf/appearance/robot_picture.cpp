@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 
-#include "murosimf/robot/robot_soles.h"
 #include "murosimf/appearance/visual_meshes.h"
+#include "murosimf/description/robot_visuals.h"
 #include "murosimf/model/error.h"
 #include "murosimf/render/scene_view.h"
+#include "murosimf/robot/robot_soles.h"
 
-namespace murosimf::io {
+namespace murosimf::appearance {
 namespace {
 
 using render::ViewedShape;
@@ -29,25 +30,26 @@ std::vector<std::vector<Vec3d>> facets_of(const VisualMesh& visual) {
   }
 }
 
-std::vector<ViewedShape> meshes_for_the_eye(const RobotDraft& draft, const DraftBody& body, const Place& place) {
+std::vector<ViewedShape> meshes_for_the_eye(const description::RobotDraft& draft, const description::DraftBody& body,
+                                            const description::Place& place) {
   std::vector<ViewedShape> shapes;
-  for (const VisualMesh& visual : visuals_of(draft, body)) {
+  for (const VisualMesh& visual : description::visuals_of(draft, body)) {
     ViewedShape shape{Sphere{}, place.position, place.orientation, visual.color, facets_of(visual)};
     if (!shape.facets.empty()) shapes.push_back(std::move(shape));
   }
   return shapes;
 }
 
-std::vector<ViewedShape> parts_of(const RobotDraft& draft) {
+std::vector<ViewedShape> parts_of(const description::RobotDraft& draft) {
   std::vector<ViewedShape> parts;
-  const auto places = body_places(draft);
+  const auto places = robot::body_places(draft);
   for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
     auto seen = meshes_for_the_eye(draft, draft.bodies[i], places[i]);
     const bool has_meshes = !seen.empty();
     std::ranges::move(seen, std::back_inserter(parts));
-    for (const DraftShape& shape : draft.bodies[i].shapes) {
+    for (const description::DraftShape& shape : draft.bodies[i].shapes) {
       if (has_meshes && shape.placed.collides) continue;
-      const Place at = inside(places[i], {shape.placed.position, shape.placed.orientation});
+      const description::Place at = description::inside(places[i], {shape.placed.position, shape.placed.orientation});
       parts.push_back({shape.placed.shape, at.position, at.orientation, shape.placed.color});
     }
   }
@@ -80,7 +82,7 @@ Extent extent_of(const std::vector<ViewedShape>& parts, const Mat3d& turn) {
 
 }  // namespace
 
-std::string robot_picture_png(const RobotDraft& draft, int columns, int rows) {
+std::string robot_picture_png(const description::RobotDraft& draft, int columns, int rows) {
   // the eye looks along y: x is to the right, z up
   const std::array turns{rotation_z(-0.5 * pi), rotation_z(pi), rotation_x(0.5 * pi) * rotation_z(0.5 * pi),
                          rotation_x(0.3) * rotation_z(-0.5 * pi + 0.6)};
@@ -102,4 +104,4 @@ std::string robot_picture_png(const RobotDraft& draft, int columns, int rows) {
   return render::scene_view_png({}, row, view, draft.name + ": front, left side, top, from an angle");
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::appearance

@@ -10,7 +10,7 @@
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::appearance {
 namespace {
 
 constexpr std::array kinds{".mp4", ".webm", ".gif", ".mkv", ".mov", ".avi"};
@@ -22,7 +22,7 @@ void check_file(const std::filesystem::path& file) {
     throw SetupError(fmt::format("'{}': its extension must say which kind of video it is: {}", file.string(),
                                  fmt::join(kinds, ", ")));
   }
-  check_writable(file);
+  files::check_writable(file);
 }
 
 /// Most players want even sizes and 4:2:0; a GIF has a palette for each picture.
@@ -50,7 +50,7 @@ std::vector<std::string> command(const std::filesystem::path& file, int width, i
 
 void check_video(const std::filesystem::path& file) {
   check_file(file);
-  ChildPipe({"ffmpeg", "-version"}, no_ffmpeg).finish();
+  files::ChildPipe({"ffmpeg", "-version"}, no_ffmpeg).finish();
 }
 
 VideoFile::VideoFile(std::filesystem::path file, int width, int height, double frames_per_second)
@@ -67,7 +67,7 @@ VideoFile::~VideoFile() {
   std::filesystem::remove(part_, ignored);
 }
 
-void VideoFile::add(const sensors::ColorImage& picture) { ffmpeg_->write(std::as_bytes(picture.pixels())); }
+void VideoFile::add(const imaging::ColorImage& picture) { ffmpeg_->write(std::as_bytes(picture.pixels())); }
 
 void VideoFile::finish() {
   ffmpeg_->finish();
@@ -76,4 +76,4 @@ void VideoFile::finish() {
   if (error) throw SetupError(fmt::format("cannot write '{}': {}", file_.string(), error.message()));
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::appearance

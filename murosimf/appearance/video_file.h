@@ -8,7 +8,7 @@
 #include "murosimf/files/leftovers.h"
 #include "murosimf/imaging/image.h"
 
-namespace murosimf::io {
+namespace murosimf::appearance {
 
 /// The extension decides about the kind of video: .mp4, .webm, .gif, .mkv, .mov or .avi. Throws SetupError if it is none
 /// of these, if the file could not be written now, or if there is no ffmpeg: found out before a long run, not after it.
@@ -23,14 +23,14 @@ class VideoFile {
   VideoFile& operator=(const VideoFile&) = delete;
 
   /// A picture of the size above. Throws SetupError with ffmpeg's words if it gives up.
-  void add(const sensors::ColorImage& picture);
+  void add(const imaging::ColorImage& picture);
   /// The video is whole now. Throws as add().
   void finish();
 
  private:
   std::filesystem::path file_, part_;
-  std::optional<Leftover> half_video_;
-  std::optional<ChildPipe> ffmpeg_;
+  std::optional<files::Leftover> half_video_;
+  std::optional<files::ChildPipe> ffmpeg_;
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::appearance

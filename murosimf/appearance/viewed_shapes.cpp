@@ -4,7 +4,7 @@
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/render/scenery.h"
 
-namespace murosimf::io {
+namespace murosimf::appearance {
 namespace {
 
 /// Poses of all objects with shapes, world frame.
@@ -39,4 +39,4 @@ std::vector<render::ViewedShape> viewed_shapes(const Entity& entity) {
   return result;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::appearance

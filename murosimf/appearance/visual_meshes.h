@@ -5,14 +5,10 @@
 #include <vector>
 
 #include "murosimf/geometry/triangle_mesh.h"
-#include "murosimf/description/robot_draft.h"
 #include "murosimf/model/model.h"
 #include "murosimf/model/visual_mesh.h"
 
-namespace murosimf::io {
-
-/// The meshes for the eye of a body of the draft, in the body's frame. Left out is what stands in the robot file itself.
-[[nodiscard]] Visuals visuals_of(const RobotDraft& draft, const DraftBody& body);
+namespace murosimf::appearance {
 
 /// All triangles of the mesh, in the frame of its object; corners at the same place are one vertex. Throws SetupError:
 /// mesh file, line if there is one, what is wrong, what to do.
@@ -46,4 +42,4 @@ constexpr std::size_t usual_triangles = 3000;  ///< of the meshes of a robot in 
 /// which takes a while: keep the answer as long as the model.
 [[nodiscard]] Looks looks_of(const Model& model, std::size_t most = usual_triangles);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::appearance

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace murosimf::control {
+namespace murosimf::behavior {
 namespace {
 
 // All lengths in meters, on the ground plane.
@@ -119,4 +119,4 @@ void BallChaser::step(const Instant&) noexcept {
   command_ += Vec3d{0.15 * avoid.x, 0.10 * avoid.y, 0};
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::behavior

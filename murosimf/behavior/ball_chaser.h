@@ -9,7 +9,7 @@
 #include "murosimf/model/setup.h"
 #include "murosimf/sensors/ground_truth.h"
 
-namespace murosimf::control {
+namespace murosimf::behavior {
 
 struct BallChaserOptions {
   std::string ball = "ball";  ///< name of the entity to chase
@@ -33,4 +33,4 @@ class BallChaser final : public Algorithm {
   Vec3d& command_;  // [m/s, m/s, rad/s]
 };
 
-}  // namespace murosimf::control
+}  // namespace murosimf::behavior

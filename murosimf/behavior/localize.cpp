@@ -3,16 +3,17 @@
 #include <cmath>
 #include <limits>
 
-#include "murosimf/perception/dead_reckoning.h"
 #include "murosimf/behavior/walk_to.h"
+#include "murosimf/perception/dead_reckoning.h"
 
-namespace murosimf::control {
+namespace murosimf::behavior {
 namespace {
 
 constexpr double arrived = 0.25;  // [m] from a waypoint
 
 /// At most `most` of them, evenly chosen.
-void thin_out(const std::vector<LinePoint>& points, std::size_t most, std::vector<LinePoint>& chosen) {
+void thin_out(const std::vector<perception::LinePoint>& points, std::size_t most,
+              std::vector<perception::LinePoint>& chosen) {
   chosen.clear();
   const std::size_t count = std::min(most, points.size());
   for (std::size_t i = 0; i < count; ++i) chosen.push_back(points[i * points.size() / count]);
@@ -21,7 +22,7 @@ void thin_out(const std::vector<LinePoint>& points, std::size_t most, std::vecto
 }  // namespace
 
 void append_hash(Hasher& hasher, const Particles& particles) {
-  for (const Particle& particle : particles.all) {
+  for (const perception::Particle& particle : particles.all) {
     append_hash(hasher, particle.pose);
     hasher.add(particle.weight);
   }
@@ -50,7 +51,7 @@ void Localize::initialize() {
   particles_.points.clear();
   particles_.frame = 0;
   particles_.heading = std::numeric_limits<double>::quiet_NaN();
-  const PoseEstimate first = estimate(particles_.all);
+  const perception::PoseEstimate first = perception::estimate(particles_.all);
   estimate_ = first.pose;
   spread_ = first.spread;
 }
@@ -62,10 +63,11 @@ void Localize::step(const Instant& instant) noexcept {
   const auto number = static_cast<std::uint64_t>(instant.now / instant.period);
   if (std::isfinite(before)) {
     const double dt = seconds(instant.period);
-    filter_.move(particles_.all, step_along(velocity_, wrapped(body_.heading() - before), dt), dt, number);
+    filter_.move(particles_.all, perception::step_along(velocity_, perception::wrapped(body_.heading() - before), dt),
+                 dt, number);
   }
   if (frame_.number != particles_.frame) look(number);
-  const PoseEstimate result = estimate(particles_.all);
+  const perception::PoseEstimate result = perception::estimate(particles_.all);
   estimate_ = result.pose;
   spread_ = result.spread;
   walk();
@@ -73,7 +75,7 @@ void Localize::step(const Instant& instant) noexcept {
 
 void Localize::look(std::uint64_t number) noexcept {
   particles_.frame = frame_.number;
-  find_line_points(frame_.color, frame_.info->lens, body_.camera(), options_.scan, seen_);
+  perception::find_line_points(frame_.color, frame_.info->lens, body_.camera(), options_.scan, seen_);
   thin_out(seen_, options_.most_points, particles_.points);
   filter_.weigh(particles_.all, particles_.points, lines_);
   filter_.resample(particles_.all, number);
@@ -82,10 +84,10 @@ void Localize::look(std::uint64_t number) noexcept {
 void Localize::walk() noexcept {
   if (options_.way.empty()) return;
   const auto place = [&] {
-    return to_frame(estimate_, options_.way[static_cast<std::size_t>(waypoint_) % options_.way.size()]);
+    return perception::to_frame(estimate_, options_.way[static_cast<std::size_t>(waypoint_) % options_.way.size()]);
   };
   if (std::hypot(place().x, place().y) < arrived) ++waypoint_;
   command_ = walk_to(place(), options_.speed);
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::behavior

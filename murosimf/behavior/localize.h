@@ -11,20 +11,20 @@
 
 #include <vector>
 
+#include "murosimf/model/algorithm.h"
+#include "murosimf/model/properties.h"
 #include "murosimf/perception/line_points.h"
 #include "murosimf/perception/own_body.h"
 #include "murosimf/perception/particle_filter.h"
-#include "murosimf/model/algorithm.h"
-#include "murosimf/model/properties.h"
 
-namespace murosimf::control {
+namespace murosimf::behavior {
 
 /// What `localize` shows besides numbers.
 struct Particles {
-  std::vector<Particle> all;
-  std::vector<LinePoint> points;  ///< of the last picture, those that were used
-  double heading = 0;             ///< [rad] of the inertial sensor in the last step; NaN: none yet
-  std::uint64_t frame = 0;        ///< number of the last picture
+  std::vector<perception::Particle> all;
+  std::vector<perception::LinePoint> points;  ///< of the last picture, those that were used
+  double heading = 0;                         ///< [rad] of the inertial sensor in the last step; NaN: none yet
+  std::uint64_t frame = 0;                    ///< number of the last picture
 };
 void append_hash(Hasher& hasher, const Particles& particles);
 
@@ -38,9 +38,9 @@ struct LocalizeOptions {
   double speed = 0.2;      ///< [m/s]
   std::string camera = "camera";
   std::uint64_t seed = 1;
-  LineScan scan{};
+  perception::LineScan scan{};
   std::size_t most_points = 80;  ///< of a picture
-  ParticleFilterOptions filter{};
+  perception::ParticleFilterOptions filter{};
 };
 
 class Localize final : public Algorithm {
@@ -59,10 +59,10 @@ class Localize final : public Algorithm {
 
   LocalizeOptions options_;
   const sensors::Frame& frame_;
-  OwnBody body_;
-  LineTable lines_;
-  ParticleFilter filter_;
-  std::vector<LinePoint> seen_;
+  perception::OwnBody body_;
+  perception::LineTable lines_;
+  perception::ParticleFilter filter_;
+  std::vector<perception::LinePoint> seen_;
   const Vec3d& velocity_;  // [m/s, m/s, rad/s] of the gait
   Vec3d& command_;         // [m/s, m/s, rad/s]
   Vec3d &estimate_, &spread_;
@@ -70,4 +70,4 @@ class Localize final : public Algorithm {
   Particles& particles_;
 };
 
-}  // namespace murosimf::control
+}  // namespace murosimf::behavior

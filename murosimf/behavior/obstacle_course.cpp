@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "murosimf/perception/dead_reckoning.h"
 #include "murosimf/behavior/walk_to.h"
+#include "murosimf/perception/dead_reckoning.h"
 
-namespace murosimf::control {
+namespace murosimf::behavior {
 namespace {
 
 constexpr double across = 0.6;       // [m] behind the line it stops: dead reckoning may be a tenth too long
@@ -28,7 +28,7 @@ Vec3d point_ahead(const std::vector<Vec3d>& way, double ahead) noexcept {
 }  // namespace
 
 void append_hash(Hasher& hasher, const Course& course) {
-  for (const Obstacle& obstacle : course.obstacles.all()) append_hash(hasher, obstacle.place);
+  for (const perception::Obstacle& obstacle : course.obstacles.all()) append_hash(hasher, obstacle.place);
   for (const Vec3d& place : course.way) append_hash(hasher, place);
 }
 
@@ -37,12 +37,12 @@ ObstacleCourse::ObstacleCourse(Setup& setup, const ObstacleCourseOptions& option
       frame_(sensors::read_frame(setup, options.camera)),
       body_(setup, *frame_.info),
       blobs_(options.color),
-      around_(most_obstacles),
+      around_(perception::most_obstacles),
       velocity_(setup.read(properties::gait_velocity)[0]),
       command_(setup.write(properties::walk_command)[0]),
       pose_(setup.write(properties::pose_estimate)[0]),
       course_(setup.write(planned_course)[0]) {
-  disks_.reserve(most_obstacles);
+  disks_.reserve(perception::most_obstacles);
 }
 
 void ObstacleCourse::initialize() {
@@ -60,7 +60,8 @@ void ObstacleCourse::step(const Instant& instant) noexcept {
   if (!body_.sense()) return;
   course_.heading = body_.heading();
   if (std::isfinite(before)) {
-    pose_ = moved(pose_, step_along(velocity_, wrapped(body_.heading() - before), seconds(instant.period)));
+    pose_ = perception::moved(pose_, perception::step_along(velocity_, perception::wrapped(body_.heading() - before),
+                                                            seconds(instant.period)));
   }
   if (frame_.number != course_.frame) {
     look();
@@ -71,9 +72,11 @@ void ObstacleCourse::step(const Instant& instant) noexcept {
 
 void ObstacleCourse::look() noexcept {
   course_.frame = frame_.number;
-  for (const Blob& blob : blobs_.find(frame_.color)) {
-    const auto seen = obstacle_of(blob, frame_.info->lens, body_.camera(), options_.obstacle_radius, options_.farthest);
-    if (seen) course_.obstacles.see(from_frame(pose_, seen->place), seen->whole, 3 * options_.obstacle_radius);
+  for (const perception::Blob& blob : blobs_.find(frame_.color)) {
+    const auto seen =
+        perception::obstacle_of(blob, frame_.info->lens, body_.camera(), options_.obstacle_radius, options_.farthest);
+    if (seen)
+      course_.obstacles.see(perception::from_frame(pose_, seen->place), seen->whole, 3 * options_.obstacle_radius);
   }
 }
 
@@ -87,7 +90,7 @@ void ObstacleCourse::plan() noexcept {
 
 void ObstacleCourse::plan(double clearance) noexcept {
   disks_.clear();
-  for (const Obstacle& obstacle : course_.obstacles.all()) {
+  for (const perception::Obstacle& obstacle : course_.obstacles.all()) {
     if (obstacle.sightings < options_.fewest_sightings) continue;
     disks_.push_back({obstacle.place, options_.obstacle_radius + options_.robot_radius + clearance});
   }
@@ -104,7 +107,7 @@ void ObstacleCourse::walk() noexcept {
     command_ = {};
     return;
   }
-  command_ = walk_to(to_frame(pose_, point_ahead(course_.way, options_.look_ahead)), options_.speed);
+  command_ = walk_to(perception::to_frame(pose_, point_ahead(course_.way, options_.look_ahead)), options_.speed);
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::behavior

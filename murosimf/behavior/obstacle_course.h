@@ -12,20 +12,20 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/perception/obstacle_map.h"
-#include "murosimf/perception/own_body.h"
 #include "murosimf/behavior/way_around.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/perception/obstacle_map.h"
+#include "murosimf/perception/own_body.h"
 
-namespace murosimf::control {
+namespace murosimf::behavior {
 
 /// What `obstacle_course` shows besides numbers; like the frames that it comes from it is no part of the state hash.
 struct Course {
-  ObstacleMap obstacles;    ///< on the field, as the robot believes
-  std::vector<Vec3d> way;   ///< [m] on the field, from the robot to its goal
-  double heading = 0;       ///< [rad] of the inertial sensor in the last step; NaN: none yet
-  std::uint64_t frame = 0;  ///< number of the last picture
+  perception::ObstacleMap obstacles;  ///< on the field, as the robot believes
+  std::vector<Vec3d> way;             ///< [m] on the field, from the robot to its goal
+  double heading = 0;                 ///< [rad] of the inertial sensor in the last step; NaN: none yet
+  std::uint64_t frame = 0;            ///< number of the last picture
 };
 void append_hash(Hasher& hasher, const Course& course);
 
@@ -43,7 +43,7 @@ struct ObstacleCourseOptions {
   double farthest = 2.5;         ///< [m] at which obstacles are looked at
   double look_ahead = 0.3;       ///< [m]
   int fewest_sightings = 2;      ///< of an obstacle that is believed
-  ColorClass color{.hue = 320, .hue_reach = 25, .least_saturation = 0.5, .least_value = 0.2};  ///< magenta
+  perception::ColorClass color{.hue = 320, .hue_reach = 25, .least_saturation = 0.5, .least_value = 0.2};  ///< magenta
   std::string camera = "camera";
 };
 
@@ -65,8 +65,8 @@ class ObstacleCourse final : public Algorithm {
 
   ObstacleCourseOptions options_;
   const sensors::Frame& frame_;
-  OwnBody body_;
-  BlobFinder blobs_;
+  perception::OwnBody body_;
+  perception::BlobFinder blobs_;
   WayAround around_;
   std::vector<Disk> disks_;
   const Vec3d& velocity_;  // [m/s, m/s, rad/s] of the gait
@@ -75,4 +75,4 @@ class ObstacleCourse final : public Algorithm {
   Course& course_;
 };
 
-}  // namespace murosimf::control
+}  // namespace murosimf::behavior

@@ -6,7 +6,7 @@
 
 #include "murosimf/perception/planar.h"
 
-namespace murosimf::control {
+namespace murosimf::behavior {
 
 /// [m/s, m/s, rad/s] for `walk_command`: turns to the place (x, y) [m], seen in the robot's own frame, and walks the faster
 /// the better it looks there, up to `speed` [m/s].
@@ -16,4 +16,4 @@ namespace murosimf::control {
   return {speed * ahead * ahead, 0, std::clamp(turning_gain * bearing, -fastest_turn, fastest_turn)};
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::behavior

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace murosimf::control {
+namespace murosimf::behavior {
 namespace {
 
 constexpr int corners_of_disk = 16;
@@ -91,4 +91,4 @@ bool WayAround::search() noexcept {
   }
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::behavior

@@ -12,7 +12,7 @@
 
 #include "murosimf/math/vec3.h"
 
-namespace murosimf::control {
+namespace murosimf::behavior {
 
 /// All in meters, on the plane z = 0.
 struct Disk {
@@ -57,4 +57,4 @@ class WayAround {
   std::vector<Vec3d> way_;
 };
 
-}  // namespace murosimf::control
+}  // namespace murosimf::behavior

@@ -8,17 +8,17 @@
 #include "murosimf/check/robot_doctor.h"
 #include "murosimf/model/properties.h"
 
-namespace murosimf::io {
+namespace murosimf::check {
 namespace {
 
 constexpr std::size_t enough_joints = 6;  // fewer may well be alike
 constexpr double alike = 0.75;            // [1] share of joints with the same number that is no chance
 constexpr double full_turn = 6.3;         // [rad] a wider range is none
 
-std::vector<const DraftJoint*> joints_of(const RobotDraft& draft) {
-  std::vector<const DraftJoint*> joints;
-  for (const DraftBody& body : draft.bodies) {
-    for (const DraftJoint& joint : body.joints) joints.push_back(&joint);
+std::vector<const description::DraftJoint*> joints_of(const description::RobotDraft& draft) {
+  std::vector<const description::DraftJoint*> joints;
+  for (const description::DraftBody& body : draft.bodies) {
+    for (const description::DraftJoint& joint : body.joints) joints.push_back(&joint);
   }
   return joints;
 }
@@ -26,14 +26,14 @@ std::vector<const DraftJoint*> joints_of(const RobotDraft& draft) {
 /// The text that most joints share, with one of them and how many they are; texts of "" do not count.
 struct Most {
   std::string text;
-  const DraftJoint* first = nullptr;
+  const description::DraftJoint* first = nullptr;
   std::size_t count = 0;
 };
 
 template <class F>
-Most most_common(const std::vector<const DraftJoint*>& joints, const F& text_of) {
+Most most_common(const std::vector<const description::DraftJoint*>& joints, const F& text_of) {
   std::map<std::string, Most> found;
-  for (const DraftJoint* joint : joints) {
+  for (const description::DraftJoint* joint : joints) {
     const std::string text = text_of(*joint);
     if (text.empty()) continue;
     Most& most = found[text];
@@ -47,7 +47,7 @@ Most most_common(const std::vector<const DraftJoint*>& joints, const F& text_of)
 }
 
 template <class F>
-void examine_placeholders(const std::vector<const DraftJoint*>& joints, const char* what, const F& text_of,
+void examine_placeholders(const std::vector<const description::DraftJoint*>& joints, const char* what, const F& text_of,
                           std::vector<Finding>& findings) {
   const Most most = most_common(joints, text_of);
   const auto needed =
@@ -59,13 +59,13 @@ void examine_placeholders(const std::vector<const DraftJoint*>& joints, const ch
        "write what the robot's joints can do"});
 }
 
-std::string range_text(const DraftJoint& joint) {
+std::string range_text(const description::DraftJoint& joint) {
   return joint.range ? fmt::format("{:.6g} to {:.6g}", joint.range->x, joint.range->y) : "";
 }
 std::string number_text(double number) { return number > 0 ? fmt::format("{:.6g}", number) : ""; }
 
-void examine_ranges(const std::vector<const DraftJoint*>& joints, std::vector<Finding>& findings) {
-  for (const DraftJoint* joint : joints) {
+void examine_ranges(const std::vector<const description::DraftJoint*>& joints, std::vector<Finding>& findings) {
+  for (const description::DraftJoint* joint : joints) {
     if (!joint->range || joint->kind != Kind::revolute || joint->range->y - joint->range->x < full_turn) continue;
     findings.push_back({Severity::warning, joint->where,
                         fmt::format("joint '{}' may turn from {:.3g} to {:.3g} rad, more than once around", joint->name,
@@ -75,11 +75,11 @@ void examine_ranges(const std::vector<const DraftJoint*>& joints, std::vector<Fi
 }
 
 /// Joints that nothing drives and nothing couples to another.
-std::vector<std::string> idle_joints(const RobotDraft& draft, const Model& model) {
+std::vector<std::string> idle_joints(const description::RobotDraft& draft, const Model& model) {
   std::set<std::string> coupled;
-  for (const DraftMimic& mimic : draft.mimics) coupled.insert(mimic.joint);
+  for (const description::DraftMimic& mimic : draft.mimics) coupled.insert(mimic.joint);
   std::vector<std::string> idle;
-  for (const DraftJoint* joint : joints_of(draft)) {
+  for (const description::DraftJoint* joint : joints_of(draft)) {
     const bool driven = model.find(properties::servo, model.object_index(joint->name)) != nullptr;
     if (!driven && !coupled.contains(joint->name)) idle.push_back(joint->name);
   }
@@ -88,7 +88,7 @@ std::vector<std::string> idle_joints(const RobotDraft& draft, const Model& model
 
 }  // namespace
 
-std::vector<Finding> examine_joints(const RobotDraft& draft, const Model& model) {
+std::vector<Finding> examine_joints(const description::RobotDraft& draft, const Model& model) {
   std::vector<Finding> findings;
   const auto joints = joints_of(draft);
   if (const auto idle = idle_joints(draft, model); !idle.empty()) {
@@ -98,11 +98,11 @@ std::vector<Finding> examine_joints(const RobotDraft& draft, const Model& model)
   }
   examine_placeholders(joints, "range", range_text, findings);
   examine_placeholders(
-      joints, "largest torque", [](const DraftJoint& j) { return number_text(j.effort_limit); }, findings);
+      joints, "largest torque", [](const description::DraftJoint& j) { return number_text(j.effort_limit); }, findings);
   examine_placeholders(
-      joints, "largest rate", [](const DraftJoint& j) { return number_text(j.rate_limit); }, findings);
+      joints, "largest rate", [](const description::DraftJoint& j) { return number_text(j.rate_limit); }, findings);
   examine_ranges(joints, findings);
   return findings;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::check

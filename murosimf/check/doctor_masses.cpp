@@ -5,7 +5,7 @@
 
 #include "murosimf/check/robot_doctor.h"
 
-namespace murosimf::io {
+namespace murosimf::check {
 namespace {
 
 constexpr double tiny_mass = 0.001;  // [kg] lighter moving bodies are frames that somebody forgot to fix
@@ -14,21 +14,23 @@ constexpr double widest = 1.5;  // [1] radius of gyration over the reach of the 
 constexpr double narrowest = 0.02;  // [1] the same: all mass in a point
 
 /// [m] farthest point of the body's shapes from its center of mass; 0 without shapes.
-double reach(const DraftBody& body) {
+double reach(const description::DraftBody& body) {
   double farthest = 0;
-  for (const DraftShape& shape : body.shapes) {
+  for (const description::DraftShape& shape : body.shapes) {
     const PlacedShape& placed = shape.placed;
     farthest = std::max(farthest, norm(placed.position - body.solid.center) + bounding_radius(placed.shape));
   }
   return farthest;
 }
 
-std::string where_of(const DraftBody& body) { return body.solid_where.empty() ? body.where : body.solid_where; }
+std::string where_of(const description::DraftBody& body) {
+  return body.solid_where.empty() ? body.where : body.solid_where;
+}
 
-void examine_inertia(const DraftBody& body, std::vector<Finding>& findings) {
+void examine_inertia(const description::DraftBody& body, std::vector<Finding>& findings) {
   const double size = reach(body);
   if (!(body.solid.mass > tiny_mass) || !(size > 0)) return;
-  const double gyration = std::sqrt(principal_moments(body.solid.inertia).z / body.solid.mass);  // [m]
+  const double gyration = std::sqrt(description::principal_moments(body.solid.inertia).z / body.solid.mass);  // [m]
   if (gyration > widest * size) {
     findings.push_back({Severity::warning, where_of(body),
                         fmt::format("inertia of '{}' is that of a body of {:.2g} m, but its shapes reach {:.2g} m",
@@ -43,17 +45,17 @@ void examine_inertia(const DraftBody& body, std::vector<Finding>& findings) {
   }
 }
 
-double total_mass(const RobotDraft& draft) {
+double total_mass(const description::RobotDraft& draft) {
   double total = 0;
-  for (const DraftBody& body : draft.bodies) total += body.solid.mass;
+  for (const description::DraftBody& body : draft.bodies) total += body.solid.mass;
   return total;
 }
 
 }  // namespace
 
-std::vector<Finding> examine_masses(const RobotDraft& draft) {
+std::vector<Finding> examine_masses(const description::RobotDraft& draft) {
   std::vector<Finding> findings;
-  for (const DraftBody& body : draft.bodies) {
+  for (const description::DraftBody& body : draft.bodies) {
     if (body.solid.mass > 0 && body.solid.mass < tiny_mass) {
       findings.push_back({Severity::warning, where_of(body),
                           fmt::format("'{}' moves and weighs only {:.3g} kg", body.name, body.solid.mass),
@@ -68,4 +70,4 @@ std::vector<Finding> examine_masses(const RobotDraft& draft) {
   return findings;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::check

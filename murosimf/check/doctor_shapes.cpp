@@ -2,28 +2,29 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/geometry/distance.h"
-#include "murosimf/formats/mesh/mesh_file.h"
 #include "murosimf/check/robot_doctor.h"
-#include "murosimf/robot/robot_soles.h"
+#include "murosimf/formats/mesh/mesh_file.h"
+#include "murosimf/geometry/distance.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot/robot_soles.h"
 
-namespace murosimf::io {
+namespace murosimf::check {
 namespace {
 
 constexpr double overlap = 0.001;              // [m] less is a matter of rounding
 constexpr std::size_t many_triangles = 50000;  // of one mesh: its picture costs more than the physics
 
-geometry::Pose pose_of(const Place& body, const PlacedShape& shape) {
-  const Place at = inside(body, {shape.position, shape.orientation});
+geometry::Pose pose_of(const description::Place& body, const PlacedShape& shape) {
+  const description::Place at = description::inside(body, {shape.position, shape.orientation});
   return {at.position, at.orientation};
 }
 
 /// [m] how deep two bodies are in each other at most, in the pose of the file; 0: not at all.
-double deepest(const DraftBody& a, const Place& at_a, const DraftBody& b, const Place& at_b) {
+double deepest(const description::DraftBody& a, const description::Place& at_a, const description::DraftBody& b,
+               const description::Place& at_b) {
   double depth = 0;
-  for (const DraftShape& s : a.shapes) {
-    for (const DraftShape& t : b.shapes) {
+  for (const description::DraftShape& s : a.shapes) {
+    for (const description::DraftShape& t : b.shapes) {
       if (!s.placed.collides || !t.placed.collides || !may_touch(s.placed, t.placed)) continue;
       const auto pose_s = pose_of(at_a, s.placed), pose_t = pose_of(at_b, t.placed);
       const double reach = bounding_radius(s.placed.shape) + bounding_radius(t.placed.shape);
@@ -34,14 +35,15 @@ double deepest(const DraftBody& a, const Place& at_a, const DraftBody& b, const 
   return depth;
 }
 
-bool is_excluded(const RobotDraft& draft, const DraftBody& a, const DraftBody& b) {
-  return std::ranges::any_of(draft.exclusions, [&](const DraftExclusion& pair) {
+bool is_excluded(const description::RobotDraft& draft, const description::DraftBody& a,
+                 const description::DraftBody& b) {
+  return std::ranges::any_of(draft.exclusions, [&](const description::DraftExclusion& pair) {
     return (pair.body1 == a.name && pair.body2 == b.name) || (pair.body1 == b.name && pair.body2 == a.name);
   });
 }
 
-void examine_overlaps(const RobotDraft& draft, std::vector<Finding>& findings) {
-  const auto places = body_places(draft);
+void examine_overlaps(const description::RobotDraft& draft, std::vector<Finding>& findings) {
+  const auto places = robot::body_places(draft);
   for (std::size_t a = 0; a < draft.bodies.size(); ++a) {
     for (std::size_t b = a + 1; b < draft.bodies.size(); ++b) {
       const bool neighbors = draft.bodies[b].parent == static_cast<int>(a);
@@ -57,13 +59,13 @@ void examine_overlaps(const RobotDraft& draft, std::vector<Finding>& findings) {
   }
 }
 
-void examine_meshes(const RobotDraft& draft, std::vector<Finding>& findings) {
-  for (const DraftMesh& mesh : draft.meshes) {
+void examine_meshes(const description::RobotDraft& draft, std::vector<Finding>& findings) {
+  for (const description::DraftMesh& mesh : draft.meshes) {
     std::error_code none;
     if (mesh.file.empty() || !std::filesystem::is_regular_file(mesh.file, none)) continue;
     std::size_t triangles = 0;
     try {
-      triangles = read_mesh_file(mesh.file).mesh.triangles.size();
+      triangles = formats::mesh::read_mesh_file(mesh.file).mesh.triangles.size();
     } catch (const SetupError& error) {
       findings.push_back({Severity::warning, mesh.where, error.what(), "it cannot be drawn"});
     }
@@ -75,11 +77,11 @@ void examine_meshes(const RobotDraft& draft, std::vector<Finding>& findings) {
 
 }  // namespace
 
-std::vector<Finding> examine_shapes(const RobotDraft& draft) {
+std::vector<Finding> examine_shapes(const description::RobotDraft& draft) {
   std::vector<Finding> findings;
   examine_overlaps(draft, findings);
   examine_meshes(draft, findings);
   return findings;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::check

@@ -8,7 +8,7 @@
 #include "murosimf/check/robot_doctor.h"
 #include "murosimf/robot/robot_soles.h"
 
-namespace murosimf::io {
+namespace murosimf::check {
 namespace {
 
 constexpr double mass_difference = 0.01;     // [1] of the mass; files round less
@@ -38,7 +38,8 @@ std::string right_name(const std::string& name) {
 
 Vec3d mirrored(const Vec3d& v) { return {v.x, -v.y, v.z}; }
 
-void compare_masses(const DraftBody& left, const DraftBody& right, std::vector<Finding>& findings) {
+void compare_masses(const description::DraftBody& left, const description::DraftBody& right,
+                    std::vector<Finding>& findings) {
   const double larger = std::max(left.solid.mass, right.solid.mass);
   if (std::abs(left.solid.mass - right.solid.mass) <= mass_difference * larger) return;
   findings.push_back(
@@ -47,7 +48,8 @@ void compare_masses(const DraftBody& left, const DraftBody& right, std::vector<F
        "correct one of them, unless the robot is like that"});
 }
 
-void compare_centers(const DraftBody& left, const DraftBody& right, const Place& at_left, const Place& at_right,
+void compare_centers(const description::DraftBody& left, const description::DraftBody& right,
+                     const description::Place& at_left, const description::Place& at_right,
                      std::vector<Finding>& findings) {
   const Vec3d l = at_left.position + at_left.orientation * left.solid.center;
   const Vec3d r = at_right.position + at_right.orientation * right.solid.center;
@@ -61,7 +63,8 @@ void compare_centers(const DraftBody& left, const DraftBody& right, const Place&
 }
 
 /// Ranges of twins are the same, or negated and swapped where the axes are mirrored.
-void compare_ranges(const DraftJoint& left, const DraftJoint& right, std::vector<Finding>& findings) {
+void compare_ranges(const description::DraftJoint& left, const description::DraftJoint& right,
+                    std::vector<Finding>& findings) {
   if (left.range.has_value() != right.range.has_value()) {
     findings.push_back({Severity::warning, right.where,
                         fmt::format("only one of joints '{}' and '{}' has a range", left.name, right.name),
@@ -82,15 +85,15 @@ void compare_ranges(const DraftJoint& left, const DraftJoint& right, std::vector
 
 }  // namespace
 
-std::vector<Finding> examine_symmetry(const RobotDraft& draft) {
+std::vector<Finding> examine_symmetry(const description::RobotDraft& draft) {
   std::map<std::string, std::size_t> bodies;
-  std::map<std::string, const DraftJoint*> joints;
+  std::map<std::string, const description::DraftJoint*> joints;
   for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
     bodies[draft.bodies[i].name] = i;
-    for (const DraftJoint& joint : draft.bodies[i].joints) joints[joint.name] = &joint;
+    for (const description::DraftJoint& joint : draft.bodies[i].joints) joints[joint.name] = &joint;
   }
   std::vector<Finding> findings;
-  const auto places = body_places(draft);
+  const auto places = robot::body_places(draft);
   for (std::size_t l = 0; l < draft.bodies.size(); ++l) {
     const auto twin = bodies.find(right_name(draft.bodies[l].name));
     if (twin == bodies.end()) continue;
@@ -104,4 +107,4 @@ std::vector<Finding> examine_symmetry(const RobotDraft& draft) {
   return findings;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::check

@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include "murosimf/locomotion/leg.h"
 #include "murosimf/files/json_schema.h"
+#include "murosimf/locomotion/leg.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
-namespace murosimf::io {
+namespace murosimf::check {
 namespace {
 
 /// Name of the body that an object carries: the alias of a joint, else the object's own name.
@@ -91,7 +91,7 @@ std::vector<LegReport> make_legs(const Model& model) {
   std::vector<LegReport> legs;
   for (const int sole : model.having(properties::sole)) {
     try {
-      const control::Leg leg = control::find_leg(model, sole);
+      const locomotion::Leg leg = locomotion::find_leg(model, sole);
       legs.push_back({model.objects()[sole].name, leg.thigh, leg.shin, leg.thigh + leg.shin + leg.ankle_height,
                       leg.signs.has_value()});
     } catch (const SetupError&) {
@@ -272,7 +272,7 @@ std::string to_text(const ModelReport& report) {
 std::string to_json(const ModelReport& report) {
   toml::array tree;
   for (const ReportRow& row : report.tree) tree.push_back(row_table(row));
-  const toml::table table{{"schema", json_schema("check")},
+  const toml::table table{{"schema", files::json_schema("check")},
                           {"name", report.name},
                           {"total_mass_kg", report.total_mass_kg},
                           {"joints", report.joints},
@@ -289,4 +289,4 @@ std::string to_json(const ModelReport& report) {
   return stream.str();
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::check

@@ -9,7 +9,7 @@
 #include "murosimf/model/model.h"
 #include "murosimf/sensors/sensor_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::check {
 
 /// One line of the tree: the base, a joint, or a fixed object with mass or shape.
 struct ReportRow {
@@ -61,4 +61,4 @@ struct ModelReport {
 /// The same in SI units, angles in rad.
 [[nodiscard]] std::string to_json(const ModelReport& report);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::check

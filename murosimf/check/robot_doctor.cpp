@@ -9,7 +9,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/servo_law.h"
 
-namespace murosimf::io {
+namespace murosimf::check {
 namespace {
 
 bool has_wheels(const Model& model) {
@@ -23,7 +23,7 @@ void append(std::vector<Finding>& all, std::vector<Finding> more) {
 
 }  // namespace
 
-std::vector<Finding> examine(const RobotFile& robot) {
+std::vector<Finding> examine(const robot::RobotFile& robot) {
   std::vector<Finding> findings;
   for (const std::string& note : robot.notes) findings.push_back(make_finding(Severity::note, note));
   for (const std::string& warning : robot.warnings) findings.push_back(make_finding(Severity::warning, warning));
@@ -36,7 +36,7 @@ std::vector<Finding> examine(const RobotFile& robot) {
   return findings;
 }
 
-std::vector<Finding> examine_legs(const RobotDraft& draft, const Model& model) {
+std::vector<Finding> examine_legs(const description::RobotDraft& draft, const Model& model) {
   const std::size_t soles = model.having(properties::sole).size();
   if (has_wheels(model)) return {};
   const std::string& where = draft.bodies[0].where;
@@ -45,11 +45,11 @@ std::vector<Finding> examine_legs(const RobotDraft& draft, const Model& model) {
              "name the feet in [soles] of the TOML file beside the robot"}};
   }
   try {
-    (void)(soles == 2 ? control::find_legs(model)[0] : control::find_four_legs(model)[0]);
+    (void)(soles == 2 ? locomotion::find_legs(model)[0] : locomotion::find_four_legs(model)[0]);
   } catch (const SetupError& error) {
     return {{Severity::warning, where, error.what(), "without legs the walk engine cannot move it"}};
   }
   return {};
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::check

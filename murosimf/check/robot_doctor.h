@@ -9,22 +9,22 @@
 #include "murosimf/check/robot_findings.h"
 #include "murosimf/robot/robot_reader.h"
 
-namespace murosimf::io {
+namespace murosimf::check {
 
 /// What the reader said, then all checks.
-[[nodiscard]] std::vector<Finding> examine(const RobotFile& robot);
+[[nodiscard]] std::vector<Finding> examine(const robot::RobotFile& robot);
 
 /// Moving bodies with little or too much mass, and inertias that do not fit their shapes.
-[[nodiscard]] std::vector<Finding> examine_masses(const RobotDraft& draft);
+[[nodiscard]] std::vector<Finding> examine_masses(const description::RobotDraft& draft);
 /// Joints without a servo, and ranges, torques and rates that look like placeholders.
-[[nodiscard]] std::vector<Finding> examine_joints(const RobotDraft& draft, const Model& model);
+[[nodiscard]] std::vector<Finding> examine_joints(const description::RobotDraft& draft, const Model& model);
 /// Left and right parts, by their names, of different mass, center of mass or range.
-[[nodiscard]] std::vector<Finding> examine_symmetry(const RobotDraft& draft);
+[[nodiscard]] std::vector<Finding> examine_symmetry(const description::RobotDraft& draft);
 /// Shapes of bodies that are not neighbors and overlap in the pose of the file, and meshes with very many triangles.
-[[nodiscard]] std::vector<Finding> examine_shapes(const RobotDraft& draft);
+[[nodiscard]] std::vector<Finding> examine_shapes(const description::RobotDraft& draft);
 /// Sensors that a simulation of the robot alone, with steps of 1 ms, refuses: errors.
-[[nodiscard]] std::vector<Finding> examine_sensors(const RobotFile& robot);
+[[nodiscard]] std::vector<Finding> examine_sensors(const robot::RobotFile& robot);
 /// Soles, and legs that can be walked with.
-[[nodiscard]] std::vector<Finding> examine_legs(const RobotDraft& draft, const Model& model);
+[[nodiscard]] std::vector<Finding> examine_legs(const description::RobotDraft& draft, const Model& model);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::check

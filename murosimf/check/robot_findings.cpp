@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace murosimf::io {
+namespace murosimf::check {
 namespace {
 
 /// Length of "file:line" or "file:line:column" at the beginning of a line; 0 if there is none.
@@ -44,4 +44,4 @@ std::string to_line(const Finding& finding) {
   return line;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::check

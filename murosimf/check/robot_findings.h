@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace murosimf::io {
+namespace murosimf::check {
 
 enum class Severity { note, warning, error };
 
@@ -24,4 +24,4 @@ struct Finding {
 /// "warning: robot.xml:12: what; what to do"
 [[nodiscard]] std::string to_line(const Finding& finding);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::check

@@ -8,7 +8,7 @@
 #include "murosimf/compare/compare_report.h"
 #include "murosimf/files/json_schema.h"
 
-namespace murosimf::io {
+namespace murosimf::compare {
 namespace {
 
 toml::array events_array(const Measures& measures) {
@@ -77,7 +77,7 @@ std::string to_json(const Comparison& c, const Recommendation& recommendation, c
   limits.insert("fall_time", thresholds.fall_time);
   toml::array entries;
   for (std::size_t i = 0; i < c.entries.size(); ++i) entries.push_back(entry_table(c, i));
-  const toml::table root{{"schema", json_schema("compare")},
+  const toml::table root{{"schema", files::json_schema("compare")},
                          {"scene", c.scene},
                          {"entity", c.entity},
                          {"duration_s", c.duration},
@@ -92,4 +92,4 @@ std::string to_json(const Comparison& c, const Recommendation& recommendation, c
   return stream.str();
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

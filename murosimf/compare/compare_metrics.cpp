@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace murosimf::io {
+namespace murosimf::compare {
 namespace {
 
 using motion::MotionRecord;
@@ -131,4 +131,4 @@ Deviations deviations_of(const MotionRecord& record, const MotionRecord& referen
   return d;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

@@ -6,7 +6,7 @@
 
 #include "murosimf/motion/motion_recorder.h"
 
-namespace murosimf::io {
+namespace murosimf::compare {
 
 /// [m] Deviations of shorter paths are told as shares of this one: swaying on the spot is no path.
 inline constexpr double shortest_path = 1;
@@ -49,4 +49,4 @@ struct Deviations {
 
 [[nodiscard]] Deviations deviations_of(const motion::MotionRecord& record, const motion::MotionRecord& reference);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

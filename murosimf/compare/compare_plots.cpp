@@ -8,7 +8,7 @@
 #include "murosimf/files/output_file.h"
 #include "murosimf/logging/plot.h"
 
-namespace murosimf::io {
+namespace murosimf::compare {
 namespace {
 
 using motion::MotionRecord;
@@ -18,11 +18,11 @@ constexpr double degrees = 180 / pi;
 
 /// `value` of every sample against `across` of it, one curve per run.
 template <class Across, class Value>
-Panel panel(const Comparison& c, std::string y_label, const Across& across, const Value& value) {
-  Panel result{.y_label = std::move(y_label), .curves = {}};
+logging::Panel panel(const Comparison& c, std::string y_label, const Across& across, const Value& value) {
+  logging::Panel result{.y_label = std::move(y_label), .curves = {}};
   for (const CompareEntry& entry : c.entries) {
     if (!entry.ran()) continue;
-    Curve curve{label(c, entry), {}, {}};
+    logging::Curve curve{label(c, entry), {}, {}};
     for (const MotionSample& sample : entry.record.samples) {
       curve.x.push_back(across(sample));
       curve.y.push_back(value(sample));
@@ -33,7 +33,7 @@ Panel panel(const Comparison& c, std::string y_label, const Across& across, cons
 }
 
 template <class Value>
-Panel over_time(const Comparison& c, std::string y_label, const Value& value) {
+logging::Panel over_time(const Comparison& c, std::string y_label, const Value& value) {
   return panel(
       c, std::move(y_label), [](const MotionSample& s) { return s.time; }, value);
 }
@@ -48,8 +48,8 @@ std::string busiest_joint(const Comparison& c) {
   return std::max_element(c.entries.begin(), c.entries.end(), less)->measures.peak_joint;
 }
 
-Curve torque_curve(const MotionRecord& record, const std::string& name, const std::string& joint) {
-  Curve curve{name, {}, {}};
+logging::Curve torque_curve(const MotionRecord& record, const std::string& name, const std::string& joint) {
+  logging::Curve curve{name, {}, {}};
   const auto found = std::find(record.joints.begin(), record.joints.end(), joint);
   if (found == record.joints.end()) return curve;
   const auto column = static_cast<std::size_t>(found - record.joints.begin());
@@ -61,8 +61,8 @@ Curve torque_curve(const MotionRecord& record, const std::string& name, const st
 }
 
 /// The largest torque of any joint.
-Curve peak_curve(const MotionRecord& record, const std::string& name) {
-  Curve curve{name, {}, {}};
+logging::Curve peak_curve(const MotionRecord& record, const std::string& name) {
+  logging::Curve curve{name, {}, {}};
   const std::size_t joints = record.joints.size();
   for (std::size_t i = 1; joints > 0 && i < record.samples.size(); ++i) {
     double peak = 0;
@@ -76,38 +76,39 @@ Curve peak_curve(const MotionRecord& record, const std::string& name) {
 void write_torques(const Comparison& c, const std::filesystem::path& folder, const std::string& title) {
   const std::string joint = busiest_joint(c);
   if (joint.empty()) return;
-  Panel of_joint{.y_label = joint + " [N m]", .curves = {}};
-  Panel largest{.y_label = "largest of all joints [N m]", .curves = {}};
+  logging::Panel of_joint{.y_label = joint + " [N m]", .curves = {}};
+  logging::Panel largest{.y_label = "largest of all joints [N m]", .curves = {}};
   for (const CompareEntry& entry : c.entries) {
     if (!entry.ran()) continue;
     of_joint.curves.push_back(torque_curve(entry.record, label(c, entry), joint));
     largest.curves.push_back(peak_curve(entry.record, label(c, entry)));
   }
-  write_plot(folder / "torque.png", {.title = title + ": required torque",
-                                     .x_label = "time [s]",
-                                     .panels = {std::move(largest), std::move(of_joint)}});
+  logging::write_plot(folder / "torque.png", {.title = title + ": required torque",
+                                              .x_label = "time [s]",
+                                              .panels = {std::move(largest), std::move(of_joint)}});
 }
 
 }  // namespace
 
 void check_plots(const std::filesystem::path& folder) {
-  check_gnuplot();
+  logging::check_gnuplot();
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  check_writable(folder / "center_of_mass.png");
+  files::check_writable(folder / "center_of_mass.png");
 }
 
 void write_plots(const Comparison& c, const std::filesystem::path& folder) {
   const std::string title = fmt::format("{}, {}", c.scene, c.entity);
-  const auto plot = [&](const char* file, const std::string& what, std::vector<Panel> panels) {
-    write_plot(folder / file, {.title = title + ": " + what, .x_label = "time [s]", .panels = std::move(panels)});
+  const auto plot = [&](const char* file, const std::string& what, std::vector<logging::Panel> panels) {
+    logging::write_plot(folder / file,
+                        {.title = title + ": " + what, .x_label = "time [s]", .panels = std::move(panels)});
   };
   plot("center_of_mass.png", "center of mass",
        {over_time(c, "forward x [m]", [](const MotionSample& s) { return s.center.x; }),
         over_time(c, "left y [m]", [](const MotionSample& s) { return s.center.y; }),
         over_time(c, "height z [m]", [](const MotionSample& s) { return s.center.z; })});
-  Panel pitch = over_time(c, "pitch [deg]", [](const MotionSample& s) { return degrees * s.pitch; });
-  Panel roll = over_time(c, "roll [deg]", [](const MotionSample& s) { return degrees * s.roll; });
+  logging::Panel pitch = over_time(c, "pitch [deg]", [](const MotionSample& s) { return degrees * s.pitch; });
+  logging::Panel roll = over_time(c, "roll [deg]", [](const MotionSample& s) { return degrees * s.roll; });
   pitch.y_at_least = roll.y_at_least = 1;
   plot("torso.png", "torso",
        {std::move(pitch), std::move(roll),
@@ -120,4 +121,4 @@ void write_plots(const Comparison& c, const std::filesystem::path& folder) {
   write_torques(c, folder, title);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

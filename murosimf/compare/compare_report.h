@@ -6,7 +6,7 @@
 
 #include "murosimf/compare/compare_verdict.h"
 
-namespace murosimf::io {
+namespace murosimf::compare {
 
 /// What happened, what deviates from the reference, what is adequate.
 [[nodiscard]] std::string to_text(const Comparison& comparison, const Recommendation& recommendation);
@@ -22,4 +22,4 @@ void write_plots(const Comparison& comparison, const std::filesystem::path& fold
 /// Makes `folder` if it is not there and tries whether plots could be written. Throws SetupError.
 void check_plots(const std::filesystem::path& folder);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

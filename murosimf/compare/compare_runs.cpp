@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene.h"
-#include "murosimf/motion/torque_watch.h"
 
-namespace murosimf::io {
+namespace murosimf::compare {
 namespace {
 
 constexpr double longest_record = 36000;  // [s] of which memory could be set aside
@@ -22,8 +22,8 @@ double processor_time() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-SceneOptions scene_options(const CompareOptions& options) {
-  SceneOptions result;
+scene::SceneOptions scene_options(const CompareOptions& options) {
+  scene::SceneOptions result;
   result.seed = options.seed;
   result.overrides = options.overrides;
   result.lenient = options.lenient;
@@ -31,17 +31,17 @@ SceneOptions scene_options(const CompareOptions& options) {
   return result;
 }
 
-std::unique_ptr<Scene> build(const CompareOptions& options, const CompareEntry& entry) {
-  SceneOptions scene = scene_options(options);
+std::unique_ptr<scene::Scene> build(const CompareOptions& options, const CompareEntry& entry) {
+  scene::SceneOptions scene = scene_options(options);
   scene.overrides.push_back(fmt::format("{}.level={}", options.entity, entry.level));
   if (!entry.contact.empty()) scene.overrides.push_back(fmt::format("{}.contact={}", options.entity, entry.contact));
-  return std::make_unique<Scene>(options.scene, scene);
+  return std::make_unique<scene::Scene>(options.scene, scene);
 }
 
 /// The robot that is to change, from the scene as it is.
-const RobotSpec& find_robot(const SceneSpec& spec, const std::string& name) {
+const scene::RobotSpec& find_robot(const scene::SceneSpec& spec, const std::string& name) {
   std::vector<std::string_view> names;
-  for (const RobotSpec& robot : spec.robots) {
+  for (const scene::RobotSpec& robot : spec.robots) {
     if (robot.name == name) return robot;
     names.emplace_back(robot.name);
   }
@@ -51,13 +51,15 @@ const RobotSpec& find_robot(const SceneSpec& spec, const std::string& name) {
   throw SetupError(fmt::format("--entity '{}': {}", name, unknown_name("robot", name, names)));
 }
 
-std::vector<CompareEntry> entries_for(const CompareOptions& options, const RobotSpec& robot) {
-  for (const std::string& name : options.levels) at("--levels", [&] { return &find_entry(levels(), "level", name); });
+std::vector<CompareEntry> entries_for(const CompareOptions& options, const scene::RobotSpec& robot) {
+  for (const std::string& name : options.levels)
+    at("--levels", [&] { return &find_entry(scene::levels(), "level", name); });
   std::vector<std::string> laws = options.contacts;
   if (laws.empty()) laws.push_back(robot.contact);
-  for (const std::string& name : laws) at("--contacts", [&] { return &find_entry(contacts(), "contact law", name); });
+  for (const std::string& name : laws)
+    at("--contacts", [&] { return &find_entry(scene::contacts(), "contact law", name); });
   std::vector<CompareEntry> entries;
-  for (const Level& level : levels()) {
+  for (const scene::Level& level : scene::levels()) {
     const std::string name(level.name);
     const auto& wanted = options.levels;
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
@@ -73,8 +75,8 @@ std::vector<CompareEntry> entries_for(const CompareOptions& options, const Robot
 }
 
 /// A level that changes on the way is none that could be compared.
-void check_events(const SceneSpec& spec, const std::string& robot) {
-  for (const SceneEvent& event : spec.events) {
+void check_events(const scene::SceneSpec& spec, const std::string& robot) {
+  for (const scene::SceneEvent& event : spec.events) {
     const bool concerned = std::find(event.entities.begin(), event.entities.end(), robot) != event.entities.end();
     if (!concerned || (event.key != "level" && event.key != "contact")) continue;
     throw SetupError(fmt::format("{}: the {} of '{}' changes on the way; take the event out of the scene to compare it",
@@ -178,7 +180,7 @@ void measure_cost(const CompareOptions& options, Comparison& result) {
   }
 }
 
-double checked_duration(const CompareOptions& options, const SceneSpec& spec) {
+double checked_duration(const CompareOptions& options, const scene::SceneSpec& spec) {
   const double duration = options.duration.value_or(spec.duration);
   if (!(duration > 0) || duration > longest_record) {
     throw SetupError(fmt::format("--duration {}: must be a number above 0 and up to {}", duration, longest_record));
@@ -198,8 +200,8 @@ Comparison compare(const CompareOptions& options) {
   if (options.repeat < 1) throw SetupError(fmt::format("--repeat {}: must be at least 1", options.repeat));
   Comparison result;
   {
-    const Scene scene(options.scene, scene_options(options));
-    const SceneSpec& spec = scene.spec();
+    const scene::Scene scene(options.scene, scene_options(options));
+    const scene::SceneSpec& spec = scene.spec();
     result.scene = spec.name;
     result.entity = options.entity;
     result.duration = checked_duration(options, spec);
@@ -219,4 +221,4 @@ Comparison compare(const CompareOptions& options) {
   return result;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

@@ -9,7 +9,7 @@
 
 #include "murosimf/compare/compare_metrics.h"
 
-namespace murosimf::io {
+namespace murosimf::compare {
 
 struct CompareOptions {
   std::string scene;                   ///< file, or name of a scene that comes with the program
@@ -60,4 +60,4 @@ struct Comparison {
 /// no level that can start. A level that the model or the scene cannot have is no mistake: its entry says why.
 [[nodiscard]] Comparison compare(const CompareOptions& options);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

@@ -6,7 +6,7 @@
 
 #include "murosimf/compare/compare_verdict.h"
 
-namespace murosimf::io {
+namespace murosimf::compare {
 namespace {
 
 constexpr double clearly_cheaper = 0.8;  // [1] repeated timings of one level differ by a tenth
@@ -143,4 +143,4 @@ Recommendation recommend(const Comparison& comparison, const Thresholds& thresho
   return result;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

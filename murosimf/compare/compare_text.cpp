@@ -6,7 +6,7 @@
 
 #include "murosimf/compare/compare_report.h"
 
-namespace murosimf::io {
+namespace murosimf::compare {
 namespace {
 
 std::string law(const CompareEntry& entry) { return entry.contact.empty() ? "-" : entry.contact; }
@@ -87,4 +87,4 @@ std::string to_text(const Comparison& comparison, const Recommendation& recommen
   return text + recommendation.sentence + "\n";
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

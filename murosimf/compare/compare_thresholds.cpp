@@ -9,7 +9,7 @@
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::compare {
 namespace {
 
 constexpr std::array all{
@@ -61,4 +61,4 @@ void Thresholds::set(const std::string& text) {
   *known = value_of(text, equals + 1, where);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

@@ -8,7 +8,7 @@
 
 #include "murosimf/compare/compare_metrics.h"
 
-namespace murosimf::io {
+namespace murosimf::compare {
 
 /// One deviation that has a threshold.
 struct Quantity {
@@ -38,4 +38,4 @@ struct Thresholds {
   double fall_time = 0.25;     ///< [s] between the falls of two levels
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace murosimf::io {
+namespace murosimf::compare {
 namespace {
 
 std::string times(int count) { return count == 1 ? "once" : fmt::format("{} times", count); }
@@ -57,4 +57,4 @@ LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference, con
   return verdict;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

@@ -7,7 +7,7 @@
 #include "murosimf/compare/compare_runs.h"
 #include "murosimf/compare/compare_thresholds.h"
 
-namespace murosimf::io {
+namespace murosimf::compare {
 
 struct LevelVerdict {
   bool adequate = false;
@@ -28,4 +28,4 @@ struct Recommendation {
 /// Costs that differ by less than a fifth count as equal: then the simpler level is recommended.
 [[nodiscard]] Recommendation recommend(const Comparison& comparison, const Thresholds& thresholds);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

@@ -10,11 +10,11 @@
 #include "murosimf/files/input_file.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 namespace {
 
-using sensors::Lens;
-using sensors::LensSpec;
+using imaging::Lens;
+using imaging::LensSpec;
 
 /// The fields of one file, which every message names.
 class Fields {
@@ -51,7 +51,7 @@ class Fields {
 
  private:
   static YAML::Node load(const std::string& file) {
-    const std::string text = read_input_file(file, most_yaml_bytes);
+    const std::string text = files::read_input_file(file, files::most_yaml_bytes);
     try {
       return YAML::Load(text);
     } catch (const YAML::ParserException& error) {
@@ -118,7 +118,7 @@ LensSpec read_lens(const Fields& fields) {
   check(fields, "camera_matrix", lens);
   lens.model = fields.text("distortion_model");
   lens.coefficients = fields.numbers("distortion_coefficients");
-  const bool known = std::ranges::find(sensors::lens_models(), lens.model) != sensors::lens_models().end();
+  const bool known = std::ranges::find(imaging::lens_models(), lens.model) != imaging::lens_models().end();
   check(fields, known ? "distortion_coefficients" : "distortion_model", lens);
   return lens;
 }
@@ -174,4 +174,4 @@ std::string camera_info_yaml(const CameraInfo& info) {
   return std::string(out.c_str()) + "\n";
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -20,15 +20,15 @@
 
 #include "murosimf/imaging/lens.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 
 struct CameraInfo {
   std::string name;
-  sensors::LensSpec lens;
+  imaging::LensSpec lens;
 };
 
 /// Throws SetupError with file:line: fields that are missing, of another type, not finite or of the wrong count; a
-/// camera matrix with skew; everything that sensors::Lens refuses.
+/// camera matrix with skew; everything that imaging::Lens refuses.
 [[nodiscard]] CameraInfo read_camera_info(const std::filesystem::path& file);
 
 /// The same form. A perspective lens becomes a plumb_bob with coefficients 0, which other readers know; coefficients
@@ -41,4 +41,4 @@ struct CameraInfo {
 /// The names of what is in lenses/.
 [[nodiscard]] std::vector<std::string> lens_names();
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -2,12 +2,12 @@
 #include "murosimf/components/camera_info.h"
 #include "murosimf/files/data_path.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 
 std::filesystem::path find_lens_file(std::string_view name, const std::filesystem::path& beside) {
-  return find_data_file(name, "lenses", ".yaml", beside);
+  return files::find_data_file(name, "lenses", ".yaml", beside);
 }
 
-std::vector<std::string> lens_names() { return data_file_names("lenses", ".yaml"); }
+std::vector<std::string> lens_names() { return files::data_file_names("lenses", ".yaml"); }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -2,7 +2,7 @@
 #include "murosimf/components/camera_info.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 namespace {
 
 [[noreturn]] void refuse() {
@@ -16,4 +16,4 @@ CameraInfo read_camera_info(const std::filesystem::path& /*file*/) { refuse(); }
 
 std::string camera_info_yaml(const CameraInfo& /*info*/) { refuse(); }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/scene/registry.h"
 #include "murosimf/components/sensor_signal.h"
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/components/servo_sections.h"
+#include "murosimf/model/find_entry.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 namespace {
 
 using sensors::SensorSpec;
@@ -80,4 +80,4 @@ std::string sensor_sections(const std::vector<SensorSpec>& sensors) {
   return text;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -6,9 +6,9 @@
 
 #include "murosimf/sensors/sensor_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 
 /// A section [sensors.NAME] for each. Numbers of a part are written down as the sensor's own, for all of its outputs.
 [[nodiscard]] std::string sensor_sections(const std::vector<sensors::SensorSpec>& sensors);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -9,7 +9,7 @@
 #include "murosimf/components/sensor_values.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 namespace {
 
 using sensors::SignalSpec;
@@ -96,4 +96,4 @@ std::string signal_toml(const SignalSpec& signal) {
   return text;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

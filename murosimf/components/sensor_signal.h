@@ -7,7 +7,7 @@
 
 #include "murosimf/components/sensor_table.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 
 /// Members of SignalSpec, and `range`, short for lowest = -range, highest = range.
 [[nodiscard]] std::vector<std::string_view> signal_keys();
@@ -19,4 +19,4 @@ void change_signal(sensors::SignalSpec& signal, const SensorValues& values);
 /// Lines "key = number" of what is not as in a perfect signal, in the order of signal_keys.
 [[nodiscard]] std::string signal_toml(const sensors::SignalSpec& signal);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -7,16 +7,16 @@
 #include <fmt/format.h>
 
 #include "murosimf/components/camera_info.h"
-#include "murosimf/files/data_path.h"
-#include "murosimf/scene/registry.h"
 #include "murosimf/components/sensor_signal.h"
 #include "murosimf/components/sensor_toml.h"
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/components/sensor_values.h"
+#include "murosimf/files/data_path.h"
 #include "murosimf/model/error.h"
+#include "murosimf/model/find_entry.h"
 #include "murosimf/sensors/camera_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 namespace {
 
 using sensors::SensorSpec;
@@ -99,13 +99,13 @@ class Changer {
   void take_calibration(const SensorTable& table, const SensorValue& value, const std::filesystem::path& beside) {
     const std::string name = name_of("calibration", value);
     const auto file = at(value.where, [&] { return find_lens_file(name, beside); });
-    const sensors::LensSpec lens = at(value.where, [&] { return read_camera_info(file).lens; });
+    const imaging::LensSpec lens = at(value.where, [&] { return read_camera_info(file).lens; });
     const auto scale = [&](const char* key, int size) {
       const auto other = table.values.find(key);
       return other == table.values.end() ? 1 : finite_number(key, other->second) / size;
     };
     const double x = scale("width", lens.width), y = scale("height", lens.height);
-    for (const std::string_view model : sensors::lens_models()) {
+    for (const std::string_view model : imaging::lens_models()) {
       for (const std::string& key : sensors::lens_coefficients(model)) spec_.numbers.erase(key);
     }
     spec_.texts["lens"] = lens.model;
@@ -165,7 +165,7 @@ std::optional<std::string> text_of(const SensorTable& table, const std::string& 
 }
 
 SensorTable read_part(const std::string& name, const std::string& where, const std::filesystem::path& beside) {
-  if (const auto file = look_for_data_file(name, "parts", ".toml", beside)) return read_part_file(*file);
+  if (const auto file = files::look_for_data_file(name, "parts", ".toml", beside)) return read_part_file(*file);
   const auto names = sensor_parts();
   fail(where, unknown_name("part", name, Names(names.begin(), names.end())));
 }
@@ -257,6 +257,6 @@ void change_sensors(std::vector<SensorSpec>& sensors, const std::vector<SensorTa
   }
 }
 
-std::vector<std::string> sensor_parts() { return data_file_names("parts", ".toml"); }
+std::vector<std::string> sensor_parts() { return files::data_file_names("parts", ".toml"); }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

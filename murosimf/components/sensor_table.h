@@ -25,7 +25,7 @@
 
 #include "murosimf/sensors/sensor_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 
 /// The value of a key, and where it is written: "robot.toml:3:8".
 struct SensorValue {
@@ -61,4 +61,4 @@ void change_sensors(std::vector<sensors::SensorSpec>& sensors, const std::vector
 /// All parts that come with the program, in alphabetical order.
 [[nodiscard]] std::vector<std::string> sensor_parts();
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

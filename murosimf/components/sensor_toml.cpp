@@ -2,18 +2,18 @@
 
 #include <fmt/format.h>
 
-namespace murosimf::io {
+namespace murosimf::components {
 namespace {
 
 SensorValue list_of(const std::string& key, const toml::array& array) {
-  const std::string place = where(array.source());
+  const std::string place = files::where(array.source());
   if (!array.empty() && array.front().is_number()) {
-    if (auto numbers = numbers_of(array)) return {*std::move(numbers), place};
+    if (auto numbers = files::numbers_of(array)) return {*std::move(numbers), place};
   }
   std::vector<std::string> texts;
   for (const toml::node& element : array) {
     if (!element.is_string()) {
-      fail_at(element.source(), fmt::format("'{}' must be a list of numbers, or of names in quotes", key));
+      files::fail_at(element.source(), fmt::format("'{}' must be a list of numbers, or of names in quotes", key));
     }
     texts.push_back(**element.as_string());
   }
@@ -21,18 +21,18 @@ SensorValue list_of(const std::string& key, const toml::array& array) {
 }
 
 SensorValue value_of(const std::string& key, const toml::node& node) {
-  const std::string place = where(node.source());
+  const std::string place = files::where(node.source());
   if (const auto* list = node.as_array()) return list_of(key, *list);
   if (const auto* text = node.as_string()) return {text->get(), place};
   if (const auto* truth = node.as_boolean()) return {truth->get(), place};
-  if (node.is_number()) return {numbers_of(node)->front(), place};
-  fail_at(node.source(), fmt::format("'{}' is a date or time; no key of a sensor is", key));
+  if (node.is_number()) return {files::numbers_of(node)->front(), place};
+  files::fail_at(node.source(), fmt::format("'{}' is a date or time; no key of a sensor is", key));
 }
 
 /// Tables that --set has made stand nowhere: then the place of the first value.
 void take_place(SensorTable& table, const toml::source_region& source) {
   if (source.begin.line > 0) {
-    table.where = where(source);
+    table.where = files::where(source);
   } else if (!table.values.empty()) {
     table.where = table.values.begin()->second.where;
   } else if (!table.outputs.empty() && !table.outputs.begin()->second.empty()) {
@@ -45,10 +45,10 @@ SensorTable table_of(std::string name, const toml::table& node) {
   for (const auto& [key, value] : node) {
     const std::string word(key.str());
     if (const toml::table* output = value.as_table()) {
-      if (output->empty()) fail_at(value.source(), fmt::format("'{}' is an empty table: it says nothing", word));
+      if (output->empty()) files::fail_at(value.source(), fmt::format("'{}' is an empty table: it says nothing", word));
       SensorValues& values = table.outputs[word];
       for (const auto& [inner, number] : *output) {
-        if (number.is_table()) fail_at(inner.source(), fmt::format("'{}' must not be a table", inner.str()));
+        if (number.is_table()) files::fail_at(inner.source(), fmt::format("'{}' must not be a table", inner.str()));
         values.emplace(inner.str(), value_of(std::string(inner.str()), number));
       }
     } else {
@@ -66,10 +66,10 @@ SensorTable read_one(const toml::key& key, const toml::node& node) {
     return table;
   }
   if (node.is_boolean() && !**node.as_boolean()) {
-    return {.name = name, .where = where(node.source()), .removes = true, .values = {}, .outputs = {}};
+    return {.name = name, .where = files::where(node.source()), .removes = true, .values = {}, .outputs = {}};
   }
-  fail_at(node.source(),
-          fmt::format("sensor '{}' must be a table, like [sensors.{}], or false: it is removed", name, name));
+  files::fail_at(node.source(),
+                 fmt::format("sensor '{}' must be a table, like [sensors.{}], or false: it is removed", name, name));
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ std::vector<SensorTable> read_sensor_tables(const toml::table& sensors) {
 }
 
 SensorTable read_part_file(const std::filesystem::path& file) {
-  const toml::table root = parse_toml_file(file);
+  const toml::table root = files::parse_toml_file(file);
   SensorTable part = table_of(file.stem().string(), root);
   part.where = file.string();
   return part;
@@ -95,11 +95,11 @@ void read_sensor_changes(const toml::node* node, SensorChanges& changes) {
   }
   const toml::table* tables = node->as_table();
   if (!tables) {
-    fail_at(node->source(),
-            "'sensors' must be false (none), true (those of the robot's files), or tables, like "
-            "[robots.sensors.imu]");
+    files::fail_at(node->source(),
+                   "'sensors' must be false (none), true (those of the robot's files), or tables, like "
+                   "[robots.sensors.imu]");
   }
   for (SensorTable& table : read_sensor_tables(*tables)) changes.tables.push_back(std::move(table));
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

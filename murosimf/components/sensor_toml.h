@@ -8,7 +8,7 @@
 #include "murosimf/components/sensor_table.h"
 #include "murosimf/files/toml_reader.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 
 /// The tables of [sensors], in alphabetical order. Throws SetupError with file:line:column for what is no table.
 [[nodiscard]] std::vector<SensorTable> read_sensor_tables(const toml::table& sensors);
@@ -20,4 +20,4 @@ namespace murosimf::io {
 /// files), or tables. Null: nothing is said.
 void read_sensor_changes(const toml::node* node, SensorChanges& changes);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

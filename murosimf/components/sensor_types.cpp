@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/scene/registry.h"
+#include "murosimf/model/find_entry.h"
 #include "murosimf/sensors/camera.h"
 #include "murosimf/sensors/contact_sensors.h"
 #include "murosimf/sensors/depth_laser.h"
@@ -17,7 +17,7 @@
 #include "murosimf/sensors/sonar.h"
 #include "murosimf/sensors/true_motion.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 namespace {
 
 using sensors::Watch;
@@ -106,4 +106,4 @@ sensors::Sensor& attach_sensor(Simulation& simulation, Entity& robot, const sens
   return spec.where.empty() ? do_it() : at(spec.where, do_it);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

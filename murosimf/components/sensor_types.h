@@ -11,7 +11,7 @@
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/sensors/sensor.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 
 struct SensorType {
   std::string_view name, meaning;
@@ -31,4 +31,4 @@ struct SensorType {
 sensors::Sensor& attach_sensor(Simulation& simulation, Entity& robot, const sensors::SensorSpec& spec,
                                const sensors::SensorSurroundings& surroundings, double step_rate);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

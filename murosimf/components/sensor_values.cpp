@@ -7,7 +7,7 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 
 void fail(std::string_view where, std::string_view message) { throw SetupError(fmt::format("{}: {}", where, message)); }
 
@@ -57,4 +57,4 @@ std::vector<std::string> names_of(const std::string& key, const SensorValue& val
   return *names;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

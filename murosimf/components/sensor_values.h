@@ -10,7 +10,7 @@
 #include "murosimf/components/sensor_table.h"
 #include "murosimf/math/vec3.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 
 [[noreturn]] void fail(std::string_view where, std::string_view message);
 
@@ -23,4 +23,4 @@ namespace murosimf::io {
 /// At least one name, and each once.
 [[nodiscard]] std::vector<std::string> names_of(const std::string& key, const SensorValue& value);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -9,7 +9,7 @@
 #include "murosimf/files/data_path.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 namespace {
 
 using Names = std::vector<std::string_view>;
@@ -105,7 +105,7 @@ constexpr std::array largest{Largest{"command_delay", 1, "is in seconds; more th
 double read_temperature(std::string_view key, const toml::node& node) {
   const double number = node.is_number() ? node.value_or(1e9) : 1e9;
   if (!(std::abs(number) <= 200)) {  // NaN is not either
-    fail_at(node.source(), fmt::format("'{}' must be a temperature in degrees Celsius, at most 200", key));
+    files::fail_at(node.source(), fmt::format("'{}' must be a temperature in degrees Celsius, at most 200", key));
   }
   return number;
 }
@@ -115,14 +115,16 @@ double read_number(std::string_view key, const toml::node& node) {
   const double number = node.is_number() ? node.value_or(-1.0) : -1.0;
   const bool finite = std::isfinite(number);
   if (key == "duty_limit" && !(finite && number > 0 && number <= 1)) {
-    fail_at(node.source(), "'duty_limit' must be a number above 0, at most 1");
+    files::fail_at(node.source(), "'duty_limit' must be a number above 0, at most 1");
   }
   if ((key == "voltage" || key == "current_limit") && !(finite && number > 0)) {
-    fail_at(node.source(), fmt::format("'{}' must be a finite number above 0", key));
+    files::fail_at(node.source(), fmt::format("'{}' must be a finite number above 0", key));
   }
-  if (!finite || number < 0) fail_at(node.source(), fmt::format("'{}' must be a finite number, at least 0", key));
+  if (!finite || number < 0)
+    files::fail_at(node.source(), fmt::format("'{}' must be a finite number, at least 0", key));
   for (const Largest& most : largest) {
-    if (key == most.key && number > most.value) fail_at(node.source(), fmt::format("'{}' {}", key, most.meaning));
+    if (key == most.key && number > most.value)
+      files::fail_at(node.source(), fmt::format("'{}' {}", key, most.meaning));
   }
   return number;
 }
@@ -158,12 +160,13 @@ void ServoDraft::take(const toml::table& table, const Names& others) {
   }
   const Names known = known_keys(others);
   for (const auto& [key, node] : table) {
-    if (!contains(known, key.str())) fail_at(key.source(), unknown_name("key of a servo", key.str(), known));
-    if (key == "fit" && !node.is_table()) fail_at(node.source(), "[fit] says where the numbers come from: a table");
+    if (!contains(known, key.str())) files::fail_at(key.source(), unknown_name("key of a servo", key.str(), known));
+    if (key == "fit" && !node.is_table())
+      files::fail_at(node.source(), "[fit] says where the numbers come from: a table");
     if (key != "law" && key != "fit" && !contains(others, key.str())) take_number(key, node);
   }
   if (table.contains("torque_limit") && table.contains("current_limit")) {
-    fail_at(table.get("current_limit")->source(), "'current_limit' and 'torque_limit' limit the same; keep one");
+    files::fail_at(table.get("current_limit")->source(), "'current_limit' and 'torque_limit' limit the same; keep one");
   }
 }
 
@@ -171,18 +174,19 @@ void ServoDraft::take_law(const toml::table& table) {
   const toml::node* node = table.get("law");
   if (!node) return;
   const auto name = node->value_exact<std::string>();
-  if (!name) fail_at(node->source(), "'law' must be a name in quotes");
+  if (!name) files::fail_at(node->source(), "'law' must be a name in quotes");
   Names known;
   for (const Law& law : laws()) known.push_back(law.name);
-  if (!contains(known, *name)) fail_at(node->source(), unknown_name("servo law", *name, known));
+  if (!contains(known, *name)) files::fail_at(node->source(), unknown_name("servo law", *name, known));
   servo_.law = *name;
 }
 
 void ServoDraft::scale_to(double voltage, const toml::source_region& source) {
   if (!given_.contains("voltage")) {
-    fail_at(source, fmt::format("servo type '{}' does not say at which voltage its numbers hold; remove 'voltage', or "
-                                "add it there",
-                                servo_.type));
+    files::fail_at(source,
+                   fmt::format("servo type '{}' does not say at which voltage its numbers hold; remove 'voltage', or "
+                               "add it there",
+                               servo_.type));
   }
   const double ratio = voltage / servo_.voltage;
   servo_.stall_torque *= ratio;
@@ -192,7 +196,7 @@ void ServoDraft::scale_to(double voltage, const toml::source_region& source) {
 
 void ServoDraft::take_number(const toml::key& key, const toml::node& node) {
   if (contains(law_of(servo_).useless, key.str())) {
-    fail_at(key.source(), fmt::format("'{}' means nothing to servo law '{}'; remove it", key.str(), servo_.law));
+    files::fail_at(key.source(), fmt::format("'{}' means nothing to servo law '{}'; remove it", key.str(), servo_.law));
   }
   const double value = read_number(key.str(), node);
   if (key == "current_limit") {
@@ -207,38 +211,40 @@ void ServoDraft::take_number(const toml::key& key, const toml::node& node) {
 Servo ServoDraft::finish(std::string_view name, const toml::source_region& source) const {
   Names missing = law_of(servo_).needed;
   std::erase_if(missing, [&](std::string_view key) { return given_.contains(key); });
-  if (!missing.empty()) fail_at(source, fmt::format("servo '{}' needs {}", name, fmt::join(missing, ", ")));
+  if (!missing.empty()) files::fail_at(source, fmt::format("servo '{}' needs {}", name, fmt::join(missing, ", ")));
   Servo servo = servo_;
   if (servo.law != "dc_motor") return servo;
   if (!(servo.stall_torque > 0 && servo.no_load_rate > 0)) {
-    fail_at(source, fmt::format("servo '{}' cannot move: stall_torque and no_load_rate must be positive", name));
+    files::fail_at(source, fmt::format("servo '{}' cannot move: stall_torque and no_load_rate must be positive", name));
   }
   if (current_limit_) {
-    if (servo.voltage <= 0) fail_at(source, fmt::format("servo '{}' needs voltage, because of current_limit", name));
+    if (servo.voltage <= 0)
+      files::fail_at(source, fmt::format("servo '{}' needs voltage, because of current_limit", name));
     servo.torque_limit = *current_limit_ * servo.voltage / servo.no_load_rate;
   }
   if (const std::string complaint = complaint_about_heat(servo); !complaint.empty()) {
-    fail_at(source, fmt::format("servo '{}' {}", name, complaint));
+    files::fail_at(source, fmt::format("servo '{}' {}", name, complaint));
   }
   for (const Number& number : numbers) {
     if (!std::isfinite(number.of(servo))) {
-      fail_at(source, fmt::format("{} of servo '{}' is not finite; voltage or current is too large", number.key, name));
+      files::fail_at(source,
+                     fmt::format("{} of servo '{}' is not finite; voltage or current is too large", number.key, name));
     }
   }
   return servo;
 }
 
 ServoDraft read_servo_draft(std::string_view type, const std::filesystem::path& beside) {
-  const auto file = look_for_data_file(type, "servos", ".toml", beside);
+  const auto file = files::look_for_data_file(type, "servos", ".toml", beside);
   if (!file) {
-    const auto names = data_file_names("servos", ".toml");
+    const auto names = files::data_file_names("servos", ".toml");
     throw SetupError(unknown_name("servo type", type, Names(names.begin(), names.end())));
   }
-  const toml::table table = parse_toml_file(*file);
+  const toml::table table = files::parse_toml_file(*file);
   ServoDraft draft{file->stem().string()};
   draft.take(table);
   (void)draft.finish(file->stem().string(), table.source());
   return draft;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -13,7 +13,7 @@
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/model/servo.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 
 class ServoDraft {
  public:
@@ -46,4 +46,4 @@ class ServoDraft {
 /// SetupError: with the nearest name if there is no such file, with file:line:column if something is wrong in it.
 [[nodiscard]] ServoDraft read_servo_draft(std::string_view type, const std::filesystem::path& beside);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -9,7 +9,7 @@
 
 #include "murosimf/files/xml_element.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 namespace {
 
 constexpr std::size_t line_length = 100;
@@ -27,7 +27,7 @@ struct Group {
   std::vector<std::string> joints;
 };
 
-Drive drive_of(const DraftJoint& joint) {
+Drive drive_of(const description::DraftJoint& joint) {
   const Servo& servo = *joint.servo;
   return {servo.type == guessed_servo,
           servo.stall_torque,
@@ -38,12 +38,12 @@ Drive drive_of(const DraftJoint& joint) {
           joint.damping};
 }
 
-std::vector<Group> groups_of(const RobotDraft& draft) {
+std::vector<Group> groups_of(const description::RobotDraft& draft) {
   std::set<std::string> followers;
-  for (const DraftMimic& mimic : draft.mimics) followers.insert(mimic.joint);
+  for (const description::DraftMimic& mimic : draft.mimics) followers.insert(mimic.joint);
   std::vector<Group> groups;
-  for (const DraftBody& body : draft.bodies) {
-    for (const DraftJoint& joint : body.joints) {
+  for (const description::DraftBody& body : draft.bodies) {
+    for (const description::DraftJoint& joint : body.joints) {
       if (!joint.servo || followers.contains(joint.name)) continue;
       const Drive drive = drive_of(joint);
       auto group = std::ranges::find(groups, drive, &Group::drive);
@@ -90,14 +90,14 @@ std::string section(const Drive& drive) {
 
 std::string quoted(const std::string& name) {
   std::string text = "\"";
-  for (const char c : one_line(name)) {
+  for (const char c : files::one_line(name)) {
     if (c == '"' || c == '\\') text += '\\';
     text += c;
   }
   return text + "\"";
 }
 
-std::string servo_sections(const RobotDraft& draft) {
+std::string servo_sections(const description::RobotDraft& draft) {
   std::string text;
   int number = 0;
   for (const Group& group : groups_of(draft)) {
@@ -106,4 +106,4 @@ std::string servo_sections(const RobotDraft& draft) {
   return text;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -5,7 +5,7 @@
 
 #include "murosimf/description/robot_draft.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 
 /// Servo::type of servos whose gains are guessed (robot_roles.h).
 inline constexpr const char* guessed_servo = "guessed";
@@ -16,6 +16,6 @@ inline constexpr const char* guessed_servo = "guessed";
 /// A section [servos.NAME] for each kind of drive, with the joints that have it: law ideal_pd, with the numbers of actuator
 /// and joint, because such a servo stands for both. Guessed gains say so. Joints that nothing drives, or
 /// that follow others, have none.
-[[nodiscard]] std::string servo_sections(const RobotDraft& draft);
+[[nodiscard]] std::string servo_sections(const description::RobotDraft& draft);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -7,7 +7,7 @@
 
 #include "murosimf/model/servo.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 
 /// The servo called `type`, for example "mx64", or the one in a file of that path. Throws SetupError.
 [[nodiscard]] Servo read_servo(std::string_view type);
@@ -15,4 +15,4 @@ namespace murosimf::io {
 /// All that come with the program, in alphabetical order.
 [[nodiscard]] std::vector<std::string> servo_types();
 
-}  // namespace murosimf::io
+}  // namespace murosimf::components

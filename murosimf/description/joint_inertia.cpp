@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace murosimf::io {
+namespace murosimf::description {
 
 double reference_of(const RobotDraft& draft, const std::string& name) {
   for (const DraftBody& body : draft.bodies) {
@@ -41,4 +41,4 @@ void resolve_damping_ratios(RobotDraft& draft) {
   }
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::description

@@ -3,7 +3,7 @@
 
 #include "murosimf/description/robot_draft.h"
 
-namespace murosimf::io {
+namespace murosimf::description {
 
 /// [kg m^2 | kg] of everything behind a joint of `body`, in the pose of the file, and of its rotor: the diagonal of the
 /// joint-space inertia matrix.
@@ -13,4 +13,4 @@ namespace murosimf::io {
 /// Source: MuJoCo documentation, XML reference, "position", attribute dampratio.
 void resolve_damping_ratios(RobotDraft& draft);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::description

@@ -4,7 +4,7 @@
 
 #include "murosimf/geometry/mesh_mass.h"
 
-namespace murosimf::io {
+namespace murosimf::description {
 namespace {
 
 double cube(double x) { return x * x * x; }
@@ -97,4 +97,4 @@ SymMat3d with_least_moment(const SymMat3d& inertia, double least) {
   return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2)};
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::description

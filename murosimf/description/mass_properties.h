@@ -5,7 +5,7 @@
 
 #include "murosimf/model/shape.h"
 
-namespace murosimf::io {
+namespace murosimf::description {
 
 /// Mass, center and inertia of a body or of a part of it.
 struct MassProperties {
@@ -31,4 +31,4 @@ struct MassProperties {
 /// The same principal axes; moments below `least` [kg m^2] are raised to it.
 [[nodiscard]] SymMat3d with_least_moment(const SymMat3d& inertia, double least);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::description

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace murosimf::io {
+namespace murosimf::description {
 
 struct ReaderOptions {
   bool lenient = false;  ///< what is unknown or not supported becomes a warning, where a robot remains without it
@@ -16,4 +16,4 @@ struct ReaderOptions {
   std::vector<std::filesystem::path> search_paths{};        ///< folders in which packages are looked for, too
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::description

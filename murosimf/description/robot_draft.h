@@ -20,7 +20,7 @@
 #include "murosimf/model/shape.h"
 #include "murosimf/sensors/signal_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::description {
 
 /// A frame in another: axes of the frame to axes of the other.
 struct Place {
@@ -143,4 +143,4 @@ struct RobotDraft {
 /// [rad | m] Position of a joint in the pose of the file; 0 if there is no such joint.
 [[nodiscard]] double reference_of(const RobotDraft& draft, const std::string& joint);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::description

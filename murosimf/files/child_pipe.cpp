@@ -14,7 +14,7 @@
 #include "murosimf/files/spawn.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 [[noreturn]] void cannot_run(const std::string& program, const std::string& reason) {
@@ -96,4 +96,4 @@ void ChildPipe::finish() {
   if (wait() != 0) refuse();
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

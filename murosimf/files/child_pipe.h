@@ -13,7 +13,7 @@
 
 #include "murosimf/files/leftovers.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 class ChildPipe {
  public:
@@ -42,4 +42,4 @@ class ChildPipe {
   std::optional<Leftover> running_;
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -15,7 +15,7 @@
 #include "murosimf/files/spawn.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 [[noreturn]] void refuse(const std::string& program, int error) {
@@ -58,4 +58,4 @@ std::optional<ProcessResult> run_process(const std::vector<std::string>& argumen
   return ProcessResult{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out.get()), contents(err.get())};
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

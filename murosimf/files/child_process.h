@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 struct ProcessResult {
   int exit_code = 0;  ///< -1 if a signal ended it
@@ -18,4 +18,4 @@ struct ProcessResult {
 [[nodiscard]] std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments,
                                                        const std::string& input);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

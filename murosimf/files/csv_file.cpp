@@ -13,7 +13,7 @@
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -124,7 +124,7 @@ CsvTable read_header(CellReader& reader, std::vector<Cell>& cells) {
 
 double number_in(const CellReader& reader, const Cell& cell) {
   if (const auto number = number_of(cell.text)) return *number;
-  reader.fail(cell.column, fmt::format("{} is no number", io::quoted(cell.text)));
+  reader.fail(cell.column, fmt::format("{} is no number", quoted(cell.text)));
 }
 
 void read_row(const CellReader& reader, const std::vector<Cell>& cells, CsvTable& table) {
@@ -150,4 +150,4 @@ CsvTable read_csv(const fs::path& file) {
   return table;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 struct CsvColumn {
   std::string name;                   ///< "blue1.imu.gyroscope.x", without the unit
@@ -25,4 +25,4 @@ struct CsvTable {
 /// cells than the header, a time that is missing or not finite.
 [[nodiscard]] CsvTable read_csv(const std::filesystem::path& file);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -7,7 +7,7 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,4 +62,4 @@ std::vector<std::string> data_file_names(std::string_view kind, std::string_view
   return {names.begin(), names.end()};
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 /// The file that `name` means. Tried in this order: the name as it is; the name in `beside`; the name, alone and in the
 /// folder `kind` ("lenses", "models", "parts", "scenes", "servos"), in the folder that MUROSIMF_DATA names, in
@@ -26,4 +26,4 @@ namespace murosimf::io {
 /// order.
 [[nodiscard]] std::vector<std::string> data_file_names(std::string_view kind, std::string_view extension);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <memory>
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using FilePtr = std::unique_ptr<std::FILE, CloseFile>;
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

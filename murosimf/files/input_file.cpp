@@ -13,7 +13,7 @@
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 [[noreturn]] void refuse_input(const std::filesystem::path& file, const std::string& reason) {
@@ -66,4 +66,4 @@ std::string read_input_file(const std::filesystem::path& file, std::uintmax_t mo
   return bytes;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

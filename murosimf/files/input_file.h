@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 // The largest files that are read [byte].
 constexpr std::uintmax_t most_toml_bytes = 16'000'000;      ///< scenes, motions, tables
@@ -24,4 +24,4 @@ std::uintmax_t check_input_file(const std::filesystem::path& file, std::uintmax_
 /// Its bytes. Throws SetupError likewise.
 [[nodiscard]] std::string read_input_file(const std::filesystem::path& file, std::uintmax_t most);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -4,11 +4,11 @@
 #include <string>
 #include <string_view>
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 /// "murosimf/run/1". The number grows when a key goes or changes its meaning, not when one is added.
 [[nodiscard]] inline std::string json_schema(std::string_view document, int version = 1) {
   return "murosimf/" + std::string(document) + "/" + std::to_string(version);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -7,7 +7,7 @@
 
 #include <unistd.h>
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 enum LeftoverState : int { free_place, being_noted, noted_file, noted_child };
@@ -60,4 +60,4 @@ void remove_leftovers() noexcept {
   }
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -10,7 +10,7 @@
 
 #include <sys/types.h>
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 /// Known to remove_leftovers() while it lives. There are places for 32 at a time; more are not noted.
 class Leftover {
@@ -30,4 +30,4 @@ class Leftover {
 /// Ends the children and removes the files. Nothing but system calls that a signal's handler may make.
 void remove_leftovers() noexcept;
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

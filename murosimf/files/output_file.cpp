@@ -12,7 +12,7 @@
 #include "murosimf/files/leftovers.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ void write_file(const fs::path& file, const std::string& bytes) {
   refuse(file, std::generic_category().message(failure));
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 /// Throws SetupError if a file of this name could not be created now: found out before a long run, not after it.
 void check_writable(const std::filesystem::path& file);
@@ -13,4 +13,4 @@ void check_writable(const std::filesystem::path& file);
 /// Devices and pipes are written directly. Throws SetupError: cannot write 'file': reason.
 void write_file(const std::filesystem::path& file, const std::string& bytes);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -3,7 +3,7 @@
 #include <spawn.h>
 #include <unistd.h>
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 int spawn(const std::vector<std::string>& arguments, const std::array<int, 3>& streams, pid_t& child) {
   std::vector<char*> argv;
@@ -22,4 +22,4 @@ int spawn(const std::vector<std::string>& arguments, const std::array<int, 3>& s
   return error;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -10,7 +10,7 @@
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\v\f";
@@ -73,4 +73,4 @@ std::string quoted(std::string_view word) {
   return word.size() <= 40 ? fmt::format("'{}'", word) : fmt::format("'{}...'", word.substr(0, 40));
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

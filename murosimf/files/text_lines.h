@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 class TextLines {
  public:
@@ -37,4 +37,4 @@ class TextLines {
 /// A word for a message: in quotes, at most 40 characters.
 [[nodiscard]] std::string quoted(std::string_view word);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

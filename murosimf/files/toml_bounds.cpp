@@ -6,7 +6,7 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 /// Runs through the text, leaving out comments and texts in quotes, and counts what is open.
@@ -66,4 +66,4 @@ class BoundsScan {
 
 void check_toml_bounds(std::string_view text, std::string_view where) { BoundsScan(text, where).run(); }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

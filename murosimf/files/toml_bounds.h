@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 constexpr int most_key_parts = 32;      ///< a.b.c has 3
 constexpr int most_open_brackets = 64;  ///< arrays and tables inside each other
@@ -12,4 +12,4 @@ constexpr int most_open_brackets = 64;  ///< arrays and tables inside each other
 /// `where`: the name of the file, or the --set it came from. Throws SetupError with line and column.
 void check_toml_bounds(std::string_view text, std::string_view where);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -4,7 +4,7 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 Color read_color(const TomlTable& table, const Color& otherwise) {
   Vec3d rgb{otherwise.red, otherwise.green, otherwise.blue};
@@ -17,4 +17,4 @@ Color read_color(const TomlTable& table, const Color& otherwise) {
   return {rgb.x, rgb.y, rgb.z};
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -6,9 +6,9 @@
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/model/shape.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 /// The key 'color' of a table: red, green, blue; `otherwise` if there is none. Throws SetupError with its place.
 [[nodiscard]] Color read_color(const TomlTable& table, const Color& otherwise);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

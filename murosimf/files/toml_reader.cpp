@@ -10,7 +10,7 @@
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 /// Whole numbers beyond 2^53 have neighbors that no floating-point number can tell from them.
@@ -138,7 +138,7 @@ std::vector<const toml::table*> TomlTable::tables(std::string_view key) const {
 
 std::string TomlTable::where(std::string_view key) const {
   const toml::node* node = find(key);
-  return node ? io::where(node->source()) : where();
+  return node ? where(node->source()) : where();
 }
 
 std::optional<std::vector<double>> numbers_of(const toml::node& node) {
@@ -159,4 +159,4 @@ std::optional<std::vector<double>> numbers_of(const toml::node& node) {
   return numbers;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -13,7 +13,7 @@
 
 #include "murosimf/math/vec3.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 /// Parses a file. Throws SetupError if it is missing or not TOML.
 [[nodiscard]] toml::table parse_toml_file(const std::filesystem::path& file);
@@ -44,7 +44,7 @@ class TomlTable {
   [[nodiscard]] const toml::node* find(std::string_view key) const { return table_.get(key); }
   [[nodiscard]] const toml::table* table(std::string_view key) const;                ///< null if missing
   [[nodiscard]] std::vector<const toml::table*> tables(std::string_view key) const;  ///< of [[key]]
-  [[nodiscard]] std::string where() const { return io::where(table_.source()); }
+  [[nodiscard]] std::string where() const { return where(table_.source()); }
   /// Where the key stands, or the table if it is missing.
   [[nodiscard]] std::string where(std::string_view key) const;
 
@@ -55,4 +55,4 @@ class TomlTable {
 /// All numbers of a number or an array of numbers; nothing if it is anything else.
 [[nodiscard]] std::optional<std::vector<double>> numbers_of(const toml::node& node);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

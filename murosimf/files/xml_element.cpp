@@ -11,7 +11,7 @@
 #include "murosimf/files/input_file.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
@@ -147,4 +147,4 @@ void XmlFile::follow_includes(XmlSource& source, const XmlElement& element) {
   }
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -15,7 +15,7 @@ namespace tinyxml2 {
 class XMLElement;
 }  // namespace tinyxml2
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 struct XmlAttribute {
   std::string name, value;
@@ -77,4 +77,4 @@ class XmlFile {
 /// The numbers of a list like "1 -2.5 3e-4"; nothing if a part is no finite number.
 [[nodiscard]] std::optional<std::vector<double>> parse_numbers(std::string_view text);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

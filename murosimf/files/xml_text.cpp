@@ -8,7 +8,7 @@
 
 #include "murosimf/files/xml_element.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 struct XmlText::Printer : tinyxml2::XMLPrinter {};
 
@@ -57,4 +57,4 @@ XmlText& XmlText::comment(const std::string& text) {
 
 std::string XmlText::result() const { return printer_->CStr(); }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -9,7 +9,7 @@
 
 #include "murosimf/math/vec3.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 class XmlText {
  public:
@@ -42,4 +42,4 @@ class XmlText {
   std::unique_ptr<Printer> printer_;
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

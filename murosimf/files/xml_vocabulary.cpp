@@ -7,7 +7,7 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 bool contains(const XmlWords& words, std::string_view word) { return std::ranges::find(words, word) != words.end(); }
@@ -95,4 +95,4 @@ void check_words(const XmlElement& root, const XmlVocabulary& vocabulary, bool l
   warnings.insert(warnings.end(), refused.begin(), refused.end());
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

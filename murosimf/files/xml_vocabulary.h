@@ -14,7 +14,7 @@
 
 #include "murosimf/files/xml_element.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 
 using XmlWords = std::vector<std::string_view>;
 
@@ -38,4 +38,4 @@ struct XmlFindings {
 void check_words(const XmlElement& root, const XmlVocabulary& vocabulary, bool lenient,
                  std::vector<std::string>& warnings, std::vector<std::string>& notes);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -4,7 +4,7 @@
 
 #include "murosimf/math/scalar.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 AnglePolynomial AnglePolynomial::equidistant(std::span<const double> k) {
   AnglePolynomial made;
@@ -51,4 +51,4 @@ std::optional<double> AnglePolynomial::angle(double radius) const noexcept {
   return monotonic_root([this](double t) { return at(t); }, radius, 0, widest_, radius / a_[0]);
 }
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

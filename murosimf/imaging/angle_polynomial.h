@@ -13,7 +13,7 @@
 
 #include "murosimf/math/monotonic_root.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 class AnglePolynomial {
  public:
@@ -36,4 +36,4 @@ class AnglePolynomial {
   double widest_ = 0;          ///< [rad]
 };
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

@@ -4,7 +4,7 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 namespace {
 
 using Color = std::uint8_t Rgb::*;
@@ -44,4 +44,4 @@ void make_mosaic(const ColorImage& picture, BayerPattern pattern, GrayImage& mos
   }
 }
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

@@ -6,7 +6,7 @@
 
 #include "murosimf/imaging/image.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 /// Colors of the first two pixels of the first row, then of the second row. Source: Bayer, US patent 3971065 (1976).
 enum class BayerPattern { rggb, bggr, grbg, gbrg };
@@ -18,4 +18,4 @@ enum class BayerPattern { rggb, bggr, grbg, gbrg };
 /// Of each pixel the color that its filter lets through. Pictures have the same size.
 void make_mosaic(const ColorImage& picture, BayerPattern pattern, GrayImage& mosaic) noexcept;
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

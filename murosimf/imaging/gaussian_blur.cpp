@@ -7,7 +7,7 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 namespace {
 
 // Levels are kept in 1/128, so that two of them fit into 16 bits.
@@ -96,4 +96,4 @@ void GaussianBlur::blur_column(int v, std::span<Rgb> to) noexcept {
   }
 }
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

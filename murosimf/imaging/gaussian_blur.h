@@ -6,7 +6,7 @@
 
 #include "murosimf/imaging/image.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 /// Works on sRGB values, as the paper's post-processing does. Beyond the borders the picture goes on with its last
 /// pixels. Weights end at 4 sigma; results are within one level of the exact sum.
@@ -29,4 +29,4 @@ class GaussianBlur {
   std::vector<std::uint16_t> rows_;  ///< of the picture, blurred along its rows
 };
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 template <class Pixel>
 class Image {
@@ -49,4 +49,4 @@ using GrayImage = Image<std::uint8_t>;    ///< brightness, or a Bayer mosaic
 using DepthImage = Image<float>;          ///< [m] along the optical axis; infinite where nothing is
 using LabelImage = Image<std::uint16_t>;  ///< what is seen (sensors/view_source.h)
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

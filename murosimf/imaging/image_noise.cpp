@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/model/error.h"
 #include "murosimf/imaging/srgb.h"
+#include "murosimf/model/error.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 namespace {
 
 constexpr std::size_t bins = 4096;
@@ -90,4 +90,4 @@ void ImageNoise::apply(ColorImage& picture, std::uint64_t number) const noexcept
   }
 }
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

@@ -10,10 +10,10 @@
 #include <array>
 #include <cstdint>
 
-#include "murosimf/math/random.h"
 #include "murosimf/imaging/image.h"
+#include "murosimf/math/random.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 struct ImageNoiseSpec {
   double shot = 0;  ///< standard deviation of white that is counted photons' [1]
@@ -34,4 +34,4 @@ class ImageNoise {
   RandomStream stream_;
 };
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

@@ -9,7 +9,7 @@
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 namespace {
 
 struct Model {
@@ -181,4 +181,4 @@ std::string Lens::fold_remark() const {
                      widest_angle() * 180 / pi, 100.0 * blind / (columns * rows));
 }
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

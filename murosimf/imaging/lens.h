@@ -20,11 +20,11 @@
 #include <variant>
 #include <vector>
 
-#include "murosimf/math/vec3.h"
 #include "murosimf/imaging/angle_polynomial.h"
 #include "murosimf/imaging/plane_distortion.h"
+#include "murosimf/math/vec3.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 /// A place in a picture [px], between pixels too (imaging/image.h).
 struct Pixel {
@@ -81,4 +81,4 @@ class Lens {
   std::variant<PlaneDistortion, AnglePolynomial> map_;
 };
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

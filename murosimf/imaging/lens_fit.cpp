@@ -9,7 +9,7 @@
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 namespace {
 
 /// A pixel of the first lens, and its ray.
@@ -173,4 +173,4 @@ LensFit fit_lens(const Lens& lens, const std::string& model) {
   return fit;
 }
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

@@ -5,7 +5,7 @@
 
 #include "murosimf/imaging/lens.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 struct LensFit {
   LensSpec spec;
@@ -20,4 +20,4 @@ struct LensFit {
 /// Throws SetupError if there is no such model, or if it cannot show what the lens sees.
 [[nodiscard]] LensFit fit_lens(const Lens& lens, const std::string& model);
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

@@ -10,7 +10,7 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 namespace {
 
 constexpr int steps = 256;  // of a pixel: places between pixels are that fine
@@ -188,4 +188,4 @@ void LensMap::apply(std::span<const LabelImage> views, LabelImage& picture, cons
   look_up(views, picture, rows, std::uint16_t{0}, look);
 }
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

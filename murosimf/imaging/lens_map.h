@@ -16,7 +16,7 @@
 #include "murosimf/imaging/lens.h"
 #include "murosimf/imaging/lens_views.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 /// Rows of a picture: `count` from `first`.
 struct Rows {
@@ -76,4 +76,4 @@ class LensMap {
   std::vector<Rows> needed_;            ///< for every row: of every view
 };
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

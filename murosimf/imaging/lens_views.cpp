@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 namespace {
 
 constexpr double one_view = 60 * pi / 180;  // [rad] from the axis
@@ -133,4 +133,4 @@ class Choice {
 
 LensViews choose_views(const Lens& lens, double resolution) { return Choice(lens).made(resolution); }
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "murosimf/math/mat3.h"
 #include "murosimf/imaging/lens.h"
+#include "murosimf/math/mat3.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 /// A perspective view. Its frame is optical: x right, y down, z forward.
 struct ViewWindow {
@@ -42,4 +42,4 @@ struct LensViews {
 /// the neighbors that interpolation needs: the pixels left and above, two right, and one below of every place.
 [[nodiscard]] LensViews choose_views(const Lens& lens, double resolution);
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/model/error.h"
 #include "murosimf/imaging/srgb.h"
+#include "murosimf/model/error.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 Exposure::Exposure(double gain) {
   if (!(gain > 0 && std::isfinite(gain))) {
@@ -58,4 +58,4 @@ void LightMean::write(ColorImage& picture) const noexcept {
   }
 }
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

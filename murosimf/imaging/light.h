@@ -7,7 +7,7 @@
 
 #include "murosimf/imaging/image.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 /// Another exposure: all light times a factor; what is above white becomes white.
 class Exposure {
@@ -39,4 +39,4 @@ class LightMean {
   std::uint32_t count_ = 0;
 };
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

@@ -6,7 +6,7 @@
 
 #include "murosimf/math/scalar.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 namespace {
 
 constexpr double grazing = 1e-9;  // [rad] from the plane through the lens, where points are too far out for numbers
@@ -127,4 +127,4 @@ std::optional<PlanePoint> PlaneDistortion::refined(PlanePoint p, const PlanePoin
   return p;
 }
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

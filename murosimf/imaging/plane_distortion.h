@@ -13,7 +13,7 @@
 
 #include "murosimf/math/monotonic_root.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 /// A point of the plane z = 1 in the optical frame.
 struct PlanePoint {
@@ -62,4 +62,4 @@ class PlaneDistortion {
   double widest_ = 0, reach_ = 0;  ///< the angle [rad], and its tangent
 };
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

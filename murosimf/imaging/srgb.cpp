@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 double light_of_srgb(double value) { return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4); }
 
@@ -32,4 +32,4 @@ const std::vector<std::uint8_t>& value_table() {
   return table;
 }
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

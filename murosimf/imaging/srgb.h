@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 
 /// Light from 0 to 1 of a value from 0 to 1, and back.
 [[nodiscard]] double light_of_srgb(double value);
@@ -18,4 +18,4 @@ inline constexpr int full_light = 65535;  ///< light as a whole number: white
 /// The value nearest to light from 0 to full_light. The value of the light of a value is that value.
 [[nodiscard]] const std::vector<std::uint8_t>& value_table();
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

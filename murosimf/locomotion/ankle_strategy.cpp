@@ -7,7 +7,7 @@
 #include "murosimf/sensors/reading.h"
 #include "murosimf/sensors/three_numbers.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 using sensors::vector_of;
@@ -61,14 +61,14 @@ void AnkleStrategy::step(const Instant& instant) noexcept {
 
 /// Means so far, of which this sample is a `share`.
 void AnkleStrategy::settle(double share) noexcept {
-  bias_ += share * (vector_of(gyroscope_) - bias_);
-  upright_ += share * (unit_of(vector_of(accelerometer_)) - upright_);
+  bias_ += share * (sensors::vector_of(gyroscope_) - bias_);
+  upright_ += share * (unit_of(sensors::vector_of(accelerometer_)) - upright_);
   up_ = unit_of(upright_);
 }
 
 void AnkleStrategy::follow_up(double period) noexcept {
-  const Vec3d pull = unit_of(vector_of(accelerometer_)) - up_;
-  up_ += period * (cross(up_, vector_of(gyroscope_) - bias_) + (1 / options_.trust_time) * pull);
+  const Vec3d pull = unit_of(sensors::vector_of(accelerometer_)) - up_;
+  up_ += period * (cross(up_, sensors::vector_of(gyroscope_) - bias_) + (1 / options_.trust_time) * pull);
   up_ = unit_of(up_);
 }
 
@@ -94,4 +94,4 @@ void AnkleStrategy::write_targets() noexcept {
   }
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -28,7 +28,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 struct AnkleStrategyOptions {
   double settle_time = 0.5;   ///< [s]
@@ -64,4 +64,4 @@ class AnkleStrategy final : public Algorithm {
   std::span<double> target_;                           // [rad] by object
 };
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

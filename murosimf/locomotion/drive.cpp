@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 constexpr double standstill = 1e-3;  // [m/s] commands below are no direction to turn in
@@ -53,4 +53,4 @@ void Drive::write_targets() noexcept {
   }
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

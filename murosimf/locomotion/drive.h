@@ -16,7 +16,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 struct DriveOptions {
   double acceleration = 3;  ///< [m/s^2] a third of what tires on carpet can transmit; assumption
@@ -47,4 +47,4 @@ class Drive final : public Algorithm {
   std::span<double> rate_target_;  // [rad/s] by object
 };
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -5,7 +5,7 @@
 
 #include "murosimf/locomotion/stride.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 /// Both feet get everywhere at this walking velocity.
@@ -119,4 +119,4 @@ GaitPose gait_pose(const std::array<Leg, 2>& legs, const WalkParameters& p, doub
   return gait_pose(legs, p, phase, amplitude, velocity, home_pose(legs));
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

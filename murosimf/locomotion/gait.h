@@ -13,7 +13,7 @@
 
 #include "murosimf/locomotion/leg.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 struct WalkParameters {
   double period = 0.452;           ///< [s] T, two steps
@@ -53,4 +53,4 @@ struct GaitPose {
 [[nodiscard]] GaitPose gait_pose(const std::array<Leg, 2>& legs, const WalkParameters& parameters, double phase,
                                  double amplitude, const Vec3d& velocity) noexcept;
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 constexpr double ramp = 0.6;  // [periods] from standing to full sway and lift
@@ -37,4 +37,4 @@ void GaitClock::advance(double dt, const GaitLimits& limits) noexcept {
   phase_ = amplitude_ > 0 ? std::fmod(phase_ + 2 * pi * dt / limits.period, 2 * pi) : 0.0;
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

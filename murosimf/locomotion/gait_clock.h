@@ -7,7 +7,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 struct GaitLimits {
   double period = 0;  ///< [s]
@@ -35,4 +35,4 @@ class GaitClock {
   double& amplitude_;
 };
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

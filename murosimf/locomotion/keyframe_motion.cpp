@@ -5,7 +5,7 @@
 
 #include "murosimf/math/scalar.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 double duration(const KeyframeMotion& motion) noexcept {
   double sum = 0;
@@ -28,4 +28,4 @@ void sample(const KeyframeMotion& motion, double time, std::span<double> values)
   }
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

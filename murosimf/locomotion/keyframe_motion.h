@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 /// What a value of a key frame sets.
 struct Channel {
@@ -35,4 +35,4 @@ struct KeyframeMotion {
 /// that are there.
 void sample(const KeyframeMotion& motion, double time, std::span<double> values) noexcept;
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

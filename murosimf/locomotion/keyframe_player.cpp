@@ -7,7 +7,7 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 constexpr std::array<std::string_view, 2> sides{"left_foot.", "right_foot."};
@@ -39,7 +39,7 @@ int joint_named(const Model& model, std::string_view name) {
 
 KeyframePlayer::KeyframePlayer(Setup& setup, const KeyframeMotion& motion)
     : motion_(motion),
-      duration_(control::duration(motion)),
+      duration_(duration(motion)),
       values_(motion.start),
       time_(setup.write(properties::motion_time)[0]),
       target_(setup.write(properties::joint_target)) {
@@ -93,4 +93,4 @@ void KeyframePlayer::place_feet() noexcept {
   }
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -14,7 +14,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 class KeyframePlayer final : public Algorithm {
  public:
@@ -57,4 +57,4 @@ class KeyframePlayer final : public Algorithm {
   std::span<double> target_;    // [rad | m] by object
 };
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

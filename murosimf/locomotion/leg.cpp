@@ -11,7 +11,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 constexpr double tolerance = 1e-6;        // [m], [1]
@@ -146,4 +146,4 @@ bool bend(const Leg& leg, const FootTarget& target, std::span<double> q) noexcep
   return leg.signs ? bend_in_closed_form(leg, target, q) : bend_numerically(leg, target, q);
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

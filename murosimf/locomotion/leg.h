@@ -12,7 +12,7 @@
 #include "murosimf/math/mat3.h"
 #include "murosimf/model/model.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 struct Leg {
   std::vector<int> joints;     ///< objects: its hinges from the base outwards
@@ -49,4 +49,4 @@ struct FootTarget {
 /// the foot cannot get there: then it is as near as it can be.
 bool bend(const Leg& leg, const FootTarget& target, std::span<double> q) noexcept;
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

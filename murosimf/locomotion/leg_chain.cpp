@@ -5,7 +5,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 LegHinge hinge(const Model& model, const Link& link) {
@@ -74,4 +74,4 @@ Vec3d center_of_axes(const ChainPose& pose, std::size_t first, std::size_t end, 
   return center;
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

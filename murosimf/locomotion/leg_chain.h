@@ -12,7 +12,7 @@
 
 #include "murosimf/model/model.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 inline constexpr std::size_t most_hinges = 12;  ///< of one leg
 
@@ -49,4 +49,4 @@ struct ChainPose {
 /// one that is nearest to `reference`.
 [[nodiscard]] Vec3d center_of_axes(const ChainPose& pose, std::size_t first, std::size_t end, const Vec3d& reference);
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

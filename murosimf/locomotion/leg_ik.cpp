@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 constexpr double almost_straight = 0.9995;  // [1] of the leg's length: beyond it the knee angle is ill-conditioned
@@ -34,4 +34,4 @@ LegAngles leg_angles(double thigh, double shin, const Vec3d& ankle, const Mat3d&
   return result;
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -13,7 +13,7 @@
 
 #include "murosimf/math/mat3.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 struct LegAngles {
   std::array<double, 6> q{};  ///< [rad] hip yaw, roll, pitch, knee, ankle pitch, roll; knee bends with q > 0
@@ -23,4 +23,4 @@ struct LegAngles {
 /// `ankle` [m] from the hip center, base axes; `foot` its axes in base axes; lengths [m].
 [[nodiscard]] LegAngles leg_angles(double thigh, double shin, const Vec3d& ankle, const Mat3d& foot) noexcept;
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

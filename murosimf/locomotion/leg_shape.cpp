@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 constexpr double sideways = 0.7;   // [1] of a knee's axis
@@ -69,4 +69,4 @@ LegShape shape_of(const LegChain& chain, std::string& problem) {
   return shape;
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -9,7 +9,7 @@
 
 #include "murosimf/locomotion/leg_chain.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 struct LegShape {
   std::size_t knee = 0;
@@ -22,4 +22,4 @@ struct LegShape {
 /// Why there is no such leg in `problem`, which stays empty otherwise.
 [[nodiscard]] LegShape shape_of(const LegChain& chain, std::string& problem);
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -6,7 +6,7 @@
 #include "murosimf/math/quaternion.h"
 #include "murosimf/math/spatial.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 using Angles = std::array<double, most_hinges>;
@@ -136,4 +136,4 @@ SolverResult solve_leg(const LegChain& chain, const TipTarget& target, const Sol
   return result;
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

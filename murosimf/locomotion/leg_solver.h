@@ -15,7 +15,7 @@
 
 #include "murosimf/locomotion/leg_chain.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 struct TipTarget {
   Vec3d tip;   ///< [m] in the frame of the base
@@ -39,4 +39,4 @@ struct SolverResult {
 SolverResult solve_leg(const LegChain& chain, const TipTarget& target, const SolverOptions& options,
                        std::span<double> q) noexcept;
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

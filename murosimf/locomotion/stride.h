@@ -9,7 +9,7 @@
 
 #include "murosimf/math/scalar.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 struct Stride {
   double xi = 0;    ///< [1] place along the stride, +1/2 front, -1/2 back
@@ -27,4 +27,4 @@ struct Stride {
   return {0.5 - since_landing / (pi + 2 * d), 0};
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

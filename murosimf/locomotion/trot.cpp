@@ -7,7 +7,7 @@
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/multibody/mass.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 /// [rad] Front left and hind right swing in the second half of the period.
@@ -116,4 +116,4 @@ void Trot::write_targets(const TrotPose& start) noexcept {
   }
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -18,7 +18,7 @@
 #include "murosimf/locomotion/leg.h"
 #include "murosimf/model/algorithm.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 /// For legs of 0.24 m: found by trying on models/quadruped.xml, at all dynamic levels and in all directions; periods of
 /// 0.35 s and more lift than it takes keep soft feet and slow servos from scuffing.
@@ -67,4 +67,4 @@ class Trot final : public Algorithm {
   std::span<double> target_;  // [rad] by object
 };
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -11,7 +11,7 @@
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/multibody/kinematics.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 constexpr double parallel = 0.999;     // [1] cosine between axes that count as one direction
@@ -130,4 +130,4 @@ Vehicle find_vehicle(const Model& model) {
   return vehicle;
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

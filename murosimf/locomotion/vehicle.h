@@ -12,7 +12,7 @@
 
 #include "murosimf/model/model.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 struct Wheel {
   int joint = 0;    ///< object that turns the wheel
@@ -33,4 +33,4 @@ struct Vehicle {
 /// Throws SetupError if there is no wheel, or if none is driven.
 [[nodiscard]] Vehicle find_vehicle(const Model& model);
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

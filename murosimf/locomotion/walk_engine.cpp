@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 WalkEngine::WalkEngine(Setup& setup, const Vec3d& command)
     : WalkEngine(setup, command, seeded_parameters(find_legs(setup.model()))) {}
@@ -42,4 +42,4 @@ void WalkEngine::write_targets(const GaitPose& start) noexcept {
   }
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -10,7 +10,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 
 class WalkEngine final : public Algorithm {
  public:
@@ -34,4 +34,4 @@ class WalkEngine final : public Algorithm {
   std::span<double> target_;  // [rad] by object
 };
 
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -5,7 +5,7 @@
 #include "murosimf/model/value.h"
 #include "murosimf/sensors/reading.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 namespace {
 
 std::vector<std::string> split(std::string_view text, std::string_view separator) {
@@ -95,4 +95,4 @@ std::vector<LoggedNumber> numbers_of_properties(Entity& entity) {
   return numbers;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

@@ -7,7 +7,7 @@
 
 #include "murosimf/logging/log_paths.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 
 /// Numbers of all sensors.
 [[nodiscard]] std::vector<LoggedNumber> numbers_of_sensors(Entity& entity);
@@ -24,4 +24,4 @@ namespace murosimf::io {
 [[nodiscard]] std::string unit_of(std::string_view units, std::size_t index, std::size_t numbers,
                                   bool prismatic = false);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

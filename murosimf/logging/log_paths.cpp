@@ -11,11 +11,11 @@
 #include <fmt/format.h>
 
 #include "murosimf/logging/log_catalog.h"
-#include "murosimf/scene/setting_targets.h"
 #include "murosimf/model/error.h"
+#include "murosimf/scene/setting_targets.h"
 #include "murosimf/sensors/reading.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 namespace {
 
 bool matches(const std::string& pattern, const std::string& name) {
@@ -95,7 +95,7 @@ std::vector<LoggedNumber> numbers_of_joints(const Search& search) {
 }
 
 bool means_joints(const Search& search) {
-  return !search.parts.empty() && search.parts.size() <= 2 && is_of_joints(search.parts[0]);
+  return !search.parts.empty() && search.parts.size() <= 2 && scene::is_of_joints(search.parts[0]);
 }
 
 std::vector<LoggedNumber> joints_meant(const std::vector<Search>& all) {
@@ -203,4 +203,4 @@ std::vector<LoggedNumber> find_logged(const World& world, const std::vector<std:
   return logged;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

@@ -12,7 +12,7 @@
 
 #include "murosimf/model/world.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 
 /// One number that can be logged.
 struct LoggedNumber {
@@ -31,4 +31,4 @@ struct LoggedNumber {
 /// with the nearest name.
 [[nodiscard]] std::vector<LoggedNumber> find_logged(const World& world, const std::vector<std::string>& patterns);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

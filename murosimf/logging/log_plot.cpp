@@ -9,7 +9,7 @@
 #include "murosimf/logging/log_catalog.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 namespace {
 
 constexpr std::size_t most_curves = 32, most_panels = 16;
@@ -19,7 +19,7 @@ using Parts = std::vector<std::string>;
 /// Columns that share a panel.
 struct Group {
   std::string key;
-  std::vector<const CsvColumn*> columns;
+  std::vector<const files::CsvColumn*> columns;
 };
 
 bool means(const std::string& pattern, const std::string& name) {
@@ -29,7 +29,7 @@ bool means(const std::string& pattern, const std::string& name) {
   return parts.size() <= path.size() && std::equal(parts.begin(), parts.end(), path.begin(), matches);
 }
 
-std::vector<const CsvColumn*> chosen(const CsvTable& table, const Parts& patterns) {
+std::vector<const files::CsvColumn*> chosen(const files::CsvTable& table, const Parts& patterns) {
   std::vector<bool> wanted(table.columns.size(), patterns.empty());
   for (const std::string& pattern : patterns) {
     bool found = false;
@@ -39,26 +39,26 @@ std::vector<const CsvColumn*> chosen(const CsvTable& table, const Parts& pattern
     }
     if (found) continue;
     std::vector<std::string_view> names;
-    for (const CsvColumn& column : table.columns) names.emplace_back(column.name);
+    for (const files::CsvColumn& column : table.columns) names.emplace_back(column.name);
     throw SetupError(unknown_name("column", pattern, names));
   }
-  std::vector<const CsvColumn*> columns;
+  std::vector<const files::CsvColumn*> columns;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (wanted[i]) columns.push_back(&table.columns[i]);
   }
   return columns;
 }
 
-std::string key_of(const CsvColumn& column) {
+std::string key_of(const files::CsvColumn& column) {
   const Parts parts = path_parts(column.name);
   if (parts.size() < 3) return column.unit;
   if (parts.size() == 3) return fmt::format("{}.*.{} {}", parts[0], parts[2], column.unit);
   return fmt::format("{}.{} {}", parts[0], parts[1], column.unit);
 }
 
-std::vector<Group> groups_of(const std::vector<const CsvColumn*>& columns) {
+std::vector<Group> groups_of(const std::vector<const files::CsvColumn*>& columns) {
   std::vector<Group> groups;
-  for (const CsvColumn* column : columns) {
+  for (const files::CsvColumn* column : columns) {
     const std::string key = key_of(*column);
     auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.key == key; });
     if (group == groups.end()) group = groups.insert(groups.end(), Group{key, {}});
@@ -93,7 +93,7 @@ struct PanelNames {
 
 PanelNames names_of(const Group& group) {
   std::vector<Parts> names;
-  for (const CsvColumn* column : group.columns) names.push_back(path_parts(column->name));
+  for (const files::CsvColumn* column : group.columns) names.push_back(path_parts(column->name));
   if (names.size() == 1) return {group.columns[0]->name, {""}};
   PanelNames result;
   if (of_many_objects(names)) {
@@ -136,7 +136,7 @@ void check_sizes(const std::vector<Group>& groups) {
 
 }  // namespace
 
-Plot plot_of(const CsvTable& table, const std::string& title, const Parts& patterns) {
+Plot plot_of(const files::CsvTable& table, const std::string& title, const Parts& patterns) {
   const std::vector<Group> groups = groups_of(chosen(table, patterns));
   check_sizes(groups);
   Plot plot{.title = title, .x_label = table.time, .panels = {}, .panel_height = groups.size() > 6 ? 220 : 320};
@@ -144,4 +144,4 @@ Plot plot_of(const CsvTable& table, const std::string& title, const Parts& patte
   return plot;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

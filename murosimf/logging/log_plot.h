@@ -10,12 +10,12 @@
 #include "murosimf/files/csv_file.h"
 #include "murosimf/logging/plot.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 
 /// The columns whose names match one of the patterns (as in log_paths.h: * and ? within a part, a missing rest matches all
 /// below); all, if there are no patterns. Throws SetupError: a pattern without a column, with the nearest name; more
 /// curves in a panel, or panels, than can be told apart.
-[[nodiscard]] Plot plot_of(const CsvTable& table, const std::string& title,
+[[nodiscard]] Plot plot_of(const files::CsvTable& table, const std::string& title,
                            const std::vector<std::string>& patterns = {});
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace murosimf::io {
+namespace murosimf::logging {
 namespace {
 
 using Places = std::vector<std::size_t>;  // next row, by series
@@ -62,4 +62,4 @@ std::string to_csv(const std::vector<const LogSeries*>& series) {
   return text;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

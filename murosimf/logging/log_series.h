@@ -7,7 +7,7 @@
 
 #include "murosimf/model/time.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 
 /// Rows of numbers with their instants.
 struct LogSeries {
@@ -21,4 +21,4 @@ struct LogSeries {
 /// instant. Numbers have the fewest digits that give the same double back; others are nan, inf, -inf.
 [[nodiscard]] std::string to_csv(const std::vector<const LogSeries*>& series);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

@@ -10,7 +10,7 @@
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 namespace {
 
 const std::vector<std::string> gnuplot{"gnuplot", "-d", "-"};  // -d: no start-up files of the user
@@ -184,15 +184,15 @@ std::string gnuplot_script(const Plot& all) {
 }
 
 void check_gnuplot() {
-  const auto result = run_process({gnuplot[0], "--version"}, {});
+  const auto result = files::run_process({gnuplot[0], "--version"}, {});
   if (result && result->exit_code == 0) return;
   throw SetupError("plots need the program gnuplot, which does not start here (Debian and Ubuntu: gnuplot-nox)");
 }
 
 void write_plot(const std::filesystem::path& file, const Plot& plot) {
   check(plot);
-  check_writable(file);
-  const auto result = run_process(gnuplot, gnuplot_script(plot));
+  files::check_writable(file);
+  const auto result = files::run_process(gnuplot, gnuplot_script(plot));
   if (!result) check_gnuplot();
   const bool is_png = result && result->output.starts_with("\x89PNG");
   if (!is_png || result->exit_code != 0) {
@@ -200,7 +200,7 @@ void write_plot(const std::filesystem::path& file, const Plot& plot) {
     for (char& c : reason) c = c == '\n' ? ' ' : c;
     throw SetupError(fmt::format("cannot draw '{}': gnuplot says: {}", file.string(), reason));
   }
-  write_file(file, result->output);
+  files::write_file(file, result->output);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

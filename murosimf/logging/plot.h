@@ -1,6 +1,6 @@
 /// plot.h - curves as PNG pictures, drawn by a gnuplot process.
 ///
-///     io::write_plot("fall.png", {.title = "Fall", .x_label = "time [s]",
+///     logging::write_plot("fall.png", {.title = "Fall", .x_label = "time [s]",
 ///                                 .panels = {{.y_label = "height [m]", .curves = {{"ball", t, z}}}}});
 ///
 /// Nothing that users wrote reaches a shell: the process is started directly and reads commands and data from its
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace murosimf::io {
+namespace murosimf::logging {
 
 struct Curve {
   std::string name;          ///< in the legend; empty: not listed there
@@ -45,4 +45,4 @@ void write_plot(const std::filesystem::path& file, const Plot& plot);
 /// The commands and data that gnuplot gets.
 [[nodiscard]] std::string gnuplot_script(const Plot& plot);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

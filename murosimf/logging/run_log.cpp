@@ -7,7 +7,7 @@
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 namespace {
 
 void check_rate(const RunLogOptions& options) {
@@ -82,6 +82,6 @@ std::string RunLog::csv() const {
   return to_csv(all);
 }
 
-void RunLog::write(const std::filesystem::path& file) const { write_file(file, csv()); }
+void RunLog::write(const std::filesystem::path& file) const { files::write_file(file, csv()); }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

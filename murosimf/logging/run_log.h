@@ -1,6 +1,6 @@
 /// run_log.h - records chosen numbers of a run: samples of sensors as they come, properties at a rate of its own.
 ///
-///     io::RunLog log(scene.simulation(), {"blue1.imu.*"}, {.step_rate = scene.spec().rate});
+///     logging::RunLog log(scene.simulation(), {"blue1.imu.*"}, {.step_rate = scene.spec().rate});
 ///     scene.simulation().run(10s);
 ///     log.write("run.csv");
 #pragma once
@@ -14,7 +14,7 @@
 #include "murosimf/logging/sensor_log.h"
 #include "murosimf/runtime/simulation.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 
 struct RunLogOptions {
   double step_rate = 1000;     ///< [Hz] of the simulation
@@ -54,4 +54,4 @@ class RunLog {
   std::deque<PropertyLog> properties_;
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

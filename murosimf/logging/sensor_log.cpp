@@ -1,6 +1,6 @@
 #include "murosimf/logging/sensor_log.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 
 SensorLog::SensorLog(Setup& setup, const std::vector<LoggedSensor>& logged) {
   for (const LoggedSensor& one : logged) {
@@ -27,4 +27,4 @@ void SensorLog::step(const Instant&) noexcept {
   }
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

@@ -14,7 +14,7 @@
 #include "murosimf/model/setup.h"
 #include "murosimf/sensors/reading.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 
 /// What is noted of one sensor.
 struct LoggedSensor {
@@ -45,4 +45,4 @@ class SensorLog final : public Algorithm {
   std::deque<LogSeries> series_;  // by source
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

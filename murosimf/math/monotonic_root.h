@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace murosimf::sensors {
+namespace murosimf {
 
 /// A function and its derivative at one place.
 struct Slope {
@@ -29,4 +29,4 @@ double monotonic_root(const F& f, double target, double low, double high, double
   return x;
 }
 
-}  // namespace murosimf::sensors
+}  // namespace murosimf

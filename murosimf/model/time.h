@@ -10,6 +10,7 @@ using Duration = std::chrono::nanoseconds;
 // Of everything that is done again and again [Hz]; others are mistakes of users.
 constexpr double slowest_rate = 1e-3;
 constexpr double fastest_rate = 1e5;
+constexpr double usual_step_rate = 1000;  ///< [Hz] of motion and contact, where a scene does not say
 
 [[nodiscard]] constexpr double seconds(Duration duration) { return static_cast<double>(duration.count()) * 1e-9; }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace murosimf::control {
+namespace murosimf::perception {
 namespace {
 
 Blob begin_blob(int row, int first, int last) {
@@ -28,7 +28,7 @@ void add(Blob& blob, int row, int first, int last) {
 
 }  // namespace
 
-const std::vector<Blob>& BlobFinder::find(const sensors::ColorImage& picture) noexcept {
+const std::vector<Blob>& BlobFinder::find(const imaging::ColorImage& picture) noexcept {
   runs_.clear();
   std::size_t above = 0;
   for (int row = 0; row < picture.height(); ++row) {
@@ -41,7 +41,7 @@ const std::vector<Blob>& BlobFinder::find(const sensors::ColorImage& picture) no
   return blobs_;
 }
 
-void BlobFinder::add_runs(const sensors::ColorImage& picture, int row) noexcept {
+void BlobFinder::add_runs(const imaging::ColorImage& picture, int row) noexcept {
   const auto pixels = picture.row(row);
   const int width = picture.width();
   for (int u = 0; u < width; ++u) {
@@ -89,4 +89,4 @@ void BlobFinder::collect() noexcept {
   });
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

@@ -7,17 +7,17 @@
 
 #include <vector>
 
-#include "murosimf/perception/color_class.h"
 #include "murosimf/imaging/image.h"
 #include "murosimf/imaging/lens.h"
+#include "murosimf/perception/color_class.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 
 struct Blob {
   int pixels = 0;
   int left = 0, right = 0, top = 0, bottom = 0;  ///< [px] the box around it, all inside
-  sensors::Pixel center;                         ///< [px] mean of its pixels
-  sensors::Pixel lowest;                         ///< [px] middle of its lowest run; of several, the first from the left
+  imaging::Pixel center;                         ///< [px] mean of its pixels
+  imaging::Pixel lowest;                         ///< [px] middle of its lowest run; of several, the first from the left
 };
 
 /// Finds blobs and keeps the memory that this takes.
@@ -26,14 +26,14 @@ class BlobFinder {
   explicit BlobFinder(const ColorClass& color, int fewest_pixels = 20) : color_(color), fewest_pixels_(fewest_pixels) {}
 
   /// Those of at least so many pixels, the largest first; of equal ones the higher first. Valid until the next picture.
-  [[nodiscard]] const std::vector<Blob>& find(const sensors::ColorImage& picture) noexcept;
+  [[nodiscard]] const std::vector<Blob>& find(const imaging::ColorImage& picture) noexcept;
 
  private:
   struct Run {
     int row, first, last;  // [px] all inside
     std::size_t parent;    // another run of the same blob; itself: the root
   };
-  void add_runs(const sensors::ColorImage& picture, int row) noexcept;
+  void add_runs(const imaging::ColorImage& picture, int row) noexcept;
   void join_rows(std::size_t above, std::size_t below, std::size_t end) noexcept;
   [[nodiscard]] std::size_t root(std::size_t run) noexcept;
   void collect() noexcept;
@@ -45,4 +45,4 @@ class BlobFinder {
   std::vector<std::size_t> blob_of_;  // by run: index of a root's blob
 };
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

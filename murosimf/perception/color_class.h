@@ -8,7 +8,7 @@
 
 #include "murosimf/imaging/image.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 
 struct Hsv {
   double hue = 0;         ///< [deg] 0 to 360: 0 red, 120 green, 240 blue; 0 of grays
@@ -16,7 +16,7 @@ struct Hsv {
   double value = 0;       ///< [1] brightness of the brightest of the three
 };
 
-[[nodiscard]] inline Hsv hsv_of(const sensors::Rgb& pixel) noexcept {
+[[nodiscard]] inline Hsv hsv_of(const imaging::Rgb& pixel) noexcept {
   const int r = pixel.red, g = pixel.green, b = pixel.blue;
   const int most = std::max({r, g, b}), range = most - std::min({r, g, b});
   if (range == 0) return {0, 0, most / 255.0};
@@ -37,7 +37,7 @@ struct ColorClass {
   double least_saturation = 0, least_value = 0;  ///< [1]
   double most_saturation = 1, most_value = 1;    ///< [1]
 
-  [[nodiscard]] bool contains(const sensors::Rgb& pixel) const noexcept {
+  [[nodiscard]] bool contains(const imaging::Rgb& pixel) const noexcept {
     const Hsv c = hsv_of(pixel);
     return c.saturation >= least_saturation && c.saturation <= most_saturation && c.value >= least_value &&
            c.value <= most_value && std::abs(std::remainder(c.hue - hue, 360.0)) <= hue_reach;
@@ -47,4 +47,4 @@ struct ColorClass {
 /// Carpets and grass in usual light.
 inline constexpr ColorClass field_green{.hue = 130, .hue_reach = 45, .least_saturation = 0.35, .least_value = 0.12};
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

@@ -4,11 +4,11 @@
 /// walk that does not do what it is told are what is missing.
 #pragma once
 
-#include "murosimf/perception/planar.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
+#include "murosimf/perception/planar.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 
 /// The pose of the robot after a time `dt` [s], in the frame of the pose before. `velocity` [m/s] forward, left;
 /// `turned` [rad]. The way is an arc of a circle.
@@ -17,4 +17,4 @@ namespace murosimf::control {
   return {way.x, way.y, turned};
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

@@ -8,10 +8,10 @@
 
 #include <optional>
 
-#include "murosimf/math/mat3.h"
 #include "murosimf/imaging/lens.h"
+#include "murosimf/math/mat3.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 
 /// Where a camera is.
 struct CameraPose {
@@ -20,8 +20,8 @@ struct CameraPose {
 };
 
 /// [m] Nothing if the pixel looks at or above the horizon, or beyond the lens.
-[[nodiscard]] inline std::optional<Vec3d> on_ground(const sensors::Lens& lens, const CameraPose& pose,
-                                                    const sensors::Pixel& pixel) noexcept {
+[[nodiscard]] inline std::optional<Vec3d> on_ground(const imaging::Lens& lens, const CameraPose& pose,
+                                                    const imaging::Pixel& pixel) noexcept {
   constexpr double flattest = 1e-3;  // [1] slope of a ray that meets the ground a kilometer away or nowhere
   const auto ray = lens.ray(pixel);
   if (!ray) return std::nullopt;
@@ -32,9 +32,9 @@ struct CameraPose {
 }
 
 /// `point` [m] in the robot's frame. Nothing if the lens cannot see it; the pixel may be outside of the picture.
-[[nodiscard]] inline std::optional<sensors::Pixel> in_picture(const sensors::Lens& lens, const CameraPose& pose,
+[[nodiscard]] inline std::optional<imaging::Pixel> in_picture(const imaging::Lens& lens, const CameraPose& pose,
                                                               const Vec3d& point) noexcept {
   return lens.project(transposed_times(pose.axes, point - pose.eye));
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-namespace murosimf::control {
+namespace murosimf::perception {
 namespace {
 
-using sensors::Pixel;
-using sensors::Rgb;
+using imaging::Pixel;
+using imaging::Rgb;
 
 /// Pixels [first, last] along a scan line.
 struct Run {
@@ -44,7 +44,7 @@ void for_white_runs(int size, const LineScan& scan, const At& at, const Found& f
 
 class Collector {
  public:
-  Collector(const sensors::Lens& lens, const CameraPose& pose, const LineScan& scan, std::vector<LinePoint>& points)
+  Collector(const imaging::Lens& lens, const CameraPose& pose, const LineScan& scan, std::vector<LinePoint>& points)
       : lens_(lens), pose_(pose), scan_(scan), points_(points) {}
 
   /// The run between the borders `a` and `b`, `pixels` long.
@@ -59,7 +59,7 @@ class Collector {
   }
 
  private:
-  const sensors::Lens& lens_;
+  const imaging::Lens& lens_;
   const CameraPose& pose_;
   const LineScan& scan_;
   std::vector<LinePoint>& points_;
@@ -67,7 +67,7 @@ class Collector {
 
 }  // namespace
 
-void find_line_points(const sensors::ColorImage& picture, const sensors::Lens& lens, const CameraPose& pose,
+void find_line_points(const imaging::ColorImage& picture, const imaging::Lens& lens, const CameraPose& pose,
                       const LineScan& scan, std::vector<LinePoint>& points) noexcept {
   points.clear();
   Collector collector(lens, pose, scan, points);
@@ -89,4 +89,4 @@ void find_line_points(const sensors::ColorImage& picture, const sensors::Lens& l
   }
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

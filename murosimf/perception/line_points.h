@@ -9,11 +9,11 @@
 
 #include <vector>
 
+#include "murosimf/imaging/image.h"
 #include "murosimf/perception/color_class.h"
 #include "murosimf/perception/ground_projection.h"
-#include "murosimf/imaging/image.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 
 struct LineScan {
   ColorClass green = field_green;
@@ -27,11 +27,11 @@ struct LineScan {
 
 struct LinePoint {
   Vec3d place;           ///< [m] on the ground, robot's frame (ground_projection.h)
-  sensors::Pixel pixel;  ///< [px] middle of the run
+  imaging::Pixel pixel;  ///< [px] middle of the run
 };
 
 /// Writes the points of a picture to `points`; columns from the left, each from the top, then rows likewise.
-void find_line_points(const sensors::ColorImage& picture, const sensors::Lens& lens, const CameraPose& pose,
+void find_line_points(const imaging::ColorImage& picture, const imaging::Lens& lens, const CameraPose& pose,
                       const LineScan& scan, std::vector<LinePoint>& points) noexcept;
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

@@ -6,7 +6,7 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 namespace {
 
 double distance_to_segment(const Vec3d& p, const Vec3d& a, const Vec3d& b) noexcept {
@@ -52,4 +52,4 @@ double LineTable::distance(double x, double y) const noexcept {
   return distances_[static_cast<std::size_t>(row) * columns_ + column];
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

@@ -8,7 +8,7 @@
 #include "murosimf/math/vec3.h"
 #include "murosimf/model/shape.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 
 class LineTable {
  public:
@@ -28,4 +28,4 @@ class LineTable {
 /// [m] from (x, y) to the middle of the nearest stroke; infinite if there is none.
 [[nodiscard]] double distance_to_lines(const Markings& markings, double x, double y) noexcept;
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

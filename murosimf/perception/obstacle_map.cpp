@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace murosimf::control {
+namespace murosimf::perception {
 
-std::optional<ObstacleSighting> obstacle_of(const Blob& blob, const sensors::Lens& lens, const CameraPose& pose,
+std::optional<ObstacleSighting> obstacle_of(const Blob& blob, const imaging::Lens& lens, const CameraPose& pose,
                                             double radius, double farthest) noexcept {
-  const sensors::LensSpec& picture = lens.spec();
+  const imaging::LensSpec& picture = lens.spec();
   if (blob.bottom >= picture.height - 1) return std::nullopt;
   const auto foot = on_ground(lens, pose, {blob.lowest.u, blob.lowest.v + 0.5});
   if (!foot) return std::nullopt;
@@ -34,4 +34,4 @@ void ObstacleMap::see(const Vec3d& place, bool whole, double same) noexcept {
   if (whole) nearest->place += std::max(0.2, 1.0 / nearest->sightings) * (place - nearest->place);
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

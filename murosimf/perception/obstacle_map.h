@@ -12,7 +12,7 @@
 #include "murosimf/perception/color_blobs.h"
 #include "murosimf/perception/ground_projection.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 
 inline constexpr std::size_t most_obstacles = 16;
 
@@ -28,7 +28,7 @@ struct ObstacleSighting {
 };
 
 /// Of a blob, with obstacles of a `radius` [m]. Nothing if its foot is below the picture, or beyond `farthest` [m].
-[[nodiscard]] std::optional<ObstacleSighting> obstacle_of(const Blob& blob, const sensors::Lens& lens,
+[[nodiscard]] std::optional<ObstacleSighting> obstacle_of(const Blob& blob, const imaging::Lens& lens,
                                                           const CameraPose& pose, double radius,
                                                           double farthest) noexcept;
 
@@ -47,4 +47,4 @@ class ObstacleMap {
   std::size_t count_ = 0;
 };
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

@@ -7,7 +7,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/kinematics.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 namespace {
 
 const sensors::Reading& sense_of_body(Setup& setup, const char* sensor) {
@@ -78,4 +78,4 @@ double OwnBody::height() const noexcept {
   return -lowest;
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

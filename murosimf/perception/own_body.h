@@ -9,13 +9,13 @@
 
 #include <vector>
 
-#include "murosimf/perception/ground_projection.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/model/shape.h"
+#include "murosimf/perception/ground_projection.h"
 #include "murosimf/sensors/frame.h"
 #include "murosimf/sensors/reading.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 
 class OwnBody {
  public:
@@ -53,4 +53,4 @@ class OwnBody {
   double heading_ = 0;
 };
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace murosimf::control {
+namespace murosimf::perception {
 namespace {
 
 constexpr double cluster_radius = 0.5;          // [m]
@@ -131,4 +131,4 @@ PoseEstimate estimate(std::span<const Particle> particles) noexcept {
   return result;
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

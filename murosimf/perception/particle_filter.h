@@ -22,12 +22,12 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/math/random.h"
 #include "murosimf/perception/line_points.h"
 #include "murosimf/perception/line_table.h"
 #include "murosimf/perception/planar.h"
-#include "murosimf/math/random.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 
 struct Particle {
   Vec3d pose;         ///< [m, m, rad] on the field
@@ -79,4 +79,4 @@ class ParticleFilter {
 /// The cluster begins with the heaviest particle and moves to the mean within 0.5 m and 30 degrees around it, three times.
 [[nodiscard]] PoseEstimate estimate(std::span<const Particle> particles) noexcept;
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

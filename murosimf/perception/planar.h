@@ -5,7 +5,7 @@
 
 #include "murosimf/math/vec3.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 
 /// [rad] The same direction, from -pi to pi.
 [[nodiscard]] inline double wrapped(double angle) noexcept { return std::remainder(angle, 2 * pi); }
@@ -28,4 +28,4 @@ namespace murosimf::control {
   return {place.x, place.y, wrapped(pose.z + step.z)};
 }
 
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

@@ -8,11 +8,11 @@
 namespace murosimf::render {
 namespace {
 
-using sensors::Rgb;
+using imaging::Rgb;
 
 template <class Pixel, class Map>
-sensors::ColorImage mapped(const sensors::Image<Pixel>& image, const Map& map) {
-  sensors::ColorImage colors(image.width(), image.height());
+imaging::ColorImage mapped(const imaging::Image<Pixel>& image, const Map& map) {
+  imaging::ColorImage colors(image.width(), image.height());
   std::ranges::transform(image.pixels(), colors.pixels().begin(), map);
   return colors;
 }
@@ -31,7 +31,7 @@ Rgb color_of(std::uint16_t label) {
 
 }  // namespace
 
-sensors::ColorImage shown(const sensors::DepthImage& depth) {
+imaging::ColorImage shown(const imaging::DepthImage& depth) {
   float nearest = INFINITY;
   for (const float z : depth.pixels()) {
     if (z > 0) nearest = std::min(nearest, z);
@@ -43,9 +43,9 @@ sensors::ColorImage shown(const sensors::DepthImage& depth) {
   });
 }
 
-sensors::ColorImage shown(const sensors::LabelImage& labels) { return mapped(labels, color_of); }
+imaging::ColorImage shown(const imaging::LabelImage& labels) { return mapped(labels, color_of); }
 
-sensors::ColorImage shown(const sensors::GrayImage& mosaic) {
+imaging::ColorImage shown(const imaging::GrayImage& mosaic) {
   return mapped(mosaic, [](std::uint8_t value) { return Rgb{value, value, value}; });
 }
 

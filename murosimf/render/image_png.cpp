@@ -6,10 +6,10 @@
 
 namespace murosimf::render {
 
-std::string image_png(const sensors::ColorImage& image) {
+std::string image_png(const imaging::ColorImage& image) {
   std::vector<std::uint32_t> pixels;
   pixels.reserve(image.pixels().size());
-  for (const sensors::Rgb& p : image.pixels()) {
+  for (const imaging::Rgb& p : image.pixels()) {
     pixels.push_back(static_cast<std::uint32_t>(p.red) << 16 | static_cast<std::uint32_t>(p.green) << 8 | p.blue);
   }
   const SurfacePtr surface(cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels.data()),

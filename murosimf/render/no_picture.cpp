@@ -18,7 +18,7 @@ std::string field_picture_png(const Markings& /*markings*/, const std::vector<Pa
   refuse();
 }
 
-std::string image_png(const sensors::ColorImage& /*image*/) { refuse(); }
+std::string image_png(const imaging::ColorImage& /*image*/) { refuse(); }
 
 View view_of(const View& /*axes*/, const std::vector<ViewedShape>& /*shapes*/, int /*columns*/, int /*rows*/) {
   refuse();

@@ -9,31 +9,33 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 namespace {
 
 using geometry::PrimitiveKind;
 
-std::set<std::string> meshes_of_files(const RobotDraft& draft) {
+std::set<std::string> meshes_of_files(const description::RobotDraft& draft) {
   std::set<std::string> names;
-  for (const DraftMesh& mesh : draft.meshes) {
+  for (const description::DraftMesh& mesh : draft.meshes) {
     if (!mesh.file.empty()) names.insert(mesh.name);
   }
   return names;
 }
 
 /// The mesh itself, to be looked at.
-DraftVisual visual_of(const DraftShape& shape) {
-  const Place place = inside({shape.placed.position, shape.placed.orientation}, {-shape.middle, {}});
+description::DraftVisual visual_of(const description::DraftShape& shape) {
+  const description::Place place =
+      description::inside({shape.placed.position, shape.placed.orientation}, {-shape.middle, {}});
   return {"", shape.where, shape.mesh, place, shape.placed.color};
 }
 
-bool shows(const DraftBody& body, const std::string& mesh) {
-  return std::ranges::any_of(body.visuals, [&](const DraftVisual& visual) { return visual.mesh == mesh; });
+bool shows(const description::DraftBody& body, const std::string& mesh) {
+  return std::ranges::any_of(body.visuals, [&](const description::DraftVisual& visual) { return visual.mesh == mesh; });
 }
 
-void replace(DraftShape& shape, const geometry::FittedPrimitive& fitted) {
-  const Place place = inside({shape.placed.position, shape.placed.orientation}, {fitted.position, fitted.orientation});
+void replace(description::DraftShape& shape, const geometry::FittedPrimitive& fitted) {
+  const description::Place place =
+      description::inside({shape.placed.position, shape.placed.orientation}, {fitted.position, fitted.orientation});
   shape.placed.shape = fitted.shape;
   shape.placed.position = place.position;
   shape.placed.orientation = place.orientation;
@@ -43,11 +45,11 @@ void replace(DraftShape& shape, const geometry::FittedPrimitive& fitted) {
 
 class Fitter {
  public:
-  Fitter(const RobotDraft& draft, PrimitiveKind kind) : kind_(kind), files_(meshes_of_files(draft)) {}
+  Fitter(const description::RobotDraft& draft, PrimitiveKind kind) : kind_(kind), files_(meshes_of_files(draft)) {}
 
-  void fit(DraftBody& body) {
-    std::vector<DraftVisual> visuals;
-    for (DraftShape& shape : body.shapes) {
+  void fit(description::DraftBody& body) {
+    std::vector<description::DraftVisual> visuals;
+    for (description::DraftShape& shape : body.shapes) {
       const auto* convex = std::get_if<Convex>(&shape.placed.shape);
       if (!convex) continue;
       const bool first_part =
@@ -73,9 +75,9 @@ class Fitter {
 
 }  // namespace
 
-std::vector<MeshFit> fit_meshes(RobotDraft& draft, PrimitiveKind kind) {
+std::vector<MeshFit> fit_meshes(description::RobotDraft& draft, PrimitiveKind kind) {
   Fitter fitter(draft, kind);
-  for (DraftBody& body : draft.bodies) fitter.fit(body);
+  for (description::DraftBody& body : draft.bodies) fitter.fit(body);
   return fitter.fits;
 }
 
@@ -91,4 +93,4 @@ PrimitiveKind primitive_kind(const std::string& name) {
   throw SetupError(unknown_name("kind of primitive", name, known));
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

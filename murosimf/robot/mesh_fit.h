@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/geometry/primitive_fit.h"
 #include "murosimf/description/robot_draft.h"
+#include "murosimf/geometry/primitive_fit.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 
 /// One convex part of a mesh, and what stands for it now.
 struct MeshFit {
@@ -18,9 +18,9 @@ struct MeshFit {
 
 /// Every convex part of a mesh becomes a primitive of the volume of its hull, which is what contact saw before. A mesh of a
 /// file stays to be looked at, unless its body shows it already. Of several parts the first keeps the name.
-std::vector<MeshFit> fit_meshes(RobotDraft& draft, geometry::PrimitiveKind kind);
+std::vector<MeshFit> fit_meshes(description::RobotDraft& draft, geometry::PrimitiveKind kind);
 
 /// "sphere", "capsule", "cylinder", "box" or "best". Throws SetupError for others.
 [[nodiscard]] geometry::PrimitiveKind primitive_kind(const std::string& name);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

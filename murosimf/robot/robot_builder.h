@@ -9,14 +9,14 @@
 #pragma once
 
 #include "murosimf/description/robot_draft.h"
-#include "murosimf/robot/robot_table.h"
 #include "murosimf/model/model.h"
+#include "murosimf/robot/robot_table.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 
 /// Takes servos, soles and surfaces of the table, which win over those of the file. Bodies without joints should be
 /// welded and soles placed before (robot_weld.h, robot_roles.h). Renamed and massless bodies are lines in the draft's warnings.
 /// Throws SetupError, with the place in the file, for what Model refuses.
-[[nodiscard]] ModelPtr build_model(RobotDraft& draft, const RobotTable& table);
+[[nodiscard]] ModelPtr build_model(description::RobotDraft& draft, const RobotTable& table);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

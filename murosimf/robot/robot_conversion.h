@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/robot/mesh_fit.h"
 #include "murosimf/description/reader_options.h"
+#include "murosimf/robot/mesh_fit.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 
 struct ConversionOptions {
   std::filesystem::path folder{};                ///< where the new file will stand
   std::optional<geometry::PrimitiveKind> fit{};  ///< what meshes that collide become; nothing: they stay
-  ReaderOptions reader{};
+  description::ReaderOptions reader{};
 };
 
 struct RobotConversion {
@@ -31,4 +31,4 @@ struct RobotConversion {
 /// Throws SetupError for everything that keeps the file from becoming a model (robot_reader.h).
 [[nodiscard]] RobotConversion convert_robot(const std::filesystem::path& file, const ConversionOptions& options = {});
 
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

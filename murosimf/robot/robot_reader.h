@@ -7,11 +7,11 @@
 
 #include "murosimf/description/reader_options.h"
 #include "murosimf/description/robot_draft.h"
-#include "murosimf/robot/robot_table.h"
 #include "murosimf/model/model.h"
+#include "murosimf/robot/robot_table.h"
 #include "murosimf/sensors/sensor_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 
 struct RobotFile {
   ModelPtr model;
@@ -20,10 +20,10 @@ struct RobotFile {
   std::vector<std::string> notes;  ///< one line each: file:line: what means nothing here
   RobotTable table;                ///< of the TOML file, completed by what was guessed (robot_roles.h)
   std::vector<sensors::SensorSpec> sensors;  ///< that it carries
-  RobotDraft draft;                          ///< what the model was made of; bodies without joints are welded
+  description::RobotDraft draft;             ///< what the model was made of; bodies without joints are welded
 };
 
 /// The root element tells the format. Throws SetupError: file, line, what is wrong, what to do.
-[[nodiscard]] RobotFile read_robot(const std::filesystem::path& file, const ReaderOptions& options = {});
+[[nodiscard]] RobotFile read_robot(const std::filesystem::path& file, const description::ReaderOptions& options = {});
 
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

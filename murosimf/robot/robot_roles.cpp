@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot/robot_soles.h"
 #include "murosimf/components/servo_sections.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot/robot_soles.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 namespace {
 
 constexpr double full_torque_bend = 0.1;   // [rad] a guessed servo gives all it has at this error
@@ -29,12 +29,12 @@ bool contains(const std::string& text, std::string_view part) { return lower(tex
 /// The body that has a frame or is called `name`, and the frame.
 struct Found {
   std::size_t body = 0;
-  DraftFrame* frame = nullptr;
+  description::DraftFrame* frame = nullptr;
 };
 
-std::optional<Found> find_place(RobotDraft& draft, const std::string& name) {
+std::optional<Found> find_place(description::RobotDraft& draft, const std::string& name) {
   for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
-    for (DraftFrame& frame : draft.bodies[i].frames) {
+    for (description::DraftFrame& frame : draft.bodies[i].frames) {
       if (frame.name == name) return Found{i, &frame};
     }
   }
@@ -45,24 +45,25 @@ std::optional<Found> find_place(RobotDraft& draft, const std::string& name) {
 }
 
 /// A sole on the body, under its shapes; its name is `name` with ".sole".
-bool add_sole(RobotDraft& draft, const Found& foot, const std::string& name) {
+bool add_sole(description::RobotDraft& draft, const Found& foot, const std::string& name) {
   const Mat3d axes = foot.frame ? foot.frame->place.orientation : Mat3d{};
   auto sole = sole_under(draft, foot.body, name + ".sole", axes);
   if (sole) draft.bodies[foot.body].frames.push_back(*std::move(sole));
   return sole.has_value();
 }
 
-bool has_sole_site(const RobotDraft& draft) {
-  return std::ranges::any_of(draft.bodies, [](const DraftBody& body) {
-    return std::ranges::any_of(body.frames, [](const DraftFrame& f) { return f.box && f.name.ends_with("sole"); });
+bool has_sole_site(const description::RobotDraft& draft) {
+  return std::ranges::any_of(draft.bodies, [](const description::DraftBody& body) {
+    return std::ranges::any_of(body.frames,
+                               [](const description::DraftFrame& f) { return f.box && f.name.ends_with("sole"); });
   });
 }
 
 /// Frames that are called soles and have no rectangle.
-std::vector<std::string> sole_frames(const RobotDraft& draft) {
+std::vector<std::string> sole_frames(const description::RobotDraft& draft) {
   std::vector<std::string> names;
-  for (const DraftBody& body : draft.bodies) {
-    for (const DraftFrame& frame : body.frames) {
+  for (const description::DraftBody& body : draft.bodies) {
+    for (const description::DraftFrame& frame : body.frames) {
       if (lower(frame.name).ends_with("sole")) names.push_back(frame.name);
     }
   }
@@ -70,7 +71,7 @@ std::vector<std::string> sole_frames(const RobotDraft& draft) {
 }
 
 /// Left before right, of four the front ones first.
-void sort_feet(RobotDraft& draft, std::vector<std::string>& feet) {
+void sort_feet(description::RobotDraft& draft, std::vector<std::string>& feet) {
   const auto places = body_places(draft);
   const auto place = [&](const std::string& foot) { return places[find_place(draft, foot)->body].position; };
   const auto left_first = [&](const auto& a, const auto& b) { return place(a).y > place(b).y; };
@@ -81,7 +82,7 @@ void sort_feet(RobotDraft& draft, std::vector<std::string>& feet) {
   std::sort(feet.begin(), feet.begin() + 2, left_first);
 }
 
-void guess_soles(RobotDraft& draft, RobotTable& table) {
+void guess_soles(description::RobotDraft& draft, RobotTable& table) {
   if (!table.soles.empty() || has_sole_site(draft)) return;
   std::vector<std::string> feet = sole_frames(draft);
   std::erase_if(feet, [&](const std::string& foot) { return !sole_under(draft, find_place(draft, foot)->body, foot); });
@@ -95,13 +96,13 @@ void guess_soles(RobotDraft& draft, RobotTable& table) {
       fmt::format("{}: guessed: the soles are under {}", draft.bodies[0].where, fmt::join(feet, ", ")));
 }
 
-bool is_joint(const RobotDraft& draft, const std::string& name) {
-  return std::ranges::any_of(draft.bodies, [&](const DraftBody& body) {
-    return std::ranges::find(body.joints, name, &DraftJoint::name) != body.joints.end();
+bool is_joint(const description::RobotDraft& draft, const std::string& name) {
+  return std::ranges::any_of(draft.bodies, [&](const description::DraftBody& body) {
+    return std::ranges::find(body.joints, name, &description::DraftJoint::name) != body.joints.end();
   });
 }
 
-void take_frame(RobotDraft& draft, RobotTable& table, const std::string& role, const std::string& name) {
+void take_frame(description::RobotDraft& draft, RobotTable& table, const std::string& role, const std::string& name) {
   const bool taken = table.frames.contains(role) || table.joints.contains(role) || find_place(draft, role) ||
                      is_joint(draft, role) || role == draft.base_joint;
   if (name.empty() || name == role || taken) return;
@@ -110,28 +111,28 @@ void take_frame(RobotDraft& draft, RobotTable& table, const std::string& role, c
 }
 
 /// The first frame or body with `word` in its name; one with `better`, too, is preferred.
-std::string name_with(const RobotDraft& draft, std::string_view word, std::string_view better) {
+std::string name_with(const description::RobotDraft& draft, std::string_view word, std::string_view better) {
   std::string found;
   const auto look_at = [&](const std::string& name) {
     if (!contains(name, word)) return;
     if (found.empty() || (!contains(found, better) && contains(name, better))) found = name;
   };
-  for (const DraftBody& body : draft.bodies) {
-    for (const DraftFrame& frame : body.frames) look_at(frame.name);
+  for (const description::DraftBody& body : draft.bodies) {
+    for (const description::DraftFrame& frame : body.frames) look_at(frame.name);
   }
-  for (const DraftBody& body : draft.bodies) look_at(body.name);
+  for (const description::DraftBody& body : draft.bodies) look_at(body.name);
   return found;
 }
 
-std::string frame_of_sensor(RobotDraft& draft, std::string_view kind) {
-  for (const DraftSensor& sensor : draft.sensors) {
+std::string frame_of_sensor(description::RobotDraft& draft, std::string_view kind) {
+  for (const description::DraftSensor& sensor : draft.sensors) {
     if (sensor.kind == kind && sensor.obstacle.empty() && find_place(draft, sensor.frame)) return sensor.frame;
   }
   return {};
 }
 
 /// The last body on each side whose name says hand, gripper or wrist.
-void guess_hands(RobotDraft& draft, RobotTable& table) {
+void guess_hands(description::RobotDraft& draft, RobotTable& table) {
   const auto places = body_places(draft);
   std::map<std::string, std::string> hands;
   for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
@@ -144,7 +145,7 @@ void guess_hands(RobotDraft& draft, RobotTable& table) {
   for (const auto& [role, name] : hands) take_frame(draft, table, role, name);
 }
 
-void guess_frames(RobotDraft& draft, RobotTable& table) {
+void guess_frames(description::RobotDraft& draft, RobotTable& table) {
   std::string imu = frame_of_sensor(draft, "gyro");
   if (imu.empty()) imu = frame_of_sensor(draft, "imu");
   take_frame(draft, table, "imu", imu.empty() ? name_with(draft, "imu", "imu_") : imu);
@@ -154,16 +155,16 @@ void guess_frames(RobotDraft& draft, RobotTable& table) {
 }
 
 /// [N m | N] that the file gives for whatever moves the joint; 0: nothing.
-double largest_torque(const DraftJoint& joint) {
+double largest_torque(const description::DraftJoint& joint) {
   if (joint.servo && joint.servo->stall_torque > 0) return joint.servo->stall_torque;
   return joint.effort_limit;
 }
 
 bool has_gain(const Servo& servo) { return servo.position_gain > 0 || servo.velocity_gain > 0; }
 
-void guess_servo(DraftJoint& joint) {
+void guess_servo(description::DraftJoint& joint) {
   Servo servo;
-  servo.type = guessed_servo;
+  servo.type = components::guessed_servo;
   servo.law = "ideal_pd";
   servo.stall_torque = largest_torque(joint);
   servo.no_load_rate = joint.rate_limit;
@@ -172,12 +173,12 @@ void guess_servo(DraftJoint& joint) {
   joint.servo = servo;
 }
 
-void guess_servos(RobotDraft& draft, const RobotTable& table) {
+void guess_servos(description::RobotDraft& draft, const RobotTable& table) {
   std::set<std::string> followers;
-  for (const DraftMimic& mimic : draft.mimics) followers.insert(mimic.joint);
+  for (const description::DraftMimic& mimic : draft.mimics) followers.insert(mimic.joint);
   int guessed = 0;
-  for (DraftBody& body : draft.bodies) {
-    for (DraftJoint& joint : body.joints) {
+  for (description::DraftBody& body : draft.bodies) {
+    for (description::DraftJoint& joint : body.joints) {
       const bool driven = (joint.servo && has_gain(*joint.servo)) || table.servos.contains(joint.name);
       if (driven || followers.contains(joint.name) || !(largest_torque(joint) > 0)) continue;
       guess_servo(joint);
@@ -197,7 +198,7 @@ std::string soles_toml(const RobotTable& table) {
   const auto& feet = table.soles.size() == 4 ? four : two;
   std::string text = "[soles]  # box sites at the bottoms of the feet, or the feet themselves\n";
   for (std::size_t i = 0; i < std::min(feet.size(), table.soles.size()); ++i) {
-    text += fmt::format("{} = {}\n", feet[i], quoted(table.soles[i].name));
+    text += fmt::format("{} = {}\n", feet[i], components::quoted(table.soles[i].name));
   }
   return table.soles.empty() ? "" : text + "\n";
 }
@@ -205,13 +206,14 @@ std::string soles_toml(const RobotTable& table) {
 std::string frames_toml(const RobotTable& table) {
   if (table.frames.empty()) return {};
   std::string text = "[frames]  # other names for frames, bodies and joints\n";
-  for (const auto& [role, frame] : table.frames) text += fmt::format("{} = {}\n", quoted(role), quoted(frame.name));
+  for (const auto& [role, frame] : table.frames)
+    text += fmt::format("{} = {}\n", components::quoted(role), components::quoted(frame.name));
   return text + "\n";
 }
 
 }  // namespace
 
-void place_soles(RobotDraft& draft, RobotTable& table) {
+void place_soles(description::RobotDraft& draft, RobotTable& table) {
   for (const TableName& sole : table.soles) {
     const auto found = find_place(draft, sole.name);
     const bool placed = found && found->frame && found->frame->box;
@@ -223,19 +225,19 @@ void place_soles(RobotDraft& draft, RobotTable& table) {
   }
 }
 
-void guess_roles(RobotDraft& draft, RobotTable& table) {
+void guess_roles(description::RobotDraft& draft, RobotTable& table) {
   guess_soles(draft, table);
   guess_frames(draft, table);
   guess_servos(draft, table);
 }
 
-std::string roles_toml(const RobotDraft& draft, const RobotTable& table) {
+std::string roles_toml(const description::RobotDraft& draft, const RobotTable& table) {
   const std::string head = fmt::format(
       "# What the file of {} cannot say, partly guessed (docs/robots.md): correct it. Servos are on the output side "
       "of\n"
       "# the gear, SI units; instead of numbers, the type of a ready-made one will do: type = \"mx64\".\n\n",
-      one_line(draft.name));
-  return head + soles_toml(table) + frames_toml(table) + servo_sections(draft);
+      files::one_line(draft.name));
+  return head + soles_toml(table) + frames_toml(table) + components::servo_sections(draft);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

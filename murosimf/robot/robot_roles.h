@@ -9,19 +9,19 @@
 #include "murosimf/description/robot_draft.h"
 #include "murosimf/robot/robot_table.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 
 /// Gives every sole of the table a frame with a rectangle: a foot, or a frame without a box, gets one under the shapes of
 /// its body. Throws SetupError, at the table's line, if there is none. To be called after the welding.
-void place_soles(RobotDraft& draft, RobotTable& table);
+void place_soles(description::RobotDraft& draft, RobotTable& table);
 
 /// Completes `table` and `draft` where both are silent:
 ///   soles    frames called "...sole", else the two or four feet that the robot stands on in the pose of the file
 ///   frames   imu, camera, left_hand, right_hand: by the names of frames, sensors and bodies
 ///   servos   law ideal_pd with the file's largest torque F and rate: gain F / 0.1 rad, damping 0.05 s of it
-void guess_roles(RobotDraft& draft, RobotTable& table);
+void guess_roles(description::RobotDraft& draft, RobotTable& table);
 
 /// Soles, frames and servos as the TOML file that would stand beside the robot.
-[[nodiscard]] std::string roles_toml(const RobotDraft& draft, const RobotTable& table);
+[[nodiscard]] std::string roles_toml(const description::RobotDraft& draft, const RobotTable& table);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

@@ -9,7 +9,7 @@
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 namespace {
 
 using sensors::SensorSpec;
@@ -56,12 +56,13 @@ const Kind* find_kind(std::string_view name) {
 }
 
 /// A name that can stand in a path, and that no other sensor has.
-std::string free_name(const DraftSensor& sensor, const std::string& type, const std::vector<SensorSpec>& others) {
+std::string free_name(const description::DraftSensor& sensor, const std::string& type,
+                      const std::vector<SensorSpec>& others) {
   std::string name = sensor.name.empty() ? type : sensor.name;
   std::ranges::replace_if(
       name,
       [](char c) {
-        return !is_sensor_name({&c, 1});
+        return !components::is_sensor_name({&c, 1});
       },
       '_');
   const auto taken = [&](const std::string& free) {
@@ -73,7 +74,7 @@ std::string free_name(const DraftSensor& sensor, const std::string& type, const 
 }
 
 /// The object of the model that a site, body or joint of the file has become (robot_builder.h).
-std::string object_of(const DraftSensor& sensor, const Model& model) {
+std::string object_of(const description::DraftSensor& sensor, const Model& model) {
   if (sensor.object_kind.empty()) return sensor.frame;
   const std::string suffix = sensor.object_kind == "xbody" ? "body" : sensor.object_kind;
   const std::string renamed = sensor.frame + "." + suffix;
@@ -81,7 +82,7 @@ std::string object_of(const DraftSensor& sensor, const Model& model) {
 }
 
 /// Empty: it can be simulated.
-std::string why_not(const DraftSensor& sensor, const Kind* kind, const RobotDraft& draft) {
+std::string why_not(const description::DraftSensor& sensor, const Kind* kind, const description::RobotDraft& draft) {
   if (!kind) return "not simulated";
   if (!sensor.obstacle.empty()) return "not simulated: " + sensor.obstacle;
   const bool of_base = sensor.frame == draft.bodies[0].name;
@@ -89,9 +90,9 @@ std::string why_not(const DraftSensor& sensor, const Kind* kind, const RobotDraf
   return {};
 }
 
-void note(RobotDraft& draft, const DraftSensor& sensor, std::string_view text) {
+void note(description::RobotDraft& draft, const description::DraftSensor& sensor, std::string_view text) {
   if (text.empty()) return;
-  draft.notes.push_back(one_line(
+  draft.notes.push_back(files::one_line(
       fmt::format("{}: sensor {} '{}' at '{}': {}", sensor.where, sensor.kind, sensor.name, sensor.frame, text)));
 }
 
@@ -103,7 +104,7 @@ double rate_of_steps(double rate) {
 }
 
 /// The rate of a camera, with a note where it is not the file's.
-double camera_rate(RobotDraft& draft, const DraftSensor& camera) {
+double camera_rate(description::RobotDraft& draft, const description::DraftSensor& camera) {
   const double rate = rate_of_steps(camera.rate > 0 ? camera.rate : usual_camera_rate);
   if (camera.rate == 0) {
     note(draft, camera, fmt::format("assumed: {:.4g} pictures per second", rate));
@@ -113,7 +114,7 @@ double camera_rate(RobotDraft& draft, const DraftSensor& camera) {
   return rate;
 }
 
-SensorSpec spec_of(const DraftSensor& sensor, const std::string& type, const Model& model) {
+SensorSpec spec_of(const description::DraftSensor& sensor, const std::string& type, const Model& model) {
   SensorSpec spec;
   spec.type = type;
   spec.where = sensor.where;
@@ -133,12 +134,12 @@ SensorSpec spec_of(const DraftSensor& sensor, const std::string& type, const Mod
 void check_frame(const SensorSpec& spec, const Model& model) {
   if (spec.frame.empty() || model.find_object(spec.frame)) return;
   const auto names = model.object_names();
-  throw SetupError(one_line(fmt::format("{}: sensor '{}': {}", spec.where, spec.name,
-                                        unknown_name("frame", spec.frame, {names.begin(), names.end()}))));
+  throw SetupError(files::one_line(fmt::format("{}: sensor '{}': {}", spec.where, spec.name,
+                                               unknown_name("frame", spec.frame, {names.begin(), names.end()}))));
 }
 
 /// Its frame is in the model; else it is an error, or a warning if `lenient`.
-bool has_place(const SensorSpec& spec, const Model& model, bool lenient, RobotDraft& draft) {
+bool has_place(const SensorSpec& spec, const Model& model, bool lenient, description::RobotDraft& draft) {
   try {
     check_frame(spec, model);
   } catch (const SetupError& error) {
@@ -149,9 +150,9 @@ bool has_place(const SensorSpec& spec, const Model& model, bool lenient, RobotDr
   return true;
 }
 
-std::vector<SensorSpec> sensors_of_file(RobotDraft& draft, const Model& model, bool lenient) {
+std::vector<SensorSpec> sensors_of_file(description::RobotDraft& draft, const Model& model, bool lenient) {
   std::vector<SensorSpec> specs;
-  for (DraftSensor& sensor : draft.sensors) {
+  for (description::DraftSensor& sensor : draft.sensors) {
     const Kind* kind = find_kind(sensor.kind);
     const std::string reason = why_not(sensor, kind, draft);
     note(draft, sensor, reason.empty() ? kind->difference : reason);
@@ -168,12 +169,12 @@ std::vector<SensorSpec> sensors_of_file(RobotDraft& draft, const Model& model, b
 
 }  // namespace
 
-std::vector<SensorSpec> sensors_of(RobotDraft& draft, const RobotTable& table, const Model& model,
+std::vector<SensorSpec> sensors_of(description::RobotDraft& draft, const RobotTable& table, const Model& model,
                                    const std::filesystem::path& folder, bool lenient) {
   std::vector<SensorSpec> specs = sensors_of_file(draft, model, lenient);
-  change_sensors(specs, table.sensors, folder);
+  components::change_sensors(specs, table.sensors, folder);
   for (const SensorSpec& spec : specs) check_frame(spec, model);
   return specs;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

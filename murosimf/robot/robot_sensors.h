@@ -27,17 +27,17 @@
 #include <vector>
 
 #include "murosimf/description/robot_draft.h"
-#include "murosimf/robot/robot_table.h"
 #include "murosimf/model/model.h"
+#include "murosimf/robot/robot_table.h"
 #include "murosimf/sensors/sensor_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 
 /// The sensors of the draft, changed by the table's, whose parts may stand in `folder`. Sensors of the file that are not
 /// simulated are lines in the draft's notes. Throws SetupError with the place of a sensor on a frame that the model does
 /// not have; with `lenient` such sensors of the file are lines in its warnings.
-[[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(RobotDraft& draft, const RobotTable& table,
+[[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(description::RobotDraft& draft, const RobotTable& table,
                                                           const Model& model, const std::filesystem::path& folder,
                                                           bool lenient);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

@@ -6,7 +6,7 @@
 
 #include "murosimf/geometry/support.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 namespace {
 
 constexpr double thickness = 0.005;       // [m] what lies so near above the lowest point belongs to the sole
@@ -17,7 +17,7 @@ constexpr int directions = 16;            // around
 constexpr std::size_t joints_of_leg = 3;  // at least; a wheel has fewer
 
 /// Farthest points of a shape downwards and nearly so; `at`: of the shape, in the frame whose -z is down.
-void add_low_points(const Shape& shape, const Place& at, std::vector<Vec3d>& points) {
+void add_low_points(const Shape& shape, const description::Place& at, std::vector<Vec3d>& points) {
   const auto add = [&](const Vec3d& down) {
     const Vec3d local = transposed_times(at.orientation, down);
     points.push_back(at.position + at.orientation * geometry::support(shape, local));
@@ -31,11 +31,12 @@ void add_low_points(const Shape& shape, const Place& at, std::vector<Vec3d>& poi
 }
 
 /// Of all shapes of a body that collide; `place`: of the body in the frame whose -z is down.
-std::vector<Vec3d> low_points(const DraftBody& body, const Place& place) {
+std::vector<Vec3d> low_points(const description::DraftBody& body, const description::Place& place) {
   std::vector<Vec3d> points;
-  for (const DraftShape& shape : body.shapes) {
+  for (const description::DraftShape& shape : body.shapes) {
     const PlacedShape& placed = shape.placed;
-    if (placed.collides) add_low_points(placed.shape, inside(place, {placed.position, placed.orientation}), points);
+    if (placed.collides)
+      add_low_points(placed.shape, description::inside(place, {placed.position, placed.orientation}), points);
   }
   return points;
 }
@@ -64,7 +65,7 @@ Mat3d level_axes(const Mat3d& turn) {
   return {forward, cross(up, forward), up};
 }
 
-std::size_t joints_above(const RobotDraft& draft, std::size_t body) {
+std::size_t joints_above(const description::RobotDraft& draft, std::size_t body) {
   std::size_t count = 0;
   for (int b = static_cast<int>(body); b >= 0; b = draft.bodies[b].parent) count += draft.bodies[b].joints.size();
   return count;
@@ -72,17 +73,17 @@ std::size_t joints_above(const RobotDraft& draft, std::size_t body) {
 
 }  // namespace
 
-std::vector<Place> body_places(const RobotDraft& draft) {
-  std::vector<Place> places;
-  for (const DraftBody& body : draft.bodies) {
-    places.push_back(body.parent < 0 ? Place{} : inside(places[body.parent], body.place));
+std::vector<description::Place> body_places(const description::RobotDraft& draft) {
+  std::vector<description::Place> places;
+  for (const description::DraftBody& body : draft.bodies) {
+    places.push_back(body.parent < 0 ? description::Place{} : description::inside(places[body.parent], body.place));
   }
   return places;
 }
 
-std::optional<DraftFrame> sole_under(const RobotDraft& draft, std::size_t body, const std::string& name,
-                                     const Mat3d& axes) {
-  const Place place = body_places(draft)[body];
+std::optional<description::DraftFrame> sole_under(const description::RobotDraft& draft, std::size_t body,
+                                                  const std::string& name, const Mat3d& axes) {
+  const description::Place place = body_places(draft)[body];
   // axes of the sole to those of the body
   const Mat3d sole_axes = transpose(place.orientation) * level_axes(place.orientation * axes);
   std::vector<Vec3d> points = low_points(draft.bodies[body], {{}, transpose(sole_axes)});
@@ -91,13 +92,13 @@ std::optional<DraftFrame> sole_under(const RobotDraft& draft, std::size_t body, 
   std::erase_if(points, [&](const Vec3d& p) { return p.z > bottom + thickness; });
   const auto [right, left] = std::ranges::minmax(points, {}, &Vec3d::y);
   const auto [back, front] = std::ranges::minmax(points, {}, &Vec3d::x);
-  DraftFrame sole{name, draft.bodies[body].where};
+  description::DraftFrame sole{name, draft.bodies[body].where};
   sole.place = {sole_axes * Vec3d{0.5 * (back.x + front.x), 0.5 * (left.y + right.y), bottom}, sole_axes};
   sole.box = Sole{std::max(least_half, 0.5 * (front.x - back.x)), std::max(least_half, 0.5 * (left.y - right.y))};
   return sole;
 }
 
-std::vector<std::size_t> find_feet(const RobotDraft& draft) {
+std::vector<std::size_t> find_feet(const description::RobotDraft& draft) {
   const auto places = body_places(draft);
   std::vector<double> bottoms;
   for (std::size_t i = 0; i < draft.bodies.size(); ++i)
@@ -111,4 +112,4 @@ std::vector<std::size_t> find_feet(const RobotDraft& draft) {
   return feet;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

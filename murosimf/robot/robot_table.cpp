@@ -8,7 +8,7 @@
 #include "murosimf/components/servo_draft.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 namespace {
 
 /// Fills a RobotTable from the tables of one file.
@@ -31,7 +31,7 @@ class Reader {
       } else if (key == "servos") {
         for (const auto& [name, servo] : table_of(key, value)) read_servo(name, table_of(name, servo));
       } else if (key == "sensors") {
-        table_.sensors = read_sensor_tables(table_of(key, value));
+        table_.sensors = components::read_sensor_tables(table_of(key, value));
       } else {
         unknown("table", key, {"soles", "frames", "joints", "surfaces", "meshes", "servos", "sensors"});
       }
@@ -42,17 +42,17 @@ class Reader {
  private:
   [[noreturn]] void unknown(std::string_view kind, const toml::key& key,
                             const std::vector<std::string_view>& known) const {
-    fail_at(key.source(), unknown_name(kind, key.str(), known));
+    files::fail_at(key.source(), unknown_name(kind, key.str(), known));
   }
 
   const toml::table& table_of(const toml::key& key, const toml::node& node) const {
     if (const auto* table = node.as_table()) return *table;
-    fail_at(key.source(), fmt::format("'{}' must be a table, like [{}]", key.str(), key.str()));
+    files::fail_at(key.source(), fmt::format("'{}' must be a table, like [{}]", key.str(), key.str()));
   }
   [[nodiscard]] TableName name_of(std::string_view key, const toml::node& node) const {
     const auto text = node.value_exact<std::string>();
-    if (!text || text->empty()) fail_at(node.source(), fmt::format("'{}' must be a name in quotes", key));
-    return {*text, where(node.source())};
+    if (!text || text->empty()) files::fail_at(node.source(), fmt::format("'{}' must be a name in quotes", key));
+    return {*text, files::where(node.source())};
   }
 
   void read_soles(const toml::table& soles) {
@@ -72,7 +72,7 @@ class Reader {
       if (key == "default") {
         table_.default_surface = name_of(key, value).name;
       } else {
-        table_.surfaces[std::string(key.str())] = {name_of(key, value).name, where(key.source())};
+        table_.surfaces[std::string(key.str())] = {name_of(key, value).name, files::where(key.source())};
       }
     }
   }
@@ -81,16 +81,16 @@ class Reader {
     for (const auto& [key, value] : meshes) {
       if (key != "part_per_group") unknown("key of [meshes]", key, {"part_per_group"});
       const toml::array* names = value.as_array();
-      if (!names) fail_at(key.source(), "part_per_group must be a list of meshes, like [\"torso\"]");
+      if (!names) files::fail_at(key.source(), "part_per_group must be a list of meshes, like [\"torso\"]");
       for (const toml::node& name : *names) table_.part_per_group.push_back(name_of("part_per_group", name));
     }
   }
 
   void read_servo(const toml::key& name, const toml::table& table) {
-    ServoDraft draft{std::string(name.str())};
+    components::ServoDraft draft{std::string(name.str())};
     if (const toml::node* type = table.get("type")) {
       const TableName ready_made = name_of("type", *type);
-      draft = at(ready_made.where, [&] { return read_servo_draft(ready_made.name, folder_); });
+      draft = at(ready_made.where, [&] { return components::read_servo_draft(ready_made.name, folder_); });
     }
     draft.take(table, {"type", "joints"});
     give_to_joints(draft.finish(name.str(), name.source()), name, table);
@@ -98,13 +98,13 @@ class Reader {
 
   void give_to_joints(const Servo& servo, const toml::key& name, const toml::table& table) {
     const toml::array* joints = table["joints"].as_array();
-    if (!joints) fail_at(name.source(), fmt::format("servo '{}' needs joints = [\"...\"]", name.str()));
+    if (!joints) files::fail_at(name.source(), fmt::format("servo '{}' needs joints = [\"...\"]", name.str()));
     for (const toml::node& node : *joints) {
       const auto [joint, place] = name_of("joints", node);
       const auto [entry, fresh] = table_.servos.emplace(joint, TableServo{servo, place});
       if (!fresh) {
-        fail_at(node.source(), fmt::format("joint '{}' has servo '{}' already ({}); keep one", joint,
-                                           entry->second.servo.type, entry->second.where));
+        files::fail_at(node.source(), fmt::format("joint '{}' has servo '{}' already ({}); keep one", joint,
+                                                  entry->second.servo.type, entry->second.where));
       }
     }
   }
@@ -131,7 +131,7 @@ bool RobotTable::is_sole(const std::string& frame) const {
 }
 
 RobotTable read_robot_table(const std::filesystem::path& file) {
-  return Reader(file.parent_path()).read(parse_toml_file(file));
+  return Reader(file.parent_path()).read(files::parse_toml_file(file));
 }
 
 RobotTable read_table_beside(const std::filesystem::path& model_file) {
@@ -154,4 +154,4 @@ void check_names(const RobotTable& table, const RobotNames& names) {
   for (const auto& [alias, joint] : table.joints) check_name(joint, "joint", names.joints);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

@@ -35,7 +35,7 @@
 #include "murosimf/components/sensor_table.h"
 #include "murosimf/model/servo.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 
 /// A name in the table, and where it is written: "robot.toml:3:8".
 struct TableName {
@@ -50,14 +50,14 @@ struct TableServo {
 
 struct RobotTable {
   std::vector<TableName> soles;
-  std::vector<std::string> sole_frames;       ///< where the soles are, once they are placed (robot_roles.h)
-  std::map<std::string, TableName> frames;    ///< frame, body or joint by its other name
-  std::map<std::string, TableName> joints;    ///< joint by its other name
-  std::string default_surface;                ///< empty: none
-  std::map<std::string, TableName> surfaces;  ///< material by body
-  std::map<std::string, TableServo> servos;   ///< by joint
-  std::vector<TableName> part_per_group;      ///< meshes of several convex parts
-  std::vector<SensorTable> sensors;           ///< that it makes, changes or removes
+  std::vector<std::string> sole_frames;          ///< where the soles are, once they are placed (robot_roles.h)
+  std::map<std::string, TableName> frames;       ///< frame, body or joint by its other name
+  std::map<std::string, TableName> joints;       ///< joint by its other name
+  std::string default_surface;                   ///< empty: none
+  std::map<std::string, TableName> surfaces;     ///< material by body
+  std::map<std::string, TableServo> servos;      ///< by joint
+  std::vector<TableName> part_per_group;         ///< meshes of several convex parts
+  std::vector<components::SensorTable> sensors;  ///< that it makes, changes or removes
 
   /// Material of a body: its own or the default.
   [[nodiscard]] const std::string& surface(const std::string& body) const;
@@ -78,4 +78,4 @@ struct RobotNames {
 /// Throws SetupError if the table speaks of a joint, body, frame or mesh that the robot does not have.
 void check_names(const RobotTable& table, const RobotNames& names);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

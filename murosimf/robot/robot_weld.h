@@ -6,8 +6,8 @@
 
 #include "murosimf/description/robot_draft.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 
-void weld_fixed_bodies(RobotDraft& draft);
+void weld_fixed_bodies(description::RobotDraft& draft);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

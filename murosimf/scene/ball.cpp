@@ -6,7 +6,7 @@
 
 #include "murosimf/model/properties.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 ModelPtr ball_model(const BallOptions& options) {
   const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
@@ -26,4 +26,4 @@ ModelPtr ball_model(const BallOptions& options) {
                                                    .with(properties::shapes, Shapes{sphere}));
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -5,7 +5,7 @@
 
 #include "murosimf/model/model.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 struct BallOptions {
   double radius = 0.05;           ///< [m]
@@ -17,4 +17,4 @@ struct BallOptions {
 /// Throws SetupError if radius or mass are not positive.
 [[nodiscard]] ModelPtr ball_model(const BallOptions& options = {});
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

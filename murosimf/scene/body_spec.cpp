@@ -6,7 +6,7 @@
 #include "murosimf/description/mass_properties.h"
 #include "murosimf/model/properties.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 PlacedShape shape_of(const BodySpec& body) {
@@ -28,7 +28,8 @@ ModelPtr body_model(const BodySpec& body) {
                                        Chain{}
                                            .base(body.name)
                                            .with(properties::mass, body.mass)
-                                           .with(properties::inertia, body.mass * unit_inertia(*body.shape))
+                                           .with(properties::inertia,
+                                                 body.mass * description::unit_inertia(*body.shape))
                                            .with(properties::shapes, Shapes{shape_of(body)}));
 }
 
@@ -41,4 +42,4 @@ Chain static_body(const BodySpec& body) {
   return chain.rotation(R, body.name).with(properties::shapes, {shape}).endpoint();
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

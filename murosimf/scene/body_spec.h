@@ -8,7 +8,7 @@
 #include "murosimf/model/model.h"
 #include "murosimf/model/shape.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 struct BodySpec {
   std::string name;
@@ -36,4 +36,4 @@ struct BodySpec {
 /// The same as a branch of the field's model.
 [[nodiscard]] Chain static_body(const BodySpec& body);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -8,7 +8,7 @@
 
 #include "murosimf/files/json_schema.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 constexpr int bar_width = 50;
@@ -64,10 +64,10 @@ std::string to_text(const std::vector<CollisionReport>& reports) {
 std::string to_json(const std::vector<CollisionReport>& reports) {
   toml::array scenes;
   for (const CollisionReport& report : reports) scenes.push_back(table_of(report));
-  const toml::table root{{"schema", json_schema("bench")}, {"scenes", std::move(scenes)}};
+  const toml::table root{{"schema", files::json_schema("bench")}, {"scenes", std::move(scenes)}};
   std::stringstream stream;
   stream << toml::json_formatter(root) << "\n";
   return stream.str();
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

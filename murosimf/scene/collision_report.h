@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 struct CollisionReport {
   static constexpr int bins = 20;
@@ -36,4 +36,4 @@ struct CollisionReport {
 /// worst_share, histogram [], mean_contacts, pairs_us, ground_us, step_us}].
 [[nodiscard]] std::string to_json(const std::vector<CollisionReport>& reports);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -7,7 +7,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 constexpr std::array all_fields{&kid_size_2008, &kid_size_2023};
@@ -140,4 +140,4 @@ ModelPtr field_model(const FieldSize& size, const std::string& ground_material, 
   return std::make_shared<const Model>(std::string(size.name), std::move(chain));
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

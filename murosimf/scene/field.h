@@ -12,7 +12,7 @@
 #include "murosimf/model/model.h"
 #include "murosimf/model/shape.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 /// All in meters.
 struct FieldSize {
@@ -93,4 +93,4 @@ struct GoalBox {
 [[nodiscard]] ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& grain = {},
                                    bool goals = true, const std::vector<Chain>& standing = {});
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

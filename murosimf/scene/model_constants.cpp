@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "murosimf/components/servo_draft.h"
-#include "murosimf/scene/setting_targets.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/setting_targets.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 constexpr std::string_view servo_word = "servo";
@@ -137,7 +137,7 @@ class Changes {
   }
 
   static Servo changed_servo(const Servo& servo, const PropertySetting& setting, const std::string& joint) {
-    ServoDraft draft(servo);
+    components::ServoDraft draft(servo);
     toml::table table;
     table.insert(setting.property, setting.numbers[0]);
     try {
@@ -177,4 +177,4 @@ ModelPtr with_constants(const Model& model, const std::vector<PropertySetting>& 
   return at(ordered.back().where, [&] { return std::make_shared<const Model>(changes.result()); });
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

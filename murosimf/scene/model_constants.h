@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/scene/scene_spec.h"
 #include "murosimf/model/model.h"
+#include "murosimf/scene/scene_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 /// True if the setting means a constant, not a property that changes while a scene runs.
 [[nodiscard]] bool is_constant(const PropertySetting& setting);
@@ -21,4 +21,4 @@ namespace murosimf::io {
 [[nodiscard]] ModelPtr with_constants(const Model& model, const std::vector<PropertySetting>& settings,
                                       std::vector<std::string>& remarks);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -6,7 +6,7 @@
 
 #include "murosimf/locomotion/keyframe_motion.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 /// The file that `name` means: a file NAME.toml here or in `beside`, else the motion of that name in a folder `motions` here,
 /// in `beside` or among those that come with the program. Throws SetupError with the nearest name.
@@ -14,6 +14,6 @@ namespace murosimf::io {
 
 /// Throws SetupError with file:line:column if the file is missing, is not TOML, or has a mistake: columns and values that do
 /// not match, a channel that is set twice, numbers that are not finite, durations that are not positive.
-[[nodiscard]] control::KeyframeMotion read_motion(const std::filesystem::path& file);
+[[nodiscard]] locomotion::KeyframeMotion read_motion(const std::filesystem::path& file);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

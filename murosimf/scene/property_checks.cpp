@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "murosimf/model/properties.h"
+#include "murosimf/motion/servo_law.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/setting_targets.h"
 #include "murosimf/scene/unused_settings.h"
-#include "murosimf/model/properties.h"
-#include "murosimf/motion/servo_law.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 using Numbers = std::span<const double>;
@@ -266,4 +266,4 @@ std::string to_text(const PropertySetting& setting, const Entity& entity) {
   return fmt::format("{} = {}", setting_path(setting, entity), value);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -6,10 +6,10 @@
 
 #include <string>
 
-#include "murosimf/scene/scene_spec.h"
 #include "murosimf/runtime/simulation.h"
+#include "murosimf/scene/scene_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 /// Of one entity, after initialize(). `time` [s]: when it will be set. Throws SetupError if there is no such object or
 /// property, if the numbers are too many, too few or impossible, or if an algorithm would overwrite them. Returns what
@@ -26,4 +26,4 @@ namespace murosimf::io {
 /// "walker.pelvis.applied_force = [0, 20, 0, 0, 0, 0]"
 [[nodiscard]] std::string to_text(const PropertySetting& setting, const Entity& entity);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

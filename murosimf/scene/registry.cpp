@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <array>
 
+#include "murosimf/behavior/ball_chaser.h"
+#include "murosimf/behavior/localize.h"
+#include "murosimf/behavior/obstacle_course.h"
 #include "murosimf/collision/implicit_stick.h"
 #include "murosimf/collision/kelvin_voigt.h"
 #include "murosimf/collision/paper_law.h"
 #include "murosimf/locomotion/ankle_strategy.h"
-#include "murosimf/behavior/ball_chaser.h"
 #include "murosimf/locomotion/drive.h"
 #include "murosimf/locomotion/keyframe_player.h"
-#include "murosimf/behavior/localize.h"
-#include "murosimf/behavior/obstacle_course.h"
 #include "murosimf/locomotion/trot.h"
 #include "murosimf/locomotion/walk_engine.h"
 #include "murosimf/motion/articulated_dynamics.h"
@@ -19,7 +19,7 @@
 #include "murosimf/motion/kinematic_walking.h"
 #include "murosimf/sensors/ground_truth.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 std::unique_ptr<MotionLevel> make_kinematic_walking(Setup& setup, const LevelOptions& options) {
@@ -45,57 +45,57 @@ std::unique_ptr<MotionLevel> make_articulated_dynamics(Setup& setup, const Level
 void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
 
 void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, options.command);
+  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz, options.command);
 }
 
 void attach_balance(Simulation& simulation, Entity& robot, const ControllerOptions&) {
-  simulation.attach<control::AnkleStrategy>("ankle_strategy", robot, control::AnkleStrategy::rate_hz);
+  simulation.attach<locomotion::AnkleStrategy>("ankle_strategy", robot, locomotion::AnkleStrategy::rate_hz);
 }
 
 void attach_keyframes(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   if (!options.motion) throw SetupError("controller 'keyframes' needs a motion: motion = \"get_up_front\"");
-  simulation.attach<control::KeyframePlayer>("keyframe_player", robot, control::KeyframePlayer::rate_hz,
-                                             *options.motion);
+  simulation.attach<locomotion::KeyframePlayer>("keyframe_player", robot, locomotion::KeyframePlayer::rate_hz,
+                                                *options.motion);
 }
 
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
-  simulation.attach<control::Drive>("drive", car, control::Drive::rate_hz, options.command);
+  simulation.attach<locomotion::Drive>("drive", car, locomotion::Drive::rate_hz, options.command);
 }
 
 void attach_trot(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  simulation.attach<control::Trot>("trot", robot, control::Trot::rate_hz, options.command);
+  simulation.attach<locomotion::Trot>("trot", robot, locomotion::Trot::rate_hz, options.command);
 }
 
 void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  using control::BallChaser;
-  const control::BallChaserOptions chaser{.goal = {options.attacks * options.half_field.x, 0, 0},
-                                          .half_field = options.half_field};
+  using behavior::BallChaser;
+  const behavior::BallChaserOptions chaser{.goal = {options.attacks * options.half_field.x, 0, 0},
+                                           .half_field = options.half_field};
   if (!sensors::find_reading(robot, "ground_truth")) {
     const sensors::SensorSpec truth{.name = "ground_truth", .type = "ground_truth", .rate = BallChaser::rate_hz};
     simulation.attach<sensors::GroundTruth>("ground_truth", robot, BallChaser::rate_hz, truth,
                                             sensors::SensorSurroundings{.movers = options.everybody});
   }
   simulation.attach<BallChaser>("ball_chaser", robot, BallChaser::rate_hz, chaser);
-  simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz);
+  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 
 void attach_localize(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   const double x = 0.5 * options.half_field.x, y = 0.45 * options.half_field.y;
-  const control::LocalizeOptions localize{.markings = options.markings,
-                                          .start = options.start,
-                                          .way = {{0, -y, 0}, {x, 0, 0}, {0, y, 0}, {-x, 0, 0}},
-                                          .seed = options.seed};
-  simulation.attach<control::Localize>("localize", robot, control::Localize::rate_hz, localize);
-  simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz);
+  const behavior::LocalizeOptions localize{.markings = options.markings,
+                                           .start = options.start,
+                                           .way = {{0, -y, 0}, {x, 0, 0}, {0, y, 0}, {-x, 0, 0}},
+                                           .seed = options.seed};
+  simulation.attach<behavior::Localize>("localize", robot, behavior::Localize::rate_hz, localize);
+  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 
 void attach_obstacle_course(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  using control::ObstacleCourse;
-  const control::ObstacleCourseOptions course{.start = options.start,
-                                              .goal_x = options.attacks * options.half_field.x,
-                                              .half_width = options.half_field.y};
+  using behavior::ObstacleCourse;
+  const behavior::ObstacleCourseOptions course{.start = options.start,
+                                               .goal_x = options.attacks * options.half_field.x,
+                                               .half_width = options.half_field.y};
   simulation.attach<ObstacleCourse>("obstacle_course", robot, ObstacleCourse::rate_hz, course);
-  simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz);
+  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 
 Vec3d clipped_command(const Vec3d& v, const Vec3d& fastest) {
@@ -104,15 +104,15 @@ Vec3d clipped_command(const Vec3d& v, const Vec3d& fastest) {
 }
 
 Vec3d walks_at(const Model& model, const Vec3d& command) {
-  return clipped_command(command, control::seeded_parameters(control::find_legs(model)).fastest);
+  return clipped_command(command, locomotion::seeded_parameters(locomotion::find_legs(model)).fastest);
 }
 
 Vec3d trots_at(const Model& model, const Vec3d& command) {
-  return clipped_command(command, control::seeded_trot(model, control::find_four_legs(model)).fastest);
+  return clipped_command(command, locomotion::seeded_trot(model, locomotion::find_four_legs(model)).fastest);
 }
 
 Vec3d drives_at(const Model& model, const Vec3d& command) {
-  const control::Vehicle car = control::find_vehicle(model);
+  const locomotion::Vehicle car = locomotion::find_vehicle(model);
   if (std::abs(command.x) < 1e-3) return {command.x, 0, 0};  // a car does not turn on the spot
   const double curvature = std::clamp(command.z / command.x, car.least_curvature, car.greatest_curvature);
   return {command.x, 0, command.x * curvature};
@@ -198,4 +198,4 @@ std::span<const Level> levels() { return level_entries; }
 std::span<const Contact> contacts() { return contact_entries; }
 std::span<const Controller> controllers() { return controller_entries; }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

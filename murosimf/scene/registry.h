@@ -12,12 +12,13 @@
 
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/locomotion/keyframe_motion.h"
-#include "murosimf/scene/scene_spec.h"
+#include "murosimf/model/find_entry.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/motion/simplified_dynamics.h"
 #include "murosimf/runtime/simulation.h"
+#include "murosimf/scene/scene_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 /// How a level moves a robot; all levels take the same options and use what concerns them.
 struct LevelOptions {
@@ -48,7 +49,7 @@ struct ControllerOptions {
   Vec3d half_field{3, 2, 0};       ///< [m] from the middle to the touch and goal lines
   double attacks = 1;              ///< +1: the robot's team plays towards positive x, -1: the other way
   Vec3d command;                   ///< [m/s, m/s, rad/s] first walk_command
-  std::optional<control::KeyframeMotion> motion;
+  std::optional<locomotion::KeyframeMotion> motion;
   Vec3d start;             ///< [m, m, rad] x, y and heading that the scene's file gives the robot, without its jitter
   Markings markings;       ///< of the field
   std::uint64_t seed = 1;  ///< of the scene
@@ -71,15 +72,4 @@ struct Controller {
 [[nodiscard]] std::span<const Contact> contacts();
 [[nodiscard]] std::span<const Controller> controllers();
 
-/// The entry with this name, or SetupError with the nearest name. `kind` ("level") is for the message.
-template <class Entry>
-[[nodiscard]] const Entry& find_entry(std::span<const Entry> entries, std::string_view kind, std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const Entry& entry : entries) {
-    if (entry.name == name) return entry;
-    names.push_back(entry.name);
-  }
-  throw SetupError(unknown_name(kind, name, names));
-}
-
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

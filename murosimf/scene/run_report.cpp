@@ -5,7 +5,7 @@
 
 #include "murosimf/files/json_schema.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 using nlohmann::json;
@@ -82,7 +82,7 @@ std::string to_text(const RunReport& report) {
 }
 
 std::string to_json(const RunReport& report) {
-  json root{{"schema", json_schema("run")},
+  json root{{"schema", files::json_schema("run")},
             {"scene", report.scene},
             {"simulated_s", report.simulated},
             {"wall_s", report.wall},
@@ -108,4 +108,4 @@ std::string to_json(const RunReport& report) {
   return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

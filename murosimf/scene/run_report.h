@@ -10,7 +10,7 @@
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/sensors/reading.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 struct EntityReport {
   std::string name, model, level, contact, controller, team;
@@ -59,4 +59,4 @@ struct RunReport {
 /// finite number, algorithms [{name, rate_hz, calls, us_per_call}], events [{time_s, text}], notes [], warnings [].
 [[nodiscard]] std::string to_json(const RunReport& report);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -5,26 +5,26 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/appearance/entity_looks.h"
+#include "murosimf/appearance/viewed_shapes.h"
 #include "murosimf/collision/body_contact.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/files/data_path.h"
-#include "murosimf/appearance/entity_looks.h"
-#include "murosimf/scene/field.h"
-#include "murosimf/scene/model_constants.h"
-#include "murosimf/scene/motion_file.h"
 #include "murosimf/files/output_file.h"
-#include "murosimf/scene/property_checks.h"
-#include "murosimf/scene/registry.h"
-#include "murosimf/robot/robot_reader.h"
-#include "murosimf/appearance/viewed_shapes.h"
 #include "murosimf/motion/odometer.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/render/field_picture.h"
 #include "murosimf/render/renderer.h"
+#include "murosimf/robot/robot_reader.h"
+#include "murosimf/scene/field.h"
+#include "murosimf/scene/model_constants.h"
+#include "murosimf/scene/motion_file.h"
+#include "murosimf/scene/property_checks.h"
+#include "murosimf/scene/registry.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
-    : spec_(read_scene(find_data_file(name.string(), "scenes", ".toml"), options.overrides, options.events,
+    : spec_(read_scene(files::find_data_file(name.string(), "scenes", ".toml"), options.overrides, options.events,
                        options.pushes)),
       options_(options),
       simulation_(std::make_unique<Simulation>(options.threads)) {
@@ -114,8 +114,8 @@ void Scene::scatter_postures() {
 ModelPtr Scene::model(const std::string& name, const std::string& where) {
   RobotKind& known = models_[name];
   if (known.model) return known.model;
-  const auto file = at(where, [&] { return find_data_file(name, "models", ".xml", spec_.file.parent_path()); });
-  RobotFile result = read_robot(file, {.lenient = options_.lenient});
+  const auto file = at(where, [&] { return files::find_data_file(name, "models", ".xml", spec_.file.parent_path()); });
+  robot::RobotFile result = robot::read_robot(file, {.lenient = options_.lenient});
   warnings_.insert(warnings_.end(), result.warnings.begin(), result.warnings.end());
   check_materials(*result.model);
   known = {result.model, std::move(result.sensors)};
@@ -299,7 +299,7 @@ void Scene::write_picture(const std::filesystem::path& file) const {
     path.points = path_of(*entity);
     path.heading = heading(entity->base().get(properties::orientation));
     path.is_ball = entity == ball_;
-    path.number = shirt_number(entity->name());
+    path.number = appearance::shirt_number(entity->name());
     if (path.is_ball) path.size = spec_.ball->options.radius;
     if (const BodySpec* body = body_spec(*entity)) {  // as round things, too
       path.is_ball = true;
@@ -308,9 +308,9 @@ void Scene::write_picture(const std::filesystem::path& file) const {
     paths.push_back(std::move(path));
   }
   const Markings* markings = field_->model().find(properties::markings, 0);
-  write_file(file, render::field_picture_png(*markings, paths,
-                                             {.title = fmt::format("{}: {:.0f} s", spec_.name,
-                                                                   seconds(simulation_->now()))}));
+  files::write_file(file, render::field_picture_png(*markings, paths,
+                                                    {.title = fmt::format("{}: {:.0f} s", spec_.name,
+                                                                          seconds(simulation_->now()))}));
 }
 
 void Scene::write_view(const std::filesystem::path& file) const {
@@ -323,13 +323,13 @@ void Scene::write_view(const std::filesystem::path& file) const {
     view.center = spec.center;
     view.scale = columns / spec.width;
   }
-  std::vector<render::ViewedShape> shapes = viewed_shapes(*field_);
+  std::vector<render::ViewedShape> shapes = appearance::viewed_shapes(*field_);
   for (const Entity* mover : movers_) {
-    const auto more = viewed_shapes(*mover);
+    const auto more = appearance::viewed_shapes(*mover);
     shapes.insert(shapes.end(), more.begin(), more.end());
   }
-  write_file(file, render::scene_view_png(markings, shapes, view,
-                                          fmt::format("{}: {:.2f} s", spec_.name, seconds(simulation_->now()))));
+  files::write_file(file, render::scene_view_png(markings, shapes, view,
+                                                 fmt::format("{}: {:.2f} s", spec_.name, seconds(simulation_->now()))));
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

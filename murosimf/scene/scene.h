@@ -1,8 +1,8 @@
 /// scene.h - a scene file, built and ready to run.
 ///
-///     io::Scene scene("three_on_three");
+///     scene::Scene scene("three_on_three");
 ///     scene.simulation().run(30s);
-///     fmt::print("{}", io::to_text(scene.report()));
+///     fmt::print("{}", scene::to_text(scene.report()));
 #pragma once
 
 #include <filesystem>
@@ -13,18 +13,18 @@
 #include <vector>
 
 #include "murosimf/collision/ground_contact.h"
-#include "murosimf/scene/run_report.h"
-#include "murosimf/scene/scene_spec.h"
 #include "murosimf/math/random.h"
 #include "murosimf/runtime/path_recorder.h"
 #include "murosimf/runtime/simulation.h"
+#include "murosimf/scene/run_report.h"
+#include "murosimf/scene/scene_spec.h"
 #include "murosimf/sensors/sensor.h"
 
 namespace murosimf::render {
 class Renderer;
 }
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 struct SceneOptions {
   int threads = 1;
@@ -163,4 +163,4 @@ class Scene {
   const PathRecorder* recorder_ = nullptr;                    // null: nobody asked for paths
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

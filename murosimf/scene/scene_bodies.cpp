@@ -8,21 +8,21 @@
 #include <fmt/format.h>
 
 #include "murosimf/description/mass_properties.h"
-#include "murosimf/scene/registry.h"
 #include "murosimf/files/toml_color.h"
 #include "murosimf/model/error.h"
+#include "murosimf/scene/registry.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 constexpr double farthest_body = 1e4;  // [m]
 constexpr double largest_body = 1e3;   // [m]
 
-void body_must(bool condition, const TomlTable& table, std::string_view key, std::string_view message) {
+void body_must(bool condition, const files::TomlTable& table, std::string_view key, std::string_view message) {
   if (!condition) throw SetupError(fmt::format("{}: '{}' {}", table.where(key), key, message));
 }
 
-double read_length(const TomlTable& table, std::string_view key, std::string_view meaning) {
+double read_length(const files::TomlTable& table, std::string_view key, std::string_view meaning) {
   double length = 0;
   body_must(table.find(key) != nullptr, table, key, fmt::format("is missing: {}", meaning));
   table.read(key, length);
@@ -30,7 +30,7 @@ double read_length(const TomlTable& table, std::string_view key, std::string_vie
   return length;
 }
 
-Box read_box(const TomlTable& table) {
+Box read_box(const files::TomlTable& table) {
   Vec3d size;
   body_must(table.find("size") != nullptr, table, "size", "is missing: lengths of the box's edges, [x, y, z] in m");
   table.read("size", size);
@@ -40,13 +40,13 @@ Box read_box(const TomlTable& table) {
 }
 
 /// Keys that belong to other shapes are mistakes.
-void refuse_keys(const TomlTable& table, std::string_view shape, std::initializer_list<std::string_view> keys) {
+void refuse_keys(const files::TomlTable& table, std::string_view shape, std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys) {
     body_must(table.find(key) == nullptr, table, key, fmt::format("is nothing that a {} has", shape));
   }
 }
 
-Shape read_round_shape(const TomlTable& table, const std::string& name) {
+Shape read_round_shape(const files::TomlTable& table, const std::string& name) {
   refuse_keys(table, name, {"size"});
   const double radius = read_length(table, "radius", "in m");
   if (name == "sphere") {
@@ -59,7 +59,7 @@ Shape read_round_shape(const TomlTable& table, const std::string& name) {
   return Capsule{radius, 0.5 * length - radius};
 }
 
-Shape read_shape(const TomlTable& table) {
+Shape read_shape(const files::TomlTable& table) {
   std::string name;
   table.read("shape", name);
   const std::vector<std::string_view> known{"box", "sphere", "cylinder", "capsule"};
@@ -71,25 +71,25 @@ Shape read_shape(const TomlTable& table) {
   return read_box(table);
 }
 
-void read_mass(const TomlTable& table, BodySpec& body) {
+void read_mass(const files::TomlTable& table, BodySpec& body) {
   double density = 0;
   table.read("mass", body.mass);
   table.read("density", density);
   const bool has_mass = table.find("mass") != nullptr, has_density = table.find("density") != nullptr;
   body_must(has_mass != has_density, table, has_density ? "density" : "mass",
             has_mass ? "and 'mass' say the same; keep one" : "is missing: in kg, or 'density' in kg/m^3");
-  if (has_density) body.mass = density * volume(*body.shape);
+  if (has_density) body.mass = density * description::volume(*body.shape);
   body_must(body.mass > 0, table, has_density ? "density" : "mass", "must be positive");
 }
 
-double read_degrees(const TomlTable& table, std::string_view key) {
+double read_degrees(const files::TomlTable& table, std::string_view key) {
   double degrees = 0;
   table.read(key, degrees);
   body_must(std::abs(degrees) <= 3600, table, key, "must be between -3600 and 3600");
   return degrees * pi / 180;
 }
 
-void read_place(const TomlTable& table, BodySpec& body) {
+void read_place(const files::TomlTable& table, BodySpec& body) {
   table.read("position", body.position);
   body_must(norm(body.position) <= farthest_body, table, "position", "is further than 10 km away");
   body.heading = read_degrees(table, "heading_deg");
@@ -98,14 +98,14 @@ void read_place(const TomlTable& table, BodySpec& body) {
 }
 
 /// What only bodies have that move.
-void read_motion_of(const TomlTable& table, BodySpec& body) {
+void read_motion_of(const files::TomlTable& table, BodySpec& body) {
   table.read("velocity", body.velocity);
   table.read("angular_velocity", body.angular_velocity);
   table.read("contact", body.contact);
   at(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", body.contact); });
 }
 
-void read_kind(const TomlTable& table, BodySpec& body) {
+void read_kind(const files::TomlTable& table, BodySpec& body) {
   table.read("model", body.model);
   body_must(body.model.empty() != (table.find("shape") == nullptr), table, "shape",
             body.model.empty() ? "is missing: box, sphere, cylinder or capsule; or 'model'"
@@ -121,14 +121,14 @@ void read_kind(const TomlTable& table, BodySpec& body) {
 }
 
 BodySpec read_body(const toml::table& node) {
-  const TomlTable table(node, body_keys());
+  const files::TomlTable table(node, body_keys());
   BodySpec body;
   body.where = table.where();
   table.read("name", body.name);
   body_must(!body.name.empty(), table, "name", "of the body is missing");
   table.read("static", body.is_static);
   read_kind(table, body);
-  body.color = read_color(table, body.color);
+  body.color = files::read_color(table, body.color);
   read_place(table, body);
   if (body.is_static) {
     refuse_keys(table, "static body", {"mass", "density", "velocity", "angular_velocity", "contact"});
@@ -155,11 +155,11 @@ const std::vector<std::string_view>& body_keys() {
   return keys;
 }
 
-void read_bodies(const TomlTable& scene, SceneSpec& spec) {
+void read_bodies(const files::TomlTable& scene, SceneSpec& spec) {
   for (const toml::table* node : scene.tables("bodies")) {
     BodySpec body = read_body(*node);
     if (is_taken(spec, body.name)) {
-      fail_at(node->get("name")->source(), fmt::format("two entities are called '{}'", body.name));
+      files::fail_at(node->get("name")->source(), fmt::format("two entities are called '{}'", body.name));
     }
     spec.bodies.push_back(std::move(body));
   }
@@ -176,4 +176,4 @@ std::vector<toml::table*> bodies_called(toml::table& scene, const std::string& p
   return found;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

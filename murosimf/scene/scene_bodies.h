@@ -10,18 +10,18 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/scene/scene_spec.h"
 #include "murosimf/files/toml_reader.h"
+#include "murosimf/scene/scene_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 /// What may stand in one of the tables.
 [[nodiscard]] const std::vector<std::string_view>& body_keys();
 
 /// Reads them into spec.bodies. Throws SetupError with file:line:column.
-void read_bodies(const TomlTable& scene, SceneSpec& spec);
+void read_bodies(const files::TomlTable& scene, SceneSpec& spec);
 
 /// Tables of the bodies whose names match, with * and ?.
 [[nodiscard]] std::vector<toml::table*> bodies_called(toml::table& scene, const std::string& pattern);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include "murosimf/appearance/entity_looks.h"
+#include "murosimf/render/renderer.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene.h"
-#include "murosimf/render/renderer.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 render::Light light_of(const LightSpec& spec) {
@@ -24,7 +24,7 @@ render::Light light_of(const LightSpec& spec) {
 Scene::~Scene() = default;
 
 std::unique_ptr<render::Renderer> Scene::make_renderer(const LightSpec& light) {
-  LooksLibrary library;
+  appearance::LooksLibrary library;
   auto renderer = std::make_unique<render::Renderer>(
       simulation_->world(), movers_, [&](const Entity& entity) { return library.looks(entity); },
       render::RendererOptions{light_of(light), light.samples});
@@ -46,4 +46,4 @@ sensors::ViewSource* Scene::view_source() {
   return renderer_.get();
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

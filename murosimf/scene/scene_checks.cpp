@@ -6,15 +6,15 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/properties.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/property_checks.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/setting_targets.h"
 #include "murosimf/scene/start_overlaps.h"
 #include "murosimf/scene/unused_settings.h"
-#include "murosimf/model/properties.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 void add_materials(const Model& model, std::set<std::string>& names) {
@@ -129,4 +129,4 @@ void Scene::watch(const PropertySetting& setting, const std::string& entity) {
   });
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -6,7 +6,7 @@
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/scene.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 /// Settings of constants of the entity.
@@ -40,4 +40,4 @@ ModelPtr Scene::model_for(const std::string& entity, const ModelPtr& model) {
   return known;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -6,16 +6,16 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/files/toml_reader.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/motion/servo_law.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene_bodies.h"
 #include "murosimf/scene/scene_overrides.h"
 #include "murosimf/scene/scene_path.h"
 #include "murosimf/scene/setting_targets.h"
-#include "murosimf/files/toml_reader.h"
-#include "murosimf/model/properties.h"
-#include "murosimf/motion/servo_law.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 void check_time(double time, const std::string& where) {
@@ -79,7 +79,7 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
 }
 
 void read_table(toml::table& scene, const toml::table& node, std::vector<SceneEvent>& events) {
-  const TomlTable table(node, {"time", "set"});
+  const files::TomlTable table(node, {"time", "set"});
   double time = -1;
   table.read("time", time);
   std::vector<std::string> texts;
@@ -119,11 +119,12 @@ const std::vector<std::string_view>& exchangeable_keys() {
 
 std::vector<SceneEvent> read_events(toml::table& scene, const std::vector<std::string>& at_options) {
   std::vector<SceneEvent> events;
-  for (const toml::table* event : TomlTable(scene, scene_keys()).tables("events")) read_table(scene, *event, events);
+  for (const toml::table* event : files::TomlTable(scene, scene_keys()).tables("events"))
+    read_table(scene, *event, events);
   for (const std::string& option : at_options) events.push_back(read_option(scene, option));
   std::stable_sort(events.begin(), events.end(),
                    [](const SceneEvent& a, const SceneEvent& b) { return a.time < b.time; });
   return events;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

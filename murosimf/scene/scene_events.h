@@ -14,7 +14,7 @@
 
 #include "murosimf/scene/scene_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 /// Keys of a robot that can change while it runs.
 [[nodiscard]] const std::vector<std::string_view>& exchangeable_keys();
@@ -23,4 +23,4 @@ namespace murosimf::io {
 /// stand, the file's first. Throws SetupError for unknown entities, keys and names of levels and laws.
 [[nodiscard]] std::vector<SceneEvent> read_events(toml::table& scene, const std::vector<std::string>& at_options);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

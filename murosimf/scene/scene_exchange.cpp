@@ -3,15 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/motion/servo_law.h"
+#include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/property_checks.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/setting_targets.h"
-#include "murosimf/motion/servo_law.h"
-#include "murosimf/motion/torque_watch.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 void Scene::schedule_events() {
   const SceneSpec& spec = spec_;
@@ -112,4 +112,4 @@ void Scene::exchange_contact(std::string_view entity, std::string_view law) {
   warn_about(robot, (*mover)->model());
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

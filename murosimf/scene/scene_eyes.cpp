@@ -6,7 +6,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 constexpr double opening = 40 * pi / 180;  // [rad] of what is not the scene's own
@@ -100,4 +100,4 @@ sensors::Perspective eye_perspective(const Scene& scene, const std::string& name
   throw SetupError(unknown_name("view", name, {names.begin(), names.end()}));
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -11,7 +11,7 @@
 #include "murosimf/scene/scene.h"
 #include "murosimf/sensors/view_source.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 /// Names of all places of a scene.
 [[nodiscard]] std::vector<std::string> eye_names(const Scene& scene);
@@ -19,4 +19,4 @@ namespace murosimf::io {
 /// The picture from one of them, as things are now. Throws SetupError with the nearest name if there is none.
 [[nodiscard]] sensors::Perspective eye_perspective(const Scene& scene, const std::string& name, int width, int height);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -10,7 +10,7 @@
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 struct PairNumber {
@@ -32,7 +32,7 @@ double PairSurface::*number_called(std::string_view name) {
 
 double value_of(const Assignment& change) {
   const toml::table parsed = change.parsed();
-  const auto numbers = numbers_of(*parsed.get("value"));
+  const auto numbers = files::numbers_of(*parsed.get("value"));
   if (!numbers || numbers->size() != 1) throw SetupError("the value must be a number");
   return numbers->front();
 }
@@ -103,4 +103,4 @@ void apply_material_changes(const std::vector<MaterialChange>& changes, SceneSpe
   }
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

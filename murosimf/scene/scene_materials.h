@@ -14,7 +14,7 @@
 
 #include "murosimf/scene/scene_path.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 /// One number of pairs of materials; empty names: of all.
 struct MaterialChange {
@@ -33,4 +33,4 @@ struct MaterialChange {
 /// Changes the scene's table, also by its field's friction. Throws SetupError for unknown materials.
 void apply_material_changes(const std::vector<MaterialChange>& changes, SceneSpec& spec);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -9,7 +9,7 @@
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 void Scene::add_field() {
   std::vector<Chain> standing;
@@ -72,4 +72,4 @@ void Scene::warn_about_static_bodies() {
                   fmt::join(walkers, ", ")));
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

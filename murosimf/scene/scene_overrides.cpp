@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/scene/scene_bodies.h"
 #include "murosimf/scene/scene_path.h"
 #include "murosimf/scene/setting_targets.h"
-#include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 void assign(toml::table& table, const std::string& key, const Assignment& o) {
@@ -129,4 +129,4 @@ void apply_override(toml::table& scene, const std::string& override_text, std::v
   }
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -10,7 +10,7 @@
 
 #include "murosimf/scene/scene_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 // What may stand in a scene file.
 [[nodiscard]] const std::vector<std::string_view>& scene_keys();
@@ -21,4 +21,4 @@ namespace murosimf::io {
 /// Applies one override. Settings of properties cannot enter the table; they are appended to `settings`.
 void apply_override(toml::table& scene, const std::string& override_text, std::vector<PropertySetting>& settings);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

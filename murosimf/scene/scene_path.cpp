@@ -10,7 +10,7 @@
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 bool matches(const std::string& pattern, const std::string& name) {
@@ -36,7 +36,7 @@ std::vector<toml::table*> all_robots(toml::table& scene) {
 }  // namespace
 
 toml::table Assignment::parsed() const {
-  check_toml_bounds(value, where);
+  files::check_toml_bounds(value, where);
   try {
     return toml::parse("value = " + value, where);
   } catch (const toml::parse_error&) {
@@ -116,7 +116,7 @@ std::vector<double> named_force(const toml::table& table) {
     if (!force && key.str() != "moment") {
       throw SetupError(unknown_name("part of a force", key.str(), {"force", "moment"}));
     }
-    const auto three = node.is_array() ? numbers_of(node) : std::nullopt;
+    const auto three = node.is_array() ? files::numbers_of(node) : std::nullopt;
     if (!three || three->size() != 3) {
       throw SetupError(fmt::format("{} must be three numbers in brackets, in world axes", key.str()));
     }
@@ -129,11 +129,11 @@ PropertySetting property_setting(const Assignment& assignment, std::size_t begin
   const toml::table value = assignment.parsed();
   const toml::node& node = *value.get("value");
   const auto numbers =
-      node.is_table() ? at(assignment.where, [&] { return named_force(*node.as_table()); }) : numbers_of(node);
+      node.is_table() ? at(assignment.where, [&] { return named_force(*node.as_table()); }) : files::numbers_of(node);
   if (!numbers) {
     throw SetupError(fmt::format("{}: the value must be a number or numbers in brackets", assignment.where));
   }
   return {assignment.where, std::move(entities), assignment.object(begin), assignment.path.back(), *numbers};
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

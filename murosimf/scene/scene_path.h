@@ -13,7 +13,7 @@
 
 #include "murosimf/scene/scene_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 /// A path split at its dots, and the text behind the equals sign.
 struct Assignment {
@@ -54,4 +54,4 @@ void check_key(const Assignment& assignment, std::string_view key, const std::ve
 [[nodiscard]] PropertySetting property_setting(const Assignment& assignment, std::size_t begin,
                                                std::vector<std::string> entities);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

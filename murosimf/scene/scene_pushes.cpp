@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/files/toml_reader.h"
+#include "murosimf/model/error.h"
 #include "murosimf/scene/scene_bodies.h"
 #include "murosimf/scene/scene_overrides.h"
 #include "murosimf/scene/scene_path.h"
-#include "murosimf/files/toml_reader.h"
-#include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 /// Whom the path means, and the object of them.
@@ -75,7 +75,7 @@ PushSpec read_push_option(toml::table& scene, const std::string& option) {
 }
 
 PushSpec read_push_table(toml::table& scene, const toml::table& node) {
-  const TomlTable table(node, {"on", "force", "moment", "from", "to"});
+  const files::TomlTable table(node, {"on", "force", "moment", "from", "to"});
   PushSpec push{.where = table.where()};
   std::string on;
   table.read("on", on);
@@ -97,11 +97,11 @@ PushSpec read_push_table(toml::table& scene, const toml::table& node) {
 
 std::vector<PushSpec> read_pushes(toml::table& scene, const std::vector<std::string>& push_options) {
   std::vector<PushSpec> pushes;
-  for (const toml::table* node : TomlTable(scene, scene_keys()).tables("pushes")) {
+  for (const toml::table* node : files::TomlTable(scene, scene_keys()).tables("pushes")) {
     pushes.push_back(read_push_table(scene, *node));
   }
   for (const std::string& option : push_options) pushes.push_back(read_push_option(scene, option));
   return pushes;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -19,10 +19,10 @@
 
 #include "murosimf/scene/scene_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 /// Those of the file, then those of --push. Throws SetupError: for impossible forces and times, and for entities that
 /// there are not.
 [[nodiscard]] std::vector<PushSpec> read_pushes(toml::table& scene, const std::vector<std::string>& push_options);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

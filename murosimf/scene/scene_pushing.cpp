@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/motion/push.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/setting_targets.h"
-#include "murosimf/motion/push.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 std::string in_brackets(const Vec3d& v) { return fmt::format("({:g}, {:g}, {:g})", v.x, v.y, v.z); }
@@ -70,4 +70,4 @@ void Scene::attach_pushes() {
   }
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/scene/scene.h"
 #include "murosimf/components/sensor_types.h"
+#include "murosimf/scene/scene.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 /// Calls `f`; a SetupError that it throws says at its end which robot it is about.
@@ -67,7 +67,7 @@ std::vector<sensors::SensorSpec> Scene::sensors_of(const RobotSpec& robot) {
   for (const Remark& remark : remarks) {
     note(robot, fmt::format("{}: {}", fmt::join(remark.about, ", "), remark.text));
   }
-  change_sensors(specs, robot.sensors.tables, spec_.file.parent_path());
+  components::change_sensors(specs, robot.sensors.tables, spec_.file.parent_path());
   return specs;
 }
 
@@ -77,7 +77,7 @@ void Scene::attach_sensors() {
     std::vector<const sensors::Sensor*>& attached = sensors_.emplace_back();
     about(spec_.robots[i].name, [&] {
       for (const sensors::SensorSpec& spec : sensors_of(spec_.robots[i])) {
-        attached.push_back(&attach_sensor(*simulation_, *robots_[i], spec, surroundings, spec_.rate));
+        attached.push_back(&components::attach_sensor(*simulation_, *robots_[i], spec, surroundings, spec_.rate));
       }
     });
   }
@@ -115,4 +115,4 @@ void Scene::note_about_sensors(const RobotSpec& robot) {
   if (!text.empty() && said_.emplace(robot.name, text).second) note(robot, text);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -4,6 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/components/sensor_toml.h"
+#include "murosimf/files/toml_color.h"
+#include "murosimf/files/toml_reader.h"
+#include "murosimf/model/time.h"
+#include "murosimf/motion/servo_law.h"
+#include "murosimf/render/light.h"
 #include "murosimf/scene/field.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene_bodies.h"
@@ -11,40 +17,34 @@
 #include "murosimf/scene/scene_materials.h"
 #include "murosimf/scene/scene_overrides.h"
 #include "murosimf/scene/scene_pushes.h"
-#include "murosimf/components/sensor_toml.h"
-#include "murosimf/files/toml_color.h"
-#include "murosimf/files/toml_reader.h"
-#include "murosimf/model/time.h"
-#include "murosimf/motion/servo_law.h"
-#include "murosimf/render/light.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 constexpr double degree = pi / 180;
 constexpr double farthest_place = 1e4;  // [m]
 
-void require(bool condition, const TomlTable& table, std::string_view key, std::string_view message) {
+void require(bool condition, const files::TomlTable& table, std::string_view key, std::string_view message) {
   if (!condition) throw SetupError(fmt::format("{}: '{}' {}", table.where(key), key, message));
 }
 
 /// An empty name means nothing; it must not look as if it did.
-void require_name(const std::string& name, const TomlTable& table, std::string_view key) {
+void require_name(const std::string& name, const files::TomlTable& table, std::string_view key) {
   require(!name.empty(), table, key, "is empty: leave it out, or name something");
 }
 
 /// Two numbers would be a place on the ground.
-void read_gravity(const TomlTable& scene, SceneSpec& spec) {
+void read_gravity(const files::TomlTable& scene, SceneSpec& spec) {
   const toml::node* node = scene.find("gravity");
   const toml::array* list = node ? node->as_array() : nullptr;
   require(!list || list->size() == 3, scene, "gravity", "must be three numbers in brackets: x, y, z in m/s^2");
   scene.read("gravity", spec.gravity);
 }
 
-void read_start(const TomlTable& scene, SceneSpec& spec) {
+void read_start(const files::TomlTable& scene, SceneSpec& spec) {
   const toml::table* node = scene.table("start");
   if (!node) return;
-  const TomlTable start(*node, table_keys("start"));
+  const files::TomlTable start(*node, table_keys("start"));
   start.read("jitter_position", spec.jitter_position);
   require(spec.jitter_position >= 0, start, "jitter_position", "must not be negative");
   require(spec.jitter_position <= 1e4, start, "jitter_position", "is more than 10 km");
@@ -60,10 +60,10 @@ void read_start(const TomlTable& scene, SceneSpec& spec) {
   read_angle("jitter_posture_deg", spec.jitter_posture);
 }
 
-void read_field(const TomlTable& scene, SceneSpec& spec) {
+void read_field(const files::TomlTable& scene, SceneSpec& spec) {
   const toml::table* node = scene.table("field");
   if (!node) return;
-  const TomlTable field(*node, table_keys("field"));
+  const files::TomlTable field(*node, table_keys("field"));
   field.read("size", spec.field.size);
   field.read("surface", spec.field.surface);
   field.read("grain", spec.field.grain);
@@ -75,10 +75,10 @@ void read_field(const TomlTable& scene, SceneSpec& spec) {
   at(field.where("size"), [&] { return field_size(spec.field.size); });
 }
 
-void read_view(const TomlTable& scene, SceneSpec& spec) {
+void read_view(const files::TomlTable& scene, SceneSpec& spec) {
   const toml::table* node = scene.table("view");
   if (!node) return;
-  const TomlTable view(*node, table_keys("view"));
+  const files::TomlTable view(*node, table_keys("view"));
   double azimuth_deg = spec.view.azimuth / degree, elevation_deg = spec.view.elevation / degree;
   view.read("center", spec.view.center);
   view.read("width", spec.view.width);
@@ -92,10 +92,10 @@ void read_view(const TomlTable& scene, SceneSpec& spec) {
   spec.view.elevation = elevation_deg * degree;
 }
 
-void read_light(const TomlTable& scene, SceneSpec& spec) {
+void read_light(const files::TomlTable& scene, SceneSpec& spec) {
   const toml::table* node = scene.table("light");
   if (!node) return;
-  const TomlTable light(*node, table_keys("light"));
+  const files::TomlTable light(*node, table_keys("light"));
   light.read("name", spec.light.name);
   at(light.where("name"), [&] { (void)find_entry(render::lights(), "light", spec.light.name); });
   if (light.find("toward")) light.read("toward", spec.light.toward.emplace());
@@ -110,14 +110,14 @@ void read_light(const TomlTable& scene, SceneSpec& spec) {
   spec.light.samples = static_cast<int>(samples);
 }
 
-void read_eyes(const TomlTable& scene, SceneSpec& spec) {
+void read_eyes(const files::TomlTable& scene, SceneSpec& spec) {
   const toml::table* views = scene.table("views");
   if (!views) return;
   for (const auto& [key, node] : *views) {
     const toml::table* inside = node.as_table();
     if (!inside)
-      fail_at(node.source(), fmt::format("view '{}' must be a table, like [views.{}]", key.str(), key.str()));
-    const TomlTable table(*inside, {"eye", "look_at", "opening_deg"});
+      files::fail_at(node.source(), fmt::format("view '{}' must be a table, like [views.{}]", key.str(), key.str()));
+    const files::TomlTable table(*inside, {"eye", "look_at", "opening_deg"});
     EyeSpec eye{.name = std::string(key.str())};
     double opening_deg = eye.opening / degree;
     require(table.find("eye") != nullptr, table, "eye", "is missing: where the eye is, [x, y, z] in m");
@@ -132,10 +132,10 @@ void read_eyes(const TomlTable& scene, SceneSpec& spec) {
   }
 }
 
-void read_ball(const TomlTable& scene, SceneSpec& spec) {
+void read_ball(const files::TomlTable& scene, SceneSpec& spec) {
   const toml::table* node = scene.table("ball");
   if (!node) return;
-  const TomlTable table(*node, table_keys("ball"));
+  const files::TomlTable table(*node, table_keys("ball"));
   BallSpec ball;
   table.read("position", ball.position);
   table.read("velocity", ball.velocity);
@@ -151,15 +151,15 @@ void read_ball(const TomlTable& scene, SceneSpec& spec) {
   spec.ball = ball;
 }
 
-void read_teams(const TomlTable& scene, SceneSpec& spec) {
+void read_teams(const files::TomlTable& scene, SceneSpec& spec) {
   for (const toml::table* node : scene.tables("teams")) {
-    const TomlTable table(*node, {"name", "color", "attacks"});
+    const files::TomlTable table(*node, {"name", "color", "attacks"});
     TeamSpec team;
     table.read("name", team.name);
     require(!team.name.empty(), table, "name", "of the team is missing");
     const auto same = [&](const TeamSpec& other) { return other.name == team.name; };
     require(std::none_of(spec.teams.begin(), spec.teams.end(), same), table, "name", "is the name of two teams");
-    team.color = read_color(table, spec.teams.empty() ? Color{0.1, 0.3, 0.9} : Color{0.9, 0.15, 0.1});
+    team.color = files::read_color(table, spec.teams.empty() ? Color{0.1, 0.3, 0.9} : Color{0.9, 0.15, 0.1});
     std::string attacks = spec.teams.empty() ? "right" : "left";
     table.read("attacks", attacks);
     require(attacks == "right" || attacks == "left", table, "attacks",
@@ -169,7 +169,7 @@ void read_teams(const TomlTable& scene, SceneSpec& spec) {
   }
 }
 
-void read_robot(const TomlTable& table, RobotSpec& robot) {
+void read_robot(const files::TomlTable& table, RobotSpec& robot) {
   robot.where = table.where();
   for (const std::string_view key : robot_keys()) {
     if (table.find(key)) robot.given[std::string(key)] = {table.where(key)};
@@ -205,7 +205,7 @@ void read_robot(const TomlTable& table, RobotSpec& robot) {
   table.read("volume", robot.collision.volume);
   table.read("self_collision", robot.collision.self_collision);
   table.read("no_contact", robot.collision.never);
-  read_sensor_changes(table.find("sensors"), robot.sensors);
+  components::read_sensor_changes(table.find("sensors"), robot.sensors);
   require(norm(robot.position) <= farthest_place, table, "position", "is further than 10 km away");
   at(table.where("level"), [&] { return &find_entry(levels(), "level", robot.level); });
   at(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", robot.contact); });
@@ -217,14 +217,14 @@ void read_robot(const TomlTable& table, RobotSpec& robot) {
           "must be \"filter\" or \"linear\"");
 }
 
-void read_robots(const TomlTable& scene, SceneSpec& spec) {
+void read_robots(const files::TomlTable& scene, SceneSpec& spec) {
   RobotSpec defaults;
   if (const toml::table* node = scene.table("defaults")) {
-    read_robot(TomlTable(*node, table_keys("defaults")), defaults);
+    read_robot(files::TomlTable(*node, table_keys("defaults")), defaults);
     for (auto& [key, given] : defaults.given) given.by_default = true;
   }
   for (const toml::table* node : scene.tables("robots")) {
-    const TomlTable table(*node, robot_keys());
+    const files::TomlTable table(*node, robot_keys());
     RobotSpec robot = defaults;
     read_robot(table, robot);
     require(!robot.name.empty(), table, "name", "of the robot is missing");
@@ -232,7 +232,7 @@ void read_robots(const TomlTable& scene, SceneSpec& spec) {
     const auto same_name = [&](const RobotSpec& other) { return other.name == robot.name; };
     const bool taken =
         robot.name == "ball" || robot.name == "field" || std::any_of(spec.robots.begin(), spec.robots.end(), same_name);
-    if (taken) fail_at(table.find("name")->source(), fmt::format("two entities are called '{}'", robot.name));
+    if (taken) files::fail_at(table.find("name")->source(), fmt::format("two entities are called '{}'", robot.name));
     const auto is_team = [&](const TeamSpec& team) { return team.name == robot.team; };
     if (!robot.team.empty() && std::none_of(spec.teams.begin(), spec.teams.end(), is_team)) {
       std::vector<std::string_view> names;
@@ -254,9 +254,9 @@ void check_pair(const GivenPair& pair, const std::vector<GivenPair>& earlier) {
   }
 }
 
-void read_materials(const TomlTable& scene, SceneSpec& spec) {
+void read_materials(const files::TomlTable& scene, SceneSpec& spec) {
   for (const toml::table* node : scene.tables("materials")) {
-    const TomlTable table(*node, {"pair", "friction", "rolling", "restitution", "stiffness", "grain_effect"});
+    const files::TomlTable table(*node, {"pair", "friction", "rolling", "restitution", "stiffness", "grain_effect"});
     const toml::array* names = (*node)["pair"].as_array();
     const bool pair_of_texts = names && names->size() == 2 && (*names)[0].is_string() && (*names)[1].is_string();
     require(pair_of_texts, table, "pair", "must be two material names");
@@ -281,14 +281,14 @@ void read_materials(const TomlTable& scene, SceneSpec& spec) {
 SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                      const std::vector<std::string>& at_options, const std::vector<std::string>& push_options) {
   SceneSpec spec;
-  toml::table document = parse_toml_file(file);
+  toml::table document = files::parse_toml_file(file);
   if (document.empty()) throw SetupError(fmt::format("{}: the file is empty", file.string()));
   std::vector<MaterialChange> material_changes;
   for (const std::string& text : overrides) {
     if (!take_material_change(text, material_changes)) apply_override(document, text, spec.settings);
   }
 
-  const TomlTable scene(document, scene_keys());
+  const files::TomlTable scene(document, scene_keys());
   spec.file = file;
   spec.name = file.stem().string();
   scene.read("name", spec.name);
@@ -321,4 +321,4 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   return spec;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

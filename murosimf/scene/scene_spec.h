@@ -9,18 +9,17 @@
 #include <vector>
 
 #include "murosimf/collision/pair_law.h"
-#include "murosimf/scene/ball.h"
-#include "murosimf/scene/body_spec.h"
 #include "murosimf/components/sensor_table.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/math/vec3.h"
 #include "murosimf/model/entity.h"
 #include "murosimf/model/material.h"
 #include "murosimf/motion/integrator.h"
+#include "murosimf/scene/ball.h"
+#include "murosimf/scene/body_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
-inline constexpr double usual_step_rate = 1000;  ///< [Hz] of motion and contact, where a scene does not say
 inline constexpr double longest_duration = 3e9;  ///< [s] a century; nanoseconds in 64 bits end after three
 
 struct FieldSpec {
@@ -93,7 +92,7 @@ struct RobotSpec {
   double roll = 0, pitch = 0;  ///< [rad] about the level robot's x, then its y; before the heading
   Vec3d command;               ///< [m/s, m/s, rad/s]
   CollisionOptions collision;
-  SensorChanges sensors;
+  components::SensorChanges sensors;
   std::map<std::string, GivenKey> given;  ///< its keys that somebody has set
 };
 
@@ -165,4 +164,4 @@ struct SceneSpec {
                                    const std::vector<std::string>& at_options = {},
                                    const std::vector<std::string>& push_options = {});
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -10,7 +10,7 @@
 
 #include "murosimf/model/properties.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 bool is_pattern(std::string_view name) { return name.find_first_of("*?") != std::string_view::npos; }
@@ -64,4 +64,4 @@ std::vector<int> objects_meant(const Model& model, std::string_view object, std:
   return {index};
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

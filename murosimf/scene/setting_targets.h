@@ -6,7 +6,7 @@
 
 #include "murosimf/model/model.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 /// True for properties that only joints have, by the catalogue.
 [[nodiscard]] bool is_of_joints(std::string_view property);
@@ -19,4 +19,4 @@ namespace murosimf::io {
 /// if it is no joint, and if nothing matches.
 [[nodiscard]] std::vector<int> objects_meant(const Model& model, std::string_view object, std::string_view property);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -12,7 +12,7 @@
 #include "murosimf/geometry/collide.h"
 #include "murosimf/model/properties.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 constexpr double deepest_contact = 5e-3;  // [m] feet and balls sink in by less than 1 mm
@@ -158,4 +158,4 @@ std::vector<std::string> start_overlaps(const Entity& field, std::span<Entity* c
   return lines;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

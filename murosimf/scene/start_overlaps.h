@@ -7,11 +7,11 @@
 
 #include "murosimf/model/entity.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 /// One line for each pair of entities that overlap by more than contact ever does, with the bodies that do it (of many
 /// pairs only for the first), and for each mover that is in the ground, the plane z = 0. After initialize(); costs
 /// microseconds for who is near nobody.
 [[nodiscard]] std::vector<std::string> start_overlaps(const Entity& field, std::span<Entity* const> movers);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

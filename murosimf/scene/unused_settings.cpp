@@ -8,7 +8,7 @@
 
 #include "murosimf/scene/registry.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 /// A key of a robot that only some levels or controllers use.
@@ -165,4 +165,4 @@ std::string unused_grain(const SceneSpec& spec, const std::vector<std::string>& 
   return fmt::format("field: nothing here feels the pile of '{}'; 'grain' changes nothing", spec.field.surface);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

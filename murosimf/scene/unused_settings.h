@@ -9,7 +9,7 @@
 
 #include "murosimf/scene/scene_spec.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 
 struct Level;
 
@@ -26,4 +26,4 @@ struct Level;
 /// A line if the pile of the ground leans and nothing of these materials feels it; else empty.
 [[nodiscard]] std::string unused_grain(const SceneSpec& spec, const std::vector<std::string>& used);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -19,12 +19,12 @@
 #include <vector>
 
 #include "murosimf/imaging/bayer.h"
-#include "murosimf/sensors/camera_spec.h"
-#include "murosimf/sensors/frame.h"
 #include "murosimf/imaging/gaussian_blur.h"
 #include "murosimf/imaging/image_noise.h"
 #include "murosimf/imaging/lens_map.h"
 #include "murosimf/imaging/light.h"
+#include "murosimf/sensors/camera_spec.h"
+#include "murosimf/sensors/frame.h"
 #include "murosimf/sensors/mounting.h"
 #include "murosimf/sensors/sensor.h"
 

@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/model/setup.h"
 #include "murosimf/imaging/image.h"
 #include "murosimf/imaging/lens.h"
+#include "murosimf/model/setup.h"
 
 namespace murosimf::sensors {
 

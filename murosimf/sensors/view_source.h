@@ -3,9 +3,9 @@
 /// Optical axes: x to the right, y down, z forward (ROS REP-103, "optical" frames).
 #pragma once
 
+#include "murosimf/imaging/image.h"
 #include "murosimf/math/mat3.h"
 #include "murosimf/model/setup.h"
-#include "murosimf/imaging/image.h"
 
 namespace murosimf::sensors {
 

@@ -3,22 +3,24 @@
 
 #include <cmath>
 
-#include "murosimf/geometry/ray.h"
 #include "murosimf/files/data_path.h"
-#include "murosimf/robot/robot_reader.h"
+#include "murosimf/geometry/ray.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/robot/robot_reader.h"
 #include "tests/fixtures.h"
 #include "tests/formats/urdf/urdf_files.h"
 #include "tests/robot_data.h"
 
-namespace murosimf::io {
+namespace murosimf::appearance {
 namespace {
 
-using urdf_files::expect_near;
+using formats::urdf::urdf_files::expect_near;
 
 struct Robot {
   explicit Robot(const std::filesystem::path& file)
-      : model(read_robot(file, {.guess = true}).model), looks(looks_of(*model)), plates(number_plates(*model, looks)) {}
+      : model(robot::read_robot(file, {.guess = true}).model),
+        looks(looks_of(*model)),
+        plates(number_plates(*model, looks)) {}
   explicit Robot(const Chain& chain)
       : model(std::make_shared<const Model>("r", chain)),
         looks(looks_of(*model)),
@@ -94,7 +96,7 @@ void expect_good_plates(const Robot& robot, const std::string& object, double mo
 }
 
 TEST(NumberPlates, OfKid21AreOnItsTorso) {
-  const Robot robot(find_data_file("kid21", "models", ".xml"));
+  const Robot robot(files::find_data_file("kid21", "models", ".xml"));
   expect_good_plates(robot, "torso");
   // a box of half 0.05 x 0.065 x 0.07 m at a height of 0.08 m
   expect_near(robot.plates[0].center, {0.051, 0, 0.08});
@@ -106,7 +108,7 @@ TEST(NumberPlates, OfKid21AreOnItsTorso) {
 }
 
 TEST(NumberPlates, OfTheLeaguesRobotAreOnItsTorso) {
-  expect_good_plates(Robot(find_data_file("spark_nao0", "models", ".xml")), "torso");
+  expect_good_plates(Robot(files::find_data_file("spark_nao0", "models", ".xml")), "torso");
 }
 
 TEST(NumberPlates, OfBoosterK1AreOnItsTrunk) {
@@ -116,7 +118,7 @@ TEST(NumberPlates, OfBoosterK1AreOnItsTrunk) {
 
 TEST(NumberPlates, OfWolfgangOpAreOnItsTorso) {
   if (!std::filesystem::exists(wolfgang_urdf())) GTEST_SKIP() << "no " << wolfgang_urdf();
-  const RobotFile file = read_robot(wolfgang_urdf(), {.lenient = true});
+  const robot::RobotFile file = robot::read_robot(wolfgang_urdf(), {.lenient = true});
   expect_good_plates(Robot(wolfgang_urdf()), file.model->objects()[0].name, 0.6);  // its trunk is an open frame
 }
 
@@ -161,4 +163,4 @@ TEST(NumberPlates, CarryNumbersThatFit) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::appearance

@@ -10,7 +10,7 @@
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::appearance {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,7 +45,7 @@ std::span<const std::byte> bytes(const std::string& text) { return std::as_bytes
 TEST_F(ChildPipes, CarryAllBytesInOrder) {
   std::string text;
   for (int i = 0; i < 300000; ++i) text += std::to_string(i);
-  ChildPipe pipe({"sh", "-c", "cat > '" + at("out") + "'"}, "");
+  files::ChildPipe pipe({"sh", "-c", "cat > '" + at("out") + "'"}, "");
   pipe.write(bytes(text.substr(0, 7)));
   pipe.write({});
   pipe.write(bytes(text.substr(7)));
@@ -54,14 +54,14 @@ TEST_F(ChildPipes, CarryAllBytesInOrder) {
 }
 
 TEST_F(ChildPipes, HandArgumentsOverAsTheyAre) {
-  ChildPipe pipe({"sh", "-c", "printf %s \"$1\" > \"$2\"", "sh", "two words; $HOME 'x'", at("out")}, "");
+  files::ChildPipe pipe({"sh", "-c", "printf %s \"$1\" > \"$2\"", "sh", "two words; $HOME 'x'", at("out")}, "");
   pipe.finish();
   EXPECT_EQ(text_of(at("out")), "two words; $HOME 'x'");
 }
 
 TEST_F(ChildPipes, EndProgramsThatNobodyWaitsFor) {
   {
-    ChildPipe pipe({"sh", "-c", "cat > '" + at("out") + "'; echo whole > '" + at("end") + "'"}, "");
+    files::ChildPipe pipe({"sh", "-c", "cat > '" + at("out") + "'; echo whole > '" + at("end") + "'"}, "");
     pipe.write(bytes("half"));
   }
   EXPECT_FALSE(fs::exists(at("end")));
@@ -69,13 +69,13 @@ TEST_F(ChildPipes, EndProgramsThatNobodyWaitsFor) {
 
 TEST_F(ChildPipes, SayWhatTheProgramSaidLast) {
   const auto error = [](const std::string& script) {
-    return error_of([&] { ChildPipe({"sh", "-c", script}, "").finish(); });
+    return error_of([&] { files::ChildPipe({"sh", "-c", script}, "").finish(); });
   };
   EXPECT_TRUE(says(error("echo first >&2; echo 'no room' >&2; exit 3"), {"'sh' gave up: no room"}));
   EXPECT_TRUE(says(error("printf 'frame 1\\rframe 2\\rtoo big' >&2; exit 1"), {"gave up: too big"}));
   EXPECT_TRUE(says(error("exit 1"), {"gave up without a word"}));
   EXPECT_TRUE(says(error("kill -9 $$"), {"gave up without a word"}));
-  EXPECT_TRUE(says(error_of([] { const ChildPipe pipe({"no_such_program"}, "install it"); }),
+  EXPECT_TRUE(says(error_of([] { const files::ChildPipe pipe({"no_such_program"}, "install it"); }),
                    {"cannot run 'no_such_program': install it"}));
 }
 
@@ -84,12 +84,12 @@ TEST_F(VideoFiles, ThatNobodyFinishesLeaveNothingAndKeepWhatWasThere) {
   std::ofstream(at("a.mp4")) << "old";
   {
     VideoFile video(at("a.mp4"), 16, 16, 10);
-    for (int i = 0; i < 3; ++i) video.add(sensors::ColorImage(16, 16));
+    for (int i = 0; i < 3; ++i) video.add(imaging::ColorImage(16, 16));
   }
   EXPECT_EQ(text_of(at("a.mp4")), "old");
   EXPECT_EQ(files(), 1);
   VideoFile video(at("a.mp4"), 16, 16, 10);
-  video.add(sensors::ColorImage(16, 16));
+  video.add(imaging::ColorImage(16, 16));
   EXPECT_EQ(text_of(at("a.mp4")), "old") << "until it is whole";
   video.finish();
   EXPECT_EQ(text_of(at("a.mp4")).substr(4, 4), "ftyp");
@@ -105,4 +105,4 @@ TEST_F(VideoFiles, OfNoKnownKindAreRefused) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::appearance

@@ -3,33 +3,33 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot/robot_reader.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/robot/robot_reader.h"
 #include "tests/fixtures.h"
 #include "tests/formats/urdf/urdf_files.h"
 #include "tests/robot_data.h"
 
-namespace murosimf::io {
+namespace murosimf::appearance {
 namespace {
 
 using fixtures::error_of;
 using fixtures::says;
-using urdf_files::expect_near;
-using urdf_files::write;
+using formats::urdf::urdf_files::expect_near;
+using formats::urdf::urdf_files::write;
 
 /// A base and an arm at a hinge; `assets` in line 1, `geoms` of the arm in line 3.
-RobotFile read_arm(const std::string& assets, const std::string& geoms) {
+robot::RobotFile read_arm(const std::string& assets, const std::string& geoms) {
   const std::string mass = "<inertial mass='1' pos='0 0 0' diaginertia='1 1 1'/>";
-  return read_robot(write("robot.xml", "<mujoco model='r'><asset>" + assets +
-                                           "</asset>\n<worldbody><body name='base'><freejoint/>" + mass +
-                                           "<body name='arm' pos='0 0 1'><joint name='elbow' axis='0 1 0'/>" + mass +
-                                           "\n" + geoms + "</body></body></worldbody></mujoco>"));
+  return robot::read_robot(write("robot.xml", "<mujoco model='r'><asset>" + assets +
+                                                  "</asset>\n<worldbody><body name='base'><freejoint/>" + mass +
+                                                  "<body name='arm' pos='0 0 1'><joint name='elbow' axis='0 1 0'/>" +
+                                                  mass + "\n" + geoms + "</body></body></worldbody></mujoco>"));
 }
 
 const std::string silent = " type='mesh' contype='0' conaffinity='0' ";
 
 /// The only mesh for the eye of a robot, as triangles.
-geometry::TriangleMesh only_mesh(const RobotFile& robot, const std::string& object) {
+geometry::TriangleMesh only_mesh(const robot::RobotFile& robot, const std::string& object) {
   const Model& model = *robot.model;
   EXPECT_EQ(model.having(properties::visuals), std::vector<int>{model.object_index(object)});
   const Visuals* visuals = model.find(properties::visuals, model.object_index(object));
@@ -38,8 +38,8 @@ geometry::TriangleMesh only_mesh(const RobotFile& robot, const std::string& obje
 
 // Rule: scale * (R(refquat)^T (v - refpos)) in the geom's frame (MuJoCo's documentation, asset/mesh), worked out by hand.
 TEST(VisualMeshes, StandWhereTheMjcfFilePutsThem) {
-  write("t.obj", urdf_files::tetrahedron());
-  const RobotFile robot = read_arm(
+  write("t.obj", formats::urdf::urdf_files::tetrahedron());
+  const robot::RobotFile robot = read_arm(
       "<mesh name='t' file='t.obj' scale='2 3 4' refpos='1 0 0' refquat='0.7071067811865476 0 0 0.7071067811865476'/>",
       "<geom mesh='t' pos='0.1 0.2 0.3' euler='90 0 0' rgba='0.1 0.2 0.3 1'" + silent + "/>");
   const auto mesh = only_mesh(robot, "arm");
@@ -56,16 +56,16 @@ TEST(VisualMeshes, StandWhereTheMjcfFilePutsThem) {
 }
 
 TEST(VisualMeshes, OfWeldedLinksBelongToWhatTheyAreWeldedTo) {
-  using namespace urdf_files;
+  using namespace formats::urdf::urdf_files;
   write("t.obj", tetrahedron());
   const std::string mesh = "<mesh filename='t.obj' scale='0.1 0.1 0.1'/>";
   const auto file =
       write("robot.urdf",
-            urdf_files::robot(
+            formats::urdf::urdf_files::robot(
                 link("arm", solid()) + joint("revolute", "base", "arm", any_limit, "elbow") +
                 link("hand", visual(mesh)) +
                 joint("fixed", "arm", "hand", "<origin xyz='1 2 3' rpy='0 0 1.5707963267948966'/>", "wrist")));
-  const auto triangles = only_mesh(read_robot(file), "arm");
+  const auto triangles = only_mesh(robot::read_robot(file), "arm");
   ASSERT_EQ(triangles.vertices.size(), 4U);
   Vec3d sum;
   for (const Vec3d& v : triangles.vertices) sum += v;
@@ -73,7 +73,7 @@ TEST(VisualMeshes, OfWeldedLinksBelongToWhatTheyAreWeldedTo) {
 }
 
 TEST(VisualMeshes, MirroredOnesStayOutsideOut) {
-  write("t.obj", urdf_files::tetrahedron());
+  write("t.obj", formats::urdf::urdf_files::tetrahedron());
   const auto mesh =
       only_mesh(read_arm("<mesh name='t' file='t.obj' scale='1 -1 1'/>", "<geom mesh='t'" + silent + "/>"), "arm");
   double volume = 0;
@@ -85,12 +85,12 @@ TEST(VisualMeshes, MirroredOnesStayOutsideOut) {
 
 TEST(VisualMeshes, NameTheFileThatCannotBeRead) {
   EXPECT_TRUE(says(error_of([] { (void)visual_triangles({.file = "/no/such/mesh.stl"}); }), {"/no/such/mesh.stl"}));
-  const auto file = write("t.obj", urdf_files::tetrahedron()).string();
+  const auto file = write("t.obj", formats::urdf::urdf_files::tetrahedron()).string();
   EXPECT_TRUE(says(error_of([&] { (void)visual_triangles({.file = file, .scale = {1, 0, 1}}); }), {"t.obj", "scale"}));
 }
 
 TEST(Looks, AreMeshesForTheEyeInsteadOfWhatCollides) {
-  write("t.obj", urdf_files::tetrahedron());
+  write("t.obj", formats::urdf::urdf_files::tetrahedron());
   const std::string ball = "<geom type='sphere' size='0.1'/>";
   const std::string eye = "<geom type='box' size='1 1 1' contype='0' conaffinity='0'/>";
   const std::string mesh = "<mesh name='t' file='t.obj'/>";
@@ -104,8 +104,8 @@ TEST(Looks, AreMeshesForTheEyeInsteadOfWhatCollides) {
 }
 
 TEST(Looks, HaveConvexPolyhedraAmongTheMeshes) {
-  write("t.obj", urdf_files::tetrahedron());
-  const RobotFile robot = read_arm("<mesh name='t' file='t.obj'/>", "<geom type='mesh' mesh='t' pos='0 0 5'/>");
+  write("t.obj", formats::urdf::urdf_files::tetrahedron());
+  const robot::RobotFile robot = read_arm("<mesh name='t' file='t.obj'/>", "<geom type='mesh' mesh='t' pos='0 0 5'/>");
   const Looks looks = looks_of(*robot.model);
   ASSERT_EQ(looks.meshes.size(), 1U);
   EXPECT_EQ(looks.meshes[0].object, robot.model->object_index("arm"));
@@ -128,7 +128,7 @@ TEST(Looks, LeaveOutWhatCannotBeReadWithAWarning) {
 
 TEST(Looks, OfARealRobotHaveFewTriangles) {
   if (!std::filesystem::exists(k1_mjcf())) GTEST_SKIP() << "no " << k1_mjcf();
-  const RobotFile robot = read_robot(k1_mjcf());
+  const robot::RobotFile robot = robot::read_robot(k1_mjcf());
   const Looks all = looks_of(*robot.model, 1'000'000), few = looks_of(*robot.model);
   const auto count = [](const Looks& looks) {
     std::size_t triangles = 0;
@@ -143,4 +143,4 @@ TEST(Looks, OfARealRobotHaveFewTriangles) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::appearance

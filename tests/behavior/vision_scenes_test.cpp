@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/collision/queries.h"
 #include "murosimf/behavior/localize.h"
 #include "murosimf/behavior/obstacle_course.h"
+#include "murosimf/collision/queries.h"
 #include "murosimf/scene/scene.h"
 #include "tests/law.h"
 #include "tests/render/drawn.h"
@@ -19,7 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 
 /// Small pictures, ten a second: what the scenes do does not depend on more, and tests are to be quick.
-io::SceneOptions options(std::uint64_t seed, std::vector<std::string> more = {}) {
+scene::SceneOptions options(std::uint64_t seed, std::vector<std::string> more = {}) {
   std::vector<std::string> overrides{"robot.sensors.camera.width=320", "robot.sensors.camera.height=240",
                                      "robot.sensors.camera.rate=10"};
   overrides.insert(overrides.end(), more.begin(), more.end());
@@ -37,7 +37,7 @@ struct PoseError {
 
 PoseError error_of(Entity& robot) {
   const Vec3d is = truth(robot), believed = robot.base().get(properties::pose_estimate);
-  return {std::hypot(believed.x - is.x, believed.y - is.y), std::abs(control::wrapped(believed.z - is.z))};
+  return {std::hypot(believed.x - is.x, believed.y - is.y), std::abs(perception::wrapped(believed.z - is.z))};
 }
 
 /// Largest errors from 2 s to 8 s.
@@ -46,7 +46,7 @@ struct Errors {
 };
 
 void localize(const std::string& camera, std::vector<std::string> overrides, Errors& errors) {
-  io::Scene scene("self_localization", options(1, std::move(overrides)));
+  scene::Scene scene("self_localization", options(1, std::move(overrides)));
   Simulation& simulation = scene.simulation();
   Entity& robot = simulation.world().entity("robot");
   simulation.run(2s);
@@ -80,9 +80,9 @@ TEST(SelfLocalization, KnowsLessWithAnUnknownMountingError) {
 TEST(SelfLocalization, WalksTheSameWayEveryTime) {
   if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   const auto run = [](std::uint64_t seed, int threads) {
-    io::SceneOptions all = options(seed);
+    scene::SceneOptions all = options(seed);
     all.threads = threads;
-    io::Scene scene("self_localization", all);
+    scene::Scene scene("self_localization", all);
     scene.simulation().run(1s);
     Entity& robot = scene.simulation().world().entity("robot");
     return std::pair(scene.simulation().state_hash(), robot.base().get(properties::pose_estimate).x);
@@ -93,7 +93,7 @@ TEST(SelfLocalization, WalksTheSameWayEveryTime) {
 
 /// [m] the least distance from a pole on the way across; that the robot came across is checked.
 double nearest_pole(const std::string& level, std::uint64_t seed) {
-  io::Scene scene("obstacle_challenge", options(seed, {"robot.level=" + level}));
+  scene::Scene scene("obstacle_challenge", options(seed, {"robot.level=" + level}));
   Simulation& simulation = scene.simulation();
   Entity& robot = simulation.world().entity("robot");
   collision::QueryScene queries(simulation.world());

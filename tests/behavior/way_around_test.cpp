@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/perception/obstacle_map.h"
-#include "tests/perception/vision_rig.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
+#include "tests/perception/vision_rig.h"
 
-namespace murosimf::control {
+namespace murosimf::behavior {
 namespace {
 
 double length_of(std::span<const Vec3d> way) {
@@ -138,7 +138,7 @@ TEST(WayAround, IsAboutAsShortAsOnAGrid) {
 }
 
 TEST(ObstacleMap, IsTheMeanAtFirstAndFollowsLater) {
-  ObstacleMap map;
+  perception::ObstacleMap map;
   map.see({1, 0, 0}, true, 0.3);
   map.see({1.1, 0, 0}, true, 0.3);
   ASSERT_EQ(map.all().size(), 1u);
@@ -150,7 +150,7 @@ TEST(ObstacleMap, IsTheMeanAtFirstAndFollowsLater) {
 }
 
 TEST(ObstacleMap, IsNotMovedByWhatIsCutOff) {
-  ObstacleMap map;
+  perception::ObstacleMap map;
   map.see({1, 0, 0}, false, 0.3);
   map.see({1.2, 0, 0}, false, 0.3);
   ASSERT_EQ(map.all().size(), 1u);
@@ -159,32 +159,32 @@ TEST(ObstacleMap, IsNotMovedByWhatIsCutOff) {
 }
 
 TEST(ObstacleMap, HasRoomForSoManyAndNoMore) {
-  ObstacleMap map;
-  for (std::size_t i = 0; i < 2 * most_obstacles; ++i) map.see({static_cast<double>(i), 0, 0}, true, 0.3);
-  EXPECT_EQ(map.all().size(), most_obstacles);
+  perception::ObstacleMap map;
+  for (std::size_t i = 0; i < 2 * perception::most_obstacles; ++i) map.see({static_cast<double>(i), 0, 0}, true, 0.3);
+  EXPECT_EQ(map.all().size(), perception::most_obstacles);
 }
 
 TEST(ObstacleOfABlob, StandsWhereItsFootIsSeen) {
-  const sensors::Lens lens = test::plain_lens();
-  const CameraPose camera = test::looking_down(0.45, 0.3);
+  const imaging::Lens lens = test::plain_lens();
+  const perception::CameraPose camera = test::looking_down(0.45, 0.3);
   const Vec3d middle{1.5, 0.4, 0};
   const double distance = norm(middle), radius = 0.1;
   const Vec3d foot = (1 - radius / distance) * middle;
-  const auto pixel = in_picture(lens, camera, foot);
+  const auto pixel = perception::in_picture(lens, camera, foot);
   ASSERT_TRUE(pixel);
-  Blob blob;
+  perception::Blob blob;
   blob.left = 50, blob.right = 80, blob.bottom = static_cast<int>(pixel->v);
   blob.lowest = {pixel->u, pixel->v - 0.5};
-  const auto seen = obstacle_of(blob, lens, camera, radius, 3);
+  const auto seen = perception::obstacle_of(blob, lens, camera, radius, 3);
   ASSERT_TRUE(seen);
   EXPECT_NEAR(norm(Vec3d(seen->place - middle)), 0, 1e-9);
   EXPECT_TRUE(seen->whole);
-  EXPECT_FALSE(obstacle_of(blob, lens, camera, radius, 1));
+  EXPECT_FALSE(perception::obstacle_of(blob, lens, camera, radius, 1));
   blob.left = 0;
-  EXPECT_FALSE(obstacle_of(blob, lens, camera, radius, 3)->whole);
+  EXPECT_FALSE(perception::obstacle_of(blob, lens, camera, radius, 3)->whole);
   blob.bottom = 239;
-  EXPECT_FALSE(obstacle_of(blob, lens, camera, radius, 3));
+  EXPECT_FALSE(perception::obstacle_of(blob, lens, camera, radius, 3));
 }
 
 }  // namespace
-}  // namespace murosimf::control
+}  // namespace murosimf::behavior

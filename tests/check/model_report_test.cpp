@@ -8,11 +8,11 @@
 #include "murosimf/check/robot_doctor.h"
 #include "murosimf/model/properties.h"
 
-namespace murosimf::io {
+namespace murosimf::check {
 namespace {
 
 ModelReport kid21_report() {
-  const RobotFile robot = read_robot(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml");
+  const robot::RobotFile robot = robot::read_robot(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml");
   return make_report(*robot.model, examine(robot));
 }
 
@@ -129,4 +129,4 @@ TEST(RobotFindings, LinesOfReadersAreTakenApart) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::check

@@ -6,21 +6,21 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/robot/robot_roles.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/robot/robot_roles.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::check {
 namespace {
 
-RobotFile read(const std::string& bodies, const std::string& rest = "") {
+robot::RobotFile read(const std::string& bodies, const std::string& rest = "") {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const auto file = fixtures::temp_folder() / (std::string("doctor_") + test->name() + ".xml");
   std::ofstream(file)
       << "<mujoco model='r'><compiler angle='radian'/>\n<worldbody>\n<body name='trunk'><freejoint/>\n"
       << "<inertial pos='0 0 0' mass='1' diaginertia='.01 .01 .01'/><geom type='box' size='.1 .1 .1'/>\n"
       << bodies << "\n</body></worldbody>" << rest << "</mujoco>";
-  return read_robot(file);
+  return robot::read_robot(file);
 }
 
 /// A body with its joint, 1 m from the trunk.
@@ -41,7 +41,7 @@ bool finds(const std::vector<Finding>& findings, const std::string& part) {
 }
 
 TEST(RobotDoctor, SaysNothingAboutASoundRobot) {
-  const RobotFile robot = read_robot(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml");
+  const robot::RobotFile robot = robot::read_robot(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml");
   for (const std::string& line : lines(examine(robot))) EXPECT_FALSE(line.starts_with("warning")) << line;
 }
 
@@ -61,11 +61,11 @@ TEST(RobotDoctor, NamesTinyAndHugeBodiesAndTheirInertia) {
 TEST(RobotDoctor, NamesIdleJointsAndPlaceholders) {
   std::string arms;
   for (int i = 0; i < 6; ++i) arms += limb("arm" + std::to_string(i), std::to_string(i + 1), "range='-2.6 2.6'");
-  const RobotFile robot = read(arms);
+  const robot::RobotFile robot = read(arms);
   const auto findings = examine_joints(robot.draft, *robot.model);
   EXPECT_TRUE(finds(findings, "no servo moves j_arm0, j_arm1, "));
   EXPECT_TRUE(finds(findings, ":5: 6 of 6 joints have the range -2.6 to 2.6: a placeholder?"));
-  const RobotFile wide = read(limb("arm", "1", "range='-4 4'"));
+  const robot::RobotFile wide = read(limb("arm", "1", "range='-4 4'"));
   EXPECT_TRUE(finds(examine_joints(wide.draft, *wide.model), "from -4 to 4 rad, more than once around"));
 }
 
@@ -93,7 +93,7 @@ TEST(RobotDoctor, NamesOverlapsOfBodiesThatAreNoNeighbors) {
 }
 
 TEST(RobotDoctor, NamesARobotWithoutSoles) {
-  const RobotFile robot = read(limb("arm", "1"));
+  const robot::RobotFile robot = read(limb("arm", "1"));
   EXPECT_TRUE(finds(examine_legs(robot.draft, *robot.model), "0 soles; a biped needs 2"));
 }
 
@@ -108,7 +108,7 @@ std::string leg(const std::string& side, double y) {
 }
 
 TEST(RobotRoles, SolesAreGuessedUnderTheFeet) {
-  const RobotFile robot = read(leg("left", 0.1) + leg("right", -0.1));
+  const robot::RobotFile robot = read(leg("left", 0.1) + leg("right", -0.1));
   const auto soles = robot.model->having(properties::sole);
   ASSERT_EQ(soles.size(), 2u);
   const Sole& sole = *robot.model->find(properties::sole, soles[0]);
@@ -120,7 +120,7 @@ TEST(RobotRoles, SolesAreGuessedUnderTheFeet) {
 
 TEST(RobotRoles, ARobotWithoutShapesHasNoFeet) {
   const std::string bare = "<inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>";
-  const RobotFile robot =
+  const robot::RobotFile robot =
       read("<body><joint/>" + bare + "<body><joint/>" + bare + "<body><joint/>" + bare + "</body></body></body>");
   EXPECT_TRUE(robot.model->having(properties::sole).empty());
 }
@@ -134,13 +134,13 @@ TEST(RobotRoles, GuessesNeverMakeARobotUnreadable) {
     for (auto at = text.find("SIDE"); at != std::string::npos; at = text.find("SIDE")) text.replace(at, 4, side);
     return text.replace(text.find("JOINT"), 5, joint);
   };
-  const RobotFile robot = read(body("l", "imu") + body("r", "camera"));  // joints have the names of the roles
+  const robot::RobotFile robot = read(body("l", "imu") + body("r", "camera"));  // joints have the names of the roles
   EXPECT_TRUE(robot.model->having(properties::sole).empty()) << "no shape under the frames that are called soles";
   EXPECT_TRUE(robot.table.frames.empty());
 }
 
 TEST(RobotRoles, ServosAreGuessedFromTorques) {
-  const RobotFile robot = read(leg("left", 0.1) + leg("right", -0.1));
+  const robot::RobotFile robot = read(leg("left", 0.1) + leg("right", -0.1));
   const Servo* servo = robot.model->find(properties::servo, robot.model->object_index("left_c"));
   ASSERT_TRUE(servo);
   EXPECT_EQ(servo->stall_torque, 5);
@@ -149,11 +149,11 @@ TEST(RobotRoles, ServosAreGuessedFromTorques) {
 }
 
 TEST(RobotRoles, AreWrittenAsATableThatReadsBack) {
-  const RobotFile robot = read(leg("left", 0.1) + leg("right", -0.1) + "<site name='my_imu'/>");
+  const robot::RobotFile robot = read(leg("left", 0.1) + leg("right", -0.1) + "<site name='my_imu'/>");
   EXPECT_TRUE(robot.model->find_object("imu"));
   const auto file = fixtures::temp_folder() / "doctor_roles.toml";
-  std::ofstream(file) << roles_toml(robot.draft, robot.table);
-  const RobotTable table = read_robot_table(file);
+  std::ofstream(file) << robot::roles_toml(robot.draft, robot.table);
+  const robot::RobotTable table = robot::read_robot_table(file);
   ASSERT_EQ(table.soles.size(), 2u);
   EXPECT_EQ(table.soles[0].name, "left_foot");
   EXPECT_EQ(table.frames.at("imu").name, "my_imu");
@@ -161,4 +161,4 @@ TEST(RobotRoles, AreWrittenAsATableThatReadsBack) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::check

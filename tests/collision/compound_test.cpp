@@ -9,8 +9,8 @@
 #include "murosimf/collision/ground_points.h"
 #include "murosimf/collision/robot_tree.h"
 #include "murosimf/files/data_path.h"
-#include "murosimf/robot/robot_reader.h"
 #include "murosimf/multibody/kinematics.h"
+#include "murosimf/robot/robot_reader.h"
 #include "tests/geometry/volume_fixtures.h"
 
 namespace murosimf::collision {
@@ -20,7 +20,7 @@ using fixtures::Dice;
 using fixtures::placed;
 
 const Model& kid21() {
-  static const ModelPtr model = io::read_robot(io::find_data_file("kid21", "models", ".xml")).model;
+  static const ModelPtr model = robot::read_robot(files::find_data_file("kid21", "models", ".xml")).model;
   return *model;
 }
 

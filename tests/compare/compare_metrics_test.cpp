@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-namespace murosimf::io {
+namespace murosimf::compare {
 namespace {
 
 using motion::MotionRecord;
@@ -139,4 +139,4 @@ TEST(CompareMetrics, ThePeakTorqueHasAJoint) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

@@ -9,11 +9,11 @@
 #include <fstream>
 
 #include "murosimf/compare/compare_verdict.h"
-#include "murosimf/scene/scene.h"
 #include "murosimf/model/error.h"
+#include "murosimf/scene/scene.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::compare {
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,7 +38,7 @@ class StandingRobot {
   StandingRobot& operator=(const StandingRobot&) = delete;
 
   [[nodiscard]] motion::MotionRecord record(const std::vector<std::string>& overrides, double seconds) const {
-    Scene scene(file_, {.overrides = overrides});
+    scene::Scene scene(file_, {.overrides = overrides});
     auto& simulation = scene.simulation();
     const auto& recorder =
         simulation.attach<motion::MotionRecorder>("motion_recorder", simulation.world().entity("r"), 1000,
@@ -47,7 +47,7 @@ class StandingRobot {
     return recorder.record();
   }
   [[nodiscard]] std::uint64_t hash(bool observed) const {
-    Scene scene(file_);
+    scene::Scene scene(file_);
     auto& simulation = scene.simulation();
     if (observed) {
       simulation.attach<motion::MotionRecorder>("motion_recorder", simulation.world().entity("r"), 1000);
@@ -206,4 +206,4 @@ TEST(Compare, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

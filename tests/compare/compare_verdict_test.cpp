@@ -8,7 +8,7 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::compare {
 namespace {
 
 CompareEntry entry(const std::string& level, double cost, const Deviations& deviations = {}) {
@@ -198,4 +198,4 @@ TEST(Thresholds, SayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::compare

@@ -8,7 +8,7 @@
 #include "murosimf/model/error.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 namespace {
 
 namespace fs = std::filesystem;
@@ -82,12 +82,12 @@ TEST_F(CameraInfoFile, IsReadAsRosWritesIt) {
 }
 
 TEST_F(CameraInfoFile, ComesBackAsItWasWritten) {
-  const std::vector<sensors::LensSpec> lenses{
+  const std::vector<imaging::LensSpec> lenses{
       {"plumb_bob", 640, 480, 417.123456789012, 416, 317.1, 227, {-0.286, 0.0815, -0.0001, -0.0003, 1e-17}},
       {"rational_polynomial", 640, 480, 417, 416, 317, 227, {0.9, 0.15, -0.0004, 0.0008, 0.004, 1.2, 0.3, 0.02}},
       {"equidistant", 1280, 1024, 435.2, 435.2, 613, 513, {-0.0445, 0.00385, -0.0003, 1.0 / 3}},
       {"ray_polynomial", 640, 480, 417, 416, 317, 227, {1, 0, 0.08, 0, -0.02, 0.001}}};
-  for (const sensors::LensSpec& lens : lenses) {
+  for (const imaging::LensSpec& lens : lenses) {
     const auto [name, again] = read_camera_info(write(camera_info_yaml({"blue 1: left", lens})));
     EXPECT_EQ(name, "blue 1: left");
     EXPECT_EQ(again.model, lens.model);
@@ -99,9 +99,9 @@ TEST_F(CameraInfoFile, ComesBackAsItWasWritten) {
 }
 
 TEST_F(CameraInfoFile, IsWrittenAsOthersExpectIt) {
-  const sensors::LensSpec plain{.width = 640, .height = 480, .fx = 400, .fy = 400, .cx = 320, .cy = 240};
+  const imaging::LensSpec plain{.width = 640, .height = 480, .fx = 400, .fy = 400, .cx = 320, .cy = 240};
   EXPECT_EQ(read_camera_info(write(camera_info_yaml({"", plain}))).lens.coefficients, std::vector<double>(5));
-  const sensors::LensSpec fisheye{"equidistant", 640, 480, 400, 400, 320, 240, {0.1}};
+  const imaging::LensSpec fisheye{"equidistant", 640, 480, 400, 400, 320, 240, {0.1}};
   EXPECT_EQ(read_camera_info(write(camera_info_yaml({"", fisheye}))).lens.coefficients,
             (std::vector<double>{0.1, 0, 0, 0}));
 }
@@ -139,9 +139,9 @@ TEST_F(CameraInfoFile, OfEveryLensThatComesAlongIsALens) {
   for (const std::string& name : lens_names()) {
     const auto info = read_camera_info(find_lens_file(name));
     EXPECT_EQ(info.name, name);
-    EXPECT_NO_THROW(sensors::Lens{info.lens}) << name;
+    EXPECT_NO_THROW(imaging::Lens{info.lens}) << name;
   }
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -6,18 +6,18 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/components/camera_info.h"
+#include "murosimf/imaging/lens_fit.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
-#include "murosimf/imaging/lens_fit.h"
 #include "tests/law.h"
 
-namespace murosimf::sensors {
+namespace murosimf::components {
 namespace {
 
 /// Nothing in builds without yaml-cpp.
-std::optional<LensSpec> calibration(const std::string& name) {
+std::optional<imaging::LensSpec> calibration(const std::string& name) {
   try {
-    return io::read_camera_info(std::string(MUROSIMF_SOURCE_DIR) + "/lenses/" + name + ".yaml").lens;
+    return read_camera_info(std::string(MUROSIMF_SOURCE_DIR) + "/lenses/" + name + ".yaml").lens;
   } catch (const SetupError& error) {
     if (std::string(error.what()).find("yaml-cpp was missing") != std::string::npos) return std::nullopt;
     throw;
@@ -31,7 +31,7 @@ class RealLens : public testing::TestWithParam<const char*> {};
 TEST_P(RealLens, ComesBackToTheRayOfEveryPixel) {
   const auto spec = calibration(GetParam());
   if (!spec) GTEST_SKIP() << "this build has no yaml-cpp";
-  const Lens lens(*spec);
+  const imaging::Lens lens(*spec);
   law::Worst worst;
   for (int v = 0; v < spec->height; ++v) {
     for (int u = 0; u < spec->width; ++u) {
@@ -70,7 +70,7 @@ TEST(RealLenses, OfNubotsAreTheInversePolynomialsThatTheyPublish) {
   for (const auto& [name, focal_length, center_x, center_y, k1, k2, error] : published) {
     const auto spec = calibration(name);
     if (!spec) GTEST_SKIP() << "this build has no yaml-cpp";
-    const Lens lens(*spec);
+    const imaging::Lens lens(*spec);
     law::Worst worst;
     for (int v = 0; v < 1024; v += 3) {
       for (int u = 0; u < 1280; u += 3) {
@@ -92,7 +92,7 @@ TEST(RealLenses, AreWhatTheyAreInTheWordsOfThePaper) {
   for (const char* name : {"nubots_frankie", "nubots_nugus1", "wolfgang_rory", "wolfgang_amy"}) {
     const auto spec = calibration(name);
     if (!spec) GTEST_SKIP() << "this build has no yaml-cpp";
-    const LensFit fit = fit_lens(Lens(*spec), "ray_polynomial");
+    const imaging::LensFit fit = imaging::fit_lens(imaging::Lens(*spec), "ray_polynomial");
     EXPECT_EQ(fit.spec.coefficients.size(), 6U);
     EXPECT_EQ(fit.spec.coefficients[0], 1);
     // the paper's lens has no tangential coefficients, and six powers are few for the steep corners of plumb_bob
@@ -103,4 +103,4 @@ TEST(RealLenses, AreWhatTheyAreInTheWordsOfThePaper) {
 }
 
 }  // namespace
-}  // namespace murosimf::sensors
+}  // namespace murosimf::components

@@ -3,22 +3,22 @@
 
 #include <cmath>
 
-#include "murosimf/files/data_path.h"
 #include "murosimf/check/robot_doctor.h"
 #include "murosimf/components/sensor_sections.h"
+#include "murosimf/files/data_path.h"
 #include "murosimf/math/scalar.h"
 #include "tests/fixtures.h"
 #include "tests/robot/sensor_files.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 namespace {
 
-using namespace sensor_files;
+using namespace robot::sensor_files;
+using formats::urdf::urdf_files::contains;
 using sensors::SensorSpec;
-using urdf_files::contains;
 
 TEST(SensorTable, ReadsAllThatASensorMayHave) {
-  const RobotFile robot = read_with(
+  const robot::RobotFile robot = read_with(
       "[sensors.eyes]\ntype = 'imu'\nframe = 'imu'\nposition = [0.1, 0.2, 0.3]\nrpy_deg = [0, 0, 90]\nrate = 500\n"
       "delay = 0.002\nnoise = 0.5\n[sensors.eyes.gyroscope]\nrange = 34.9\nbits = 16\nlow_pass = 40\n"
       "[sensors.elbows]\ntype = 'joint_position'\njoints = ['elbow']\n");
@@ -44,7 +44,7 @@ TEST(SensorTable, KeysOfTheSensorWinOverThoseOfItsPart) {
   write("mine.toml",
         "type = 'imu'\nrate = 100\ndelay = 0.01\nbias = 1\n[gyroscope]\nnoise_density = 2\nbits = 12\nrange = 4\n"
         "[accelerometer]\nnoise_density = 3\n");
-  const RobotFile robot = read_with(
+  const robot::RobotFile robot = read_with(
       "[sensors.a]\npart = 'mine'\ndelay = 0.02\nnoise = 0.1\n[sensors.a.gyroscope]\nresolution = 0.25\n"
       "[sensors.b]\ntype = 'gyroscope'\npart = 'mine'\n");
   const SensorSpec& a = sensor_of(robot, "a");
@@ -60,14 +60,14 @@ TEST(SensorTable, KeysOfTheSensorWinOverThoseOfItsPart) {
   EXPECT_EQ(a.signal("orientation").noise, 0.1);
   EXPECT_EQ(a.signal("orientation").noise_density, 0);
   EXPECT_EQ(sensor_of(robot, "b").signal("gyroscope").bits, 12);
-  EXPECT_TRUE(examine_sensors(robot).empty()) << "a gyroscope need not have the other outputs of its part";
+  EXPECT_TRUE(check::examine_sensors(robot).empty()) << "a gyroscope need not have the other outputs of its part";
 }
 
 TEST(SensorTable, ATableWithoutTypeChangesTheSensorOfTheFile) {
   const std::string gyro =
       "<gyro name='g' site='imu' noise='0.2'/><accelerometer name='a' site='imu'/>"
       "<velocimeter name='v' site='imu'/>";
-  const RobotFile robot =
+  const robot::RobotFile robot =
       read_with("[sensors]\nv = false\n[sensors.g]\nrate = 250\n[sensors.a]\ntype = 'gyroscope'\n", gyro);
   EXPECT_EQ(robot.sensors.size(), 2u);
   EXPECT_EQ(sensor_of(robot, "g").rate, 250);
@@ -82,8 +82,8 @@ TEST(SensorTable, SectionsReadBackAsTheSameSensors) {
       "[sensors.a]\npart = 'bmi088'\nframe = 'imu'\nposition = [0.1, 0, -0.25]\nrpy_deg = [10, -20, 150]\nrate = 200\n"
       "[sensors.b]\ntype = 'joint_rate'\njoints = ['elbow']\ndelay = 0.5\nlowest = -1\nhighest = 3\n"
       "[sensors.c]\ntype = 'contact_force'\nthreshold = 2.5\nrange = inf\n";
-  const RobotFile before = read_with(text);
-  const RobotFile after = read_with(sensor_sections(before.sensors));
+  const robot::RobotFile before = read_with(text);
+  const robot::RobotFile after = read_with(sensor_sections(before.sensors));
   ASSERT_EQ(after.sensors.size(), 3u);
   const SensorSpec &a = sensor_of(before, "a"), &a2 = sensor_of(after, "a");
   EXPECT_EQ(a2.frame, a.frame);
@@ -102,13 +102,13 @@ TEST(SensorTable, SectionsReadBackAsTheSameSensors) {
 class Part : public testing::TestWithParam<std::string> {};
 
 TEST_P(Part, MakesASensorThatRuns) {
-  RobotFile robot = read_robot(find_data_file("kid21", "models", ".xml"));
+  robot::RobotFile robot = robot::read_robot(files::find_data_file("kid21", "models", ".xml"));
   robot.sensors.clear();
   SensorTable table{.name = "x", .where = "here", .values = {}, .outputs = {}};
   table.values["part"] = {GetParam(), "here"};
   table.values["frame"] = {std::string("l_sole"), "here"};
   change_sensors(robot.sensors, {table}, {});
-  for (const Finding& finding : examine_sensors(robot)) ADD_FAILURE() << to_line(finding);
+  for (const check::Finding& finding : check::examine_sensors(robot)) ADD_FAILURE() << check::to_line(finding);
   EXPECT_EQ(robot.sensors.at(0).part, GetParam());
   EXPECT_FALSE(robot.sensors.at(0).signals.empty() && robot.sensors.at(0).numbers.empty());
 }
@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, Part, testing::ValuesIn(sensor_parts()), [](co
 
 TEST(SensorParts, DensitiesAreTwoSided) {
   // IEEE 952: rms in a bandwidth B is N sqrt(2 B); the MPU-6050's data sheet: 0.05 deg/s rms in 100 Hz
-  const RobotFile robot = read_with("[sensors.a]\npart = 'mpu6050'\n");
+  const robot::RobotFile robot = read_with("[sensors.a]\npart = 'mpu6050'\n");
   const double rms = sensor_of(robot, "a").signal("gyroscope").noise_density * std::sqrt(2 * 100.0);
   EXPECT_NEAR(rms, 0.05 * pi / 180, 0.001 * rms);
 }
@@ -138,8 +138,8 @@ TEST_P(SensorMistake, IsOneLineThatSaysWhere) {
   write("bad.toml", "type = 'imu'\nrays = 3\n");
   std::string what = "no error";
   try {
-    const RobotFile robot = read_with(mistake.text);
-    for (const Finding& finding : examine_sensors(robot))
+    const robot::RobotFile robot = read_with(mistake.text);
+    for (const check::Finding& finding : check::examine_sensors(robot))
       what = finding.where + ": " + finding.what + "; " + finding.advice;
   } catch (const SetupError& error) {
     what = error.what();
@@ -206,4 +206,4 @@ INSTANTIATE_TEST_SUITE_P(Toml, SensorMistake, testing::ValuesIn(mistakes()),
                          [](const auto& m) { return m.param.name; });
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -8,7 +8,7 @@
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::components {
 namespace {
 
 const std::vector<std::string> shipped{"mx106", "mx28", "mx64", "xl330", "xl330_m4", "xm430_w350"};
@@ -91,4 +91,4 @@ TEST(ServoTable, NamesTheNearestType) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::components

@@ -13,7 +13,7 @@
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,7 +43,7 @@ class CsvFile : public testing::Test {
 };
 
 TEST_F(CsvFile, GivesBackWhatALogWrote) {
-  LogSeries slow{{"a.imu.x [m/s^2]", "plain"}, {}, {}}, fast{{"odd, \"name\"\nof two lines"}, {}, {}};
+  logging::LogSeries slow{{"a.imu.x [m/s^2]", "plain"}, {}, {}}, fast{{"odd, \"name\"\nof two lines"}, {}, {}};
   RandomStream random(1, "csv");
   for (int i = 0; i < 100; ++i) {
     if (i % 3 == 0) {
@@ -53,7 +53,7 @@ TEST_F(CsvFile, GivesBackWhatALogWrote) {
     fast.times.push_back(i * 7ms);
     fast.values.push_back(random.normal(1000 + i));
   }
-  const CsvTable table = read(to_csv({&slow, &fast}));
+  const CsvTable table = read(logging::to_csv({&slow, &fast}));
   EXPECT_EQ(table.time, "time [s]");
   ASSERT_EQ(table.columns.size(), 3U);
   EXPECT_EQ(table.columns[0].name, "a.imu.x");
@@ -104,7 +104,7 @@ TEST(LogPlot, HasAPanelForEachUnitOfASensor) {
                        {column("a.imu.gyroscope.x", "rad/s"), column("a.imu.accelerometer.x", "m/s^2"),
                         column("a.imu.gyroscope.y", "rad/s"), column("b.imu.gyroscope.x", "rad/s"),
                         column("a.imu.rates.z", "rad/s"), column("height", "m"), column("width", "m")}};
-  const Plot plot = plot_of(table, "Run");
+  const logging::Plot plot = logging::plot_of(table, "Run");
   EXPECT_EQ(plot.x_label, "time [s]");
   ASSERT_EQ(plot.panels.size(), 4U);
   EXPECT_EQ(plot.panels[0].y_label, "a.imu [rad/s]");
@@ -122,7 +122,7 @@ TEST(LogPlot, HasAPanelForTheSameNumberOfManyObjects) {
   CsvTable table{"t", {}};
   for (int i = 0; i < 21; ++i) table.columns.push_back(column("a.j" + std::to_string(i) + ".joint_position", "rad"));
   table.columns.push_back(column("b.j0.joint_position", "rad"));
-  const Plot plot = plot_of(table, "");
+  const logging::Plot plot = logging::plot_of(table, "");
   ASSERT_EQ(plot.panels.size(), 2U);
   EXPECT_EQ(plot.panels[0].y_label, "a.*.joint_position [rad]");
   ASSERT_EQ(plot.panels[0].curves.size(), 21U);
@@ -134,11 +134,11 @@ TEST(LogPlot, DrawsWhatPatternsName) {
   const CsvTable table{"t",
                        {column("a.imu.gyroscope.x", "rad/s"), column("a.imu.accelerometer.x", "m/s^2"),
                         column("a.imu.gyroscope.y", "rad/s"), column("odd*name", "")}};
-  EXPECT_EQ(plot_of(table, "", {"a.imu.gyro*"}).panels.at(0).curves.size(), 2U);
-  EXPECT_EQ(plot_of(table, "", {"*.*.*.x"}).panels.size(), 2U);
-  EXPECT_EQ(plot_of(table, "", {"odd*name"}).panels.at(0).y_label, "odd*name");
+  EXPECT_EQ(logging::plot_of(table, "", {"a.imu.gyro*"}).panels.at(0).curves.size(), 2U);
+  EXPECT_EQ(logging::plot_of(table, "", {"*.*.*.x"}).panels.size(), 2U);
+  EXPECT_EQ(logging::plot_of(table, "", {"odd*name"}).panels.at(0).y_label, "odd*name");
   try {
-    (void)plot_of(table, "", {"a.imu.gyroscope.z"});
+    (void)logging::plot_of(table, "", {"a.imu.gyroscope.z"});
     FAIL();
   } catch (const SetupError& error) {
     EXPECT_NE(std::string(error.what()).find("unknown column 'a.imu.gyroscope.z'; did you mean 'a.imu.gyroscope."),
@@ -155,7 +155,7 @@ TEST(LogPlot, RefusesMoreThanCanBeToldApart) {
   }
   for (const auto& [table, what] : {std::pair{rays, "100 curves"}, std::pair{panels, "100 panels"}}) {
     try {
-      (void)plot_of(table, "");
+      (void)logging::plot_of(table, "");
       FAIL();
     } catch (const SetupError& error) {
       EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
@@ -164,4 +164,4 @@ TEST(LogPlot, RefusesMoreThanCanBeToldApart) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -10,15 +10,15 @@
 
 #include "murosimf/components/camera_info.h"
 #include "murosimf/files/csv_file.h"
-#include "murosimf/formats/mesh/mesh_file.h"
-#include "murosimf/robot/robot_table.h"
-#include "murosimf/formats/servo_log/servo_log.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/formats/mesh/mesh_file.h"
+#include "murosimf/formats/servo_log/servo_log.h"
 #include "murosimf/model/error.h"
+#include "murosimf/robot/robot_table.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,14 +63,14 @@ TEST_F(InputFile, IsRefusedForWhatItIs) {
 
 TEST_F(InputFile, IsTheOnlyKindThatAnyReaderOpens) {
   const std::vector<std::pair<std::string, std::function<void(const fs::path&)>>> readers{
-      {".toml", [](const fs::path& file) { (void)read_robot_table(file); }},
+      {".toml", [](const fs::path& file) { (void)robot::read_robot_table(file); }},
       {".xml", [](const fs::path& file) { (void)XmlFile(file); }},
-      {".json", [](const fs::path& file) { (void)read_servo_logs({file.string()}); }},
+      {".json", [](const fs::path& file) { (void)formats::servo_log::read_servo_logs({file.string()}); }},
       {".csv", [](const fs::path& file) { (void)read_csv(file); }},
-      {".stl", [](const fs::path& file) { (void)read_mesh_file(file); }},
-      {".obj", [](const fs::path& file) { (void)read_mesh_file(file); }},
-      {".dae", [](const fs::path& file) { (void)read_mesh_file(file); }},
-      {".yaml", [](const fs::path& file) { (void)read_camera_info(file); }}};
+      {".stl", [](const fs::path& file) { (void)formats::mesh::read_mesh_file(file); }},
+      {".obj", [](const fs::path& file) { (void)formats::mesh::read_mesh_file(file); }},
+      {".dae", [](const fs::path& file) { (void)formats::mesh::read_mesh_file(file); }},
+      {".yaml", [](const fs::path& file) { (void)components::read_camera_info(file); }}};
   for (const auto& [extension, read] : readers) {
     const fs::path fifo = pipe("pipe" + extension);
     const std::string message = error_of([&] { read(fifo); });
@@ -80,4 +80,4 @@ TEST_F(InputFile, IsTheOnlyKindThatAnyReaderOpens) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::files

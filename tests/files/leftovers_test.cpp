@@ -14,7 +14,7 @@
 
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -55,4 +55,4 @@ TEST(Leftovers, TooManyAreNoTrouble) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::files

@@ -11,7 +11,7 @@
 #include "murosimf/model/error.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,4 +80,4 @@ TEST_F(OutputFile, SaysThatAFolderIsNotWritable) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::files

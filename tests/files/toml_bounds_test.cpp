@@ -8,7 +8,7 @@
 #include "murosimf/model/error.h"
 #include "tests/fixtures.h"
 
-namespace murosimf::io {
+namespace murosimf::files {
 namespace {
 
 using fixtures::error_of;
@@ -45,4 +45,4 @@ TEST(TomlBounds, RefuseWhatWouldEndTheStack) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::files

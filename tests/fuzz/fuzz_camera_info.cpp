@@ -5,9 +5,9 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace murosimf;
   fuzz::feed(data, size, ".yaml", [](const auto& file) {
-    const io::CameraInfo info = io::read_camera_info(file);
-    (void)sensors::Lens(info.lens).fold_remark();
-    (void)io::camera_info_yaml(info);
+    const components::CameraInfo info = components::read_camera_info(file);
+    (void)imaging::Lens(info.lens).fold_remark();
+    (void)components::camera_info_yaml(info);
   });
   return 0;
 }

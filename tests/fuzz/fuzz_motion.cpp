@@ -4,6 +4,6 @@
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace murosimf;
-  fuzz::feed(data, size, ".toml", [](const auto& file) { (void)io::read_motion(file); });
+  fuzz::feed(data, size, ".toml", [](const auto& file) { (void)scene::read_motion(file); });
   return 0;
 }

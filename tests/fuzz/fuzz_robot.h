@@ -1,8 +1,8 @@
 /// fuzz_robot.h - a robot file, and the first steps of the robot that it makes.
 #pragma once
 
-#include "murosimf/robot/robot_reader.h"
 #include "murosimf/motion/articulated_dynamics.h"
+#include "murosimf/robot/robot_reader.h"
 #include "murosimf/runtime/simulation.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -19,7 +19,7 @@ inline void step(const ModelPtr& model) {
 
 inline void feed_robot(const std::uint8_t* data, std::size_t size, const std::string& extension) {
   for (const bool lenient : {false, true}) {
-    feed(data, size, extension, [&](const auto& file) { step(io::read_robot(file, {.lenient = lenient}).model); });
+    feed(data, size, extension, [&](const auto& file) { step(robot::read_robot(file, {.lenient = lenient}).model); });
   }
 }
 

@@ -5,9 +5,9 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace murosimf;
   fuzz::feed(data, size, ".toml", [](const auto& file) {
-    const io::RobotTable table = io::read_robot_table(file);
+    const robot::RobotTable table = robot::read_robot_table(file);
     std::vector<sensors::SensorSpec> sensors;
-    io::change_sensors(sensors, table.sensors, {});
+    components::change_sensors(sensors, table.sensors, {});
   });
   return 0;
 }

@@ -4,6 +4,6 @@
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace murosimf;
-  fuzz::feed(data, size, ".json", [](const auto& file) { (void)io::read_servo_log(file); });
+  fuzz::feed(data, size, ".json", [](const auto& file) { (void)formats::servo_log::read_servo_log(file); });
   return 0;
 }

@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/model/error.h"
 #include "murosimf/imaging/bayer.h"
 #include "murosimf/imaging/gaussian_blur.h"
 #include "murosimf/imaging/image_noise.h"
 #include "murosimf/imaging/light.h"
 #include "murosimf/imaging/srgb.h"
+#include "murosimf/model/error.h"
 #include "tests/law.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 namespace {
 
 /// Random colors, with plain areas and hard edges between them.
@@ -195,4 +195,4 @@ TEST(Bayer, TakesTheColorThatThePatternNames) {
 }
 
 }  // namespace
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

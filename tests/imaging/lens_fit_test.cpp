@@ -7,7 +7,7 @@
 #include "murosimf/model/error.h"
 #include "tests/law.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 namespace {
 
 Lens lens_of(const std::string& model, const std::vector<double>& coefficients, double focal_length = 430) {
@@ -99,4 +99,4 @@ TEST(LensFit, RefusesWhatTheOtherModelCannotShow) {
 }
 
 }  // namespace
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

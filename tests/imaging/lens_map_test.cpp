@@ -9,7 +9,7 @@
 #include "murosimf/model/error.h"
 #include "tests/law.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 namespace {
 
 Lens barrel() {
@@ -287,4 +287,4 @@ TEST(LensMap, IsBlackBeyondTheFold) {
 }
 
 }  // namespace
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

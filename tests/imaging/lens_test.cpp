@@ -11,7 +11,7 @@
 #include "murosimf/model/error.h"
 #include "tests/law.h"
 
-namespace murosimf::sensors {
+namespace murosimf::imaging {
 namespace {
 
 LensSpec spec_of(const std::string& model, const std::vector<double>& coefficients) {
@@ -249,4 +249,4 @@ TEST(Lens, RefusesNumbersThatAreNoLens) {
 }
 
 }  // namespace
-}  // namespace murosimf::sensors
+}  // namespace murosimf::imaging

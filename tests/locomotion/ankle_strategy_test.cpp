@@ -3,19 +3,19 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/scene/scene.h"
 #include "murosimf/model/error.h"
+#include "murosimf/scene/scene.h"
 #include "murosimf/sensors/reading.h"
 #include "tests/law.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 using namespace std::chrono_literals;
 
 constexpr const char* uncalibrated = "robot.sensors.imu.gyroscope.bias=0.116";  // [rad/s] as the MPU-6050 comes
 
-io::SceneOptions options(const std::string& controller, std::uint64_t seed, std::vector<std::string> more = {}) {
+scene::SceneOptions options(const std::string& controller, std::uint64_t seed, std::vector<std::string> more = {}) {
   more.insert(more.end(), {"events=[]", "robot.controller=" + controller});
   return {.seed = seed, .overrides = std::move(more)};
 }
@@ -38,7 +38,7 @@ struct Nudge {
   }
   void run(Duration time) { scene.simulation().run(time); }
 
-  io::Scene scene;
+  scene::Scene scene;
   Entity& robot = scene.simulation().world().entity("robot");
 };
 
@@ -127,4 +127,4 @@ TEST(AnkleStrategy, NeedsAnInertialSensor) {
 }
 
 }  // namespace
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

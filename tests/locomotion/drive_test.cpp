@@ -6,11 +6,11 @@
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 ModelPtr car_model() {
-  static const ModelPtr model = io::read_robot(std::string(MUROSIMF_SOURCE_DIR) + "/models/car.xml").model;
+  static const ModelPtr model = robot::read_robot(std::string(MUROSIMF_SOURCE_DIR) + "/models/car.xml").model;
   return model;
 }
 
@@ -175,4 +175,4 @@ TEST(Drive, RefusesWhatCannotBeDriven) {
 }
 
 }  // namespace
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

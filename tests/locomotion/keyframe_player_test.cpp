@@ -7,7 +7,7 @@
 
 #include "tests/physics/rig.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 const KeyframeMotion wave{.name = "wave",
@@ -113,4 +113,4 @@ TEST(KeyframePlayer, RefusesWhatTheModelDoesNotHave) {
 }
 
 }  // namespace
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

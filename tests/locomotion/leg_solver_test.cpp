@@ -6,11 +6,11 @@
 #include "murosimf/locomotion/gait.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/math/random.h"
-#include "tests/locomotion/chains.h"
 #include "tests/law.h"
+#include "tests/locomotion/chains.h"
 #include "tests/physics/rig.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 using test::TestHinge;
@@ -202,4 +202,4 @@ TEST(LegSolver, WalksWithLegsOfAnyKind) {
 }
 
 }  // namespace
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

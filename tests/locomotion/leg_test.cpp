@@ -10,7 +10,7 @@
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 Mat3d foot_turn(const std::array<double, 6>& q) {
@@ -164,4 +164,4 @@ TEST(Gait, IsContinuous) {
 }
 
 }  // namespace
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -6,11 +6,11 @@
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 const Model& quadruped() {
-  static const ModelPtr model = io::read_robot(std::string(MUROSIMF_SOURCE_DIR) + "/models/quadruped.xml").model;
+  static const ModelPtr model = robot::read_robot(std::string(MUROSIMF_SOURCE_DIR) + "/models/quadruped.xml").model;
   return *model;
 }
 
@@ -95,4 +95,4 @@ TEST(Trot, DiagonalFeetSwingTogether) {
 }
 
 }  // namespace
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -7,7 +7,7 @@
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 
-namespace murosimf::control {
+namespace murosimf::locomotion {
 namespace {
 
 struct Walker {
@@ -61,11 +61,11 @@ TEST(WalkEngine, StopsWhenTheCommandBecomesZero) {
 double chase(const Vec3d& start, double heading, const Vec3d& ball_place) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21(), {.position = start, .heading = heading, .team = "blue"});
-  Entity& ball = rig.add("ball", io::ball_model(), {.position = ball_place});
+  Entity& ball = rig.add("ball", scene::ball_model(), {.position = ball_place});
   const std::vector<Entity*> everybody{&robot, &ball};
   rig.simulation.attach<sensors::GroundTruth>("ground_truth", robot, 20, sensors::SensorSpec{.name = "ground_truth"},
                                               sensors::SensorSurroundings{.movers = everybody});
-  rig.simulation.attach<BallChaser>("ball_chaser", robot, 20, BallChaserOptions{.goal = {3, 0, 0}});
+  rig.simulation.attach<behavior::BallChaser>("ball_chaser", robot, 20, behavior::BallChaserOptions{.goal = {3, 0, 0}});
   rig.simulation.attach<WalkEngine>("walk_engine", robot, 100);
   rig.materials.set("ball", "", {.friction = 0.5, .rolling = 0.03, .restitution = 0.5});
   rig.attach_together({{&robot, {.level = "kinematic_walking"}}, {&ball, {}}});
@@ -82,4 +82,4 @@ TEST(BallChaser, BringsTheBallTowardsTheGoal) {
 }
 
 }  // namespace
-}  // namespace murosimf::control
+}  // namespace murosimf::locomotion

@@ -15,7 +15,7 @@
 #include "murosimf/model/error.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 namespace {
 
 namespace fs = std::filesystem;
@@ -56,7 +56,7 @@ std::string refusal(const fs::path& file, const Plot& plot) {
 class Plots : public testing::Test {
  protected:
   void SetUp() override {
-    if (!run_process({"gnuplot", "--version"}, {})) GTEST_SKIP() << "no gnuplot here";
+    if (!files::run_process({"gnuplot", "--version"}, {})) GTEST_SKIP() << "no gnuplot here";
   }
   void TearDown() override { fs::remove(picture()); }
 };
@@ -147,18 +147,18 @@ TEST_F(Plots, SayThatGnuplotIsMissing) {
 
 TEST(ChildProcess, PassesMoreThanAPipeHoldsBothWays) {
   const std::string text(1 << 20, 'x');
-  const auto result = run_process({"cat"}, text);
+  const auto result = files::run_process({"cat"}, text);
   ASSERT_TRUE(result);
   EXPECT_EQ(result->exit_code, 0);
   EXPECT_EQ(result->output, text);
 }
 
 TEST(ChildProcess, TellsHowItEnded) {
-  EXPECT_EQ(run_process({"false"}, {})->exit_code, 1);
-  EXPECT_EQ(run_process({"sh", "-c", "echo no >&2; exit 7"}, {})->errors, "no\n");
-  EXPECT_EQ(run_process({"sh", "-c", "kill -9 $$"}, {})->exit_code, -1);
-  EXPECT_FALSE(run_process({"no_such_program_anywhere"}, {}));
+  EXPECT_EQ(files::run_process({"false"}, {})->exit_code, 1);
+  EXPECT_EQ(files::run_process({"sh", "-c", "echo no >&2; exit 7"}, {})->errors, "no\n");
+  EXPECT_EQ(files::run_process({"sh", "-c", "kill -9 $$"}, {})->exit_code, -1);
+  EXPECT_FALSE(files::run_process({"no_such_program_anywhere"}, {}));
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

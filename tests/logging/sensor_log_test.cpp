@@ -6,17 +6,17 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "murosimf/components/sensor_types.h"
 #include "murosimf/logging/log_catalog.h"
 #include "murosimf/logging/log_paths.h"
 #include "murosimf/logging/log_series.h"
 #include "murosimf/logging/run_log.h"
-#include "murosimf/scene/scene.h"
-#include "murosimf/components/sensor_types.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/scene.h"
 #include "murosimf/sensors/reading.h"
 
-namespace murosimf::io {
+namespace murosimf::logging {
 namespace {
 
 using namespace std::chrono_literals;
@@ -39,12 +39,12 @@ struct Walk {
     add({.name = "tilt", .type = "orientation", .where = "test", .rate = 50});
   }
   void add(const SensorSpec& spec) {
-    attach_sensor(simulation(), walker(), spec, {.seed = 1, .movers = {&walker()}}, scene.spec().rate);
+    components::attach_sensor(simulation(), walker(), spec, {.seed = 1, .movers = {&walker()}}, scene.spec().rate);
   }
   Simulation& simulation() { return scene.simulation(); }
   Entity& walker() { return simulation().world().entity("walker"); }
 
-  Scene scene;
+  scene::Scene scene;
 };
 
 std::vector<std::vector<std::string>> cells_of(const std::string& csv) {
@@ -138,12 +138,12 @@ TEST(RunLog, ChangesNothing) {
 
 TEST(RunLog, IsTheSameAtManyThreads) {
   const auto csv = [](int threads) {
-    Scene scene("three_on_three", {.threads = threads, .overrides = {"*.sensors=false"}});
+    scene::Scene scene("three_on_three", {.threads = threads, .overrides = {"*.sensors=false"}});
     Simulation& simulation = scene.simulation();
     for (const char* name : {"blue1", "red2"}) {
       Entity& robot = simulation.world().entity(name);
-      attach_sensor(simulation, robot, {.name = "imu", .type = "imu", .where = "test", .rate = 100},
-                    {.movers = {&robot}}, scene.spec().rate);
+      components::attach_sensor(simulation, robot, {.name = "imu", .type = "imu", .where = "test", .rate = 100},
+                                {.movers = {&robot}}, scene.spec().rate);
     }
     RunLog log(simulation, {"*.imu", "ball.ball.position"});
     simulation.run(200ms);
@@ -174,7 +174,7 @@ TEST(RunLog, NotesPropertiesAtItsOwnRate) {
 }
 
 TEST(RunLog, LeavesOutPropertiesThatTheLevelHasNoLonger) {
-  Scene scene("walk", {.overrides = {"walker.level=articulated_dynamics"}});
+  scene::Scene scene("walk", {.overrides = {"walker.level=articulated_dynamics"}});
   Simulation& simulation = scene.simulation();
   RunLog log(simulation, {"walker.j_l_shin.joint_torque", "walker.pelvis.position.x"});
   simulation.run(100ms);
@@ -197,16 +197,16 @@ TEST(RunLog, RefusesImpossibleRates) {
 TEST(RunReports, HaveTheLastSampleOfEverySensor) {
   Walk walk;
   walk.simulation().run(100ms);
-  const RunReport report = walk.scene.report(1s);
+  const scene::RunReport report = walk.scene.report(1s);
   ASSERT_EQ(report.sensors.size(), 2U);
   EXPECT_EQ(report.sensors[1].reading.time, 80ms);
-  EXPECT_NE(to_text(report).find("2 sensors, 24 samples\n"), std::string::npos) << to_text(report);
-  RunReport other;
-  EXPECT_EQ(to_text(other).find("sensor"), std::string::npos);
+  EXPECT_NE(scene::to_text(report).find("2 sensors, 24 samples\n"), std::string::npos) << scene::to_text(report);
+  scene::RunReport other;
+  EXPECT_EQ(scene::to_text(other).find("sensor"), std::string::npos);
   auto info = std::make_shared<sensors::SensorInfo>();
   *info = {"eye", "sonar", "head", 10ms, {{"distance", "m", {}}, {"force", "N", {"x", "y"}}}};
   other.sensors.push_back({"r1", {15ms, 7, {nan, 0.5, inf}, info}});
-  std::string text = to_json(other);
+  std::string text = scene::to_json(other);
   std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
   const std::string expected =
       R"("sensors":{"r1":{"eye":{"outputs":{"distance":{"labels":[],"unit":"m","values":[null]},)"
@@ -243,8 +243,8 @@ TEST(LogPaths, AreEntityObjectProperty) {
 }
 
 TEST(LogPaths, TakeTeamsAsOverridesDo) {
-  const Scene scene("three_on_three");
-  const World& world = const_cast<Scene&>(scene).simulation().world();
+  const scene::Scene scene("three_on_three");
+  const World& world = const_cast<scene::Scene&>(scene).simulation().world();
   EXPECT_EQ(names(world, {"blue.*.pelvis.position"}).size(), 9U);
   EXPECT_EQ(names(world, {"blue.2.pelvis.position.x"}), std::vector<std::string>{"blue2.pelvis.position.x [m]"});
 }
@@ -282,4 +282,4 @@ TEST(Units, AreOfEachNumber) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::logging

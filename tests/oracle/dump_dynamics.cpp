@@ -10,11 +10,11 @@
 /// Rotors (armature) are in all of them.
 #include <cstdio>
 
-#include "murosimf/robot/robot_reader.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/articulated_body.h"
 #include "murosimf/multibody/inverse_dynamics.h"
 #include "murosimf/multibody/kinematics.h"
+#include "murosimf/robot/robot_reader.h"
 #include "tests/oracle/state_file.h"
 
 namespace {
@@ -127,7 +127,7 @@ class Robot {
 };
 
 void dump(const char* model_file, const char* state_file) {
-  const auto model = io::read_robot(model_file, {.guess = false}).model;
+  const auto model = robot::read_robot(model_file, {.guess = false}).model;
   const auto file = oracle::read_states(state_file);
   if (file.joints.size() != model->joints().size()) {
     throw SetupError(

@@ -12,16 +12,16 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/model/error.h"
 #include "murosimf/imaging/lens.h"
+#include "murosimf/model/error.h"
 
 namespace {
 
 using namespace murosimf;
 
-sensors::LensSpec read_lens(const std::vector<std::string>& words) {
+imaging::LensSpec read_lens(const std::vector<std::string>& words) {
   const auto number = [&](std::size_t i) { return std::strtod(words.at(i).c_str(), nullptr); };
-  sensors::LensSpec spec{.model = words.at(1),
+  imaging::LensSpec spec{.model = words.at(1),
                          .width = static_cast<int>(number(2)),
                          .height = static_cast<int>(number(3)),
                          .fx = number(4),
@@ -32,7 +32,7 @@ sensors::LensSpec read_lens(const std::vector<std::string>& words) {
   return spec;
 }
 
-std::vector<std::string> pixels_of_points(const sensors::Lens& lens, const std::string& file) {
+std::vector<std::string> pixels_of_points(const imaging::Lens& lens, const std::string& file) {
   std::ifstream stream(file);
   std::vector<std::string> pixels;
   for (Vec3d p; stream >> p.x >> p.y >> p.z;) {
@@ -42,12 +42,12 @@ std::vector<std::string> pixels_of_points(const sensors::Lens& lens, const std::
   return pixels;
 }
 
-std::vector<std::string> rays_of_pixels(const sensors::Lens& lens) {
+std::vector<std::string> rays_of_pixels(const imaging::Lens& lens) {
   constexpr int steps = 20;
   std::vector<std::string> rays;
   for (int j = 0; j <= steps; ++j) {
     for (int i = 0; i <= steps; ++i) {
-      const sensors::Pixel pixel{(lens.spec().width - 1.0) * i / steps, (lens.spec().height - 1.0) * j / steps};
+      const imaging::Pixel pixel{(lens.spec().width - 1.0) * i / steps, (lens.spec().height - 1.0) * j / steps};
       const auto ray = lens.ray(pixel);
       const std::string direction = ray ? fmt::format("[{:.17g}, {:.17g}, {:.17g}]", ray->x, ray->y, ray->z) : "null";
       rays.push_back(fmt::format("{{\"pixel\": [{:.17g}, {:.17g}], \"ray\": {}}}", pixel.u, pixel.v, direction));
@@ -61,7 +61,7 @@ std::vector<std::string> rays_of_pixels(const sensors::Lens& lens) {
 int main(int count, char** arguments) {
   try {
     const std::vector<std::string> words(arguments + 1, arguments + count);
-    const sensors::Lens lens(read_lens(words));
+    const imaging::Lens lens(read_lens(words));
     fmt::print("{{\"pixels\": [{}],\n \"rays\": [{}]}}\n", fmt::join(pixels_of_points(lens, words[0]), ", "),
                fmt::join(rays_of_pixels(lens), ",\n"));
   } catch (const SetupError& error) {

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot/robot_reader.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/robot/robot_reader.h"
 
 namespace {
 
@@ -44,7 +44,7 @@ std::string base(const Model& model) {
 int main(int count, char** arguments) {
   try {
     std::vector<std::string> all;
-    for (int i = 1; i < count; ++i) all.push_back(base(*io::read_robot(arguments[i], {.guess = false}).model));
+    for (int i = 1; i < count; ++i) all.push_back(base(*robot::read_robot(arguments[i], {.guess = false}).model));
     fmt::print("[{}]\n", fmt::join(all, ",\n"));
   } catch (const SetupError& error) {
     fmt::print(stderr, "{}\n", error.what());

@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot/robot_reader.h"
 #include "murosimf/math/random.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/multibody/mass.h"
+#include "murosimf/robot/robot_reader.h"
 
 namespace {
 
@@ -62,7 +62,7 @@ int main(int count, char** arguments) {
   const std::filesystem::path file =
       count > 1 ? std::filesystem::path(arguments[1]) : std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml";
   try {
-    const auto model = io::read_robot(file, {.guess = false}).model;
+    const auto model = robot::read_robot(file, {.guess = false}).model;
     const RandomStream random(1, "kid21_against_mujoco");
     std::vector<std::string> all;
     for (int i = 0; i < states; ++i) all.push_back(state(*model, random, i));

@@ -11,11 +11,11 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/robot/robot_reader.h"
 #include "murosimf/math/random.h"
 #include "murosimf/model/error.h"
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/multibody/mass.h"
+#include "murosimf/robot/robot_reader.h"
 
 namespace {
 
@@ -42,18 +42,18 @@ int object_of(const Model& model, const std::string& name, const std::string& ki
   return found ? *found : model.object_index(name);
 }
 
-std::vector<Named> frames_of(const io::RobotFile& robot) {
+std::vector<Named> frames_of(const robot::RobotFile& robot) {
   std::vector<Named> frames;
-  for (const io::DraftBody& body : robot.draft.bodies) {
+  for (const description::DraftBody& body : robot.draft.bodies) {
     frames.push_back({body.name, object_of(*robot.model, body.name, "body")});
-    for (const io::DraftFrame& frame : body.frames) {
+    for (const description::DraftFrame& frame : body.frames) {
       frames.push_back({frame.name, object_of(*robot.model, frame.name, frame.kind)});
     }
   }
   return frames;
 }
 
-std::string body_json(const io::DraftBody& body) {
+std::string body_json(const description::DraftBody& body) {
   const SymMat3d& I = body.solid.inertia;
   return fmt::format(
       "\"{}\": {{\"mass\": {:.17g}, \"center\": {}, \"inertia\": [{:.17g}, {:.17g}, {:.17g}, {:.17g}, {:.17g}, "
@@ -61,7 +61,7 @@ std::string body_json(const io::DraftBody& body) {
       body.name, body.solid.mass, list(body.solid.center), I.xx, I.yy, I.zz, I.xy, I.xz, I.yz);
 }
 
-std::string joint_json(const io::DraftJoint& joint) {
+std::string joint_json(const description::DraftJoint& joint) {
   const std::string range = joint.range ? fmt::format("[{:.17g}, {:.17g}]", joint.range->x, joint.range->y) : "null";
   return fmt::format("\"{}\": {{\"axis\": {}, \"range\": {}}}", joint.name, list(joint.axis), range);
 }
@@ -87,13 +87,13 @@ std::string state_json(const Model& model, const std::vector<Named>& frames, con
 }
 
 void dump(const std::string& file, int states) {
-  const io::RobotFile robot = io::read_robot(file, {.guess = false});
+  const robot::RobotFile robot = robot::read_robot(file, {.guess = false});
   const auto frames = frames_of(robot);
   const RandomStream random(1, "robots_against_mujoco");
   std::vector<std::string> bodies, joints, all;
-  for (const io::DraftBody& body : robot.draft.bodies) {
+  for (const description::DraftBody& body : robot.draft.bodies) {
     bodies.push_back(body_json(body));
-    for (const io::DraftJoint& joint : body.joints) joints.push_back(joint_json(joint));
+    for (const description::DraftJoint& joint : body.joints) joints.push_back(joint_json(joint));
   }
   for (int i = 0; i < states; ++i) all.push_back(state_json(*robot.model, frames, random, i));
   fmt::print("{{\"total_mass\": {:.17g},\n\"bodies\": {{{}}},\n\"joints\": {{{}}},\n\"states\": [{}]}}\n",

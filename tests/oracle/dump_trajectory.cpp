@@ -6,11 +6,11 @@
 #include <cstdio>
 
 #include "murosimf/collision/ground_contact.h"
-#include "murosimf/scene/registry.h"
-#include "murosimf/robot/robot_reader.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/articulated_dynamics.h"
+#include "murosimf/robot/robot_reader.h"
 #include "murosimf/runtime/simulation.h"
+#include "murosimf/scene/registry.h"
 #include "tests/oracle/state_file.h"
 
 namespace {
@@ -48,7 +48,7 @@ std::string fly(const ModelPtr& model, const oracle::StateFile& file, const orac
   Simulation simulation;
   Entity& robot = simulation.world().add("robot", model);
   simulation.attach<collision::GroundContact>("ground_contact", robot, rate, nullptr,
-                                              io::find_entry(io::contacts(), "contact", "implicit_stick").make(),
+                                              find_entry(scene::contacts(), "contact", "implicit_stick").make(),
                                               MaterialTable{});
   simulation.attach<motion::ArticulatedDynamics>("articulated_dynamics", robot, rate);
   set_targets(robot, file, state);
@@ -64,7 +64,7 @@ std::string fly(const ModelPtr& model, const oracle::StateFile& file, const orac
 }
 
 void dump(const char* model_file, const char* state_file, double rate) {
-  const auto model = io::read_robot(model_file, {.guess = false}).model;
+  const auto model = robot::read_robot(model_file, {.guess = false}).model;
   const auto file = oracle::read_states(state_file);
   std::vector<std::string> all;
   for (const auto& state : file.states) all.push_back(fly(model, file, state, rate));

@@ -5,11 +5,11 @@
 
 #include "tests/fixtures.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 namespace {
 
-using sensors::ColorImage;
-using sensors::Rgb;
+using imaging::ColorImage;
+using imaging::Rgb;
 
 constexpr Rgb magenta{217, 25, 153}, green{40, 120, 56};
 constexpr ColorClass pink{.hue = 320, .hue_reach = 25, .least_saturation = 0.5, .least_value = 0.2};
@@ -112,4 +112,4 @@ TEST(BlobFinder, FindsWhatAFloodFillFinds) {
 }
 
 }  // namespace
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

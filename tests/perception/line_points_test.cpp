@@ -5,21 +5,21 @@
 
 #include "murosimf/perception/planar.h"
 #include "murosimf/scene/field.h"
-#include "tests/perception/vision_rig.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
+#include "tests/perception/vision_rig.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 namespace {
 
 using test::looking_down;
 using test::picture_of;
 using test::plain_lens;
 
-const Markings field = io::field_markings(io::kid_size_2008);
+const Markings field = scene::field_markings(scene::kid_size_2008);
 
 TEST(GroundProjection, IsTheClosedFormOfAPinhole) {
-  const sensors::Lens lens = plain_lens();
+  const imaging::Lens lens = plain_lens();
   const double pitch = 0.3, height = 0.5;
   const auto middle = on_ground(lens, looking_down(height, pitch), {159.5, 119.5});
   ASSERT_TRUE(middle);
@@ -31,14 +31,14 @@ TEST(GroundProjection, IsTheClosedFormOfAPinhole) {
 }
 
 TEST(GroundProjection, HasNoPlaceAboveTheHorizon) {
-  const sensors::Lens lens = plain_lens();
+  const imaging::Lens lens = plain_lens();
   const double horizon = 119.5 - 175 * std::tan(0.3);
   EXPECT_TRUE(on_ground(lens, looking_down(0.5, 0.3), {159.5, horizon + 1}));
   EXPECT_FALSE(on_ground(lens, looking_down(0.5, 0.3), {159.5, horizon - 1}));
 }
 
 TEST(GroundProjection, GoesBackThroughADistortedLens) {
-  const sensors::Lens lens({.model = "plumb_bob",
+  const imaging::Lens lens({.model = "plumb_bob",
                             .width = 640,
                             .height = 480,
                             .fx = 349,
@@ -74,7 +74,7 @@ law::Worst errors_of(const std::vector<LinePoint>& points, const Vec3d& pose) {
 }
 
 TEST(LinePoints, LieOnTheLines) {
-  const sensors::Lens lens = plain_lens();
+  const imaging::Lens lens = plain_lens();
   const CameraPose camera = looking_down(0.45, 0.3);
   law::Worst worst;
   for (const Vec3d& pose : {Vec3d{-1.5, 0, 0}, Vec3d{0.5, -1, 2}, Vec3d{-2, 1, -0.7}, Vec3d{2, 0.5, 1.2}}) {
@@ -91,20 +91,20 @@ TEST(LinePoints, LieOnTheLines) {
 }
 
 TEST(LinePoints, AreNoneOnPlainGroundAndInTheSky) {
-  const sensors::Lens lens = plain_lens();
+  const imaging::Lens lens = plain_lens();
   std::vector<LinePoint> points(3);
-  find_line_points(sensors::ColorImage(320, 240, test::grass), lens, looking_down(0.45, 0.3), {}, points);
+  find_line_points(imaging::ColorImage(320, 240, test::grass), lens, looking_down(0.45, 0.3), {}, points);
   EXPECT_TRUE(points.empty());
-  find_line_points(sensors::ColorImage(320, 240, test::white), lens, looking_down(0.45, 0.3), {}, points);
+  find_line_points(imaging::ColorImage(320, 240, test::white), lens, looking_down(0.45, 0.3), {}, points);
   EXPECT_TRUE(points.empty());
 }
 
 TEST(LinePoints, AreNoneOnWhatIsTooWide) {
   Markings wide = field;
   wide.strokes = {{{{-5, -5, 0}, {-5, 5, 0}}, 0.05}};
-  const sensors::Lens lens = plain_lens();
+  const imaging::Lens lens = plain_lens();
   const CameraPose camera = looking_down(0.45, 0.3);
-  sensors::ColorImage picture = picture_of(wide, lens, camera, {});
+  imaging::ColorImage picture = picture_of(wide, lens, camera, {});
   for (int v = 150; v < 200; ++v) {  // a white box, 0.4 m and more
     for (int u = 100; u < 220; ++u) picture(u, v) = test::white;
   }
@@ -114,10 +114,10 @@ TEST(LinePoints, AreNoneOnWhatIsTooWide) {
 }
 
 TEST(LinePoints, AreNotOnLinesOfAnotherColor) {
-  const sensors::Lens lens = plain_lens();
+  const imaging::Lens lens = plain_lens();
   const CameraPose camera = looking_down(0.45, 0.3);
-  sensors::ColorImage picture = picture_of(field, lens, camera, {-1.5, 0, 0});
-  for (sensors::Rgb& pixel : picture.pixels()) {
+  imaging::ColorImage picture = picture_of(field, lens, camera, {-1.5, 0, 0});
+  for (imaging::Rgb& pixel : picture.pixels()) {
     if (pixel == test::white) pixel = {230, 40, 40};
   }
   std::vector<LinePoint> points;
@@ -126,4 +126,4 @@ TEST(LinePoints, AreNotOnLinesOfAnotherColor) {
 }
 
 }  // namespace
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

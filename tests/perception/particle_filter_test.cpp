@@ -5,16 +5,16 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/model/error.h"
 #include "murosimf/perception/dead_reckoning.h"
 #include "murosimf/scene/field.h"
-#include "murosimf/model/error.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 
-namespace murosimf::control {
+namespace murosimf::perception {
 namespace {
 
-const Markings field = io::field_markings(io::kid_size_2008);
+const Markings field = scene::field_markings(scene::kid_size_2008);
 
 TEST(LineTable, IsAsFarAsTheNearestLine) {
   const LineTable table(field);
@@ -173,4 +173,4 @@ TEST(ParticleFilter, EstimatesTheHeavierOfTwoClusters) {
 }
 
 }  // namespace
-}  // namespace murosimf::control
+}  // namespace murosimf::perception

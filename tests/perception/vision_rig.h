@@ -5,36 +5,36 @@
 #include <cmath>
 #include <limits>
 
+#include "murosimf/imaging/image.h"
 #include "murosimf/perception/ground_projection.h"
 #include "murosimf/perception/line_table.h"
-#include "murosimf/imaging/image.h"
 
 namespace murosimf::test {
 
-inline constexpr sensors::Rgb grass{60, 150, 75}, white{235, 235, 230}, sky{180, 190, 200};
+inline constexpr imaging::Rgb grass{60, 150, 75}, white{235, 235, 230}, sky{180, 190, 200};
 
-inline sensors::Lens plain_lens() {
-  return sensors::Lens(
+inline imaging::Lens plain_lens() {
+  return imaging::Lens(
       {.model = "perspective", .width = 320, .height = 240, .fx = 175, .fy = 175, .cx = 159.5, .cy = 119.5});
 }
 
 /// `height` [m] above the ground, looking along x and down by `pitch` [rad].
-inline control::CameraPose looking_down(double height, double pitch) {
+inline CameraPose looking_down(double height, double pitch) {
   const Mat3d forward{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}};
   return {{0, 0, height}, rotation_y(pitch) * forward};
 }
 
 /// What a robot at `pose` [m, m, rad] on the field sees.
-inline sensors::ColorImage picture_of(const Markings& field, const sensors::Lens& lens,
-                                      const control::CameraPose& camera, const Vec3d& pose) {
-  sensors::ColorImage picture(lens.spec().width, lens.spec().height, sky);
+inline imaging::ColorImage picture_of(const Markings& field, const imaging::Lens& lens, const CameraPose& camera,
+                                      const Vec3d& pose) {
+  imaging::ColorImage picture(lens.spec().width, lens.spec().height, sky);
   for (int v = 0; v < picture.height(); ++v) {
     for (int u = 0; u < picture.width(); ++u) {
-      const auto place = control::on_ground(lens, camera, {static_cast<double>(u), static_cast<double>(v)});
+      const auto place = on_ground(lens, camera, {static_cast<double>(u), static_cast<double>(v)});
       if (!place) continue;
       const double c = std::cos(pose.z), s = std::sin(pose.z);
       const double x = pose.x + c * place->x - s * place->y, y = pose.y + s * place->x + c * place->y;
-      picture(u, v) = control::distance_to_lines(field, x, y) < 0.025 ? white : grass;
+      picture(u, v) = distance_to_lines(field, x, y) < 0.025 ? white : grass;
     }
   }
   return picture;

@@ -19,8 +19,8 @@ class ArmSwinger final : public Algorithm {
       : model_(setup.model()), amplitude_(amplitude), target_(setup.write(properties::joint_target)) {}
   void initialize() override {
     std::fill(target_.begin(), target_.end(), 0.0);
-    const auto legs = control::find_legs(model_);
-    const auto pose = control::gait_pose(legs, control::seeded_parameters(legs), 0, 0, {});
+    const auto legs = locomotion::find_legs(model_);
+    const auto pose = locomotion::gait_pose(legs, locomotion::seeded_parameters(legs), 0, 0, {});
     for (std::size_t side = 0; side < 2; ++side) {
       for (std::size_t i = 0; i < legs[side].joints.size(); ++i) target_[legs[side].joints[i]] = pose.q[side][i];
     }

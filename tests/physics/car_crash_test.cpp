@@ -13,7 +13,7 @@ namespace {
 struct Crash {
   Crash() : scene("car_crash") {
     scene.simulation().initialize();
-    for (const io::RobotSpec& robot : scene.spec().robots)
+    for (const scene::RobotSpec& robot : scene.spec().robots)
       robots.push_back(&scene.simulation().world().entity(robot.name));
   }
   /// [J] kinetic, and potential above the ground.
@@ -47,7 +47,7 @@ struct Crash {
     return -lowest;
   }
 
-  io::Scene scene;
+  scene::Scene scene;
   std::vector<Entity*> robots;  // the car is the first
 };
 

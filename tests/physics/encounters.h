@@ -31,11 +31,11 @@ inline Vec3d linear_momentum(Entity& e) { return e.base().get(properties::total_
 struct Pitch : Rig {
   explicit Pitch(double rate_hz = 1000, int threads = 1) : Rig(0.8, 0, rate_hz, threads) {
     materials = MaterialTable::standard();
-    ground = &simulation.world().add("field", io::field_model(size, "carpet"));
+    ground = &simulation.world().add("field", scene::field_model(size, "carpet"));
   }
   /// A box of the goal at x > 0.
-  [[nodiscard]] io::GoalBox goal_box(std::string_view name) const {
-    for (const io::GoalBox& box : io::goal_boxes(size, 1)) {
+  [[nodiscard]] scene::GoalBox goal_box(std::string_view name) const {
+    for (const scene::GoalBox& box : scene::goal_boxes(size, 1)) {
       if (box.name == name) return box;
     }
     throw SetupError("no such box");
@@ -44,7 +44,7 @@ struct Pitch : Rig {
     return {ground, ground->model().object_index(name)};
   }
 
-  const io::FieldSize& size = io::kid_size_2008;
+  const scene::FieldSize& size = scene::kid_size_2008;
 };
 
 }  // namespace murosimf::test

@@ -9,7 +9,7 @@ namespace {
 /// Four robots, one of each level, and a ball fall onto each other in front of a goal, beside a walker.
 struct Heap {
   explicit Heap(const std::string& volume, int threads) : pitch(1000, threads) {
-    const io::GoalBox post = pitch.goal_box("post_left");
+    const scene::GoalBox post = pitch.goal_box("post_left");
     std::vector<Rig::Together> all;
     const auto levels = all_levels();
     for (int i = 0; i < 4; ++i) {
@@ -18,13 +18,13 @@ struct Heap {
       if (i > 0) options.attitude = rotation_y(1.2);
       options.collision = {.volume = volume, .self_collision = true};
       Entity& robot = pitch.add("robot" + std::to_string(i), kid21(), options);
-      pitch.simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz,
-                                                   Vec3d{0.2, 0, 0});
+      pitch.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz,
+                                                      Vec3d{0.2, 0, 0});
       all.push_back({&robot, {.level = levels[static_cast<std::size_t>(i)]}});
     }
     EntityOptions options{.position = {post.center.x - 0.2, post.center.y, 1.1}};
     options.collision.volume = volume;
-    all.push_back({&pitch.add("ball", io::ball_model(), options), {}});
+    all.push_back({&pitch.add("ball", scene::ball_model(), options), {}});
     pitch.attach_together(all);
   }
   /// Also counts how many contacts of bodies there are.

@@ -80,7 +80,7 @@ void expect_no_jump(const Seen& seen, const std::string& what) {
 
 Entity& robot_in(Rig& rig, const Vec3d& command) {
   Entity& robot = rig.add("robot", kid21());
-  rig.simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, command);
+  rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz, command);
   rig.attach_dynamics(robot, {.level = chain[0]});
   return robot;
 }
@@ -122,7 +122,8 @@ TEST_P(HandoverBetween, KeepsMomentumInTheMiddleOfAStep) {
   const auto& [from, to] = GetParam();
   Rig rig;
   Entity& robot = rig.add("robot", kid21());
-  rig.simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, Vec3d{0.15, 0, 0.3});
+  rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz,
+                                                Vec3d{0.15, 0, 0.3});
   rig.attach_dynamics(robot, {.level = from});
   rig.run(3.137);  // a foot swings
   const Forced before = momentum_at(from, robot);

@@ -66,8 +66,8 @@ class Judge final : public Algorithm {
 
 TEST(HeapOfRobots, HasTheContactsThatTestingAllShapesFinds) {
   for (const char* volume : {"sphere", "obb"}) {
-    io::Scene scene("heap",
-                    {.overrides = {"r*.level=simplified_dynamics", std::string("r*.volume=") + volume, "rate=500"}});
+    scene::Scene scene("heap",
+                       {.overrides = {"r*.level=simplified_dynamics", std::string("r*.volume=") + volume, "rate=500"}});
     World& world = scene.simulation().world();
     std::vector<Entity*> robots;
     for (const auto& entity : world.entities()) {

@@ -87,7 +87,7 @@ class Heap {
     return sum;
   }
 
-  io::Scene scene_;
+  scene::Scene scene_;
   std::vector<Entity*> robots_;
   const collision::PairSet* pairs_ = nullptr;
 };

@@ -8,7 +8,7 @@ namespace murosimf::test {
 namespace {
 
 ModelPtr quadruped() {
-  static const ModelPtr model = io::read_robot(std::string(MUROSIMF_SOURCE_DIR) + "/models/quadruped.xml").model;
+  static const ModelPtr model = robot::read_robot(std::string(MUROSIMF_SOURCE_DIR) + "/models/quadruped.xml").model;
   return model;
 }
 
@@ -24,7 +24,7 @@ Trotted trot(const std::string& level, const Vec3d& command) {
   Rig rig;
   rig.materials.set("rubber", "", {.friction = 0.8});
   Entity& robot = rig.add("robot", quadruped());
-  rig.simulation.attach<control::Trot>("trot", robot, control::Trot::rate_hz, command);
+  rig.simulation.attach<locomotion::Trot>("trot", robot, locomotion::Trot::rate_hz, command);
   rig.attach_motion(robot, {.level = level});
   rig.run(2.0);
   Trotted result;
@@ -49,7 +49,7 @@ class Quadruped : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Levels, Quadruped, testing::ValuesIn(dynamic_levels()), level_name);
 
 TEST_P(Quadruped, Stands) {
-  expect_still("quadruped", GetParam(), stand_still<control::Trot>(quadruped(), GetParam()));
+  expect_still("quadruped", GetParam(), stand_still<locomotion::Trot>(quadruped(), GetParam()));
 }
 
 /// Servos give way and lag behind, so that articulated_dynamics comes short; the others follow within 10 %.
@@ -90,7 +90,7 @@ std::string refusal(const std::string& level, const std::string& controller) {
   try {
     Rig rig;
     Entity& robot = rig.add("robot", quadruped());
-    if (controller == "walk") rig.simulation.attach<control::WalkEngine>("walk_engine", robot, 100);
+    if (controller == "walk") rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, 100);
     rig.attach_motion(robot, {.level = level});
   } catch (const SetupError& error) {
     return error.what();

@@ -24,7 +24,7 @@ std::vector<RealRobot> real_robots() { return {{"K1", k1_mjcf}, {"Wolfgang_OP", 
 ModelPtr model_of(const RealRobot& robot) {
   static std::map<std::string, ModelPtr> read;
   ModelPtr& model = read[robot.name];
-  if (!model) model = io::read_robot(robot.file()).model;
+  if (!model) model = robot::read_robot(robot.file()).model;
   return model;
 }
 
@@ -70,7 +70,7 @@ TEST_P(RealRobots, FallOverWhenDropped) {
   Rig rig;
   Entity& robot =
       rig.add("robot", model_of(GetParam()), {.position = {0, 0, 0.2}, .attitude = rotation_y(25 * degree)});
-  rig.simulation.attach<control::WalkEngine>("walk_engine", robot, 100);
+  rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, 100);
   rig.attach_motion(robot, {.level = "articulated_dynamics"});
   rig.run(0.001);
   const double height = Rig::place(robot).z;

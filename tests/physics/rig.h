@@ -13,14 +13,14 @@
 #include "murosimf/collision/body_contact.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/locomotion/walk_engine.h"
-#include "murosimf/scene/ball.h"
-#include "murosimf/scene/registry.h"
-#include "murosimf/robot/robot_reader.h"
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/motion/full_dynamics.h"
 #include "murosimf/motion/kinematic_walking.h"
 #include "murosimf/motion/odometer.h"
+#include "murosimf/robot/robot_reader.h"
 #include "murosimf/runtime/simulation.h"
+#include "murosimf/scene/ball.h"
+#include "murosimf/scene/registry.h"
 
 namespace murosimf::test {
 
@@ -39,7 +39,7 @@ inline std::vector<std::string> dynamic_levels() {
 using LawPtr = std::shared_ptr<const collision::ContactLaw>;
 
 /// A contact law by its registered name.
-inline LawPtr law_named(const std::string& name) { return io::find_entry(io::contacts(), "contact law", name).make(); }
+inline LawPtr law_named(const std::string& name) { return find_entry(scene::contacts(), "contact law", name).make(); }
 
 /// Parameters of a test of a contact law: a level and a law, by name.
 using LevelAndLaw = std::tuple<std::string, std::string>;
@@ -54,7 +54,7 @@ struct Dynamics {
   std::string level = dynamic_levels().front();
   LawPtr law;
   bool on_ground = true;
-  io::LevelOptions options;
+  scene::LevelOptions options;
   motion::MovingTreeOptions tree;
 };
 
@@ -119,15 +119,15 @@ struct Rig {
     std::vector<Entity*> movers;
     for (const auto& [entity, dynamics] : all) {
       movers.push_back(entity);
-      if (io::find_entry(io::levels(), "level", dynamics.level).dynamic) attach_ground(*entity, dynamics);
+      if (find_entry(scene::levels(), "level", dynamics.level).dynamic) attach_ground(*entity, dynamics);
     }
     simulation.attach<collision::BodyContact>("body_contact", *ground, rate, movers, materials, options);
     for (const auto& [entity, dynamics] : all) attach_level(*entity, dynamics);
   }
 
   /// Another level moves the entity from now on.
-  void exchange(Entity& entity, const std::string& level, const io::LevelOptions& options = {}) {
-    const io::Level& entry = io::find_entry(io::levels(), "level", level);
+  void exchange(Entity& entity, const std::string& level, const scene::LevelOptions& options = {}) {
+    const scene::Level& entry = find_entry(scene::levels(), "level", level);
     simulation.exchange(level, entity, [&](Setup& setup) { return entry.make(setup, options); });
   }
 
@@ -149,9 +149,9 @@ struct Rig {
 
  private:
   void attach_level(Entity& entity, const Dynamics& dynamics) {
-    io::LevelOptions options = dynamics.options;
+    scene::LevelOptions options = dynamics.options;
     options.tree = dynamics.tree;
-    const io::Level& level = io::find_entry(io::levels(), "level", dynamics.level);
+    const scene::Level& level = find_entry(scene::levels(), "level", dynamics.level);
     simulation.attach(dynamics.level, entity, rate, [&](Setup& setup) { return level.make(setup, options); });
   }
 };
@@ -175,7 +175,7 @@ inline ModelPtr box_model(const Surface& surface) {
 inline ModelPtr box_model(double friction = 0.8) { return box_model({"", friction}); }
 
 inline ModelPtr kid21() {
-  static const ModelPtr model = io::read_robot(std::string(MUROSIMF_SOURCE_DIR) + "/models/kid21.xml").model;
+  static const ModelPtr model = robot::read_robot(std::string(MUROSIMF_SOURCE_DIR) + "/models/kid21.xml").model;
   return model;
 }
 

@@ -79,7 +79,8 @@ struct HeadOn {
     std::vector<Rig::Together> all;
     for (int i = 0; i < (both ? 2 : 1); ++i) {
       Entity& robot = rig.add("robot" + std::to_string(i), kid21(), {.position = {0.6 * i, 0, 0}, .heading = pi * i});
-      rig.simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, Vec3d{0.2, 0, 0});
+      rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz,
+                                                    Vec3d{0.2, 0, 0});
       robots.push_back(&robot);
       all.push_back({&robot, {.level = "kinematic_walking"}});
     }

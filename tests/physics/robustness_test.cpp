@@ -30,7 +30,7 @@ TEST(Freezing, BadTargetsFreezeOneRobotOnly) {
   const int joint = kid21()->joints()[0];
   ASSERT_EQ(joint, 3) << "the saboteur's target must be a joint's";
   rig.simulation.attach<Saboteur>("saboteur", bad, 100);
-  rig.simulation.attach<control::WalkEngine>("walk_engine", good, 100, Vec3d{0.2, 0, 0});
+  rig.simulation.attach<locomotion::WalkEngine>("walk_engine", good, 100, Vec3d{0.2, 0, 0});
   rig.attach_dynamics(bad);
   rig.attach_dynamics(good);
   rig.run(3.0);
@@ -66,7 +66,7 @@ TEST(Freezing, AFrozenBallPushesNobody) {
   Rig rig;
   rig.simulation.world().gravity = {};
   Entity& robot = rig.add("robot", kid21(), {.position = {0, 0, 1}});
-  Entity& ball = rig.add("ball", io::ball_model(), {.position = {0.12, 0.05, 1.05}});
+  Entity& ball = rig.add("ball", scene::ball_model(), {.position = {0.12, 0.05, 1.05}});
   rig.attach_together({{&robot, {.on_ground = false}}, {&ball, {.on_ground = false}}});
   rig.simulation.initialize();
   Rig::launch(ball, {-1, 0, 0});
@@ -85,7 +85,7 @@ TEST(Freezing, AFrozenBallPushesNobody) {
 // Users may throw a ball and carry a robot by name while the simulation runs.
 TEST(Access, TheBaseCanBeMovedByName) {
   Rig rig;
-  Entity& ball = rig.add("ball", io::ball_model());
+  Entity& ball = rig.add("ball", scene::ball_model());
   Entity& walker = rig.add("walker", kid21(), {.position = {1, 0, 0}});
   rig.attach_dynamics(ball);
   rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", walker, 1000);
@@ -104,7 +104,7 @@ TEST(Access, TheBaseCanBeMovedByName) {
 // A body needs no contact algorithm to fall, and one without inertia is refused before it falls.
 TEST(Setup, MotionWithoutContact) {
   Rig rig;
-  Entity& ball = rig.add("ball", io::ball_model(), {.position = {0, 0, 1}});
+  Entity& ball = rig.add("ball", scene::ball_model(), {.position = {0, 0, 1}});
   rig.simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", ball, 1000);
   rig.run(0.1);
   EXPECT_FALSE(ball.frozen());
@@ -122,7 +122,7 @@ TEST(Setup, MotionWithoutContact) {
 // An algorithm whose constructor refuses leaves nothing behind.
 TEST(Setup, AFailedAttachLeavesNothingBehind) {
   Rig rig;
-  Entity& ball = rig.add("ball", io::ball_model());
+  Entity& ball = rig.add("ball", scene::ball_model());
   EXPECT_THROW(rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", ball, 1000), SetupError);
   rig.attach_dynamics(ball);
   rig.run(0.1);
@@ -131,7 +131,7 @@ TEST(Setup, AFailedAttachLeavesNothingBehind) {
 
 TEST(Freezing, BadForcesFreezeTheEntityThatFeelsThem) {
   Rig rig;
-  Entity& ball = rig.add("ball", io::ball_model());
+  Entity& ball = rig.add("ball", scene::ball_model());
   rig.attach_dynamics(ball);
   rig.run(0.1);
   const double infinite = std::numeric_limits<double>::infinity();

@@ -35,7 +35,7 @@ inline ModelPtr kid21_with(const std::string& key, double factor) {
   }
   changed.close();
   EXPECT_GT(found, 0) << "no servo says " << key;
-  ModelPtr model = io::read_robot(copy / "kid21.xml").model;
+  ModelPtr model = robot::read_robot(copy / "kid21.xml").model;
   std::filesystem::remove_all(copy);
   return model;
 }
@@ -63,7 +63,7 @@ inline ModelPtr kid21_with_m6() {
                "quadratic_external_load_friction = 0.0100\n";
   }
   changed.close();
-  ModelPtr model = io::read_robot(copy / "kid21.xml").model;
+  ModelPtr model = robot::read_robot(copy / "kid21.xml").model;
   std::filesystem::remove_all(copy);
   return model;
 }

@@ -9,7 +9,7 @@ namespace {
 
 ModelPtr nao(int type) {
   const std::string file = fmt::format("{}/models/spark_nao{}.xml", MUROSIMF_SOURCE_DIR, type);
-  return io::read_robot(file).model;
+  return robot::read_robot(file).model;
 }
 
 // The league's table: torso, neck and head 1.6171 kg, 0.455 kg per arm, 1.04 kg per leg; 22 joints, or 24 with toes.
@@ -25,8 +25,8 @@ TEST(SparkNao, WeighsWhatTheLeaguesTableSays) {
 // Thigh and shin by hand from the table: hip to knee sqrt((T + 0.08)^2 + 0.005^2), knee to the middle between the ankle's
 // axes A + 0.045 + 0.0025.
 TEST(SparkNao, HasLegsOfTheTable) {
-  const auto legs = control::find_legs(*nao(3));
-  for (const control::Leg& leg : legs) {
+  const auto legs = locomotion::find_legs(*nao(3));
+  for (const locomotion::Leg& leg : legs) {
     EXPECT_FALSE(leg.signs);
     EXPECT_NEAR(leg.thigh, std::hypot(0.067868424 + 0.08, 0.005), 1e-9);
     EXPECT_NEAR(leg.shin, 0.082868424 + 0.045, 0.003);

@@ -12,7 +12,7 @@ struct StandStill {
 };
 
 /// Controlled by the walk engine, or by `Controller`, with command 0.
-template <class Controller = control::WalkEngine>
+template <class Controller = locomotion::WalkEngine>
 StandStill stand_still(const ModelPtr& model, const std::string& level) {
   Rig rig;
   rig.materials.set("rubber", "", {.friction = 0.8});

@@ -77,7 +77,7 @@ inline Walk walk(const WalkTask& task) {
   Rig rig(task.friction);
   rig.materials.set("rubber", "", {.friction = task.friction});
   Entity& robot = rig.add("robot", task.model);
-  rig.simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, task.command);
+  rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz, task.command);
   if (task.push > 0) rig.simulation.attach<Pusher>("pusher", robot, 100, task.push);
   rig.attach_motion(robot, task.dynamics);
   rig.simulation.initialize();

@@ -120,7 +120,8 @@ TEST(Levels, AgreeOnASlowWalk) {
 TEST(KinematicWalking, TwistIsTheRateOfThePose) {
   Rig rig;
   Entity& robot = rig.add("robot", kid21());
-  rig.simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, Vec3d{0.2, 0, 0.3});
+  rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz,
+                                                Vec3d{0.2, 0, 0.3});
   rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
   rig.run(3.0);
   auto head = robot.object("head");
@@ -201,7 +202,8 @@ TEST(Levels, AnotherBipedWalksWithSeededParameters) {
   for (const std::string level : {"kinematic_walking", "simplified_dynamics", "full_dynamics"}) {
     Rig rig;
     Entity& robot = rig.add("robot", model);
-    rig.simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, Vec3d{0.2, 0, 0});
+    rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz,
+                                                  Vec3d{0.2, 0, 0});
     rig.attach_motion(robot, {.level = level});
     rig.simulation.initialize();
     const double start = Rig::place(robot).x;

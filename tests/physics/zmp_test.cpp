@@ -76,8 +76,8 @@ double support_margin(Entity& robot) {
 
 /// Two steps in 3 s, most of the time on both feet, with the weight swayed far over the standing foot. `hip_roll` against
 /// the droop of the servos, which prescribed joints do not have.
-control::WalkParameters slow_walk(double hip_roll) {
-  control::WalkParameters p = control::seeded_parameters(control::find_legs(*kid21()));
+locomotion::WalkParameters slow_walk(double hip_roll) {
+  locomotion::WalkParameters p = locomotion::seeded_parameters(locomotion::find_legs(*kid21()));
   p.period = 3;
   p.sway = 0.06;
   p.double_support = 0.6;
@@ -94,8 +94,9 @@ INSTANTIATE_TEST_SUITE_P(Levels, SlowWalk, testing::Values("full_dynamics", "art
 TEST_P(SlowWalk, StaysAwayFromTheEdgeOfTheFeet) {
   Rig rig;
   Entity& robot = rig.add("robot", kid21());
-  rig.simulation.attach<control::WalkEngine>("walk_engine", robot, control::WalkEngine::rate_hz, Vec3d{0.02, 0, 0},
-                                             slow_walk(GetParam() == "full_dynamics" ? 0.02 : 0.09));
+  rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz,
+                                                Vec3d{0.02, 0, 0},
+                                                slow_walk(GetParam() == "full_dynamics" ? 0.02 : 0.09));
   rig.attach_dynamics(robot, {.level = GetParam()});
   rig.simulation.initialize();
   robot.base().set(properties::gait_amplitude, 1.0);  // the ramp would lift a foot before the weight has left it

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/scene/field.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/render/renderer.h"
+#include "murosimf/scene/field.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::test {
@@ -40,7 +40,9 @@ struct DrawnWorld {
   Entity& add_ball(const std::string& name, double radius, const Vec3d& place) {
     return add(name, std::make_shared<const Model>(fixtures::ball_model(radius, 0.4)), place);
   }
-  void add_field(bool goals = true) { world.add("field", io::field_model(io::kid_size_2008, "carpet", {}, goals)); }
+  void add_field(bool goals = true) {
+    world.add("field", scene::field_model(scene::kid_size_2008, "carpet", {}, goals));
+  }
 
   sensors::View draw(const sensors::Perspective& view, const sensors::Layers& layers = {true, true, true},
                      render::RendererOptions options = {.light = {.shadows = false}}, double ahead = 0) {

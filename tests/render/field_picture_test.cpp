@@ -15,9 +15,9 @@ TEST(FieldPicture, IsWritten) { GTEST_SKIP() << "this build has no cairo"; }
 
 #include <unistd.h>
 
-#include "murosimf/scene/field.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
+#include "murosimf/scene/field.h"
 #include "tests/render/picture.h"
 #include "tests/temp_folder.h"
 
@@ -38,7 +38,7 @@ class FieldPicture : public testing::Test {
 
   [[nodiscard]] fs::path file(const std::string& name = "match.png") const { return folder_ / name; }
   [[nodiscard]] Picture draw(const std::vector<Path>& paths, const std::string& title = {}) const {
-    io::write_file(file(), field_picture_png(markings_, paths, {100, title}));
+    files::write_file(file(), field_picture_png(markings_, paths, {100, title}));
     return {file(), 100};
   }
   [[nodiscard]] std::string refusal(const FieldPictureOptions& options) const {
@@ -50,7 +50,7 @@ class FieldPicture : public testing::Test {
     return "";
   }
   fs::path folder_;
-  Markings markings_ = io::field_markings(io::kid_size_2008);
+  Markings markings_ = scene::field_markings(scene::kid_size_2008);
 };
 
 /// Big-endian number of an IHDR chunk, which begins at byte 16 of every PNG.
@@ -63,7 +63,7 @@ std::uint32_t header_number(const fs::path& file, std::streamoff offset) {
 }
 
 TEST_F(FieldPicture, HasTheSizeOfTheGround) {
-  io::write_file(file(), field_picture_png(markings_, {}, {160, ""}));
+  files::write_file(file(), field_picture_png(markings_, {}, {160, ""}));
   EXPECT_EQ(header_number(file(), 0), 0x89504e47u);  // the signature of PNG
   EXPECT_EQ(header_number(file(), 16), 1184u);       // 6 m and two border strips of 0.7 m
   EXPECT_EQ(header_number(file(), 20), 864u);        // 4 m and two of them
@@ -108,7 +108,7 @@ TEST_F(FieldPicture, ShowsWhatIsLaidOverIt) {
   options.overlay.circles = {{{1, 1, 0}, 0.3, red}, {{-1, 1, 0}, 0.3, blue, true}, {{nan, 0, 0}, 0.3, red}};
   options.overlay.lines = {{{{-2, -1.5, 0}, {-1, -1.5, 0}}, red, true, 0.05}, {{{1, 1, 0}}, red}};
   options.overlay.arrows = {{{1.5, -1, pi / 2}, 0.4, blue}, {{1, 1, nan}, 0.4, red}};
-  io::write_file(file(), field_picture_png(markings_, {}, options));
+  files::write_file(file(), field_picture_png(markings_, {}, options));
   const Picture picture(file(), 100);
   EXPECT_TRUE(is_reddish(picture.at(1.3, 1)));  // a ring is empty inside
   EXPECT_TRUE(is_green(picture.at(1.1, 1)));

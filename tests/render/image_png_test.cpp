@@ -16,12 +16,12 @@
 namespace murosimf::render {
 namespace {
 
-using sensors::Rgb;
+using imaging::Rgb;
 
 #ifdef MUROSIMF_HAS_CAIRO
 TEST(ImagePng, IsReadBackAsItWas) {
   for (const auto& [width, height] : {std::pair{1, 1}, {3, 2}, {17, 5}, {64, 48}}) {
-    sensors::ColorImage image(width, height);
+    imaging::ColorImage image(width, height);
     std::uint32_t noise = 12345;
     for (Rgb& pixel : image.pixels()) {
       for (std::uint8_t* channel : {&pixel.red, &pixel.green, &pixel.blue}) {
@@ -47,13 +47,13 @@ TEST(ImagePng, IsReadBackAsItWas) {
 #endif
 
 TEST(ShownDepths, AreGrayAndLinearInTheInverse) {
-  sensors::DepthImage depth(5, 1);
+  imaging::DepthImage depth(5, 1);
   depth(0, 0) = 0.5F;
   depth(1, 0) = 1.0F;
   depth(2, 0) = 2.5F;
   depth(3, 0) = INFINITY;
   depth(4, 0) = -3.0F;  // beyond 90 degrees of a wide lens
-  const sensors::ColorImage colors = shown(depth);
+  const imaging::ColorImage colors = shown(depth);
   const std::array<int, 5> expected{255, 128, 51, 0, 0};
   for (int u = 0; u < 5; ++u) {
     EXPECT_EQ(colors(u, 0).red, expected[u]) << u;
@@ -64,17 +64,17 @@ TEST(ShownDepths, AreGrayAndLinearInTheInverse) {
 
 TEST(ShownDepths, OfNothingAreBlack) {
   for (const float z : {INFINITY, -1.0F, 0.0F, NAN}) {
-    const sensors::ColorImage colors = shown(sensors::DepthImage(3, 2, z));
+    const imaging::ColorImage colors = shown(imaging::DepthImage(3, 2, z));
     for (const Rgb& pixel : colors.pixels()) EXPECT_EQ(pixel, Rgb{}) << z;
   }
-  EXPECT_TRUE(shown(sensors::DepthImage()).empty());
+  EXPECT_TRUE(shown(imaging::DepthImage()).empty());
 }
 
 TEST(ShownLabels, OfTwoTeamsOfElevenCanBeToldApart) {
   constexpr int labels = 4 + 1 + 22;
-  sensors::LabelImage image(labels, 1);
+  imaging::LabelImage image(labels, 1);
   for (int i = 0; i < labels; ++i) image(i, 0) = static_cast<std::uint16_t>(i);
-  const sensors::ColorImage colors = shown(image);
+  const imaging::ColorImage colors = shown(image);
   double nearest = INFINITY;
   for (int i = 0; i < labels; ++i) {
     for (int k = 0; k < i; ++k) {
@@ -86,15 +86,15 @@ TEST(ShownLabels, OfTwoTeamsOfElevenCanBeToldApart) {
 }
 
 TEST(ShownLabels, AreTheSameInAllPictures) {
-  sensors::LabelImage alone(1, 1, 9), among(4, 1, 2);
+  imaging::LabelImage alone(1, 1, 9), among(4, 1, 2);
   among(3, 0) = 9;
   EXPECT_EQ(shown(alone)(0, 0), shown(among)(3, 0));
-  EXPECT_EQ(shown(sensors::LabelImage(1, 1, 0))(0, 0), Rgb{}) << "the background is black";
-  EXPECT_NO_THROW((void)shown(sensors::LabelImage(1, 1, 65535)));
+  EXPECT_EQ(shown(imaging::LabelImage(1, 1, 0))(0, 0), Rgb{}) << "the background is black";
+  EXPECT_NO_THROW((void)shown(imaging::LabelImage(1, 1, 65535)));
 }
 
 TEST(ShownMosaics, AreGray) {
-  sensors::GrayImage mosaic(2, 1);
+  imaging::GrayImage mosaic(2, 1);
   mosaic(1, 0) = 200;
   EXPECT_EQ(shown(mosaic)(0, 0), Rgb{});
   EXPECT_EQ(shown(mosaic)(1, 0), (Rgb{200, 200, 200}));

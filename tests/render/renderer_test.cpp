@@ -222,7 +222,7 @@ TEST_F(Renderer, ManySamplesMakeEdgesSmooth) {
   const Perspective view = along_x({0, 0, 1}, 0.3, 100, 100);
   const auto colors_between = [&](int samples) {
     const View drawn = world.draw(view, {}, {.light = {.shadows = false}, .samples = samples});
-    const sensors::Rgb sky = drawn.color(50, 2), below = drawn.color(50, 50);
+    const imaging::Rgb sky = drawn.color(50, 2), below = drawn.color(50, 50);
     int between = 0;
     for (int u = 0; u < 100; ++u) {
       const int red = drawn.color(u, 40).red;

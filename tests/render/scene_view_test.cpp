@@ -9,9 +9,9 @@
 
 #include <unistd.h>
 
-#include "murosimf/scene/field.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
+#include "murosimf/scene/field.h"
 #include "tests/render/picture.h"
 #include "tests/temp_folder.h"
 
@@ -56,7 +56,7 @@ class SceneView : public testing::Test {
 
   [[nodiscard]] Picture draw(const std::vector<ViewedShape>& shapes, const View& view,
                              const std::string& title = {}) const {
-    io::write_file(file_, scene_view_png(markings_, shapes, view, title));
+    files::write_file(file_, scene_view_png(markings_, shapes, view, title));
     return Picture(file_);
   }
   /// What is seen at a point of the world.
@@ -74,7 +74,7 @@ class SceneView : public testing::Test {
   }
 
   std::filesystem::path file_;
-  Markings markings_ = io::field_markings(io::kid_size_2008);
+  Markings markings_ = scene::field_markings(scene::kid_size_2008);
 };
 
 TEST_F(SceneView, ShowsTheFieldFromAnySideAbove) {

@@ -1,23 +1,23 @@
 // Cameras of robot files: their lenses, where they look, and what conversion makes of them.
 #include <cmath>
 
-#include "murosimf/robot/robot_conversion.h"
 #include "murosimf/check/robot_doctor.h"
-#include "murosimf/robot/robot_sensors.h"
 #include "murosimf/multibody/kinematics.h"
+#include "murosimf/robot/robot_conversion.h"
+#include "murosimf/robot/robot_sensors.h"
 #include "tests/fixtures.h"
 #include "tests/robot/sensor_files.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 namespace {
 
 using namespace sensor_files;
 using fixtures::error_of;
 using fixtures::says;
+using formats::urdf::urdf_files::any_contains;
+using formats::urdf::urdf_files::contains;
+using formats::urdf::urdf_files::expect_near;
 using sensors::SensorSpec;
-using urdf_files::any_contains;
-using urdf_files::contains;
-using urdf_files::expect_near;
 
 using Numbers = std::map<std::string, double>;
 
@@ -86,7 +86,7 @@ TEST(MjcfCameras, ImpossibleOnesAreRefused) {
 
 /// Direction in the base's frame in which the draft's sensor `number` has its axes.
 Mat3d axes_in_base(const RobotFile& robot, std::size_t number) {
-  const DraftSensor& sensor = robot.draft.sensors.at(number);
+  const description::DraftSensor& sensor = robot.draft.sensors.at(number);
   const Model& model = *robot.model;
   std::vector<Vec3d> r(model.size());
   std::vector<Mat3d> R(model.size());
@@ -123,10 +123,10 @@ TEST(MjcfCameras, ThatAreNotFixedAreNotes) {
 }
 
 std::string urdf_camera(const std::string& inside, const std::string& outside = "") {
-  using namespace urdf_files;
-  return urdf_files::robot(link("head", solid()) + joint("revolute", "base", "head", any_limit, "neck") +
-                           "<gazebo reference='head'><sensor name='eye' type='camera'>" + outside + "<camera>" +
-                           inside + "</camera></sensor></gazebo>");
+  using namespace formats::urdf::urdf_files;
+  return formats::urdf::urdf_files::robot(link("head", solid()) + joint("revolute", "base", "head", any_limit, "neck") +
+                                          "<gazebo reference='head'><sensor name='eye' type='camera'>" + outside +
+                                          "<camera>" + inside + "</camera></sensor></gazebo>");
 }
 
 Numbers urdf_numbers(const std::string& inside) {
@@ -172,7 +172,7 @@ TEST(CamerasOfFiles, BecomeSensors) {
   EXPECT_EQ(other.frame, "base");
   EXPECT_EQ(other.position.z, 0.3);
   EXPECT_TRUE(any_contains(robot.notes, "assumed: 25 pictures per second"));
-  for (const Finding& finding : examine_sensors(robot)) ADD_FAILURE() << to_line(finding);
+  for (const check::Finding& finding : check::examine_sensors(robot)) ADD_FAILURE() << check::to_line(finding);
 }
 
 TEST(CamerasOfFiles, HaveRatesThatStepsAllow) {
@@ -204,7 +204,7 @@ TEST(ConvertedCameras, OfMjcfAreElementsAgain) {
   const RobotFile before = read_robot(file), after = converted(file, text);
   ASSERT_EQ(after.draft.sensors.size(), 2U) << text;
   for (std::size_t i = 0; i < 2; ++i) {
-    const DraftSensor &camera = after.draft.sensors[i], &same = before.draft.sensors[i];
+    const description::DraftSensor &camera = after.draft.sensors[i], &same = before.draft.sensors[i];
     EXPECT_EQ(camera.name, same.name);
     ASSERT_EQ(camera.numbers.size(), same.numbers.size());
     for (const auto& [key, number] : same.numbers) EXPECT_NEAR(camera.numbers.at(key), number, 1e-9) << key;
@@ -221,7 +221,7 @@ TEST(ConvertedCameras, OfUrdfAndWithoutNameAreInTheTomlFile) {
     std::string text;
     const RobotFile before = read_robot(file), after = converted(file, text);
     ASSERT_EQ(after.sensors.size(), 1U);
-    for (const Finding& finding : examine_sensors(after)) ADD_FAILURE() << to_line(finding);
+    for (const check::Finding& finding : check::examine_sensors(after)) ADD_FAILURE() << check::to_line(finding);
     const SensorSpec &spec = after.sensors[0], &same = before.sensors.at(0);
     EXPECT_EQ(spec.name, same.name);
     EXPECT_EQ(spec.type, "camera");
@@ -234,4 +234,4 @@ TEST(ConvertedCameras, OfUrdfAndWithoutNameAreInTheTomlFile) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

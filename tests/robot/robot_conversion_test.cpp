@@ -6,21 +6,21 @@
 #include <fstream>
 #include <string>
 
-#include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/formats/mjcf/mjcf_writer.h"
+#include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/robot/robot_table.h"
-#include "tests/robot/same_model.h"
 #include "tests/formats/urdf/urdf_files.h"
+#include "tests/robot/same_model.h"
 #include "tests/robot_data.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 namespace {
 
 namespace fs = std::filesystem;
+using formats::urdf::urdf_files::test_folder;
+using formats::urdf::urdf_files::write;
 using same_model::expect_same;
-using urdf_files::test_folder;
-using urdf_files::write;
 
 fs::path own_model(const std::string& name) { return fs::path(MUROSIMF_SOURCE_DIR) / "models" / (name + ".xml"); }
 
@@ -97,7 +97,7 @@ std::string all_of_urdf() {
 }
 
 fs::path write_all_of_urdf() {
-  write("tetra.obj", urdf_files::tetrahedron());
+  write("tetra.obj", formats::urdf::urdf_files::tetrahedron());
   return write("robot.urdf", all_of_urdf());
 }
 
@@ -113,7 +113,7 @@ TEST(RobotConversion, AUrdfRobotComesBackAsItWas) {
 
 TEST(RobotConversion, WeldedDraftsAreWrittenToo) {
   const RobotFile before = read_robot(write_all_of_urdf());
-  const RobotFile after = read_robot(write("welded.xml", to_mjcf(before.draft, {test_folder()})));
+  const RobotFile after = read_robot(write("welded.xml", formats::mjcf::to_mjcf(before.draft, {test_folder()})));
   expect_same(*after.model, *before.model);
 }
 
@@ -185,7 +185,7 @@ TEST(RobotConversion, FittedMeshesKeepVolumeMassAndNames) {
   EXPECT_EQ(is[2].name, "m2.2");
   for (std::size_t i = 1; i < is.size(); ++i) {
     EXPECT_TRUE(std::holds_alternative<Box>(is[i].placed.shape));
-    EXPECT_NEAR(volume(is[i].placed.shape) / volume(was[i].placed.shape), 1, 1e-9);
+    EXPECT_NEAR(description::volume(is[i].placed.shape) / description::volume(was[i].placed.shape), 1, 1e-9);
     const auto& hull = *std::get<Convex>(was[i].placed.shape).hull;
     const Vec3d center = was[i].placed.position + was[i].placed.orientation * geometry::solid_mass(hull).center;
     EXPECT_LT(fixtures::difference(is[i].placed.position, center), 1e-12);
@@ -226,4 +226,4 @@ TEST(ServoSections, WhatTheFileLacksIsGuessed) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

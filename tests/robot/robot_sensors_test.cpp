@@ -3,18 +3,18 @@
 
 #include <fstream>
 
-#include "murosimf/robot/robot_conversion.h"
 #include "murosimf/check/robot_doctor.h"
+#include "murosimf/robot/robot_conversion.h"
 #include "tests/fixtures.h"
 #include "tests/robot/sensor_files.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 namespace {
 
 using namespace sensor_files;
+using formats::urdf::urdf_files::any_contains;
+using formats::urdf::urdf_files::contains;
 using sensors::SensorSpec;
-using urdf_files::any_contains;
-using urdf_files::contains;
 
 struct Element {
   const char *element, *type, *frame;
@@ -33,7 +33,7 @@ TEST_P(MjcfSensor, BecomesASensorThatRuns) {
   EXPECT_EQ(spec.name, type) << "one without a name is called as its type";
   EXPECT_EQ(spec.frame, frame);
   EXPECT_TRUE(contains(spec.where, "robot.xml:3"));
-  for (const Finding& finding : examine_sensors(robot)) ADD_FAILURE() << to_line(finding);
+  for (const check::Finding& finding : check::examine_sensors(robot)) ADD_FAILURE() << check::to_line(finding);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -100,9 +100,10 @@ TEST(MjcfSensors, AnUnknownSiteIsAnErrorUnlessLenient) {
 }
 
 std::string urdf(const std::string& blocks) {
-  using namespace urdf_files;
-  return urdf_files::robot(link("foot", solid()) + link("eye") + joint("revolute", "base", "foot", any_limit, "ankle") +
-                           joint("fixed", "foot", "eye", "<origin xyz='0 0 1'/>", "fixing") + blocks);
+  using namespace formats::urdf::urdf_files;
+  return formats::urdf::urdf_files::robot(link("foot", solid()) + link("eye") +
+                                          joint("revolute", "base", "foot", any_limit, "ankle") +
+                                          joint("fixed", "foot", "eye", "<origin xyz='0 0 1'/>", "fixing") + blocks);
 }
 
 RobotFile read_blocks(const std::string& blocks) { return read_robot(write("robot.urdf", urdf(blocks))); }
@@ -122,7 +123,7 @@ TEST(UrdfSensors, ImusHaveTheNoiseOfTheirAxes) {
   EXPECT_EQ(spec.signal("gyroscope").bias, 0.01);
   EXPECT_EQ(spec.signal("accelerometer").noise, 0.5);
   EXPECT_TRUE(any_contains(robot.notes, "<mean> of noise is not simulated"));
-  EXPECT_TRUE(examine_sensors(robot).empty());
+  EXPECT_TRUE(check::examine_sensors(robot).empty());
 }
 
 TEST(UrdfSensors, ASensorAtAFixedJointIsOnTheLinkBehindIt) {
@@ -133,7 +134,7 @@ TEST(UrdfSensors, ASensorAtAFixedJointIsOnTheLinkBehindIt) {
   EXPECT_EQ(sensor_of(robot, "b").frame, "ankle");
   EXPECT_EQ(sensor_of(robot, "contact_force").type, "contact_force");
   EXPECT_TRUE(any_contains(robot.notes, "contact forces of its link"));
-  EXPECT_TRUE(examine_sensors(robot).empty());
+  EXPECT_TRUE(check::examine_sensors(robot).empty());
 }
 
 TEST(UrdfSensors, WhatIsNotSimulatedStaysInTheList) {
@@ -151,8 +152,8 @@ const std::string laser =
     "<type>gaussian</type><stddev>0.03</stddev></noise></ray></sensor></gazebo>";
 
 TEST(UrdfSensors, ScannersHaveTheirRaysRangeAndNoise) {
-  const RobotDraft draft = read_urdf(write("robot.urdf", urdf(laser)), {});
-  const DraftSensor& sensor = draft.sensors.at(0);
+  const description::RobotDraft draft = formats::urdf::read_urdf(write("robot.urdf", urdf(laser)), {});
+  const description::DraftSensor& sensor = draft.sensors.at(0);
   const std::map<std::string, double> numbers{
       {"rays", 22}, {"opening", 3}, {"first_angle", -1}, {"nearest", 0.2}, {"farthest", 20}};
   EXPECT_EQ(sensor.numbers, numbers);
@@ -221,4 +222,4 @@ TEST(ConvertedSensors, ATableThatChangesAUrdfSensorIsWarnedOf) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

@@ -9,7 +9,7 @@
 #include "murosimf/model/error.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 namespace {
 
 std::filesystem::path write(const std::string& text) {
@@ -94,7 +94,7 @@ TEST(RobotTable, ReadsFirmwareBacklashAndHeatOfAServo) {
 }
 
 TEST(RobotTable, StartsFromAReadyMadeServo) {
-  const Servo mx64 = read_servo("mx64");
+  const Servo mx64 = components::read_servo("mx64");
   const Servo a = servo_of("type = 'mx64'\ncoulomb_friction = 0.2");
   EXPECT_EQ(a.type, "mx64");
   EXPECT_EQ(a.friction.coulomb, 0.2);
@@ -104,7 +104,7 @@ TEST(RobotTable, StartsFromAReadyMadeServo) {
 }
 
 TEST(RobotTable, AnotherVoltageScalesAReadyMadeServo) {
-  const Servo mx64 = read_servo("mx64");
+  const Servo mx64 = components::read_servo("mx64");
   const Servo a = servo_of("type = 'mx64'\nvoltage = 18\nposition_gain = 7");
   EXPECT_EQ(a.voltage, 18);
   EXPECT_DOUBLE_EQ(a.stall_torque, 1.5 * mx64.stall_torque);
@@ -131,7 +131,7 @@ TEST(RobotTable, ReadsAnIdealServo) {
   EXPECT_EQ(a.stall_torque, 0);
   EXPECT_EQ(servo_of("law = 'ideal_pd'\nposition_gain = 1\nrotor_inertia = 0\nstall_torque = 5").stall_torque, 5);
   EXPECT_EQ(servo_of("type = 'mx64'\nlaw = 'ideal_pd'\nvelocity_gain = 1").position_gain,
-            read_servo("mx64").position_gain);
+            components::read_servo("mx64").position_gain);
 }
 
 /// Writes a servo file beside the table of this test and gives its type.
@@ -264,4 +264,4 @@ TEST(RobotTable, NamesWhatTheRobotDoesNotHave) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

@@ -12,7 +12,7 @@
 #include "murosimf/multibody/kinematics.h"
 #include "tests/fixtures.h"
 
-namespace murosimf::io::same_model {
+namespace murosimf::robot::same_model {
 
 constexpr double tolerance = 2e-12;  ///< [1] of the larger of a number and 1: rounding, and the least inertia
 
@@ -108,4 +108,4 @@ inline void expect_same(const Model& found, const Model& expected) {
   }
 }
 
-}  // namespace murosimf::io::same_model
+}  // namespace murosimf::robot::same_model

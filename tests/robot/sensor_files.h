@@ -7,10 +7,10 @@
 #include "murosimf/robot/robot_reader.h"
 #include "tests/formats/urdf/urdf_files.h"
 
-namespace murosimf::io::sensor_files {
+namespace murosimf::robot::sensor_files {
 
-using urdf_files::test_folder;
-using urdf_files::write;
+using formats::urdf::urdf_files::test_folder;
+using formats::urdf::urdf_files::write;
 
 /// A base with a site `imu`, and an arm with a joint `elbow` and a site of the joint's name.
 inline std::string robot_xml(const std::string& sensors = "") {
@@ -24,7 +24,7 @@ inline std::string robot_xml(const std::string& sensors = "") {
 
 /// Reads the robot with a TOML file beside it.
 inline RobotFile read_with(const std::string& toml, const std::string& sensors = "",
-                           const ReaderOptions& options = {}) {
+                           const description::ReaderOptions& options = {}) {
   write("robot.toml", toml);
   return read_robot(write("robot.xml", robot_xml(sensors)), options);
 }
@@ -36,4 +36,4 @@ inline const sensors::SensorSpec& sensor_of(const RobotFile& robot, const std::s
   throw std::out_of_range("no sensor " + name);
 }
 
-}  // namespace murosimf::io::sensor_files
+}  // namespace murosimf::robot::sensor_files

@@ -1,13 +1,13 @@
 /// urdf_model_test - a URDF file becomes a model, and plays in a scene.
+#include "murosimf/model/properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/scene/scene.h"
-#include "murosimf/model/properties.h"
 #include "tests/formats/urdf/urdf_files.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 namespace {
 
-using namespace urdf_files;
+using namespace formats::urdf::urdf_files;
 
 /// A base, a limb at the joint `swing`, and a tip of 3 kg that is fixed to the limb 2 m above the joint.
 std::string pendulum() {
@@ -43,7 +43,7 @@ TEST(UrdfModel, PlaysInAScene) {
   const auto file = write("scene.toml",
                           "[[teams]]\nname = \"a\"\n[[robots]]\nname = \"one\"\nteam = \"a\"\n"
                           "model = \"robot.urdf\"\nlevel = \"articulated_dynamics\"\ncontroller = \"none\"\n");
-  Scene scene(file.string());
+  scene::Scene scene(file.string());
   scene.simulation().initialize();
   EXPECT_EQ(scene.simulation().world().entity("one").model().name(), "r");
 }
@@ -55,4 +55,4 @@ TEST(UrdfModel, NamesTheFileWhereAMovingLinkHasNoMass) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

@@ -2,23 +2,23 @@
 #include "tests/formats/urdf/urdf_files.h"
 #include "tests/robot_data.h"
 
-namespace murosimf::io {
+namespace murosimf::robot {
 namespace {
 
-using namespace urdf_files;
+using namespace formats::urdf::urdf_files;
 
 struct Counts {
   std::size_t joints = 0, collisions = 0, visuals = 0;
   double mass = 0;  ///< [kg]
 };
 
-Counts counts_of(const RobotDraft& draft) {
+Counts counts_of(const description::RobotDraft& draft) {
   Counts counts;
-  for (const DraftBody& body : draft.bodies) {
+  for (const description::DraftBody& body : draft.bodies) {
     counts.joints += body.joints.size();
     counts.visuals += body.visuals.size();
     counts.collisions += static_cast<std::size_t>(
-        std::ranges::count_if(body.shapes, [](const DraftShape& shape) { return shape.placed.collides; }));
+        std::ranges::count_if(body.shapes, [](const description::DraftShape& shape) { return shape.placed.collides; }));
     counts.mass += body.solid.mass;
   }
   return counts;
@@ -27,7 +27,7 @@ Counts counts_of(const RobotDraft& draft) {
 // Numbers below are counted with grep, and masses summed, in the files themselves.
 TEST(UrdfRobots, BoosterK1) {
   if (!std::filesystem::exists(k1_urdf())) GTEST_SKIP() << k1_urdf() << " is not there";
-  const RobotDraft draft = read_urdf(k1_urdf());
+  const description::RobotDraft draft = formats::urdf::read_urdf(k1_urdf());
   const Counts counts = counts_of(draft);
   EXPECT_EQ(draft.bodies.size(), 23u);
   EXPECT_EQ(counts.joints, 22u);
@@ -40,7 +40,7 @@ TEST(UrdfRobots, BoosterK1) {
 
 TEST(UrdfRobots, WolfgangOp) {
   if (!std::filesystem::exists(wolfgang_urdf())) GTEST_SKIP() << wolfgang_urdf() << " is not there";
-  const RobotDraft draft = read_urdf(wolfgang_urdf());
+  const description::RobotDraft draft = formats::urdf::read_urdf(wolfgang_urdf());
   const Counts counts = counts_of(draft);
   EXPECT_EQ(draft.bodies.size(), 47u);
   EXPECT_EQ(counts.joints, 20u);
@@ -53,4 +53,4 @@ TEST(UrdfRobots, WolfgangOp) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::robot

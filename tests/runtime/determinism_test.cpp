@@ -12,8 +12,8 @@ namespace murosimf::test {
 namespace {
 
 std::uint64_t hash_of(int threads, std::uint64_t seed, const std::vector<std::string>& overrides = {}) {
-  io::Scene scene(std::string(MUROSIMF_SOURCE_DIR) + "/scenes/three_on_three.toml",
-                  {.threads = threads, .seed = seed, .overrides = overrides});
+  scene::Scene scene(std::string(MUROSIMF_SOURCE_DIR) + "/scenes/three_on_three.toml",
+                     {.threads = threads, .seed = seed, .overrides = overrides});
   scene.simulation().run(from_seconds(8.0));
   return scene.simulation().state_hash();
 }
@@ -47,9 +47,9 @@ TEST(Determinism, StartPlacesDoNotDependOnOtherRobots) {
   std::string longer = text.str();
   longer.insert(longer.find("[[robots]]"), "[[robots]]\nname = \"guest\"\nlevel = \"kinematic_walking\"\n\n");
   std::ofstream(crowded) << longer;
-  io::Scene all(file);
+  scene::Scene all(file);
   const Vec3d before = all.simulation().world().entity("red3").options().position;
-  io::Scene more(crowded);
+  scene::Scene more(crowded);
   const Vec3d after = more.simulation().world().entity("red3").options().position;
   law::expect_equal({.law = "one more robot in the scene: change of another one's start",
                      .level = "scene file",

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 CollisionReport report() {
@@ -39,4 +39,4 @@ TEST(CollisionReport, IsOneJsonObject) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -8,7 +8,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 // sums of a few short decimal fractions
@@ -228,4 +228,4 @@ TEST(FieldModel, StandsWithoutGoalsIfAsked) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

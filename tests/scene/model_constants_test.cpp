@@ -4,11 +4,11 @@
 #include <cmath>
 #include <fstream>
 
-#include "murosimf/scene/scene.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/scene.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 std::string constants_scene() {
@@ -168,4 +168,4 @@ TEST(MaterialSettings, RefuseWhatTheyDoNotKnow) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -7,11 +7,11 @@
 #include <fstream>
 
 #include "murosimf/files/data_path.h"
-#include "murosimf/scene/scene.h"
 #include "murosimf/model/error.h"
+#include "murosimf/scene/scene.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,7 +43,7 @@ void expect_refusal(const std::string& text, const std::vector<std::string>& par
 TEST(MotionFile, ReadsColumnsSignsAndFrames) {
   const fs::path file =
       write("columns = [\"a\", [\"b\", \"-c\"]]\nstart = [1, 2]\n[[frames]]\nduration = 0.5\nvalues = [3, 4.5]\n");
-  const control::KeyframeMotion motion = read_motion(file);
+  const locomotion::KeyframeMotion motion = read_motion(file);
   fs::remove(file);
   ASSERT_EQ(motion.columns.size(), 2U);
   EXPECT_EQ(motion.columns[1][1].name, "c");
@@ -84,7 +84,7 @@ TEST(MotionFile, UnknownMotionsNameTheNearest) {
 std::string robot(const std::string& keys) { return "[[robots]]\nname = \"r\"\nmodel = \"kid21\"\n" + keys; }
 
 TEST(MotionFile, EveryMotionOfTheProgramFitsItsRobot) {
-  const auto names = data_file_names("motions", ".toml");
+  const auto names = files::data_file_names("motions", ".toml");
   EXPECT_GE(names.size(), 4U);
   for (const std::string& name : names) {
     const fs::path file = write(robot("controller = \"keyframes\"\nmotion = \"" + name + "\"\n"));
@@ -102,4 +102,4 @@ TEST(MotionFile, AKeyframePlayerNeedsAMotion) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

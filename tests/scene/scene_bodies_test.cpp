@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/scene/scene.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/scene.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 std::string body_scene(const std::string& text) {
@@ -191,4 +191,4 @@ TEST(SceneBodies, RefuseWhatTheyCannotBe) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -13,7 +13,7 @@
 #include "tests/render/drawn.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 using namespace std::chrono_literals;
@@ -40,7 +40,7 @@ std::string game(const std::string& camera = "") {
 }
 
 const Frame& frame(Scene& scene, const std::string& name) {
-  return *frames_of(scene.simulation().world().entity(name)).at(0);
+  return *sensors::frames_of(scene.simulation().world().entity(name)).at(0);
 }
 
 TEST(SceneCameras, AScenesRobotsSee) {
@@ -70,7 +70,7 @@ TEST(SceneCameras, FramesAndStatesDoNotDependOnThreads) {
                 {.threads = threads});
     scene.simulation().run(300ms);
     std::uint64_t hash = 0;
-    for (const char* name : {"one", "two"}) hash = 31 * hash + hash_of(frame(scene, name));
+    for (const char* name : {"one", "two"}) hash = 31 * hash + sensors::hash_of(frame(scene, name));
     frames.push_back(hash);
     states.push_back(scene.simulation().state_hash());
   }
@@ -164,15 +164,15 @@ TEST(SceneCameras, WhatIsWrongIsNamedWithItsPlace) {
 
 TEST(SceneCameras, ACalibrationFileIsTheLensAndKeysBesideItWin) {
   Scene scene(write_scene(game("calibration = 'nubots_frankie'\n")), {.cameras = false});
-  const sensors::LensSpec& lens = frame(scene, "one").info->lens.spec();
+  const imaging::LensSpec& lens = frame(scene, "one").info->lens.spec();
   EXPECT_EQ(lens.model, "equidistant");
   EXPECT_EQ(lens.width, 80) << "a key";
-  const sensors::LensSpec file = read_camera_info(find_lens_file("nubots_frankie")).lens;
+  const imaging::LensSpec file = components::read_camera_info(components::find_lens_file("nubots_frankie")).lens;
   EXPECT_EQ(lens.coefficients.at(0), file.coefficients.at(0));
   const double scale = 80.0 / file.width;
   EXPECT_NEAR(lens.fx, scale * file.fx, 1e-9) << "a smaller picture of the same view";
-  const auto ray = sensors::Lens(lens).ray({10, 29.5}),
-             same = sensors::Lens(file).ray({10.5 / scale - 0.5, 30.0 * file.height / 60 - 0.5});
+  const auto ray = imaging::Lens(lens).ray({10, 29.5}),
+             same = imaging::Lens(file).ray({10.5 / scale - 0.5, 30.0 * file.height / 60 - 0.5});
   ASSERT_TRUE(ray && same);
   EXPECT_LT(norm(*ray - *same), 1e-9);
 }
@@ -197,4 +197,4 @@ TEST(SceneEyes, SeeTheWholeFieldAndKnowTheirNames) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -3,12 +3,12 @@
 
 #include <fstream>
 
-#include "murosimf/scene/scene.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/scene.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 using namespace std::chrono_literals;
@@ -168,4 +168,4 @@ TEST(SceneExchange, TakesWhatNobodyUsesAnyMoreAway) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

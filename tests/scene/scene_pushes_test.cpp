@@ -5,11 +5,11 @@
 #include <cmath>
 #include <fstream>
 
-#include "murosimf/scene/scene.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/scene.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 /// A box that floats, and a kinematic robot far away.
@@ -128,4 +128,4 @@ TEST(Pushes, ThatTheRunDoesNotReachAreNamed) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/scene/scene.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/scene.h"
 #include "murosimf/sensors/reading.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 using namespace std::chrono_literals;
@@ -31,7 +31,7 @@ std::string write_scene(const std::string& text) {
 Entity& robot(Scene& scene, const std::string& name) { return scene.simulation().world().entity(name); }
 
 const Reading& reading(Scene& scene, const std::string& name, const std::string& sensor) {
-  const Reading* found = find_reading(robot(scene, name), sensor);
+  const Reading* found = sensors::find_reading(robot(scene, name), sensor);
   if (!found) throw std::out_of_range(name + " has no " + sensor);
   return *found;
 }
@@ -92,9 +92,9 @@ TEST(SceneSensors, ASceneAddsChangesAndRemoves) {
   EXPECT_EQ(rate_of(reading(scene, "one", "imu")), 500);
   EXPECT_EQ(reading(scene, "one", "imu").info->frame, "torso") << "what the scene does not say stays";
   EXPECT_EQ(rate_of(reading(scene, "one", "gyro")), 125);
-  EXPECT_FALSE(find_reading(robot(scene, "one"), "encoders"));
+  EXPECT_FALSE(sensors::find_reading(robot(scene, "one"), "encoders"));
   EXPECT_EQ(rate_of(reading(scene, "two", "gyro")), 250);
-  EXPECT_TRUE(find_reading(robot(scene, "two"), "encoders"));
+  EXPECT_TRUE(sensors::find_reading(robot(scene, "two"), "encoders"));
   EXPECT_TRUE(sensors::readings_of(robot(scene, "blind")).empty());
 }
 
@@ -102,8 +102,8 @@ TEST(SceneSensors, SoDoesTheCommandLine) {
   Scene scene(write_scene(start + two), {.overrides = {"*.sensors.imu.rate=100", "one.sensors.left_foot=false",
                                                        "two.sensors=false", "one.sensors.imu.gyroscope.bias=0"}});
   EXPECT_EQ(rate_of(reading(scene, "one", "imu")), 100);
-  EXPECT_FALSE(find_reading(robot(scene, "one"), "left_foot"));
-  EXPECT_TRUE(find_reading(robot(scene, "one"), "right_foot"));
+  EXPECT_FALSE(sensors::find_reading(robot(scene, "one"), "left_foot"));
+  EXPECT_TRUE(sensors::find_reading(robot(scene, "one"), "right_foot"));
 }
 
 TEST(SceneSensors, DefaultsMayChangeFromTheCommandLineToo) {
@@ -232,4 +232,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& m) { return m.param.name; });
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

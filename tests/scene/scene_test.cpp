@@ -9,7 +9,7 @@
 #include "murosimf/model/properties.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 const std::string small_scene = R"(duration = 2.0
@@ -228,4 +228,4 @@ TEST(SceneMistakes, InOverridesNameTheOverride) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -10,11 +10,11 @@
 #include <map>
 #include <set>
 
+#include "murosimf/model/properties.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene.h"
-#include "murosimf/model/properties.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 using namespace std::chrono_literals;
@@ -165,4 +165,4 @@ TEST(Settings, ActOrAreRefusedOrWarnedAboutWithServosOfAllKinds) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -12,7 +12,7 @@
 #include "murosimf/scene/scene.h"
 #include "tests/fixtures.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 using fixtures::says;
@@ -42,4 +42,4 @@ TEST(StartOverlaps, AreNamedWithBothEntities) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

@@ -10,7 +10,7 @@
 #include "murosimf/scene/scene.h"
 #include "tests/fixtures.h"
 
-namespace murosimf::io {
+namespace murosimf::scene {
 namespace {
 
 using namespace std::chrono_literals;
@@ -231,4 +231,4 @@ TEST(EventsOfTheReport, HaveEverySettingAndEveryEvent) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::scene

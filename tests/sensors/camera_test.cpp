@@ -67,7 +67,8 @@ SensorSpec camera(const std::map<std::string, double>& numbers = {}) {
 
 struct CameraRig : RangeRig {
   const Frame& attach_camera(Entity& robot, const SensorSpec& spec) {
-    reading = &io::attach_sensor(simulation, robot, spec, {1, movers, [this] { return &painter; }}, rate).reading();
+    reading =
+        &components::attach_sensor(simulation, robot, spec, {1, movers, [this] { return &painter; }}, rate).reading();
     return *frames_of(robot).at(0);
   }
   Painter painter;
@@ -192,8 +193,8 @@ TEST(Camera, AnExposureIsTheMeanOfItsTime) {
   rig.simulation.run(1ms);
   ASSERT_EQ(rig.painter.looks.size(), 4u);
   double light = 0;  // of the red values 25, 75, 125, 175
-  for (const int red : {25, 75, 125, 175}) light += light_of_srgb(red / 255.0) / 4;
-  EXPECT_NEAR(frame.color(7, 7).red, 255 * srgb_of_light(light), 1);
+  for (const int red : {25, 75, 125, 175}) light += imaging::light_of_srgb(red / 255.0) / 4;
+  EXPECT_NEAR(frame.color(7, 7).red, 255 * imaging::srgb_of_light(light), 1);
   EXPECT_EQ(frame.labels(7, 7), 1) << "labels are those of the first instant";
   EXPECT_FALSE(rig.painter.looks[1].layers.depth);
 }
@@ -262,7 +263,7 @@ TEST(Camera, EffectsComeAfterTheLens) {
   EXPECT_TRUE(frame.color.empty());
   ASSERT_EQ(frame.mosaic.width(), 40);
   // green of a level view in the middle is 127.5: a quarter of its light
-  EXPECT_NEAR(frame.mosaic(20, 15), 255 * srgb_of_light(0.25 * light_of_srgb(0.5)), 25);
+  EXPECT_NEAR(frame.mosaic(20, 15), 255 * imaging::srgb_of_light(0.25 * imaging::light_of_srgb(0.5)), 25);
 }
 
 TEST(Camera, NoiseIsAnotherOneInEachFrameAndTheSameInEachRun) {
@@ -310,7 +311,7 @@ TEST(Camera, ALensThatFoldsOverIsRemarkedWithItsAngle) {
   CameraRig rig;
   Entity& box = rig.add_box("box");
   const SensorSpec spec = camera({{"k1", -0.9}, {"fx", 15}});
-  const Sensor& sensor = io::attach_sensor(rig.simulation, box, spec, {1, rig.movers, {}}, rig.rate);
+  const Sensor& sensor = components::attach_sensor(rig.simulation, box, spec, {1, rig.movers, {}}, rig.rate);
   EXPECT_TRUE(says(sensor.remark("kinematic_walking"), {"folds", "deg"}));
 }
 

@@ -23,7 +23,7 @@ struct LaserRig : RangeRig {
       }
       return renderer.get();
     };
-    return io::attach_sensor(simulation, robot, spec, {1, movers, source}, rate).reading();
+    return components::attach_sensor(simulation, robot, spec, {1, movers, source}, rate).reading();
   }
   std::unique_ptr<render::Renderer> renderer;
 };

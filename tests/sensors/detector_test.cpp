@@ -256,7 +256,7 @@ TEST_P(RangeSensors, WorkAtEveryLevel) {
   Entity& other = rig.add("other", test::kid21(), {.position = {2, 0.2, 0}, .heading = 1});
   const std::vector<Entity*> movers{&robot, &other};
   const auto attach = [&](const std::string& type) {
-    return &io::attach_sensor(rig.simulation, robot, test::sensor(type), {1, movers}, rig.rate).reading();
+    return &components::attach_sensor(rig.simulation, robot, test::sensor(type), {1, movers}, rig.rate).reading();
   };
   const Reading *detector = attach("detector"), *laser = attach("laser"), *sonar = attach("sonar");
   for (Entity* entity : movers) rig.attach_motion(*entity, {.level = GetParam()});

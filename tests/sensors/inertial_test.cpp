@@ -39,7 +39,7 @@ TEST(Accelerometer, ShowsGravityInItsOwnAxes) {
 TEST(Accelerometer, ShowsNothingInFreeFall) {
   test::Rig rig;
   Entity& box = rig.add("box", test::box_model(), {.position = {0, 0, 5}});
-  auto& sensor = io::attach_sensor(rig.simulation, box, {.name = "a", .type = "accelerometer"}, {}, rig.rate);
+  auto& sensor = components::attach_sensor(rig.simulation, box, {.name = "a", .type = "accelerometer"}, {}, rig.rate);
   rig.attach_dynamics(box, {.on_ground = false});
   rig.run(0.5);
   law::expect_below({.law = "free fall: specific force",
@@ -52,8 +52,8 @@ TEST(Accelerometer, ShowsNothingInFreeFall) {
 std::pair<double, Vec3d> first_sample_in_free_fall(double rate) {
   test::Rig rig;
   Entity& box = rig.add("box", test::box_model(), {.position = {0, 0, 5}});
-  auto& sensor =
-      io::attach_sensor(rig.simulation, box, {.name = "a", .type = "accelerometer", .rate = rate}, {}, rig.rate);
+  auto& sensor = components::attach_sensor(rig.simulation, box, {.name = "a", .type = "accelerometer", .rate = rate},
+                                           {}, rig.rate);
   rig.attach_dynamics(box, {.on_ground = false});
   for (int i = 0; i < 100 && sensor.reading().samples == 0; ++i) rig.simulation.step();
   return {seconds(sensor.reading().time), vector_of(sensor.reading(), "accelerometer")};
@@ -130,7 +130,7 @@ TEST(Gyroscope, FollowsATumblingBody) {
   for (const std::string& level : test::dynamic_levels()) {
     test::Rig rig;
     Entity& body = rig.add("top", top, {.position = {0, 0, 50}});
-    auto& sensor = io::attach_sensor(rig.simulation, body, {.name = "imu", .type = "imu"}, {}, rig.rate);
+    auto& sensor = components::attach_sensor(rig.simulation, body, {.name = "imu", .type = "imu"}, {}, rig.rate);
     rig.attach_dynamics(body, {.level = level,
                                .law = test::law_named("kelvin_voigt"),
                                .on_ground = false,
@@ -183,7 +183,7 @@ TEST_P(EveryLevel, ImuOfAStandingRobotShowsRest) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21());
   auto& sensor =
-      io::attach_sensor(rig.simulation, robot, {.name = "imu", .type = "imu", .frame = "torso"}, {}, rig.rate);
+      components::attach_sensor(rig.simulation, robot, {.name = "imu", .type = "imu", .frame = "torso"}, {}, rig.rate);
   rig.attach_motion(robot, {.level = GetParam()});
   rig.run(2);
   EXPECT_NEAR(norm(vector_of(sensor.reading(), "accelerometer")), g, 0.05);

@@ -16,9 +16,9 @@ struct Standing {
   explicit Standing(const std::string& level, std::vector<std::string> types = every_type())
       : robot(rig.add("robot", test::kid21())) {
     for (const std::string& type : types) {
-      io::attach_sensor(rig.simulation, robot, {.name = type, .type = type}, {}, rig.rate);
+      components::attach_sensor(rig.simulation, robot, {.name = type, .type = type}, {}, rig.rate);
     }
-    rig.simulation.attach<control::WalkEngine>("walk_engine", robot, 100);
+    rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, 100);
     rig.attach_motion(robot, {.level = level});
   }
   static std::vector<std::string> every_type() {
@@ -63,13 +63,13 @@ TEST(JointPosition, CountsTheStepsOfAnEncoder) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21());
   const double step = 2 * pi / 4096;
-  auto& sensor = io::attach_sensor(rig.simulation, robot,
-                                   {.name = "e",
-                                    .type = "joint_position",
-                                    .objects = {"j_l_shin", "j_neck"},
-                                    .signals = {{"", {.resolution = step}}}},
-                                   {}, rig.rate);
-  rig.simulation.attach<control::WalkEngine>("walk_engine", robot, 100, Vec3d{0.1, 0, 0});
+  auto& sensor = components::attach_sensor(rig.simulation, robot,
+                                           {.name = "e",
+                                            .type = "joint_position",
+                                            .objects = {"j_l_shin", "j_neck"},
+                                            .signals = {{"", {.resolution = step}}}},
+                                           {}, rig.rate);
+  rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, 100, Vec3d{0.1, 0, 0});
   rig.attach_motion(robot, {.level = "kinematic_walking"});
   EXPECT_EQ(sensor.reading().info->outputs[0].labels, (std::vector<std::string>{"j_l_shin", "j_neck"}));
   for (int i = 0; i < 500; ++i) {
@@ -100,9 +100,11 @@ ModelPtr arm() {
 TEST(MotorCurrent, IsThatOfTheTorqueThatHoldsALoad) {
   test::Rig rig;
   Entity& robot = rig.add("arm", arm(), {.position = {0, 0, 1}});
-  auto& current = io::attach_sensor(rig.simulation, robot, {.name = "i", .type = "motor_current"}, {}, rig.rate);
-  auto& torque = io::attach_sensor(rig.simulation, robot, {.name = "t", .type = "joint_torque"}, {}, rig.rate);
-  auto& voltage = io::attach_sensor(rig.simulation, robot, {.name = "u", .type = "motor_voltage"}, {}, rig.rate);
+  auto& current =
+      components::attach_sensor(rig.simulation, robot, {.name = "i", .type = "motor_current"}, {}, rig.rate);
+  auto& torque = components::attach_sensor(rig.simulation, robot, {.name = "t", .type = "joint_torque"}, {}, rig.rate);
+  auto& voltage =
+      components::attach_sensor(rig.simulation, robot, {.name = "u", .type = "motor_voltage"}, {}, rig.rate);
   rig.attach_dynamics(robot, {.level = "articulated_dynamics", .on_ground = false, .tree = {.fixed_base = true}});
   rig.run(3);
   const double angle = robot.object("shoulder").get(properties::joint_position);
@@ -136,8 +138,8 @@ TEST(ServoSensors, NothingStaleIsLeftByALevelThatWent) {
 
 TEST(ServoSensors, SayWhatTheyReportWhereThereIsNoTorque) {
   Standing standing("kinematic_walking", {});
-  auto& sensor =
-      io::attach_sensor(standing.rig.simulation, standing.robot, {.name = "t", .type = "joint_torque"}, {}, 1000);
+  auto& sensor = components::attach_sensor(standing.rig.simulation, standing.robot,
+                                           {.name = "t", .type = "joint_torque"}, {}, 1000);
   EXPECT_EQ(sensor.remark("kinematic_walking"), "torques of joints are not known: it reports 0");
   EXPECT_EQ(sensor.remark("articulated_dynamics"), "");
 }

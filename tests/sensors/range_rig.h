@@ -34,9 +34,9 @@ struct RangeRig : Rig {
   }
 
   /// After all movers were added.
-  const sensors::Reading& attach(Entity& robot, sensors::SensorSpec spec, std::uint64_t seed = 1) {
+  const Reading& attach(Entity& robot, SensorSpec spec, std::uint64_t seed = 1) {
     if (spec.name.empty()) spec.name = spec.type;
-    return io::attach_sensor(simulation, robot, spec, {seed, movers}, rate).reading();
+    return components::attach_sensor(simulation, robot, spec, {seed, movers}, rate).reading();
   }
   /// After all sensors were attached.
   void begin() {
@@ -53,15 +53,15 @@ struct RangeRig : Rig {
 };
 
 /// A sensor with the numbers that differ from their defaults.
-inline sensors::SensorSpec sensor(const std::string& type, const std::map<std::string, double>& numbers = {}) {
-  sensors::SensorSpec spec;
+inline SensorSpec sensor(const std::string& type, const std::map<std::string, double>& numbers = {}) {
+  SensorSpec spec;
   spec.name = spec.type = type;
   spec.numbers = numbers;
   return spec;
 }
 
 /// Message of the mistake of attaching a sensor to a box beside a ball.
-inline std::string mistake(const sensors::SensorSpec& spec) {
+inline std::string mistake(const SensorSpec& spec) {
   RangeRig rig;
   Entity& robot = rig.add_box("robot");
   rig.add_ball("ball");

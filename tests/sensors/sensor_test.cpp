@@ -85,7 +85,7 @@ struct Standing {
   explicit Standing(int threads = 1) : rig(0.8, 0, 1000, threads) {}
   Entity& add(const std::string& name, double y) { return rig.add(name, test::kid21(), {.position = {0, y, 0}}); }
   void attach(Entity& robot, const SensorSpec& spec) {
-    io::attach_sensor(rig.simulation, robot, spec, {.seed = 7}, rig.rate);
+    components::attach_sensor(rig.simulation, robot, spec, {.seed = 7}, rig.rate);
   }
   void move(Entity& robot) { rig.attach_motion(robot, {.level = "kinematic_walking"}); }
   test::Rig rig;

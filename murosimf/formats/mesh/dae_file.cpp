@@ -8,7 +8,7 @@
 #include "murosimf/formats/mesh/mesh_limits.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mesh {
 namespace {
 
 constexpr std::size_t most_nodes = 100'000;  // a node can be used again and again
@@ -21,7 +21,7 @@ struct Affine {
 
 Affine operator*(const Affine& a, const Affine& b) { return {a.turn * b.turn, a.turn * b.shift + a.shift}; }
 
-Affine read_step(const XmlElement& element) {
+Affine read_step(const files::XmlElement& element) {
   const std::string tag = element.tag();
   if (tag == "matrix") {
     const auto m = dae_numbers(element, 16);  // by rows
@@ -47,13 +47,13 @@ class Reader {
   explicit Reader(const std::filesystem::path& file) : xml_(file), ids_(xml_.root()) {}
 
   MeshFile read() {
-    const XmlElement root = xml_.root();
+    const files::XmlElement root = xml_.root();
     if (root.tag() != "COLLADA") root.fail(fmt::format("the root is <{}>, not <COLLADA>", root.tag()));
     const double unit = read_unit(root);
     const Affine frame{{{unit, 0, 0}, {0, unit, 0}, {0, 0, unit}}, {}};
-    for (const XmlElement& scene : root.children("scene")) {
-      for (const XmlElement& instance : scene.children("instance_visual_scene")) {
-        for (const XmlElement& node : ids_.find(instance, "url").children("node")) add_node(node, frame);
+    for (const files::XmlElement& scene : root.children("scene")) {
+      for (const files::XmlElement& instance : scene.children("instance_visual_scene")) {
+        for (const files::XmlElement& node : ids_.find(instance, "url").children("node")) add_node(node, frame);
       }
     }
     return std::move(file_);
@@ -61,10 +61,10 @@ class Reader {
 
  private:
   /// [m]
-  static double read_unit(const XmlElement& root) {
-    for (const XmlElement& asset : root.children("asset")) {
-      for (const XmlElement& unit : asset.children("unit")) {
-        const auto meter = parse_numbers(unit.attribute("meter").value_or("1"));
+  static double read_unit(const files::XmlElement& root) {
+    for (const files::XmlElement& asset : root.children("asset")) {
+      for (const files::XmlElement& unit : asset.children("unit")) {
+        const auto meter = files::parse_numbers(unit.attribute("meter").value_or("1"));
         if (!meter || meter->size() != 1 || !((*meter)[0] > 0)) unit.fail("meter of <unit> is no length; correct it");
         return (*meter)[0];
       }
@@ -72,10 +72,10 @@ class Reader {
     return 1;
   }
 
-  void add_node(const XmlElement& node, Affine frame, int depth = 0) {
+  void add_node(const files::XmlElement& node, Affine frame, int depth = 0) {
     if (++nodes_ > most_nodes || depth > 200) node.fail("the nodes of the file never end; export the mesh again");
-    for (const XmlElement& child : node.children()) frame = frame * read_step(child);
-    for (const XmlElement& child : node.children()) {
+    for (const files::XmlElement& child : node.children()) frame = frame * read_step(child);
+    for (const files::XmlElement& child : node.children()) {
       const std::string tag = child.tag();
       if (tag == "node") add_node(child, frame, depth + 1);
       if (tag == "instance_node") add_node(ids_.find(child, "url"), frame, depth + 1);
@@ -83,7 +83,7 @@ class Reader {
     }
   }
 
-  void add_geometry(const XmlElement& geometry, const Affine& frame) {
+  void add_geometry(const files::XmlElement& geometry, const Affine& frame) {
     const auto mesh = read_dae_geometry(geometry, ids_);
     auto& [vertices, triangles] = file_.mesh;
     if (triangles.size() + mesh.triangles.size() > most_triangles) geometry.fail(too_many());
@@ -100,7 +100,7 @@ class Reader {
     if (mesh.triangles.empty()) file_.part_begin.pop_back();
   }
 
-  XmlFile xml_;
+  files::XmlFile xml_;
   DaeIds ids_;
   MeshFile file_;
   std::size_t nodes_ = 0;
@@ -110,4 +110,4 @@ class Reader {
 
 MeshFile read_dae(const std::filesystem::path& file) { return Reader(file).read(); }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mesh

@@ -7,9 +7,9 @@
 
 #include "murosimf/formats/mesh/mesh_file.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mesh {
 
 /// Vertices as in the file, each as often as its geometry stands in the scene; a part for every geometry in the scene. Throws SetupError.
 [[nodiscard]] MeshFile read_dae(const std::filesystem::path& file);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mesh

@@ -2,24 +2,24 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/formats/mesh/dae_file.h"
 #include "murosimf/files/input_file.h"
+#include "murosimf/files/xml_element.h"
+#include "murosimf/formats/mesh/dae_file.h"
 #include "murosimf/formats/mesh/mesh_limits.h"
 #include "murosimf/formats/mesh/obj_file.h"
 #include "murosimf/formats/mesh/stl_file.h"
-#include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mesh {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, std::string_view message) {
-  throw SetupError(one_line(fmt::format("{}: {}", path.string(), message)));
+  throw SetupError(files::one_line(fmt::format("{}: {}", path.string(), message)));
 }
 
 /// Size of a regular file that is not empty [byte].
 std::size_t checked_size(const std::filesystem::path& path) {
-  const auto size = check_input_file(path, most_mesh_bytes);
+  const auto size = files::check_input_file(path, files::most_mesh_bytes);
   if (size == 0) fail(path, "the mesh file is empty");
   return size;
 }
@@ -62,4 +62,4 @@ std::vector<geometry::TriangleMesh> split_parts(const MeshFile& file) {
   return parts;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mesh

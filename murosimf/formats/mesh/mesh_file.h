@@ -13,7 +13,7 @@
 
 #include "murosimf/geometry/triangle_mesh.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mesh {
 
 /// More is refused before it is read: such a mesh has nothing that a contact or an inertia could use.
 constexpr std::size_t most_triangles = 1'000'000;
@@ -30,4 +30,4 @@ struct MeshFile {
 /// The parts of a file, each with its own vertices; one if the file has no objects or groups.
 [[nodiscard]] std::vector<geometry::TriangleMesh> split_parts(const MeshFile& file);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mesh

@@ -8,7 +8,7 @@
 #include "murosimf/geometry/hull.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mesh {
 namespace {
 
 constexpr double concave_ratio = 1.1;  // [1] hull over mesh volume, above which contact differs visibly
@@ -118,4 +118,4 @@ const SolidMesh& MeshLibrary::get(const std::filesystem::path& file, const Vec3d
   return meshes_.emplace(key, make_solid_mesh(std::move(read), part_per_group)).first->second;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mesh

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/formats/mesh/mesh_file.h"
+#include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/model/shape.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mesh {
 
 /// One convex part of a mesh.
 struct ConvexPart {
@@ -54,4 +54,4 @@ class MeshLibrary {
   std::map<std::pair<std::filesystem::path, std::array<double, 3>>, SolidMesh> meshes_;
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mesh

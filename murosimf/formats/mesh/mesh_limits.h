@@ -8,7 +8,7 @@
 
 #include "murosimf/formats/mesh/mesh_file.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mesh {
 
 /// The message about too many triangles, with their number if it is known before they are read.
 inline std::string too_many(std::size_t count = 0) {
@@ -22,4 +22,4 @@ inline std::string lower_case(std::string_view text) {
   return result;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mesh

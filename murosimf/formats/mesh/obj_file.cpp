@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/formats/mesh/mesh_limits.h"
 #include "murosimf/files/text_lines.h"
+#include "murosimf/formats/mesh/mesh_limits.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mesh {
 namespace {
 
 constexpr std::size_t most_vertices = 3 * most_triangles;
@@ -56,11 +56,12 @@ class ObjReader {
     long long number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) {
-      lines_.fail(fmt::format("{} in a face is not a vertex number", quoted(text)));
+      lines_.fail(fmt::format("{} in a face is not a vertex number", files::quoted(text)));
     }
     const bool inside = error == std::errc() && ((number > 0 && number <= count) || (number < 0 && number >= -count));
     if (!inside) {
-      lines_.fail(fmt::format("the face names vertex {}, but {} vertices stand before it", quoted(digits), count));
+      lines_.fail(
+          fmt::format("the face names vertex {}, but {} vertices stand before it", files::quoted(digits), count));
     }
     return static_cast<std::uint32_t>(number > 0 ? number - 1 : count + number);
   }
@@ -76,11 +77,11 @@ class ObjReader {
     if (result.part_begin.empty() || result.part_begin.back() != here) result.part_begin.push_back(here);
   }
 
-  TextLines lines_;
+  files::TextLines lines_;
 };
 
 }  // namespace
 
 MeshFile read_obj(const std::filesystem::path& path) { return ObjReader(path).result; }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mesh

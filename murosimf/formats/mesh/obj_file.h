@@ -3,9 +3,9 @@
 
 #include "murosimf/formats/mesh/mesh_file.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mesh {
 
 /// Vertices as in the file. Throws SetupError.
 [[nodiscard]] MeshFile read_obj(const std::filesystem::path& file);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mesh

@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/formats/mesh/mesh_limits.h"
 #include "murosimf/files/text_lines.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/formats/mesh/mesh_limits.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mesh {
 namespace {
 
 constexpr std::size_t header_size = 84;    // 80 bytes of text, then the count of triangles
@@ -88,7 +88,7 @@ class Binary {
     return value + 0.0;  // no -0: it would be another place
   }
   [[noreturn]] void fail(std::string_view message) const {
-    throw SetupError(one_line(fmt::format("{}: {}", name_, message)));
+    throw SetupError(files::one_line(fmt::format("{}: {}", name_, message)));
   }
 
   std::string name_;
@@ -119,7 +119,7 @@ class Ascii {
       return;
     }
     if (lower != "outer" && lower != "loop" && lower != "endfacet") {
-      lines_.fail(fmt::format("unknown word {} in an STL file", quoted(word)));
+      lines_.fail(fmt::format("unknown word {} in an STL file", files::quoted(word)));
     }
   }
   void skip_normal() {
@@ -139,7 +139,7 @@ class Ascii {
     add_triangle(result, triangle_);
   }
 
-  TextLines lines_;
+  files::TextLines lines_;
   std::array<Vec3d, 3> triangle_;
   std::size_t corners_ = 0;
 };
@@ -151,4 +151,4 @@ MeshFile read_stl(const std::filesystem::path& path, std::size_t size) {
   return is_ascii(head, size) ? Ascii(path).result : Binary(path, head, size).result;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mesh

@@ -3,9 +3,9 @@
 
 #include "murosimf/formats/mesh/mesh_file.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mesh {
 
 /// Three vertices of their own for every triangle. `size` of the file [byte], not zero. Throws SetupError.
 [[nodiscard]] MeshFile read_stl(const std::filesystem::path& file, std::size_t size);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mesh

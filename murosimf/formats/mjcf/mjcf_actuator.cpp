@@ -8,7 +8,7 @@
 #include "murosimf/formats/mjcf/mjcf_vocabulary.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 double largest(const std::vector<double>& range) { return std::max(std::abs(range[0]), std::abs(range[1])); }
@@ -86,13 +86,13 @@ std::string read_joint(const MjcfAttributes& attributes, const MjcfNames& names)
 
 }  // namespace
 
-std::map<std::string, MjcfActuator> read_actuators(const XmlElement& root, const MjcfDefaults& defaults,
+std::map<std::string, MjcfActuator> read_actuators(const files::XmlElement& root, const MjcfDefaults& defaults,
                                                    const MjcfCompiler& compiler, const MjcfNames& names, bool lenient,
                                                    std::vector<std::string>& warnings) {
   std::map<std::string, MjcfActuator> actuators;
   std::set<std::string> taken;
-  for (const XmlElement& section : root.children("actuator")) {
-    for (const XmlElement& element : section.children()) {
+  for (const files::XmlElement& section : root.children("actuator")) {
+    for (const files::XmlElement& element : section.children()) {
       if (!is_actuator(element.tag())) continue;
       const auto name = element.attribute("name");
       if (name && !taken.insert(*name).second)
@@ -112,4 +112,4 @@ std::map<std::string, MjcfActuator> read_actuators(const XmlElement& root, const
   return actuators;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

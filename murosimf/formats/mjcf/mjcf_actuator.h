@@ -15,7 +15,7 @@
 #include "murosimf/formats/mjcf/mjcf_names.h"
 #include "murosimf/model/servo.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 struct MjcfActuator {
   Servo servo;
@@ -24,8 +24,9 @@ struct MjcfActuator {
 
 /// Servos by joint name. Several actuators at one joint add what the others lack. Throws SetupError for an unknown
 /// joint; an actuator without a joint is refused unless `lenient`, then a line in `warnings`.
-[[nodiscard]] std::map<std::string, MjcfActuator> read_actuators(const XmlElement& root, const MjcfDefaults& defaults,
+[[nodiscard]] std::map<std::string, MjcfActuator> read_actuators(const files::XmlElement& root,
+                                                                 const MjcfDefaults& defaults,
                                                                  const MjcfCompiler& compiler, const MjcfNames& names,
                                                                  bool lenient, std::vector<std::string>& warnings);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -7,21 +7,21 @@
 #include "murosimf/formats/mjcf/mjcf_inertia.h"
 #include "murosimf/formats/mjcf/mjcf_joint.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 class BodyReader {
  public:
-  BodyReader(const MjcfContext& context, RobotDraft& draft) : context_(context), draft_(draft) {}
+  BodyReader(const MjcfContext& context, description::RobotDraft& draft) : context_(context), draft_(draft) {}
 
-  void read_base(const XmlElement& base, const std::string& outer_class) {
+  void read_base(const files::XmlElement& base, const std::string& outer_class) {
     int joints = 0;
-    for (const XmlElement& joint : base.children()) {
+    for (const files::XmlElement& joint : base.children()) {
       if (joint.tag() != "joint" && joint.tag() != "freejoint") continue;
       if (++joints > 1) joint.fail("the base has a second joint; besides its free joint it can have none");
       draft_.base_joint = joint.attribute("name").value_or("");
     }
-    DraftBody body;
+    description::DraftBody body;
     body.name = context_.names.of(base);
     body.where = base.where();
     finish(base, context_.defaults.child_class(base, outer_class), std::move(body));
@@ -29,7 +29,7 @@ class BodyReader {
 
  private:
   /// Mass, shapes and sites of a body, then the bodies that hang on it.
-  void finish(const XmlElement& element, const std::string& child_class, DraftBody body) {
+  void finish(const files::XmlElement& element, const std::string& child_class, description::DraftBody body) {
     const auto children = children_in(element, child_class, context_.defaults, context_.compiler);
     read_solid(element, children, body);
     for (const MjcfChild& child : children) {
@@ -44,29 +44,30 @@ class BodyReader {
   }
 
   void read_body(const MjcfChild& child, int parent) {
-    const XmlElement& element = child.element;
-    DraftBody body;
+    const files::XmlElement& element = child.element;
+    description::DraftBody body;
     body.name = context_.names.of(element);
     body.where = element.where();
     body.parent = parent;
-    body.place = inside(child.frame, place_of(own_attributes(element)));
+    body.place = description::inside(child.frame, place_of(own_attributes(element)));
     const std::string child_class = context_.defaults.child_class(element, child.child_class);
-    for (const XmlElement& joint : element.children()) {
+    for (const files::XmlElement& joint : element.children()) {
       if (joint.tag() == "freejoint") joint.fail("freejoint inside the robot; only its base may be free");
       if (joint.tag() == "joint") body.joints.push_back(read_joint(joint, child_class, context_));
     }
     finish(element, child_class, std::move(body));
   }
 
-  void read_solid(const XmlElement& element, const std::vector<MjcfChild>& children, DraftBody& body) {
-    std::vector<MassProperties> solids;
+  void read_solid(const files::XmlElement& element, const std::vector<MjcfChild>& children,
+                  description::DraftBody& body) {
+    std::vector<description::MassProperties> solids;
     const MjcfGeomContext geom_context{context_.compiler, context_.meshes, mass_from_geoms(element, context_.compiler),
                                        context_.lenient, context_.warnings};
     for (const MjcfChild& child : children) {
       if (child.element.tag() != "geom") continue;
       const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
       const MjcfGeom geom = read_geom(attributes, geom_context);
-      solids.push_back(moved(geom.solid, child.frame.position, child.frame.orientation));
+      solids.push_back(description::moved(geom.solid, child.frame.position, child.frame.orientation));
       for (std::size_t i = 0; i < geom.shapes.size(); ++i) {
         body.shapes.push_back(make_shape(child, attributes, geom.shapes[i]));
         body.shapes.back().middle = geom.middles[i];
@@ -78,26 +79,26 @@ class BodyReader {
     if (!mass_from_geoms(element, context_.compiler) && !inertials.empty()) body.solid_where = inertials[0].where();
   }
 
-  [[nodiscard]] DraftShape make_shape(const MjcfChild& child, const MjcfAttributes& attributes,
-                                      PlacedShape placed) const {
+  [[nodiscard]] description::DraftShape make_shape(const MjcfChild& child, const MjcfAttributes& attributes,
+                                                   PlacedShape placed) const {
     if (std::holds_alternative<Plane>(placed.shape)) {
       child.element.fail("a plane cannot be part of a robot; use a box");
     }
-    const Place place = inside(child.frame, {placed.position, placed.orientation});
+    const description::Place place = description::inside(child.frame, {placed.position, placed.orientation});
     placed.position = place.position;
     placed.orientation = place.orientation;
     return {child.element.attribute("name").value_or(""), child.element.where(), placed, attributes.text("mesh")};
   }
 
-  [[nodiscard]] static DraftVisual placed_visual(const MjcfChild& child, DraftVisual visual) {
-    visual.place = inside(child.frame, visual.place);
+  [[nodiscard]] static description::DraftVisual placed_visual(const MjcfChild& child, description::DraftVisual visual) {
+    visual.place = description::inside(child.frame, visual.place);
     return visual;
   }
 
-  [[nodiscard]] DraftFrame read_site(const MjcfChild& child) const {
+  [[nodiscard]] description::DraftFrame read_site(const MjcfChild& child) const {
     const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
-    DraftFrame frame{context_.names.of(child.element), child.element.where()};
-    frame.place = inside(child.frame, place_of(attributes));
+    description::DraftFrame frame{context_.names.of(child.element), child.element.where()};
+    frame.place = description::inside(child.frame, place_of(attributes));
     const bool box = attributes.text("type") == "box" && attributes.has("size");
     const auto size = box ? attributes.numbers("size", 2, 3) : std::vector<double>(2);
     if (size[0] > 0 && size[1] > 0) frame.box = Sole{size[0], size[1]};
@@ -106,45 +107,45 @@ class BodyReader {
 
   /// One with a name is a frame that others may use, with the axes that MJCF gives it; one that does not stay at its
   /// place on the body is none.
-  void add_camera(const MjcfChild& child, DraftBody& body) {
+  void add_camera(const MjcfChild& child, description::DraftBody& body) {
     const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
     const auto name = child.element.attribute("name");
-    DraftSensor camera = read_mjcf_camera(attributes, name.value_or(body.name));
-    const Place place = inside(child.frame, place_of(attributes));
+    description::DraftSensor camera = read_mjcf_camera(attributes, name.value_or(body.name));
+    const description::Place place = description::inside(child.frame, place_of(attributes));
     if (!camera.obstacle.empty()) {
       camera.frame = body.name;
     } else if (name) {
       body.frames.push_back({*name, child.element.where(), "camera", place, {}});
     } else {
       camera.object_kind = "xbody";
-      camera.place = inside(place, camera.place);
+      camera.place = description::inside(place, camera.place);
     }
     draft_.sensors.push_back(std::move(camera));
   }
 
-  [[nodiscard]] static MjcfAttributes own_attributes(const XmlElement& element) {
+  [[nodiscard]] static MjcfAttributes own_attributes(const files::XmlElement& element) {
     MjcfAttributes attributes(element);
     attributes.overlay(element);
     return attributes;
   }
-  [[nodiscard]] Place place_of(const MjcfAttributes& attributes) const {
+  [[nodiscard]] description::Place place_of(const MjcfAttributes& attributes) const {
     return {attributes.vector("pos", {}), read_orientation(attributes, context_.compiler)};
   }
 
   const MjcfContext& context_;
-  RobotDraft& draft_;
+  description::RobotDraft& draft_;
 };
 
 }  // namespace
 
-bool is_free_joint(const XmlElement& joint, const std::string& child_class, const MjcfDefaults& defaults) {
+bool is_free_joint(const files::XmlElement& joint, const std::string& child_class, const MjcfDefaults& defaults) {
   if (joint.tag() == "freejoint") return true;
   return joint.tag() == "joint" && defaults.resolve(joint, child_class).text("type") == "free";
 }
 
-void read_bodies(const XmlElement& base, const std::string& child_class, const MjcfContext& context,
-                 RobotDraft& draft) {
+void read_bodies(const files::XmlElement& base, const std::string& child_class, const MjcfContext& context,
+                 description::RobotDraft& draft) {
   BodyReader(context, draft).read_base(base, child_class);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

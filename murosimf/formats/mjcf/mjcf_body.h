@@ -3,13 +3,15 @@
 
 #include "murosimf/formats/mjcf/mjcf_context.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 /// The whole robot, from the body with the free joint on. Its place in the file is left out: the scene places robots.
 /// Fills bodies, cameras and base_joint of `draft`.
-void read_bodies(const XmlElement& base, const std::string& child_class, const MjcfContext& context, RobotDraft& draft);
+void read_bodies(const files::XmlElement& base, const std::string& child_class, const MjcfContext& context,
+                 description::RobotDraft& draft);
 
 /// True for `freejoint` and for a joint of type free.
-[[nodiscard]] bool is_free_joint(const XmlElement& joint, const std::string& child_class, const MjcfDefaults& defaults);
+[[nodiscard]] bool is_free_joint(const files::XmlElement& joint, const std::string& child_class,
+                                 const MjcfDefaults& defaults);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 constexpr double usual_width = 640, usual_height = 480;  // [px]
@@ -79,8 +79,8 @@ std::string obstacle_of(const MjcfAttributes& attributes) {
 
 }  // namespace
 
-DraftSensor read_mjcf_camera(const MjcfAttributes& attributes, const std::string& frame) {
-  DraftSensor camera{"camera", attributes.text("name"), frame, attributes.element().where()};
+description::DraftSensor read_mjcf_camera(const MjcfAttributes& attributes, const std::string& frame) {
+  description::DraftSensor camera{"camera", attributes.text("name"), frame, attributes.element().where()};
   camera.object_kind = "camera";
   camera.place.orientation = camera_axes;
   camera.obstacle = obstacle_of(attributes);
@@ -94,11 +94,11 @@ DraftSensor read_mjcf_camera(const MjcfAttributes& attributes, const std::string
   return camera;
 }
 
-bool is_mjcf_camera(const DraftSensor& sensor) {
+bool is_mjcf_camera(const description::DraftSensor& sensor) {
   return sensor.kind == "camera" && sensor.object_kind == "camera" && sensor.obstacle.empty();
 }
 
-void write_mjcf_camera(XmlText& xml, const DraftSensor& camera) {
+void write_mjcf_camera(files::XmlText& xml, const description::DraftSensor& camera) {
   const auto& numbers = camera.numbers;
   const double width = numbers.at("width"), height = numbers.at("height");
   xml.numbers("resolution", {width, height});
@@ -112,4 +112,4 @@ void write_mjcf_camera(XmlText& xml, const DraftSensor& camera) {
                             pixel_pitch * (0.5 * (height - 1) - numbers.at("cy"))});
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -8,23 +8,23 @@
 /// Source: XML reference of the MuJoCo documentation, "body/camera".
 #pragma once
 
-#include "murosimf/formats/mjcf/mjcf_defaults.h"
 #include "murosimf/description/robot_draft.h"
 #include "murosimf/files/xml_text.h"
+#include "murosimf/formats/mjcf/mjcf_defaults.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 /// Axes of a sensor of type `camera` to those of a camera of MJCF.
 constexpr Mat3d camera_axes{{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}};
 
 /// The sensor that a camera becomes, on a frame that has the camera's place, called `frame`. Cameras that are not fixed
 /// to their bodies, and those without perspective, get an obstacle. Throws SetupError with file:line for impossible numbers.
-[[nodiscard]] DraftSensor read_mjcf_camera(const MjcfAttributes& attributes, const std::string& frame);
+[[nodiscard]] description::DraftSensor read_mjcf_camera(const MjcfAttributes& attributes, const std::string& frame);
 
 /// It is a camera that MJCF has words for, with a frame of its own.
-[[nodiscard]] bool is_mjcf_camera(const DraftSensor& sensor);
+[[nodiscard]] bool is_mjcf_camera(const description::DraftSensor& sensor);
 
 /// Adds what read_mjcf_camera reads to the open element, but for name and place.
-void write_mjcf_camera(XmlText& xml, const DraftSensor& camera);
+void write_mjcf_camera(files::XmlText& xml, const description::DraftSensor& camera);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

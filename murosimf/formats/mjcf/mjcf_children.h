@@ -7,22 +7,22 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/formats/mjcf/mjcf_frame.h"
 #include "murosimf/description/robot_draft.h"
+#include "murosimf/formats/mjcf/mjcf_frame.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 struct MjcfChild {
-  XmlElement element;
-  std::string child_class;  ///< that holds for it, from the body and frames around it
-  Place frame;              ///< of the frames around it, in the body
+  files::XmlElement element;
+  std::string child_class;   ///< that holds for it, from the body and frames around it
+  description::Place frame;  ///< of the frames around it, in the body
 };
 
 /// All children of `body` but frames, whose children stand in their place; in the order of the file.
-[[nodiscard]] std::vector<MjcfChild> children_in(const XmlElement& body, const std::string& child_class,
+[[nodiscard]] std::vector<MjcfChild> children_in(const files::XmlElement& body, const std::string& child_class,
                                                  const MjcfDefaults& defaults, const MjcfCompiler& compiler);
 
 /// The same without places and classes: elements called `tag`.
-[[nodiscard]] std::vector<XmlElement> elements_in(const XmlElement& body, std::string_view tag);
+[[nodiscard]] std::vector<files::XmlElement> elements_in(const files::XmlElement& body, std::string_view tag);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

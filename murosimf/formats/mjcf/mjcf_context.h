@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/description/robot_draft.h"
 #include "murosimf/formats/mjcf/mjcf_actuator.h"
 #include "murosimf/formats/mjcf/mjcf_defaults.h"
 #include "murosimf/formats/mjcf/mjcf_frame.h"
 #include "murosimf/formats/mjcf/mjcf_mesh.h"
 #include "murosimf/formats/mjcf/mjcf_names.h"
-#include "murosimf/description/robot_draft.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 struct MjcfContext {
   const MjcfDefaults& defaults;
@@ -24,4 +24,4 @@ struct MjcfContext {
   std::vector<std::string>& warnings;
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

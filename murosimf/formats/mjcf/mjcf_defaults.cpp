@@ -7,17 +7,17 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 constexpr std::array orientations{"quat", "axisangle", "xyaxes", "zaxis", "euler"};
 
 }  // namespace
 
-void MjcfAttributes::overlay(const XmlElement& element) {
+void MjcfAttributes::overlay(const files::XmlElement& element) {
   const auto attributes = element.attributes();
   // an orientation replaces one of another kind
-  const auto is_orientation = [](const XmlAttribute& a) {
+  const auto is_orientation = [](const files::XmlAttribute& a) {
     return std::ranges::find(orientations, a.name) != orientations.end();
   };
   if (std::ranges::any_of(attributes, is_orientation)) {
@@ -26,7 +26,7 @@ void MjcfAttributes::overlay(const XmlElement& element) {
   for (const auto& [name, value] : attributes) values_.insert_or_assign(name, Value{value, element});
 }
 
-const XmlElement& MjcfAttributes::source(std::string_view name) const {
+const files::XmlElement& MjcfAttributes::source(std::string_view name) const {
   const auto found = values_.find(name);
   return found == values_.end() ? element_ : found->second.source;
 }
@@ -50,7 +50,7 @@ std::vector<double> MjcfAttributes::numbers(std::string_view name, std::size_t l
   const auto found = values_.find(name);
   if (found == values_.end()) return {};
   const auto& [text, source] = found->second;
-  const auto row = parse_numbers(text);
+  const auto row = files::parse_numbers(text);
   if (!row) source.fail(fmt::format("{} of {} is '{}'; write finite numbers there", name, source.tag(), text));
   if (row->size() < least || row->size() > most) {
     const auto range = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
@@ -67,12 +67,12 @@ std::string MjcfAttributes::choice(std::string_view name, const std::vector<std:
   return value;
 }
 
-MjcfDefaults::MjcfDefaults(const XmlElement& root) {
+MjcfDefaults::MjcfDefaults(const files::XmlElement& root) {
   classes_[outermost_] = {};
-  for (const XmlElement& element : root.children("default")) read(element, classes_[outermost_], true);
+  for (const files::XmlElement& element : root.children("default")) read(element, classes_[outermost_], true);
 }
 
-void MjcfDefaults::read(const XmlElement& element, const Class& outer, bool outermost) {
+void MjcfDefaults::read(const files::XmlElement& element, const Class& outer, bool outermost) {
   const auto name = element.attribute("class");
   if (!name && !outermost) element.fail("a default inside a default needs a class; add class=\"...\"");
   if (outermost && name && *name != outermost_) {
@@ -82,14 +82,14 @@ void MjcfDefaults::read(const XmlElement& element, const Class& outer, bool oute
     element.fail(fmt::format("default class '{}' is already there; choose another name", *name));
   }
   Class mine = outer;
-  for (const XmlElement& child : element.children()) {
+  for (const files::XmlElement& child : element.children()) {
     if (child.tag() != "default") mine[child.tag()].push_back(child);
   }
   classes_[outermost ? outermost_ : *name] = mine;
-  for (const XmlElement& child : element.children("default")) read(child, mine, false);
+  for (const files::XmlElement& child : element.children("default")) read(child, mine, false);
 }
 
-MjcfAttributes MjcfDefaults::resolve(const XmlElement& element, const std::string& child_class) const {
+MjcfAttributes MjcfDefaults::resolve(const files::XmlElement& element, const std::string& child_class) const {
   std::string name = child_class.empty() ? outermost_ : child_class;
   if (const auto own = element.attribute("class")) {
     check_known(element, *own);
@@ -98,24 +98,24 @@ MjcfAttributes MjcfDefaults::resolve(const XmlElement& element, const std::strin
   MjcfAttributes attributes(element);
   const Class& settings = classes_.at(name);
   if (const auto found = settings.find(element.tag()); found != settings.end()) {
-    for (const XmlElement& setting : found->second) attributes.overlay(setting);
+    for (const files::XmlElement& setting : found->second) attributes.overlay(setting);
   }
   attributes.overlay(element);
   return attributes;
 }
 
-std::string MjcfDefaults::child_class(const XmlElement& body, const std::string& outer) const {
+std::string MjcfDefaults::child_class(const files::XmlElement& body, const std::string& outer) const {
   const auto own = body.attribute("childclass");
   if (!own) return outer;
   check_known(body, *own);
   return *own;
 }
 
-void MjcfDefaults::check_known(const XmlElement& element, const std::string& name) const {
+void MjcfDefaults::check_known(const files::XmlElement& element, const std::string& name) const {
   if (classes_.contains(name)) return;
   std::vector<std::string_view> known;
   for (const auto& [key, settings] : classes_) known.push_back(key);
   element.fail(unknown_name("default class", name, known));
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

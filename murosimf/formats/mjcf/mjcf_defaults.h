@@ -13,21 +13,21 @@
 #include "murosimf/files/xml_element.h"
 #include "murosimf/math/vec3.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 /// The attributes that hold for one element, its own and those of its class. Every complaint names file and line of
 /// the place where the attribute is written.
 class MjcfAttributes {
  public:
-  explicit MjcfAttributes(const XmlElement& element) : element_(element) {}
+  explicit MjcfAttributes(const files::XmlElement& element) : element_(element) {}
 
   /// Adds those of `element`; they win over what is there.
-  void overlay(const XmlElement& element);
+  void overlay(const files::XmlElement& element);
 
-  [[nodiscard]] const XmlElement& element() const { return element_; }
+  [[nodiscard]] const files::XmlElement& element() const { return element_; }
   [[nodiscard]] bool has(std::string_view name) const { return values_.contains(name); }
   /// Where the attribute is written.
-  [[nodiscard]] const XmlElement& source(std::string_view name) const;
+  [[nodiscard]] const files::XmlElement& source(std::string_view name) const;
 
   [[nodiscard]] std::string text(std::string_view name, std::string_view otherwise = {}) const;
   [[nodiscard]] double number(std::string_view name, double otherwise) const;
@@ -40,31 +40,31 @@ class MjcfAttributes {
  private:
   struct Value {
     std::string text;
-    XmlElement source;
+    files::XmlElement source;
   };
 
-  XmlElement element_;
+  files::XmlElement element_;
   std::map<std::string, Value, std::less<>> values_;
 };
 
 class MjcfDefaults {
  public:
   /// Reads all `default` elements of the file. Throws SetupError for a class without a name or with a taken one.
-  explicit MjcfDefaults(const XmlElement& root);
+  explicit MjcfDefaults(const files::XmlElement& root);
 
   /// `child_class`: nearest one of a body around the element, empty if there is none.
-  [[nodiscard]] MjcfAttributes resolve(const XmlElement& element, const std::string& child_class = {}) const;
+  [[nodiscard]] MjcfAttributes resolve(const files::XmlElement& element, const std::string& child_class = {}) const;
   /// The class that holds inside a body or worldbody, given the one around it.
-  [[nodiscard]] std::string child_class(const XmlElement& body, const std::string& outer) const;
+  [[nodiscard]] std::string child_class(const files::XmlElement& body, const std::string& outer) const;
 
  private:
-  using Class = std::map<std::string, std::vector<XmlElement>, std::less<>>;  // by tag, outermost setting first
+  using Class = std::map<std::string, std::vector<files::XmlElement>, std::less<>>;  // by tag, outermost setting first
 
-  void read(const XmlElement& element, const Class& outer, bool outermost);
-  void check_known(const XmlElement& element, const std::string& name) const;
+  void read(const files::XmlElement& element, const Class& outer, bool outermost);
+  void check_known(const files::XmlElement& element, const std::string& name) const;
 
   std::map<std::string, Class, std::less<>> classes_;
   std::string outermost_ = "main";
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -8,7 +8,7 @@
 
 #include "murosimf/math/quaternion.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 constexpr std::array ways{"quat", "axisangle", "euler", "xyaxes", "zaxis"};
@@ -61,9 +61,9 @@ void read_mass_rules(const MjcfAttributes& attributes, MjcfCompiler& compiler) {
 
 }  // namespace
 
-MjcfCompiler read_compiler(const XmlElement& root) {
+MjcfCompiler read_compiler(const files::XmlElement& root) {
   MjcfCompiler compiler;
-  for (const XmlElement& element : root.children("compiler")) {
+  for (const files::XmlElement& element : root.children("compiler")) {
     MjcfAttributes attributes(element);
     attributes.overlay(element);
     if (attributes.has("angle") && attributes.choice("angle", {"degree", "radian"}) == "radian") {
@@ -134,4 +134,4 @@ bool is_limited(const MjcfAttributes& attributes, std::string_view flag, std::st
   return true;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

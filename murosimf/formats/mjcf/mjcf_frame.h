@@ -11,7 +11,7 @@
 #include "murosimf/formats/mjcf/mjcf_defaults.h"
 #include "murosimf/math/mat3.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 enum class InertiaFromGeom { never, always, if_missing };
 
@@ -29,7 +29,7 @@ struct MjcfCompiler {
 };
 
 /// Throws SetupError where a setting has an impossible value.
-[[nodiscard]] MjcfCompiler read_compiler(const XmlElement& root);
+[[nodiscard]] MjcfCompiler read_compiler(const files::XmlElement& root);
 
 /// The turn of an attribute "w x y z" of any length but zero; the identity if it is not there.
 [[nodiscard]] Mat3d read_quaternion(const MjcfAttributes& attributes, std::string_view name);
@@ -43,4 +43,4 @@ struct MjcfCompiler {
 [[nodiscard]] bool is_limited(const MjcfAttributes& attributes, std::string_view flag, std::string_view range,
                               const MjcfCompiler& compiler);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

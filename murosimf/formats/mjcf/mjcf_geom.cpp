@@ -6,7 +6,7 @@
 
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 std::vector<double> sizes(const MjcfAttributes& attributes, std::size_t needed) {
@@ -60,9 +60,10 @@ void check_mass(const MjcfAttributes& attributes) {
   }
 }
 
-MassProperties read_solid(const MjcfAttributes& attributes, const PlacedShape& placed) {
-  const double mass = attributes.number("mass", attributes.number("density", 1000.0) * volume(placed.shape));
-  return {mass, placed.position, rotated(placed.orientation, mass * unit_inertia(placed.shape))};
+description::MassProperties read_solid(const MjcfAttributes& attributes, const PlacedShape& placed) {
+  const double mass =
+      attributes.number("mass", attributes.number("density", 1000.0) * description::volume(placed.shape));
+  return {mass, placed.position, rotated(placed.orientation, mass * description::unit_inertia(placed.shape))};
 }
 
 /// One bit per kind of shape; -1 is all of them.
@@ -88,8 +89,8 @@ void read_surface(const MjcfAttributes& attributes, PlacedShape& placed) {
 }
 
 /// Zero where nothing of it counts, so that a mesh for the eye needs no volume.
-MassProperties read_mesh_solid(const MjcfAttributes& attributes, const PlacedShape& placed,
-                               const MjcfGeomContext& context) {
+description::MassProperties read_mesh_solid(const MjcfAttributes& attributes, const PlacedShape& placed,
+                                            const MjcfGeomContext& context) {
   const bool silent =
       attributes.number("mass", 1) == 0 || (!attributes.has("mass") && attributes.number("density", 1) == 0);
   if (!context.mass_counts || silent) return {};
@@ -100,7 +101,7 @@ MassProperties read_mesh_solid(const MjcfAttributes& attributes, const PlacedSha
 }
 
 MjcfGeom read_mesh_geom(const MjcfAttributes& attributes, const std::string& type, const MjcfGeomContext& context) {
-  const XmlElement& element = attributes.element();
+  const files::XmlElement& element = attributes.element();
   if (!attributes.has("mesh")) element.fail("geom of type mesh without a mesh; add mesh=\"...\"");
   if (type != "mesh") {
     element.fail(fmt::format("a {} cannot be fitted to a mesh here; write type=\"mesh\", or give its size", type));
@@ -115,11 +116,11 @@ MjcfGeom read_mesh_geom(const MjcfAttributes& attributes, const std::string& typ
   const std::string mesh = attributes.text("mesh");
   if (!placed.collides) {
     context.meshes.check_file(mesh, element);
-    const Place place{placed.position, placed.orientation};
-    geom.visual = DraftVisual{attributes.text("name"), element.where(), mesh, place, placed.color};
+    const description::Place place{placed.position, placed.orientation};
+    geom.visual = description::DraftVisual{attributes.text("name"), element.where(), mesh, place, placed.color};
     return geom;
   }
-  for (const ConvexPart& part : context.meshes.parts(mesh, element)) {
+  for (const formats::mesh::ConvexPart& part : context.meshes.parts(mesh, element)) {
     geom.shapes.push_back(placed);
     geom.shapes.back().shape = part.shape;
     geom.shapes.back().position += placed.orientation * part.middle;
@@ -135,7 +136,7 @@ MjcfGeom read_mesh_unless_unfit(const MjcfAttributes& attributes, const std::str
   } catch (const SetupError& error) {
     if (!context.lenient) throw;
     context.warnings.push_back(fmt::format("{}: mesh '{}' ignored: {}", attributes.element().where(),
-                                           one_line(attributes.text("mesh")), error.what()));
+                                           files::one_line(attributes.text("mesh")), error.what()));
     return {};
   }
 }
@@ -158,4 +159,4 @@ MjcfGeom read_geom(const MjcfAttributes& attributes, const MjcfGeomContext& cont
   return {{placed}, {{}}, std::nullopt, read_solid(attributes, placed)};
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

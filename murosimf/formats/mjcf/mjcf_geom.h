@@ -5,17 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/formats/mjcf/mjcf_mesh.h"
 #include "murosimf/description/robot_draft.h"
+#include "murosimf/formats/mjcf/mjcf_mesh.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 /// One geom: shapes, several if it is a mesh of several convex parts, or a mesh that is only looked at.
 struct MjcfGeom {
   std::vector<PlacedShape> shapes;
   std::vector<Vec3d> middles;  ///< [m] of the shapes of a mesh: their origins in the mesh frame
-  std::optional<DraftVisual> visual;
-  MassProperties solid;  ///< from `mass`, or from `density` [kg/m^3] (1000 if the file is silent)
+  std::optional<description::DraftVisual> visual;
+  description::MassProperties solid;  ///< from `mass`, or from `density` [kg/m^3] (1000 if the file is silent)
 };
 
 /// What read_geom knows of the file.
@@ -30,4 +30,4 @@ struct MjcfGeomContext {
 /// Places are those of the geom in its frame. Nothing at all for a mesh that is left out because of `lenient`.
 [[nodiscard]] MjcfGeom read_geom(const MjcfAttributes& attributes, const MjcfGeomContext& context);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

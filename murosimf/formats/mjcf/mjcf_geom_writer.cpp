@@ -11,7 +11,7 @@
 #include "murosimf/formats/mjcf/mjcf_place_writer.h"
 #include "murosimf/math/quaternion.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,7 +32,7 @@ std::string relative_name(const fs::path& file, const fs::path& folder) {
 
 /// Adds type and size.
 struct WriteShape {
-  XmlText& xml;
+  files::XmlText& xml;
 
   void operator()(const Sphere& s) const { xml.numbers("size", {s.radius}); }
   void operator()(const Box& s) const { xml.vector("size", s.half_size); }
@@ -43,7 +43,7 @@ struct WriteShape {
   void operator()(const Convex&) const {}
 };
 
-void write_color(XmlText& xml, const Color& color) {
+void write_color(files::XmlText& xml, const Color& color) {
   const Color gray;
   if (color.red == gray.red && color.green == gray.green && color.blue == gray.blue) return;
   xml.numbers("rgba", {color.red, color.green, color.blue, 1});
@@ -52,7 +52,7 @@ void write_color(XmlText& xml, const Color& color) {
 /// The format has them as integers of 32 bits with a sign.
 double mask(std::uint32_t bits) { return static_cast<double>(static_cast<std::int32_t>(bits)); }
 
-void write_contact(XmlText& xml, const PlacedShape& placed) {
+void write_contact(files::XmlText& xml, const PlacedShape& placed) {
   xml.number_unless(1, "contype", placed.collides ? mask(placed.contact_type) : 0);
   xml.number_unless(1, "conaffinity", placed.collides ? mask(placed.contact_affinity) : 0);
   if (!placed.collides) xml.text("group", "2");
@@ -60,12 +60,12 @@ void write_contact(XmlText& xml, const PlacedShape& placed) {
 }
 
 /// Of the mesh that the shape is a part of.
-Place mesh_place(const DraftShape& shape) {
-  return inside({shape.placed.position, shape.placed.orientation}, {-shape.middle, {}});
+description::Place mesh_place(const description::DraftShape& shape) {
+  return description::inside({shape.placed.position, shape.placed.orientation}, {-shape.middle, {}});
 }
 
 /// Both are parts of one geom: other parts of the same mesh at the same place.
-bool is_same_geom(const DraftShape& a, const DraftShape& b) {
+bool is_same_geom(const description::DraftShape& a, const description::DraftShape& b) {
   if (a.mesh.empty() || a.mesh != b.mesh || a.where != b.where || a.name != b.name) return false;
   const bool same_part = is_zero(a.middle - b.middle);
   return !same_part && norm(mesh_place(a).position - mesh_place(b).position) < same_place;
@@ -73,14 +73,14 @@ bool is_same_geom(const DraftShape& a, const DraftShape& b) {
 
 }  // namespace
 
-MjcfGeomWriter::MjcfGeomWriter(const RobotDraft& draft, const fs::path& folder, XmlText& xml)
+MjcfGeomWriter::MjcfGeomWriter(const description::RobotDraft& draft, const fs::path& folder, files::XmlText& xml)
     : draft_(draft), folder_(folder), xml_(xml) {
   std::set<std::string> without_file;  // or with one that MuJoCo does not read
-  for (const DraftMesh& mesh : draft.meshes) {
+  for (const description::DraftMesh& mesh : draft.meshes) {
     if (!is_mesh_file(mesh.file)) without_file.insert(mesh.name);
   }
-  for (const DraftBody& body : draft.bodies) {
-    for (const DraftShape& shape : body.shapes) {
+  for (const description::DraftBody& body : draft.bodies) {
+    for (const description::DraftShape& shape : body.shapes) {
       if (without_file.contains(shape.mesh)) inline_meshes_.emplace(shape.mesh, &shape);
     }
   }
@@ -89,11 +89,11 @@ MjcfGeomWriter::MjcfGeomWriter(const RobotDraft& draft, const fs::path& folder, 
 void MjcfGeomWriter::write_assets() {
   if (draft_.meshes.empty()) return;
   xml_.begin("asset");
-  for (const DraftMesh& mesh : draft_.meshes) write_asset(mesh);
+  for (const description::DraftMesh& mesh : draft_.meshes) write_asset(mesh);
   xml_.end();
 }
 
-void MjcfGeomWriter::write_asset(const DraftMesh& mesh) {
+void MjcfGeomWriter::write_asset(const description::DraftMesh& mesh) {
   const auto in_file = inline_meshes_.find(mesh.name);
   if (in_file == inline_meshes_.end() && !is_mesh_file(mesh.file)) {
     unusable_.insert(mesh.name);
@@ -111,7 +111,7 @@ void MjcfGeomWriter::write_asset(const DraftMesh& mesh) {
       xml_.numbers("refquat", {q.w, q.x, q.y, q.z});
     }
   } else {
-    const DraftShape& shape = *in_file->second;
+    const description::DraftShape& shape = *in_file->second;
     std::vector<double> numbers;
     for (const Vec3d& v : std::get<Convex>(shape.placed.shape).hull->vertices) {
       const Vec3d vertex = shape.middle + v;
@@ -122,28 +122,28 @@ void MjcfGeomWriter::write_asset(const DraftMesh& mesh) {
   xml_.end();
 }
 
-void MjcfGeomWriter::write_geoms(const DraftBody& body) {
+void MjcfGeomWriter::write_geoms(const description::DraftBody& body) {
   for (std::size_t i = 0; i < body.shapes.size(); ++i) {
     if (i == 0 || !is_same_geom(body.shapes[i - 1], body.shapes[i])) write_shape(body.shapes[i]);
   }
-  for (const DraftVisual& visual : body.visuals) {
+  for (const description::DraftVisual& visual : body.visuals) {
     if (!unusable_.contains(visual.mesh)) write_visual(visual);
   }
 }
 
-void MjcfGeomWriter::write_shape(const DraftShape& shape) {
+void MjcfGeomWriter::write_shape(const description::DraftShape& shape) {
   const PlacedShape& placed = shape.placed;
   xml_.begin("geom");
   write_name(shape.name);
   xml_.text("type", shape_name(placed.shape)).text_unless_empty("mesh", shape.mesh);
   std::visit(WriteShape{xml_}, placed.shape);
-  write_place(xml_, shape.mesh.empty() ? Place{placed.position, placed.orientation} : mesh_place(shape));
+  write_place(xml_, shape.mesh.empty() ? description::Place{placed.position, placed.orientation} : mesh_place(shape));
   write_contact(xml_, placed);
   write_color(xml_, placed.color);
   xml_.end();
 }
 
-void MjcfGeomWriter::write_visual(const DraftVisual& visual) {
+void MjcfGeomWriter::write_visual(const description::DraftVisual& visual) {
   xml_.begin("geom");
   write_name(visual.name);
   xml_.text("type", "mesh").text("mesh", visual.mesh);
@@ -157,4 +157,4 @@ void MjcfGeomWriter::write_name(const std::string& name) {
   if (!name.empty() && taken_.insert(name).second) xml_.text("name", name);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

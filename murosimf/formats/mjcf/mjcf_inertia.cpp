@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 SymMat3d read_tensor(const MjcfAttributes& attributes, const MjcfCompiler& compiler) {
   const auto diagonal = attributes.numbers("diaginertia", 3, 3);
   const auto full = attributes.numbers("fullinertia", 6, 6);
-  const XmlElement& element = attributes.element();
+  const files::XmlElement& element = attributes.element();
   if (diagonal.empty() == full.empty()) element.fail("inertial needs either diaginertia or fullinertia; write one");
   const Mat3d turn = read_orientation(attributes, compiler);
   if (!diagonal.empty()) return rotated(turn, SymMat3d{diagonal[0], diagonal[1], diagonal[2]});
@@ -18,36 +18,37 @@ SymMat3d read_tensor(const MjcfAttributes& attributes, const MjcfCompiler& compi
   return {full[0], full[1], full[2], full[3], full[4], full[5]};
 }
 
-void warn_about(const SymMat3d& tensor, const XmlElement& element, std::vector<std::string>& warnings) {
-  const Vec3d moments = principal_moments(tensor);
-  if (!breaks_triangle_inequality(moments)) return;
+void warn_about(const SymMat3d& tensor, const files::XmlElement& element, std::vector<std::string>& warnings) {
+  const Vec3d moments = description::principal_moments(tensor);
+  if (!description::breaks_triangle_inequality(moments)) return;
   warnings.push_back(
       fmt::format("{}: no solid body has the principal moments {:.4g} {:.4g} {:.4g} kg m^2: two of "
                   "them must not be less than the third",
                   element.where(), moments.x, moments.y, moments.z));
 }
 
-MassProperties bounded(MassProperties body, const MjcfCompiler& compiler) {
+description::MassProperties bounded(description::MassProperties body, const MjcfCompiler& compiler) {
   body.mass = std::max(body.mass, compiler.least_mass);
-  const Vec3d moments = principal_moments(body.inertia);
-  if (moments.x < compiler.least_inertia) body.inertia = with_least_moment(body.inertia, compiler.least_inertia);
-  if (compiler.balance_inertia && breaks_triangle_inequality(moments)) {
+  const Vec3d moments = description::principal_moments(body.inertia);
+  if (moments.x < compiler.least_inertia)
+    body.inertia = description::with_least_moment(body.inertia, compiler.least_inertia);
+  if (compiler.balance_inertia && description::breaks_triangle_inequality(moments)) {
     const double mean = (moments.x + moments.y + moments.z) / 3;
     body.inertia = {mean, mean, mean};
   }
   return body;
 }
 
-MassProperties read_inertial(const XmlElement& element, const MjcfCompiler& compiler) {
+description::MassProperties read_inertial(const files::XmlElement& element, const MjcfCompiler& compiler) {
   MjcfAttributes attributes(element);
   attributes.overlay(element);
   if (!attributes.has("mass")) element.fail("inertial without mass; add mass=\"...\" in kg");
-  MassProperties body;
+  description::MassProperties body;
   body.mass = attributes.number("mass", 0);
   if (!(body.mass > 0)) element.fail(fmt::format("mass {} kg is not positive; correct it", body.mass));
   body.center = attributes.vector("pos", {});
   body.inertia = read_tensor(attributes, compiler);
-  const double least = principal_moments(body.inertia).x;
+  const double least = description::principal_moments(body.inertia).x;
   if (!(least > 0) && !(compiler.least_inertia > 0)) {
     element.fail(fmt::format("inertia is not positive definite (smallest principal moment {:.3g} kg m^2)", least));
   }
@@ -56,23 +57,24 @@ MassProperties read_inertial(const XmlElement& element, const MjcfCompiler& comp
 
 }  // namespace
 
-bool mass_from_geoms(const XmlElement& body, const MjcfCompiler& compiler) {
+bool mass_from_geoms(const files::XmlElement& body, const MjcfCompiler& compiler) {
   if (compiler.inertia_from_geom != InertiaFromGeom::if_missing) {
     return compiler.inertia_from_geom == InertiaFromGeom::always;
   }
   return body.children("inertial").empty();
 }
 
-MassProperties read_mass(const XmlElement& body, const std::vector<MassProperties>& solids,
-                         const MjcfCompiler& compiler, std::vector<std::string>& warnings) {
+description::MassProperties read_mass(const files::XmlElement& body,
+                                      const std::vector<description::MassProperties>& solids,
+                                      const MjcfCompiler& compiler, std::vector<std::string>& warnings) {
   const auto inertials = body.children("inertial");
   if (inertials.size() > 1) inertials[1].fail("second inertial of the same body; keep one");
-  if (mass_from_geoms(body, compiler)) return bounded(combined(solids), compiler);
+  if (mass_from_geoms(body, compiler)) return bounded(description::combined(solids), compiler);
   if (inertials.empty()) return bounded({}, compiler);
-  const MassProperties solid = read_inertial(inertials[0], compiler);
-  const MassProperties result = bounded(solid, compiler);
+  const description::MassProperties solid = read_inertial(inertials[0], compiler);
+  const description::MassProperties result = bounded(solid, compiler);
   if (!compiler.balance_inertia) warn_about(result.inertia, inertials[0], warnings);
   return result;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

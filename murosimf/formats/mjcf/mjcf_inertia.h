@@ -7,15 +7,16 @@
 #include "murosimf/description/mass_properties.h"
 #include "murosimf/formats/mjcf/mjcf_geom.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 /// Whether the geoms of `body` give its mass, as its inertial and the compiler settings say.
-[[nodiscard]] bool mass_from_geoms(const XmlElement& body, const MjcfCompiler& compiler);
+[[nodiscard]] bool mass_from_geoms(const files::XmlElement& body, const MjcfCompiler& compiler);
 
 /// Mass of `body`: of its inertial or its solids, as the compiler settings say, and not below their bounds. Zero mass if
 /// it has neither. Throws SetupError for a mass or inertia that no body can have; an inertia that breaks the triangle
 /// inequality (the sum of two principal moments is less than the third) is a line in `warnings`.
-[[nodiscard]] MassProperties read_mass(const XmlElement& body, const std::vector<MassProperties>& solids,
-                                       const MjcfCompiler& compiler, std::vector<std::string>& warnings);
+[[nodiscard]] description::MassProperties read_mass(const files::XmlElement& body,
+                                                    const std::vector<description::MassProperties>& solids,
+                                                    const MjcfCompiler& compiler, std::vector<std::string>& warnings);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

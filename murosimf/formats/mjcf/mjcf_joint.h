@@ -3,10 +3,10 @@
 
 #include "murosimf/formats/mjcf/mjcf_context.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 /// Throws SetupError for ball and free joints.
-[[nodiscard]] DraftJoint read_joint(const XmlElement& element, const std::string& child_class,
-                                    const MjcfContext& context);
+[[nodiscard]] description::DraftJoint read_joint(const files::XmlElement& element, const std::string& child_class,
+                                                 const MjcfContext& context);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

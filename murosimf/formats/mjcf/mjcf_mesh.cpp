@@ -6,16 +6,16 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/geometry/hull.h"
 #include "murosimf/formats/mjcf/mjcf_mesh_source.h"
+#include "murosimf/geometry/hull.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 constexpr double overcount_ratio = 1.01;  // [1] of the volume that inertia "legacy" may add unnoticed
 
-Place origin_of(const MjcfAttributes& attributes) {
+description::Place origin_of(const MjcfAttributes& attributes) {
   return {attributes.vector("refpos", {}), read_quaternion(attributes, "refquat")};
 }
 
@@ -26,7 +26,7 @@ struct MjcfMeshes::Mesh {
 
   MjcfAttributes attributes;
   std::string what;  ///< "mesh 'torso' (meshes/torso.stl)"
-  SolidMesh solid;
+  formats::mesh::SolidMesh solid;
   bool read = false;
 
   [[noreturn]] void fail(const std::string& message) const { attributes.element().fail(what + ": " + message); }
@@ -38,15 +38,15 @@ struct MjcfMeshes::Mesh {
   }
 };
 
-MjcfMeshes::MjcfMeshes(const std::filesystem::path& file, const XmlElement& root, const MjcfDefaults& defaults,
+MjcfMeshes::MjcfMeshes(const std::filesystem::path& file, const files::XmlElement& root, const MjcfDefaults& defaults,
                        const MjcfCompiler& compiler, const std::vector<std::string>& part_per_group,
                        std::vector<std::string>& warnings)
     : folder_(file.parent_path() / compiler.mesh_folder),
       strip_path_(compiler.strip_path),
       part_per_group_(part_per_group),
       warnings_(warnings) {
-  for (const XmlElement& asset : root.children("asset")) {
-    for (const XmlElement& element : asset.children("mesh")) {
+  for (const files::XmlElement& asset : root.children("asset")) {
+    for (const files::XmlElement& element : asset.children("mesh")) {
       auto mesh = std::make_unique<Mesh>(defaults.resolve(element));
       const std::string name = mesh_name(mesh->attributes);
       if (!meshes_.emplace(name, std::move(mesh)).second) {
@@ -58,8 +58,8 @@ MjcfMeshes::MjcfMeshes(const std::filesystem::path& file, const XmlElement& root
 
 MjcfMeshes::~MjcfMeshes() = default;
 
-std::vector<DraftMesh> MjcfMeshes::drafts() const {
-  std::vector<DraftMesh> drafts;
+std::vector<description::DraftMesh> MjcfMeshes::drafts() const {
+  std::vector<description::DraftMesh> drafts;
   for (const auto& [name, mesh] : meshes_) {
     const MjcfAttributes& attributes = mesh->attributes;
     drafts.push_back({name, attributes.element().where(), path_of(attributes), attributes.vector("scale", {1, 1, 1}),
@@ -68,14 +68,15 @@ std::vector<DraftMesh> MjcfMeshes::drafts() const {
   return drafts;
 }
 
-const std::vector<ConvexPart>& MjcfMeshes::parts(const std::string& name, const XmlElement& user) {
+const std::vector<formats::mesh::ConvexPart>& MjcfMeshes::parts(const std::string& name,
+                                                                const files::XmlElement& user) {
   const Mesh& mesh = loaded(name, user);
   if (!mesh.solid.flat.empty()) mesh.fail(mesh.solid.flat);
-  for (const std::string& doubt : mesh_doubts(mesh.solid)) warn(mesh, doubt);
+  for (const std::string& doubt : formats::mesh::mesh_doubts(mesh.solid)) warn(mesh, doubt);
   return mesh.solid.parts;
 }
 
-void MjcfMeshes::check_file(const std::string& name, const XmlElement& user) {
+void MjcfMeshes::check_file(const std::string& name, const files::XmlElement& user) {
   Mesh& mesh = find(name, user);
   mesh.what = "mesh '" + name + "'";
   const auto file = path_of(mesh.attributes);
@@ -85,13 +86,13 @@ void MjcfMeshes::check_file(const std::string& name, const XmlElement& user) {
   }
 }
 
-geometry::SolidMass MjcfMeshes::mass(const std::string& name, const XmlElement& user) {
+geometry::SolidMass MjcfMeshes::mass(const std::string& name, const files::XmlElement& user) {
   const Mesh& mesh = loaded(name, user);
   const auto kind = mesh.attributes.choice("inertia", {"legacy", "exact", "convex", "shell"});
   if (kind == "shell") return geometry::shell_mass(mesh.solid.triangles);
   if (!mesh.solid.flat.empty())
     mesh.fail(mesh.solid.flat + "; give the body an inertial, or the mesh inertia=\"shell\"");
-  if (kind == "convex") return hull_mass(mesh.solid.parts);
+  if (kind == "convex") return formats::mesh::hull_mass(mesh.solid.parts);
   if (kind == "exact") return exact_mass(mesh);
   const auto solid = geometry::summed_mass(mesh.solid.triangles);
   if (!mesh.solid.seams.closed()) {
@@ -112,7 +113,7 @@ geometry::SolidMass MjcfMeshes::exact_mass(const Mesh& mesh) {
   return solid;
 }
 
-MjcfMeshes::Mesh& MjcfMeshes::find(const std::string& name, const XmlElement& user) {
+MjcfMeshes::Mesh& MjcfMeshes::find(const std::string& name, const files::XmlElement& user) {
   const auto found = meshes_.find(name);
   if (found != meshes_.end()) return *found->second;
   std::vector<std::string_view> known;
@@ -120,7 +121,7 @@ MjcfMeshes::Mesh& MjcfMeshes::find(const std::string& name, const XmlElement& us
   user.fail(unknown_name("mesh", name, known));
 }
 
-MjcfMeshes::Mesh& MjcfMeshes::loaded(const std::string& name, const XmlElement& user) {
+MjcfMeshes::Mesh& MjcfMeshes::loaded(const std::string& name, const files::XmlElement& user) {
   Mesh& mesh = find(name, user);
   if (!mesh.read) {
     at(mesh.attributes.element().where() + ": mesh '" + name + "'", [&] { load(name, mesh); });
@@ -133,11 +134,11 @@ void MjcfMeshes::load(const std::string& name, Mesh& mesh) {
   const MjcfAttributes& attributes = mesh.attributes;
   mesh.what = "mesh '" + name + "'";
   if (attributes.has("file") == attributes.has("vertex")) throw SetupError("it needs either a file or vertices");
-  MeshFile file = attributes.has("file") ? file_of(attributes) : read_inline_mesh(attributes);
+  formats::mesh::MeshFile file = attributes.has("file") ? file_of(attributes) : read_inline_mesh(attributes);
   if (attributes.has("file")) mesh.what += " (" + attributes.text("file") + ")";
   place_mesh(file.mesh, attributes);
   const bool split = std::ranges::find(part_per_group_, name) != part_per_group_.end();
-  mesh.solid = make_solid_mesh(std::move(file), split);
+  mesh.solid = formats::mesh::make_solid_mesh(std::move(file), split);
 }
 
 std::filesystem::path MjcfMeshes::path_of(const MjcfAttributes& attributes) const {
@@ -146,15 +147,16 @@ std::filesystem::path MjcfMeshes::path_of(const MjcfAttributes& attributes) cons
   return folder_ / (strip_path_ ? name.filename() : name);
 }
 
-const MeshFile& MjcfMeshes::file_of(const MjcfAttributes& attributes) {
+const formats::mesh::MeshFile& MjcfMeshes::file_of(const MjcfAttributes& attributes) {
   const auto path = path_of(attributes);
   const auto found = files_.find(path);
-  return found != files_.end() ? found->second : files_.emplace(path, read_mesh_file(path)).first->second;
+  return found != files_.end() ? found->second
+                               : files_.emplace(path, formats::mesh::read_mesh_file(path)).first->second;
 }
 
 void MjcfMeshes::warn(const Mesh& mesh, const std::string& message) {
-  const auto line = one_line(fmt::format("{}: {}: {}", mesh.attributes.element().where(), mesh.what, message));
+  const auto line = files::one_line(fmt::format("{}: {}: {}", mesh.attributes.element().where(), mesh.what, message));
   if (std::ranges::find(warnings_, line) == warnings_.end()) warnings_.push_back(line);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -13,20 +13,20 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/geometry/mesh_mass.h"
+#include "murosimf/description/robot_draft.h"
 #include "murosimf/formats/mesh/mesh_library.h"
 #include "murosimf/formats/mjcf/mjcf_frame.h"
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/model/shape.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 /// What the names of an MJCF file's meshes mean. Lines that look wrong go to `warnings`, each once.
 class MjcfMeshes {
  public:
   /// `file`: the MJCF file. Throws SetupError for a mesh without a name or with a taken one.
   /// `part_per_group`: meshes whose objects or groups are convex parts.
-  MjcfMeshes(const std::filesystem::path& file, const XmlElement& root, const MjcfDefaults& defaults,
+  MjcfMeshes(const std::filesystem::path& file, const files::XmlElement& root, const MjcfDefaults& defaults,
              const MjcfCompiler& compiler, const std::vector<std::string>& part_per_group,
              std::vector<std::string>& warnings);
   ~MjcfMeshes();
@@ -35,35 +35,36 @@ class MjcfMeshes {
 
   /// Convex parts for the geom `user`, which collides.
   /// Throws SetupError: the line of the mesh, the mesh file and its line, what is wrong.
-  [[nodiscard]] const std::vector<ConvexPart>& parts(const std::string& name, const XmlElement& user);
+  [[nodiscard]] const std::vector<formats::mesh::ConvexPart>& parts(const std::string& name,
+                                                                    const files::XmlElement& user);
 
   /// For a geom that is only looked at: the mesh is not read. Throws SetupError for an unknown mesh; a missing file is a
   /// warning.
-  void check_file(const std::string& name, const XmlElement& user);
+  void check_file(const std::string& name, const files::XmlElement& user);
 
   /// In alphabetical order.
-  [[nodiscard]] std::vector<DraftMesh> drafts() const;
+  [[nodiscard]] std::vector<description::DraftMesh> drafts() const;
 
   /// Mass properties at density 1, as the mesh's attribute `inertia` says: legacy (default), exact, convex or shell.
   /// Throws SetupError as `parts`; for a flat mesh unless it is a shell; for exact if it is not closed or inside out.
-  [[nodiscard]] geometry::SolidMass mass(const std::string& name, const XmlElement& user);
+  [[nodiscard]] geometry::SolidMass mass(const std::string& name, const files::XmlElement& user);
 
  private:
   struct Mesh;
-  Mesh& find(const std::string& name, const XmlElement& user);
-  Mesh& loaded(const std::string& name, const XmlElement& user);
+  Mesh& find(const std::string& name, const files::XmlElement& user);
+  Mesh& loaded(const std::string& name, const files::XmlElement& user);
   void load(const std::string& name, Mesh& mesh);
   static geometry::SolidMass exact_mass(const Mesh& mesh);
   [[nodiscard]] std::filesystem::path path_of(const MjcfAttributes& attributes) const;
-  const MeshFile& file_of(const MjcfAttributes& attributes);
+  const formats::mesh::MeshFile& file_of(const MjcfAttributes& attributes);
   void warn(const Mesh& mesh, const std::string& message);
 
   std::map<std::string, std::unique_ptr<Mesh>> meshes_;
-  std::map<std::filesystem::path, MeshFile> files_;  ///< read so far
-  std::filesystem::path folder_;                     ///< of mesh files
+  std::map<std::filesystem::path, formats::mesh::MeshFile> files_;  ///< read so far
+  std::filesystem::path folder_;                                    ///< of mesh files
   bool strip_path_;
   const std::vector<std::string>& part_per_group_;
   std::vector<std::string>& warnings_;
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/formats/mesh/mesh_library.h"
 #include "murosimf/geometry/hull.h"
 #include "murosimf/geometry/mesh_mass.h"
-#include "murosimf/formats/mesh/mesh_library.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 std::vector<Vec3d> read_vertices(const MjcfAttributes& attributes) {
-  const auto numbers = attributes.numbers("vertex", 12, 9 * most_triangles);
+  const auto numbers = attributes.numbers("vertex", 12, 9 * formats::mesh::most_triangles);
   if (numbers.size() % 3 != 0) {
     attributes.source("vertex").fail(fmt::format("vertex has {} numbers; each vertex needs three", numbers.size()));
   }
@@ -38,11 +38,11 @@ std::string mesh_name(const MjcfAttributes& attributes) {
   return std::filesystem::path(attributes.text("file")).stem().string();
 }
 
-MeshFile read_inline_mesh(const MjcfAttributes& attributes) {
-  MeshFile file;
+formats::mesh::MeshFile read_inline_mesh(const MjcfAttributes& attributes) {
+  formats::mesh::MeshFile file;
   file.part_begin = {0};
   file.mesh.vertices = read_vertices(attributes);
-  const auto corners = attributes.numbers("face", 3, 3 * most_triangles);
+  const auto corners = attributes.numbers("face", 3, 3 * formats::mesh::most_triangles);
   if (corners.size() % 3 != 0) {
     attributes.source("face").fail(fmt::format("face has {} numbers; each triangle needs three", corners.size()));
   }
@@ -68,7 +68,7 @@ void place_mesh(geometry::TriangleMesh& mesh, const MjcfAttributes& attributes) 
   const Vec3d origin = attributes.vector("refpos", {});
   const Mat3d turn = read_quaternion(attributes, "refquat");
   for (Vec3d& vertex : mesh.vertices) vertex = transposed_times(turn, vertex - origin);
-  scale_mesh(mesh, scale);
+  formats::mesh::scale_mesh(mesh, scale);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

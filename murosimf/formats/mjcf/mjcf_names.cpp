@@ -4,31 +4,31 @@
 
 #include "murosimf/formats/mjcf/mjcf_children.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
-MjcfNames::MjcfNames(const XmlElement& base) { walk(base); }
+MjcfNames::MjcfNames(const files::XmlElement& base) { walk(base); }
 
-void MjcfNames::walk(const XmlElement& body) {
+void MjcfNames::walk(const files::XmlElement& body) {
   add(body, bodies_, fmt::format("body_{}", bodies_.names.size() + 1));
   name_all(body, "joint", joints_);
-  for (const XmlElement& joint : body.children("freejoint")) {
+  for (const files::XmlElement& joint : body.children("freejoint")) {
     if (joint.attribute("name")) add(joint, joints_, {});
   }
   name_all(body, "site", sites_);
   name_all(body, "geom", geoms_);
-  for (const XmlElement& child : elements_in(body, "body")) walk(child);
+  for (const files::XmlElement& child : elements_in(body, "body")) walk(child);
 }
 
-void MjcfNames::name_all(const XmlElement& body, const char* tag, Names& names) {
+void MjcfNames::name_all(const files::XmlElement& body, const char* tag, Names& names) {
   int unnamed = 0;
-  for (const XmlElement& element : elements_in(body, tag)) {
+  for (const files::XmlElement& element : elements_in(body, tag)) {
     std::string otherwise = fmt::format("{}.{}", of(body), tag);
     if (!element.attribute("name") && ++unnamed > 1) otherwise += fmt::format("{}", unnamed);
     add(element, names, otherwise);
   }
 }
 
-void MjcfNames::add(const XmlElement& element, Names& names, const std::string& otherwise) {
+void MjcfNames::add(const files::XmlElement& element, Names& names, const std::string& otherwise) {
   const std::string name = element.attribute("name").value_or(otherwise);
   if (name.empty()) element.fail(fmt::format("the name of this {} is empty; give it one", element.tag()));
   const auto [first, fresh] = names.lines.emplace(name, element.line());
@@ -40,4 +40,4 @@ void MjcfNames::add(const XmlElement& element, Names& names, const std::string& 
   names_.emplace(element.id(), name);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

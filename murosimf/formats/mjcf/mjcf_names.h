@@ -9,15 +9,15 @@
 
 #include "murosimf/files/xml_element.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 class MjcfNames {
  public:
   /// Walks through the bodies from `base` on. Throws SetupError if two of a kind have the same name.
   /// Who has no name gets one: body_<n>, <body>.joint, <body>.joint2, <body>.site, ...
-  explicit MjcfNames(const XmlElement& base);
+  explicit MjcfNames(const files::XmlElement& base);
 
-  [[nodiscard]] const std::string& of(const XmlElement& element) const { return names_.at(element.id()); }
+  [[nodiscard]] const std::string& of(const files::XmlElement& element) const { return names_.at(element.id()); }
   /// In the order of the file.
   [[nodiscard]] const std::vector<std::string>& bodies() const { return bodies_.names; }
   [[nodiscard]] const std::vector<std::string>& joints() const { return joints_.names; }
@@ -31,13 +31,13 @@ class MjcfNames {
     std::map<std::string, int, std::less<>> lines;
   };
 
-  void walk(const XmlElement& body);
+  void walk(const files::XmlElement& body);
   /// Names all elements of a kind inside a body.
-  void name_all(const XmlElement& body, const char* tag, Names& names);
-  void add(const XmlElement& element, Names& names, const std::string& otherwise);
+  void name_all(const files::XmlElement& body, const char* tag, Names& names);
+  void add(const files::XmlElement& element, Names& names, const std::string& otherwise);
 
   Names bodies_, joints_, sites_, geoms_;
   std::map<const void*, std::string> names_;
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -4,9 +4,9 @@
 
 #include "murosimf/math/quaternion.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
-void write_place(XmlText& xml, const Place& place) {
+void write_place(files::XmlText& xml, const description::Place& place) {
   xml.vector_unless_zero("pos", place.position);
   if (is_identity(place.orientation)) return;
   const auto clean = [](double x) { return std::fabs(x) < 1e-15 ? 0.0 : x; };  // rounding of rotations
@@ -14,4 +14,4 @@ void write_place(XmlText& xml, const Place& place) {
   xml.numbers("quat", {clean(q.w), clean(q.x), clean(q.y), clean(q.z)});
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -4,9 +4,9 @@
 #include "murosimf/description/robot_draft.h"
 #include "murosimf/files/xml_text.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 /// Adds them to the open element, where they are not zero and no turn.
-void write_place(XmlText& xml, const Place& place);
+void write_place(files::XmlText& xml, const description::Place& place);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -11,42 +11,44 @@
 #include "murosimf/formats/mjcf/mjcf_vocabulary.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 /// The robot's first body and the class that holds around it.
 struct Base {
-  XmlElement body;
+  files::XmlElement body;
   std::string child_class;
 };
 
-void note_world(const XmlElement& world, std::vector<std::string>& notes) {
+void note_world(const files::XmlElement& world, std::vector<std::string>& notes) {
   for (const char* tag : {"geom", "site"}) {
-    for (const XmlElement& element : world.children(tag)) {
+    for (const files::XmlElement& element : world.children(tag)) {
       const bool plane = element.attribute("type").value_or("") == "plane";
-      notes.push_back(one_line(fmt::format("{}: world {} '{}' ignored: {}", element.where(), tag,
-                                           element.attribute("name").value_or(""),
-                                           plane ? "the scene brings its own ground" : "it is no part of the robot")));
+      notes.push_back(files::one_line(
+          fmt::format("{}: world {} '{}' ignored: {}", element.where(), tag, element.attribute("name").value_or(""),
+                      plane ? "the scene brings its own ground" : "it is no part of the robot")));
     }
   }
 }
 
-std::vector<Base> top_bodies(const XmlElement& root, const MjcfDefaults& defaults) {
+std::vector<Base> top_bodies(const files::XmlElement& root, const MjcfDefaults& defaults) {
   std::vector<Base> bodies;
-  for (const XmlElement& world : root.children("worldbody")) {
-    for (const XmlElement& body : world.children("body")) bodies.push_back({body, defaults.child_class(world, {})});
+  for (const files::XmlElement& world : root.children("worldbody")) {
+    for (const files::XmlElement& body : world.children("body"))
+      bodies.push_back({body, defaults.child_class(world, {})});
   }
   return bodies;
 }
 
-Base find_base(const XmlElement& root, const MjcfDefaults& defaults, bool lenient, std::vector<std::string>& warnings) {
+Base find_base(const files::XmlElement& root, const MjcfDefaults& defaults, bool lenient,
+               std::vector<std::string>& warnings) {
   const auto bodies = top_bodies(root, defaults);
   if (bodies.empty()) root.fail("there is no body in worldbody; a robot needs one");
   if (bodies.size() > 1) {
     const auto what = fmt::format("second body in worldbody, '{}'; a robot file has one robot",
                                   bodies[1].body.attribute("name").value_or(""));
     if (!lenient) bodies[1].body.fail(what);
-    warnings.push_back(one_line(fmt::format("{}: {}", bodies[1].body.where(), what)));
+    warnings.push_back(files::one_line(fmt::format("{}: {}", bodies[1].body.where(), what)));
   }
   for (const Base& base : bodies) {
     const std::string child_class = defaults.child_class(base.body, base.child_class);
@@ -59,12 +61,12 @@ Base find_base(const XmlElement& root, const MjcfDefaults& defaults, bool lenien
 }
 
 /// settotalmass: masses and inertias in proportion.
-void scale_masses(const MjcfCompiler& compiler, RobotDraft& draft) {
+void scale_masses(const MjcfCompiler& compiler, description::RobotDraft& draft) {
   double total = 0;
-  for (const DraftBody& body : draft.bodies) total += body.solid.mass;
+  for (const description::DraftBody& body : draft.bodies) total += body.solid.mass;
   if (!(compiler.total_mass > 0) || !(total > 0)) return;
   const double factor = compiler.total_mass / total;
-  for (DraftBody& body : draft.bodies) {
+  for (description::DraftBody& body : draft.bodies) {
     body.solid.mass *= factor;
     body.solid.inertia = factor * body.solid.inertia;
   }
@@ -72,18 +74,18 @@ void scale_masses(const MjcfCompiler& compiler, RobotDraft& draft) {
 
 }  // namespace
 
-RobotDraft read_mjcf(const std::filesystem::path& file, const ReaderOptions& options) {
-  XmlFile xml(file);
-  const XmlElement root = xml.root();
+description::RobotDraft read_mjcf(const std::filesystem::path& file, const description::ReaderOptions& options) {
+  files::XmlFile xml(file);
+  const files::XmlElement root = xml.root();
   if (root.tag() != "mujoco") {
     root.fail(fmt::format("the root is <{}>, not <mujoco>; this is no MJCF file", root.tag()));
   }
   xml.follow_includes();
-  RobotDraft draft;
+  description::RobotDraft draft;
   draft.file = file;
   draft.name = root.attribute("model").value_or(file.stem().string());
-  check_words(root, mjcf_vocabulary(), options.lenient, draft.warnings, draft.notes);
-  for (const XmlElement& world : root.children("worldbody")) note_world(world, draft.notes);
+  files::check_words(root, mjcf_vocabulary(), options.lenient, draft.warnings, draft.notes);
+  for (const files::XmlElement& world : root.children("worldbody")) note_world(world, draft.notes);
 
   const MjcfDefaults defaults(root);
   const MjcfCompiler compiler = read_compiler(root);
@@ -95,9 +97,9 @@ RobotDraft read_mjcf(const std::filesystem::path& file, const ReaderOptions& opt
   const MjcfContext context{defaults, compiler, names, actuators, options.lenient, meshes, draft.warnings};
   read_bodies(base, child_class, context, draft);
   scale_masses(compiler, draft);
-  resolve_damping_ratios(draft);
+  description::resolve_damping_ratios(draft);
   read_relations(root, names, defaults, draft);
   return draft;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

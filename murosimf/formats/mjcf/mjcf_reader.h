@@ -11,9 +11,10 @@
 #include "murosimf/description/reader_options.h"
 #include "murosimf/description/robot_draft.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 /// Throws SetupError: file, line, what is wrong, what to do.
-[[nodiscard]] RobotDraft read_mjcf(const std::filesystem::path& file, const ReaderOptions& options = {});
+[[nodiscard]] description::RobotDraft read_mjcf(const std::filesystem::path& file,
+                                                const description::ReaderOptions& options = {});
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -10,18 +10,18 @@
 #include "murosimf/formats/mjcf/mjcf_sensor.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
-std::vector<XmlElement> elements(const XmlElement& root, std::string_view section, std::string_view tag) {
-  std::vector<XmlElement> result;
-  for (const XmlElement& part : root.children(section)) {
-    for (const XmlElement& element : part.children(tag)) result.push_back(element);
+std::vector<files::XmlElement> elements(const files::XmlElement& root, std::string_view section, std::string_view tag) {
+  std::vector<files::XmlElement> result;
+  for (const files::XmlElement& part : root.children(section)) {
+    for (const files::XmlElement& element : part.children(tag)) result.push_back(element);
   }
   return result;
 }
 
-std::string name_in(const XmlElement& element, const char* attribute, std::string_view kind,
+std::string name_in(const files::XmlElement& element, const char* attribute, std::string_view kind,
                     const std::vector<std::string>& known) {
   const auto name = element.attribute(attribute);
   if (!name) element.fail(fmt::format("{} without {}; add it", element.tag(), attribute));
@@ -32,7 +32,8 @@ std::string name_in(const XmlElement& element, const char* attribute, std::strin
 }
 
 /// Position of joint1 = polynomial of the position of joint2, both from their reference.
-DraftMimic read_mimic(const XmlElement& element, const MjcfNames& names, const RobotDraft& draft) {
+description::DraftMimic read_mimic(const files::XmlElement& element, const MjcfNames& names,
+                                   const description::RobotDraft& draft) {
   if (!element.attribute("joint2")) {
     element.fail("a joint that is fixed by an equality is not supported; leave the joint out, or give joint2");
   }
@@ -44,16 +45,17 @@ DraftMimic read_mimic(const XmlElement& element, const MjcfNames& names, const R
   if (std::any_of(polynomial.begin() + 2, polynomial.end(), [](double c) { return c != 0; })) {
     element.fail("only joints that are coupled linearly are supported; set the last three of polycoef to 0");
   }
-  DraftMimic mimic{name_in(element, "joint1", "joint", names.joints()),
-                   name_in(element, "joint2", "joint", names.joints()), element.where(), polynomial[1]};
-  mimic.offset = polynomial[0] + reference_of(draft, mimic.joint) - mimic.ratio * reference_of(draft, mimic.leader);
+  description::DraftMimic mimic{name_in(element, "joint1", "joint", names.joints()),
+                                name_in(element, "joint2", "joint", names.joints()), element.where(), polynomial[1]};
+  mimic.offset = polynomial[0] + description::reference_of(draft, mimic.joint) -
+                 mimic.ratio * description::reference_of(draft, mimic.leader);
   return mimic;
 }
 
-std::vector<XmlElement> geoms_of_world(const XmlElement& root) {
-  std::vector<XmlElement> geoms;
-  for (const XmlElement& world : root.children("worldbody")) {
-    for (const XmlElement& geom : elements_in(world, "geom")) geoms.push_back(geom);
+std::vector<files::XmlElement> geoms_of_world(const files::XmlElement& root) {
+  std::vector<files::XmlElement> geoms;
+  for (const files::XmlElement& world : root.children("worldbody")) {
+    for (const files::XmlElement& geom : elements_in(world, "geom")) geoms.push_back(geom);
   }
   return geoms;
 }
@@ -71,11 +73,12 @@ Kinds kinds_of(const MjcfAttributes& geom) {
 }
 
 /// The scene's ground has the usual kinds: what stands on the file's own floor shall stand on it, too.
-void stand_on_usual_ground(const XmlElement& root, const MjcfDefaults& defaults, RobotDraft& draft) {
+void stand_on_usual_ground(const files::XmlElement& root, const MjcfDefaults& defaults,
+                           description::RobotDraft& draft) {
   std::vector<Kinds> world;
-  for (const XmlElement& geom : geoms_of_world(root)) world.push_back(kinds_of(defaults.resolve(geom)));
-  for (DraftBody& body : draft.bodies) {
-    for (DraftShape& shape : body.shapes) {
+  for (const files::XmlElement& geom : geoms_of_world(root)) world.push_back(kinds_of(defaults.resolve(geom)));
+  for (description::DraftBody& body : draft.bodies) {
+    for (description::DraftShape& shape : body.shapes) {
       PlacedShape& placed = shape.placed;
       const auto stands_on = [&](const Kinds& kinds) { return may_touch(placed, kinds); };
       if (!placed.collides || stands_on({}) || std::ranges::none_of(world, stands_on)) continue;
@@ -84,21 +87,21 @@ void stand_on_usual_ground(const XmlElement& root, const MjcfDefaults& defaults,
   }
 }
 
-std::vector<std::string> world_geoms(const XmlElement& root) {
+std::vector<std::string> world_geoms(const files::XmlElement& root) {
   std::vector<std::string> names;
-  for (const XmlElement& geom : geoms_of_world(root)) names.push_back(geom.attribute("name").value_or(""));
+  for (const files::XmlElement& geom : geoms_of_world(root)) names.push_back(geom.attribute("name").value_or(""));
   return names;
 }
 
 class Pairs {
  public:
-  Pairs(const XmlElement& root, RobotDraft& draft) : outside_(world_geoms(root)), draft_(draft) {}
+  Pairs(const files::XmlElement& root, description::RobotDraft& draft) : outside_(world_geoms(root)), draft_(draft) {}
 
-  void read(const XmlElement& element) {
+  void read(const files::XmlElement& element) {
     const auto first = shapes_of(element, "geom1");
     const auto second = shapes_of(element, "geom2");
-    for (DraftShape* shape : first) collide(*shape, second.empty());
-    for (DraftShape* shape : second) collide(*shape, first.empty());
+    for (description::DraftShape* shape : first) collide(*shape, second.empty());
+    for (description::DraftShape* shape : second) collide(*shape, first.empty());
     if (!first.empty() && !second.empty()) {
       draft_.pairs.push_back({first[0]->name, second[0]->name, element.where()});
     }
@@ -106,19 +109,19 @@ class Pairs {
 
  private:
   /// None for a geom outside the robot.
-  std::vector<DraftShape*> shapes_of(const XmlElement& element, const char* attribute) {
+  std::vector<description::DraftShape*> shapes_of(const files::XmlElement& element, const char* attribute) {
     const auto name = element.attribute(attribute);
     if (!name) element.fail(fmt::format("pair without {}; add it", attribute));
-    std::vector<DraftShape*> shapes;
+    std::vector<description::DraftShape*> shapes;
     std::vector<std::string_view> known(outside_.begin(), outside_.end());
-    for (DraftBody& body : draft_.bodies) {
-      for (DraftShape& shape : body.shapes) {
+    for (description::DraftBody& body : draft_.bodies) {
+      for (description::DraftShape& shape : body.shapes) {
         if (shape.name == *name) shapes.push_back(&shape);
         if (!shape.name.empty()) known.push_back(shape.name);
       }
     }
-    for (const DraftBody& body : draft_.bodies) {
-      for (const DraftVisual& visual : body.visuals) {
+    for (const description::DraftBody& body : draft_.bodies) {
+      for (const description::DraftVisual& visual : body.visuals) {
         if (visual.name == *name) {
           element.fail(
               fmt::format("contact pair with the mesh '{}', which does not collide; give it contype and "
@@ -133,7 +136,7 @@ class Pairs {
     return shapes;
   }
 
-  static void collide(DraftShape& shape, bool with_the_world) {
+  static void collide(description::DraftShape& shape, bool with_the_world) {
     shape.placed.collides = true;
     if (!with_the_world) return;
     shape.placed.contact_type |= 1U;
@@ -141,28 +144,29 @@ class Pairs {
   }
 
   std::vector<std::string> outside_;  // names of geoms of the world
-  RobotDraft& draft_;
+  description::RobotDraft& draft_;
 };
 
 }  // namespace
 
-void read_relations(const XmlElement& root, const MjcfNames& names, const MjcfDefaults& defaults, RobotDraft& draft) {
+void read_relations(const files::XmlElement& root, const MjcfNames& names, const MjcfDefaults& defaults,
+                    description::RobotDraft& draft) {
   stand_on_usual_ground(root, defaults, draft);
-  for (const XmlElement& element : elements(root, "equality", "joint")) {
+  for (const files::XmlElement& element : elements(root, "equality", "joint")) {
     draft.mimics.push_back(read_mimic(element, names, draft));
   }
-  for (const XmlElement& element : elements(root, "contact", "exclude")) {
+  for (const files::XmlElement& element : elements(root, "contact", "exclude")) {
     if (element.attribute("body1") == "world" || element.attribute("body2") == "world") continue;
     draft.exclusions.push_back({name_in(element, "body1", "body", names.bodies()),
                                 name_in(element, "body2", "body", names.bodies()), element.where()});
   }
   Pairs pairs(root, draft);
-  for (const XmlElement& element : elements(root, "contact", "pair")) pairs.read(element);
-  for (const XmlElement& section : root.children("sensor")) {
-    for (const XmlElement& element : section.children()) {
+  for (const files::XmlElement& element : elements(root, "contact", "pair")) pairs.read(element);
+  for (const files::XmlElement& section : root.children("sensor")) {
+    for (const files::XmlElement& element : section.children()) {
       draft.sensors.push_back(read_mjcf_sensor(element, root, defaults, draft));
     }
   }
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -9,7 +9,7 @@
 #include "murosimf/formats/mjcf/mjcf_camera.h"
 #include "murosimf/formats/mjcf/mjcf_children.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 /// Kinds by the attribute that names their object. Frame sensors have objtype and objname.
@@ -35,27 +35,28 @@ const char* attribute_of(std::string_view kind) {
   return nullptr;
 }
 
-const DraftBody* find_body(const RobotDraft& draft, const std::string& name) {
-  const auto body = std::ranges::find(draft.bodies, name, &DraftBody::name);
+const description::DraftBody* find_body(const description::RobotDraft& draft, const std::string& name) {
+  const auto body = std::ranges::find(draft.bodies, name, &description::DraftBody::name);
   return body == draft.bodies.end() ? nullptr : &*body;
 }
 
-bool has_joint(const RobotDraft& draft, const std::string& name) {
-  return std::ranges::any_of(draft.bodies, [&](const DraftBody& body) {
-    return std::ranges::find(body.joints, name, &DraftJoint::name) != body.joints.end();
+bool has_joint(const description::RobotDraft& draft, const std::string& name) {
+  return std::ranges::any_of(draft.bodies, [&](const description::DraftBody& body) {
+    return std::ranges::find(body.joints, name, &description::DraftJoint::name) != body.joints.end();
   });
 }
 
-bool has_frame(const RobotDraft& draft, const std::string& name, std::string_view kind) {
-  return std::ranges::any_of(draft.bodies, [&](const DraftBody& body) {
-    return std::ranges::any_of(body.frames, [&](const DraftFrame& f) { return f.name == name && f.kind == kind; });
+bool has_frame(const description::RobotDraft& draft, const std::string& name, std::string_view kind) {
+  return std::ranges::any_of(draft.bodies, [&](const description::DraftBody& body) {
+    return std::ranges::any_of(body.frames,
+                               [&](const description::DraftFrame& f) { return f.name == name && f.kind == kind; });
   });
 }
 
-std::vector<XmlElement> actuators_called(const XmlElement& root, const std::string& name) {
-  std::vector<XmlElement> found;
-  for (const XmlElement& section : root.children("actuator")) {
-    for (const XmlElement& actuator : section.children()) {
+std::vector<files::XmlElement> actuators_called(const files::XmlElement& root, const std::string& name) {
+  std::vector<files::XmlElement> found;
+  for (const files::XmlElement& section : root.children("actuator")) {
+    for (const files::XmlElement& actuator : section.children()) {
       if (actuator.attribute("name") == name) found.push_back(actuator);
     }
   }
@@ -63,8 +64,8 @@ std::vector<XmlElement> actuators_called(const XmlElement& root, const std::stri
 }
 
 /// The force of an actuator is that of its joint if nothing is between them.
-void move_to_joint(DraftSensor& sensor, const XmlElement& root, const MjcfDefaults& defaults) {
-  for (const XmlElement& actuator : actuators_called(root, sensor.frame)) {
+void move_to_joint(description::DraftSensor& sensor, const files::XmlElement& root, const MjcfDefaults& defaults) {
+  for (const files::XmlElement& actuator : actuators_called(root, sensor.frame)) {
     const MjcfAttributes attributes = defaults.resolve(actuator);
     const auto gear = attributes.numbers("gear", 1, 6);
     if (!gear.empty() && gear[0] != 1) sensor.obstacle = "the gear of its actuator is not 1";
@@ -77,15 +78,15 @@ void move_to_joint(DraftSensor& sensor, const XmlElement& root, const MjcfDefaul
   sensor.obstacle = "its actuator moves no joint";
 }
 
-void place_on_body(DraftSensor& sensor, const RobotDraft& draft) {
+void place_on_body(description::DraftSensor& sensor, const description::RobotDraft& draft) {
   if (sensor.kind == "framequat") {
     sensor.obstacle = "it shows axes of inertia; write objtype=\"xbody\"";
-  } else if (const DraftBody* body = find_body(draft, sensor.frame)) {
+  } else if (const description::DraftBody* body = find_body(draft, sensor.frame)) {
     sensor.place.position = body->solid.center;
   }
 }
 
-void read_signal(const MjcfAttributes& attributes, DraftSensor& sensor) {
+void read_signal(const MjcfAttributes& attributes, description::DraftSensor& sensor) {
   const double noise = attributes.number("noise", 0), cutoff = attributes.number("cutoff", 0);
   if (noise < 0) attributes.source("noise").fail("noise of the sensor is negative; it must be at least 0");
   if (noise > 0) sensor.signals[""].noise = noise;
@@ -95,7 +96,7 @@ void read_signal(const MjcfAttributes& attributes, DraftSensor& sensor) {
 }
 
 /// The object is in the file that is written.
-bool object_is_there(const DraftSensor& sensor, const RobotDraft& draft) {
+bool object_is_there(const description::DraftSensor& sensor, const description::RobotDraft& draft) {
   const std::string &kind = sensor.object_kind, &name = sensor.frame;
   if (kind == "joint") return has_joint(draft, name);
   if (kind == "body" || kind == "xbody") return find_body(draft, name) || has_frame(draft, name, "body");
@@ -103,11 +104,11 @@ bool object_is_there(const DraftSensor& sensor, const RobotDraft& draft) {
 }
 
 /// Actuators are written as sensors of their joints' torques.
-const char* written_kind(const DraftSensor& sensor) {
+const char* written_kind(const description::DraftSensor& sensor) {
   return sensor.kind == "actuatorfrc" ? "jointactuatorfrc" : sensor.kind.c_str();
 }
 
-void write_sensor(XmlText& xml, const DraftSensor& sensor) {
+void write_sensor(files::XmlText& xml, const description::DraftSensor& sensor) {
   const char* kind = written_kind(sensor);
   const std::string attribute = attribute_of(kind);
   xml.begin(kind).text_unless_empty("name", sensor.name);
@@ -122,9 +123,9 @@ void write_sensor(XmlText& xml, const DraftSensor& sensor) {
 
 }  // namespace
 
-DraftSensor read_mjcf_sensor(const XmlElement& element, const XmlElement& root, const MjcfDefaults& defaults,
-                             const RobotDraft& draft) {
-  DraftSensor sensor{element.tag(), element.attribute("name").value_or(""), "", element.where()};
+description::DraftSensor read_mjcf_sensor(const files::XmlElement& element, const files::XmlElement& root,
+                                          const MjcfDefaults& defaults, const description::RobotDraft& draft) {
+  description::DraftSensor sensor{element.tag(), element.attribute("name").value_or(""), "", element.where()};
   for (const char* attribute : {"site", "objname", "joint", "body", "actuator", "geom", "camera"}) {
     const auto name = element.attribute(attribute);
     if (!name) continue;
@@ -142,17 +143,19 @@ DraftSensor read_mjcf_sensor(const XmlElement& element, const XmlElement& root, 
   return sensor;
 }
 
-bool is_mjcf_sensor(const DraftSensor& sensor, const RobotDraft& draft) {
+bool is_mjcf_sensor(const description::DraftSensor& sensor, const description::RobotDraft& draft) {
   if (is_mjcf_camera(sensor)) return object_is_there(sensor, draft);
   const bool complete = sensor.obstacle.empty() && !sensor.object_kind.empty();
   return complete && attribute_of(written_kind(sensor)) && object_is_there(sensor, draft);
 }
 
-void write_mjcf_sensors(XmlText& xml, const RobotDraft& draft) {
-  const auto fits = [&](const DraftSensor& sensor) { return !is_mjcf_camera(sensor) && is_mjcf_sensor(sensor, draft); };
+void write_mjcf_sensors(files::XmlText& xml, const description::RobotDraft& draft) {
+  const auto fits = [&](const description::DraftSensor& sensor) {
+    return !is_mjcf_camera(sensor) && is_mjcf_sensor(sensor, draft);
+  };
   const bool any = std::ranges::any_of(draft.sensors, fits);
   if (any) xml.begin("sensor");
-  for (const DraftSensor& sensor : draft.sensors) {
+  for (const description::DraftSensor& sensor : draft.sensors) {
     if (is_mjcf_camera(sensor)) continue;  // it stands in its body
     if (fits(sensor)) {
       write_sensor(xml, sensor);
@@ -163,4 +166,4 @@ void write_mjcf_sensors(XmlText& xml, const RobotDraft& draft) {
   if (any) xml.end();
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

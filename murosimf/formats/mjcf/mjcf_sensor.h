@@ -5,22 +5,23 @@
 /// Source: XML reference of the MuJoCo documentation, "sensor".
 #pragma once
 
-#include "murosimf/formats/mjcf/mjcf_defaults.h"
 #include "murosimf/description/robot_draft.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/files/xml_text.h"
+#include "murosimf/formats/mjcf/mjcf_defaults.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 /// `draft`: its bodies are read already. A sensor of an actuator becomes one of the actuator's joint.
-[[nodiscard]] DraftSensor read_mjcf_sensor(const XmlElement& element, const XmlElement& root,
-                                           const MjcfDefaults& defaults, const RobotDraft& draft);
+[[nodiscard]] description::DraftSensor read_mjcf_sensor(const files::XmlElement& element, const files::XmlElement& root,
+                                                        const MjcfDefaults& defaults,
+                                                        const description::RobotDraft& draft);
 
 /// The section `sensor`: an element for each sensor that MJCF has and whose object is in the draft, a comment for the
 /// others. Cameras of MJCF are not among them: they stand in bodies (mjcf_camera.h).
-void write_mjcf_sensors(XmlText& xml, const RobotDraft& draft);
+void write_mjcf_sensors(files::XmlText& xml, const description::RobotDraft& draft);
 
 /// It has an element of MJCF's own, in the section `sensor` or in a body.
-[[nodiscard]] bool is_mjcf_sensor(const DraftSensor& sensor, const RobotDraft& draft);
+[[nodiscard]] bool is_mjcf_sensor(const description::DraftSensor& sensor, const description::RobotDraft& draft);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

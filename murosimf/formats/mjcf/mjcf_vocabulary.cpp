@@ -2,21 +2,21 @@
 
 #include <algorithm>
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
-const XmlWords actuators{"position", "velocity", "motor", "general"};
+const files::XmlWords actuators{"position", "velocity", "motor", "general"};
 
-XmlWords operator+(XmlWords a, const XmlWords& b) {
+files::XmlWords operator+(files::XmlWords a, const files::XmlWords& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
 
-XmlVocabulary make_rules() {
-  const XmlWords frame{"name", "class", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"};
-  const XmlWords unsupported_bodies{"composite", "flexcomp", "replicate", "attach", "plugin"};
-  const XmlWords look{"group", "material", "user"};
-  XmlVocabulary rules;
+files::XmlVocabulary make_rules() {
+  const files::XmlWords frame{"name", "class", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"};
+  const files::XmlWords unsupported_bodies{"composite", "flexcomp", "replicate", "attach", "plugin"};
+  const files::XmlWords look{"group", "material", "user"};
+  files::XmlVocabulary rules;
   rules["mujoco"] = {.used = {"model"},
                      .children = {"compiler", "default", "asset", "worldbody", "actuator", "contact", "equality",
                                   "sensor"},
@@ -29,7 +29,7 @@ XmlVocabulary make_rules() {
                        .unsupported = {"inertiagrouprange", "alignfree"},
                        .unused_children = {"lengthrange"}};
   rules["default"] = {.used = {"class"},
-                      .children = XmlWords{"default", "geom", "joint", "site", "mesh", "camera"} + actuators,
+                      .children = files::XmlWords{"default", "geom", "joint", "site", "mesh", "camera"} + actuators,
                       .unused_children = {"material", "light", "pair", "equality", "tendon"}};
   rules["asset"] = {.children = {"mesh"},
                     .unused_children = {"texture", "material", "hfield", "skin"},
@@ -43,18 +43,18 @@ XmlVocabulary make_rules() {
                         .children = {"body", "geom", "site", "frame"},
                         .unused_children = {"light", "camera"},
                         .unsupported_children = unsupported_bodies};
-  rules["body"] = {.used = XmlWords{"childclass"} + frame,
+  rules["body"] = {.used = files::XmlWords{"childclass"} + frame,
                    .unused = {"user"},
                    .unsupported = {"gravcomp", "mocap", "sleep"},
                    .children = {"body", "joint", "freejoint", "inertial", "geom", "site", "camera", "frame"},
                    .unused_children = {"light"},
                    .unsupported_children = unsupported_bodies};
-  rules["frame"] = {.used = XmlWords{"childclass"} + frame,
+  rules["frame"] = {.used = files::XmlWords{"childclass"} + frame,
                     .children = {"body", "geom", "site", "camera", "frame"},
                     .unused_children = {"light"},
                     .unsupported_children = unsupported_bodies};
-  rules["camera"] = {.used = frame + XmlWords{"mode", "fovy", "resolution", "focal", "focalpixel", "principal",
-                                              "principalpixel", "sensorsize", "orthographic", "projection"},
+  rules["camera"] = {.used = frame + files::XmlWords{"mode", "fovy", "resolution", "focal", "focalpixel", "principal",
+                                                     "principalpixel", "sensorsize", "orthographic", "projection"},
                      .unused = {"target", "ipd", "output", "user"}};
   rules["contact"] = {.children = {"exclude", "pair"}};
   rules["exclude"] = {.used = {"body1", "body2"}, .unused = {"name"}};
@@ -72,15 +72,16 @@ XmlVocabulary make_rules() {
                                "margin"},
                     .unsupported = {"springdamper", "actuatorgravcomp"},
                     .unsupported_children = {"plugin"}};
-  rules["inertial"] = {.used = XmlWords{"mass", "diaginertia", "fullinertia"} + frame};
-  rules["geom"] = {.used = XmlWords{"type", "size", "fromto", "friction", "rgba", "mass", "density", "contype",
-                                    "conaffinity", "mesh"} +
+  rules["inertial"] = {.used = files::XmlWords{"mass", "diaginertia", "fullinertia"} + frame};
+  rules["geom"] = {.used = files::XmlWords{"type", "size", "fromto", "friction", "rgba", "mass", "density", "contype",
+                                           "conaffinity", "mesh"} +
                            frame,
-                   .unused = look + XmlWords{"condim", "priority", "solmix", "solref", "solimp", "margin", "gap"},
+                   .unused =
+                       look + files::XmlWords{"condim", "priority", "solmix", "solref", "solimp", "margin", "gap"},
                    .unsupported = {"hfield", "fitscale", "shellinertia", "fluidshape", "fluidcoef"},
                    .unsupported_children = {"plugin"}};
-  rules["site"] = {.used = XmlWords{"type", "size"} + frame,
-                   .unused = look + XmlWords{"rgba"},
+  rules["site"] = {.used = files::XmlWords{"type", "size"} + frame,
+                   .unused = look + files::XmlWords{"rgba"},
                    .unsupported = {"fromto"}};
   for (const std::string_view actuator : actuators) {
     rules[std::string(actuator)] = {
@@ -100,9 +101,9 @@ XmlVocabulary make_rules() {
 
 bool is_actuator(std::string_view tag) { return std::ranges::find(actuators, tag) != actuators.end(); }
 
-const XmlVocabulary& mjcf_vocabulary() {
-  static const XmlVocabulary rules = make_rules();
+const files::XmlVocabulary& mjcf_vocabulary() {
+  static const files::XmlVocabulary rules = make_rules();
   return rules;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -5,11 +5,11 @@
 
 #include "murosimf/files/xml_vocabulary.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
-[[nodiscard]] const XmlVocabulary& mjcf_vocabulary();
+[[nodiscard]] const files::XmlVocabulary& mjcf_vocabulary();
 
 /// Tags of the actuators that the reader understands.
 [[nodiscard]] bool is_actuator(std::string_view tag);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

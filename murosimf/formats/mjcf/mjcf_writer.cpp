@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/files/xml_text.h"
 #include "murosimf/formats/mjcf/mjcf_camera.h"
 #include "murosimf/formats/mjcf/mjcf_geom_writer.h"
 #include "murosimf/formats/mjcf/mjcf_place_writer.h"
 #include "murosimf/formats/mjcf/mjcf_sensor.h"
-#include "murosimf/files/xml_text.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 constexpr double least_inertia = 1e-13;  // [kg m^2] readers refuse a mass without inertia
@@ -20,7 +20,7 @@ constexpr double sole_thickness = 1e-3;  // [m] half; only looked at
 
 class Writer {
  public:
-  Writer(const RobotDraft& draft, const MjcfWriterOptions& options)
+  Writer(const description::RobotDraft& draft, const MjcfWriterOptions& options)
       : draft_(draft), geoms_(draft, options.folder, xml_), children_(draft.bodies.size()) {
     for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
       if (draft.bodies[i].parent >= 0) children_[draft.bodies[i].parent].push_back(i);
@@ -44,19 +44,19 @@ class Writer {
 
  private:
   void write_body(std::size_t index) {
-    const DraftBody& body = draft_.bodies[index];
+    const description::DraftBody& body = draft_.bodies[index];
     xml_.begin("body").text("name", body.name);
     write_place(xml_, body.place);
     if (index == 0) xml_.begin("freejoint").text_unless_empty("name", draft_.base_joint).end();
-    for (const DraftJoint& joint : body.joints) write_joint(joint);
+    for (const description::DraftJoint& joint : body.joints) write_joint(joint);
     write_inertial(body.solid);
     geoms_.write_geoms(body);
-    for (const DraftFrame& frame : body.frames) write_frame(frame);
+    for (const description::DraftFrame& frame : body.frames) write_frame(frame);
     for (const std::size_t child : children_[index]) write_body(child);
     xml_.end();
   }
 
-  void write_joint(const DraftJoint& joint) {
+  void write_joint(const description::DraftJoint& joint) {
     xml_.begin("joint").text("name", joint.name);
     if (joint.kind == Kind::prismatic) xml_.text("type", "slide");
     xml_.vector_unless_zero("pos", joint.anchor).vector("axis", joint.axis);
@@ -69,10 +69,10 @@ class Writer {
     xml_.end();
   }
 
-  void write_inertial(const MassProperties& solid) {
+  void write_inertial(const description::MassProperties& solid) {
     if (!(solid.mass > 0)) return;
     SymMat3d I = solid.inertia;
-    if (!(principal_moments(I).x > 0)) I = with_least_moment(I, least_inertia);
+    if (!(description::principal_moments(I).x > 0)) I = description::with_least_moment(I, least_inertia);
     xml_.begin("inertial").vector("pos", solid.center).numbers("mass", {solid.mass});
     if (I.xy == 0 && I.xz == 0 && I.yz == 0) {
       xml_.numbers("diaginertia", {I.xx, I.yy, I.zz});
@@ -82,7 +82,7 @@ class Writer {
     xml_.end();
   }
 
-  void write_frame(const DraftFrame& frame) {
+  void write_frame(const description::DraftFrame& frame) {
     xml_.begin(frame.kind == "camera" ? "camera" : "site").text("name", frame.name);
     write_place(xml_, frame.place);
     if (frame.kind == "camera") write_camera(frame);
@@ -92,8 +92,8 @@ class Writer {
     xml_.end();
   }
 
-  void write_camera(const DraftFrame& frame) {
-    for (const DraftSensor& sensor : draft_.sensors) {
+  void write_camera(const description::DraftFrame& frame) {
+    for (const description::DraftSensor& sensor : draft_.sensors) {
       if (is_mjcf_camera(sensor) && sensor.frame == frame.name) return write_mjcf_camera(xml_, sensor);
     }
   }
@@ -101,11 +101,11 @@ class Writer {
   void write_contacts() {
     if (draft_.exclusions.empty() && draft_.pairs.empty()) return;
     xml_.begin("contact");
-    for (const DraftExclusion& pair : draft_.exclusions) {
+    for (const description::DraftExclusion& pair : draft_.exclusions) {
       const std::string &first = body_of(pair.body1), &second = body_of(pair.body2);
       if (first != second) xml_.begin("exclude").text("body1", first).text("body2", second).end();
     }
-    for (const DraftPair& pair : draft_.pairs) {
+    for (const description::DraftPair& pair : draft_.pairs) {
       xml_.begin("pair").text("geom1", pair.shape1).text("geom2", pair.shape2).end();
     }
     xml_.end();
@@ -113,8 +113,10 @@ class Writer {
 
   /// The body itself, or the one that it is welded to.
   [[nodiscard]] const std::string& body_of(const std::string& name) const {
-    for (const DraftBody& body : draft_.bodies) {
-      const auto is_it = [&](const DraftFrame& frame) { return frame.kind == "body" && frame.name == name; };
+    for (const description::DraftBody& body : draft_.bodies) {
+      const auto is_it = [&](const description::DraftFrame& frame) {
+        return frame.kind == "body" && frame.name == name;
+      };
       if (std::ranges::any_of(body.frames, is_it)) return body.name;
     }
     return name;
@@ -123,30 +125,30 @@ class Writer {
   void write_couplings() {
     if (draft_.mimics.empty()) return;
     xml_.begin("equality");
-    for (const DraftMimic& mimic : draft_.mimics) {
+    for (const description::DraftMimic& mimic : draft_.mimics) {
       xml_.begin("joint").text("joint1", mimic.joint).text("joint2", mimic.leader);
       // the format counts both positions from their references
-      const double offset =
-          mimic.offset - reference_of(draft_, mimic.joint) + mimic.ratio * reference_of(draft_, mimic.leader);
+      const double offset = mimic.offset - description::reference_of(draft_, mimic.joint) +
+                            mimic.ratio * description::reference_of(draft_, mimic.leader);
       xml_.numbers("polycoef", {offset, mimic.ratio, 0, 0, 0}).end();
     }
     xml_.end();
   }
 
   void write_actuators() {
-    std::vector<const DraftJoint*> driven;
-    for (const DraftBody& body : draft_.bodies) {
-      for (const DraftJoint& joint : body.joints) {
+    std::vector<const description::DraftJoint*> driven;
+    for (const description::DraftBody& body : draft_.bodies) {
+      for (const description::DraftJoint& joint : body.joints) {
         if (joint.servo) driven.push_back(&joint);
       }
     }
     if (driven.empty()) return;
     xml_.begin("actuator");
-    for (const DraftJoint* joint : driven) write_actuator(*joint);
+    for (const description::DraftJoint* joint : driven) write_actuator(*joint);
     xml_.end();
   }
 
-  void write_actuator(const DraftJoint& joint) {
+  void write_actuator(const description::DraftJoint& joint) {
     const Servo& servo = *joint.servo;
     const bool holds = servo.position_gain > 0, brakes = servo.velocity_gain > 0;
     xml_.begin(holds ? "position" : brakes ? "velocity" : "motor").text("name", joint.name).text("joint", joint.name);
@@ -156,16 +158,16 @@ class Writer {
     xml_.end();
   }
 
-  const RobotDraft& draft_;
-  XmlText xml_;
+  const description::RobotDraft& draft_;
+  files::XmlText xml_;
   MjcfGeomWriter geoms_;
   std::vector<std::vector<std::size_t>> children_;
 };
 
 }  // namespace
 
-std::string to_mjcf(const RobotDraft& draft, const MjcfWriterOptions& options) {
+std::string to_mjcf(const description::RobotDraft& draft, const MjcfWriterOptions& options) {
   return Writer(draft, options).write();
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -14,7 +14,7 @@
 
 #include "murosimf/description/robot_draft.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 
 struct MjcfWriterOptions {
   std::filesystem::path folder{};  ///< where the file will stand: mesh files are named relative to it
@@ -22,6 +22,6 @@ struct MjcfWriterOptions {
 
 /// Bodies without joints may be welded already; what is left of them are frames. Shapes that share a name stay apart:
 /// the first keeps it.
-[[nodiscard]] std::string to_mjcf(const RobotDraft& draft, const MjcfWriterOptions& options = {});
+[[nodiscard]] std::string to_mjcf(const description::RobotDraft& draft, const MjcfWriterOptions& options = {});
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

@@ -6,11 +6,11 @@
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 
+#include "murosimf/files/json_schema.h"
 #include "murosimf/identification/bench_servo.h"
 #include "murosimf/identification/parameter.h"
-#include "murosimf/files/json_schema.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::servo_log {
 namespace {
 
 using identification::FrictionModel;
@@ -113,7 +113,7 @@ std::string to_json(const FitReport& report) {
   for (const auto* parameter : identification::friction_model(report.servo.friction_model).parameters) {
     values.insert(parameter->name, parameter->get(bench_of(report.servo)));
   }
-  toml::table root{{"schema", json_schema("fit-servo")},
+  toml::table root{{"schema", files::json_schema("fit-servo")},
                    {"model", report.servo.friction_model},
                    {"base", report.servo.base},
                    {"prior", report.servo.prior},
@@ -132,10 +132,10 @@ std::string to_json(const FitReport& report) {
 }
 
 std::string to_json(const ReplayReport& report) {
-  return text_of(toml::table{{"schema", json_schema("replay-servo")},
+  return text_of(toml::table{{"schema", files::json_schema("replay-servo")},
                              {"servo", report.servo},
                              {"mean_error_rad", mean_error(report.logs)},
                              {"logs", json_of(report.logs)}});
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::servo_log

@@ -7,7 +7,7 @@
 
 #include "murosimf/formats/servo_log/fitted_servo.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::servo_log {
 
 /// Errors of logs that a fit has not seen.
 struct UnseenGroup {
@@ -42,4 +42,4 @@ struct ReplayReport {
 /// One JSON object: servo, mean_error_rad, logs [as above].
 [[nodiscard]] std::string to_json(const ReplayReport& report);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::servo_log

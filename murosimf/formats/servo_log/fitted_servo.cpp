@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/files/data_path.h"
-#include "murosimf/formats/servo_log/fit_report.h"
 #include "murosimf/components/servo_table.h"
+#include "murosimf/files/data_path.h"
 #include "murosimf/files/toml_reader.h"
+#include "murosimf/formats/servo_log/fit_report.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::servo_log {
 namespace {
 
 void read_fit(const toml::table& table, FittedServo& fitted) {
-  const TomlTable fit(table, {"model", "encoder_offset", "base", "prior", "mean_error"});
+  const files::TomlTable fit(table, {"model", "encoder_offset", "base", "prior", "mean_error"});
   fit.read("model", fitted.friction_model);
   fit.read("encoder_offset", fitted.encoder_offset);
 }
@@ -77,8 +77,8 @@ std::string fit(const FittedServo& fitted) {
 }  // namespace
 
 FittedServo read_fitted_servo(std::string_view type) {
-  FittedServo fitted{.servo = read_servo(type)};
-  const toml::table content = parse_toml_file(find_data_file(type, "servos", ".toml"));
+  FittedServo fitted{.servo = components::read_servo(type)};
+  const toml::table content = files::parse_toml_file(files::find_data_file(type, "servos", ".toml"));
   if (const toml::table* table = content["fit"].as_table()) read_fit(*table, fitted);
   return fitted;
 }
@@ -87,4 +87,4 @@ std::string to_toml(const FittedServo& fitted) {
   return head(fitted) + motor(fitted.servo) + friction(fitted.servo.friction) + fit(fitted);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::servo_log

@@ -7,7 +7,7 @@
 
 #include "murosimf/model/servo.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::servo_log {
 
 /// One log and how well the servo explains it.
 struct LogError {
@@ -31,4 +31,4 @@ struct FittedServo {
 /// A servo file with comments. The same result gives the same text.
 [[nodiscard]] std::string to_toml(const FittedServo& fitted);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::servo_log

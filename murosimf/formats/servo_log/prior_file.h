@@ -10,7 +10,7 @@
 
 #include "murosimf/identification/prior.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::servo_log {
 
 /// The prior of a servo type, or in a file of that path; "none" is empty. Throws SetupError: with the nearest name if
 /// there is none, with file:line:column if something is wrong in it.
@@ -19,4 +19,4 @@ namespace murosimf::io {
 /// `type` if it has a prior, else "none".
 [[nodiscard]] std::string prior_of_type(std::string_view type);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::servo_log

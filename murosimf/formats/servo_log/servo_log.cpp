@@ -9,7 +9,7 @@
 #include "murosimf/files/input_file.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::servo_log {
 namespace {
 
 namespace fs = std::filesystem;
@@ -136,7 +136,7 @@ std::vector<fs::path> files_of(const fs::path& name) {
 }  // namespace
 
 ServoLog read_servo_log(const fs::path& file) {
-  const std::string text = read_input_file(file, most_record_bytes);
+  const std::string text = files::read_input_file(file, files::most_record_bytes);
   return at(file.string(), [&] {
     const json content = parse(text);
     ServoLog log = log_of(content);
@@ -154,4 +154,4 @@ std::vector<ServoLog> read_servo_logs(const std::vector<std::string>& names) {
   return logs;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::servo_log

@@ -10,7 +10,7 @@
 
 #include "murosimf/identification/servo_log.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::servo_log {
 
 /// Throws SetupError with file (and line or entry): no JSON, missing field, wrong type, number that is not finite or
 /// impossible, fewer than two entries, time stamps that do not grow.
@@ -20,4 +20,4 @@ namespace murosimf::io {
 /// SetupError for what is not there, a folder without logs, and as above.
 [[nodiscard]] std::vector<identification::ServoLog> read_servo_logs(const std::vector<std::string>& names);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::servo_log

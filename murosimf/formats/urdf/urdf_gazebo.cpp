@@ -9,7 +9,7 @@
 #include "murosimf/formats/urdf/urdf_sensor.h"
 #include "murosimf/formats/urdf/urdf_value.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
 // looks, plugins, and settings of solvers
@@ -50,18 +50,18 @@ bool contains(const Words& words, std::string_view word) {
   return std::ranges::find(words, word) != words.end();
 }
 
-bool is_true(const XmlElement& element) {
+bool is_true(const files::XmlElement& element) {
   const std::string text = element.text();
   return text == "true" || text == "True" || text == "1";
 }
 
-bool takes_weight(const XmlElement& element) {
+bool takes_weight(const files::XmlElement& element) {
   const std::string tag = element.tag();
   return tag == "gravity" ? !is_true(element) : tag == "turnGravityOff" && is_true(element);
 }
 
 /// What takes motion or speed away from a part of the robot.
-bool takes_motion(const XmlElement& element) {
+bool takes_motion(const files::XmlElement& element) {
   const std::string tag = element.tag();
   if (tag == "static" || tag == "kinematic") return is_true(element);
   return tag == "dampingFactor" && text_number(element) != 0;
@@ -70,7 +70,7 @@ bool takes_motion(const XmlElement& element) {
 bool is_switch(std::string_view tag) { return tag == "gravity" || tag == "turnGravityOff" || tag == "kinematic"; }
 
 /// Elements that mean the same wherever they stand.
-void note_other(const XmlElement& element, UrdfLog& log) {
+void note_other(const files::XmlElement& element, UrdfLog& log) {
   const std::string tag = element.tag();
   if (takes_weight(element)) {
     log.warn(element, "gravity is switched off for parts of the robot in gazebo; here all of it has weight");
@@ -85,25 +85,26 @@ void note_other(const XmlElement& element, UrdfLog& log) {
   }
 }
 
-double at_least_zero(const XmlElement& element) {
+double at_least_zero(const files::XmlElement& element) {
   const double number = text_number(element);
   if (number < 0) element.fail(fmt::format("<{}> is negative; it must be at least 0", element.tag()));
   return number;
 }
 
-void read_friction(const XmlElement& block, DraftBody& body, UrdfLog& log) {
+void read_friction(const files::XmlElement& block, description::DraftBody& body, UrdfLog& log) {
   const auto mu1 = only_child(block, "mu1"), mu2 = only_child(block, "mu2");
   if (!mu1 && !mu2) return;
   const double friction = at_least_zero(mu1 ? *mu1 : *mu2);
   if (mu2 && at_least_zero(*mu2) != friction) {
     log.warn(*mu2, fmt::format("friction of link '{}' differs by direction; mu1 is taken for all", body.name));
   }
-  for (DraftShape& shape : body.shapes) shape.placed.surface.friction = friction;
+  for (description::DraftShape& shape : body.shapes) shape.placed.surface.friction = friction;
 }
 
-void read_link_block(const XmlElement& block, DraftBody& body, RobotDraft& draft, UrdfLog& log) {
+void read_link_block(const files::XmlElement& block, description::DraftBody& body, description::RobotDraft& draft,
+                     UrdfLog& log) {
   read_friction(block, body, log);
-  for (const XmlElement& element : block.children()) {
+  for (const files::XmlElement& element : block.children()) {
     const std::string tag = element.tag();
     if (tag == "mu1" || tag == "mu2") continue;
     if (tag == "sensor") {
@@ -115,9 +116,9 @@ void read_link_block(const XmlElement& block, DraftBody& body, RobotDraft& draft
 }
 
 /// `link`: the one behind the joint, which has the joint's frame; a fixed joint is no object of the model.
-void read_joint_block(const XmlElement& block, const std::string& link, DraftJoint* joint, RobotDraft& draft,
-                      UrdfLog& log) {
-  for (const XmlElement& element : block.children()) {
+void read_joint_block(const files::XmlElement& block, const std::string& link, description::DraftJoint* joint,
+                      description::RobotDraft& draft, UrdfLog& log) {
+  for (const files::XmlElement& element : block.children()) {
     const std::string tag = element.tag();
     if (tag == "springStiffness" && joint) {
       joint->stiffness = at_least_zero(element);
@@ -131,18 +132,18 @@ void read_joint_block(const XmlElement& block, const std::string& link, DraftJoi
   }
 }
 
-DraftJoint* moving_joint(RobotDraft& draft, const std::string& name) {
-  for (DraftBody& body : draft.bodies) {
-    for (DraftJoint& joint : body.joints) {
+description::DraftJoint* moving_joint(description::RobotDraft& draft, const std::string& name) {
+  for (description::DraftBody& body : draft.bodies) {
+    for (description::DraftJoint& joint : body.joints) {
       if (joint.name == name) return &joint;
     }
   }
   return nullptr;
 }
 
-void read_block(const XmlElement& block, const std::string& name, const UrdfTree& tree, RobotDraft& draft,
-                UrdfLog& log) {
-  const auto body = std::ranges::find_if(draft.bodies, [&](const DraftBody& b) { return b.name == name; });
+void read_block(const files::XmlElement& block, const std::string& name, const UrdfTree& tree,
+                description::RobotDraft& draft, UrdfLog& log) {
+  const auto body = std::ranges::find_if(draft.bodies, [&](const description::DraftBody& b) { return b.name == name; });
   if (body != draft.bodies.end()) return read_link_block(block, *body, draft, log);
   if (const int joint = tree.find_joint(name); joint >= 0) {
     const std::string& link = tree.links[static_cast<std::size_t>(tree.joints[joint].child)].name;
@@ -153,14 +154,14 @@ void read_block(const XmlElement& block, const std::string& name, const UrdfTree
 
 }  // namespace
 
-void read_gazebo(const XmlElement& robot, const UrdfTree& tree, RobotDraft& draft, UrdfLog& log) {
-  for (const XmlElement& block : robot.children("gazebo")) {
+void read_gazebo(const files::XmlElement& robot, const UrdfTree& tree, description::RobotDraft& draft, UrdfLog& log) {
+  for (const files::XmlElement& block : robot.children("gazebo")) {
     if (const auto name = block.attribute("reference")) {
       read_block(block, *name, tree, draft, log);
     } else {
-      for (const XmlElement& element : block.children()) note_other(element, log);
+      for (const files::XmlElement& element : block.children()) note_other(element, log);
     }
   }
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

@@ -9,9 +9,9 @@
 #include "murosimf/formats/urdf/urdf_log.h"
 #include "murosimf/formats/urdf/urdf_tree.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 
 /// `draft` has the bodies of all links.
-void read_gazebo(const XmlElement& robot, const UrdfTree& tree, RobotDraft& draft, UrdfLog& log);
+void read_gazebo(const files::XmlElement& robot, const UrdfTree& tree, description::RobotDraft& draft, UrdfLog& log);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

@@ -4,11 +4,11 @@
 
 #include "murosimf/formats/urdf/urdf_value.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
 /// Some files write both halves of the tensor.
-void compare_halves(const UrdfLink& link, const XmlElement& element, UrdfLog& log) {
+void compare_halves(const UrdfLink& link, const files::XmlElement& element, UrdfLog& log) {
   constexpr const char* halves[][2] = {{"ixy", "iyx"}, {"ixz", "izx"}, {"iyz", "izy"}};
   for (const auto& [upper, lower] : halves) {
     if (!element.attribute(lower) || needed_number(element, lower) == number_or(element, upper, 0)) continue;
@@ -17,8 +17,8 @@ void compare_halves(const UrdfLink& link, const XmlElement& element, UrdfLog& lo
   }
 }
 
-SymMat3d read_tensor(const UrdfLink& link, const XmlElement& inertial, UrdfLog& log) {
-  const XmlElement element = needed_child(inertial, "inertia");
+SymMat3d read_tensor(const UrdfLink& link, const files::XmlElement& inertial, UrdfLog& log) {
+  const files::XmlElement element = needed_child(inertial, "inertia");
   compare_halves(link, element, log);
   return {needed_number(element, "ixx"), needed_number(element, "iyy"), needed_number(element, "izz"),
           number_or(element, "ixy", 0),  number_or(element, "ixz", 0),  number_or(element, "iyz", 0)};
@@ -28,21 +28,22 @@ constexpr double frame_mass = 0.01;  // [kg] below it, a link without inertia is
 
 bool is_zero(const SymMat3d& I) { return I.xx == 0 && I.yy == 0 && I.zz == 0 && I.xy == 0 && I.xz == 0 && I.yz == 0; }
 
-double read_mass(const UrdfLink& link, const XmlElement& inertial) {
-  const XmlElement element = needed_child(inertial, "mass");
+double read_mass(const UrdfLink& link, const files::XmlElement& inertial) {
+  const files::XmlElement element = needed_child(inertial, "mass");
   const double mass = needed_number(element, "value");
   if (mass < 0) element.fail(fmt::format("mass {} kg of link '{}' is negative; correct it", mass, link.name));
   return mass;
 }
 
-void balance_moments(const UrdfLink& link, const XmlElement& inertial, MassProperties& solid, UrdfLog& log) {
+void balance_moments(const UrdfLink& link, const files::XmlElement& inertial, description::MassProperties& solid,
+                     UrdfLog& log) {
   solid.inertia = diagonal((solid.inertia.xx + solid.inertia.yy + solid.inertia.zz) / 3.0);
   log.note(inertial, fmt::format("inertia of link '{}' replaced by its mean: balanceinertia", link.name));
 }
 
-void check_tensor(const UrdfLink& link, const XmlElement& inertial, bool welded, bool balance, MassProperties& solid,
-                  UrdfLog& log) {
-  const Vec3d moments = principal_moments(solid.inertia);
+void check_tensor(const UrdfLink& link, const files::XmlElement& inertial, bool welded, bool balance,
+                  description::MassProperties& solid, UrdfLog& log) {
+  const Vec3d moments = description::principal_moments(solid.inertia);
   const bool thin = welded && moments.x >= -1e-6 * moments.z;
   if (!(moments.x > 0) && !thin) {
     inertial.fail(
@@ -50,7 +51,7 @@ void check_tensor(const UrdfLink& link, const XmlElement& inertial, bool welded,
                     "correct it",
                     link.name, moments.x));
   }
-  if (!breaks_triangle_inequality(moments)) return;
+  if (!description::breaks_triangle_inequality(moments)) return;
   if (balance) return balance_moments(link, inertial, solid, log);
   log.warn(inertial,
            fmt::format("no solid body has the principal moments {:.4g} {:.4g} {:.4g} kg m^2 of link '{}': two "
@@ -60,11 +61,11 @@ void check_tensor(const UrdfLink& link, const XmlElement& inertial, bool welded,
 
 }  // namespace
 
-MassProperties read_inertial(const UrdfLink& link, bool welded, bool balance, UrdfLog& log) {
+description::MassProperties read_inertial(const UrdfLink& link, bool welded, bool balance, UrdfLog& log) {
   const auto inertial = only_child(link.element, "inertial");
   if (!inertial) return {};
-  MassProperties solid;
-  const Place place = read_origin(*inertial);
+  description::MassProperties solid;
+  const description::Place place = read_origin(*inertial);
   solid.mass = read_mass(link, *inertial);
   solid.center = place.position;
   solid.inertia = rotated(place.orientation, read_tensor(link, *inertial, log));
@@ -84,4 +85,4 @@ MassProperties read_inertial(const UrdfLink& link, bool welded, bool balance, Ur
   return solid;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

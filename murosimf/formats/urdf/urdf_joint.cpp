@@ -7,7 +7,7 @@
 #include "murosimf/formats/urdf/urdf_value.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
 Vec3d read_axis(const UrdfJoint& joint) {
@@ -20,7 +20,7 @@ Vec3d read_axis(const UrdfJoint& joint) {
   return (1.0 / length) * axis;
 }
 
-void read_range(const UrdfJoint& joint, const XmlElement& limit, DraftJoint& draft, UrdfLog& log) {
+void read_range(const UrdfJoint& joint, const files::XmlElement& limit, description::DraftJoint& draft, UrdfLog& log) {
   const double lower = number_or(limit, "lower", 0), upper = number_or(limit, "upper", 0);
   if (lower > upper) {
     limit.fail(fmt::format("limits of joint '{}' are upside down: lower {} is above upper {}; swap them", joint.name,
@@ -35,7 +35,7 @@ void read_range(const UrdfJoint& joint, const XmlElement& limit, DraftJoint& dra
                                 joint.name, lower));
 }
 
-void read_limits(const UrdfJoint& joint, DraftJoint& draft, UrdfLog& log) {
+void read_limits(const UrdfJoint& joint, description::DraftJoint& draft, UrdfLog& log) {
   const auto limit = only_child(joint.element, "limit");
   const bool bounded = joint.type != "continuous";
   if (!limit) {
@@ -52,9 +52,9 @@ void read_limits(const UrdfJoint& joint, DraftJoint& draft, UrdfLog& log) {
   draft.rate_limit = at_least_zero(*limit, "velocity");
 }
 
-DraftMimic read_mimic(const UrdfTree& tree, const UrdfJoint& follower, const XmlElement& element) {
-  DraftMimic mimic{follower.name, needed_text(element, "joint"), element.where(), number_or(element, "multiplier", 1),
-                   number_or(element, "offset", 0)};
+description::DraftMimic read_mimic(const UrdfTree& tree, const UrdfJoint& follower, const files::XmlElement& element) {
+  description::DraftMimic mimic{follower.name, needed_text(element, "joint"), element.where(),
+                                number_or(element, "multiplier", 1), number_or(element, "offset", 0)};
   const int leader = tree.find_joint(mimic.leader);
   if (leader < 0) {
     std::vector<std::string_view> names;
@@ -69,15 +69,15 @@ DraftMimic read_mimic(const UrdfTree& tree, const UrdfJoint& follower, const Xml
 }
 
 /// Follows the leaders of every joint: more steps than there are joints is a circle.
-void check_circles(const UrdfTree& tree, const std::vector<DraftMimic>& mimics) {
+void check_circles(const UrdfTree& tree, const std::vector<description::DraftMimic>& mimics) {
   std::map<std::string, std::string> leaders;
-  for (const DraftMimic& mimic : mimics) leaders.emplace(mimic.joint, mimic.leader);
-  for (const DraftMimic& mimic : mimics) {
+  for (const description::DraftMimic& mimic : mimics) leaders.emplace(mimic.joint, mimic.leader);
+  for (const description::DraftMimic& mimic : mimics) {
     std::string joint = mimic.joint;
     for (std::size_t steps = 0; leaders.contains(joint); ++steps) {
       joint = leaders.at(joint);
       if (steps < mimics.size()) continue;
-      const XmlElement element = needed_child(tree.joints[tree.find_joint(mimic.joint)].element, "mimic");
+      const files::XmlElement element = needed_child(tree.joints[tree.find_joint(mimic.joint)].element, "mimic");
       element.fail(
           fmt::format("joint '{}' ends up mimicking itself; let one joint of the circle move freely", mimic.joint));
     }
@@ -86,8 +86,8 @@ void check_circles(const UrdfTree& tree, const std::vector<DraftMimic>& mimics) 
 
 }  // namespace
 
-DraftJoint read_joint(const UrdfJoint& joint, UrdfLog& log) {
-  DraftJoint draft;
+description::DraftJoint read_joint(const UrdfJoint& joint, UrdfLog& log) {
+  description::DraftJoint draft;
   draft.name = joint.name;
   draft.where = joint.element.where();
   draft.kind = joint.type == "prismatic" ? Kind::prismatic : Kind::revolute;
@@ -100,8 +100,8 @@ DraftJoint read_joint(const UrdfJoint& joint, UrdfLog& log) {
   return draft;
 }
 
-std::vector<DraftMimic> read_mimics(const UrdfTree& tree, UrdfLog& log) {
-  std::vector<DraftMimic> mimics;
+std::vector<description::DraftMimic> read_mimics(const UrdfTree& tree, UrdfLog& log) {
+  std::vector<description::DraftMimic> mimics;
   for (const UrdfJoint& joint : tree.joints) {
     const auto element = only_child(joint.element, "mimic");
     if (!element) continue;
@@ -115,4 +115,4 @@ std::vector<DraftMimic> read_mimics(const UrdfTree& tree, UrdfLog& log) {
   return mimics;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

@@ -2,26 +2,26 @@
 
 #include <fmt/format.h>
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
-std::string line(const XmlElement& at, const std::string& message) {
-  return one_line(fmt::format("{}: {}", at.where(), message));
+std::string line(const files::XmlElement& at, const std::string& message) {
+  return files::one_line(fmt::format("{}: {}", at.where(), message));
 }
 
 }  // namespace
 
-void UrdfLog::note(const XmlElement& at, const std::string& message) {
+void UrdfLog::note(const files::XmlElement& at, const std::string& message) {
   if (said_.insert(message).second) draft_.notes.push_back(line(at, message));
 }
 
-void UrdfLog::warn(const XmlElement& at, const std::string& message) {
+void UrdfLog::warn(const files::XmlElement& at, const std::string& message) {
   if (said_.insert(message).second) draft_.warnings.push_back(line(at, message));
 }
 
-void UrdfLog::refuse(const XmlElement& at, const std::string& message) {
+void UrdfLog::refuse(const files::XmlElement& at, const std::string& message) {
   if (!lenient_) at.fail(message);
   warn(at, message);
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

@@ -7,24 +7,24 @@
 #include "murosimf/description/robot_draft.h"
 #include "murosimf/files/xml_element.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 
 class UrdfLog {
  public:
-  UrdfLog(RobotDraft& draft, bool lenient) : draft_(draft), lenient_(lenient) {}
+  UrdfLog(description::RobotDraft& draft, bool lenient) : draft_(draft), lenient_(lenient) {}
 
   /// What means nothing here; the same message is noted once.
-  void note(const XmlElement& at, const std::string& message);
+  void note(const files::XmlElement& at, const std::string& message);
   /// What looks wrong; the same message is told once.
-  void warn(const XmlElement& at, const std::string& message);
+  void warn(const files::XmlElement& at, const std::string& message);
   /// What would change the robot: throws SetupError, or is a warning if the reader is lenient.
-  void refuse(const XmlElement& at, const std::string& message);
+  void refuse(const files::XmlElement& at, const std::string& message);
   [[nodiscard]] bool lenient() const { return lenient_; }
 
  private:
-  RobotDraft& draft_;
+  description::RobotDraft& draft_;
   bool lenient_;
   std::set<std::string> said_;
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

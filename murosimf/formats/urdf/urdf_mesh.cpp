@@ -7,16 +7,18 @@
 #include "murosimf/formats/urdf/urdf_value.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 
-std::optional<DraftMesh> UrdfMeshes::find(const XmlElement& mesh) {
+std::optional<description::DraftMesh> UrdfMeshes::find(const files::XmlElement& mesh) {
   const auto file = paths_.find(needed_text(mesh, "filename"));
   if (!file) return std::nullopt;
   const Vec3d scale = vector_or(mesh, "scale", {1, 1, 1});
-  const auto same = [&](const DraftMesh& known) { return known.file == *file && is_zero(known.scale - scale); };
+  const auto same = [&](const description::DraftMesh& known) {
+    return known.file == *file && is_zero(known.scale - scale);
+  };
   const auto known = std::ranges::find_if(draft_.meshes, same);
   if (known != draft_.meshes.end()) return *known;
-  DraftMesh entry;
+  description::DraftMesh entry;
   entry.name = free_name(file->stem().string());
   entry.where = mesh.where();
   entry.file = *file;
@@ -27,23 +29,26 @@ std::optional<DraftMesh> UrdfMeshes::find(const XmlElement& mesh) {
 
 std::string UrdfMeshes::free_name(const std::string& stem) const {
   std::string name = stem;
-  const auto taken = [&](const DraftMesh& known) { return known.name == name; };
+  const auto taken = [&](const description::DraftMesh& known) { return known.name == name; };
   for (int number = 2; std::ranges::any_of(draft_.meshes, taken); ++number) name = fmt::format("{}_{}", stem, number);
   return name;
 }
 
-const std::vector<ConvexPart>& UrdfMeshes::parts(const DraftMesh& mesh, const XmlElement& user) {
+const std::vector<formats::mesh::ConvexPart>& UrdfMeshes::parts(const description::DraftMesh& mesh,
+                                                                const files::XmlElement& user) {
   const bool split = std::ranges::find(part_per_group_, mesh.name) != part_per_group_.end();
   const std::string where = fmt::format("{}: mesh '{}'", user.where(), mesh.name);
-  const SolidMesh& solid = at(where, [&]() -> const SolidMesh& { return library_.get(mesh.file, mesh.scale, split); });
-  if (!solid.flat.empty()) throw SetupError(one_line(fmt::format("{}: {}", where, solid.flat)));
-  for (const std::string& doubt : mesh_doubts(solid)) log_.warn(user, fmt::format("mesh '{}': {}", mesh.name, doubt));
+  const formats::mesh::SolidMesh& solid =
+      at(where, [&]() -> const formats::mesh::SolidMesh& { return library_.get(mesh.file, mesh.scale, split); });
+  if (!solid.flat.empty()) throw SetupError(files::one_line(fmt::format("{}: {}", where, solid.flat)));
+  for (const std::string& doubt : formats::mesh::mesh_doubts(solid))
+    log_.warn(user, fmt::format("mesh '{}': {}", mesh.name, doubt));
   return solid.parts;
 }
 
-std::string UrdfMeshes::complaint(const XmlElement& mesh) {
+std::string UrdfMeshes::complaint(const files::XmlElement& mesh) {
   const std::string name = needed_text(mesh, "filename");
   return fmt::format("there is no mesh file '{}'; {}", name, UrdfMeshPaths::advice(name));
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

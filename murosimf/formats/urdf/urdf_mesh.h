@@ -7,36 +7,37 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/formats/mesh/mesh_library.h"
 #include "murosimf/description/reader_options.h"
 #include "murosimf/description/robot_draft.h"
+#include "murosimf/formats/mesh/mesh_library.h"
 #include "murosimf/formats/urdf/urdf_log.h"
 #include "murosimf/formats/urdf/urdf_mesh_path.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 
 class UrdfMeshes {
  public:
-  UrdfMeshes(UrdfMeshPaths paths, std::vector<std::string> part_per_group, RobotDraft& draft, UrdfLog& log)
+  UrdfMeshes(UrdfMeshPaths paths, std::vector<std::string> part_per_group, description::RobotDraft& draft, UrdfLog& log)
       : paths_(std::move(paths)), part_per_group_(std::move(part_per_group)), draft_(draft), log_(log) {}
 
   /// The entry among the draft's meshes for a `mesh` element; nothing if its file is not there.
-  [[nodiscard]] std::optional<DraftMesh> find(const XmlElement& mesh);
+  [[nodiscard]] std::optional<description::DraftMesh> find(const files::XmlElement& mesh);
 
   /// What contact sees of it. Throws SetupError: the line of the element, then what is wrong with the mesh.
-  [[nodiscard]] const std::vector<ConvexPart>& parts(const DraftMesh& mesh, const XmlElement& user);
+  [[nodiscard]] const std::vector<formats::mesh::ConvexPart>& parts(const description::DraftMesh& mesh,
+                                                                    const files::XmlElement& user);
 
   /// That there is no such file, and what to do.
-  [[nodiscard]] static std::string complaint(const XmlElement& mesh);
+  [[nodiscard]] static std::string complaint(const files::XmlElement& mesh);
 
  private:
   [[nodiscard]] std::string free_name(const std::string& stem) const;
 
   UrdfMeshPaths paths_;
   std::vector<std::string> part_per_group_;
-  RobotDraft& draft_;
+  description::RobotDraft& draft_;
   UrdfLog& log_;
-  MeshLibrary library_;
+  formats::mesh::MeshLibrary library_;
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

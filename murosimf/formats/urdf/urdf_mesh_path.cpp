@@ -9,7 +9,7 @@
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,7 +29,7 @@ std::string package_name(const fs::path& folder) {
   const fs::path file = folder / "package.xml";
   if (!is_file(file)) return {};
   try {
-    const XmlFile xml(file);
+    const files::XmlFile xml(file);
     const auto names = xml.root().children("name");
     return names.empty() ? "" : names[0].text();
   } catch (const SetupError&) {
@@ -132,4 +132,4 @@ std::string UrdfMeshPaths::advice(const std::string& name) {
   return "names are relative to the URDF file; correct the name, or put its folder into MUROSIMF_PACKAGE_PATH";
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

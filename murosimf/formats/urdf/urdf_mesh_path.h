@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 
 class UrdfMeshPaths {
  public:
@@ -46,4 +46,4 @@ class UrdfMeshPaths {
   std::map<std::string, std::optional<std::filesystem::path>> files_;          ///< found so far
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

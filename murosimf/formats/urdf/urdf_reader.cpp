@@ -13,7 +13,7 @@
 #include "murosimf/formats/urdf/urdf_vocabulary.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
 /// What a `mujoco` block asks for.
@@ -23,16 +23,16 @@ struct Compiler {
   bool balance = false;
 };
 
-bool flag(const XmlElement& element, const char* name, bool fallback) {
+bool flag(const files::XmlElement& element, const char* name, bool fallback) {
   const std::string text = element.attribute(name).value_or(fallback ? "true" : "false");
   if (text != "true" && text != "false") element.fail(fmt::format("{} is '{}'; write true or false", name, text));
   return text == "true";
 }
 
-Compiler read_compiler(const XmlElement& robot) {
+Compiler read_compiler(const files::XmlElement& robot) {
   Compiler compiler;
-  for (const XmlElement& mujoco : robot.children("mujoco")) {
-    for (const XmlElement& element : mujoco.children("compiler")) {
+  for (const files::XmlElement& mujoco : robot.children("mujoco")) {
+    for (const files::XmlElement& element : mujoco.children("compiler")) {
       if (const auto folder = element.attribute("meshdir")) compiler.mesh_folder = *folder;
       compiler.strip_path = flag(element, "strippath", compiler.strip_path);
       compiler.balance = flag(element, "balanceinertia", compiler.balance);
@@ -41,14 +41,15 @@ Compiler read_compiler(const XmlElement& robot) {
   return compiler;
 }
 
-void check_root(const XmlElement& robot) {
+void check_root(const files::XmlElement& robot) {
   if (robot.tag() != "robot") {
     robot.fail(fmt::format("the root is <{}>, not <robot>; this is no URDF file", robot.tag()));
   }
   refuse_xacro(robot);
 }
 
-UrdfMeshPaths mesh_paths(const std::filesystem::path& file, const ReaderOptions& options, const Compiler& compiler) {
+UrdfMeshPaths mesh_paths(const std::filesystem::path& file, const description::ReaderOptions& options,
+                         const Compiler& compiler) {
   UrdfMeshPaths paths(file, options.packages, options.search_paths);
   if (compiler.mesh_folder) paths.also_look_in(*compiler.mesh_folder, compiler.strip_path);
   return paths;
@@ -62,8 +63,8 @@ bool is_welded(const UrdfTree& tree, const UrdfLink& link) {
   return (link.joint >= 0 && fixed(link.joint)) || std::ranges::any_of(link.children, fixed);
 }
 
-DraftBody read_body(const UrdfTree& tree, const UrdfLink& link, bool balance, UrdfLog& log) {
-  DraftBody body;
+description::DraftBody read_body(const UrdfTree& tree, const UrdfLink& link, bool balance, UrdfLog& log) {
+  description::DraftBody body;
   body.name = link.name;
   body.where = link.element.where();
   body.solid = read_inertial(link, is_welded(tree, link), balance, log);
@@ -72,12 +73,12 @@ DraftBody read_body(const UrdfTree& tree, const UrdfLink& link, bool balance, Ur
 }
 
 /// Bodies by the order of the tree; `number` of a link is that of its body.
-void read_bodies(const UrdfTree& tree, bool balance, UrdfShapes& shapes, RobotDraft& draft, UrdfLog& log) {
+void read_bodies(const UrdfTree& tree, bool balance, UrdfShapes& shapes, description::RobotDraft& draft, UrdfLog& log) {
   std::vector<int> number(tree.links.size());
   for (const int index : tree.order) {
     const UrdfLink& link = tree.links[index];
     number[index] = static_cast<int>(draft.bodies.size());
-    DraftBody body = read_body(tree, link, balance, log);
+    description::DraftBody body = read_body(tree, link, balance, log);
     shapes.add(link.element, body);
     if (index != tree.order[0]) {
       const UrdfJoint& joint = tree.joints[link.joint];
@@ -91,14 +92,14 @@ void read_bodies(const UrdfTree& tree, bool balance, UrdfShapes& shapes, RobotDr
 
 }  // namespace
 
-RobotDraft read_urdf(const std::filesystem::path& file, const ReaderOptions& options) {
-  const XmlFile xml(file);
-  const XmlElement robot = xml.root();
+description::RobotDraft read_urdf(const std::filesystem::path& file, const description::ReaderOptions& options) {
+  const files::XmlFile xml(file);
+  const files::XmlElement robot = xml.root();
   check_root(robot);
-  RobotDraft draft;
+  description::RobotDraft draft;
   draft.name = robot.attribute("name").value_or(file.stem().string());
   draft.file = file;
-  check_words(robot, urdf_vocabulary(), options.lenient, draft.warnings, draft.notes);
+  files::check_words(robot, urdf_vocabulary(), options.lenient, draft.warnings, draft.notes);
   UrdfLog log(draft, options.lenient);
   const UrdfTree tree = read_tree(robot, log);
   const Compiler compiler = read_compiler(robot);
@@ -111,4 +112,4 @@ RobotDraft read_urdf(const std::filesystem::path& file, const ReaderOptions& opt
   return draft;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

@@ -12,9 +12,10 @@
 #include "murosimf/description/reader_options.h"
 #include "murosimf/description/robot_draft.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 
 /// Throws SetupError: file, line, what is wrong, what to do.
-[[nodiscard]] RobotDraft read_urdf(const std::filesystem::path& file, const ReaderOptions& options = {});
+[[nodiscard]] description::RobotDraft read_urdf(const std::filesystem::path& file,
+                                                const description::ReaderOptions& options = {});
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

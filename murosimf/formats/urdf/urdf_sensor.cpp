@@ -8,11 +8,11 @@
 
 #include "murosimf/formats/urdf/urdf_value.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
 /// The number of an element inside; `fallback` if there is none.
-double child_number(const XmlElement& parent, const char* tag, double fallback = 0) {
+double child_number(const files::XmlElement& parent, const char* tag, double fallback = 0) {
   const auto child = only_child(parent, tag);
   return child ? text_number(*child) : fallback;
 }
@@ -25,23 +25,23 @@ constexpr std::array distortions{Distortion{"k1", "k1", "distortionK1"}, Distort
                                  Distortion{"p2", "p2", "distortionT2"}};
 
 /// Also from the element `name` of each plugin of the sensor.
-double distortion(const XmlElement& sensor, const std::optional<XmlElement>& lens, const char* in_lens,
+double distortion(const files::XmlElement& sensor, const std::optional<files::XmlElement>& lens, const char* in_lens,
                   const char* in_plugin) {
   if (lens && only_child(*lens, in_lens)) return child_number(*lens, in_lens);
-  for (const XmlElement& plugin : sensor.children("plugin")) {
+  for (const files::XmlElement& plugin : sensor.children("plugin")) {
     if (only_child(plugin, in_plugin)) return child_number(plugin, in_plugin);
   }
   return 0;
 }
 
-double pixels(const XmlElement& image, const char* tag, double usual) {
+double pixels(const files::XmlElement& image, const char* tag, double usual) {
   const double number = child_number(image, tag, usual);
   if (number >= 1 && number <= 1e5 && number == std::floor(number)) return number;
   image.fail(fmt::format("{} of the image is {}; write whole pixels, 1 to 100000", tag, number));
 }
 
 /// The format counts the center of the picture from the picture's corner, not from the middle of a pixel.
-void read_lens(const XmlElement& intrinsics, std::map<std::string, double>& numbers) {
+void read_lens(const files::XmlElement& intrinsics, std::map<std::string, double>& numbers) {
   numbers["fx"] = child_number(intrinsics, "fx", 277);
   numbers["fy"] = child_number(intrinsics, "fy", 277);
   numbers["cx"] = child_number(intrinsics, "cx", 160) - 0.5;
@@ -49,7 +49,7 @@ void read_lens(const XmlElement& intrinsics, std::map<std::string, double>& numb
   if (!(numbers["fx"] > 0 && numbers["fy"] > 0)) intrinsics.fail("fx and fy of a lens must be positive");
 }
 
-void read_opening(const XmlElement& camera, std::map<std::string, double>& numbers) {
+void read_opening(const files::XmlElement& camera, std::map<std::string, double>& numbers) {
   const double opening = child_number(camera, "horizontal_fov", 1.047);
   if (!(opening > 0 && opening < 2 * pi)) {
     camera.fail(fmt::format("horizontal_fov of the camera is {}; write radians, above 0 and below 6.28", opening));
@@ -58,7 +58,7 @@ void read_opening(const XmlElement& camera, std::map<std::string, double>& numbe
 }
 
 /// What is not said is as the format has it by default.
-std::map<std::string, double> read_camera(const XmlElement& sensor, const XmlElement& camera) {
+std::map<std::string, double> read_camera(const files::XmlElement& sensor, const files::XmlElement& camera) {
   std::map<std::string, double> numbers{{"width", 320}, {"height", 240}};
   if (const auto image = only_child(camera, "image")) {
     for (auto& [side, size] : numbers) size = pixels(*image, side.c_str(), size);
@@ -77,7 +77,7 @@ std::map<std::string, double> read_camera(const XmlElement& sensor, const XmlEle
   return numbers;
 }
 
-Place read_pose(const XmlElement& sensor) {
+description::Place read_pose(const files::XmlElement& sensor) {
   const auto pose = only_child(sensor, "pose");
   if (!pose || pose->text().empty()) return {};
   const auto p = needed_numbers(*pose, pose->text(), 6, "<pose>");
@@ -85,7 +85,7 @@ Place read_pose(const XmlElement& sensor) {
 }
 
 /// The larger error of each kind.
-void widen(sensors::SignalSpec& signal, const XmlElement& noise, UrdfLog& log) {
+void widen(sensors::SignalSpec& signal, const files::XmlElement& noise, UrdfLog& log) {
   const double deviation = child_number(noise, "stddev"), bias = child_number(noise, "bias_stddev");
   if (deviation < 0 || bias < 0) noise.fail("a deviation of noise is negative; it must be at least 0");
   signal.noise = std::max(signal.noise, deviation);
@@ -96,7 +96,8 @@ void widen(sensors::SignalSpec& signal, const XmlElement& noise, UrdfLog& log) {
 }
 
 /// Noise of the axes x, y, z inside `quantity`.
-void read_axes(const XmlElement& imu, const char* quantity, const char* output, DraftSensor& draft, UrdfLog& log) {
+void read_axes(const files::XmlElement& imu, const char* quantity, const char* output, description::DraftSensor& draft,
+               UrdfLog& log) {
   const auto inside = only_child(imu, quantity);
   if (!inside) return;
   for (const char* tag : {"x", "y", "z"}) {
@@ -106,7 +107,7 @@ void read_axes(const XmlElement& imu, const char* quantity, const char* output, 
   }
 }
 
-void read_imu(const XmlElement& imu, DraftSensor& draft, UrdfLog& log) {
+void read_imu(const files::XmlElement& imu, description::DraftSensor& draft, UrdfLog& log) {
   read_axes(imu, "angular_velocity", "gyroscope", draft, log);
   read_axes(imu, "linear_acceleration", "accelerometer", draft, log);
   const auto noise = only_child(imu, "noise");  // older than SDFormat 1.5
@@ -115,7 +116,7 @@ void read_imu(const XmlElement& imu, DraftSensor& draft, UrdfLog& log) {
   if (const auto accel = only_child(*noise, "accel")) widen(draft.signals["accelerometer"], *accel, log);
 }
 
-void read_scan(const XmlElement& scan, DraftSensor& draft, UrdfLog& log) {
+void read_scan(const files::XmlElement& scan, description::DraftSensor& draft, UrdfLog& log) {
   const auto horizontal = only_child(scan, "horizontal");
   if (const auto vertical = only_child(scan, "vertical"); vertical && child_number(*vertical, "samples", 1) > 1) {
     log.note(*vertical, "a laser scans one plane only; <vertical> is not used");
@@ -129,7 +130,7 @@ void read_scan(const XmlElement& scan, DraftSensor& draft, UrdfLog& log) {
 }
 
 /// A scanner's element is called as its kind, without the GPU.
-void read_laser(const XmlElement& laser, DraftSensor& draft, UrdfLog& log) {
+void read_laser(const files::XmlElement& laser, description::DraftSensor& draft, UrdfLog& log) {
   if (const auto scan = only_child(laser, "scan")) read_scan(*scan, draft, log);
   if (const auto range = only_child(laser, "range")) {
     draft.numbers["nearest"] = child_number(*range, "min");
@@ -141,19 +142,19 @@ void read_laser(const XmlElement& laser, DraftSensor& draft, UrdfLog& log) {
 
 }  // namespace
 
-double text_number(const XmlElement& element) {
+double text_number(const files::XmlElement& element) {
   const std::string text = element.text();
   const std::string value = text.empty() ? element.attribute("value").value_or("") : text;
   return needed_numbers(element, value, 1, fmt::format("<{}>", element.tag()))[0];
 }
 
-DraftSensor read_sensor(const XmlElement& sensor, const std::string& frame, UrdfLog& log) {
-  DraftSensor draft{sensor.attribute("type").value_or(""),
-                    sensor.attribute("name").value_or(""),
-                    frame,
-                    sensor.where(),
-                    read_pose(sensor),
-                    child_number(sensor, "update_rate")};
+description::DraftSensor read_sensor(const files::XmlElement& sensor, const std::string& frame, UrdfLog& log) {
+  description::DraftSensor draft{sensor.attribute("type").value_or(""),
+                                 sensor.attribute("name").value_or(""),
+                                 frame,
+                                 sensor.where(),
+                                 read_pose(sensor),
+                                 child_number(sensor, "update_rate")};
   const auto cameras = sensor.children("camera");
   if (!cameras.empty()) draft.numbers = read_camera(sensor, cameras[0]);
   if (draft.rate != 0 && !(draft.rate >= 1e-3 && draft.rate <= 1e6)) {
@@ -166,4 +167,4 @@ DraftSensor read_sensor(const XmlElement& sensor, const std::string& frame, Urdf
   return draft;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

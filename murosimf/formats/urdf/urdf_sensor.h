@@ -9,15 +9,16 @@
 #include <string>
 
 #include "murosimf/description/robot_draft.h"
-#include "murosimf/formats/urdf/urdf_log.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/formats/urdf/urdf_log.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 
 /// The number of <kp>0.9</kp> or <kp value="0.9"/>.
-[[nodiscard]] double text_number(const XmlElement& element);
+[[nodiscard]] double text_number(const files::XmlElement& element);
 
 /// A sensor on the link or joint `frame`. Throws SetupError with file:line for numbers that are impossible.
-[[nodiscard]] DraftSensor read_sensor(const XmlElement& sensor, const std::string& frame, UrdfLog& log);
+[[nodiscard]] description::DraftSensor read_sensor(const files::XmlElement& sensor, const std::string& frame,
+                                                   UrdfLog& log);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

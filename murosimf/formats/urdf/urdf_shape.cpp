@@ -5,26 +5,26 @@
 #include "murosimf/formats/urdf/urdf_value.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
 constexpr double standard_friction = 1.0;  // [1] what Gazebo and MuJoCo take where a URDF file is silent
 
-std::optional<Color> own_color(const XmlElement& material) {
+std::optional<Color> own_color(const files::XmlElement& material) {
   const auto color = only_child(material, "color");
   if (!color) return std::nullopt;
   const auto rgba = needed_numbers(*color, needed_text(*color, "rgba"), 4, "rgba of <color>");
   return Color{rgba[0], rgba[1], rgba[2]};
 }
 
-void add_color(const XmlElement& material, UrdfColors& colors) {
+void add_color(const files::XmlElement& material, UrdfColors& colors) {
   const std::string name = material.attribute("name").value_or("");
   const auto color = own_color(material);
   if (color && !name.empty()) colors.emplace(name, *color);
 }
 
 /// Lengths of URDF are whole ones.
-Shape read_primitive(const XmlElement& element) {
+Shape read_primitive(const files::XmlElement& element) {
   const std::string tag = element.tag();
   if (tag == "sphere") return Sphere{positive(element, "radius")};
   if (tag == "cylinder") return Cylinder{positive(element, "radius"), 0.5 * positive(element, "length")};
@@ -39,15 +39,15 @@ bool is_primitive(const std::string& tag) {
 }
 
 /// The one shape in a `geometry`.
-XmlElement only_shape(const XmlElement& owner) {
-  const XmlElement geometry = needed_child(owner, "geometry");
+files::XmlElement only_shape(const files::XmlElement& owner) {
+  const files::XmlElement geometry = needed_child(owner, "geometry");
   const auto shapes = geometry.children();
   if (shapes.empty()) geometry.fail("<geometry> is empty; put a box, cylinder, sphere, capsule or mesh into it");
   if (shapes.size() > 1) shapes[1].fail("second shape in <geometry>; give it a visual or collision of its own");
   return shapes[0];
 }
 
-PlacedShape placed_shape(const Shape& shape, const Place& place, const Color& color, bool collides) {
+PlacedShape placed_shape(const Shape& shape, const description::Place& place, const Color& color, bool collides) {
   PlacedShape placed;
   placed.shape = shape;
   placed.position = place.position;
@@ -60,18 +60,18 @@ PlacedShape placed_shape(const Shape& shape, const Place& place, const Color& co
 
 }  // namespace
 
-UrdfColors read_colors(const XmlElement& robot) {
+UrdfColors read_colors(const files::XmlElement& robot) {
   UrdfColors colors;
-  for (const XmlElement& material : robot.children("material")) add_color(material, colors);
-  for (const XmlElement& link : robot.children("link")) {
-    for (const XmlElement& visual : link.children("visual")) {
-      for (const XmlElement& material : visual.children("material")) add_color(material, colors);
+  for (const files::XmlElement& material : robot.children("material")) add_color(material, colors);
+  for (const files::XmlElement& link : robot.children("link")) {
+    for (const files::XmlElement& visual : link.children("visual")) {
+      for (const files::XmlElement& material : visual.children("material")) add_color(material, colors);
     }
   }
   return colors;
 }
 
-Color UrdfShapes::color_of(const XmlElement& visual) {
+Color UrdfShapes::color_of(const files::XmlElement& visual) {
   const auto material = only_child(visual, "material");
   if (!material) return {};
   if (const auto color = own_color(*material)) return *color;
@@ -81,15 +81,15 @@ Color UrdfShapes::color_of(const XmlElement& visual) {
   return {};
 }
 
-void UrdfShapes::add(const XmlElement& link, DraftBody& body) {
+void UrdfShapes::add(const files::XmlElement& link, description::DraftBody& body) {
   const auto visuals = link.children("visual");
   const Color color = visuals.empty() ? Color{} : color_of(visuals[0]);
-  for (const XmlElement& collision : link.children("collision")) add_part({collision, true, color}, body);
-  for (const XmlElement& visual : visuals) add_part({visual, false, color_of(visual)}, body);
+  for (const files::XmlElement& collision : link.children("collision")) add_part({collision, true, color}, body);
+  for (const files::XmlElement& visual : visuals) add_part({visual, false, color_of(visual)}, body);
 }
 
-void UrdfShapes::add_part(const Part& part, DraftBody& body) {
-  const XmlElement shape = only_shape(part.element);
+void UrdfShapes::add_part(const Part& part, description::DraftBody& body) {
+  const files::XmlElement shape = only_shape(part.element);
   const std::string tag = shape.tag();
   if (tag == "mesh") return add_mesh(part, shape, body);
   if (!is_primitive(tag)) return;  // the vocabulary has told about it
@@ -98,7 +98,7 @@ void UrdfShapes::add_part(const Part& part, DraftBody& body) {
                          ""});
 }
 
-void UrdfShapes::add_mesh(const Part& part, const XmlElement& mesh, DraftBody& body) {
+void UrdfShapes::add_mesh(const Part& part, const files::XmlElement& mesh, description::DraftBody& body) {
   if (!part.collides) return add_visual_mesh(part, mesh, body);
   try {
     add_collision_mesh(part, mesh, body);
@@ -108,22 +108,22 @@ void UrdfShapes::add_mesh(const Part& part, const XmlElement& mesh, DraftBody& b
   }
 }
 
-void UrdfShapes::add_visual_mesh(const Part& part, const XmlElement& mesh, DraftBody& body) {
+void UrdfShapes::add_visual_mesh(const Part& part, const files::XmlElement& mesh, description::DraftBody& body) {
   const auto found = meshes_.find(mesh);
   if (!found) return log_.warn(mesh, fmt::format("for the eye, {}; it is left out", UrdfMeshes::complaint(mesh)));
   body.visuals.push_back({part.element.attribute("name").value_or(""), part.element.where(), found->name,
                           read_origin(part.element), part.color});
 }
 
-void UrdfShapes::add_collision_mesh(const Part& part, const XmlElement& mesh, DraftBody& body) {
+void UrdfShapes::add_collision_mesh(const Part& part, const files::XmlElement& mesh, description::DraftBody& body) {
   const auto found = meshes_.find(mesh);
   if (!found) mesh.fail(UrdfMeshes::complaint(mesh));
-  const Place place = read_origin(part.element);
-  for (const ConvexPart& convex : meshes_.parts(*found, mesh)) {
-    const Place at_middle = inside(place, {convex.middle, {}});
+  const description::Place place = read_origin(part.element);
+  for (const formats::mesh::ConvexPart& convex : meshes_.parts(*found, mesh)) {
+    const description::Place at_middle = description::inside(place, {convex.middle, {}});
     body.shapes.push_back({part.element.attribute("name").value_or(""), part.element.where(),
                            placed_shape(convex.shape, at_middle, part.color, true), found->name, convex.middle});
   }
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

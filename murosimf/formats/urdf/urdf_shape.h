@@ -10,11 +10,11 @@
 #include "murosimf/formats/urdf/urdf_log.h"
 #include "murosimf/formats/urdf/urdf_mesh.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 
 /// Colors by name of material, wherever in the file they are defined; the first definition counts.
 using UrdfColors = std::map<std::string, Color>;
-[[nodiscard]] UrdfColors read_colors(const XmlElement& robot);
+[[nodiscard]] UrdfColors read_colors(const files::XmlElement& robot);
 
 class UrdfShapes {
  public:
@@ -23,24 +23,24 @@ class UrdfShapes {
 
   /// Adds the shapes of a link to its body. Shapes that collide have the color of the link's first visual. Throws
   /// SetupError: impossible sizes, collision mesh missing or unreadable. A visual mesh that is missing is a warning.
-  void add(const XmlElement& link, DraftBody& body);
+  void add(const files::XmlElement& link, description::DraftBody& body);
 
  private:
   /// Something that fills space, before it is a shape.
   struct Part {
-    XmlElement element;
+    files::XmlElement element;
     bool collides = false;
     Color color{};
   };
-  void add_part(const Part& part, DraftBody& body);
-  void add_mesh(const Part& part, const XmlElement& mesh, DraftBody& body);
-  void add_visual_mesh(const Part& part, const XmlElement& mesh, DraftBody& body);
-  void add_collision_mesh(const Part& part, const XmlElement& mesh, DraftBody& body);
-  [[nodiscard]] Color color_of(const XmlElement& visual);
+  void add_part(const Part& part, description::DraftBody& body);
+  void add_mesh(const Part& part, const files::XmlElement& mesh, description::DraftBody& body);
+  void add_visual_mesh(const Part& part, const files::XmlElement& mesh, description::DraftBody& body);
+  void add_collision_mesh(const Part& part, const files::XmlElement& mesh, description::DraftBody& body);
+  [[nodiscard]] Color color_of(const files::XmlElement& visual);
 
   UrdfColors colors_;
   UrdfMeshes meshes_;
   UrdfLog& log_;
 };
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

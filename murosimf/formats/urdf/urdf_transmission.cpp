@@ -4,11 +4,11 @@
 
 #include "murosimf/formats/urdf/urdf_sensor.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
-void note_reduction(const XmlElement& owner, UrdfLog& log) {
-  for (const XmlElement& element : owner.children("mechanicalReduction")) {
+void note_reduction(const files::XmlElement& owner, UrdfLog& log) {
+  for (const files::XmlElement& element : owner.children("mechanicalReduction")) {
     if (text_number(element) == 1) continue;
     log.note(element, "gear ratios are not used: servos are described on the output side of their gears");
   }
@@ -16,19 +16,19 @@ void note_reduction(const XmlElement& owner, UrdfLog& log) {
 
 }  // namespace
 
-void read_transmissions(const XmlElement& robot, const UrdfTree& tree, UrdfLog& log) {
-  for (const XmlElement& transmission : robot.children("transmission")) {
+void read_transmissions(const files::XmlElement& robot, const UrdfTree& tree, UrdfLog& log) {
+  for (const files::XmlElement& transmission : robot.children("transmission")) {
     const std::string name = transmission.attribute("name").value_or("");
     log.note(transmission, "element 'transmission' is not used");
-    for (const XmlElement& joint : transmission.children("joint")) {
+    for (const files::XmlElement& joint : transmission.children("joint")) {
       const std::string joint_name = joint.attribute("name").value_or("");
       if (tree.find_joint(joint_name) < 0) {
         log.warn(joint, fmt::format("transmission '{}' speaks of joint '{}', which is not there", name, joint_name));
       }
       note_reduction(joint, log);
     }
-    for (const XmlElement& actuator : transmission.children("actuator")) note_reduction(actuator, log);
+    for (const files::XmlElement& actuator : transmission.children("actuator")) note_reduction(actuator, log);
   }
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

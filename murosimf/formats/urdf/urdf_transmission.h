@@ -4,9 +4,9 @@
 
 #include "murosimf/formats/urdf/urdf_tree.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 
 /// Notes gear ratios that are not 1, warns about joints that do not exist.
-void read_transmissions(const XmlElement& robot, const UrdfTree& tree, UrdfLog& log);
+void read_transmissions(const files::XmlElement& robot, const UrdfTree& tree, UrdfLog& log);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

@@ -7,19 +7,19 @@
 #include "murosimf/formats/urdf/urdf_value.h"
 #include "murosimf/model/error.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
 using Index = std::map<std::string, int, std::less<>>;
 
-void add_name(Index& index, const std::string& name, const XmlElement& element) {
+void add_name(Index& index, const std::string& name, const files::XmlElement& element) {
   const int number = static_cast<int>(index.size());
   if (index.emplace(name, number).second) return;
   element.fail(fmt::format("{} '{}' is already there; choose another name", element.tag(), name));
 }
 
-int known_link(const Index& links, const XmlElement& joint, const char* end) {
-  const XmlElement element = needed_child(joint, end);
+int known_link(const Index& links, const files::XmlElement& joint, const char* end) {
+  const files::XmlElement element = needed_child(joint, end);
   const std::string name = needed_text(element, "link");
   if (const auto found = links.find(name); found != links.end()) return found->second;
   std::vector<std::string_view> known;
@@ -27,7 +27,7 @@ int known_link(const Index& links, const XmlElement& joint, const char* end) {
   element.fail(unknown_name("link", name, known));
 }
 
-std::string read_type(const XmlElement& joint, const std::string& name) {
+std::string read_type(const files::XmlElement& joint, const std::string& name) {
   std::string type = needed_text(joint, "type");
   if (type == "planar") {
     joint.fail(fmt::format("planar joint '{}' is not supported; use two prismatic joints and a revolute one", name));
@@ -38,8 +38,8 @@ std::string read_type(const XmlElement& joint, const std::string& name) {
   joint.fail(unknown_name("type of joint", type, {"revolute", "continuous", "prismatic", "fixed", "floating"}));
 }
 
-void read_links(const XmlElement& robot, UrdfTree& tree, Index& names) {
-  for (const XmlElement& element : robot.children("link")) {
+void read_links(const files::XmlElement& robot, UrdfTree& tree, Index& names) {
+  for (const files::XmlElement& element : robot.children("link")) {
     const std::string name = needed_text(element, "name");
     add_name(names, name, element);
     tree.links.push_back({name, element});
@@ -61,9 +61,9 @@ void connect(UrdfTree& tree, int number) {
   tree.links[joint.parent].children.push_back(number);
 }
 
-void read_joints(const XmlElement& robot, UrdfTree& tree, const Index& links) {
+void read_joints(const files::XmlElement& robot, UrdfTree& tree, const Index& links) {
   Index names;
-  for (const XmlElement& element : robot.children("joint")) {
+  for (const files::XmlElement& element : robot.children("joint")) {
     const std::string name = needed_text(element, "name");
     add_name(names, name, element);
     const std::string type = read_type(element, name);
@@ -154,7 +154,7 @@ int find(const Entries& entries, std::string_view name) {
 int UrdfTree::find_link(std::string_view name) const { return find(links, name); }
 int UrdfTree::find_joint(std::string_view name) const { return find(joints, name); }
 
-UrdfTree read_tree(const XmlElement& robot, UrdfLog& log) {
+UrdfTree read_tree(const files::XmlElement& robot, UrdfLog& log) {
   UrdfTree tree;
   Index names;
   read_links(robot, tree, names);
@@ -167,4 +167,4 @@ UrdfTree read_tree(const XmlElement& robot, UrdfLog& log) {
   return tree;
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

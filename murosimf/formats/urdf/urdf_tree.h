@@ -5,14 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/formats/urdf/urdf_log.h"
 #include "murosimf/files/xml_element.h"
+#include "murosimf/formats/urdf/urdf_log.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 
 struct UrdfLink {
   std::string name;
-  XmlElement element;
+  files::XmlElement element;
   int joint = -1;               ///< to its parent; -1: it has none
   std::vector<int> children{};  ///< joints below it, as in the file
 };
@@ -20,7 +20,7 @@ struct UrdfLink {
 struct UrdfJoint {
   std::string name;
   std::string type;  ///< revolute, continuous, prismatic or fixed; floating only above the base
-  XmlElement element;
+  files::XmlElement element;
   int parent = -1, child = -1;  ///< links
 };
 
@@ -36,6 +36,6 @@ struct UrdfTree {
 
 /// An empty link above a floating joint stands for the world and is no part of the robot. Throws SetupError if links
 /// and joints form no tree, for missing and double names, and for planar joints and floating ones inside the robot.
-[[nodiscard]] UrdfTree read_tree(const XmlElement& robot, UrdfLog& log);
+[[nodiscard]] UrdfTree read_tree(const files::XmlElement& robot, UrdfLog& log);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

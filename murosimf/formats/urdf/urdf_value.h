@@ -11,32 +11,32 @@
 #include "murosimf/description/robot_draft.h"
 #include "murosimf/files/xml_element.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 
 /// The element inside of that name; nothing if there is none. A second one is a mistake.
-[[nodiscard]] std::optional<XmlElement> only_child(const XmlElement& parent, const char* tag);
+[[nodiscard]] std::optional<files::XmlElement> only_child(const files::XmlElement& parent, const char* tag);
 /// The same; it must be there.
-[[nodiscard]] XmlElement needed_child(const XmlElement& parent, const char* tag);
+[[nodiscard]] files::XmlElement needed_child(const files::XmlElement& parent, const char* tag);
 
 /// An attribute that must be there and not be empty.
-[[nodiscard]] std::string needed_text(const XmlElement& element, const char* attribute);
+[[nodiscard]] std::string needed_text(const files::XmlElement& element, const char* attribute);
 /// Throws SetupError unless `text` is a list of exactly `count` finite numbers; `what` says of what.
-[[nodiscard]] std::vector<double> needed_numbers(const XmlElement& element, const std::string& text, std::size_t count,
-                                                 const std::string& what);
+[[nodiscard]] std::vector<double> needed_numbers(const files::XmlElement& element, const std::string& text,
+                                                 std::size_t count, const std::string& what);
 
-[[nodiscard]] double needed_number(const XmlElement& element, const char* attribute);
-[[nodiscard]] double number_or(const XmlElement& element, const char* attribute, double fallback);
-[[nodiscard]] double at_least_zero(const XmlElement& element, const char* attribute);
+[[nodiscard]] double needed_number(const files::XmlElement& element, const char* attribute);
+[[nodiscard]] double number_or(const files::XmlElement& element, const char* attribute, double fallback);
+[[nodiscard]] double at_least_zero(const files::XmlElement& element, const char* attribute);
 /// A size: must be there and be more than zero.
-[[nodiscard]] double positive(const XmlElement& element, const char* attribute);
-[[nodiscard]] Vec3d needed_vector(const XmlElement& element, const char* attribute);
-[[nodiscard]] Vec3d vector_or(const XmlElement& element, const char* attribute, const Vec3d& fallback);
+[[nodiscard]] double positive(const files::XmlElement& element, const char* attribute);
+[[nodiscard]] Vec3d needed_vector(const files::XmlElement& element, const char* attribute);
+[[nodiscard]] Vec3d vector_or(const files::XmlElement& element, const char* attribute, const Vec3d& fallback);
 
 [[nodiscard]] Mat3d from_roll_pitch_yaw(const Vec3d& rpy);
 /// The place that the `origin` of an element gives; the identity if it has none.
-[[nodiscard]] Place read_origin(const XmlElement& owner);
+[[nodiscard]] description::Place read_origin(const files::XmlElement& owner);
 
 /// Throws SetupError if a value still holds "${...}" or "$(...)" of the macro language xacro.
-void refuse_macro(const XmlElement& element, const std::string& value);
+void refuse_macro(const files::XmlElement& element, const std::string& value);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
-void add_link_rules(XmlVocabulary& rules) {
+void add_link_rules(files::XmlVocabulary& rules) {
   rules["link"] = {.used = {"name"},
                    .unused = {"type"},
                    .children = {"inertial", "visual", "collision"},
@@ -31,7 +31,7 @@ void add_link_rules(XmlVocabulary& rules) {
   rules["color"] = {.used = {"rgba"}};
 }
 
-void add_joint_rules(XmlVocabulary& rules) {
+void add_joint_rules(files::XmlVocabulary& rules) {
   rules["joint"] = {.used = {"name", "type"},
                     .children = {"origin", "parent", "child", "axis", "limit", "dynamics", "mimic"},
                     .unused_children = {"safety_controller", "calibration"},
@@ -45,8 +45,8 @@ void add_joint_rules(XmlVocabulary& rules) {
   rules["mimic"] = {.used = {"joint", "multiplier", "offset"}};
 }
 
-XmlVocabulary make_rules() {
-  XmlVocabulary rules;
+files::XmlVocabulary make_rules() {
+  files::XmlVocabulary rules;
   rules["robot"] = {.used = {"name"},
                     .unused = {"version"},
                     .children = {"link", "joint", "material", "transmission", "gazebo", "mujoco"},
@@ -66,22 +66,22 @@ XmlVocabulary make_rules() {
 
 }  // namespace
 
-const XmlVocabulary& urdf_vocabulary() {
-  static const XmlVocabulary rules = make_rules();
+const files::XmlVocabulary& urdf_vocabulary() {
+  static const files::XmlVocabulary rules = make_rules();
   return rules;
 }
 
-void refuse_xacro(const XmlElement& robot) {
-  std::vector<XmlElement> open{robot};
+void refuse_xacro(const files::XmlElement& robot) {
+  std::vector<files::XmlElement> open{robot};
   while (!open.empty()) {
-    const XmlElement element = open.back();
+    const files::XmlElement element = open.back();
     open.pop_back();
     if (element.tag().starts_with("xacro:")) {
       element.fail(
           fmt::format("<{}> is a macro; expand the file first: xacro robot.xacro > robot.urdf", element.tag()));
     }
-    for (const XmlElement& child : element.children()) open.push_back(child);
+    for (const files::XmlElement& child : element.children()) open.push_back(child);
   }
 }
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

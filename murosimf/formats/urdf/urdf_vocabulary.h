@@ -6,11 +6,11 @@
 
 #include "murosimf/files/xml_vocabulary.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 
-[[nodiscard]] const XmlVocabulary& urdf_vocabulary();
+[[nodiscard]] const files::XmlVocabulary& urdf_vocabulary();
 
 /// Throws SetupError if a file still has elements of the macro language xacro.
-void refuse_xacro(const XmlElement& robot);
+void refuse_xacro(const files::XmlElement& robot);
 
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

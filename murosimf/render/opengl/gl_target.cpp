@@ -29,8 +29,8 @@ void check_frame(int width, int height, int samples) {
 }
 
 template <class Pixel>
-void fit(sensors::Image<Pixel>& image, int width, int height) {
-  if (image.width() != width || image.height() != height) image = sensors::Image<Pixel>(width, height);
+void fit(imaging::Image<Pixel>& image, int width, int height) {
+  if (image.width() != width || image.height() != height) image = imaging::Image<Pixel>(width, height);
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ void GlTarget::draw_layers(const sensors::Layers& layers) {
   glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
 }
 
-void GlTarget::read_colors(int first, int rows, sensors::ColorImage& into) {
+void GlTarget::read_colors(int first, int rows, imaging::ColorImage& into) {
   bytes_.resize(std::size_t{4} * static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows));
   if (samples_ > 1) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, *frame_);
@@ -93,7 +93,7 @@ void GlTarget::read_colors(int first, int rows, sensors::ColorImage& into) {
   }
   glReadBuffer(GL_COLOR_ATTACHMENT0);
   glReadPixels(0, first, width_, rows, GL_RGBA, GL_UNSIGNED_BYTE, bytes_.data());
-  sensors::Rgb* pixel = into.row(first).data();
+  imaging::Rgb* pixel = into.row(first).data();
   for (std::size_t i = 0; i < bytes_.size(); i += 4) *pixel++ = {bytes_[i], bytes_[i + 1], bytes_[i + 2]};
 }
 

@@ -24,7 +24,7 @@ class GlTarget {
   void read(const sensors::Perspective& view, const sensors::Layers& layers, sensors::View& into);
 
  private:
-  void read_colors(int first, int rows, sensors::ColorImage& into);
+  void read_colors(int first, int rows, imaging::ColorImage& into);
 
   int width_, height_, samples_;
   GlFramebuffer frame_, resolved_;

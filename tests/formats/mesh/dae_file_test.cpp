@@ -6,11 +6,11 @@
 #include "murosimf/geometry/mesh_mass.h"
 #include "tests/formats/urdf/urdf_files.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mesh {
 namespace {
 
-using urdf_files::contains;
-using urdf_files::expect_near;
+using formats::urdf::urdf_files::contains;
+using formats::urdf::urdf_files::expect_near;
 
 /// A tetrahedron with legs of 1 unit along the axes, its corners 0 to 3; `primitive` begins in line 4.
 std::string library(const std::string& primitive) {
@@ -30,7 +30,7 @@ std::string file_of(const std::string& library, const std::string& nodes, const 
 
 const std::string plain_node = "<node><instance_geometry url='#g'/></node>";
 
-MeshFile read(const std::string& text) { return read_mesh_file(urdf_files::write("mesh.dae", text)); }
+MeshFile read(const std::string& text) { return read_mesh_file(formats::urdf::urdf_files::write("mesh.dae", text)); }
 
 MeshFile read_primitive(const std::string& primitive) { return read(file_of(library(primitive), plain_node)); }
 
@@ -145,4 +145,4 @@ TEST(DaeFile, RefusesFilesThatAreNoneOrNeverEnd) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mesh

@@ -15,7 +15,7 @@
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mesh {
 namespace {
 
 using fixtures::error_of;
@@ -255,4 +255,4 @@ TEST(MeshFile, RefusesFacesOfObjThatNameNoVertices) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mesh

@@ -7,12 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/formats/mjcf/mjcf_geom.h"
-#include "murosimf/robot/robot_reader.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/robot/robot_reader.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 using fixtures::difference;
@@ -54,10 +54,11 @@ std::string pair() {
 }
 
 /// Line 1: `assets`; line 2 on: a base without inertial, in it `geoms` from line 3 on.
-RobotFile read(const std::string& assets, const std::string& geoms, bool lenient = false) {
-  return read_robot(write("robot.xml", "<mujoco model='r'>" + assets + "\n<worldbody><body name='b'><freejoint/>\n" +
-                                           geoms + "\n</body></worldbody></mujoco>"),
-                    {lenient});
+robot::RobotFile read(const std::string& assets, const std::string& geoms, bool lenient = false) {
+  return robot::read_robot(write("robot.xml", "<mujoco model='r'>" + assets +
+                                                  "\n<worldbody><body name='b'><freejoint/>\n" + geoms +
+                                                  "\n</body></worldbody></mujoco>"),
+                           {lenient});
 }
 
 const std::string brick_asset = "<asset><mesh file='brick.obj'/></asset>";
@@ -71,10 +72,10 @@ std::string complaint(const std::string& assets, const std::string& geoms, bool 
   return what.substr(folder().string().size());
 }
 
-const Shapes& shapes_of(const RobotFile& result) { return *result.model->find(properties::shapes, 0); }
-double mass_of(const RobotFile& result) { return *result.model->find(properties::mass, 0); }
-Vec3d center_of(const RobotFile& result) { return *result.model->find(properties::center_of_mass, 0); }
-SymMat3d inertia_of(const RobotFile& result) { return *result.model->find(properties::inertia, 0); }
+const Shapes& shapes_of(const robot::RobotFile& result) { return *result.model->find(properties::shapes, 0); }
+double mass_of(const robot::RobotFile& result) { return *result.model->find(properties::mass, 0); }
+Vec3d center_of(const robot::RobotFile& result) { return *result.model->find(properties::center_of_mass, 0); }
+SymMat3d inertia_of(const robot::RobotFile& result) { return *result.model->find(properties::inertia, 0); }
 
 /// Lowest and highest corner of a placed hull, body frame.
 std::array<Vec3d, 2> box_of(const PlacedShape& placed) {
@@ -93,7 +94,7 @@ void expect_box(const PlacedShape& placed, const Vec3d& low, const Vec3d& high) 
   EXPECT_LT(difference(box[1], high), 1e-14) << box[1].x << ' ' << box[1].y << ' ' << box[1].z;
 }
 
-std::size_t warnings_with(const RobotFile& result, const std::string& part) {
+std::size_t warnings_with(const robot::RobotFile& result, const std::string& part) {
   return static_cast<std::size_t>(std::ranges::count_if(result.warnings, [&](const std::string& line) {
     return line.find(part) != std::string::npos;
   }));
@@ -125,8 +126,8 @@ TEST(MjcfMesh, SameBlockAsMeshAndAsBoxWeighTheSame) {
   const auto mesh = read(brick_asset, "<geom type='mesh' mesh='brick' pos='1 0 0' euler='10 20 30'/>");
   const MjcfCompiler compiler;
   const Shape shape = shapes_of(mesh)[0].shape;
-  EXPECT_NEAR(volume(shape), volume(Box{{0.1, 0.2, 0.3}}), 1e-15);
-  EXPECT_LT(difference(unit_inertia(shape), unit_inertia(Box{{0.1, 0.2, 0.3}})), 1e-15);
+  EXPECT_NEAR(description::volume(shape), description::volume(Box{{0.1, 0.2, 0.3}}), 1e-15);
+  EXPECT_LT(difference(description::unit_inertia(shape), description::unit_inertia(Box{{0.1, 0.2, 0.3}})), 1e-15);
 }
 
 TEST(MjcfMesh, IsMovedTurnedAndScaledInThisOrder) {
@@ -325,4 +326,4 @@ TEST(MjcfMesh, ThatCannotBeUsedIsLeftOutIfLenient) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

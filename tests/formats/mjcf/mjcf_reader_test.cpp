@@ -15,7 +15,7 @@
 #include "murosimf/multibody/kinematics.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::mjcf {
 namespace {
 
 const std::filesystem::path kid21 = std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml";
@@ -32,7 +32,9 @@ std::filesystem::path write(const std::string& text, const std::string& ending =
   return file;
 }
 
-RobotFile read(const std::string& text, bool lenient = false) { return read_robot(write(text), {lenient}); }
+robot::RobotFile read(const std::string& text, bool lenient = false) {
+  return robot::read_robot(write(text), {lenient});
+}
 
 std::string message_of(const std::function<void()>& action) {
   try {
@@ -97,7 +99,7 @@ multibody::Pose<double> pose(const Model& model, const std::string& object, doub
 // ---- kid21 ----
 
 TEST(MjcfReader, Kid21HasItsMassAndParts) {
-  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
   EXPECT_EQ(model->name(), "kid21");
   EXPECT_NEAR(model->tree().mass, 4.30, 1e-12);
   EXPECT_EQ(model->joints().size(), 21u);
@@ -109,7 +111,7 @@ TEST(MjcfReader, Kid21HasItsMassAndParts) {
 }
 
 TEST(MjcfReader, Kid21HasTheNamesOfTheFile) {
-  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
   EXPECT_EQ(model->object_index("pelvis"), 0);
   EXPECT_EQ(model->object_index("l_foot"), model->object_index("j_l_foot"));
   EXPECT_EQ(model->objects()[model->object_index("l_foot")].name, "j_l_foot");
@@ -120,7 +122,7 @@ TEST(MjcfReader, Kid21HasTheNamesOfTheFile) {
 }
 
 TEST(MjcfReader, Kid21HasSolesInTheRightPlace) {
-  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
   const auto soles = model->having(properties::sole);
   ASSERT_EQ(soles.size(), 2u);
   EXPECT_EQ(model->objects()[soles[0]].name, "l_sole");
@@ -132,7 +134,7 @@ TEST(MjcfReader, Kid21HasSolesInTheRightPlace) {
 }
 
 TEST(MjcfReader, Kid21HasServosOfItsTable) {
-  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
   EXPECT_EQ(model->having(properties::servo).size(), 21u);
   const Servo& knee = *model->find(properties::servo, model->object_index("j_l_shin"));
   EXPECT_EQ(knee.type, "mx64");
@@ -148,7 +150,7 @@ TEST(MjcfReader, Kid21HasServosOfItsTable) {
 }
 
 TEST(MjcfReader, Kid21HasSurfacesOfItsTable) {
-  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
   const Shapes& foot = *model->find(properties::shapes, model->object_index("l_foot"));
   ASSERT_EQ(foot.size(), 1u);
   EXPECT_EQ(foot[0].surface.material, "rubber");
@@ -158,7 +160,7 @@ TEST(MjcfReader, Kid21HasSurfacesOfItsTable) {
 }
 
 TEST(MjcfReader, Kid21HasTwentyBodiesWithOneShapeEach) {
-  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
   const auto with_shapes = model->having(properties::shapes);
   EXPECT_EQ(with_shapes.size(), 20u);
   for (const int i : with_shapes) EXPECT_EQ(model->find(properties::shapes, i)->size(), 1u);
@@ -169,7 +171,7 @@ TEST(MjcfReader, Kid21HasTwentyBodiesWithOneShapeEach) {
 }
 
 TEST(MjcfReader, Kid21IgnoresTheFloorWithANote) {
-  const auto [model, warnings, notes, table, carried, draft] = read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
   EXPECT_TRUE(any_contains(notes, "world geom 'floor' ignored: the scene brings its own ground"));
   EXPECT_TRUE(any_contains(notes, "element 'option' is not used"));
   for (const std::string& note : notes) EXPECT_TRUE(contains(note, "kid21.xml:")) << note;
@@ -287,14 +289,14 @@ TEST(MjcfReader, DefaultsReachElementsThroughClasses) {
 // ---- mass and shape ----
 
 TEST(MjcfReader, SolidsHaveTheInertiaOfTheirShape) {
-  expect_near({unit_inertia(Sphere{2}).xx, unit_inertia(Sphere{2}).zz, 0}, {1.6, 1.6, 0});
-  const SymMat3d box = unit_inertia(Box{{1, 2, 3}});
+  expect_near({description::unit_inertia(Sphere{2}).xx, description::unit_inertia(Sphere{2}).zz, 0}, {1.6, 1.6, 0});
+  const SymMat3d box = description::unit_inertia(Box{{1, 2, 3}});
   expect_near({box.xx, box.yy, box.zz}, {13.0 / 3, 10.0 / 3, 5.0 / 3});
-  const SymMat3d ellipsoid = unit_inertia(Ellipsoid{{1, 2, 3}});
+  const SymMat3d ellipsoid = description::unit_inertia(Ellipsoid{{1, 2, 3}});
   expect_near({ellipsoid.xx, ellipsoid.yy, ellipsoid.zz}, {2.6, 2.0, 1.0});
-  const SymMat3d cylinder = unit_inertia(Cylinder{2, 3});
+  const SymMat3d cylinder = description::unit_inertia(Cylinder{2, 3});
   expect_near({cylinder.xx, cylinder.yy, cylinder.zz}, {4, 4, 2});
-  EXPECT_NEAR(volume(Capsule{1, 1}), 4.0 / 3 * pi + 2 * pi, 1e-12);
+  EXPECT_NEAR(description::volume(Capsule{1, 1}), 4.0 / 3 * pi + 2 * pi, 1e-12);
 }
 
 /// Sum over thin discs, of a solid of unit mass: I_zz = int r^2/2 dm, I_xx = int (r^2/4 + z^2) dm.
@@ -310,7 +312,7 @@ TEST(MjcfReader, ACapsuleHasTheInertiaOfItsDiscs) {
     xx += rr * (0.25 * rr + z * z);
     zz += rr * 0.5 * rr;
   }
-  const SymMat3d inertia = unit_inertia(Capsule{radius, half});
+  const SymMat3d inertia = description::unit_inertia(Capsule{radius, half});
   // the sum of discs errs by about 1/discs^2
   EXPECT_NEAR(inertia.xx, xx / mass, 1e-9);
   EXPECT_NEAR(inertia.zz, zz / mass, 1e-9);
@@ -452,7 +454,7 @@ TEST(MjcfReader, ReadsSpringsAndTheReferenceOfAJoint) {
   const auto [model, warnings, notes, table, carried, draft] =
       read(closed_robot("<body name='a' pos='0 0 1'><joint name='j' axis='0 2 0' ref='90' stiffness='3' "
                         "springref='45'/><geom size='1'/><site name='tip' pos='0 0 -1'/></body>"));
-  const DraftJoint& joint = draft.bodies[1].joints[0];
+  const description::DraftJoint& joint = draft.bodies[1].joints[0];
   EXPECT_EQ(joint.stiffness, 3);
   EXPECT_NEAR(joint.reference, pi / 2, 1e-15);
   EXPECT_NEAR(joint.spring_reference, pi / 4, 1e-15);
@@ -479,7 +481,7 @@ TEST(MjcfReader, WeldsBodiesWithoutJointsAndKeepsTheirFrames) {
                         "<site name='end' pos='1 0 0'/><body name='tip' pos='0 1 0'>"
                         "<joint name='j' axis='0 0 1'/><geom size='1'/></body></body>"));
   ASSERT_EQ(draft.bodies.size(), 2U);
-  const DraftBody& base = draft.bodies[0];
+  const description::DraftBody& base = draft.bodies[0];
   EXPECT_EQ(base.solid.mass, 2);
   expect_near(base.solid.center, {1, 1, 0});
   EXPECT_NEAR(base.solid.inertia.zz, 1 + 2 + 2 * 2, 1e-12);  // two masses of 1 kg at 1.414 m
@@ -596,8 +598,9 @@ TEST(MjcfReader, ADampingRatioIsTurnedIntoAGain) {
 // ---- mistakes ----
 
 TEST(MjcfReader, NamesMissingAndBrokenFiles) {
-  EXPECT_TRUE(contains(message_of([] { (void)read_robot("nowhere.xml"); }), "nowhere.xml: there is no such file"));
-  EXPECT_TRUE(contains(message_of([] { (void)read_robot(fixtures::temp_folder()); }), "this is a folder"));
+  EXPECT_TRUE(
+      contains(message_of([] { (void)robot::read_robot("nowhere.xml"); }), "nowhere.xml: there is no such file"));
+  EXPECT_TRUE(contains(message_of([] { (void)robot::read_robot(fixtures::temp_folder()); }), "this is a folder"));
   expect_complaint(message("<mujoco>\n<worldbody>\n</mujoco>"), 2, "not well-formed XML");
   expect_complaint(message(""), 1, "not well-formed XML");
   expect_complaint(message("just text"), 1, "not well-formed XML");
@@ -701,4 +704,4 @@ TEST(MjcfReader, NamesDuplicates) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::mjcf

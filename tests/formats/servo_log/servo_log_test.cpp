@@ -11,7 +11,7 @@
 #include "murosimf/model/error.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::servo_log {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,4 +155,4 @@ TEST_F(ServoLogFile, NothingToReadIsAMistake) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::servo_log

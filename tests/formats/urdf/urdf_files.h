@@ -13,7 +13,7 @@
 #include "murosimf/model/error.h"
 #include "tests/temp_folder.h"
 
-namespace murosimf::io::urdf_files {
+namespace murosimf::formats::urdf::urdf_files {
 
 inline std::filesystem::path test_folder() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
@@ -32,7 +32,7 @@ inline std::filesystem::path write(const std::string& name, const std::string& t
   return file;
 }
 
-inline RobotDraft read(const std::string& text, const ReaderOptions& options = {}) {
+inline description::RobotDraft read(const std::string& text, const description::ReaderOptions& options = {}) {
   return read_urdf(write("robot.urdf", text), options);
 }
 
@@ -100,4 +100,4 @@ inline void expect_near(const Vec3d& a, const Vec3d& b, double tolerance = 1e-12
                                     << b.z;
 }
 
-}  // namespace murosimf::io::urdf_files
+}  // namespace murosimf::formats::urdf::urdf_files

@@ -1,7 +1,7 @@
 /// urdf_gazebo_test - what gazebo blocks say about friction, springs and sensors.
 #include "tests/formats/urdf/urdf_files.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
 using namespace urdf_files;
@@ -14,7 +14,7 @@ std::string foot_and(const std::string& blocks) {
 TEST(UrdfGazebo, GivesItsFrictionToAllShapesOfTheLink) {
   EXPECT_EQ(read(foot_and("")).bodies.at(1).shapes.at(0).placed.surface.friction, 1.0);
   const auto draft = read(foot_and("<gazebo reference='foot'><mu1>0.6</mu1><mu2>0.6</mu2></gazebo>"));
-  for (const DraftShape& shape : draft.bodies.at(1).shapes) EXPECT_EQ(shape.placed.surface.friction, 0.6);
+  for (const description::DraftShape& shape : draft.bodies.at(1).shapes) EXPECT_EQ(shape.placed.surface.friction, 0.6);
   EXPECT_TRUE(draft.warnings.empty());
   const auto old = read(foot_and("<gazebo reference='foot'><mu1 value='0.7'/></gazebo>"));
   EXPECT_EQ(old.bodies.at(1).shapes.at(1).placed.surface.friction, 0.7);
@@ -40,7 +40,7 @@ TEST(UrdfGazebo, ReadsACameraAndItsDistortion) {
       "<height>480</height></image></camera><plugin><distortionK1>0.1</distortionK1><distortionT2>0.2</distortionT2>"
       "</plugin></sensor></gazebo>"));
   ASSERT_EQ(draft.sensors.size(), 1u);
-  const DraftSensor& sensor = draft.sensors[0];
+  const description::DraftSensor& sensor = draft.sensors[0];
   EXPECT_EQ(sensor.kind, "camera");
   EXPECT_EQ(sensor.name, "eye");
   EXPECT_EQ(sensor.frame, "foot");
@@ -85,4 +85,4 @@ TEST(UrdfGazebo, TellsWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

@@ -3,7 +3,7 @@
 
 #include "tests/formats/urdf/urdf_files.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
 using namespace urdf_files;
@@ -13,7 +13,7 @@ std::string mesh(const std::string& name, const std::string& more = "") {
 }
 
 /// The draft of a robot in folder `pkg/urdf` whose link has one collision mesh.
-RobotDraft read_package_robot(const std::string& name, const ReaderOptions& options = {}) {
+description::RobotDraft read_package_robot(const std::string& name, const description::ReaderOptions& options = {}) {
   return read_urdf(write("pkg/urdf/robot.urdf", with_link(collision(mesh(name)))), options);
 }
 
@@ -69,7 +69,7 @@ TEST(UrdfMesh, ForTheEyeIsNotRead) {
   const auto draft = read(
       with_link("<visual><origin xyz='1 2 3'/><geometry>" + mesh("t.dae", "scale='2 2 2'") + "</geometry></visual>"));
   ASSERT_EQ(draft.bodies.at(0).visuals.size(), 1u);
-  const DraftVisual& visual = draft.bodies[0].visuals[0];
+  const description::DraftVisual& visual = draft.bodies[0].visuals[0];
   ASSERT_EQ(draft.meshes.size(), 1u);
   EXPECT_EQ(visual.mesh, draft.meshes[0].name);
   EXPECT_EQ(draft.meshes[0].file, test_folder() / "t.dae");
@@ -133,13 +133,13 @@ TEST(UrdfMesh, IsFoundInAPackageBesideItsOwn) {
 TEST(UrdfMesh, IsFoundWhereThePackageMapSays) {
   write("pkg/t.obj", "not this one");
   const auto file = write("elsewhere/t.obj", tetrahedron());
-  const ReaderOptions options{.packages = {{"pkg", test_folder() / "elsewhere"}}};
+  const description::ReaderOptions options{.packages = {{"pkg", test_folder() / "elsewhere"}}};
   EXPECT_EQ(read_package_robot("package://pkg/t.obj", options).meshes.at(0).file, file);
 }
 
 TEST(UrdfMesh, IsFoundOnTheSearchPath) {
   const auto file = write("store/far/t.obj", tetrahedron());
-  const ReaderOptions options{.search_paths = {test_folder() / "store"}};
+  const description::ReaderOptions options{.search_paths = {test_folder() / "store"}};
   EXPECT_EQ(read_package_robot("package://far/t.obj", options).meshes.at(0).file, file);
   EXPECT_EQ(read_package_robot("far/t.obj", options).meshes.at(0).file, file);
 }
@@ -163,4 +163,4 @@ TEST(UrdfMesh, IsFoundInTheFolderThatAMujocoBlockNames) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

@@ -1,7 +1,7 @@
 /// urdf_mistakes_test - every mistake in a URDF file is one line that says where it is and what to do.
 #include "tests/formats/urdf/urdf_files.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
 using namespace urdf_files;
@@ -141,4 +141,4 @@ TEST(UrdfMistakes, AreWarningsIfLenientWhereARobotRemains) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

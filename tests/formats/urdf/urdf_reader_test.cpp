@@ -3,7 +3,7 @@
 
 #include "tests/formats/urdf/urdf_files.h"
 
-namespace murosimf::io {
+namespace murosimf::formats::urdf {
 namespace {
 
 using namespace urdf_files;
@@ -13,7 +13,7 @@ TEST(UrdfReader, PutsParentsBeforeChildrenInTheOrderOfTheFile) {
                                 joint("fixed", "base", "a", "", "j2") + joint("fixed", "base", "b", "", "j3") +
                                 joint("fixed", "a", "d", "", "j4")));
   std::vector<std::string> names;
-  for (const DraftBody& body : draft.bodies) names.push_back(body.name);
+  for (const description::DraftBody& body : draft.bodies) names.push_back(body.name);
   EXPECT_EQ(names, (std::vector<std::string>{"base", "a", "d", "b", "c"}));
   EXPECT_EQ(draft.bodies[0].parent, -1);
   EXPECT_EQ(draft.bodies[2].parent, 1);
@@ -31,9 +31,9 @@ TEST(UrdfReader, ReadsEveryNumberOfAJoint) {
                                      "<origin xyz='1 2 3'/><axis xyz='0 3 4'/>"
                                      "<limit lower='-0.5' upper='1.5' effort='7' velocity='8'/>"
                                      "<dynamics damping='0.25' friction='0.75'/>"));
-  const DraftBody& body = draft.bodies.at(1);
+  const description::DraftBody& body = draft.bodies.at(1);
   expect_near(body.place.position, {1, 2, 3});
-  const DraftJoint& joint = body.joints.at(0);
+  const description::DraftJoint& joint = body.joints.at(0);
   EXPECT_EQ(joint.name, "j");
   EXPECT_EQ(joint.kind, Kind::revolute);
   expect_near(joint.axis, {0, 0.6, 0.8});
@@ -75,7 +75,7 @@ TEST(UrdfReader, TurnsInertiaToTheAxesOfTheLink) {
   const auto draft =
       read(with_link("<inertial><origin xyz='1 2 3' rpy='0 0 1.5707963267948966'/><mass value='2'/>"
                      "<inertia ixx='1' iyy='2' izz='2.5' ixy='0.1' ixz='0.2' iyz='0.3'/></inertial>"));
-  const MassProperties& solid = draft.bodies.at(0).solid;
+  const description::MassProperties& solid = draft.bodies.at(0).solid;
   EXPECT_EQ(solid.mass, 2);
   expect_near(solid.center, {1, 2, 3});
   // x of the inertial frame is y of the link, y of it is -x
@@ -217,4 +217,4 @@ TEST(UrdfReader, DropsWhatItDoesNotKnowIfLenient) {
 }
 
 }  // namespace
-}  // namespace murosimf::io
+}  // namespace murosimf::formats::urdf

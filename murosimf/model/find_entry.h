@@ -1,0 +1,23 @@
+/// find_entry.h - looking an entry of a registry up by its name.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf {
+
+/// The entry with this name, or SetupError with the nearest name. `kind` ("level") is for the message.
+template <class Entry>
+[[nodiscard]] const Entry& find_entry(std::span<const Entry> entries, std::string_view kind, std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const Entry& entry : entries) {
+    if (entry.name == name) return entry;
+    names.push_back(entry.name);
+  }
+  throw SetupError(unknown_name(kind, name, names));
+}
+
+}  // namespace murosimf
