@@ -66,12 +66,12 @@ scene::CollisionReport summed_up(const std::vector<CollisionProbe::Sample>& samp
   return report;
 }
 
-std::vector<Entity*> movers_of(World& world, const Entity& environment) {
-  std::vector<Entity*> movers;
+std::vector<Entity*> moving_entities_of(World& world, const Entity& environment) {
+  std::vector<Entity*> moving_entities;
   for (const auto& entity : world.entities()) {
-    if (entity.get() != &environment) movers.push_back(entity.get());
+    if (entity.get() != &environment) moving_entities.push_back(entity.get());
   }
-  return movers;
+  return moving_entities;
 }
 
 /// Shows how far all cases are: each counts the same, and its run with the probe as much as that without.
@@ -120,8 +120,9 @@ std::optional<scene::CollisionReport> measure(const Case& measured, BenchProgres
   scene::Scene scene(measured.scene, scene_options(measured));
   Simulation& simulation = scene.simulation();
   Entity& field = simulation.world().entity("field");
-  const auto& probe = simulation.attach<CollisionProbe>("collision_probe", field, scene.spec().rate,
-                                                        movers_of(simulation.world(), field), scene.spec().materials);
+  const auto& probe =
+      simulation.attach<CollisionProbe>("collision_probe", field, scene.spec().rate,
+                                        moving_entities_of(simulation.world(), field), scene.spec().materials);
   run_to(simulation, measured.until, progress);
   if (interrupted()) return std::nullopt;
   progress.end_half();

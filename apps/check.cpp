@@ -10,11 +10,11 @@
 #include "apps/standard_output.h"
 #include "murosimf/appearance/robot_picture.h"
 #include "murosimf/check/model_report.h"
-#include "murosimf/check/robot_doctor.h"
+#include "murosimf/check/robot_checks.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
-#include "murosimf/robot/robot_roles.h"
+#include "murosimf/robot/role_inference.h"
 
 namespace murosimf::app {
 namespace {
@@ -51,21 +51,21 @@ int report_unreadable(const CheckOptions& options, const SetupError& error) {
 /// A TOML file that is there already has somebody's work in it.
 void write_roles(const std::filesystem::path& file, const robot::RobotFile& robot) {
   std::error_code none;
-  if (std::filesystem::exists(std::filesystem::path(robot.draft.file).replace_extension(".toml"), none)) {
+  if (std::filesystem::exists(std::filesystem::path(robot.description.file).replace_extension(".toml"), none)) {
     throw SetupError(
         fmt::format("--roles '{}': the TOML file beside the robot says its roles; copy that", file.string()));
   }
   if (std::filesystem::is_regular_file(file, none)) {
     throw SetupError(fmt::format("--roles '{}': it is there already; choose another name", file.string()));
   }
-  files::write_file(file, robot::roles_toml(robot.draft, robot.table));
+  files::write_file(file, robot::roles_toml(robot.description, robot.table));
 }
 
 int show(const CheckOptions& options, const Reading& reading) {
   const auto& [robot, error] = reading;
   auto findings = check::examine(robot);
   if (error) findings.insert(findings.begin(), check::make_finding(check::Severity::error, *error));
-  if (!options.picture.empty()) files::write_file(options.picture, appearance::robot_picture_png(robot.draft));
+  if (!options.picture.empty()) files::write_file(options.picture, appearance::robot_picture_png(robot.description));
   if (!options.roles.empty()) write_roles(options.roles, robot);
   const auto is_error = [](const check::Finding& finding) { return finding.severity == check::Severity::error; };
   const bool wrong = std::ranges::any_of(findings, is_error);

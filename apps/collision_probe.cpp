@@ -5,18 +5,18 @@
 namespace murosimf::app {
 namespace {
 
-std::vector<collision::Mover> make_movers(Setup& setup, const std::vector<Entity*>& entities) {
-  std::vector<collision::Mover> movers;
-  for (Entity* entity : entities) movers.emplace_back(setup.of(*entity));
-  return movers;
+std::vector<collision::MovingEntity> make_moving_entities(Setup& setup, const std::vector<Entity*>& entities) {
+  std::vector<collision::MovingEntity> moving_entities;
+  for (Entity* entity : entities) moving_entities.emplace_back(setup.of(*entity));
+  return moving_entities;
 }
 
-std::int64_t count_naive_tests(const std::vector<collision::Mover>& movers, const Entity& environment) {
+std::int64_t count_naive_tests(const std::vector<collision::MovingEntity>& moving_entities, const Entity& environment) {
   const auto still = collision::StaticCompound(&environment).compound().shapes().size() +
                      collision::ground_planes(&environment).size();
   std::size_t tests = 0, before = 0;
-  for (const collision::Mover& mover : movers) {
-    const std::size_t shapes = mover.compound.shapes().size();
+  for (const collision::MovingEntity& moving_entity : moving_entities) {
+    const std::size_t shapes = moving_entity.compound.shapes().size();
     tests += shapes * (before + still);
     before += shapes;
   }
@@ -25,11 +25,12 @@ std::int64_t count_naive_tests(const std::vector<collision::Mover>& movers, cons
 
 }  // namespace
 
-CollisionProbe::CollisionProbe(Setup& setup, const std::vector<Entity*>& movers, const MaterialTable& materials)
-    : movers_(make_movers(setup, movers)),
-      pair_finder_(movers_, materials, norm(setup.world().gravity), seconds(setup.period())),
-      naive_(count_naive_tests(movers_, setup.entity())) {
-  for (const Entity* entity : movers) ground_finders_.emplace_back(*entity, &setup.entity());
+CollisionProbe::CollisionProbe(Setup& setup, const std::vector<Entity*>& moving_entities,
+                               const MaterialTable& materials)
+    : moving_entities_(make_moving_entities(setup, moving_entities)),
+      pair_finder_(moving_entities_, materials, norm(setup.world().gravity), seconds(setup.period())),
+      naive_(count_naive_tests(moving_entities_, setup.entity())) {
+  for (const Entity* entity : moving_entities) ground_finders_.emplace_back(*entity, &setup.entity());
 }
 
 void CollisionProbe::step(const Instant&) noexcept {
@@ -37,14 +38,14 @@ void CollisionProbe::step(const Instant&) noexcept {
   const auto start = Clock::now();
   collision::TestCounts ground;
   std::size_t contacts = 0;
-  for (std::size_t i = 0; i < movers_.size(); ++i) {
-    movers_[i].start_step();
+  for (std::size_t i = 0; i < moving_entities_.size(); ++i) {
+    moving_entities_[i].start_step();
     points_.clear();
-    ground_finders_[i].find(movers_[i].r, movers_[i].R, points_, ground);
+    ground_finders_[i].find(moving_entities_[i].r, moving_entities_[i].R, points_, ground);
     contacts += points_.size();
   }
   const auto middle = Clock::now();
-  pair_finder_.find(movers_, pairs_);
+  pair_finder_.find(moving_entities_, pairs_);
   const std::chrono::duration<double, std::micro> on_ground = middle - start, among = Clock::now() - middle;
   samples_.push_back({ground.volumes + pairs_.tests.volumes, ground.objects + pairs_.tests.objects,
                       contacts + pairs_.points.size(), among.count(), on_ground.count()});

@@ -17,11 +17,11 @@ class CollisionProbe final : public Algorithm {
   struct Sample {
     std::int64_t volumes = 0, objects = 0;  ///< tests
     std::size_t contacts = 0;
-    double pairs_us = 0, ground_us = 0;  ///< all transforms and tests: among movers; with goals and ground
+    double pairs_us = 0, ground_us = 0;  ///< all transforms and tests: among moving_entities; with goals and ground
   };
 
   /// `setup` is that of the environment.
-  CollisionProbe(Setup& setup, const std::vector<Entity*>& movers, const MaterialTable& materials);
+  CollisionProbe(Setup& setup, const std::vector<Entity*>& moving_entities, const MaterialTable& materials);
 
   void step(const Instant& instant) noexcept override;
 
@@ -30,7 +30,7 @@ class CollisionProbe final : public Algorithm {
   [[nodiscard]] std::int64_t naive_tests() const { return naive_; }
 
  private:
-  std::vector<collision::Mover> movers_;
+  std::vector<collision::MovingEntity> moving_entities_;
   std::vector<collision::GroundFinder> ground_finders_;
   collision::PairFinder pair_finder_;
   collision::PairSet pairs_;

@@ -35,7 +35,7 @@ int run(const RunOptions& options);
 struct RenderOptions {
   std::string scene;
   double time = 0;                 ///< [s] of the picture, or of the video's beginning
-  std::string view;                ///< name of a place (scene/scene_eyes.h)
+  std::string view;                ///< name of a place (scene/scene_viewpoints.h)
   std::string camera;              ///< ROBOT.CAMERA instead
   std::string size;                ///< WIDTHxHEIGHT; empty: 1280x720
   std::string layer = "color";     ///< or depth, labels

@@ -55,7 +55,7 @@ int convert(const ConvertOptions& options) {
   const fs::path in = files::find_data_file(options.model, "models", ".xml"), out = options.out;
   check_output(in, out, options.force);
   robot::ConversionOptions conversion{.folder = out.parent_path(), .reader = {.lenient = options.lenient}};
-  if (!options.fit.empty()) conversion.fit = at("--fit", [&] { return robot::primitive_kind(options.fit); });
+  if (!options.fit.empty()) conversion.fit = with_context("--fit", [&] { return robot::primitive_kind(options.fit); });
   const robot::RobotConversion robot = robot::convert_robot(in, conversion);
   files::write_file(out, robot.mjcf);
   std::string text =

@@ -15,7 +15,7 @@
 #include "murosimf/files/output_file.h"
 #include "murosimf/formats/servo_log/fit_report.h"
 #include "murosimf/formats/servo_log/prior_file.h"
-#include "murosimf/formats/servo_log/servo_log.h"
+#include "murosimf/formats/servo_log/servo_log_reader.h"
 #include "murosimf/identification/bench_servo.h"
 #include "murosimf/identification/folds.h"
 #include "murosimf/identification/search.h"

@@ -18,15 +18,15 @@ std::string line(std::string_view what, const std::string& text) { return fmt::f
 
 std::string text_of(const imaging::Lens& lens) {
   const imaging::LensSpec& spec = lens.spec();
-  const auto [horizontal, vertical, diagonal] = lens.opening();
+  const auto [horizontal, vertical, diagonal] = lens.fov();
   std::string text = line("model", spec.model);
   text +=
       line("coefficients", spec.coefficients.empty() ? "none" : fmt::format("{}", fmt::join(spec.coefficients, " ")));
   text += line("picture", fmt::format("{} x {} px", spec.width, spec.height));
   text += line("focal length", fmt::format("{:.2f} x {:.2f} px", spec.fx, spec.fy));
   text += line("center", fmt::format("{:.2f}, {:.2f} px", spec.cx, spec.cy));
-  text += line("opening", fmt::format("horizontal {:.1f}, vertical {:.1f}, diagonal {:.1f} deg", degrees(horizontal),
-                                      degrees(vertical), degrees(diagonal)));
+  text += line("fov", fmt::format("horizontal {:.1f}, vertical {:.1f}, diagonal {:.1f} deg", degrees(horizontal),
+                                  degrees(vertical), degrees(diagonal)));
   text += line("sees up to", fmt::format("{:.1f} deg from the axis, in the picture {:.1f} deg",
                                          degrees(lens.widest_angle()), degrees(lens.corner_angle())));
   if (const std::string remark = lens.fold_remark(); !remark.empty()) text += line("warning", remark);
@@ -44,11 +44,11 @@ std::string text_of(const imaging::LensFit& fit) {
 int lens(const LensOptions& options) {
   if (!options.out.empty()) files::check_writable(options.out);
   const auto file = components::find_lens_file(options.file);
-  components::CameraInfo info = components::read_camera_info(file);
+  components::CameraCalibration info = components::read_camera_info(file);
   const imaging::Lens read(info.lens);
   std::string text = line("calibration", info.name.empty() ? file.string() : info.name) + text_of(read);
   if (!options.model.empty()) {
-    const imaging::LensFit fit = at(file.string(), [&] { return imaging::fit_lens(read, options.model); });
+    const imaging::LensFit fit = with_context(file.string(), [&] { return imaging::fit_lens(read, options.model); });
     text += fmt::format("\nas {}\n", options.model) + text_of(imaging::Lens(fit.spec)) + text_of(fit);
     info.lens = fit.spec;
   }

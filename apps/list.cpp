@@ -4,7 +4,7 @@
 #include "apps/command_line.h"
 #include "apps/commands.h"
 #include "apps/standard_output.h"
-#include "murosimf/collision/pair_law.h"
+#include "murosimf/collision/body_contact_law.h"
 #include "murosimf/components/camera_info.h"
 #include "murosimf/components/sensor_table.h"
 #include "murosimf/components/sensor_types.h"
@@ -55,12 +55,12 @@ std::string file_names(std::string_view kind, std::string_view extension) {
 /// The pairs that come with the program; a scene changes them by [[materials]] and --set materials.friction.
 std::string materials_text() {
   std::string text = fmt::format("{:<10} {:<10} {:>9} {:>9} {:>12} {:>12} {:>13}\n", "material", "and", "friction",
-                                 "rolling", "restitution", "stiffness", "grain_effect");
+                                 "rolling", "restitution", "stiffness", "friction_anisotropy");
   const MaterialTable materials = MaterialTable::standard();
   for (const auto& [names, pair] : materials.pairs()) {
     const std::string stiffness = pair.stiffness > 0 ? fmt::format("{:g} N/m", pair.stiffness) : "by weight";
     text += fmt::format("{:<10} {:<10} {:>9g} {:>9g} {:>12g} {:>12} {:>13g}\n", names.first, names.second,
-                        pair.friction, pair.rolling, pair.restitution, stiffness, pair.grain_effect);
+                        pair.friction, pair.rolling, pair.restitution, stiffness, pair.friction_anisotropy);
   }
   return text;
 }
@@ -78,7 +78,7 @@ int list(const std::string& what) {
   std::string text;
   if (what == "levels") text = names_and_meanings(scene::levels());
   if (what == "contacts") text = names_and_meanings(scene::contacts());
-  if (what == "body_contacts") text = names_and_meanings(collision::pair_laws());
+  if (what == "body_contacts") text = names_and_meanings(collision::body_contact_laws());
   if (what == "volumes") {
     for (const auto& name : geometry::volume_names()) text += fmt::format("{}\n", name);
   }

@@ -17,8 +17,9 @@ int plot(const PlotOptions& options) {
   if (picture == file)
     throw SetupError(fmt::format("'{}' is the table itself; name a picture: --out FILE.png", options.file));
   const files::CsvTable table = files::read_csv(file);
-  logging::write_plot(picture, at(options.file,
-                                  [&] { return logging::plot_of(table, file.filename().string(), options.patterns); }));
+  logging::write_plot(picture, with_context(options.file, [&] {
+                        return logging::plot_of(table, file.filename().string(), options.patterns);
+                      }));
   return 0;
 }
 

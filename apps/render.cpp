@@ -17,8 +17,8 @@
 #include "murosimf/render/image_png.h"
 #include "murosimf/render/renderer.h"
 #include "murosimf/scene/scene.h"
-#include "murosimf/scene/scene_eyes.h"
-#include "murosimf/sensors/frame.h"
+#include "murosimf/scene/scene_viewpoints.h"
+#include "murosimf/sensors/camera_frame.h"
 
 namespace murosimf::app {
 namespace {
@@ -73,16 +73,16 @@ class PictureSource {
 };
 
 /// A place from where people look.
-class Eye final : public PictureSource {
+class Viewpoint final : public PictureSource {
  public:
-  Eye(scene::Scene& scene, const RenderOptions& options)
+  Viewpoint(scene::Scene& scene, const RenderOptions& options)
       : scene_(scene),
         view_(options.view),
         size_(size_of(options.size)),
         layer_(layer_of(options.layer)),
         fps_(options.fps),
         slow_(options.slow) {
-    (void)scene::eye_perspective(scene, view_, size_.width, size_.height);
+    (void)scene::viewpoint_perspective(scene, view_, size_.width, size_.height);
     scene::LightSpec light = scene.spec().light;
     light.shadows = !options.no_shadows;
     light.samples = std::max(light.samples, 4);
@@ -93,7 +93,7 @@ class Eye final : public PictureSource {
   std::optional<imaging::ColorImage> take(Duration /*instant*/) override {
     sensors::View view;
     const sensors::Layers layers{layer_ == Layer::color, layer_ == Layer::depth, layer_ == Layer::labels};
-    renderer_->draw(scene::eye_perspective(scene_, view_, size_.width, size_.height), layers, 0, view);
+    renderer_->draw(scene::viewpoint_perspective(scene_, view_, size_.width, size_.height), layers, 0, view);
     if (const std::string trouble = renderer_->trouble(); !trouble.empty()) throw SetupError(trouble);
     if (layer_ == Layer::depth) return render::shown(view.depth);
     return layer_ == Layer::labels ? render::shown(view.labels) : std::move(view.color);
@@ -142,8 +142,8 @@ class RobotCamera final : public PictureSource {
     const auto dot = path_.find('.');
     return fmt::format("--set '{}.sensors{}.{}'", path_.substr(0, dot), path_.substr(dot), change);
   }
-  static const sensors::Frame& find(World& world, const std::string& path) {
-    return *at(fmt::format("--camera '{}'", path), [&] {
+  static const sensors::CameraFrame& find(World& world, const std::string& path) {
+    return *with_context(fmt::format("--camera '{}'", path), [&] {
       const auto dot = path.find('.');
       Entity& robot = world.entity(path.substr(0, dot));
       if (dot == std::string::npos) refuse_robot(robot, path);
@@ -152,7 +152,7 @@ class RobotCamera final : public PictureSource {
   }
   [[noreturn]] static void refuse_robot(const Entity& robot, const std::string& path) {
     std::string cameras;
-    for (const sensors::Frame* frame : sensors::frames_of(robot)) {
+    for (const sensors::CameraFrame* frame : sensors::frames_of(robot)) {
       cameras += fmt::format("{} {}.{}", cameras.empty() ? ", like" : ",", path, frame->info->name);
     }
     throw SetupError("write ROBOT.CAMERA" + cameras);
@@ -171,7 +171,7 @@ class RobotCamera final : public PictureSource {
 
   Simulation& simulation_;
   std::string path_;
-  const sensors::Frame& frame_;
+  const sensors::CameraFrame& frame_;
   Layer layer_;
   double slow_;
 };
@@ -210,7 +210,7 @@ void check(const RenderOptions& options) {
 /// Throws SetupError if nothing can be drawn here: cameras would only wait.
 void check_drawing() {
   const World nothing;
-  const render::Renderer renderer(nothing, {}, render::looks_of_shapes);
+  const render::Renderer renderer(nothing, {}, render::appearance_of_shapes);
 }
 
 /// Runs to the steps that are nearest to given times, and shows how far it is on the way to `end`.
@@ -293,7 +293,7 @@ int render(RenderOptions options) {
     check_drawing();
   }
   scene.simulation().initialize();
-  if (!source) source = std::make_unique<Eye>(scene, options);
+  if (!source) source = std::make_unique<Viewpoint>(scene, options);
   for (const std::string& warning : scene.report({}).warnings) say_warning(warning);
   PacedScene(scene.simulation(), time).run_to(time);
   const bool written = options.video.empty() ? write_picture(*source, scene.simulation(), options)

@@ -9,7 +9,7 @@
 #include "apps/standard_output.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/formats/servo_log/fit_report.h"
-#include "murosimf/formats/servo_log/servo_log.h"
+#include "murosimf/formats/servo_log/servo_log_reader.h"
 #include "murosimf/logging/plot.h"
 #include "murosimf/model/error.h"
 

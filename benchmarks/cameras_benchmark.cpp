@@ -6,7 +6,7 @@
 
 #include "murosimf/render/renderer.h"
 #include "murosimf/scene/scene.h"
-#include "murosimf/sensors/frame.h"
+#include "murosimf/sensors/camera_frame.h"
 
 namespace murosimf::benchmarks {
 namespace {
@@ -21,8 +21,9 @@ void play(benchmark::State& bench, const std::string& name, const scene::SceneOp
   constexpr double step = 0.1;  // [s]
   for (auto _ : bench) simulation.run(from_seconds(step));
   double frames = 0;
-  for (const Entity* mover : scene.movers()) {
-    for (const sensors::Frame* frame : sensors::frames_of(*mover)) frames += static_cast<double>(frame->number);
+  for (const Entity* moving_entity : scene.moving_entities()) {
+    for (const sensors::CameraFrame* frame : sensors::frames_of(*moving_entity))
+      frames += static_cast<double>(frame->number);
   }
   bench.counters["frames/s"] = benchmark::Counter(frames, benchmark::Counter::kIsRate);
   bench.counters["real_time"] =

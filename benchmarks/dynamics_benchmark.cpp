@@ -44,9 +44,9 @@ struct Robot {
   std::vector<Mat3<S>> R;
   std::vector<multibody::LinkMotion<S>> links;
   std::vector<multibody::ArticulatedLink<S>> bodies;
-  std::vector<Force<S>> force, external;
+  std::vector<Wrench<S>> force, external;
   std::vector<S> qdd, torque;
-  std::vector<Motion<S>> working;
+  std::vector<Twist<S>> working;
 };
 
 template <class S, class Step>
@@ -69,7 +69,7 @@ void link_motions(benchmark::State& bench) {
 template <class S>
 void inverse_dynamics(benchmark::State& bench) {
   run<S>(bench, [](Robot<S>& r) {
-    multibody::inverse_dynamics<S>(r.tree(), r.links, Motion<S>{}, r.qdd, r.external, r.force, r.torque);
+    multibody::inverse_dynamics<S>(r.tree(), r.links, Twist<S>{}, r.qdd, r.external, r.force, r.torque);
   });
 }
 
@@ -77,7 +77,7 @@ void inverse_dynamics(benchmark::State& bench) {
 template <class S>
 void base_of_full_dynamics(benchmark::State& bench) {
   run<S>(bench, [](Robot<S>& r) {
-    const Force<S> bias = multibody::base_bias<S>(r.tree(), r.links, r.qdd, r.working);
+    const Wrench<S> bias = multibody::base_bias<S>(r.tree(), r.links, r.qdd, r.working);
     r.working[0] = solve(to_sym6(multibody::composite_inertia<S>(r.links)), bias);
   });
 }

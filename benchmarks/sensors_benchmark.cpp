@@ -15,7 +15,7 @@ struct Match {
   Match() : scene("eleven_a_side"), simulation(scene.simulation()), robot(simulation.world().entity("blue11")) {
     for (const auto& entity : simulation.world().entities()) {
       if (entity->level.empty()) continue;
-      movers.push_back(entity.get());
+      moving_entities.push_back(entity.get());
     }
   }
   sensors::Sensor& attach(const std::string& type, double tilt = 0) {
@@ -23,13 +23,13 @@ struct Match {
     spec.name = "measured";  // no sensor of the robot's own is called so
     spec.type = type;
     spec.orientation = rotation_y(tilt);
-    return components::attach_sensor(simulation, robot, spec, {1, movers}, 1000);
+    return components::attach_sensor(simulation, robot, spec, {1, moving_entities}, 1000);
   }
 
   scene::Scene scene;
   Simulation& simulation;
   Entity& robot;
-  std::vector<Entity*> movers;
+  std::vector<Entity*> moving_entities;
 };
 
 /// Counts the numbers of a sample that are finite.
@@ -57,8 +57,8 @@ void ray_by_ray(benchmark::State& bench, double tilt) {
   collision::QueryScene scene(match.simulation.world());
   const collision::Fan fan(1081, -0.75 * pi, 1.5 * pi);
   const auto& robot = match.robot;
-  const geometry::Pose at{robot.find(properties::position)->values[0],
-                          robot.find(properties::orientation)->values[0] * rotation_y(tilt)};
+  const Transformd at{robot.find(properties::position)->values[0],
+                      robot.find(properties::orientation)->values[0] * rotation_y(tilt)};
   for (auto _ : bench) {
     scene.refresh();
     for (std::size_t i = 0; i < fan.size(); ++i) {

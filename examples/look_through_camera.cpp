@@ -53,7 +53,7 @@ class BallFinder final : public Algorithm {
     return (1 / norm(away)) * transposed_times(camera * sensors::optical_axes, away);
   }
 
-  const sensors::Frame& frame_;
+  const sensors::CameraFrame& frame_;
   std::span<const double> eye_, axes_;
   std::span<const Vec3d> ball_;
   std::uint64_t last_ = 0;

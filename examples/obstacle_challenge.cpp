@@ -42,9 +42,9 @@ Crossing cross(const std::string& level, std::uint64_t seed) {
   while (crossing.time == 0 && simulation.now() < from_seconds(scene.spec().duration)) {
     simulation.run(20ms);
     queries.refresh();
-    for (const Entity* mover : scene.movers()) {
-      if (mover == &robot) continue;
-      const auto gap = queries.distance({&robot}, {mover});
+    for (const Entity* moving_entity : scene.moving_entities()) {
+      if (moving_entity == &robot) continue;
+      const auto gap = queries.distance({&robot}, {moving_entity});
       crossing.nearest = std::min(crossing.nearest, gap->distance);
     }
     if (robot.base().get(properties::position).x > field_half_length - 0.2) crossing.time = seconds(simulation.now());
@@ -74,9 +74,9 @@ void draw(const std::string& course_file, const std::string& camera_file, double
   const Vec3d believed = robot.base().get(properties::pose_estimate);
   const auto shown = [&](const Vec3d& p) { return perception::from_frame(truth, perception::to_frame(believed, p)); };
   render::Overlay overlay;
-  for (Entity* mover : scene.movers()) {
-    if (mover == &robot) continue;
-    overlay.circles.push_back({mover->base().get(properties::position), 0.1, magenta, true});
+  for (Entity* moving_entity : scene.moving_entities()) {
+    if (moving_entity == &robot) continue;
+    overlay.circles.push_back({moving_entity->base().get(properties::position), 0.1, magenta, true});
   }
   for (const perception::Obstacle& obstacle : course.obstacles.all()) {
     overlay.circles.push_back({shown(obstacle.place), 0.12, black});

@@ -51,8 +51,8 @@ int main() {
   simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", robot, 1000);
   simulation.initialize();
 
-  robot.object("left_shoulder").set(properties::joint_target, -1.0);      // lift an arm
-  robot.base().set(properties::applied_force, Forced{{}, {30.0, 0, 0}});  // and push with 30 N
+  robot.object("left_shoulder").set(properties::joint_target, -1.0);       // lift an arm
+  robot.base().set(properties::applied_force, Wrenchd{{}, {30.0, 0, 0}});  // and push with 30 N
   simulation.run(std::chrono::seconds(1));
 
   const Vec3d r = robot.base().get(properties::position);

@@ -30,26 +30,26 @@ std::vector<std::vector<Vec3d>> facets_of(const VisualMesh& visual) {
   }
 }
 
-std::vector<ViewedShape> meshes_for_the_eye(const description::RobotDraft& draft, const description::DraftBody& body,
-                                            const description::Place& place) {
+std::vector<ViewedShape> meshes_for_the_eye(const description::RobotDescription& description,
+                                            const description::BodyDescription& body, const Transformd& place) {
   std::vector<ViewedShape> shapes;
-  for (const VisualMesh& visual : description::visuals_of(draft, body)) {
+  for (const VisualMesh& visual : description::visuals_of(description, body)) {
     ViewedShape shape{Sphere{}, place.position, place.orientation, visual.color, facets_of(visual)};
     if (!shape.facets.empty()) shapes.push_back(std::move(shape));
   }
   return shapes;
 }
 
-std::vector<ViewedShape> parts_of(const description::RobotDraft& draft) {
+std::vector<ViewedShape> parts_of(const description::RobotDescription& description) {
   std::vector<ViewedShape> parts;
-  const auto places = robot::body_places(draft);
-  for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
-    auto seen = meshes_for_the_eye(draft, draft.bodies[i], places[i]);
+  const auto places = robot::body_places(description);
+  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+    auto seen = meshes_for_the_eye(description, description.bodies[i], places[i]);
     const bool has_meshes = !seen.empty();
     std::ranges::move(seen, std::back_inserter(parts));
-    for (const description::DraftShape& shape : draft.bodies[i].shapes) {
+    for (const description::ShapeDescription& shape : description.bodies[i].shapes) {
       if (has_meshes && shape.placed.collides) continue;
-      const description::Place at = description::inside(places[i], {shape.placed.position, shape.placed.orientation});
+      const Transformd at = places[i] * shape.placed.place();
       parts.push_back({shape.placed.shape, at.position, at.orientation, shape.placed.color});
     }
   }
@@ -82,11 +82,11 @@ Extent extent_of(const std::vector<ViewedShape>& parts, const Mat3d& turn) {
 
 }  // namespace
 
-std::string robot_picture_png(const description::RobotDraft& draft, int columns, int rows) {
+std::string robot_picture_png(const description::RobotDescription& description, int columns, int rows) {
   // the eye looks along y: x is to the right, z up
   const std::array turns{rotation_z(-0.5 * pi), rotation_z(pi), rotation_x(0.5 * pi) * rotation_z(0.5 * pi),
                          rotation_x(0.3) * rotation_z(-0.5 * pi + 0.6)};
-  const auto parts = parts_of(draft);
+  const auto parts = parts_of(description);
   std::vector<ViewedShape> row;
   double right = 0;
   for (const Mat3d& turn : turns) {
@@ -101,7 +101,7 @@ std::string robot_picture_png(const description::RobotDraft& draft, int columns,
   }
   render::View view = render::view_of(render::view_from(-0.5 * pi, 0), row, columns, rows);
   view.scale *= room;
-  return render::scene_view_png({}, row, view, draft.name + ": front, left side, top, from an angle");
+  return render::scene_view_png({}, row, view, description.name + ": front, left side, top, from an angle");
 }
 
 }  // namespace murosimf::appearance

@@ -3,13 +3,14 @@
 
 #include <string>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 
 namespace murosimf::appearance {
 
 /// A PNG file, as bytes: the robot in the pose of the file, four times in a row to the same scale. Bodies are drawn with
 /// their meshes for the eye, or else with the shapes that collide. Meshes that cannot be read are left out. Throws
 /// SetupError if this build has no pictures.
-[[nodiscard]] std::string robot_picture_png(const description::RobotDraft& draft, int columns = 1600, int rows = 640);
+[[nodiscard]] std::string robot_picture_png(const description::RobotDescription& description, int columns = 1600,
+                                            int rows = 640);
 
 }  // namespace murosimf::appearance

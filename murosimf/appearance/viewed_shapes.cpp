@@ -2,7 +2,7 @@
 
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/kinematics.h"
-#include "murosimf/render/scenery.h"
+#include "murosimf/render/render_scene.h"
 
 namespace murosimf::appearance {
 namespace {

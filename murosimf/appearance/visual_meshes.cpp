@@ -15,38 +15,39 @@ namespace murosimf::appearance {
 namespace {
 
 /// True if something of it can be seen.
-bool add_visuals(const Model& model, int object, Looks& looks) {
+bool add_visuals(const Model& model, int object, Appearance& appearance) {
   const Visuals* visuals = model.find(properties::visuals, object);
   bool any = false;
   for (const VisualMesh& visual : visuals ? *visuals : Visuals{}) {
     try {
-      looks.meshes.push_back({object, visual_triangles(visual), visual.color});
+      appearance.meshes.push_back({object, visual_triangles(visual), visual.color});
       any = true;
     } catch (const SetupError& error) {
-      looks.warnings.push_back(fmt::format("{}; '{}' is drawn without it", error.what(), model.objects()[object].name));
+      appearance.warnings.push_back(
+          fmt::format("{}; '{}' is drawn without it", error.what(), model.objects()[object].name));
     }
   }
   return any;
 }
 
-void add_shape(const PlacedShape& placed, int object, Looks& looks) {
+void add_shape(const PlacedShape& placed, int object, Appearance& appearance) {
   const Convex* convex = std::get_if<Convex>(&placed.shape);
   if (!convex) {
-    looks.shapes.push_back({object, placed});
+    appearance.shapes.push_back({object, placed});
     return;
   }
   geometry::TriangleMesh mesh = geometry::triangles_of(*convex->hull);
   for (Vec3d& v : mesh.vertices) v = placed.position + placed.orientation * v;
-  looks.meshes.push_back({object, std::move(mesh), placed.color});
+  appearance.meshes.push_back({object, std::move(mesh), placed.color});
 }
 
-void reduce(Looks& looks, std::size_t most) {
+void reduce(Appearance& appearance, std::size_t most) {
   std::vector<geometry::TriangleMesh> meshes;
-  for (SeenMesh& seen : looks.meshes) meshes.push_back(std::move(seen.mesh));
+  for (SeenMesh& seen : appearance.meshes) meshes.push_back(std::move(seen.mesh));
   auto [reduced, error] = geometry::reduce_meshes(std::move(meshes), most);
-  for (std::size_t i = 0; i < reduced.size(); ++i) looks.meshes[i].mesh = std::move(reduced[i]);
-  std::erase_if(looks.meshes, [](const SeenMesh& seen) { return seen.mesh.triangles.empty(); });
-  looks.error = error;
+  for (std::size_t i = 0; i < reduced.size(); ++i) appearance.meshes[i].mesh = std::move(reduced[i]);
+  std::erase_if(appearance.meshes, [](const SeenMesh& seen) { return seen.mesh.triangles.empty(); });
+  appearance.error = error;
 }
 
 }  // namespace
@@ -63,17 +64,17 @@ geometry::TriangleMesh visual_triangles(const VisualMesh& mesh) {
   return triangles;
 }
 
-Looks looks_of(const Model& model, std::size_t most) {
-  Looks looks;
+Appearance appearance_of(const Model& model, std::size_t most) {
+  Appearance appearance;
   for (int object = 0; object < model.size(); ++object) {
-    const bool dressed = add_visuals(model, object, looks);
+    const bool dressed = add_visuals(model, object, appearance);
     const Shapes* shapes = model.find(properties::shapes, object);
     for (const PlacedShape& placed : shapes ? *shapes : Shapes{}) {
-      if (!dressed || !placed.collides) add_shape(placed, object, looks);
+      if (!dressed || !placed.collides) add_shape(placed, object, appearance);
     }
   }
-  reduce(looks, most);
-  return looks;
+  reduce(appearance, most);
+  return appearance;
 }
 
 }  // namespace murosimf::appearance

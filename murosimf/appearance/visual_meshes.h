@@ -28,7 +28,7 @@ struct SeenShape {
 };
 
 /// What is to be drawn of a model.
-struct Looks {
+struct Appearance {
   std::vector<SeenMesh> meshes;   ///< of meshes for the eye and convex polyhedra
   std::vector<SeenShape> shapes;  ///< all others
   double error = 0;               ///< [m] by which surfaces have moved, root mean square; 0: all triangles are there
@@ -40,6 +40,6 @@ constexpr std::size_t usual_triangles = 3000;  ///< of the meshes of a robot in 
 /// An object with meshes for the eye is drawn as these, and as those of its shapes that do not collide; another one as
 /// all of its shapes. The meshes of the whole model have at most `most` triangles together (geometry/mesh_reduction.h). Reads files,
 /// which takes a while: keep the answer as long as the model.
-[[nodiscard]] Looks looks_of(const Model& model, std::size_t most = usual_triangles);
+[[nodiscard]] Appearance appearance_of(const Model& model, std::size_t most = usual_triangles);
 
 }  // namespace murosimf::appearance

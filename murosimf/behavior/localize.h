@@ -1,7 +1,7 @@
 /// localize.h - algorithm: walks a round on the field and finds out from its camera where it is (paper 7.1).
 ///
 /// Between two pictures particles move by dead_reckoning.h, with a picture they are weighed by line_points.h as
-/// particle_filter.h says. It walks where it believes to go. The camera's pose is that of own_body.h at the time of the
+/// particle_filter.h says. It walks where it believes to go. The camera's pose is that of camera_pose.h at the time of the
 /// picture's arrival: the camera must have no latency worth mentioning.
 ///
 /// `pose_estimate` and `pose_spread` are columns like all others. The particles are no part of the state hash, like the
@@ -13,8 +13,8 @@
 
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/perception/camera_pose.h"
 #include "murosimf/perception/line_points.h"
-#include "murosimf/perception/own_body.h"
 #include "murosimf/perception/particle_filter.h"
 
 namespace murosimf::behavior {
@@ -45,7 +45,7 @@ struct LocalizeOptions {
 
 class Localize final : public Algorithm {
  public:
-  /// Throws SetupError if the robot has no such camera, or not the sensors that own_body.h needs.
+  /// Throws SetupError if the robot has no such camera, or not the sensors that camera_pose.h needs.
   Localize(Setup& setup, const LocalizeOptions& options);
 
   void initialize() override;
@@ -58,9 +58,9 @@ class Localize final : public Algorithm {
   void walk() noexcept;
 
   LocalizeOptions options_;
-  const sensors::Frame& frame_;
-  perception::OwnBody body_;
-  perception::LineTable lines_;
+  const sensors::CameraFrame& frame_;
+  perception::CameraPoseEstimator body_;
+  perception::LineDistanceField lines_;
   perception::ParticleFilter filter_;
   std::vector<perception::LinePoint> seen_;
   const Vec3d& velocity_;  // [m/s, m/s, rad/s] of the gait

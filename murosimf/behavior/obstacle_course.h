@@ -2,7 +2,7 @@
 ///
 /// Blobs of the obstacles' color become obstacles on the ground (obstacle_map.h) in the frame of the field, where the
 /// robot believes to be by dead_reckoning.h alone, from the start that the scene's file tells. With every picture the
-/// shortest clear way is planned anew (way_around.h); the robot walks to the point on it that is `look_ahead` away. If there
+/// shortest clear way is planned anew (tangent_path.h); the robot walks to the point on it that is `look_ahead` away. If there
 /// is no way it tries with less clearance, and stands still if there is none either.
 /// Where it goes across the goal line does not matter; it stops a little behind it.
 /// Source: pursuit of a point on the way: Coulter, "Implementation of the pure pursuit path tracking algorithm",
@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/behavior/way_around.h"
+#include "murosimf/behavior/tangent_path.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/perception/camera_pose.h"
 #include "murosimf/perception/obstacle_map.h"
-#include "murosimf/perception/own_body.h"
 
 namespace murosimf::behavior {
 
@@ -49,7 +49,7 @@ struct ObstacleCourseOptions {
 
 class ObstacleCourse final : public Algorithm {
  public:
-  /// Throws SetupError if the robot has no such camera, or not the sensors that own_body.h needs.
+  /// Throws SetupError if the robot has no such camera, or not the sensors that camera_pose.h needs.
   ObstacleCourse(Setup& setup, const ObstacleCourseOptions& options);
 
   void initialize() override;
@@ -64,8 +64,8 @@ class ObstacleCourse final : public Algorithm {
   void walk() noexcept;
 
   ObstacleCourseOptions options_;
-  const sensors::Frame& frame_;
-  perception::OwnBody body_;
+  const sensors::CameraFrame& frame_;
+  perception::CameraPoseEstimator body_;
   perception::BlobFinder blobs_;
   WayAround around_;
   std::vector<Disk> disks_;

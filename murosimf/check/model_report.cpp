@@ -42,7 +42,7 @@ ReportRow make_row(const Model& model, int object, const std::string& body) {
     row.servo_law = servo->law;
     row.stall_torque = servo->stall_torque;
     row.torque_limit = servo->torque_limit;
-    row.no_load_rate = servo->no_load_rate;
+    row.no_load_speed = servo->no_load_speed;
   }
   return row;
 }
@@ -116,7 +116,7 @@ std::string servo_text(const ReportRow& row) {
   const char* torque = hinge ? "N m" : "N";
   std::string text = fmt::format("{} {} ", row.servo, row.servo_law);
   text += row.stall_torque > 0 ? fmt::format("{:.3g} {}", row.stall_torque, torque) : "unlimited";
-  if (row.no_load_rate > 0) text += fmt::format(", {:.3g} {}", row.no_load_rate, hinge ? "rad/s" : "m/s");
+  if (row.no_load_speed > 0) text += fmt::format(", {:.3g} {}", row.no_load_speed, hinge ? "rad/s" : "m/s");
   if (row.torque_limit > 0) text += fmt::format(", at most {:.3g} {}", row.torque_limit, torque);
   return text;
 }
@@ -227,7 +227,7 @@ toml::table row_table(const ReportRow& row) {
     table.insert("servo_law", row.servo_law);
     table.insert("stall_torque", row.stall_torque);
     table.insert("torque_limit", row.torque_limit);
-    table.insert("no_load_rate", row.no_load_rate);
+    table.insert("no_load_speed", row.no_load_speed);
   }
   return table;
 }

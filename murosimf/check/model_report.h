@@ -23,7 +23,7 @@ struct ReportRow {
   std::string servo_law;       ///< name
   double stall_torque = 0;     ///< [N m | N] 0: unlimited
   double torque_limit = 0;     ///< [N m | N] from the current limit; 0: none
-  double no_load_rate = 0;     ///< [rad/s | m/s] 0: not known
+  double no_load_speed = 0;    ///< [rad/s | m/s] 0: not known
 };
 
 /// Everything behind one joint at the base.

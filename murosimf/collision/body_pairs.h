@@ -22,7 +22,7 @@ struct PairSet {
   std::vector<const Entity*> entities;        ///< by PairContact::a and b
   std::vector<PairContact> points;            ///< sorted by shapes, then by feature
   std::vector<ContactParameters> parameters;  ///< by Contact::surface
-  std::vector<PairContact> blocked;           ///< between two that cannot be pushed: no force (keep_apart.h)
+  std::vector<PairContact> blocked;           ///< between two that cannot be pushed: no force (kinematic_separation.h)
   std::vector<PairContact> previous;          ///< of the step before; working memory
   TestCounts tests;                           ///< of this step
 };

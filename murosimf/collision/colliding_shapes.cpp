@@ -16,7 +16,7 @@ double longest_travel(const Model& model, int joint) {
 }
 
 /// What a joint adds at the position nearest to zero that it can have.
-geometry::Pose moved(const Object& joint, const Vec3d& range) {
+Transformd moved(const Object& joint, const Vec3d& range) {
   const double q = std::clamp(0.0, range.x, range.y);
   if (q == 0) return {};
   if (joint.kind == Kind::prismatic) return {q * joint.vector, {}};
@@ -58,16 +58,16 @@ double farthest_reach(const Model& model) {
   return reach;
 }
 
-std::vector<geometry::Pose> rest_poses(const Model& model) {
-  std::vector<geometry::Pose> poses(static_cast<std::size_t>(model.size()));
+std::vector<Transformd> rest_poses(const Model& model) {
+  std::vector<Transformd> poses(static_cast<std::size_t>(model.size()));
   for (int i = 0; i < model.size(); ++i) {
     const Object& object = model.objects()[i];
     if (object.parent < 0) continue;
-    geometry::Pose step;
+    Transformd step;
     if (object.kind == Kind::translation) step.position = object.vector;
     if (object.kind == Kind::rotation) step.orientation = object.turn;
     if (const Vec3d* range = model.find(properties::joint_range, i)) step = moved(object, *range);
-    poses[i] = placed_in(poses[object.parent], step);
+    poses[i] = poses[object.parent] * step;
   }
   return poses;
 }

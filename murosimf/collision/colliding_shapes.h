@@ -25,11 +25,6 @@ struct CollidingShape {
 [[nodiscard]] double farthest_reach(const Model& model);
 
 /// Poses of all objects in the base's frame with all joints at zero, or as near to it as their range lets them.
-[[nodiscard]] std::vector<geometry::Pose> rest_poses(const Model& model);
-
-/// `inner` stands in the frame of `outer`: where it is in the frame that `outer` is in.
-[[nodiscard]] inline geometry::Pose placed_in(const geometry::Pose& outer, const geometry::Pose& inner) {
-  return {outer.position + outer.orientation * inner.position, outer.orientation * inner.orientation};
-}
+[[nodiscard]] std::vector<Transformd> rest_poses(const Model& model);
 
 }  // namespace murosimf::collision

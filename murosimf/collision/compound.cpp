@@ -26,7 +26,7 @@ Compound::Compound(const Model& model, const CompoundOptions& options)
 }
 
 Compound compound_of(const Entity& entity, const CompoundOptions& options) {
-  return at("entity '" + entity.name() + "'", [&] { return Compound(entity.model(), options); });
+  return with_context("entity '" + entity.name() + "'", [&] { return Compound(entity.model(), options); });
 }
 
 bool Compound::still_fits(std::span<const Vec3d> r, std::span<const Mat3d> R) const noexcept {

@@ -44,9 +44,9 @@ class Compound {
   /// Works out all volumes; r [m], R: poses of the entity's objects, world frame.
   void refit(std::span<const Vec3d> r, std::span<const Mat3d> R) noexcept;
   /// Where shape i is in the world.
-  [[nodiscard]] geometry::Pose pose(int i, std::span<const Vec3d> r, std::span<const Mat3d> R) const noexcept {
+  [[nodiscard]] Transformd pose(int i, std::span<const Vec3d> r, std::span<const Mat3d> R) const noexcept {
     const CollidingShape& shape = shapes_[i];
-    return placed_in({r[shape.object], R[shape.object]}, {shape.placed.position, shape.placed.orientation});
+    return Transformd{r[shape.object], R[shape.object]} * shape.placed.place();
   }
 
  private:

@@ -29,7 +29,7 @@ SymMat3d damping_matrix(const ContactPoint& c) {
 
 }  // namespace
 
-void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force,
+void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Wrenchd> external_force,
                  std::span<Sym6d> external_damping) noexcept {
   for (const int object : set.loaded) {
     external_force[object] = set.rest_force[object];
@@ -41,7 +41,7 @@ void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> ex
   }
   for (const ContactPoint& c : set.points) {
     const Vec3d arm = c.point - r[c.object];
-    external_force[c.object] += Forced{c.moment + cross(arm, c.force), c.force};
+    external_force[c.object] += Wrenchd{c.moment + cross(arm, c.force), c.force};
     if (c.normal_damping == 0 && c.tangent_damping == 0 && c.angular_damping == 0) continue;
     Sym6d damping = at_point(damping_matrix(c), arm);
     damping.J += diagonal(c.angular_damping);
@@ -49,14 +49,14 @@ void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> ex
   }
 }
 
-void write_final_forces(const ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force) noexcept {
+void write_final_forces(const ContactSet& set, std::span<const Vec3d> r, std::span<Wrenchd> external_force) noexcept {
   for (const int object : set.loaded) external_force[object] = set.rest_force[object];
   for (const ContactPoint& c : set.points) {
-    external_force[c.object] += Forced{c.moment + cross(c.point - r[c.object], c.force), c.force};
+    external_force[c.object] += Wrenchd{c.moment + cross(c.point - r[c.object], c.force), c.force};
   }
 }
 
-void commit_contacts(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force) noexcept {
+void commit_contacts(ContactSet& set, std::span<const Vec3d> r, std::span<Wrenchd> external_force) noexcept {
   if (!set.law || set.solved) return;
   set.law->commit(set);
   write_final_forces(set, r, external_force);

@@ -39,8 +39,8 @@ struct ContactParameters {
   double tangent_damping = 0;    ///< [N s/m] ct
   double friction = 0;           ///< [1] mu
   double rolling = 0;            ///< [1] rolling resistance
-  Vec3d grain;                   ///< [1] world frame: friction towards the unit vector d is mu (1 - grain . d)
-  double theta = 1;              ///< [1] 1: depth after the step counts, 0: depth before it
+  Vec3d friction_direction;  ///< [1] world frame: friction towards the unit vector d is mu (1 - friction_direction . d)
+  double theta = 1;          ///< [1] 1: depth after the step counts, 0: depth before it
 };
 
 enum class ContactState : std::uint8_t { open, stick, slip };
@@ -89,7 +89,7 @@ struct ContactSet {
   // working memory, kept to avoid allocation
   std::vector<ContactPoint> previous;
   std::vector<Vec3d> next_velocity;                 ///< [m/s] of every point after the trial step; motion fills it
-  std::vector<Forced> rest_force;                   ///< [N m, N] external force of every object without these contacts
+  std::vector<Wrenchd> rest_force;                  ///< [N m, N] external force of every object without these contacts
   std::vector<std::pair<int, Sym6d>> rest_damping;  ///< external damping of objects without these contacts
   std::vector<int> loaded;                          ///< objects that carry the force of these contacts
 };
@@ -102,16 +102,16 @@ inline constexpr Property<ContactSet> contacts{
 
 /// Writes the sum of all contacts to the columns: external_force = rest_force + contacts, external_damping =
 /// contacts. `r` [m] origins of the objects. Objects without contacts keep what they have.
-void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force,
+void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Wrenchd> external_force,
                  std::span<Sym6d> external_damping) noexcept;
 
 /// After the law has committed: external_force = rest_force + the forces that acted in the step (for reports and
 /// sensors; the linearization before was about the velocities at its beginning).
-void write_final_forces(const ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force) noexcept;
+void write_final_forces(const ContactSet& set, std::span<const Vec3d> r, std::span<Wrenchd> external_force) noexcept;
 
 /// The step is settled: memory of the law, and the forces that acted in the column. Does nothing if an island solver
 /// has done it already. `r` [m] origins of the objects at the beginning of the step.
-void commit_contacts(ContactSet& set, std::span<const Vec3d> r, std::span<Forced> external_force) noexcept;
+void commit_contacts(ContactSet& set, std::span<const Vec3d> r, std::span<Wrenchd> external_force) noexcept;
 
 /// The law's memory of a point goes on: what `old` has at the end of its step.
 void recall(const ContactPoint& old, ContactPoint& point) noexcept;

@@ -25,12 +25,12 @@ inline void clear_force(ContactPoint& c) noexcept {
 }
 
 /// Largest friction [N] against sliding towards the unit vector `direction`, under the normal force f_n [N]:
-/// mu f_n (1 - grain . direction). Only its size depends on the direction; it acts straight against the motion.
+/// mu f_n (1 - friction_direction . direction). Only its size depends on the direction; it acts straight against the motion.
 /// Differs: friction of real anisotropic surfaces has a part across the motion too, the derivative of its size by the
 ///          direction ("Anisotropic friction: assessment of force components and resulting trajectories", EPJ
 ///          Techniques and Instrumentation 3, 2016). It is left out: it would make the damping of sliding unsymmetric.
 [[nodiscard]] inline double friction_limit(const ContactParameters& p, double f_n, const Vec3d& direction) noexcept {
-  return p.friction * f_n * (1 - dot(p.grain, direction));
+  return p.friction * f_n * (1 - dot(p.friction_direction, direction));
 }
 
 /// Rolling resistance of a round body, -rolling r f_n w / |w|, as a damping b [N m s]: moment = -b w. It falls linearly

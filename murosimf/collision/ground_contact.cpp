@@ -19,15 +19,15 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       v_(setup.read(properties::linear_velocity)),
       w_(setup.read(properties::angular_velocity)),
       applied_force_(setup.input(properties::applied_force, {})),
-      pushable_(setup.input(properties::pushable, 1)[0]),
+      dynamic_(setup.input(properties::dynamic, 1)[0]),
       external_force_(setup.write(properties::external_force)),
       external_damping_(setup.write(properties::external_damping)),
       set_(setup.write(contacts)[0]) {
   const double gravity = norm(setup.world().gravity);
-  finder_.for_surfaces([&](const Surface& own, const Surface& other, const Vec3d& grain, int object) {
+  finder_.for_surfaces([&](const Surface& own, const Surface& other, const Vec3d& friction_direction, int object) {
     const PairSurface pair = materials.find(own, other);
     parameters_.push_back(contact_parameters(model_, pair, gravity, period_));
-    parameters_.back().grain = pair.grain_effect * grain;
+    parameters_.back().friction_direction = pair.friction_anisotropy * friction_direction;
     environment_objects_.push_back(object);
   });
 }
@@ -45,7 +45,7 @@ void GroundContact::initialize() {
   set_.previous.reserve(most);
   set_.next_velocity.reserve(most);
   set_.loaded.reserve(most);
-  std::fill(external_force_.begin(), external_force_.end(), Forced{});
+  std::fill(external_force_.begin(), external_force_.end(), Wrenchd{});
   std::fill(external_damping_.begin(), external_damping_.end(), Sym6d{});
 }
 
@@ -66,13 +66,13 @@ void GroundContact::clear_loads() noexcept {
 void GroundContact::rest() noexcept {
   if (set_.loaded.empty() && set_.points.empty()) return;
   clear_loads();
-  for (const int object : model_.bodies()) external_force_[object] = set_.rest_force[object] = Forced{};
+  for (const int object : model_.bodies()) external_force_[object] = set_.rest_force[object] = Wrenchd{};
   set_.points.clear();
   set_.loaded.clear();
 }
 
 void GroundContact::step(const Instant&) noexcept {
-  if (pushable_ == 0) return rest();
+  if (dynamic_ == 0) return rest();
   clear_loads();
   for (const int object : model_.bodies()) {
     external_force_[object] = set_.rest_force[object] = applied_force_[object];

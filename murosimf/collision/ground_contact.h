@@ -3,7 +3,7 @@
 /// Finds the points of every shape below the ground planes and inside static shapes (goals), gives each the memory that
 /// its feature had in the step before, lets the law linearize them, and writes external_force (pushes of users, ground) and external_damping.
 /// Contacts with other moving bodies come on top of that (body_contact.h). The motion algorithm that comes after it
-/// settles the rest with the law (contact.h). While forces do not move the entity (`pushable` 0: kinematic walking) it
+/// settles the rest with the law (contact.h). While forces do not move the entity (`dynamic` 0: kinematic walking) it
 /// has no contacts and costs nothing.
 #pragma once
 
@@ -49,9 +49,9 @@ class GroundContact final : public Algorithm {
   std::span<const Mat3d> R_;                   // orientations
   std::span<const Vec3d> v_;                   // [m/s] of the origins, world
   std::span<const Vec3d> w_;                   // [rad/s] world
-  std::span<const Forced> applied_force_;      // [N m, N] users' pushes
-  const double& pushable_;
-  std::span<Forced> external_force_;
+  std::span<const Wrenchd> applied_force_;     // [N m, N] users' pushes
+  const double& dynamic_;
+  std::span<Wrenchd> external_force_;
   std::span<Sym6d> external_damping_;
   ContactSet& set_;
 };

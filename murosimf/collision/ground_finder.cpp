@@ -36,8 +36,8 @@ std::vector<GroundPlane> ground_planes(const Entity* environment) {
     const FixedObject place = model.placement(plane.object);
     const Mat3d R = place.turn * placed.orientation;
     const double height = dot(R.z, place.offset + place.turn * placed.position);
-    planes.push_back({R.z, height, direction_in_plane(R * placed.surface.grain, R.z), placed.surface, plane.object,
-                      placed.contact_type, placed.contact_affinity});
+    planes.push_back({R.z, height, direction_in_plane(R * placed.surface.friction_direction, R.z), placed.surface,
+                      plane.object, placed.contact_type, placed.contact_affinity});
   }
   return planes;
 }

@@ -20,12 +20,13 @@ class GroundFinder {
   /// `environment`: null for none.
   GroundFinder(const Entity& entity, const Entity* environment);
 
-  /// Calls add(surface of the entity, surface of the environment, grain, object of the environment) for each value that
+  /// Calls add(surface of the entity, surface of the environment, friction_direction, object of the environment) for each value that
   /// Contact::surface can take.
   template <class Add>
   void for_surfaces(const Add& add) const {
     for (const GroundPlane& plane : planes_) {
-      for (const GroundShape& shape : shapes_) add(shape.placed.surface, plane.surface, plane.grain, plane.object);
+      for (const GroundShape& shape : shapes_)
+        add(shape.placed.surface, plane.surface, plane.friction_direction, plane.object);
     }
     for (const CollidingShape& other : environment_.compound().shapes()) {
       for (const CollidingShape& shape : own_.shapes())

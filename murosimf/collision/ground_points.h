@@ -12,9 +12,9 @@ namespace murosimf::collision {
 
 /// A static plane: all points x with normal . x < height are inside the ground.
 struct GroundPlane {
-  Vec3d normal{0, 0, 1};  ///< [1] unit, world frame
-  double height = 0;      ///< [m]
-  Vec3d grain;            ///< [1] where the pile leans: unit, in the plane, world frame; or zero
+  Vec3d normal{0, 0, 1};     ///< [1] unit, world frame
+  double height = 0;         ///< [m]
+  Vec3d friction_direction;  ///< [1] where the pile leans: unit, in the plane, world frame; or zero
   Surface surface;
   int object = 0;                                        ///< of the environment
   std::uint32_t contact_type = 1, contact_affinity = 1;  ///< model/shape.h

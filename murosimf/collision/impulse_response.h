@@ -28,13 +28,13 @@ struct ResponseRows {
 };
 
 /// Forces [N m, N] of 1 N along each column of `directions`, at `arm` [m] from the point about which moments are taken.
-[[nodiscard]] inline std::array<Forced, 3> unit_forces(const Vec3d& arm, const Mat3d& directions) noexcept {
+[[nodiscard]] inline std::array<Wrenchd, 3> unit_forces(const Vec3d& arm, const Mat3d& directions) noexcept {
   const auto& [a, b, c] = directions;
-  return {Forced{cross(arm, a), a}, Forced{cross(arm, b), b}, Forced{cross(arm, c), c}};
+  return {Wrenchd{cross(arm, a), a}, Wrenchd{cross(arm, b), b}, Wrenchd{cross(arm, c), c}};
 }
 
 /// Appends numbers 0 to 5 of y: of a rigid body with the factored inertia F F^T under three forces.
-inline void add_rigid_response(const Cholesky6<double>& factor, const std::array<Forced, 3>& forces, ResponseRows& y) {
+inline void add_rigid_response(const Cholesky6<double>& factor, const std::array<Wrenchd, 3>& forces, ResponseRows& y) {
   const auto a = factor.forward(forces[0]), b = factor.forward(forces[1]), c = factor.forward(forces[2]);
   for (int i = 0; i < 6; ++i) y.add(i, {a[i], b[i], c[i]});
 }

@@ -15,7 +15,7 @@ bool neighbors(const Tree& tree, int object_a, int object_b) {
 
 /// Numbers of the shapes that a name stands for.
 std::vector<int> shapes_of(const Model& model, std::span<const CollidingShape> shapes, const std::string& name) {
-  const int object = at("excluded pair", [&] { return model.object_index(name); });
+  const int object = with_context("excluded pair", [&] { return model.object_index(name); });
   const auto numbers = [&](auto&& belongs) {
     std::vector<int> result;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -31,7 +31,7 @@ std::vector<int> shapes_of(const Model& model, std::span<const CollidingShape> s
 
 /// Number of one shape.
 int number_of(const Model& model, std::span<const CollidingShape> shapes, const ShapeOfObject& wanted) {
-  const int object = at("allowed pair", [&] { return model.object_index(wanted.object); });
+  const int object = with_context("allowed pair", [&] { return model.object_index(wanted.object); });
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     if (shapes[i].object == object && shapes[i].index == static_cast<int>(wanted.index)) return static_cast<int>(i);
   }
@@ -57,9 +57,9 @@ InnerPairs::InnerPairs(const Model& model, std::span<const CollidingShape> shape
 
 void InnerPairs::exclude_near(const Model& model, std::span<const CollidingShape> shapes) {
   const auto objects = rest_poses(model);
-  std::vector<geometry::Pose> at_rest;
+  std::vector<Transformd> at_rest;
   for (const CollidingShape& shape : shapes) {
-    at_rest.push_back(placed_in(objects[shape.object], {shape.placed.position, shape.placed.orientation}));
+    at_rest.push_back(objects[shape.object] * shape.placed.place());
   }
   const int count = static_cast<int>(count_);
   geometry::Manifold overlap;

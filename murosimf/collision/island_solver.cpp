@@ -148,7 +148,7 @@ Vec3d IslandSolver::solve_friction(const Contact& c, double normal, const Vec3d&
 double IslandSolver::within_cone(const Contact& c, double normal, const Vec3d& friction) noexcept {
   const double square = friction.y * friction.y + friction.z * friction.z;
   const ContactParameters& p = *c.parameters;
-  if (is_zero(p.grain)) {
+  if (is_zero(p.friction_direction)) {
     const double most = p.friction * normal;
     return square <= most * most ? 1 : most / std::sqrt(square);
   }

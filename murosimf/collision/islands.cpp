@@ -7,17 +7,20 @@
 
 namespace murosimf::collision {
 
-int Islands::root(int mover) {
-  while (parent_[mover] != mover) mover = parent_[mover] = parent_[parent_[mover]];
-  return mover;
+int Islands::root(int moving_entity) {
+  while (parent_[moving_entity] != moving_entity)
+    moving_entity = parent_[moving_entity] = parent_[parent_[moving_entity]];
+  return moving_entity;
 }
 
-void Islands::find(const std::vector<Mover>& movers, const PairSet& set) {
-  const auto size = movers.size();
+void Islands::find(const std::vector<MovingEntity>& moving_entities, const PairSet& set) {
+  const auto size = moving_entities.size();
   parent_.resize(size);
   std::iota(parent_.begin(), parent_.end(), 0);
   wanted_.assign(size, false);
-  const auto solvable = [&](int i) { return movers[i].can_be_pushed() && movers[i].contacts.response != nullptr; };
+  const auto solvable = [&](int i) {
+    return moving_entities[i].can_be_pushed() && moving_entities[i].contacts.response != nullptr;
+  };
   for (const PairContact& c : set.points) {
     for (const int side : {c.a, c.b}) wanted_[side] = wanted_[side] || solvable(side);
     // the smaller number becomes the root, so the order of contacts does not matter
@@ -27,8 +30,9 @@ void Islands::find(const std::vector<Mover>& movers, const PairSet& set) {
     }
   }
   for (int i = 0; i < static_cast<int>(size); ++i) {
-    const ContactLaw* law = movers[i].contacts.law;
-    if (law && law->island_use() == IslandUse::always && solvable(i) && !movers[i].entity->frozen()) wanted_[i] = true;
+    const ContactLaw* law = moving_entities[i].contacts.law;
+    if (law && law->island_use() == IslandUse::always && solvable(i) && !moving_entities[i].entity->frozen())
+      wanted_[i] = true;
   }
   number_.assign(size, -1);
   count_ = 0;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "murosimf/collision/mover.h"
+#include "murosimf/collision/moving_entity.h"
 
 namespace murosimf::collision {
 
@@ -11,15 +11,15 @@ namespace murosimf::collision {
 /// solved by an island have -1. A law may want an island even for an entity that touches no other.
 class Islands {
  public:
-  void find(const std::vector<Mover>& movers, const PairSet& set);
+  void find(const std::vector<MovingEntity>& moving_entities, const PairSet& set);
 
   [[nodiscard]] int count() const { return count_; }
-  [[nodiscard]] int of(int mover) const { return number_[mover]; }
+  [[nodiscard]] int of(int moving_entity) const { return number_[moving_entity]; }
   /// Of a contact: that of its side that can be pushed.
   [[nodiscard]] int of(const PairContact& c) const { return number_[c.a] >= 0 ? number_[c.a] : number_[c.b]; }
 
  private:
-  [[nodiscard]] int root(int mover);
+  [[nodiscard]] int root(int moving_entity);
 
   std::vector<int> parent_;
   std::vector<int> number_;

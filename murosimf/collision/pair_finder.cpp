@@ -8,7 +8,7 @@
 namespace murosimf::collision {
 namespace {
 
-constexpr double fastest_walker = 3.0;  // [m/s] speed of an unpushable body's point that counts
+constexpr double fastest_walker = 3.0;  // [m/s] speed of an not_dynamic body's point that counts
 
 /// The one of less mass; a model without any can only be moved kinematically and does not count.
 const Model& lighter(const Model& a, const Model& b) {
@@ -26,10 +26,10 @@ bool comes_before(const PairContact& a, const PairContact& b) {
 }
 
 /// A kinematic robot may change its standing foot within a step: that must not shoot the ball.
-Vec3d velocity_that_counts(const Mover& mover, int object, const Vec3d& arm) {
-  const Vec3d v = mover.velocity_at(object, arm);
+Vec3d velocity_that_counts(const MovingEntity& moving_entity, int object, const Vec3d& arm) {
+  const Vec3d v = moving_entity.velocity_at(object, arm);
   const double speed = norm(v);
-  return mover.can_be_pushed() || speed <= fastest_walker ? v : (fastest_walker / speed) * v;
+  return moving_entity.can_be_pushed() || speed <= fastest_walker ? v : (fastest_walker / speed) * v;
 }
 
 void remember(PairSet& set) {
@@ -43,12 +43,13 @@ void remember(PairSet& set) {
 
 }  // namespace
 
-PairFinder::PairFinder(const std::vector<Mover>& movers, const MaterialTable& materials, double gravity, double dt)
-    : neighbors_(movers.size() * movers.size()) {
-  for (const Mover& mover : movers) {
+PairFinder::PairFinder(const std::vector<MovingEntity>& moving_entities, const MaterialTable& materials, double gravity,
+                       double dt)
+    : neighbors_(moving_entities.size() * moving_entities.size()) {
+  for (const MovingEntity& moving_entity : moving_entities) {
     auto& kinds = kinds_of_shapes_.emplace_back();
-    for (const CollidingShape& shape : mover.compound.shapes())
-      kinds.push_back(kind_of(mover.model(), shape.placed.surface));
+    for (const CollidingShape& shape : moving_entity.compound.shapes())
+      kinds.push_back(kind_of(moving_entity.model(), shape.placed.surface));
   }
   for (const Kind& a : kinds_) {
     for (const Kind& b : kinds_) {
@@ -67,30 +68,31 @@ std::size_t PairFinder::kind_of(const Model& model, const Surface& surface) {
   return kinds_.size() - 1;
 }
 
-void PairFinder::find(std::vector<Mover>& movers, PairSet& set) noexcept {
+void PairFinder::find(std::vector<MovingEntity>& moving_entities, PairSet& set) noexcept {
   set.previous.swap(set.points);
   set.points.clear();
   set.blocked.clear();
   set.tests = {};
-  const int count = static_cast<int>(movers.size());
+  const int count = static_cast<int>(moving_entities.size());
   reach_.clear();
-  for (const Mover& mover : movers) reach_.push_back(mover.reach());
+  for (const MovingEntity& moving_entity : moving_entities) reach_.push_back(moving_entity.reach());
   for (int a = 0; a < count; ++a) {
-    if (movers[a].entity->frozen()) continue;
-    if (movers[a].limbs_can_touch()) find_between(movers, a, a, set);
+    if (moving_entities[a].entity->frozen()) continue;
+    if (moving_entities[a].limbs_can_touch()) find_between(moving_entities, a, a, set);
     for (int b = a + 1; b < count; ++b) {
       ++set.tests.volumes;
-      if (overlap(reach_[a], reach_[b]) && !movers[b].entity->frozen()) find_between(movers, a, b, set);
+      if (overlap(reach_[a], reach_[b]) && !moving_entities[b].entity->frozen())
+        find_between(moving_entities, a, b, set);
     }
   }
   remember(set);
 }
 
-void PairFinder::find_between(std::vector<Mover>& movers, int a, int b, PairSet& set) noexcept {
-  Mover &first = movers[a], &second = movers[b];
+void PairFinder::find_between(std::vector<MovingEntity>& moving_entities, int a, int b, PairSet& set) noexcept {
+  MovingEntity &first = moving_entities[a], &second = moving_entities[b];
   first.refit();
   second.refit();
-  Neighbors& near = neighbors_[static_cast<std::size_t>(a) * movers.size() + static_cast<std::size_t>(b)];
+  Neighbors& near = neighbors_[static_cast<std::size_t>(a) * moving_entities.size() + static_cast<std::size_t>(b)];
   if (near.fits_a != first.fits() || near.fits_b != second.fits()) {
     near.fits_a = first.fits();
     near.fits_b = second.fits();
@@ -103,12 +105,12 @@ void PairFinder::find_between(std::vector<Mover>& movers, int a, int b, PairSet&
         a == b ? for_inner_pairs(first.compound, add) : for_pairs(first.compound, second.compound, add);
     std::sort(near.shapes.begin(), near.shapes.end());
   }
-  test(movers, a, b, near.shapes, set);
+  test(moving_entities, a, b, near.shapes, set);
 }
 
-void PairFinder::test(std::vector<Mover>& movers, int a, int b, const std::vector<std::pair<int, int>>& shapes,
-                      PairSet& set) noexcept {
-  Mover &first = movers[a], &second = movers[b];
+void PairFinder::test(std::vector<MovingEntity>& moving_entities, int a, int b,
+                      const std::vector<std::pair<int, int>>& shapes, PairSet& set) noexcept {
+  MovingEntity &first = moving_entities[a], &second = moving_entities[b];
   PairContact pair;
   pair.a = a;
   pair.b = b;
@@ -125,13 +127,13 @@ void PairFinder::test(std::vector<Mover>& movers, int a, int b, const std::vecto
     pair.object_b = shape_b.object;
     pair.shapes = number_of(a, b, i, j);
     pair.surface = static_cast<std::uint32_t>(kinds_of_shapes_[a][i] * kinds_.size() + kinds_of_shapes_[b][j]);
-    add_contacts(movers, pair, manifold, set);
+    add_contacts(moving_entities, pair, manifold, set);
   }
 }
 
-void PairFinder::add_contacts(const std::vector<Mover>& movers, const PairContact& pair, geometry::Manifold& manifold,
-                              PairSet& set) const noexcept {
-  const Mover &first = movers[pair.a], &second = movers[pair.b];
+void PairFinder::add_contacts(const std::vector<MovingEntity>& moving_entities, const PairContact& pair,
+                              geometry::Manifold& manifold, PairSet& set) const noexcept {
+  const MovingEntity &first = moving_entities[pair.a], &second = moving_entities[pair.b];
   const bool pushes = first.can_be_pushed() || second.can_be_pushed();
   std::vector<PairContact>& points = pushes ? set.points : set.blocked;
   sort_by_feature(manifold);

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "murosimf/collision/mover.h"
+#include "murosimf/collision/moving_entity.h"
 #include "murosimf/geometry/collide.h"
 #include "murosimf/model/material.h"
 
@@ -18,12 +18,13 @@ namespace murosimf::collision {
 class PairFinder {
  public:
   /// gravity [m/s^2] magnitude, dt [s] of the step.
-  PairFinder(const std::vector<Mover>& movers, const MaterialTable& materials, double gravity, double dt);
+  PairFinder(const std::vector<MovingEntity>& moving_entities, const MaterialTable& materials, double gravity,
+             double dt);
 
   /// Constants of all pairs of surfaces that can meet.
   [[nodiscard]] const std::vector<ContactParameters>& parameters() const { return parameters_; }
   /// Renews set.points and set.blocked; points of the step before go to set.previous.
-  void find(std::vector<Mover>& movers, PairSet& set) noexcept;
+  void find(std::vector<MovingEntity>& moving_entities, PairSet& set) noexcept;
 
  private:
   /// One surface of one model: contacts between the same two kinds have the same constants.
@@ -37,14 +38,14 @@ class PairFinder {
     std::vector<std::pair<int, int>> shapes;
   };
   [[nodiscard]] std::size_t kind_of(const Model& model, const Surface& surface);
-  void find_between(std::vector<Mover>& movers, int a, int b, PairSet& set) noexcept;
-  void test(std::vector<Mover>& movers, int a, int b, const std::vector<std::pair<int, int>>& shapes,
+  void find_between(std::vector<MovingEntity>& moving_entities, int a, int b, PairSet& set) noexcept;
+  void test(std::vector<MovingEntity>& moving_entities, int a, int b, const std::vector<std::pair<int, int>>& shapes,
             PairSet& set) noexcept;
-  void add_contacts(const std::vector<Mover>& movers, const PairContact& pair, geometry::Manifold& manifold,
-                    PairSet& set) const noexcept;
+  void add_contacts(const std::vector<MovingEntity>& moving_entities, const PairContact& pair,
+                    geometry::Manifold& manifold, PairSet& set) const noexcept;
 
   std::vector<Kind> kinds_;
-  std::vector<std::vector<std::size_t>> kinds_of_shapes_;  // by mover and shape
+  std::vector<std::vector<std::size_t>> kinds_of_shapes_;  // by moving_entity and shape
   std::vector<ContactParameters> parameters_;              // of kinds i and j at i * kinds + j
   std::vector<Neighbors> neighbors_;                       // of entities a and b at a * entities + b
   std::vector<geometry::BoundingSphere> reach_;            // of each entity; working memory

@@ -7,14 +7,13 @@
 
 namespace murosimf::collision {
 
-using geometry::Pose;
 using geometry::Ray;
 
 QueryScene::Member::Member(const Entity& of, const std::string& volume)
     : entity(&of),
       compound(of.model(), {.volume = volume, .structured = !of.model().joints().empty()}),
       planes(colliding_planes(of.model())) {
-  for (const Pose& pose : rest_poses(of.model())) {
+  for (const Transformd& pose : rest_poses(of.model())) {
     rest_r.push_back(pose.position);
     rest_R.push_back(pose.orientation);
   }
@@ -36,8 +35,8 @@ const Compound& QueryScene::Member::fresh() {
   return compound;
 }
 
-Pose QueryScene::Member::pose(const CollidingShape& shape) const {
-  return placed_in({r[shape.object], R[shape.object]}, {shape.placed.position, shape.placed.orientation});
+Transformd QueryScene::Member::pose(const CollidingShape& shape) const {
+  return Transformd{r[shape.object], R[shape.object]} * shape.placed.place();
 }
 
 QueryScene::QueryScene(const World& world, const std::string& volume) {
@@ -102,7 +101,7 @@ std::vector<RayHit> QueryScene::cast_all(const Ray& ray, const RayLimits& limits
   return hits;
 }
 
-std::vector<BodyRef> QueryScene::overlapping(const Shape& shape, const Pose& at) {
+std::vector<BodyRef> QueryScene::overlapping(const Shape& shape, const Transformd& at) {
   std::vector<BodyRef> bodies;
   const bool endless = std::holds_alternative<Plane>(shape);
   const auto around = endless ? geometry::BoundingSphere{at.position, std::numeric_limits<double>::infinity()}

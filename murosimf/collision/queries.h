@@ -61,11 +61,11 @@ class QueryScene {
   [[nodiscard]] std::optional<RayHit> cast(const geometry::Ray& ray, const RayLimits& limits = {});
   /// The same for each ray of a fan (collision/scan.h) whose frame is `at`: its distance [m], infinite where nothing is
   /// within the range. As many distances as the fan has rays.
-  void cast(const Fan& fan, const geometry::Pose& at, const RayLimits& limits, std::span<double> distances) noexcept;
+  void cast(const Fan& fan, const Transformd& at, const RayLimits& limits, std::span<double> distances) noexcept;
   /// All shapes on a ray, each where the ray enters it; the nearest first.
   [[nodiscard]] std::vector<RayHit> cast_all(const geometry::Ray& ray, const RayLimits& limits = {});
   /// The bodies that overlap a shape; in the order of entities and objects, each once.
-  [[nodiscard]] std::vector<BodyRef> overlapping(const Shape& shape, const geometry::Pose& at);
+  [[nodiscard]] std::vector<BodyRef> overlapping(const Shape& shape, const Transformd& at);
   /// Nothing if one of the two has no shapes that collide. Throws SetupError if an entity is not in the scene.
   [[nodiscard]] std::optional<Separation> distance(const BodyRef& a, const BodyRef& b);
 
@@ -77,7 +77,7 @@ class QueryScene {
     /// The compound, refitted if it must be.
     const Compound& fresh();
     [[nodiscard]] geometry::BoundingSphere reach() const { return {r[0], compound.reach()}; }
-    [[nodiscard]] geometry::Pose pose(const CollidingShape& shape) const;
+    [[nodiscard]] Transformd pose(const CollidingShape& shape) const;
 
     const Entity* entity;
     Compound compound;

@@ -11,7 +11,7 @@ std::vector<geometry::BoundingSphere> rest_spheres(const Model& model, std::span
   const auto poses = rest_poses(model);
   std::vector<geometry::BoundingSphere> spheres;
   for (const CollidingShape& shape : shapes) {
-    const geometry::Pose at = placed_in(poses[shape.object], {shape.placed.position, shape.placed.orientation});
+    const Transformd at = poses[shape.object] * shape.placed.place();
     spheres.push_back(geometry::fit<geometry::BoundingSphere>(shape.placed.shape, at));
   }
   return spheres;

@@ -4,8 +4,6 @@
 
 namespace murosimf::collision {
 
-using geometry::Pose;
-
 namespace {
 
 /// How much more than they should be spheres [m] and sectors [rad] are, so that rounding loses no ray.
@@ -13,8 +11,8 @@ constexpr double slack = 1e-6;
 
 }  // namespace
 
-Fan::Fan(int rays, double first, double opening)
-    : first_(first), step_(rays > 1 ? opening / static_cast<double>(rays - 1) : 0) {
+Fan::Fan(int rays, double first, double fov)
+    : first_(first), step_(rays > 1 ? fov / static_cast<double>(rays - 1) : 0) {
   directions_.reserve(static_cast<std::size_t>(rays));
   for (int i = 0; i < rays; ++i) {
     const double angle = first + static_cast<double>(i) * step_;
@@ -34,7 +32,7 @@ Fan::Sector Fan::sector(const geometry::BoundingSphere& sphere) const {
 /// One scan that is being made.
 struct QueryScene::FanCast {
   const Fan& fan;
-  const Pose& at;
+  const Transformd& at;
   double range;  // [m]
   std::span<double> distances;
 
@@ -48,12 +46,12 @@ struct QueryScene::FanCast {
     const double limit = range + sphere.radius;
     return abs(sphere.center.z) <= sphere.radius && dot(sphere.center, sphere.center) <= limit * limit;
   }
-  void meet(std::size_t i, const Shape& shape, const Pose& place) const {
+  void meet(std::size_t i, const Shape& shape, const Transformd& place) const {
     const auto entry = geometry::meet(fan.ray(i, at), shape, place);
     if (entry && entry->distance <= range) distances[i] = std::min(distances[i], entry->distance);
   }
   /// From above, only rays count that come down to the plane before they meet something else.
-  void see_plane(const Shape& plane, const Pose& place) const {
+  void see_plane(const Shape& plane, const Transformd& place) const {
     const Vec3d up = transposed_times(at.orientation, place.orientation.z);
     const double height = dot(place.orientation.z, at.position - place.position) - slack;
     for (std::size_t i = 0; i < fan.size(); ++i) {
@@ -61,7 +59,7 @@ struct QueryScene::FanCast {
       if (height <= 0 || !(height + dot(up, fan.direction(i)) * limit > 0)) meet(i, plane, place);
     }
   }
-  void see(const Shape& shape, const Pose& place, const geometry::BoundingSphere& around) const {
+  void see(const Shape& shape, const Transformd& place, const geometry::BoundingSphere& around) const {
     const auto sphere = in_fan(around);
     const double nearest = norm(sphere.center) - sphere.radius;
     fan.for_rays_towards(sphere, [&](std::size_t i) {
@@ -86,7 +84,7 @@ struct QueryScene::FanCast {
   }
 };
 
-void QueryScene::cast(const Fan& fan, const geometry::Pose& at, const RayLimits& limits,
+void QueryScene::cast(const Fan& fan, const Transformd& at, const RayLimits& limits,
                       std::span<double> distances) noexcept {
   std::fill(distances.begin(), distances.end(), std::numeric_limits<double>::infinity());
   const FanCast cast{fan, at, limits.range, distances};

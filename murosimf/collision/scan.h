@@ -22,15 +22,15 @@ namespace murosimf::collision {
 /// Rays from the origin of a frame in its x-y plane.
 class Fan {
  public:
-  /// `rays` from the angle `first` [rad] on, from x towards y, evenly over `opening` [rad], both ends included. There
-  /// must be at least one ray, and the opening must be from 0 to 2 pi.
-  Fan(int rays, double first, double opening);
+  /// `rays` from the angle `first` [rad] on, from x towards y, evenly over `fov` [rad], both ends included. There
+  /// must be at least one ray, and the fov must be from 0 to 2 pi.
+  Fan(int rays, double first, double fov);
 
   [[nodiscard]] std::size_t size() const { return directions_.size(); }
   /// Of ray i [1], unit, in the fan's frame.
   [[nodiscard]] const Vec3d& direction(std::size_t i) const { return directions_[i]; }
   /// Ray i of the fan whose frame is `at`.
-  [[nodiscard]] geometry::Ray ray(std::size_t i, const geometry::Pose& at) const {
+  [[nodiscard]] geometry::Ray ray(std::size_t i, const Transformd& at) const {
     return {at.position, at.orientation * directions_[i]};
   }
   /// Calls visit(i) for each ray that may meet a sphere of the fan's frame, once.

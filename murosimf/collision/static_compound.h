@@ -18,14 +18,14 @@ class StaticCompound {
   [[nodiscard]] bool empty() const { return places_.empty(); }
   [[nodiscard]] const Compound& compound() const { return compound_; }
   [[nodiscard]] const CollidingShape& shape(int i) const { return compound_.shapes()[i]; }
-  [[nodiscard]] const geometry::Pose& pose(int i) const { return places_[i]; }
+  [[nodiscard]] const Transformd& pose(int i) const { return places_[i]; }
 
   /// True if the sphere about `center` [m] meets the bounding volume of any shape; adds the tests of volumes to `tests`.
   [[nodiscard]] bool is_near(const Vec3d& center, double radius, std::int64_t& tests) const noexcept;
 
  private:
   Compound compound_;
-  std::vector<geometry::Pose> places_;  // of each shape, world
+  std::vector<Transformd> places_;  // of each shape, world
 };
 
 }  // namespace murosimf::collision

@@ -5,9 +5,9 @@
 ///     }
 ///
 /// The points are those of the last step: found where bodies were at its beginning, with the force that acted until its
-/// end. With the law `carry` between bodies it is the force at the beginning (pair_law.h). Bodies that overlap without a
+/// end. With the law `carry` between bodies it is the force at the beginning (body_contact_law.h). Bodies that overlap without a
 /// force, because they part faster than their contact springs back, are listed with force 0. Kinematic walkers that are
-/// kept apart (keep_apart.h) touch neither each other nor static shapes: no force acts there.
+/// kept apart (kinematic_separation.h) touch neither each other nor static shapes: no force acts there.
 #pragma once
 
 #include <vector>

@@ -21,7 +21,7 @@ toml::array events_array(const Measures& measures) {
 
 toml::table deviations_table(const Deviations& deviations) {
   toml::table table;
-  for (const Quantity& q : quantities()) table.insert(q.name, q.of(deviations));
+  for (const ComparedQuantity& q : quantities()) table.insert(q.name, q.of(deviations));
   if (!std::isnan(deviations.torque)) table.insert("torque", 100 * deviations.torque);
   return table;
 }

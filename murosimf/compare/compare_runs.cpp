@@ -53,13 +53,13 @@ const scene::RobotSpec& find_robot(const scene::SceneSpec& spec, const std::stri
 
 std::vector<CompareEntry> entries_for(const CompareOptions& options, const scene::RobotSpec& robot) {
   for (const std::string& name : options.levels)
-    at("--levels", [&] { return &find_entry(scene::levels(), "level", name); });
+    with_context("--levels", [&] { return &find_entry(scene::levels(), "level", name); });
   std::vector<std::string> laws = options.contacts;
   if (laws.empty()) laws.push_back(robot.contact);
   for (const std::string& name : laws)
-    at("--contacts", [&] { return &find_entry(scene::contacts(), "contact law", name); });
+    with_context("--contacts", [&] { return &find_entry(scene::contacts(), "contact law", name); });
   std::vector<CompareEntry> entries;
-  for (const scene::Level& level : scene::levels()) {
+  for (const scene::LevelType& level : scene::levels()) {
     const std::string name(level.name);
     const auto& wanted = options.levels;
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;

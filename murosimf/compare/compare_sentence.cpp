@@ -95,7 +95,7 @@ class Sentence {
       }
     };
     for (std::size_t q = 0; !fell() && q < quantities().size(); ++q) {
-      const Quantity& quantity = quantities()[q];
+      const ComparedQuantity& quantity = quantities()[q];
       look(quantity.words, [&](const auto& e) { return quantity.of(e.deviations) > thresholds_.values[q]; });
     }
     if (!reference_.measures.peak_joint.empty()) {

@@ -51,7 +51,7 @@ std::string happened(const Comparison& c) {
 
 std::string deviated(const CompareEntry& e) {
   std::string text = fmt::format("{:<20} {:<19}", e.level, law(e));
-  for (const Quantity& q : quantities()) text += fmt::format(" {:>11}", number_of(q, q.of(e.deviations)));
+  for (const ComparedQuantity& q : quantities()) text += fmt::format(" {:>11}", number_of(q, q.of(e.deviations)));
   const double torque = 100 * e.deviations.torque;
   return text + fmt::format(" {:>8}\n", std::isnan(torque) ? "-" : fmt::format("{:.0f} %", torque));
 }
@@ -65,7 +65,7 @@ std::string judged(const CompareEntry& e, const LevelVerdict& verdict) {
 /// Those that can be compared with the reference: their deviations, then what follows from them.
 std::string compared(const Comparison& c, const Recommendation& r) {
   std::string numbers = fmt::format("\n{:<20} {:<19}", "off the reference by", "");
-  for (const Quantity& q : quantities()) numbers += fmt::format(" {:>11}", q.name);
+  for (const ComparedQuantity& q : quantities()) numbers += fmt::format(" {:>11}", q.name);
   numbers += fmt::format(" {:>8}\n", "torque");
   std::string words;
   for (std::size_t i = 0; i < c.entries.size(); ++i) {

@@ -13,15 +13,15 @@ namespace murosimf::compare {
 namespace {
 
 constexpr std::array all{
-    Quantity{"path_length", "path length", "%", 100, 1, 20, &Deviations::path_length},
-    Quantity{"path", "path", "m", 1, 3, 0.12, &Deviations::path},
-    Quantity{"center_mean", "mean place of the center of mass", "m", 1, 3, 0.10, &Deviations::center_mean},
-    Quantity{"center_max", "center of mass", "m", 1, 3, 0.20, &Deviations::center_max},
-    Quantity{"pitch", "torso pitch", "deg", 180 / pi, 1, 5, &Deviations::pitch},
-    Quantity{"roll", "torso roll", "deg", 180 / pi, 1, 5, &Deviations::roll},
-    Quantity{"rate", "torso angular rate", "rad/s", 1, 2, 0.7, &Deviations::rate},
-    Quantity{"slip", "foot slip", "mm/s", 1000, 1, 20, &Deviations::slip},
-    Quantity{"clearance", "foot clearance", "mm", 1000, 0, 20, &Deviations::clearance},
+    ComparedQuantity{"path_length", "path length", "%", 100, 1, 20, &Deviations::path_length},
+    ComparedQuantity{"path", "path", "m", 1, 3, 0.12, &Deviations::path},
+    ComparedQuantity{"center_mean", "mean place of the center of mass", "m", 1, 3, 0.10, &Deviations::center_mean},
+    ComparedQuantity{"center_max", "center of mass", "m", 1, 3, 0.20, &Deviations::center_max},
+    ComparedQuantity{"pitch", "torso pitch", "deg", 180 / pi, 1, 5, &Deviations::pitch},
+    ComparedQuantity{"roll", "torso roll", "deg", 180 / pi, 1, 5, &Deviations::roll},
+    ComparedQuantity{"rate", "torso angular rate", "rad/s", 1, 2, 0.7, &Deviations::rate},
+    ComparedQuantity{"slip", "foot slip", "mm/s", 1000, 1, 20, &Deviations::slip},
+    ComparedQuantity{"clearance", "foot clearance", "mm", 1000, 0, 20, &Deviations::clearance},
 };
 
 double value_of(const std::string& text, std::size_t begin, const std::string& where) {
@@ -36,14 +36,14 @@ double value_of(const std::string& text, std::size_t begin, const std::string& w
 
 }  // namespace
 
-std::span<const Quantity> quantities() { return all; }
+std::span<const ComparedQuantity> quantities() { return all; }
 
-std::string number_of(const Quantity& quantity, double value) {
+std::string number_of(const ComparedQuantity& quantity, double value) {
   return fmt::format("{:.{}f} {}", value, quantity.decimals, quantity.unit);
 }
 
 Thresholds::Thresholds() {
-  for (const Quantity& quantity : all) values.push_back(quantity.threshold);
+  for (const ComparedQuantity& quantity : all) values.push_back(quantity.threshold);
 }
 
 void Thresholds::set(const std::string& text) {

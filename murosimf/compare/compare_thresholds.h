@@ -11,7 +11,7 @@
 namespace murosimf::compare {
 
 /// One deviation that has a threshold.
-struct Quantity {
+struct ComparedQuantity {
   std::string_view name;   ///< for --threshold
   std::string_view words;  ///< in sentences
   std::string_view unit;   ///< of the threshold and of what is printed
@@ -23,10 +23,10 @@ struct Quantity {
   [[nodiscard]] double of(const Deviations& deviations) const { return scale * (deviations.*deviation); }
 };
 
-[[nodiscard]] std::span<const Quantity> quantities();
+[[nodiscard]] std::span<const ComparedQuantity> quantities();
 
 /// "12.9 %"
-[[nodiscard]] std::string number_of(const Quantity& quantity, double value);
+[[nodiscard]] std::string number_of(const ComparedQuantity& quantity, double value);
 
 /// What still counts as the same.
 struct Thresholds {

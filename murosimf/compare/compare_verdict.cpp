@@ -47,7 +47,7 @@ LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference, con
   auto difference = event_difference(entry.measures, reference.measures, thresholds.fall_time);
   if (!difference.empty()) verdict.reasons.push_back(std::move(difference));
   for (std::size_t q = 0; reference.measures.falls == 0 && q < quantities().size(); ++q) {
-    const Quantity& quantity = quantities()[q];
+    const ComparedQuantity& quantity = quantities()[q];
     const double value = quantity.of(entry.deviations);
     if (value <= thresholds.values[q]) continue;  // NaN is not
     verdict.reasons.push_back(

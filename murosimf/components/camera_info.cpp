@@ -105,7 +105,7 @@ void read_matrix(const Fields& fields, LensSpec& lens) {
 
 /// Throws what Lens has against the numbers that are read so far, with the line of `key`.
 void check(const Fields& fields, const char* key, const LensSpec& lens) {
-  at(fields.where(key), [&] { static_cast<void>(Lens(lens)); });
+  with_context(fields.where(key), [&] { static_cast<void>(Lens(lens)); });
 }
 
 LensSpec read_lens(const Fields& fields) {
@@ -148,16 +148,16 @@ void make_common(LensSpec& lens) {
 
 }  // namespace
 
-CameraInfo read_camera_info(const std::filesystem::path& file) {
+CameraCalibration read_camera_info(const std::filesystem::path& file) {
   const Fields fields(file);
-  CameraInfo info{{}, read_lens(fields)};
+  CameraCalibration info{{}, read_lens(fields)};
   if (fields.has("camera_name")) info.name = fields.text("camera_name");
   if (fields.has("rectification_matrix")) static_cast<void>(fields.numbers("rectification_matrix", 9));
   if (fields.has("projection_matrix")) static_cast<void>(fields.numbers("projection_matrix", 12));
   return info;
 }
 
-std::string camera_info_yaml(const CameraInfo& info) {
+std::string camera_info_yaml(const CameraCalibration& info) {
   LensSpec lens = info.lens;
   make_common(lens);
   YAML::Emitter out;

@@ -22,18 +22,18 @@
 
 namespace murosimf::components {
 
-struct CameraInfo {
+struct CameraCalibration {
   std::string name;
   imaging::LensSpec lens;
 };
 
 /// Throws SetupError with file:line: fields that are missing, of another type, not finite or of the wrong count; a
 /// camera matrix with skew; everything that imaging::Lens refuses.
-[[nodiscard]] CameraInfo read_camera_info(const std::filesystem::path& file);
+[[nodiscard]] CameraCalibration read_camera_info(const std::filesystem::path& file);
 
 /// The same form. A perspective lens becomes a plumb_bob with coefficients 0, which other readers know; coefficients
 /// that may be missing are written as 0, as those expect.
-[[nodiscard]] std::string camera_info_yaml(const CameraInfo& info);
+[[nodiscard]] std::string camera_info_yaml(const CameraCalibration& info);
 
 /// The file that a name means: itself, beside `beside`, or one of lenses/ (files/data_path.h).
 [[nodiscard]] std::filesystem::path find_lens_file(std::string_view name, const std::filesystem::path& beside = {});

@@ -12,8 +12,8 @@ namespace {
 
 }  // namespace
 
-CameraInfo read_camera_info(const std::filesystem::path& /*file*/) { refuse(); }
+CameraCalibration read_camera_info(const std::filesystem::path& /*file*/) { refuse(); }
 
-std::string camera_info_yaml(const CameraInfo& /*info*/) { refuse(); }
+std::string camera_info_yaml(const CameraCalibration& /*info*/) { refuse(); }
 
 }  // namespace murosimf::components

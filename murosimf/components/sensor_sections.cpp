@@ -26,7 +26,7 @@ Vec3d roll_pitch_yaw(const Mat3d& turn) {
 
 std::string place_of(const SensorSpec& spec) {
   std::string text;
-  if (!spec.frame.empty()) text += fmt::format("frame = {}\n", quoted(spec.frame));
+  if (!spec.frame.empty()) text += fmt::format("frame = {}\n", toml_quoted(spec.frame));
   const Vec3d& p = spec.position;
   if (!is_zero(p)) text += fmt::format("position = [{}, {}, {}]\n", p.x, p.y, p.z);
   const auto angles = [&](const char* key, const Vec3d& rpy) {
@@ -41,7 +41,7 @@ std::string place_of(const SensorSpec& spec) {
 std::string objects_of(const SensorSpec& spec) {
   if (spec.objects.empty()) return {};
   std::string names;
-  for (const std::string& object : spec.objects) names += (names.empty() ? "" : ", ") + quoted(object);
+  for (const std::string& object : spec.objects) names += (names.empty() ? "" : ", ") + toml_quoted(object);
   const SensorType& type = find_entry(sensor_types(), "sensor type", spec.type);
   return fmt::format("{} = [{}]\n", type.objects, names);
 }
@@ -54,12 +54,12 @@ std::string numbers_of(const SensorSpec& spec) {
     const bool is_flag = flags.find(fmt::format(" {} ", key)) != std::string::npos;
     text += is_flag ? fmt::format("{} = {}\n", key, number != 0) : fmt::format("{} = {}\n", key, number);
   }
-  for (const auto& [key, word] : spec.texts) text += fmt::format("{} = {}\n", key, quoted(word));
+  for (const auto& [key, word] : spec.texts) text += fmt::format("{} = {}\n", key, toml_quoted(word));
   return text;
 }
 
 std::string section(const SensorSpec& spec) {
-  std::string text = fmt::format("\n[sensors.{}]\ntype = {}\n", spec.name, quoted(spec.type)) + place_of(spec);
+  std::string text = fmt::format("\n[sensors.{}]\ntype = {}\n", spec.name, toml_quoted(spec.type)) + place_of(spec);
   if (spec.rate > 0) text += fmt::format("rate = {}\n", spec.rate);
   if (spec.delay > 0) text += fmt::format("delay = {}\n", spec.delay);
   text += objects_of(spec);

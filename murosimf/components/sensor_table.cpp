@@ -98,8 +98,8 @@ class Changer {
   /// The numbers of a calibration file; scaled, if the table asks for another size of the picture.
   void take_calibration(const SensorTable& table, const SensorValue& value, const std::filesystem::path& beside) {
     const std::string name = name_of("calibration", value);
-    const auto file = at(value.where, [&] { return find_lens_file(name, beside); });
-    const imaging::LensSpec lens = at(value.where, [&] { return read_camera_info(file).lens; });
+    const auto file = with_context(value.where, [&] { return find_lens_file(name, beside); });
+    const imaging::LensSpec lens = with_context(value.where, [&] { return read_camera_info(file).lens; });
     const auto scale = [&](const char* key, int size) {
       const auto other = table.values.find(key);
       return other == table.values.end() ? 1 : finite_number(key, other->second) / size;
@@ -172,8 +172,8 @@ SensorTable read_part(const std::string& name, const std::string& where, const s
 
 void check_signals(const SensorSpec& spec) {
   for (const auto& [output, signal] : spec.signals) {
-    at(spec.where, [&, &name = output, &numbers = signal] {
-      at(name.empty() ? spec.name : spec.name + "." + name, [&] { sensors::check(numbers); });
+    with_context(spec.where, [&, &name = output, &numbers = signal] {
+      with_context(name.empty() ? spec.name : spec.name + "." + name, [&] { sensors::check(numbers); });
     });
   }
 }
@@ -181,7 +181,8 @@ void check_signals(const SensorSpec& spec) {
 /// The type that a table says, if it says one.
 std::optional<std::string> type_of(const SensorTable& table) {
   const auto type = text_of(table, "type");
-  if (type) at(table.values.at("type").where, [&] { (void)find_entry(sensor_types(), "sensor type", *type); });
+  if (type)
+    with_context(table.values.at("type").where, [&] { (void)find_entry(sensor_types(), "sensor type", *type); });
   return type;
 }
 

@@ -10,12 +10,12 @@
 #include "murosimf/sensors/contact_sensors.h"
 #include "murosimf/sensors/depth_laser.h"
 #include "murosimf/sensors/detector.h"
+#include "murosimf/sensors/frame_sensors.h"
 #include "murosimf/sensors/ground_truth.h"
 #include "murosimf/sensors/inertial.h"
 #include "murosimf/sensors/joint_sensors.h"
 #include "murosimf/sensors/laser.h"
 #include "murosimf/sensors/sonar.h"
-#include "murosimf/sensors/true_motion.h"
 
 namespace murosimf::components {
 namespace {
@@ -41,9 +41,9 @@ constexpr std::array types{
     SensorType{"contact_switch", "1 while anything touches a link", "threshold", "", Watch::samples,
                make<sensors::ContactSwitch>},
     SensorType{"depth_laser", "the same as laser, by pictures of depths: it sees what is drawn",
-               "rays opening first_angle nearest farthest", "", Watch::samples, make<sensors::DepthLaser>},
+               "rays fov first_angle range_min range_max", "", Watch::samples, make<sensors::DepthLaser>},
     SensorType{"detector", "places of ball and robots as vision software reports them: distance, azimuth, elevation",
-               "opening_azimuth opening_elevation nearest farthest visible_share misses distance_noise azimuth_noise "
+               "fov_azimuth fov_elevation range_min range_max visible_share misses distance_noise azimuth_noise "
                "elevation_noise offset",
                "entities", Watch::samples, make<sensors::Detector>},
     SensorType{"force_torque", "contact force and moment on a link, in axes of the sensor", "threshold", "",
@@ -54,9 +54,9 @@ constexpr std::array types{
     SensorType{"imu", "gyroscope, accelerometer and orientation in one part", "", "", Watch::always,
                make<sensors::Imu>},
     SensorType{"joint_position", "encoders of joints", "", "joints", Watch::samples, make<sensors::JointPosition>},
-    SensorType{"joint_rate", "rates of joints", "", "joints", Watch::samples, make<sensors::JointRate>},
+    SensorType{"joint_velocity", "rates of joints", "", "joints", Watch::samples, make<sensors::JointRate>},
     SensorType{"joint_torque", "torque of servo and gear", "", "joints", Watch::samples, make<sensors::JointTorque>},
-    SensorType{"laser", "distances of what a scan of a plane meets", "rays opening first_angle nearest farthest", "",
+    SensorType{"laser", "distances of what a scan of a plane meets", "rays fov first_angle range_min range_max", "",
                Watch::samples, make<sensors::Laser>},
     SensorType{"linear_velocity", "of the sensor, world axes", "", "", Watch::samples, make<sensors::LinearVelocity>},
     SensorType{"motor_current", "of servos", "", "joints", Watch::samples, make<sensors::MotorCurrent>},
@@ -70,9 +70,9 @@ constexpr std::array types{
                make<sensors::PressureCells>},
     SensorType{"pressure_center", "where the contact force goes through a sole, and how strong it is", "threshold", "",
                Watch::samples, make<sensors::PressureCenter>},
-    SensorType{"rangefinder", "distance of what one ray along z meets", "nearest farthest", "", Watch::samples,
+    SensorType{"rangefinder", "distance of what one ray along z meets", "range_min range_max", "", Watch::samples,
                make<sensors::RangeFinder>},
-    SensorType{"sonar", "distance of the nearest thing in a cone about x", "rays opening nearest farthest", "",
+    SensorType{"sonar", "distance of the nearest thing in a cone about x", "rays fov range_min range_max", "",
                Watch::samples, make<sensors::Sonar>},
     SensorType{"velocimeter", "velocity of the sensor, in its axes", "", "", Watch::samples,
                make<sensors::Velocimeter>},
@@ -92,7 +92,7 @@ sensors::Sensor& attach(Simulation& simulation, Entity& robot, const sensors::Se
     throw SetupError(fmt::format("the delay of sensor '{}' is {} s; it must be from 0 to 10", spec.name, spec.delay));
   }
   const auto make = [&](Setup& setup) -> std::unique_ptr<Algorithm> {
-    return murosimf::at(spec.name, [&] { return type.make(setup, spec, surroundings); });
+    return murosimf::with_context(spec.name, [&] { return type.make(setup, spec, surroundings); });
   };
   const double rate = sensors::task_rate(spec, type.watch, step_rate);
   return static_cast<sensors::Sensor&>(simulation.attach(std::string(type.name), robot, rate, make));
@@ -103,7 +103,7 @@ sensors::Sensor& attach(Simulation& simulation, Entity& robot, const sensors::Se
 sensors::Sensor& attach_sensor(Simulation& simulation, Entity& robot, const sensors::SensorSpec& spec,
                                const sensors::SensorSurroundings& surroundings, double step_rate) {
   const auto do_it = [&]() -> sensors::Sensor& { return attach(simulation, robot, spec, surroundings, step_rate); };
-  return spec.where.empty() ? do_it() : at(spec.where, do_it);
+  return spec.where.empty() ? do_it() : with_context(spec.where, do_it);
 }
 
 }  // namespace murosimf::components

@@ -15,7 +15,7 @@ namespace murosimf::components {
 
 struct SensorType {
   std::string_view name, meaning;
-  std::string_view numbers;  ///< keys that only this type has, as in SensorSpec::numbers: "rays opening"
+  std::string_view numbers;  ///< keys that only this type has, as in SensorSpec::numbers: "rays fov"
   std::string_view objects;  ///< key of SensorSpec::objects: "joints", "bodies", "entities"; empty: it has none
   sensors::Watch watch;
   std::unique_ptr<sensors::Sensor> (*make)(Setup&, const sensors::SensorSpec&, const sensors::SensorSurroundings&);

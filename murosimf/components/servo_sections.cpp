@@ -27,7 +27,7 @@ struct Group {
   std::vector<std::string> joints;
 };
 
-Drive drive_of(const description::DraftJoint& joint) {
+Drive drive_of(const description::JointDescription& joint) {
   const Servo& servo = *joint.servo;
   return {servo.type == guessed_servo,
           servo.stall_torque,
@@ -38,12 +38,12 @@ Drive drive_of(const description::DraftJoint& joint) {
           joint.damping};
 }
 
-std::vector<Group> groups_of(const description::RobotDraft& draft) {
+std::vector<Group> groups_of(const description::RobotDescription& description) {
   std::set<std::string> followers;
-  for (const description::DraftMimic& mimic : draft.mimics) followers.insert(mimic.joint);
+  for (const description::MimicDescription& mimic : description.mimics) followers.insert(mimic.joint);
   std::vector<Group> groups;
-  for (const description::DraftBody& body : draft.bodies) {
-    for (const description::DraftJoint& joint : body.joints) {
+  for (const description::BodyDescription& body : description.bodies) {
+    for (const description::JointDescription& joint : body.joints) {
       if (!joint.servo || followers.contains(joint.name)) continue;
       const Drive drive = drive_of(joint);
       auto group = std::ranges::find(groups, drive, &Group::drive);
@@ -65,7 +65,7 @@ std::string unless_zero(std::string_view key, double value, std::string_view mea
 std::string joint_list(const std::vector<std::string>& joints) {
   std::string text = "joints = [\n", row = " ";
   for (const std::string& joint : joints) {
-    const std::string item = " " + quoted(joint) + ",";
+    const std::string item = " " + toml_quoted(joint) + ",";
     if (row.size() + item.size() > line_length && row.size() > 1) {
       text += row + "\n";
       row = " ";
@@ -88,7 +88,7 @@ std::string section(const Drive& drive) {
 
 }  // namespace
 
-std::string quoted(const std::string& name) {
+std::string toml_quoted(const std::string& name) {
   std::string text = "\"";
   for (const char c : files::one_line(name)) {
     if (c == '"' || c == '\\') text += '\\';
@@ -97,10 +97,10 @@ std::string quoted(const std::string& name) {
   return text + "\"";
 }
 
-std::string servo_sections(const description::RobotDraft& draft) {
+std::string servo_sections(const description::RobotDescription& description) {
   std::string text;
   int number = 0;
-  for (const Group& group : groups_of(draft)) {
+  for (const Group& group : groups_of(description)) {
     text += fmt::format("[servos.servo_{}]\n{}{}\n", ++number, section(group.drive), joint_list(group.joints));
   }
   return text;

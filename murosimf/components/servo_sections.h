@@ -3,19 +3,19 @@
 
 #include <string>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 
 namespace murosimf::components {
 
-/// Servo::type of servos whose gains are guessed (robot_roles.h).
+/// Servo::type of servos whose gains are guessed (role_inference.h).
 inline constexpr const char* guessed_servo = "guessed";
 
 /// Text in quotes, as TOML has it.
-[[nodiscard]] std::string quoted(const std::string& text);
+[[nodiscard]] std::string toml_quoted(const std::string& text);
 
 /// A section [servos.NAME] for each kind of drive, with the joints that have it: law ideal_pd, with the numbers of actuator
 /// and joint, because such a servo stands for both. Guessed gains say so. Joints that nothing drives, or
 /// that follow others, have none.
-[[nodiscard]] std::string servo_sections(const description::RobotDraft& draft);
+[[nodiscard]] std::string servo_sections(const description::RobotDescription& description);
 
 }  // namespace murosimf::components

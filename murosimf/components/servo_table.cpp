@@ -1,11 +1,11 @@
 #include "murosimf/components/servo_table.h"
 
-#include "murosimf/components/servo_draft.h"
+#include "murosimf/components/servo_description.h"
 #include "murosimf/files/data_path.h"
 
 namespace murosimf::components {
 
-Servo read_servo(std::string_view type) { return read_servo_draft(type, {}).finish(type, {}); }
+Servo read_servo(std::string_view type) { return read_servo_description(type, {}).finish(type, {}); }
 
 std::vector<std::string> servo_types() { return files::data_file_names("servos", ".toml"); }
 

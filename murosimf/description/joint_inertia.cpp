@@ -4,24 +4,25 @@
 
 namespace murosimf::description {
 
-double reference_of(const RobotDraft& draft, const std::string& name) {
-  for (const DraftBody& body : draft.bodies) {
-    for (const DraftJoint& joint : body.joints) {
+double reference_of(const RobotDescription& description, const std::string& name) {
+  for (const BodyDescription& body : description.bodies) {
+    for (const JointDescription& joint : body.joints) {
       if (joint.name == name) return joint.reference;
     }
   }
   return 0;
 }
 
-double reflected_inertia(const RobotDraft& draft, std::size_t body, const DraftJoint& joint) {
+double reflected_inertia(const RobotDescription& description, std::size_t body, const JointDescription& joint) {
   const Vec3d axis = (1.0 / norm(joint.axis)) * joint.axis;
-  std::vector<std::optional<Place>> places(draft.bodies.size());  // in the frame of `body`; none: not behind it
-  places[body] = Place{};
+  std::vector<std::optional<Transformd>> places(
+      description.bodies.size());  // in the frame of `body`; none: not behind it
+  places[body] = Transformd{};
   double inertia = joint.armature;
-  for (std::size_t b = body; b < draft.bodies.size(); ++b) {
-    const DraftBody& moved_body = draft.bodies[b];
+  for (std::size_t b = body; b < description.bodies.size(); ++b) {
+    const BodyDescription& moved_body = description.bodies[b];
     if (b != body && moved_body.parent >= 0 && places[moved_body.parent]) {
-      places[b] = inside(*places[moved_body.parent], moved_body.place);
+      places[b] = *places[moved_body.parent] * moved_body.place;
     }
     if (!places[b]) continue;
     const MassProperties solid = moved(moved_body.solid, places[b]->position, places[b]->orientation);
@@ -31,12 +32,12 @@ double reflected_inertia(const RobotDraft& draft, std::size_t body, const DraftJ
   return inertia;
 }
 
-void resolve_damping_ratios(RobotDraft& draft) {
-  for (std::size_t b = 0; b < draft.bodies.size(); ++b) {
-    for (DraftJoint& joint : draft.bodies[b].joints) {
+void resolve_damping_ratios(RobotDescription& description) {
+  for (std::size_t b = 0; b < description.bodies.size(); ++b) {
+    for (JointDescription& joint : description.bodies[b].joints) {
       if (!joint.servo || !(joint.damping_ratio > 0)) continue;
       joint.servo->velocity_gain =
-          2 * joint.damping_ratio * std::sqrt(joint.servo->position_gain * reflected_inertia(draft, b, joint));
+          2 * joint.damping_ratio * std::sqrt(joint.servo->position_gain * reflected_inertia(description, b, joint));
     }
   }
 }

@@ -10,7 +10,7 @@ namespace murosimf::description {
 
 struct ReaderOptions {
   bool lenient = false;  ///< what is unknown or not supported becomes a warning, where a robot remains without it
-  bool guess = true;     ///< soles, frames and servos that nothing names are guessed (robot_roles.h)
+  bool guess = true;     ///< soles, frames and servos that nothing names are guessed (role_inference.h)
   std::vector<std::string> part_per_group{};  ///< meshes of OBJ files whose objects or groups are convex parts
   std::map<std::string, std::filesystem::path> packages{};  ///< folders of "package://name/..." in URDF
   std::vector<std::filesystem::path> search_paths{};        ///< folders in which packages are looked for, too

@@ -4,11 +4,11 @@
 
 namespace murosimf::description {
 
-Visuals visuals_of(const RobotDraft& draft, const DraftBody& body) {
+Visuals visuals_of(const RobotDescription& description, const BodyDescription& body) {
   Visuals visuals;
-  for (const DraftVisual& visual : body.visuals) {
-    const auto mesh = std::ranges::find(draft.meshes, visual.mesh, &DraftMesh::name);
-    if (mesh == draft.meshes.end() || mesh->file.empty()) continue;
+  for (const VisualDescription& visual : body.visuals) {
+    const auto mesh = std::ranges::find(description.meshes, visual.mesh, &MeshDescription::name);
+    if (mesh == description.meshes.end() || mesh->file.empty()) continue;
     visuals.push_back({mesh->file.string(), mesh->scale, mesh->origin.position, mesh->origin.orientation,
                        visual.place.position, visual.place.orientation, visual.color});
   }

@@ -124,7 +124,7 @@ CsvTable read_header(CellReader& reader, std::vector<Cell>& cells) {
 
 double number_in(const CellReader& reader, const Cell& cell) {
   if (const auto number = number_of(cell.text)) return *number;
-  reader.fail(cell.column, fmt::format("{} is no number", quoted(cell.text)));
+  reader.fail(cell.column, fmt::format("{} is no number", files::quoted(cell.text)));
 }
 
 void read_row(const CellReader& reader, const std::vector<Cell>& cells, CsvTable& table) {

@@ -138,7 +138,7 @@ std::vector<const toml::table*> TomlTable::tables(std::string_view key) const {
 
 std::string TomlTable::where(std::string_view key) const {
   const toml::node* node = find(key);
-  return node ? where(node->source()) : where();
+  return node ? files::where(node->source()) : where();
 }
 
 std::optional<std::vector<double>> numbers_of(const toml::node& node) {

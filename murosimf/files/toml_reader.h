@@ -44,7 +44,7 @@ class TomlTable {
   [[nodiscard]] const toml::node* find(std::string_view key) const { return table_.get(key); }
   [[nodiscard]] const toml::table* table(std::string_view key) const;                ///< null if missing
   [[nodiscard]] std::vector<const toml::table*> tables(std::string_view key) const;  ///< of [[key]]
-  [[nodiscard]] std::string where() const { return where(table_.source()); }
+  [[nodiscard]] std::string where() const { return files::where(table_.source()); }
   /// Where the key stands, or the table if it is missing.
   [[nodiscard]] std::string where(std::string_view key) const;
 

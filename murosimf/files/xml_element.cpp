@@ -140,7 +140,7 @@ void XmlFile::follow_includes(XmlSource& source, const XmlElement& element) {
         child.fail(fmt::format("'{}' is included a second time; a file can be included once", *name));
       }
     }
-    XmlSource& file = *sources_.emplace_back(at(child.where(), [&] { return read_source(path); }));
+    XmlSource& file = *sources_.emplace_back(with_context(child.where(), [&] { return read_source(path); }));
     const XmlElement included(file.document.RootElement(), &file);
     follow_includes(file, included);
     source.included.emplace(child.id(), included);

@@ -19,7 +19,7 @@ using AnyTree =
 struct TreePart {
   int object = 0;
   const Shape* shape = nullptr;
-  Pose at;
+  Transformd at;
 };
 
 /// A tree of `volume`s with a margin [m], one leaf for each part. Throws SetupError with the nearest name if there is no such volume.

@@ -54,7 +54,7 @@ class BoundingTree {
     for (std::size_t i = 0; i < leaves_.size(); ++i) {
       const Leaf& leaf = leaves_[i];
       const BoundingSphere sphere = sphere_around(leaf.local);
-      const Pose& old = fitted_[i];
+      const Transformd& old = fitted_[i];
       const Mat3d turn{R[leaf.object].x - old.orientation.x, R[leaf.object].y - old.orientation.y,
                        R[leaf.object].z - old.orientation.z};
       const Vec3d way = r[leaf.object] - old.position + turn * sphere.center;
@@ -83,8 +83,8 @@ class BoundingTree {
   std::vector<Leaf> leaves_;
   std::vector<std::array<int, 2>> children_;
   std::vector<V> volumes_;
-  double margin_ = 0;         // [m]
-  std::vector<Pose> fitted_;  // of each leaf's object, when it was fitted
+  double margin_ = 0;               // [m]
+  std::vector<Transformd> fitted_;  // of each leaf's object, when it was fitted
 };
 
 extern template class BoundingTree<BoundingSphere>;

@@ -114,7 +114,8 @@ bool meet_at_faces(const BoxParts& a, const BoxParts& b, const Vec3d& from_a, Ma
 
 }  // namespace
 
-bool collide_boxes(const Box& box_a, const Pose& at_a, const Box& box_b, const Pose& at_b, Manifold& found) {
+bool collide_boxes(const Box& box_a, const Transformd& at_a, const Box& box_b, const Transformd& at_b,
+                   Manifold& found) {
   const BoxParts a(box_a, at_a), b(box_b, at_b);
   const TwoBoxes pair(a, b);
   Least least;

@@ -17,7 +17,7 @@ struct BoxParts {
   std::array<Vec3d, 3> axis;
   std::array<double, 3> half;
 
-  BoxParts(const Box& box, const Pose& at)
+  BoxParts(const Box& box, const Transformd& at)
       : center(at.position),
         axis{at.orientation.x, at.orientation.y, at.orientation.z},
         half{box.half_size.x, box.half_size.y, box.half_size.z} {}

@@ -12,7 +12,7 @@
 namespace murosimf::geometry {
 namespace {
 
-Segment axis_of(const Capsule& capsule, const Pose& at) {
+Segment axis_of(const Capsule& capsule, const Transformd& at) {
   return {at.position, capsule.half_length * at.orientation.z};
 }
 
@@ -147,7 +147,8 @@ Vec3d middle_point(const SegmentAtBox& s, const BoxParts& box, const Segment& ax
 
 }  // namespace
 
-bool collide_capsules(const Capsule& a, const Pose& at_a, const Capsule& b, const Pose& at_b, Manifold& found) {
+bool collide_capsules(const Capsule& a, const Transformd& at_a, const Capsule& b, const Transformd& at_b,
+                      Manifold& found) {
   const Segment u = axis_of(a, at_a), v = axis_of(b, at_b);
   const auto [s, t] = closest_places(u, v);
   const Vec3d on_b = v.at(t), way = u.at(s) - on_b;
@@ -165,7 +166,8 @@ bool collide_capsules(const Capsule& a, const Pose& at_a, const Capsule& b, cons
   return true;
 }
 
-bool collide_box_capsule(const Box& a, const Pose& at_a, const Capsule& b, const Pose& at_b, Manifold& found) {
+bool collide_box_capsule(const Box& a, const Transformd& at_a, const Capsule& b, const Transformd& at_b,
+                         Manifold& found) {
   const Vec3d middle = transposed_times(at_a.orientation, at_b.position - at_a.position);
   const Vec3d u = transposed_times(at_a.orientation, at_b.orientation.z);
   const SegmentAtBox segment{{a.half_size.x, a.half_size.y, a.half_size.z},

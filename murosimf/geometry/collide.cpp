@@ -34,7 +34,7 @@ struct Sizes {
 
 /// True if the test of A and B has to be asked the other way round. Of equal shapes, the one farther along a skew
 /// direction comes first: then the answer does not depend on how the caller names them.
-bool swapped(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b) {
+bool swapped(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b) {
   if (a.index() != b.index()) return rank(a) > rank(b);
   const auto size_a = std::visit(Sizes{}, a), size_b = std::visit(Sizes{}, b);
   if (size_a != size_b) return size_a < size_b;
@@ -42,7 +42,7 @@ bool swapped(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b)
   return dot(at_a.position - at_b.position, skew) < 0;
 }
 
-bool in_order(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b, Manifold& found) {
+bool in_order(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b, Manifold& found) {
   if (const auto* sphere = std::get_if<Sphere>(&a)) return collide_sphere(*sphere, at_a, b, at_b, found);
   if (std::holds_alternative<Plane>(b)) return collide_with_plane(a, at_a, at_b, found);
   if (const auto* box = std::get_if<Box>(&a)) {
@@ -57,7 +57,7 @@ bool in_order(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b
 
 }  // namespace
 
-bool collide(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b, Manifold& found) {
+bool collide(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b, Manifold& found) {
   if (!swapped(a, at_a, b, at_b)) return in_order(a, at_a, b, at_b, found);
   if (!in_order(b, at_b, a, at_a, found)) return false;
   found.normal = -found.normal;

@@ -9,6 +9,7 @@ namespace murosimf::geometry {
 /// Where A and B overlap: the direction in which the least shift of A parts them, how far, and the points that carry a
 /// flat side. False, and `found` unchanged, if they do not overlap. Two planes never do. The order of the two does not
 /// matter but for the sign of the normal.
-[[nodiscard]] bool collide(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b, Manifold& found);
+[[nodiscard]] bool collide(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b,
+                           Manifold& found);
 
 }  // namespace murosimf::geometry

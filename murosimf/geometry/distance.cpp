@@ -14,7 +14,7 @@ namespace {
 Gap swapped(const Gap& gap) { return {gap.distance, gap.on_b, gap.on_a}; }
 
 /// B: the plane.
-Gap above_plane(const Shape& a, const Pose& at_a, const Pose& at_b) {
+Gap above_plane(const Shape& a, const Transformd& at_a, const Transformd& at_b) {
   const Vec3d n = at_b.orientation.z;
   const Vec3d lowest = at_a.position + at_a.orientation * support(a, transposed_times(at_a.orientation, -n));
   const double height = dot(n, lowest - at_b.position);
@@ -29,7 +29,7 @@ Gap overlap(const Manifold& found) {
 }
 
 /// A sphere that is apart from B: one about the same center that is large enough to touch B knows the way.
-Gap beside_sphere(const Sphere& a, const Pose& at_a, const Shape& b, const Pose& at_b) {
+Gap beside_sphere(const Sphere& a, const Transformd& at_a, const Shape& b, const Transformd& at_b) {
   const Vec3d center = transposed_times(at_b.orientation, at_a.position - at_b.position);
   const double far = 2 * (norm(center) + bounding_radius(b));
   const auto contact = sphere_contact(center, far, b);
@@ -45,7 +45,7 @@ Gap between(double margin_a, double margin_b, const CoreGap& gap) {
   return {gap.distance - margin_a - margin_b, gap.on_a - margin_a * n, gap.on_b + margin_b * n};
 }
 
-CoreGap gap_of_axes(const Capsule& a, const Pose& at_a, const Capsule& b, const Pose& at_b) {
+CoreGap gap_of_axes(const Capsule& a, const Transformd& at_a, const Capsule& b, const Transformd& at_b) {
   const Segment u{at_a.position, a.half_length * at_a.orientation.z};
   const Segment v{at_b.position, b.half_length * at_b.orientation.z};
   const auto [s, t] = closest_places(u, v);
@@ -55,7 +55,7 @@ CoreGap gap_of_axes(const Capsule& a, const Pose& at_a, const Capsule& b, const 
 
 }  // namespace
 
-Gap distance(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b) {
+Gap distance(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b) {
   const bool plane_a = std::holds_alternative<Plane>(a), plane_b = std::holds_alternative<Plane>(b);
   if (plane_a && plane_b) return {std::numeric_limits<double>::infinity(), {}, {}};
   if (plane_a) return swapped(above_plane(b, at_b, at_a));

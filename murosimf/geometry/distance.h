@@ -14,6 +14,6 @@ struct Gap {
 /// Overlapping shapes: the two points that the least parting shift brings together. Relative error of a distance 1e-14, of
 /// the points on curved surfaces 1e-7; of a depth as in `collide`. Two planes are infinitely far apart, and there are no
 /// points.
-[[nodiscard]] Gap distance(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b);
+[[nodiscard]] Gap distance(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b);
 
 }  // namespace murosimf::geometry

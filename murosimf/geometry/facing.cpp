@@ -15,7 +15,7 @@ constexpr double shows_cap = 0.7;  // a cylinder that leans less than 45 degrees
 
 struct FindFacing {
   const Shape& shape;
-  const Pose& at;
+  const Transformd& at;
   Vec3d d;
   Side& side;
 
@@ -72,7 +72,7 @@ struct FindFacing {
 
 }  // namespace
 
-void find_facing(const Shape& shape, const Pose& at, const Vec3d& d, Side& side) {
+void find_facing(const Shape& shape, const Transformd& at, const Vec3d& d, Side& side) {
   side.count = 0;
   std::visit(FindFacing{shape, at, d, side}, shape);
   side.name_sides();

@@ -35,7 +35,7 @@ void put_exact_point(const Deepest& deepest, double size, Manifold& found) {
 
 }  // namespace
 
-bool collide_general(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b, Manifold& found) {
+bool collide_general(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b, Manifold& found) {
   Deepest deepest;
   if (!find_deepest(Body(a, at_a), Body(b, at_b), deepest)) return false;
   const Parting& parting = deepest.parting;

@@ -5,15 +5,9 @@
 #include <cstdint>
 
 #include "murosimf/math/insertion_sort.h"
-#include "murosimf/math/mat3.h"
+#include "murosimf/math/transform.h"
 
 namespace murosimf::geometry {
-
-/// Where a shape is: its own frame in the world's.
-struct Pose {
-  Vec3d position;     ///< [m] of the shape's origin
-  Mat3d orientation;  ///< its axes to world axes
-};
 
 struct ManifoldPoint {
   Vec3d point;                ///< [m] world frame, in the middle of the overlap

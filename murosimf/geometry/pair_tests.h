@@ -8,13 +8,15 @@
 
 namespace murosimf::geometry {
 
-bool collide_sphere(const Sphere& a, const Pose& at_a, const Shape& b, const Pose& at_b, Manifold& found);
+bool collide_sphere(const Sphere& a, const Transformd& at_a, const Shape& b, const Transformd& at_b, Manifold& found);
 /// B: the plane.
-bool collide_with_plane(const Shape& a, const Pose& at_a, const Pose& at_b, Manifold& found);
-bool collide_capsules(const Capsule& a, const Pose& at_a, const Capsule& b, const Pose& at_b, Manifold& found);
-bool collide_box_capsule(const Box& a, const Pose& at_a, const Capsule& b, const Pose& at_b, Manifold& found);
-bool collide_boxes(const Box& a, const Pose& at_a, const Box& b, const Pose& at_b, Manifold& found);
+bool collide_with_plane(const Shape& a, const Transformd& at_a, const Transformd& at_b, Manifold& found);
+bool collide_capsules(const Capsule& a, const Transformd& at_a, const Capsule& b, const Transformd& at_b,
+                      Manifold& found);
+bool collide_box_capsule(const Box& a, const Transformd& at_a, const Capsule& b, const Transformd& at_b,
+                         Manifold& found);
+bool collide_boxes(const Box& a, const Transformd& at_a, const Box& b, const Transformd& at_b, Manifold& found);
 /// Any two but planes, by support functions.
-bool collide_general(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b, Manifold& found);
+bool collide_general(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b, Manifold& found);
 
 }  // namespace murosimf::geometry

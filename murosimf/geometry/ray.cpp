@@ -126,7 +126,7 @@ struct MeetShape {
 
 }  // namespace
 
-std::optional<RayEntry> meet(const Ray& ray, const Shape& shape, const Pose& at) {
+std::optional<RayEntry> meet(const Ray& ray, const Shape& shape, const Transformd& at) {
   const MeetShape in_frame{transposed_times(at.orientation, ray.origin - at.position),
                            transposed_times(at.orientation, ray.direction)};
   std::optional<RayEntry> found = std::visit(in_frame, shape);

@@ -21,6 +21,6 @@ struct RayEntry {
 
 /// The first point of the shape on the ray, in the frame of `at` and `ray`; nothing if the ray misses it. A ray that
 /// starts inside a shape meets it at distance 0, with the normal against the ray.
-[[nodiscard]] std::optional<RayEntry> meet(const Ray& ray, const Shape& shape, const Pose& at);
+[[nodiscard]] std::optional<RayEntry> meet(const Ray& ray, const Shape& shape, const Transformd& at);
 
 }  // namespace murosimf::geometry

@@ -7,7 +7,7 @@
 
 namespace murosimf::geometry {
 
-bool collide_sphere(const Sphere& a, const Pose& at_a, const Shape& b, const Pose& at_b, Manifold& found) {
+bool collide_sphere(const Sphere& a, const Transformd& at_a, const Shape& b, const Transformd& at_b, Manifold& found) {
   const Vec3d center = transposed_times(at_b.orientation, at_a.position - at_b.position);
   const auto contact = sphere_contact(center, a.radius, b);
   if (!contact) return false;
@@ -17,7 +17,7 @@ bool collide_sphere(const Sphere& a, const Pose& at_a, const Shape& b, const Pos
   return true;
 }
 
-bool collide_with_plane(const Shape& a, const Pose& at_a, const Pose& at_b, Manifold& found) {
+bool collide_with_plane(const Shape& a, const Transformd& at_a, const Transformd& at_b, Manifold& found) {
   const Vec3d n = at_b.orientation.z;
   const double height = dot(n, at_b.position);
   bool any = false;

@@ -55,7 +55,7 @@ Vec3d support(const Shape& shape, const Vec3d& d) {
   return margin > 0 ? core + (margin / norm(d)) * d : core;
 }
 
-Body::Body(const Shape& shape, const Pose& at) : shape_(&shape), at_(&at), margin_(margin_of(shape)) {}
+Body::Body(const Shape& shape, const Transformd& at) : shape_(&shape), at_(&at), margin_(margin_of(shape)) {}
 
 Vec3d Body::core_support(const Vec3d& d) const {
   return at_->position + at_->orientation * std::visit(CoreSupport{transposed_times(at_->orientation, d)}, *shape_);

@@ -13,17 +13,17 @@ namespace murosimf::geometry {
 /// axis, that of a sphere its center.
 class Body {
  public:
-  Body(const Shape& shape, const Pose& at);
+  Body(const Shape& shape, const Transformd& at);
 
   [[nodiscard]] double margin() const { return margin_; }
-  [[nodiscard]] const Pose& pose() const { return *at_; }
+  [[nodiscard]] const Transformd& pose() const { return *at_; }
   [[nodiscard]] const Shape& shape() const { return *shape_; }
   /// Farthest point of the core [m] along d, world frame.
   [[nodiscard]] Vec3d core_support(const Vec3d& d) const;
 
  private:
   const Shape* shape_;
-  const Pose* at_;
+  const Transformd* at_;
   double margin_ = 0;
 };
 

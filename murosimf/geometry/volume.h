@@ -33,15 +33,15 @@ struct BoundingCapsule {
 
 /// Tight bound of a shape that stands at `at` in some frame, in that frame. The shape must be finite: no plane.
 template <class V>
-[[nodiscard]] V fit(const Shape& shape, const Pose& at);
+[[nodiscard]] V fit(const Shape& shape, const Transformd& at);
 template <>
-[[nodiscard]] BoundingSphere fit<BoundingSphere>(const Shape& shape, const Pose& at);
+[[nodiscard]] BoundingSphere fit<BoundingSphere>(const Shape& shape, const Transformd& at);
 template <>
-[[nodiscard]] Aabb fit<Aabb>(const Shape& shape, const Pose& at);
+[[nodiscard]] Aabb fit<Aabb>(const Shape& shape, const Transformd& at);
 template <>
-[[nodiscard]] Obb fit<Obb>(const Shape& shape, const Pose& at);
+[[nodiscard]] Obb fit<Obb>(const Shape& shape, const Transformd& at);
 template <>
-[[nodiscard]] BoundingCapsule fit<BoundingCapsule>(const Shape& shape, const Pose& at);
+[[nodiscard]] BoundingCapsule fit<BoundingCapsule>(const Shape& shape, const Transformd& at);
 
 inline Vec3d componentwise_abs(const Vec3d& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
 

@@ -107,7 +107,7 @@ struct CapsuleFit {
 }  // namespace
 
 template <>
-BoundingSphere fit<BoundingSphere>(const Shape& shape, const Pose& at) {
+BoundingSphere fit<BoundingSphere>(const Shape& shape, const Transformd& at) {
   assert(!std::holds_alternative<Plane>(shape));
   const auto* convex = std::get_if<Convex>(&shape);
   const BoundingSphere own = convex ? sphere_about(convex->hull->vertices) : BoundingSphere{{}, bounding_radius(shape)};
@@ -115,21 +115,21 @@ BoundingSphere fit<BoundingSphere>(const Shape& shape, const Pose& at) {
 }
 
 template <>
-Aabb fit<Aabb>(const Shape& shape, const Pose& at) {
+Aabb fit<Aabb>(const Shape& shape, const Transformd& at) {
   assert(!std::holds_alternative<Plane>(shape));
   const Aabb box = box_along(shape, transpose(at.orientation));
   return {at.position + box.center, box.half};
 }
 
 template <>
-Obb fit<Obb>(const Shape& shape, const Pose& at) {
+Obb fit<Obb>(const Shape& shape, const Transformd& at) {
   assert(!std::holds_alternative<Plane>(shape));
   const Aabb box = box_along(shape, {});
   return moved(Obb{box.center, {}, box.half}, at.position, at.orientation);
 }
 
 template <>
-BoundingCapsule fit<BoundingCapsule>(const Shape& shape, const Pose& at) {
+BoundingCapsule fit<BoundingCapsule>(const Shape& shape, const Transformd& at) {
   assert(!std::holds_alternative<Plane>(shape));
   return moved(std::visit(CapsuleFit{}, shape), at.position, at.orientation);
 }

@@ -32,7 +32,7 @@ double duty_per_gain(const Servo& servo) {
 
 multibody::BenchServo bench_servo(const Servo& servo, double encoder_offset) {
   check(servo);
-  const double k_t = servo.voltage / servo.no_load_rate;
+  const double k_t = servo.voltage / servo.no_load_speed;
   return {.torque_constant = k_t,
           .resistance = k_t * servo.voltage / servo.stall_torque,
           .rotor_inertia = servo.rotor_inertia,
@@ -47,9 +47,9 @@ Servo servo_of(const multibody::BenchServo& found, const Servo& base) {
   Servo servo = base;
   const double k_t = found.torque_constant;
   servo.stall_torque = six_digits(k_t * base.voltage / found.resistance);
-  servo.no_load_rate = six_digits(base.voltage / k_t);
+  servo.no_load_speed = six_digits(base.voltage / k_t);
   servo.position_gain = duty_per_gain(base) * base.firmware_gain * servo.stall_torque;
-  servo.torque_limit = base.torque_limit * base.no_load_rate / base.voltage * k_t;
+  servo.torque_limit = base.torque_limit * base.no_load_speed / base.voltage * k_t;
   servo.rotor_inertia = six_digits(found.rotor_inertia);
   multibody::BenchServo rounded = found;
   for (const Parameter& parameter : parameters()) parameter.set(rounded, six_digits(parameter.get(rounded)));

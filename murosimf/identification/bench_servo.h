@@ -10,7 +10,7 @@ namespace murosimf::identification {
 /// firmware gain its position gain belongs.
 [[nodiscard]] double duty_per_gain(const Servo& servo);
 
-/// k_t = voltage / no_load_rate, R = k_t voltage / stall_torque, current limit = torque_limit / k_t. Throws SetupError
+/// k_t = voltage / no_load_speed, R = k_t voltage / stall_torque, current limit = torque_limit / k_t. Throws SetupError
 /// if the servo is no dc_motor of known voltage.
 [[nodiscard]] multibody::BenchServo bench_servo(const Servo& servo, double encoder_offset);
 

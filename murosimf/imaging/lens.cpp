@@ -157,7 +157,7 @@ double Lens::corner_angle() const noexcept {
                   std::max(angle({-0.5, bottom}), angle({right, bottom})));
 }
 
-Opening Lens::opening() const noexcept {
+Fov Lens::fov() const noexcept {
   const double right = spec_.width - 0.5, bottom = spec_.height - 0.5;
   const double falling = angle({-0.5, -0.5}) + angle({right, bottom});
   const double rising = angle({-0.5, bottom}) + angle({right, -0.5});

@@ -41,7 +41,7 @@ struct LensSpec {
 };
 
 /// How far a picture reaches from side to side through its center, and from corner to corner [rad].
-struct Opening {
+struct Fov {
   double horizontal, vertical, diagonal;
 };
 
@@ -69,7 +69,7 @@ class Lens {
   [[nodiscard]] double widest_angle() const noexcept;
   /// The largest angle from the optical axis inside the picture [rad]: that of a corner, or the widest.
   [[nodiscard]] double corner_angle() const noexcept;
-  [[nodiscard]] Opening opening() const noexcept;
+  [[nodiscard]] Fov fov() const noexcept;
   /// Empty, or "the distortion folds over at 47.1 deg, inside the picture: 9.0 % of the pixels see nothing".
   [[nodiscard]] std::string fold_remark() const;
 

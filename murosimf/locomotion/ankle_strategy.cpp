@@ -5,7 +5,7 @@
 
 #include "murosimf/model/error.h"
 #include "murosimf/sensors/reading.h"
-#include "murosimf/sensors/three_numbers.h"
+#include "murosimf/sensors/vec3_io.h"
 
 namespace murosimf::locomotion {
 namespace {
@@ -22,8 +22,8 @@ double fall_rate(const WalkParameters& stance, const Vec3d& gravity) {
 }
 
 std::span<const double> inertial(Setup& setup, const char* output) {
-  return at("a robot that balances needs a sensor 'imu' with gyroscope and accelerometer",
-            [&] { return sensors::read_output(setup, output); });
+  return with_context("a robot that balances needs a sensor 'imu' with gyroscope and accelerometer",
+                      [&] { return sensors::read_output(setup, output); });
 }
 
 }  // namespace

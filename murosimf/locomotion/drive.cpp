@@ -19,7 +19,7 @@ Drive::Drive(Setup& setup, const Vec3d& command, const DriveOptions& options)
       velocity_(setup.write(properties::gait_velocity)[0]),
       curvature_(setup.write(properties::path_curvature)[0]),
       target_(setup.write(properties::joint_target)),
-      rate_target_(setup.write(properties::joint_rate_target)) {}
+      rate_target_(setup.write(properties::joint_velocity_target)) {}
 
 void Drive::initialize() {
   velocity_ = {};

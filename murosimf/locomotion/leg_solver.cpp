@@ -20,7 +20,7 @@ constexpr double exact = 1e-12;          // [m] of |e|: rounding
 /// e, and the chain's pose that it belongs to.
 struct Miss {
   ChainPose pose;
-  Motiond error;
+  Twistd error;
   double size = 0;  ///< |e|^2
 };
 
@@ -36,13 +36,11 @@ Miss miss(const LegChain& chain, const TipTarget& target, double weight, std::sp
 }
 
 /// Column of the Jacobian.
-Motiond column(const ChainPose& pose, double weight, std::size_t i) {
+Twistd column(const ChainPose& pose, double weight, std::size_t i) {
   return {weight * pose.axis[i], cross(pose.axis[i], pose.tip - pose.place[i])};
 }
 
-Sym6d product_with_itself(const Motiond& c) {
-  return {outer(c.w), {c.v.x * c.w, c.v.y * c.w, c.v.z * c.w}, outer(c.v)};
-}
+Sym6d product_with_itself(const Twistd& c) { return {outer(c.w), {c.v.x * c.w, c.v.y * c.w, c.v.z * c.w}, outer(c.v)}; }
 
 /// The damped step of the hinges that are free; those that it takes to their ends are free no more.
 class Step {
@@ -77,11 +75,11 @@ class Step {
       if (!stopped_[i]) A += product_with_itself(columns_[i]);
     }
     const Cholesky6<double> factor(A);
-    const Motiond y = factor.backward(factor.forward(rest_));
+    const Twistd y = factor.backward(factor.forward(rest_));
     bool stopped = false;
     for (std::size_t i = 0; i < q_.size(); ++i) {
       if (stopped_[i]) continue;
-      change_[i] = dot(columns_[i], Forced{y.w, y.v});
+      change_[i] = dot(columns_[i], Wrenchd{y.w, y.v});
       stopped = stop_at_end(i) || stopped;
     }
     return stopped;
@@ -93,14 +91,14 @@ class Step {
     if (!(wanted < hinge.lowest || wanted > hinge.highest)) return false;
     stopped_[i] = true;
     change_[i] = (wanted < hinge.lowest ? hinge.lowest : hinge.highest) - q_[i];
-    rest_ -= Forced{change_[i] * columns_[i].w, change_[i] * columns_[i].v};
+    rest_ -= Wrenchd{change_[i] * columns_[i].w, change_[i] * columns_[i].v};
     return true;
   }
 
   const LegChain& chain_;
   std::span<const double> q_;
-  Forced rest_;  // what is left of e, as the factors of a 6x6 matrix take it
-  std::array<Motiond, most_hinges> columns_;
+  Wrenchd rest_;  // what is left of e, as the factors of a 6x6 matrix take it
+  std::array<Twistd, most_hinges> columns_;
   Angles change_{};
   std::array<bool, most_hinges> stopped_{};
 };

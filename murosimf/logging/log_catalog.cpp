@@ -24,8 +24,8 @@ std::vector<std::string> labels_of(const ColumnBase& column) {
   if (column.numbers() == 1) return {""};
   if (type == typeid(Vec3d)) return {"x", "y", "z"};
   if (type == typeid(Quaterniond)) return {"w", "x", "y", "z"};
-  if (type == typeid(Forced)) return {"fx", "fy", "fz", "nx", "ny", "nz"};
-  if (type == typeid(Motiond)) return {"wx", "wy", "wz", "vx", "vy", "vz"};
+  if (type == typeid(Wrenchd)) return {"fx", "fy", "fz", "nx", "ny", "nz"};
+  if (type == typeid(Twistd)) return {"wx", "wy", "wz", "vx", "vy", "vz"};
   if (type == typeid(SymMat3d)) return {"xx", "yy", "zz", "xy", "xz", "yz"};
   if (type == typeid(Mat3d)) return {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
   std::vector<std::string> labels;

@@ -168,7 +168,7 @@ bool has_object(const Search& search) {
 }
 
 std::vector<LoggedNumber> meant_by(const World& world, const std::string& pattern) {
-  return at(fmt::format("--log '{}'", pattern), [&] {
+  return with_context(fmt::format("--log '{}'", pattern), [&] {
     const auto parts = path_parts(pattern);
     if (std::find(parts.begin(), parts.end(), "") != parts.end()) throw SetupError("the path has an empty part");
     const auto all = searches(world, parts);

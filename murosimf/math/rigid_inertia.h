@@ -27,7 +27,7 @@ RigidInertia<S>& operator+=(RigidInertia<S>& a, const RigidInertia<S>& b) {
 }
 
 template <class S>
-[[gnu::always_inline]] inline Force<S> operator*(const RigidInertia<S>& a, const Motion<S>& m) {
+[[gnu::always_inline]] inline Wrench<S> operator*(const RigidInertia<S>& a, const Twist<S>& m) {
   return {a.second * m.w + cross(a.first, m.v), a.mass * m.v - cross(a.first, m.w)};
 }
 

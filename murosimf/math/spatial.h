@@ -11,68 +11,68 @@
 namespace murosimf {
 
 template <class S>
-struct Motion {
+struct Twist {
   Vec3<S> w, v;  ///< angular [rad/s], linear [m/s] (or their rates)
 };
 
 template <class S>
-struct Force {
+struct Wrench {
   Vec3<S> n, f;  ///< moment [N m], force [N]
 };
 
-using Motiond = Motion<double>;
-using Forced = Force<double>;
+using Twistd = Twist<double>;
+using Wrenchd = Wrench<double>;
 
 template <class S>
-Force<S> operator+(const Force<S>& a, const Force<S>& b) {
+Wrench<S> operator+(const Wrench<S>& a, const Wrench<S>& b) {
   return {a.n + b.n, a.f + b.f};
 }
 template <class S>
-Force<S> operator-(const Force<S>& a, const Force<S>& b) {
+Wrench<S> operator-(const Wrench<S>& a, const Wrench<S>& b) {
   return {a.n - b.n, a.f - b.f};
 }
 template <class S>
-Force<S>& operator+=(Force<S>& a, const Force<S>& b) {
+Wrench<S>& operator+=(Wrench<S>& a, const Wrench<S>& b) {
   a.n += b.n;
   a.f += b.f;
   return a;
 }
 
 template <class S>
-Force<S>& operator-=(Force<S>& a, const Force<S>& b) {
+Wrench<S>& operator-=(Wrench<S>& a, const Wrench<S>& b) {
   a.n -= b.n;
   a.f -= b.f;
   return a;
 }
 template <class A, class S>
-Force<S> operator*(const A& s, const Force<S>& a) {
+Wrench<S> operator*(const A& s, const Wrench<S>& a) {
   return {s * a.n, s * a.f};
 }
 
 template <class S>
-Motion<S> operator+(const Motion<S>& a, const Motion<S>& b) {
+Twist<S> operator+(const Twist<S>& a, const Twist<S>& b) {
   return {a.w + b.w, a.v + b.v};
 }
 template <class S>
-Motion<S>& operator+=(Motion<S>& a, const Motion<S>& b) {
+Twist<S>& operator+=(Twist<S>& a, const Twist<S>& b) {
   a.w += b.w;
   a.v += b.v;
   return a;
 }
 template <class A, class S>
-Motion<S> operator*(const A& s, const Motion<S>& a) {
+Twist<S> operator*(const A& s, const Twist<S>& a) {
   return {s * a.w, s * a.v};
 }
 
 /// Power [W] of a force on a motion, both at the same point.
 template <class S>
-S dot(const Motion<S>& m, const Force<S>& f) {
+S dot(const Twist<S>& m, const Wrench<S>& f) {
   return dot(m.w, f.n) + dot(m.v, f.f);
 }
 
 /// The same force, its moment taken about a point that lies `offset` away from the old one.
 template <class S>
-Force<S> moved(const Force<S>& force, const Vec3<S>& offset) {
+Wrench<S> moved(const Wrench<S>& force, const Vec3<S>& offset) {
   return {force.n - cross(offset, force.f), force.f};
 }
 
@@ -87,7 +87,7 @@ struct Sym6 {
 using Sym6d = Sym6<double>;
 
 template <class S>
-[[gnu::always_inline]] inline Force<S> operator*(const Sym6<S>& a, const Motion<S>& m) {
+[[gnu::always_inline]] inline Wrench<S> operator*(const Sym6<S>& a, const Twist<S>& m) {
   return {a.J * m.w + a.H * m.v, transposed_times(a.H, m.w) + a.M * m.v};
 }
 template <class S>
@@ -120,9 +120,9 @@ class Cholesky6 {
   explicit Cholesky6(const Sym6<S>& A);
 
   /// L^-1 force.
-  [[nodiscard]] std::array<S, 6> forward(const Force<S>& force) const;
+  [[nodiscard]] std::array<S, 6> forward(const Wrench<S>& force) const;
   /// L^-T y.
-  [[nodiscard]] Motion<S> backward(std::array<S, 6> y) const;
+  [[nodiscard]] Twist<S> backward(std::array<S, 6> y) const;
 
  private:
   S L_[6][6];
@@ -147,7 +147,7 @@ struct Blocks {
 /// Solves A m = force for a symmetric positive definite A: w = C^-1 (n - X f), v = M^-1 (f - H^T w).
 /// Two divisions, where Cholesky waits for six square roots.
 template <class S>
-Motion<S> solve(const Sym6<S>& A, const Force<S>& force) {
+Twist<S> solve(const Sym6<S>& A, const Wrench<S>& force) {
   const Blocks<S> b(A);
   const Vec3<S> w = inverse(b.C) * (force.n - transposed_times(b.X_T, force.f));
   return {w, b.inverse_M * (force.f - b.H_T * w)};
@@ -163,7 +163,7 @@ inline bool is_firmly_positive(const Sym6d& A) {
 }
 
 /// True if all components are exactly zero.
-inline bool is_zero(const Forced& force) { return is_zero(force.n) && is_zero(force.f); }
+inline bool is_zero(const Wrenchd& force) { return is_zero(force.n) && is_zero(force.f); }
 /// True for a positive semidefinite matrix that is exactly zero: it has no diagonal.
 inline bool is_zero(const Sym6d& m) {
   return m.J.xx == 0 && m.J.yy == 0 && m.J.zz == 0 && m.M.xx == 0 && m.M.yy == 0 && m.M.zz == 0;
@@ -226,7 +226,7 @@ Cholesky6<S>::Cholesky6(const Sym6<S>& A)
 }
 
 template <class S>
-std::array<S, 6> Cholesky6<S>::forward(const Force<S>& force) const {
+std::array<S, 6> Cholesky6<S>::forward(const Wrench<S>& force) const {
   std::array<S, 6> y{force.n.x, force.n.y, force.n.z, force.f.x, force.f.y, force.f.z};
   for (int i = 0; i < 6; ++i) {
     for (int k = 0; k < i; ++k) y[i] = y[i] - L_[i][k] * y[k];
@@ -236,7 +236,7 @@ std::array<S, 6> Cholesky6<S>::forward(const Force<S>& force) const {
 }
 
 template <class S>
-Motion<S> Cholesky6<S>::backward(std::array<S, 6> y) const {
+Twist<S> Cholesky6<S>::backward(std::array<S, 6> y) const {
   for (int i = 5; i >= 0; --i) {
     for (int k = i + 1; k < 6; ++k) y[i] = y[i] - L_[k][i] * y[k];
     y[i] = y[i] * inverse_[i];

@@ -17,7 +17,7 @@ class SetupError : public std::runtime_error {
 
 /// Calls `f`; a SetupError that it throws gets `where` in front: "scenes/a.toml:3:7: ...".
 template <class F>
-decltype(auto) at(std::string_view where, const F& f) {
+decltype(auto) with_context(std::string_view where, const F& f) {
   try {
     return f();
   } catch (const SetupError& error) {

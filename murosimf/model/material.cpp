@@ -30,9 +30,9 @@ MaterialTable MaterialTable::standard() {
   table.set("rubber", "carpet", {.friction = 0.8, .rolling = 0.03, .restitution = 0.4});
   table.set("plastic", "carpet", {.friction = 0.5, .rolling = 0.03, .restitution = 0.4});
   table.set("ball", "carpet", {.friction = 0.5, .rolling = 0.03, .restitution = 0.6});
-  table.set("rubber", "grass", {.friction = 0.7, .rolling = 0.05, .restitution = 0.3, .grain_effect = 0.15});
-  table.set("plastic", "grass", {.friction = 0.45, .rolling = 0.05, .restitution = 0.3, .grain_effect = 0.15});
-  table.set("ball", "grass", {.friction = 0.5, .rolling = 0.05, .restitution = 0.5, .grain_effect = 0.15});
+  table.set("rubber", "grass", {.friction = 0.7, .rolling = 0.05, .restitution = 0.3, .friction_anisotropy = 0.15});
+  table.set("plastic", "grass", {.friction = 0.45, .rolling = 0.05, .restitution = 0.3, .friction_anisotropy = 0.15});
+  table.set("ball", "grass", {.friction = 0.5, .rolling = 0.05, .restitution = 0.5, .friction_anisotropy = 0.15});
   table.set("rubber", "rubber", {.friction = 1.0, .rolling = 0.0, .restitution = 0.5});
   table.set("rubber", "plastic", {.friction = 0.6, .rolling = 0.0, .restitution = 0.5});
   table.set("plastic", "plastic", {.friction = 0.3, .rolling = 0.0, .restitution = 0.5});
@@ -48,7 +48,8 @@ void MaterialTable::set(const std::string& a, const std::string& b, const PairSu
     refuse(a, b, "friction, rolling and stiffness must be finite and at least 0");
   }
   if (!(pair.restitution >= 0 && pair.restitution <= 1)) refuse(a, b, "restitution must be from 0 to 1");
-  if (!(pair.grain_effect >= 0 && pair.grain_effect < 1)) refuse(a, b, "grain_effect must be at least 0 and below 1");
+  if (!(pair.friction_anisotropy >= 0 && pair.friction_anisotropy < 1))
+    refuse(a, b, "friction_anisotropy must be at least 0 and below 1");
   pairs_[key(a, b)] = pair;
 }
 

@@ -18,7 +18,8 @@ struct PairSurface {
   double rolling = 0.0;      ///< [1] rolling resistance: moment = rolling * radius * normal force
   double restitution = 0.5;  ///< [1] speed kept by a round body that bounces, 0..1
   double stiffness = 0.0;    ///< [N/m] per contact point; 0: chosen from the weight (contact_parameters.h)
-  double grain_effect = 0;   ///< [1] g, 0 <= g < 1: friction (1 - g) along the pile of the ground, (1 + g) against it
+  double friction_anisotropy =
+      0;  ///< [1] g, 0 <= g < 1: friction (1 - g) along the pile of the ground, (1 + g) against it
 };
 
 class MaterialTable {

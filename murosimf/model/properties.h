@@ -48,14 +48,14 @@ inline constexpr Property<Mat3d>  orientation        {{"orientation", "1", "obje
 inline constexpr Property<Vec3d>  linear_velocity    {{"linear_velocity", "m/s", "world", "of the object's origin"}};
 inline constexpr Property<Vec3d>  angular_velocity   {{"angular_velocity", "rad/s", "world", "of the object"}};
 inline constexpr Property<double> joint_position     {{"joint_position", "rad | m", "joint", "angle or shift along the axis"}};
-inline constexpr Property<double> joint_rate         {{"joint_rate", "rad/s | m/s", "joint", "rate of joint_position"}};
+inline constexpr Property<double> joint_velocity         {{"joint_velocity", "rad/s | m/s", "joint", "rate of joint_position"}};
 inline constexpr Property<double> joint_target       {{"joint_target", "rad | m", "joint", "desired position, set by control software"}};
-inline constexpr Property<double> joint_rate_target {{"joint_rate_target", "rad/s | m/s", "joint", "desired rate of a joint whose servo has no position gain, set by control software"}};
+inline constexpr Property<double> joint_velocity_target {{"joint_velocity_target", "rad/s | m/s", "joint", "desired rate of a joint whose servo has no position gain, set by control software"}};
 inline constexpr Property<double> joint_torque     {{"joint_torque", "N m | N", "joint", "of servo and gear; at full_dynamics what the motion would take"}};
 inline constexpr Property<double> motor_torque     {{"motor_torque", "N m | N", "joint", "of the servo's motor alone, before its gear's friction"}};
 inline constexpr Property<double> joint_load       {{"joint_load", "N m | N", "joint", "all that a joint feels besides its own servo, friction, damper, spring, coupling and end"}};
 inline constexpr Property<double> coupling_torque  {{"coupling_torque", "N m | N", "joint", "on a joint that follows another one, by the coupling"}};
-inline constexpr Property<Motiond> felt_acceleration {{"felt_acceleration", "rad/s^2, m/s^2", "world, at the base's origin", "of a link: what forces add to its gravity and velocity products"}};
+inline constexpr Property<Twistd> felt_acceleration {{"felt_acceleration", "rad/s^2, m/s^2", "world, at the base's origin", "of a link: what forces add to its gravity and velocity products"}};
 inline constexpr Property<double> supply_voltage   {{"supply_voltage", "V", "joint", "of a servo, set by users or a battery; starts with the servo's own"}};
 inline constexpr Property<double> torque_enabled   {{"torque_enabled", "1", "joint", "0: the servo's torque is switched off, nothing but friction brakes"}};
 inline constexpr Property<double> servo_temperature {{"servo_temperature", "C", "joint", "of a servo's winding"}};
@@ -67,9 +67,9 @@ inline constexpr Property<double> rotor_rate       {{"rotor_rate", "rad/s", "joi
 inline constexpr Property<double> torque_need      {{"torque_need", "N m | N", "joint", "joint_torque, smoothed over 20 ms"}};
 inline constexpr Property<Overload> overload       {{"overload", "N m, N m, rad/s, s", "joint", "where torque_need exceeded the servo the most: needed, given, rate, time"}};
 inline constexpr Property<double> cycle_target       {{"cycle_target", "rad | m", "joint", "target that the present control cycle runs to"}};
-inline constexpr Property<Forced> applied_force      {{"applied_force", "N, N m", "world, at the object's origin", "push on a body that stays until it is changed: force, moment"}};
-inline constexpr Property<Forced> interaction_force  {{"interaction_force", "N, N m", "world, at the object's origin", "contacts with other moving bodies: force, moment"}};
-inline constexpr Property<Forced> external_force     {{"external_force", "N, N m", "world, at the object's origin", "sum of pushes and contacts: force, moment"}};
+inline constexpr Property<Wrenchd> applied_force      {{"applied_force", "N, N m", "world, at the object's origin", "push on a body that stays until it is changed: force, moment"}};
+inline constexpr Property<Wrenchd> interaction_force  {{"interaction_force", "N, N m", "world, at the object's origin", "contacts with other moving bodies: force, moment"}};
+inline constexpr Property<Wrenchd> external_force     {{"external_force", "N, N m", "world, at the object's origin", "sum of pushes and contacts: force, moment"}};
 inline constexpr Property<Sym6d>  external_damping   {{"external_damping", "N m s, N s, N s/m", "world, at the object's origin", "how fast external_force falls with the object's velocity"}};
 
 // ---- variable: one for the whole entity ----
@@ -82,9 +82,9 @@ inline constexpr Property<Vec3d>  stance_pose        {{"stance_pose", "m, m, rad
 inline constexpr Property<double> stance_foot        {{"stance_foot", "1", "-", "0: first sole of the model stands, 1: second", Scope::base}};
 inline constexpr Property<Vec3d>  remaining_shift    {{"remaining_shift", "m", "world", "of the base from its pinned place, since kinematic walking took over", Scope::base}};
 inline constexpr Property<Vec3d>  remaining_turn     {{"remaining_turn", "rad", "world", "of the base from its pinned attitude, likewise, as rotation vector", Scope::base}};
-inline constexpr Property<double> pushable           {{"pushable", "1", "-", "1: forces move the entity, 0: it pushes and is never pushed", Scope::base}};
+inline constexpr Property<double> dynamic           {{"dynamic", "1", "-", "1: forces move the entity, 0: it pushes and is never pushed", Scope::base}};
 inline constexpr Property<Vec3d>  separation         {{"separation", "m", "world, horizontal", "way in this step out of bodies that are not pushed either", Scope::base}};
-inline constexpr Property<Forced> absorbed_impulse   {{"absorbed_impulse", "N s, N m s", "world, at the world's origin", "what contacts gave to a body that cannot be pushed", Scope::base}};
+inline constexpr Property<Wrenchd> absorbed_impulse   {{"absorbed_impulse", "N s, N m s", "world, at the world's origin", "what contacts gave to a body that cannot be pushed", Scope::base}};
 inline constexpr Property<Vec3d>  walk_command       {{"walk_command", "m/s, m/s, rad/s", "robot, x forward", "desired walking velocity", Scope::base}};
 inline constexpr Property<Vec3d>  gait_velocity      {{"gait_velocity", "m/s, m/s, rad/s", "robot, x forward", "walking velocity after the slew limits", Scope::base}};
 inline constexpr Property<double> path_curvature     {{"path_curvature", "1/m", "-", "of the path that a car drives, positive to the left", Scope::base}};

@@ -1,7 +1,7 @@
 /// servo.h - data of a servo motor, on the output side of its gear. What moves with it is motion's business.
 ///
 /// Stall torque, no-load rate and gain hold at `voltage`; a servo law (motion/servo_law.h) makes torque of them. The
-/// textbook's constants of the motor, seen at the output, follow: k_t = voltage / no_load_rate [N m/A = V s/rad] and
+/// textbook's constants of the motor, seen at the output, follow: k_t = voltage / no_load_speed [N m/A = V s/rad] and
 /// R = k_t voltage / stall_torque [ohm].
 #pragma once
 
@@ -39,7 +39,7 @@ struct Servo {
   std::string law = "dc_motor";  ///< name of the servo law
   double voltage = 0;            ///< [V] supply; 0: not known
   double stall_torque = 0;       ///< [N m] at rest and full duty; 0: unlimited (ideal_pd only)
-  double no_load_rate = 0;       ///< [rad/s] at full duty, without friction; 0: not known (ideal_pd only)
+  double no_load_speed = 0;      ///< [rad/s] at full duty, without friction; 0: not known (ideal_pd only)
   double position_gain = 0;      ///< [N m/rad] torque at rest per angle between target and position
   double firmware_gain = 0;      ///< [1] the integer P gain of the firmware that gives position_gain; 0: not known
   double velocity_gain = 0;      ///< [N m s/rad] of the controller (ideal_pd only)

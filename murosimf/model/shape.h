@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "murosimf/math/mat3.h"
+#include "murosimf/math/transform.h"
 
 namespace murosimf {
 
@@ -59,9 +59,9 @@ struct Color {
 
 /// What a surface is made of. The force between two surfaces depends on the pair (material.h).
 struct Surface {
-  std::string material;   ///< name in the pair table; empty: only the friction below counts
-  double friction = 0.8;  ///< [1] Coulomb coefficient used where the pair is not in the table
-  Vec3d grain;            ///< [1] of the ground: where its pile leans, shape frame, any length; zero: nowhere
+  std::string material;      ///< name in the pair table; empty: only the friction below counts
+  double friction = 0.8;     ///< [1] Coulomb coefficient used where the pair is not in the table
+  Vec3d friction_direction;  ///< [1] of the ground: where its pile leans, shape frame, any length; zero: nowhere
 };
 
 /// A shape at its place on an object.
@@ -69,6 +69,7 @@ struct PlacedShape {
   Shape shape;
   Vec3d position;     ///< [m] of the shape's origin, object frame
   Mat3d orientation;  ///< shape axes to object axes
+  [[nodiscard]] Transformd place() const { return {position, orientation}; }
   Surface surface;
   Color color;
   bool collides = true;  ///< false: for the eye only

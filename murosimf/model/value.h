@@ -37,16 +37,16 @@ struct OfDoubles {
 template <> struct ValueTraits<double>      : OfDoubles<double> {};
 template <> struct ValueTraits<Vec3d>       : OfDoubles<Vec3d> {};
 template <> struct ValueTraits<Quaterniond> : OfDoubles<Quaterniond> {};  ///< w, x, y, z
-template <> struct ValueTraits<Motiond>     : OfDoubles<Motiond> {};      ///< w, v
+template <> struct ValueTraits<Twistd>     : OfDoubles<Twistd> {};      ///< w, v
 template <> struct ValueTraits<SymMat3d>    : OfDoubles<SymMat3d> {};     ///< xx, yy, zz, xy, xz, yz
 template <> struct ValueTraits<Sym6d>       : OfDoubles<Sym6d> {};        ///< J, H by columns, M
 // clang-format on
 
 /// Users write and read the force first, then the moment, as in MuJoCo; in memory it is n, f.
 template <>
-struct ValueTraits<Forced> : OfDoubles<Forced> {
-  static double get(const Forced& force, std::size_t i) { return OfDoubles::get(force, (i + 3) % 6); }
-  static void set(Forced& force, std::size_t i, double number) { OfDoubles::set(force, (i + 3) % 6, number); }
+struct ValueTraits<Wrenchd> : OfDoubles<Wrenchd> {
+  static double get(const Wrenchd& force, std::size_t i) { return OfDoubles::get(force, (i + 3) % 6); }
+  static void set(Wrenchd& force, std::size_t i, double number) { OfDoubles::set(force, (i + 3) % 6, number); }
 };
 
 /// Rotations are shown row by row, as users write them.
@@ -65,8 +65,8 @@ void append_hash(Hasher& hasher, const T& value) {
 }
 
 /// In the order in memory: hashes are older than the order that users see.
-inline void append_hash(Hasher& hasher, const Forced& force) {
-  for (std::size_t i = 0; i < 6; ++i) hasher.add(OfDoubles<Forced>::get(force, i));
+inline void append_hash(Hasher& hasher, const Wrenchd& force) {
+  for (std::size_t i = 0; i < 6; ++i) hasher.add(OfDoubles<Wrenchd>::get(force, i));
 }
 
 }  // namespace murosimf

@@ -63,7 +63,7 @@ void ArticulatedDynamics::start_loads() {
   std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
   std::fill(motor_torque_.begin(), motor_torque_.end(), 0.0);
   std::fill(joint_load_.begin(), joint_load_.end(), 0.0);
-  std::fill(felt_acceleration_.begin(), felt_acceleration_.end(), Motiond{{}, -tree_.gravity});
+  std::fill(felt_acceleration_.begin(), felt_acceleration_.end(), Twistd{{}, -tree_.gravity});
 }
 
 void ArticulatedDynamics::check_inertias() {
@@ -107,7 +107,7 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
   report_torques();
   keep_loads();
   tree_.commit_contacts();
-  const Motiond base = bodies_[0].acceleration;
+  const Twistd base = bodies_[0].acceleration;
   if (!tree_.advance_base(base, dt_)) return tree_.halt(too_fast);
   advance_joints(dt_);
   finish_drives();
@@ -139,7 +139,7 @@ void ArticulatedDynamics::step_rk4(double dt) noexcept {
 }
 
 void ArticulatedDynamics::predict_contacts(double dt) noexcept {
-  tree_.predict_contacts(dt, [&](int link) -> const Motiond& { return bodies_[link].acceleration; });
+  tree_.predict_contacts(dt, [&](int link) -> const Twistd& { return bodies_[link].acceleration; });
 }
 
 void ArticulatedDynamics::begin_step(double dt) noexcept {
@@ -169,7 +169,7 @@ void ArticulatedDynamics::respond(int object, const Vec3d& point, const Mat3d& d
   auto forces = tree_.forces_about_base(point, directions);
   for (int l = tree.link_of[object]; l > 0; l = tree.links[l].parent) {
     const auto& body = bodies_[l];
-    const Motiond& axis = tree_.links[l].axis;
+    const Twistd& axis = tree_.links[l].axis;
     const Vec3d along{dot(axis, forces[0]), dot(axis, forces[1]), dot(axis, forces[2])};
     y.add(5 + l, root_[l] * along);
     forces[0] -= (along.x * body.inverse_D) * body.U;
@@ -185,7 +185,7 @@ void ArticulatedDynamics::apply(std::span<const double> z) noexcept {
   bodies_[0].acceleration += change_[0];
   for (std::size_t l = 1; l < links.size(); ++l) {
     auto& body = bodies_[l];
-    const Motiond& parent = change_[links[l].parent];
+    const Twistd& parent = change_[links[l].parent];
     const double joint = z[5 + l] * root_[l] / dt_ - dot(parent, body.U) * body.inverse_D;
     change_[l] = parent + joint * tree_.links[l].axis;
     body.joint_acceleration += joint;
@@ -231,12 +231,12 @@ void ArticulatedDynamics::keep_loads() noexcept {
 
 void ArticulatedDynamics::gather_loads(double dt) noexcept {
   multibody::clear_loads<double>(bodies_);
-  tree_.for_loads(dt, [&](int link, const Forced& load, const Sym6d& damping) {
+  tree_.for_loads(dt, [&](int link, const Wrenchd& load, const Sym6d& damping) {
     multibody::add_load(bodies_[link], load, damping);
   });
 }
 
-Motiond ArticulatedDynamics::base_acceleration() noexcept {
+Twistd ArticulatedDynamics::base_acceleration() noexcept {
   return tree_.base_acceleration(bodies_[0].inertia, -1.0 * bodies_[0].force);
 }
 

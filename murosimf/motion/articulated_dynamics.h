@@ -2,7 +2,7 @@
 ///
 /// Forward dynamics by the articulated-body algorithm (multibody/articulated_body.h); servos, stops and contacts
 /// enter linearly implicit, as inertia of the joint or of the body. Joints: qd += h qdd, q += h qd.
-/// Friction of joints sticks (multibody/dry_joints.h): which joint sticks and which slides is settled together with the contacts of the
+/// Friction of joints sticks (multibody/frictional_joints.h): which joint sticks and which slides is settled together with the contacts of the
 /// step. In an island of touching robots the step before decides. rk4 has it as a damper, which lets loaded joints creep
 /// (motion/coulomb_damping.h). Coupled joints are held together after every pass (coupling_forces.h).
 /// Source: paper, outlook (7); Featherstone 2008, ch. 7.
@@ -13,7 +13,7 @@
 #include "murosimf/motion/joint_drives.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/multibody/articulated_body.h"
-#include "murosimf/multibody/dry_joints.h"
+#include "murosimf/multibody/frictional_joints.h"
 
 namespace murosimf::motion {
 
@@ -47,7 +47,7 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void couple() noexcept;
   void drive_joints_explicitly() noexcept;
   void solve_explicitly() noexcept;
-  [[nodiscard]] Motiond base_acceleration() noexcept;
+  [[nodiscard]] Twistd base_acceleration() noexcept;
   void predict_contacts(double dt) noexcept;
   void start_loads();
   void report_torques() noexcept;
@@ -63,14 +63,14 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   std::span<double> joint_torque_;
   std::span<double> motor_torque_;  // empty if nobody reads it
   std::span<double> joint_load_;
-  std::span<Motiond> felt_acceleration_;
-  std::vector<JointDrive> motor_, servo_;              // by link
-  std::vector<multibody::DryJoint<double>> friction_;  // by link
+  std::span<Twistd> felt_acceleration_;
+  std::vector<JointDrive> motor_, servo_;                     // by link
+  std::vector<multibody::FrictionalJoint<double>> friction_;  // by link
   std::vector<multibody::ArticulatedLink<double>> bodies_;
-  std::vector<Motiond> change_;  // by link: what impulses add to a'; working memory
-  std::vector<double> root_;     // by link: square root of inverse_D, for responses
-  double dt_ = 0;                // [s] of the present step
-  bool targets_sane_ = true;     // in the present step
+  std::vector<Twistd> change_;  // by link: what impulses add to a'; working memory
+  std::vector<double> root_;    // by link: square root of inverse_D, for responses
+  double dt_ = 0;               // [s] of the present step
+  bool targets_sane_ = true;    // in the present step
 };
 
 }  // namespace murosimf::motion

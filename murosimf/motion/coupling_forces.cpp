@@ -17,7 +17,7 @@ double stall_torque(const Model& model, int joint) {
   return servo ? servo->stall_torque : 0;
 }
 
-double stiffness(const Model& model, const CoupledJoints::Pair& pair) {
+double stiffness(const Model& model, const MimicJoints::Pair& pair) {
   const double weight = model.tree().mass * 9.81;
   const bool slider = model.objects()[pair.follower].kind == Kind::prismatic;
   const double servos =
@@ -50,7 +50,7 @@ CouplingForces::CouplingForces(Setup& setup) : joints_(setup.model()) {
 
 void CouplingForces::start() noexcept { std::fill(torque_.begin(), torque_.end(), 0.0); }
 
-void CouplingForces::drive(std::span<multibody::DryJoint<double>> joints) const noexcept {
+void CouplingForces::drive(std::span<multibody::FrictionalJoint<double>> joints) const noexcept {
   for (std::size_t i = 0; i < rods_.size(); ++i) {
     const auto& pair = joints_.pairs()[i];
     joints[rods_[i].follower].torque += torque_[pair.follower];
@@ -72,12 +72,12 @@ std::span<const double> CouplingForces::solve(const MovingTree& tree,
   return z_;
 }
 
-void CouplingForces::count_as_drive(std::span<multibody::DryJoint<double>> joints) noexcept {
+void CouplingForces::count_as_drive(std::span<multibody::FrictionalJoint<double>> joints) noexcept {
   for (std::size_t i = 0; i < rods_.size(); ++i) {
     const auto& pair = joints_.pairs()[i];
     const double change = change_[i] / h_;
     torque_[pair.follower] += change;
-    const auto move = [](multibody::DryJoint<double>& joint, double torque) {
+    const auto move = [](multibody::FrictionalJoint<double>& joint, double torque) {
       joint.torque += torque;
       joint.drive += torque;
       joint.load -= torque;
@@ -101,7 +101,7 @@ void CouplingForces::add_response(int link, double torque, const MovingTree& tre
                                   std::span<const multibody::ArticulatedLink<double>> bodies,
                                   std::span<const double> roots, std::span<double> row) const noexcept {
   const auto& links = tree.columns.model.tree().links;
-  Forced force;  // on link l
+  Wrenchd force;  // on link l
   for (int l = link; l > 0; l = links[l].parent) {
     const double along = l == link ? torque : dot(tree.links[l].axis, force);
     row[5 + l] += roots[l] * along;

@@ -19,32 +19,32 @@
 #include <span>
 #include <vector>
 
-#include "murosimf/motion/coupled_joints.h"
+#include "murosimf/motion/mimic_joints.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/multibody/articulated_body.h"
-#include "murosimf/multibody/dry_joints.h"
+#include "murosimf/multibody/frictional_joints.h"
 
 namespace murosimf::motion {
 
 class CouplingForces {
  public:
-  /// Adds the property coupling_torque, if the model has coupled joints. Throws SetupError as CoupledJoints does.
+  /// Adds the property coupling_torque, if the model has coupled joints. Throws SetupError as MimicJoints does.
   explicit CouplingForces(Setup& setup);
 
-  [[nodiscard]] const CoupledJoints& joints() const { return joints_; }
+  [[nodiscard]] const MimicJoints& joints() const { return joints_; }
   [[nodiscard]] bool empty() const { return joints_.empty(); }
   /// No torque yet.
   void start() noexcept;
 
   /// Adds the torques that there are to what drives the joints; by link.
-  void drive(std::span<multibody::DryJoint<double>> joints) const noexcept;
+  void drive(std::span<multibody::FrictionalJoint<double>> joints) const noexcept;
   /// How the torques change, as the numbers z [N s/sqrt(kg)] of an impulse response (collision/impulse_response.h); for
   /// a step of h [s] without a change. `bodies` with their accelerations and factors, roots: of inverse_D, by link.
   [[nodiscard]] std::span<const double> solve(const MovingTree& tree,
                                               std::span<const multibody::ArticulatedLink<double>> bodies,
                                               std::span<const double> roots, double h) noexcept;
   /// After the change has been applied as a load of the joints: from now on it drives them.
-  void count_as_drive(std::span<multibody::DryJoint<double>> joints) noexcept;
+  void count_as_drive(std::span<multibody::FrictionalJoint<double>> joints) noexcept;
 
  private:
   struct Rod {
@@ -60,7 +60,7 @@ class CouplingForces {
                        double h) noexcept;
   void solve_pairs() noexcept;
 
-  CoupledJoints joints_;
+  MimicJoints joints_;
   std::span<double> torque_;  // [N m | N] lambda, by object
   std::vector<Rod> rods_;     // of each pair
   std::size_t coordinates_ = 0;

@@ -25,7 +25,7 @@ void write_state(const multibody::FreeBody<double>& body, const PoseColumns& col
 
 /// The rate of a row: `acceleration` of the body, qdd(joint object) of the joints.
 template <class JointAcceleration>
-void write_rate(const multibody::FreeBody<double>& body, const Motiond& acceleration, const PoseColumns& columns,
+void write_rate(const multibody::FreeBody<double>& body, const Twistd& acceleration, const PoseColumns& columns,
                 const JointAcceleration& qdd, std::vector<double>& dy) {
   const Quaterniond& Q = body.turn;
   const Vec3d& w = body.rate;

@@ -139,8 +139,8 @@ void FullDynamics::prepare_base() noexcept {
 
 void FullDynamics::solve_base(double dt) noexcept {
   Sym6d inertia = to_sym6(inertia_);
-  Forced force = -1.0 * bias_;
-  tree_.for_loads(dt, [&](int link, const Forced& load, const Sym6d& damping) {
+  Wrenchd force = -1.0 * bias_;
+  tree_.for_loads(dt, [&](int link, const Wrenchd& load, const Sym6d& damping) {
     inertia += damping;
     force += load - damping * joint_motion_[link];
   });
@@ -152,7 +152,7 @@ void FullDynamics::find_torques(const Instant& instant) noexcept {
   for (std::size_t l = 0; l < links.size(); ++l) {
     link_force_[l] = tree_.links[l].inertia * (base_ + joint_motion_[l]) + tree_.links[l].bias_force;
   }
-  tree_.for_loads(seconds(instant.period), [&](int link, const Forced& load, const Sym6d& damping) {
+  tree_.for_loads(seconds(instant.period), [&](int link, const Wrenchd& load, const Sym6d& damping) {
     link_force_[link] += damping * (base_ + joint_motion_[link]) - load;
   });
   for (std::size_t l = links.size() - 1; l > 0; --l) {

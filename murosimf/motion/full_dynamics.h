@@ -61,14 +61,14 @@ class FullDynamics final : public MotionLevel, private collision::ImpulseRespons
   std::vector<PassiveJoint> passive_;       // by link
   std::vector<double> old_rate_;            // [rad/s | m/s] by object
   std::vector<double> joint_acceleration_;  // [rad/s^2 | m/s^2] by link
-  std::vector<Motiond> joint_motion_;       // J_i qdd by link: a' that the joints alone make
-  std::vector<Forced> link_force_;          // [N m, N] about O, by link
+  std::vector<Twistd> joint_motion_;        // J_i qdd by link: a' that the joints alone make
+  std::vector<Wrenchd> link_force_;         // [N m, N] about O, by link
   std::vector<bool> has_servo_;             // by object
   RigidInertia<double> inertia_;            // of all links
-  Forced bias_;                             // [N m, N] force that the joints take of the base
+  Wrenchd bias_;                            // [N m, N] force that the joints take of the base
   double dt_ = 0;                           // [s] of the present step
   bool joints_sane_ = true;                 // in the present step
-  Motiond base_;                            // a'_0
+  Twistd base_;                             // a'_0
 };
 
 }  // namespace murosimf::motion

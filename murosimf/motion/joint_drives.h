@@ -3,7 +3,7 @@
 ///
 /// A joint without servo is free. Torques are linearly implicit in the joint's acceleration of this step, tau = torque -
 /// inertia qdd: implicit Euler of the linearized drive. With h = 0 the answer is the plain torque of this instant. Dry
-/// friction is a budget that the level spends (multibody/dry_joints.h).
+/// friction is a budget that the level spends (multibody/frictional_joints.h).
 /// Springs are the exception: implicit Euler would brake what swings, like a damper of h k. They are average
 /// acceleration,
 ///
@@ -43,7 +43,7 @@ class JointDrives {
   void take_over(std::span<const double> qd) noexcept;
   /// To be called once per step: takes the targets on their way to the motors. False if one is no sensible number.
   [[nodiscard]] bool take_targets() noexcept { return bus_.step(); }
-  /// Takes whole turns out of the positions [rad] of wheels (turning_joints.h).
+  /// Takes whole turns out of the positions [rad] of wheels (velocity_joints.h).
   void wrap(std::span<double> q) const noexcept { bus_.turning().wrap(q); }
 
   /// What acts in a joint.

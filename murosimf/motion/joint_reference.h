@@ -6,21 +6,21 @@
 ///
 /// The filter is implicit Euler of the critically damped q'' = wf^2 (target - q) - 2 wf q'; wf = 120 rad/s lags 17 ms
 /// behind. `linear` is the paper's assumption (4.3): the target is reached within one control cycle.
-/// A joint whose servo follows a rate (turning_joints.h) comes to its rate target within 1 / wf, also with `linear`:
+/// A joint whose servo follows a rate (velocity_joints.h) comes to its rate target within 1 / wf, also with `linear`:
 ///
 ///     qdd = wf (rate target - qd) / (1 + wf dt)
 ///
-/// A joint that follows another one (coupled_joints.h) is where that takes it; its own target means nothing.
+/// A joint that follows another one (mimic_joints.h) is where that takes it; its own target means nothing.
 /// Joints stop at the ends of their range (joint_range), at rest. Same state (q, qd) as a simulated servo, so levels can be exchanged.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "murosimf/motion/coupled_joints.h"
 #include "murosimf/motion/integrator.h"
+#include "murosimf/motion/mimic_joints.h"
 #include "murosimf/motion/pose_columns.h"
-#include "murosimf/motion/turning_joints.h"
+#include "murosimf/motion/velocity_joints.h"
 
 namespace murosimf::motion {
 
@@ -49,7 +49,7 @@ class JointReference {
   [[nodiscard]] double acceleration(const PoseColumns& columns, int joint) const noexcept;
   /// Joints beyond the ends of their range stand there, coupled ones where their leaders take them.
   void stop_at_limits(PoseColumns& columns) const noexcept;
-  [[nodiscard]] const CoupledJoints& coupled() const { return coupled_; }
+  [[nodiscard]] const MimicJoints& coupled() const { return coupled_; }
   /// Throws SetupError if the reference has no differential equation for `integrator`.
   void check(Integrator integrator) const;
 
@@ -60,8 +60,8 @@ class JointReference {
   void turn(PoseColumns& columns, double dt) const noexcept;
 
   JointReferenceOptions options_;
-  TurningJoints turning_;
-  CoupledJoints coupled_;
+  VelocityJoints turning_;
+  MimicJoints coupled_;
   std::span<const double> target_;  // [rad | m] desired positions
   std::vector<int> leader_;         // [objects] whom a joint follows; itself if nobody
   std::vector<double> ratio_;       // [objects] to that one

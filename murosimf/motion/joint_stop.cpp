@@ -22,13 +22,12 @@ double carried_inertia(const Model& model, int joint) {
   const Tree& tree = model.tree();
   const int first = tree.link_of[joint];
   const Vec3d axis = tree.links[first].axis;
-  std::vector<std::optional<geometry::Pose>> poses(tree.links.size());  // in the joint's frame, of what it moves
+  std::vector<std::optional<Transformd>> poses(tree.links.size());  // in the joint's frame, of what it moves
   poses[first].emplace();
   double sum = rotor_inertia(model, joint);
   for (std::size_t l = first; l < tree.links.size(); ++l) {
     const Link& link = tree.links[l];
-    if (link.parent >= 0 && poses[link.parent])
-      poses[l] = collision::placed_in(*poses[link.parent], {link.offset, link.turn});
+    if (link.parent >= 0 && poses[link.parent]) poses[l] = *poses[link.parent] * Transformd{link.offset, link.turn};
     if (!poses[l]) continue;
     const auto& [place, R] = *poses[l];
     const Vec3d lever = cross(axis, place + R * link.com);

@@ -38,7 +38,7 @@ KinematicWalking::KinematicWalking(Setup& setup, const JointReferenceOptions& re
       remaining_shift_(setup.write(properties::remaining_shift)[0]),
       remaining_turn_(setup.write(properties::remaining_turn)[0]),
       separation_(setup.input(properties::separation, {})[0]),
-      pushable_(setup.write(properties::pushable)[0]) {
+      dynamic_(setup.write(properties::dynamic)[0]) {
   const auto soles = two_soles(setup.model());
   feet_ = {foot(soles[0]), foot(soles[1])};
   up_ = upright_axis();
@@ -58,7 +58,7 @@ KinematicWalking::Foot KinematicWalking::foot(int object) const {
 void KinematicWalking::initialize() {
   reference_.initialize(columns_);
   place_at_start(columns_, entity_);
-  pushable_ = 0;
+  dynamic_ = 0;
   remaining_shift_ = remaining_turn_ = {};
   stand_on(lower_foot());
   pin();
@@ -69,7 +69,8 @@ void KinematicWalking::initialize() {
 
 Vec3d KinematicWalking::upright_axis() const {
   const std::vector<double> zero(static_cast<std::size_t>(columns_.model.size()));
-  return multibody::pose_in_base<double>(columns_.model.tree(), feet_[0].path, feet_[0].place, zero).R * Vec3d{0, 0, 1};
+  return multibody::pose_in_base<double>(columns_.model.tree(), feet_[0].path, feet_[0].place, zero).orientation *
+         Vec3d{0, 0, 1};
 }
 
 int KinematicWalking::lower_foot() const noexcept {
@@ -94,7 +95,7 @@ void KinematicWalking::take_over(const Momentum&) {
   const Vec3d place = columns_.r[0];
   const Mat3d attitude = columns_.R[0];
   reference_.take_over(columns_);
-  pushable_ = 0;
+  dynamic_ = 0;
   stand_on(lower_foot());
   pin();
   swap_if_other_foot_penetrates();
@@ -134,10 +135,10 @@ void KinematicWalking::pin() noexcept {
   const Foot& foot = standing_foot();
   const Tree& tree = columns_.model.tree();
   const auto sole = multibody::pose_in_base<double>(tree, foot.path, foot.place, columns_.q);
-  const Mat3d R = rotation_z(stance_pose_.z) * transpose(sole.R);
+  const Mat3d R = rotation_z(stance_pose_.z) * transpose(sole.orientation);
   columns_.Q[0] = from_matrix(R);
   columns_.R[0] = R;
-  columns_.r[0] = Vec3d{stance_pose_.x, stance_pose_.y, 0} - R * sole.r;
+  columns_.r[0] = Vec3d{stance_pose_.x, stance_pose_.y, 0} - R * sole.position;
   columns_.update_poses();
 }
 
@@ -162,8 +163,8 @@ double KinematicWalking::lowest_corner(const Foot& foot) const noexcept {
 void KinematicWalking::set_base_twist() noexcept {
   const Foot& foot = standing_foot();
   const Tree& tree = columns_.model.tree();
-  const Motiond sole = multibody::twist_against_base<double>(tree, foot.path, columns_.r[foot.object], columns_.qd,
-                                                             columns_.r, columns_.R);
+  const Twistd sole = multibody::twist_against_base<double>(tree, foot.path, columns_.r[foot.object], columns_.qd,
+                                                            columns_.r, columns_.R);
   columns_.w[0] = -sole.w;
   columns_.v[0] = -sole.v - cross(columns_.w[0], columns_.r[foot.object] - columns_.r[0]);
 }

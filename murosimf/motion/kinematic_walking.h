@@ -73,7 +73,7 @@ class KinematicWalking final : public MotionLevel {
   Vec3d& remaining_shift_;  // [m] s
   Vec3d& remaining_turn_;   // [rad] t
   const Vec3d& separation_;
-  double& pushable_;
+  double& dynamic_;
 };
 
 }  // namespace murosimf::motion

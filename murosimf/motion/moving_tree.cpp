@@ -23,7 +23,7 @@ MovingTree::MovingTree(Setup& setup, const MovingTreeOptions& options, std::stri
       center_velocity_(setup.write(properties::common_center_of_mass_velocity)[0]),
       common_inertia_(setup.write(properties::common_inertia)[0]),
       total_mass_(setup.write(properties::total_mass)[0]),
-      pushable_(setup.write(properties::pushable)[0]) {
+      dynamic_(setup.write(properties::dynamic)[0]) {
   if (!(setup.model().tree().mass > 0)) {
     throw SetupError(fmt::format("model '{}' has no mass; {} needs it", setup.model().name(), level));
   }
@@ -32,9 +32,9 @@ MovingTree::MovingTree(Setup& setup, const MovingTreeOptions& options, std::stri
 void MovingTree::start() {
   place_at_start(columns, entity_);
   refresh();
-  pushable_ = 1;
+  dynamic_ = 1;
   check_contacts(options_.integrator, contacts, period_);
-  std::fill(external_force.begin(), external_force.end(), Forced{});
+  std::fill(external_force.begin(), external_force.end(), Wrenchd{});
   std::fill(external_damping.begin(), external_damping.end(), Sym6d{});
   check_inertia();
 }
@@ -51,7 +51,7 @@ void MovingTree::take_over(const Momentum& momentum) {
   if (options_.fixed_base) columns.v[0] = columns.w[0] = {};
   refresh();
   check_inertia();
-  pushable_ = 1;
+  dynamic_ = 1;
   if (!options_.fixed_base) correct_momentum({momentum, center_});
 }
 
@@ -84,7 +84,7 @@ void MovingTree::update_links() noexcept {
   center_velocity_ = columns.v[0] + (1 / whole.mass) * multibody::linear_momentum<double>(links);
 }
 
-Motiond MovingTree::base_acceleration(const Sym6d& inertia, const Forced& force) noexcept {
+Twistd MovingTree::base_acceleration(const Sym6d& inertia, const Wrenchd& force) noexcept {
   if (options_.fixed_base) return {{}, -gravity};
   base_inertia_ = inertia;
   return solve(inertia, force);
@@ -94,22 +94,22 @@ void MovingTree::factor_base() noexcept {
   if (!options_.fixed_base) factor_.emplace(base_inertia_);
 }
 
-void MovingTree::respond_at_base(const std::array<Forced, 3>& forces, collision::ResponseRows& y) const noexcept {
+void MovingTree::respond_at_base(const std::array<Wrenchd, 3>& forces, collision::ResponseRows& y) const noexcept {
   if (!options_.fixed_base) collision::add_rigid_response(*factor_, forces, y);
 }
 
-void MovingTree::respond_at_base(const Forced& force, std::span<double> row) const noexcept {
+void MovingTree::respond_at_base(const Wrenchd& force, std::span<double> row) const noexcept {
   if (options_.fixed_base) return;
   const auto y = factor_->forward(force);
   for (std::size_t i = 0; i < y.size(); ++i) row[i] += y[i];
 }
 
-Motiond MovingTree::base_change(std::span<const double> z, double dt) const noexcept {
+Twistd MovingTree::base_change(std::span<const double> z, double dt) const noexcept {
   if (options_.fixed_base) return {};
   return (1 / dt) * factor_->backward({z[0], z[1], z[2], z[3], z[4], z[5]});
 }
 
-bool MovingTree::advance_base(const Motiond& acceleration, double dt) noexcept {
+bool MovingTree::advance_base(const Twistd& acceleration, double dt) noexcept {
   wanted_momentum_.reset();
   if (options_.fixed_base) return true;
   if (options_.momentum_correction && in_flight()) wanted_momentum_ = momentum_after(dt);
@@ -144,7 +144,7 @@ bool MovingTree::in_flight() const noexcept {
 }
 
 MovingTree::CenterMotion MovingTree::momentum() const noexcept {
-  const Forced about_base = multibody::momentum<double>(links);
+  const Wrenchd about_base = multibody::momentum<double>(links);
   const Vec3d c = center_ - columns.r[0];
   return {{about_base.f + total_mass_ * columns.v[0], about_base.n - cross(c, about_base.f)}, center_};
 }
@@ -153,7 +153,7 @@ MovingTree::CenterMotion MovingTree::momentum_after(double dt) const noexcept {
   CenterMotion after = momentum();
   after.linear += (dt * total_mass_) * gravity;
   for (const int object : columns.model.bodies()) {
-    const Forced push = moved(external_force[object], center_ - columns.r[object]);
+    const Wrenchd push = moved(external_force[object], center_ - columns.r[object]);
     after.linear += dt * push.f;
     after.angular += dt * push.n;
   }
@@ -166,7 +166,7 @@ void MovingTree::correct_momentum(const CenterMotion& wanted) noexcept {
   const Vec3d linear = wanted.linear - now.linear;
   const Vec3d angular = wanted.angular - now.angular;
   const Vec3d c = center_ - columns.r[0];
-  const Motiond change =
+  const Twistd change =
       solve(to_sym6(multibody::composite_inertia<double>(links)), {angular + cross(c, linear), linear});
   columns.w[0] += change.w;
   columns.v[0] += change.v;
@@ -183,7 +183,7 @@ void MovingTree::finish_step() noexcept {
 void MovingTree::halt(const char* reason) noexcept {
   columns.stop();
   center_velocity_ = {};
-  pushable_ = 0;
+  dynamic_ = 0;
   entity_.freeze(reason);
 }
 

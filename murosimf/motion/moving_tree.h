@@ -54,7 +54,7 @@ class MovingTree {
   /// To be called first in a step: takes over what users have changed since the last one.
   void take_changes() noexcept;
 
-  /// Calls add(link, force, damping) for every body that feels anything: Forced [N m, N] at a' = 0 and Sym6d h D, both
+  /// Calls add(link, force, damping) for every body that feels anything: Wrenchd [N m, N] at a' = 0 and Sym6d h D, both
   /// about O.
   template <class Add>
   void for_loads(double dt, const Add& add) const noexcept;
@@ -64,28 +64,28 @@ class MovingTree {
   void predict_contacts(double dt, const Acceleration& acceleration_of) noexcept;
 
   /// a'_0 of the base for the force [N m, N] about O that is left for `inertia`; zero acceleration if it is fixed.
-  [[nodiscard]] Motiond base_acceleration(const Sym6d& inertia, const Forced& force) noexcept;
+  [[nodiscard]] Twistd base_acceleration(const Sym6d& inertia, const Wrenchd& force) noexcept;
   /// Prepares the responses below, for the inertia of the last base_acceleration.
   void factor_base() noexcept;
   /// Unit forces at `point` [m] along the columns of `directions`, about O.
-  [[nodiscard]] std::array<Forced, 3> forces_about_base(const Vec3d& point, const Mat3d& directions) const noexcept {
+  [[nodiscard]] std::array<Wrenchd, 3> forces_about_base(const Vec3d& point, const Mat3d& directions) const noexcept {
     return collision::unit_forces(point - columns.r[0], directions);
   }
   /// Numbers 0 to 5 of a response (collision/impulse_response.h): of forces about O that have arrived at the base.
-  void respond_at_base(const std::array<Forced, 3>& forces, collision::ResponseRows& y) const noexcept;
+  void respond_at_base(const std::array<Wrenchd, 3>& forces, collision::ResponseRows& y) const noexcept;
   /// The same for one force, added to a row of all numbers.
-  void respond_at_base(const Forced& force, std::span<double> row) const noexcept;
+  void respond_at_base(const Wrenchd& force, std::span<double> row) const noexcept;
   /// What the impulses z (first six numbers) add to a'_0.
-  [[nodiscard]] Motiond base_change(std::span<const double> z, double dt) const noexcept;
+  [[nodiscard]] Twistd base_change(std::span<const double> z, double dt) const noexcept;
 
   /// Velocity [m/s] after the step of a body's point [m] that has `velocity` now, for a' = `acceleration` of its link.
-  [[nodiscard]] Vec3d next_velocity(int object, const Vec3d& point, const Vec3d& velocity, const Motiond& acceleration,
+  [[nodiscard]] Vec3d next_velocity(int object, const Vec3d& point, const Vec3d& velocity, const Twistd& acceleration,
                                     double dt) const noexcept;
 
   /// To be called when the step is solved and before anything moves: memory of the contacts, forces as they acted.
   void commit_contacts() noexcept;
   /// The base after the step, by its a'. False, and nothing changed, if that is no sensible number.
-  [[nodiscard]] bool advance_base(const Motiond& acceleration, double dt) noexcept;
+  [[nodiscard]] bool advance_base(const Twistd& acceleration, double dt) noexcept;
   /// The base and all joints after the step, by Runge-Kutta. solve() finds the accelerations at the present columns: it
   /// returns a'_0 and has qdd(joint object) ready. False if the state is no sensible number.
   template <class Solve, class JointAcceleration>
@@ -98,7 +98,7 @@ class MovingTree {
 
   PoseColumns columns;
   std::vector<multibody::LinkMotion<double>> links;
-  std::span<Forced> external_force;
+  std::span<Wrenchd> external_force;
   std::span<Sym6d> external_damping;
   collision::ContactSet& contacts;
   const Vec3d gravity;  // [m/s^2]
@@ -108,7 +108,7 @@ class MovingTree {
     Vec3d center;  // [m] common center of mass
   };
   void check_inertia() const;
-  [[nodiscard]] Vec3d reference_acceleration(int object, const Motiond& extra, Vec3d& alpha) const noexcept;
+  [[nodiscard]] Vec3d reference_acceleration(int object, const Twistd& extra, Vec3d& alpha) const noexcept;
   [[nodiscard]] bool in_flight() const noexcept;
   [[nodiscard]] CenterMotion momentum() const noexcept;
   [[nodiscard]] CenterMotion momentum_after(double dt) const noexcept;
@@ -125,7 +125,7 @@ class MovingTree {
   Vec3d& center_velocity_;
   SymMat3d& common_inertia_;
   double& total_mass_;
-  double& pushable_;
+  double& dynamic_;
   RungeKutta4 runge_kutta_;
   std::vector<double> start_row_;
   std::vector<double> row_;          // the state while Runge-Kutta works on it
@@ -138,7 +138,7 @@ class MovingTree {
 // ---- definitions ----
 
 /// Acceleration [m/s^2] of a body's origin and its angular acceleration for a' = `extra` of its link.
-inline Vec3d MovingTree::reference_acceleration(int object, const Motiond& extra, Vec3d& alpha) const noexcept {
+inline Vec3d MovingTree::reference_acceleration(int object, const Twistd& extra, Vec3d& alpha) const noexcept {
   const auto& link = links[columns.model.tree().link_of[object]];
   const Vec3d d = columns.r[object] - columns.r[0];
   const auto& [w, v] = link.velocity;
@@ -152,11 +152,11 @@ void MovingTree::for_loads(double dt, const Add& add) const noexcept {
     const bool damped = !is_zero(external_damping[object]);
     if (!damped && is_zero(external_force[object])) continue;
     const Vec3d to_base = columns.r[0] - columns.r[object];
-    Forced force = external_force[object];
+    Wrenchd force = external_force[object];
     Sym6d damping;
     if (damped) {
       damping = dt * external_damping[object];
-      Motiond a;
+      Twistd a;
       a.v = reference_acceleration(object, {}, a.w);
       force -= damping * a;
       damping = moved(damping, to_base);
@@ -166,7 +166,7 @@ void MovingTree::for_loads(double dt, const Add& add) const noexcept {
 }
 
 inline Vec3d MovingTree::next_velocity(int object, const Vec3d& point, const Vec3d& velocity,
-                                       const Motiond& acceleration, double dt) const noexcept {
+                                       const Twistd& acceleration, double dt) const noexcept {
   Vec3d alpha;
   const Vec3d a = reference_acceleration(object, acceleration, alpha);
   return velocity + dt * (a + cross(alpha, point - columns.r[object]));
@@ -176,7 +176,7 @@ template <class Acceleration>
 void MovingTree::predict_contacts(double dt, const Acceleration& acceleration_of) noexcept {
   contacts.next_velocity.clear();
   for (const collision::ContactPoint& c : contacts.points) {
-    const Motiond& a = acceleration_of(columns.model.tree().link_of[c.object]);
+    const Twistd& a = acceleration_of(columns.model.tree().link_of[c.object]);
     contacts.next_velocity.push_back(next_velocity(c.object, c.point, c.velocity, a, dt));
   }
 }
@@ -190,7 +190,7 @@ bool MovingTree::advance_rk4(double dt, const Solve& solve, const JointAccelerat
     place_base(read_state(y, columns));
     columns.update_poses();
     update_links();
-    const Motiond acceleration = solve();
+    const Twistd acceleration = solve();
     write_rate(base(), {acceleration.w, acceleration.v + gravity}, columns, qdd, dy);
     if (options_.fixed_base) std::fill_n(dy.begin(), base_numbers, 0.0);
   });

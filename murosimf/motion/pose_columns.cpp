@@ -16,7 +16,7 @@ PoseColumns::PoseColumns(Setup& setup)
       v(setup.write(properties::linear_velocity)),
       w(setup.write(properties::angular_velocity)),
       q(setup.write(properties::joint_position)),
-      qd(setup.write(properties::joint_rate)),
+      qd(setup.write(properties::joint_velocity)),
       Q(setup.write(properties::base_quaternion)),
       written_r(setup.write(properties::written_position)[0]),
       written_v(setup.write(properties::written_velocity)[0]) {}
@@ -29,7 +29,7 @@ Momentum PoseColumns::momentum() const {
   std::vector<multibody::LinkMotion<double>> links(model.tree().links.size());
   multibody::link_motions<double>(model.tree(), r, R, w[0], qd, links);
   const auto whole = multibody::composite_inertia<double>(links);
-  const Forced about_base = multibody::momentum<double>(links);
+  const Wrenchd about_base = multibody::momentum<double>(links);
   return {about_base.f + whole.mass * v[0], about_base.n - (1 / whole.mass) * cross(whole.first, about_base.f)};
 }
 

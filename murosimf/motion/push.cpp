@@ -13,7 +13,7 @@ double share_of_step(const TimedPush& push, const Instant& instant) {
   return to > from ? seconds(to - from) / seconds(instant.period) : 0;
 }
 
-bool same_push(const Forced& a, const Forced& b) { return is_zero(Forced{a.n - b.n, a.f - b.f}); }
+bool same_push(const Wrenchd& a, const Wrenchd& b) { return is_zero(Wrenchd{a.n - b.n, a.f - b.f}); }
 
 }  // namespace
 
@@ -29,22 +29,22 @@ Push::Push(Setup& setup, std::vector<TimedPush> pushes)
   }
 }
 
-void Push::initialize() { std::fill(applied_force_.begin(), applied_force_.end(), Forced{}); }
+void Push::initialize() { std::fill(applied_force_.begin(), applied_force_.end(), Wrenchd{}); }
 
-Forced Push::sum_for(const Pushed& pushed, const Instant& instant) const noexcept {
-  Forced sum;
+Wrenchd Push::sum_for(const Pushed& pushed, const Instant& instant) const noexcept {
+  Wrenchd sum;
   for (const TimedPush& push : pushes_) {
     const double share = push.object == pushed.object ? share_of_step(push, instant) : 0;
     if (share == 0) continue;
     const Vec3d arm = R_[pushed.object] * pushed.center;
-    sum += Forced{share * (push.moment + cross(arm, push.force)), share * push.force};
+    sum += Wrenchd{share * (push.moment + cross(arm, push.force)), share * push.force};
   }
   return sum;
 }
 
 void Push::step(const Instant& instant) noexcept {
   for (Pushed& pushed : pushed_) {
-    Forced& applied = applied_force_[pushed.object];
+    Wrenchd& applied = applied_force_[pushed.object];
     if (!same_push(applied, pushed.written)) pushed.own = applied;
     applied = pushed.own;
     applied += sum_for(pushed, instant);

@@ -30,16 +30,16 @@ class Push final : public Algorithm {
  private:
   struct Pushed {
     int object = 0;
-    Vec3d center;    // [m] of its mass, own axes
-    Forced own;      // what others set
-    Forced written;  // own, and pushes
+    Vec3d center;     // [m] of its mass, own axes
+    Wrenchd own;      // what others set
+    Wrenchd written;  // own, and pushes
   };
-  [[nodiscard]] Forced sum_for(const Pushed& pushed, const Instant& instant) const noexcept;
+  [[nodiscard]] Wrenchd sum_for(const Pushed& pushed, const Instant& instant) const noexcept;
 
   std::vector<TimedPush> pushes_;
   std::vector<Pushed> pushed_;
   std::span<const Mat3d> R_;
-  std::span<Forced> applied_force_;
+  std::span<Wrenchd> applied_force_;
 };
 
 }  // namespace murosimf::motion

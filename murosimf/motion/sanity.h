@@ -24,7 +24,7 @@ inline constexpr const char* too_fast =
 }
 
 /// What a step of dt [s] adds to the velocities, written so that NaN is not sane either.
-[[nodiscard]] inline bool is_sane(const Motiond& acceleration, double dt) {
+[[nodiscard]] inline bool is_sane(const Twistd& acceleration, double dt) {
   return dt * norm(acceleration.v) < fastest && dt * norm(acceleration.w) < fastest_turn;
 }
 

@@ -1,6 +1,6 @@
 /// servo_bus.h - how targets get from the controller to the motors: sent every so often, held, delayed.
 ///
-/// The servo of a joint that follows another one (coupled_joints.h) knows where the other one's target takes it; its own
+/// The servo of a joint that follows another one (mimic_joints.h) knows where the other one's target takes it; its own
 /// target means nothing.
 #pragma once
 
@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "murosimf/model/setup.h"
-#include "murosimf/motion/coupled_joints.h"
 #include "murosimf/motion/delay_line.h"
-#include "murosimf/motion/turning_joints.h"
+#include "murosimf/motion/mimic_joints.h"
+#include "murosimf/motion/velocity_joints.h"
 
 namespace murosimf::motion {
 
@@ -31,15 +31,15 @@ class ServoBus {
   }
   /// [rad | m] where a joint is to stand, also one that follows a rate.
   [[nodiscard]] double position_target(int object) const noexcept { return target_[static_cast<std::size_t>(object)]; }
-  [[nodiscard]] const TurningJoints& turning() const { return turning_; }
-  [[nodiscard]] const CoupledJoints& coupled() const { return coupled_; }
+  [[nodiscard]] const VelocityJoints& turning() const { return turning_; }
+  [[nodiscard]] const MimicJoints& coupled() const { return coupled_; }
 
  private:
   [[nodiscard]] double sent(int object) noexcept;
   void couple() noexcept;
 
-  TurningJoints turning_;
-  CoupledJoints coupled_;
+  VelocityJoints turning_;
+  MimicJoints coupled_;
   std::span<const int> objects_;
   std::vector<double> period_;      // [steps] by object; 0: every step
   std::vector<std::size_t> delay_;  // [steps] by object

@@ -89,8 +89,8 @@ Servo with_law(const Servo& servo, std::string_view law) {
   Servo other = servo;
   if (law.empty() || law == servo.law) return other;
   other.law = law;
-  if (law == "ideal_pd" && servo.velocity_gain == 0 && servo.no_load_rate > 0) {
-    other.velocity_gain = servo.stall_torque / servo.no_load_rate;
+  if (law == "ideal_pd" && servo.velocity_gain == 0 && servo.no_load_speed > 0) {
+    other.velocity_gain = servo.stall_torque / servo.no_load_speed;
   }
   return other;
 }
@@ -102,9 +102,10 @@ std::unique_ptr<ServoLaw> make_servo_law(const Servo& servo) {
   for (const ServoLawEntry& entry : entries) {
     names.push_back(entry.name);
     if (entry.name != servo.law) continue;
-    if (servo.law == "dc_motor" && !(servo.stall_torque > 0 && servo.no_load_rate > 0)) {
-      throw SetupError(fmt::format("servo '{}' cannot be a dc_motor: it needs a positive stall_torque and no_load_rate",
-                                   servo.type));
+    if (servo.law == "dc_motor" && !(servo.stall_torque > 0 && servo.no_load_speed > 0)) {
+      throw SetupError(
+          fmt::format("servo '{}' cannot be a dc_motor: it needs a positive stall_torque and no_load_speed",
+                      servo.type));
     }
     return entry.make(servo);
   }

@@ -14,7 +14,7 @@
 ///
 /// Both know positions in the encoder's steps and have the dead band; both make exactly no torque while that is switched
 /// off.
-/// Friction of the gear is not in it: joint_drives.h, multibody/dry_joints.h.
+/// Friction of the gear is not in it: joint_drives.h, multibody/frictional_joints.h.
 /// Source: textbook permanent-magnet DC motor (stall = k_t V/R, stall/no_load = k_t^2/R); order of the two limits as
 /// firmware has it: it can only move the duty.
 #pragma once
@@ -41,7 +41,7 @@ class ServoLaw {
   [[nodiscard]] virtual double available(double qd, double direction) const noexcept = 0;
 };
 
-/// True for a servo without position gain but with velocity gain: its joint follows joint_rate_target.
+/// True for a servo without position gain but with velocity gain: its joint follows joint_velocity_target.
 [[nodiscard]] bool follows_rate(const Servo& servo);
 
 /// The servo with another law; empty: with its own. A motor that becomes an ideal_pd keeps the damping of its back-EMF.

@@ -26,7 +26,7 @@ SimplifiedDynamics::SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOpt
       velocity_(setup.write(properties::common_center_of_mass_velocity)[0]),
       inertia_(setup.write(properties::common_inertia)[0]),
       mass_(setup.write(properties::total_mass)[0]),
-      pushable_(setup.write(properties::pushable)[0]) {
+      dynamic_(setup.write(properties::dynamic)[0]) {
   if (!(setup.model().tree().mass > 0)) {
     throw SetupError(fmt::format("model '{}' has no mass; simplified_dynamics needs it", setup.model().name()));
   }
@@ -39,9 +39,9 @@ void SimplifiedDynamics::initialize() {
   store_common_body(
       multibody::common_body<double>(columns_.model.tree(), columns_.r, columns_.R, columns_.v, columns_.w));
   velocity_ = {};
-  pushable_ = 1;
+  dynamic_ = 1;
   columns_.remember_base();
-  std::fill(external_force_.begin(), external_force_.end(), Forced{});
+  std::fill(external_force_.begin(), external_force_.end(), Wrenchd{});
   std::fill(external_damping_.begin(), external_damping_.end(), Sym6d{});
   check();
   contacts_.response = this;
@@ -71,7 +71,7 @@ void SimplifiedDynamics::take_over(const Momentum& momentum) {
   columns_.update_velocities();
   velocity_ = (1 / mass_) * momentum.linear;
   multibody::shift_all(columns_.v, velocity_ - common_body().velocity);
-  pushable_ = 1;
+  dynamic_ = 1;
   columns_.remember_base();
   contacts_.response = this;
 }
@@ -145,7 +145,7 @@ void SimplifiedDynamics::begin_step(double dt) noexcept {
 
 void SimplifiedDynamics::solve(double dt) noexcept {
   const Vec3d& w = columns_.w[0];
-  Forced force{-cross(w, inertia_ * w), mass_ * gravity_};
+  Wrenchd force{-cross(w, inertia_ * w), mass_ * gravity_};
   Sym6d matrix{inertia_, {Vec3d{}, Vec3d{}, Vec3d{}}, diagonal(mass_)};
   for (const int object : columns_.model.bodies()) {
     // untouched bodies, by far the most, cost a look
@@ -224,7 +224,7 @@ void SimplifiedDynamics::store_common_body(const multibody::CommonBody<double>& 
 void SimplifiedDynamics::halt(const char* reason) noexcept {
   columns_.stop();
   velocity_ = {};
-  pushable_ = 0;
+  dynamic_ = 0;
   entity_.freeze(reason);
 }
 

@@ -72,17 +72,17 @@ class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseR
   Vec3d gravity_;
   PoseColumns columns_;
   JointReference reference_;
-  std::span<Forced> external_force_;
+  std::span<Wrenchd> external_force_;
   std::span<Sym6d> external_damping_;
   collision::ContactSet& contacts_;
   Vec3d& center_;      // [m] common center of mass, world
   Vec3d& velocity_;    // [m/s] of the center of mass
   SymMat3d& inertia_;  // [kg m^2] at the center of mass, world axes
   double& mass_;       // [kg]
-  double& pushable_;
+  double& dynamic_;
   Sym6d matrix_;                             // inertia and external damping at the center of mass
   std::optional<Cholesky6<double>> factor_;  // of it, for responses
-  Motiond acceleration_;                     // [rad/s^2; m/s^2] of the center of mass in the present step
+  Twistd acceleration_;                      // [rad/s^2; m/s^2] of the center of mass in the present step
   RungeKutta4 runge_kutta_;
   std::vector<double> row_;  // the state while Runge-Kutta works on it
   double dt_ = 0;            // [s] of the present step

@@ -13,7 +13,7 @@ void clear_loads(std::span<ArticulatedLink<S>> bodies) noexcept {
 }
 
 template <class S>
-void add_load(ArticulatedLink<S>& body, const Force<S>& force, const Sym6<S>& damping) noexcept {
+void add_load(ArticulatedLink<S>& body, const Wrench<S>& force, const Sym6<S>& damping) noexcept {
   if (!body.loaded) {
     body.inertia = {};
     body.force = {};
@@ -28,7 +28,7 @@ void sweep_to_base(const Tree& tree, std::span<const LinkMotion<S>> links,
                    std::span<ArticulatedLink<S>> bodies) noexcept {
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     ArticulatedLink<S>& body = bodies[l];
-    const Motion<S>& s = links[l].axis;
+    const Twist<S>& s = links[l].axis;
     parts::add_link(links[l], body);
     body.U = body.inertia * s;
     body.inverse_D = 1.0 / (dot(s, body.U) + body.added_inertia);
@@ -41,11 +41,11 @@ void sweep_to_base(const Tree& tree, std::span<const LinkMotion<S>> links,
 
 template <class S>
 void accelerate(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies,
-                const Motion<S>& base) noexcept {
+                const Twist<S>& base) noexcept {
   bodies[0].acceleration = base;
   for (std::size_t l = 1; l < links.size(); ++l) {
     ArticulatedLink<S>& body = bodies[l];
-    const Motion<S>& a = bodies[tree.links[l].parent].acceleration;
+    const Twist<S>& a = bodies[tree.links[l].parent].acceleration;
     body.joint_acceleration = (body.u - dot(a, body.U)) * body.inverse_D;
     body.acceleration = a + body.joint_acceleration * links[l].axis;
   }
@@ -53,10 +53,10 @@ void accelerate(const Tree& tree, std::span<const LinkMotion<S>> links, std::spa
 
 #define MUROSIMF_INSTANTIATE(S)                                                                                        \
   template void clear_loads<S>(std::span<ArticulatedLink<S>>) noexcept;                                                \
-  template void add_load<S>(ArticulatedLink<S>&, const Force<S>&, const Sym6<S>&) noexcept;                            \
+  template void add_load<S>(ArticulatedLink<S>&, const Wrench<S>&, const Sym6<S>&) noexcept;                           \
   template void sweep_to_base<S>(const Tree&, std::span<const LinkMotion<S>>, std::span<ArticulatedLink<S>>) noexcept; \
   template void accelerate<S>(const Tree&, std::span<const LinkMotion<S>>, std::span<ArticulatedLink<S>>,              \
-                              const Motion<S>&) noexcept;
+                              const Twist<S>&) noexcept;
 MUROSIMF_INSTANTIATE(double)
 MUROSIMF_INSTANTIATE(Pack8)
 #undef MUROSIMF_INSTANTIATE

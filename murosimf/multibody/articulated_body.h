@@ -25,14 +25,14 @@ namespace murosimf::multibody {
 template <class S>
 struct ArticulatedLink {
   Sym6<S> inertia;         ///< what loads and children add to the link's own inertia; the base's whole IA_0 in the end
-  Force<S> force;          ///< [N m; N] the same for pA
+  Wrench<S> force;         ///< [N m; N] the same for pA
   bool loaded = false;     ///< `inertia` and `force` hold something
   S torque{};              ///< tau [N m | N]; in
   S added_inertia{};       ///< A [kg m^2 | kg]; in
-  Force<S> U;              ///< out
+  Wrench<S> U;             ///< out
   S inverse_D{};           ///< 1/D; out
   S u{};                   ///< [N m | N] out
-  Motion<S> acceleration;  ///< a'; out of `accelerate`
+  Twist<S> acceleration;   ///< a'; out of `accelerate`
   S joint_acceleration{};  ///< qdd [rad/s^2 | m/s^2]; out of `accelerate`
 };
 
@@ -42,7 +42,7 @@ void clear_loads(std::span<ArticulatedLink<S>> bodies) noexcept;
 
 /// A force [N m, N] about O on a link, and what it loses with the link's acceleration: force - damping a'.
 template <class S>
-void add_load(ArticulatedLink<S>& body, const Force<S>& force, const Sym6<S>& damping) noexcept;
+void add_load(ArticulatedLink<S>& body, const Wrench<S>& force, const Sym6<S>& damping) noexcept;
 
 /// Leaves to base.
 template <class S>
@@ -52,6 +52,6 @@ void sweep_to_base(const Tree& tree, std::span<const LinkMotion<S>> links,
 /// Base to leaves; `base` is a'_0 [rad/s^2; m/s^2].
 template <class S>
 void accelerate(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies,
-                const Motion<S>& base) noexcept;
+                const Twist<S>& base) noexcept;
 
 }  // namespace murosimf::multibody

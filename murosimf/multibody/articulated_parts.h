@@ -41,7 +41,7 @@ template <class S>
 
 /// A -= s F F^T.
 template <class S>
-[[gnu::always_inline]] inline void subtract_outer(Sym6<S>& A, const S& s, const Force<S>& F) {
+[[gnu::always_inline]] inline void subtract_outer(Sym6<S>& A, const S& s, const Wrench<S>& F) {
   const Vec3<S> n = s * F.n, f = s * F.f;
   A.J.xx = A.J.xx - n.x * F.n.x;
   A.J.yy = A.J.yy - n.y * F.n.y;

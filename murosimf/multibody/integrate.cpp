@@ -5,14 +5,14 @@
 namespace murosimf::multibody {
 
 template <class S>
-void advance(FreeBody<S>& body, const Motion<S>& acceleration, double dt) noexcept {
+void advance(FreeBody<S>& body, const Twist<S>& acceleration, double dt) noexcept {
   body.velocity += dt * acceleration.v;
   body.position += dt * body.velocity;
   body.rate += dt * acceleration.w;
   body.turn = normalized(exponential(dt * body.rate) * body.turn);
 }
 
-template void advance<double>(FreeBody<double>&, const Motion<double>&, double) noexcept;
-template void advance<Pack8>(FreeBody<Pack8>&, const Motion<Pack8>&, double) noexcept;
+template void advance<double>(FreeBody<double>&, const Twist<double>&, double) noexcept;
+template void advance<Pack8>(FreeBody<Pack8>&, const Twist<Pack8>&, double) noexcept;
 
 }  // namespace murosimf::multibody

@@ -22,6 +22,6 @@ struct FreeBody {
 
 /// Advances `body` by dt [s] under `acceleration` = [alpha; a], world axes, of the same point.
 template <class S>
-void advance(FreeBody<S>& body, const Motion<S>& acceleration, double dt) noexcept;
+void advance(FreeBody<S>& body, const Twist<S>& acceleration, double dt) noexcept;
 
 }  // namespace murosimf::multibody

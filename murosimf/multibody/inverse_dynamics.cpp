@@ -9,23 +9,23 @@
 namespace murosimf::multibody {
 
 template <class S>
-void inverse_dynamics(const Tree& tree, std::span<const LinkMotion<S>> links, const Motion<S>& base,
-                      std::span<const S> qdd, std::span<const Force<S>> external, std::span<Force<S>> force,
+void inverse_dynamics(const Tree& tree, std::span<const LinkMotion<S>> links, const Twist<S>& base,
+                      std::span<const S> qdd, std::span<const Wrench<S>> external, std::span<Wrench<S>> force,
                       std::span<S> torque) noexcept {
   // a'_i = a'_0 + sum of s qdd on the way; the sums are kept where the forces go: first as motions
   assert(force.size() == links.size() && torque.size() == links.size());
   const auto count = links.size();
   for (std::size_t l = 0; l < count; ++l) {
     const Link& link = tree.links[l];
-    Motion<S> a = base;
+    Twist<S> a = base;
     if (l > 0) {
-      const Force<S>& parent = force[link.parent];
-      a = Motion<S>{parent.n, parent.f} + qdd[l] * links[l].axis;
+      const Wrench<S>& parent = force[link.parent];
+      a = Twist<S>{parent.n, parent.f} + qdd[l] * links[l].axis;
     }
     force[l] = {a.w, a.v};
   }
   for (std::size_t l = 0; l < count; ++l) {
-    const Motion<S> a{force[l].n, force[l].f};
+    const Twist<S> a{force[l].n, force[l].f};
     force[l] = links[l].inertia * a + links[l].bias_force - external[l];
   }
   for (std::size_t l = count - 1; l > 0; --l) {
@@ -36,10 +36,10 @@ void inverse_dynamics(const Tree& tree, std::span<const LinkMotion<S>> links, co
 }
 
 template <class S>
-Force<S> base_bias(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<const S> qdd,
-                   std::span<Motion<S>> working) noexcept {
+Wrench<S> base_bias(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<const S> qdd,
+                    std::span<Twist<S>> working) noexcept {
   working[0] = {};
-  Force<S> sum = links[0].bias_force;
+  Wrench<S> sum = links[0].bias_force;
   for (std::size_t l = 1; l < links.size(); ++l) {
     working[l] = working[tree.links[l].parent] + qdd[l] * links[l].axis;
     sum += links[l].inertia * working[l] + links[l].bias_force;
@@ -49,7 +49,7 @@ Force<S> base_bias(const Tree& tree, std::span<const LinkMotion<S>> links, std::
 
 namespace {
 
-std::array<double, 6> numbers(const Force<double>& force) {
+std::array<double, 6> numbers(const Wrench<double>& force) {
   return {force.n.x, force.n.y, force.n.z, force.f.x, force.f.y, force.f.z};
 }
 
@@ -65,7 +65,7 @@ void mass_matrix(const Tree& tree, std::span<const LinkMotion<double>> links, st
   };
   for (std::size_t l = 0; l < links.size(); ++l) composite[l] = links[l].inertia;
   for (std::size_t l = links.size() - 1; l > 0; --l) {
-    const Force<double> F = composite[l] * links[l].axis;
+    const Wrench<double> F = composite[l] * links[l].axis;
     for (std::size_t j = l; j != 0; j = static_cast<std::size_t>(tree.links[j].parent)) {
       set(5 + l, 5 + j, dot(links[j].axis, F));
     }
@@ -76,17 +76,17 @@ void mass_matrix(const Tree& tree, std::span<const LinkMotion<double>> links, st
   for (std::size_t k = 0; k < 6; ++k) {
     std::array<double, 6> unit{};
     unit[k] = 1;
-    const Motion<double> m{{unit[0], unit[1], unit[2]}, {unit[3], unit[4], unit[5]}};
+    const Twist<double> m{{unit[0], unit[1], unit[2]}, {unit[3], unit[4], unit[5]}};
     const auto column = numbers(composite[0] * m);
     for (std::size_t i = 0; i < 6; ++i) M[i * size + k] = column[i];
   }
 }
 
-#define MUROSIMF_INSTANTIATE(S)                                                                                        \
-  template void inverse_dynamics<S>(const Tree&, std::span<const LinkMotion<S>>, const Motion<S>&, std::span<const S>, \
-                                    std::span<const Force<S>>, std::span<Force<S>>, std::span<S>) noexcept;            \
-  template Force<S> base_bias<S>(const Tree&, std::span<const LinkMotion<S>>, std::span<const S>,                      \
-                                 std::span<Motion<S>>) noexcept;
+#define MUROSIMF_INSTANTIATE(S)                                                                                       \
+  template void inverse_dynamics<S>(const Tree&, std::span<const LinkMotion<S>>, const Twist<S>&, std::span<const S>, \
+                                    std::span<const Wrench<S>>, std::span<Wrench<S>>, std::span<S>) noexcept;         \
+  template Wrench<S> base_bias<S>(const Tree&, std::span<const LinkMotion<S>>, std::span<const S>,                    \
+                                  std::span<Twist<S>>) noexcept;
 MUROSIMF_INSTANTIATE(double)
 MUROSIMF_INSTANTIATE(Pack8)
 #undef MUROSIMF_INSTANTIATE

@@ -23,15 +23,15 @@ namespace murosimf::multibody {
 /// `base` [rad/s^2; m/s^2] a'_0; qdd [rad/s^2 | m/s^2], `external` [N m, N] about O and the results by link: `force` [N
 /// m, N] f_i, which also serves as working memory, and `torque` [N m | N], 0 for the base. Rotors are not in it.
 template <class S>
-void inverse_dynamics(const Tree& tree, std::span<const LinkMotion<S>> links, const Motion<S>& base,
-                      std::span<const S> qdd, std::span<const Force<S>> external, std::span<Force<S>> force,
+void inverse_dynamics(const Tree& tree, std::span<const LinkMotion<S>> links, const Twist<S>& base,
+                      std::span<const S> qdd, std::span<const Wrench<S>> external, std::span<Wrench<S>> force,
                       std::span<S> torque) noexcept;
 
 /// Force [N m, N] about O that the joint accelerations qdd take of a base with a'_0 = 0, external forces left out:
 /// sum of I_i J_i qdd + p_i over all links.
 template <class S>
-Force<S> base_bias(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<const S> qdd,
-                   std::span<Motion<S>> working) noexcept;
+Wrench<S> base_bias(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<const S> qdd,
+                    std::span<Twist<S>> working) noexcept;
 
 /// M, row by row, 6 + (links - 1) square: base [w; v] about O first, then one row per link in order.
 /// `composite`: working memory, one per link. Rotors are not in it.

@@ -59,23 +59,24 @@ void poses(const Tree& tree, std::span<const S> q, std::span<Vec3<S>> r, std::sp
 }
 
 template <class S>
-Pose<S> pose_in_base(const Tree& tree, std::span<const int> path, const FixedObject& object,
-                     std::span<const S> q) noexcept {
-  Pose<S> link_pose;
+Transform<S> pose_in_base(const Tree& tree, std::span<const int> path, const FixedObject& object,
+                          std::span<const S> q) noexcept {
+  Transform<S> link_pose;
   for (const int l : path) {
-    Pose<S> next;
-    place_joint(tree.links[l], q[tree.links[l].object], link_pose.r, link_pose.R, next.r, next.R);
+    Transform<S> next;
+    place_joint(tree.links[l], q[tree.links[l].object], link_pose.position, link_pose.orientation, next.position,
+                next.orientation);
     link_pose = next;
   }
-  Pose<S> result;
-  place_fixed(object, link_pose.r, link_pose.R, result.r, result.R);
+  Transform<S> result;
+  place_fixed(object, link_pose.position, link_pose.orientation, result.position, result.orientation);
   return result;
 }
 
 template <class S>
-Motion<S> twist_against_base(const Tree& tree, std::span<const int> path, const Vec3<S>& at, std::span<const S> qd,
-                             std::span<const Vec3<S>> r, std::span<const Mat3<S>> R) noexcept {
-  Motion<S> twist;
+Twist<S> twist_against_base(const Tree& tree, std::span<const int> path, const Vec3<S>& at, std::span<const S> qd,
+                            std::span<const Vec3<S>> r, std::span<const Mat3<S>> R) noexcept {
+  Twist<S> twist;
   for (const int l : path) {
     const Link& link = tree.links[l];
     const Vec3<S> joint = qd[link.object] * joint_axis(R[link.object], link);
@@ -117,10 +118,10 @@ void shift_all(std::span<Vec3<S>> rows, const Vec3<S>& shift) noexcept {
   template void poses<S>(const Tree&, std::span<const S>, std::span<Vec3<S>>, std::span<Mat3<S>>) noexcept;        \
   template void velocities<S>(const Tree&, std::span<const S>, std::span<const Vec3<S>>, std::span<const Mat3<S>>, \
                               std::span<Vec3<S>>, std::span<Vec3<S>>) noexcept;                                    \
-  template Pose<S> pose_in_base<S>(const Tree&, std::span<const int>, const FixedObject&,                          \
-                                   std::span<const S>) noexcept;                                                   \
-  template Motion<S> twist_against_base<S>(const Tree&, std::span<const int>, const Vec3<S>&, std::span<const S>,  \
-                                           std::span<const Vec3<S>>, std::span<const Mat3<S>>) noexcept;           \
+  template Transform<S> pose_in_base<S>(const Tree&, std::span<const int>, const FixedObject&,                     \
+                                        std::span<const S>) noexcept;                                              \
+  template Twist<S> twist_against_base<S>(const Tree&, std::span<const int>, const Vec3<S>&, std::span<const S>,   \
+                                          std::span<const Vec3<S>>, std::span<const Mat3<S>>) noexcept;            \
   template void shift_all<S>(std::span<Vec3<S>>, const Vec3<S>&) noexcept;
 MUROSIMF_INSTANTIATE(double)
 MUROSIMF_INSTANTIATE(Pack8)

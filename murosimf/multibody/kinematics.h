@@ -12,6 +12,7 @@
 #include <span>
 
 #include "murosimf/math/spatial.h"
+#include "murosimf/math/transform.h"
 #include "murosimf/model/tree.h"
 
 namespace murosimf::multibody {
@@ -25,23 +26,17 @@ template <class S>
 void velocities(const Tree& tree, std::span<const S> qd, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R,
                 std::span<Vec3<S>> v, std::span<Vec3<S>> w) noexcept;
 
-template <class S>
-struct Pose {
-  Vec3<S> r;  ///< [m]
-  Mat3<S> R;
-};
-
 /// Pose of one fixed object in the frame of the base, from the joint positions on the way to it alone.
 /// `path`: links from the base (excluded) to the object's link.
 template <class S>
-Pose<S> pose_in_base(const Tree& tree, std::span<const int> path, const FixedObject& object,
-                     std::span<const S> q) noexcept;
+Transform<S> pose_in_base(const Tree& tree, std::span<const int> path, const FixedObject& object,
+                          std::span<const S> q) noexcept;
 
 /// Velocity [rad/s, m/s] of the point `at` [m] of the path's last link, seen from a base at rest; world axes:
 ///     w = sum s_i qd_i     v = sum s_i x (at - r_i) qd_i   (or s_i qd_i)
 template <class S>
-Motion<S> twist_against_base(const Tree& tree, std::span<const int> path, const Vec3<S>& at, std::span<const S> qd,
-                             std::span<const Vec3<S>> r, std::span<const Mat3<S>> R) noexcept;
+Twist<S> twist_against_base(const Tree& tree, std::span<const int> path, const Vec3<S>& at, std::span<const S> qd,
+                            std::span<const Vec3<S>> r, std::span<const Mat3<S>> R) noexcept;
 
 /// Adds `shift` to every row: moves positions or velocities of a whole robot.
 template <class S>

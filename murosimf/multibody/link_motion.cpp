@@ -103,8 +103,8 @@ RigidInertia<S> composite_inertia(std::span<const LinkMotion<S>> links) noexcept
 }
 
 template <class S>
-Force<S> momentum(std::span<const LinkMotion<S>> links) noexcept {
-  Force<S> sum;
+Wrench<S> momentum(std::span<const LinkMotion<S>> links) noexcept {
+  Wrench<S> sum;
   for (const auto& link : links) sum += link.inertia * link.velocity;
   return sum;
 }
@@ -121,7 +121,7 @@ template <class S>
 S kinetic_energy(std::span<const LinkMotion<S>> links, const Vec3<S>& v0) noexcept {
   S twice{};
   for (const auto& link : links) {
-    const Motion<S> v{link.velocity.w, link.velocity.v + v0};
+    const Twist<S> v{link.velocity.w, link.velocity.v + v0};
     twice = twice + dot(v, link.inertia * v);
   }
   return 0.5 * twice;
@@ -137,7 +137,7 @@ S potential_energy(std::span<const LinkMotion<S>> links, const Vec3<S>& r0, cons
   template void link_motions<S>(const Tree&, std::span<const Vec3<S>>, std::span<const Mat3<S>>, const Vec3<S>&, \
                                 std::span<const S>, std::span<LinkMotion<S>>) noexcept;                          \
   template RigidInertia<S> composite_inertia<S>(std::span<const LinkMotion<S>>) noexcept;                        \
-  template Force<S> momentum<S>(std::span<const LinkMotion<S>>) noexcept;                                        \
+  template Wrench<S> momentum<S>(std::span<const LinkMotion<S>>) noexcept;                                       \
   template Vec3<S> linear_momentum<S>(std::span<const LinkMotion<S>>) noexcept;                                  \
   template S kinetic_energy<S>(std::span<const LinkMotion<S>>, const Vec3<S>&) noexcept;                         \
   template S potential_energy<S>(std::span<const LinkMotion<S>>, const Vec3<S>&, const Vec3d&) noexcept;

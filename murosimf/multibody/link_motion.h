@@ -24,11 +24,11 @@ namespace murosimf::multibody {
 
 template <class S>
 struct LinkMotion {
-  Motion<S> axis;           ///< s: [1; m] or [0; 1]; zero for the base
-  Motion<S> velocity;       ///< v: [rad/s; m/s], of the base: [w; 0]
-  Motion<S> bias;           ///< b: [rad/s^2; m/s^2]
+  Twist<S> axis;            ///< s: [1; m] or [0; 1]; zero for the base
+  Twist<S> velocity;        ///< v: [rad/s; m/s], of the base: [w; 0]
+  Twist<S> bias;            ///< b: [rad/s^2; m/s^2]
   RigidInertia<S> inertia;  ///< I
-  Force<S> bias_force;      ///< p: [N m; N]; gravity is not in it
+  Wrench<S> bias_force;     ///< p: [N m; N]; gravity is not in it
 };
 
 /// Fills one row per link of the tree. r [m], R: poses of the objects, world; w [rad/s] of the base, world; qd [rad/s |
@@ -44,7 +44,7 @@ RigidInertia<S> composite_inertia(std::span<const LinkMotion<S>> links) noexcept
 /// Momentum of all links: moment of momentum about O [N m s] and momentum [N s], for the observer that moves along
 /// with the base.
 template <class S>
-Force<S> momentum(std::span<const LinkMotion<S>> links) noexcept;
+Wrench<S> momentum(std::span<const LinkMotion<S>> links) noexcept;
 
 /// Its linear part alone [N s].
 template <class S>

@@ -74,7 +74,7 @@ void ParticleFilter::move(std::span<Particle> particles, const Vec3d& step_pose,
 }
 
 double ParticleFilter::log_likelihood(const Vec3d& pose, std::span<const LinePoint> points,
-                                      const LineTable& lines) const noexcept {
+                                      const LineDistanceField& lines) const noexcept {
   const double cosine = std::cos(pose.z), sine = std::sin(pose.z);
   double sum = 0, product = 1;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -90,7 +90,7 @@ double ParticleFilter::log_likelihood(const Vec3d& pose, std::span<const LinePoi
 }
 
 void ParticleFilter::weigh(std::span<Particle> particles, std::span<const LinePoint> points,
-                           const LineTable& lines) noexcept {
+                           const LineDistanceField& lines) noexcept {
   if (points.empty()) return;
   const double c = std::min(1.0, options_.independent_points / static_cast<double>(points.size()));
   double best = -1e300;

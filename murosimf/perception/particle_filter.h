@@ -23,8 +23,8 @@
 #include <vector>
 
 #include "murosimf/math/random.h"
+#include "murosimf/perception/line_distance_field.h"
 #include "murosimf/perception/line_points.h"
-#include "murosimf/perception/line_table.h"
 #include "murosimf/perception/planar.h"
 
 namespace murosimf::perception {
@@ -61,13 +61,13 @@ class ParticleFilter {
   [[nodiscard]] std::vector<Particle> scatter(const Vec3d& start) const;
   /// `step_pose`: the robot's motion in its own frame (dead_reckoning.h), in a time `dt` [s].
   void move(std::span<Particle> particles, const Vec3d& step_pose, double dt, std::uint64_t step) const noexcept;
-  void weigh(std::span<Particle> particles, std::span<const LinePoint> points, const LineTable& lines) noexcept;
+  void weigh(std::span<Particle> particles, std::span<const LinePoint> points, const LineDistanceField& lines) noexcept;
   /// True if it was done.
   bool resample(std::span<Particle> particles, std::uint64_t step) noexcept;
 
  private:
   [[nodiscard]] double log_likelihood(const Vec3d& pose, std::span<const LinePoint> points,
-                                      const LineTable& lines) const noexcept;
+                                      const LineDistanceField& lines) const noexcept;
 
   ParticleFilterOptions options_;
   RandomStream scatter_, motion_, draw_;

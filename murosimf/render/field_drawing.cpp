@@ -15,13 +15,13 @@ bool is_closed(const Stroke& stroke) {
   return norm(gap) < 1e-9;
 }
 
-bool is_goal(const Stroke& stroke, const Frame& frame) {
+bool is_goal(const Stroke& stroke, const PictureFrame& frame) {
   if (frame.lines_length == 0 || is_closed(stroke)) return false;
   return std::any_of(stroke.points.begin(), stroke.points.end(),
                      [&](const Vec3d& p) { return std::abs(p.x) > frame.lines_length; });
 }
 
-void draw_grass(cairo_t* canvas, const Frame& frame) {
+void draw_grass(cairo_t* canvas, const PictureFrame& frame) {
   set_color(canvas, grass_light);
   cairo_paint(canvas);
   // mown stripes; one begins at the half line
@@ -80,8 +80,8 @@ void draw_goal(cairo_t* canvas, const Stroke& goal) {
 
 }  // namespace
 
-Frame frame_of(const Markings& markings, double pixels_per_meter) {
-  Frame frame{markings.half_length, markings.half_width, 0, 0, pixels_per_meter};
+PictureFrame frame_of(const Markings& markings, double pixels_per_meter) {
+  PictureFrame frame{markings.half_length, markings.half_width, 0, 0, pixels_per_meter};
   for (const Stroke& stroke : markings.strokes) {
     if (!is_closed(stroke)) continue;
     for (const Vec3d& p : stroke.points) {
@@ -92,7 +92,7 @@ Frame frame_of(const Markings& markings, double pixels_per_meter) {
   return frame;
 }
 
-void draw_field(cairo_t* canvas, const Markings& markings, const Frame& frame) {
+void draw_field(cairo_t* canvas, const Markings& markings, const PictureFrame& frame) {
   draw_grass(canvas, frame);
   cairo_set_line_join(canvas, CAIRO_LINE_JOIN_MITER);
   cairo_set_line_cap(canvas, CAIRO_LINE_CAP_BUTT);

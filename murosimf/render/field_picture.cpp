@@ -14,8 +14,8 @@
 namespace murosimf::render {
 namespace {
 
-Frame checked_frame(const Markings& markings, const FieldPictureOptions& options) {
-  const Frame frame = frame_of(markings, options.pixels_per_meter);
+PictureFrame checked_frame(const Markings& markings, const FieldPictureOptions& options) {
+  const PictureFrame frame = frame_of(markings, options.pixels_per_meter);
   const double longer = 2 * frame.scale * std::max(frame.half_length, frame.half_width);
   if (!(frame.half_length > 0 && frame.half_width > 0))
     refuse_picture("the markings have no half_length or half_width");
@@ -29,7 +29,7 @@ Frame checked_frame(const Markings& markings, const FieldPictureOptions& options
 
 std::string field_picture_png(const Markings& markings, const std::vector<Path>& paths,
                               const FieldPictureOptions& options) {
-  const Frame frame = checked_frame(markings, options);
+  const PictureFrame frame = checked_frame(markings, options);
   const SurfacePtr picture(cairo_image_surface_create(CAIRO_FORMAT_RGB24, frame.columns(), frame.rows()),
                            cairo_surface_destroy);
   const CanvasPtr canvas(cairo_create(picture.get()), cairo_destroy);

@@ -13,15 +13,15 @@ constexpr double largest_depth_error = 0.5e-3;  // [m]
 
 enum RoundForm : std::size_t { sphere, half_sphere, tube, cylinder, round_forms };
 
-std::size_t solid_of(const Piece& piece, std::size_t level, const SolidCatalog& catalog) {
+std::size_t render_mesh_of(const Drawable& drawable, std::size_t level, const MeshCatalog& catalog) {
   const std::size_t box = round_forms * roundness.size();
-  switch (piece.form) {
+  switch (drawable.form) {
     case Form::sphere: return sphere * roundness.size() + level;
     case Form::half_sphere: return half_sphere * roundness.size() + level;
     case Form::tube: return tube * roundness.size() + level;
     case Form::cylinder: return cylinder * roundness.size() + level;
     case Form::box: return box;
-    case Form::mesh: return catalog.first_mesh + static_cast<std::size_t>(piece.mesh);
+    case Form::mesh: return catalog.first_mesh + static_cast<std::size_t>(drawable.mesh);
   }
   return box;
 }
@@ -70,72 +70,73 @@ std::array<float, 4> row(double x, double y, double z, double w) {
   return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), static_cast<float>(w)};
 }
 
-Instance instance_of(const Piece& piece, const geometry::Pose& at) {
+Instance instance_of(const Drawable& drawable, const Transformd& at) {
   const Mat3d& R = at.orientation;
-  const Vec3d &s = piece.scale, &p = at.position;
+  const Vec3d &s = drawable.scale, &p = at.position;
   const auto inverse_square = [](double scale) { return static_cast<float>(1 / (scale * scale)); };
   return {row(s.x * R.x.x, s.y * R.y.x, s.z * R.z.x, p.x),
           row(s.x * R.x.y, s.y * R.y.y, s.z * R.z.y, p.y),
           row(s.x * R.x.z, s.y * R.y.z, s.z * R.z.z, p.z),
           {inverse_square(s.x), inverse_square(s.y), inverse_square(s.z)},
-          {byte_of(piece.color.red), byte_of(piece.color.green), byte_of(piece.color.blue), 255},
-          piece.label};
+          {byte_of(drawable.color.red), byte_of(drawable.color.green), byte_of(drawable.color.blue), 255},
+          drawable.label};
 }
 
 /// A pose in the world as the eye has it.
-geometry::Pose seen_from(const geometry::Pose& pose, const Vec3d& eye, const Mat3d& axes) {
+Transformd seen_from(const Transformd& pose, const Vec3d& eye, const Mat3d& axes) {
   return {transposed_times(axes, pose.position - eye), transpose(axes) * pose.orientation};
 }
 
 }  // namespace
 
-SolidCatalog solid_catalog(std::span<const Solid> meshes) {
-  SolidCatalog catalog;
+MeshCatalog solid_catalog(std::span<const RenderMesh> meshes) {
+  MeshCatalog catalog;
   for (auto* make : {unit_sphere, unit_half_sphere, unit_tube, unit_cylinder}) {
-    for (const int segments : roundness) catalog.solids.push_back(make(segments));
+    for (const int segments : roundness) catalog.meshes.push_back(make(segments));
   }
-  catalog.solids.push_back(unit_box());
-  catalog.first_mesh = catalog.solids.size();
-  catalog.solids.insert(catalog.solids.end(), meshes.begin(), meshes.end());
+  catalog.meshes.push_back(unit_box());
+  catalog.first_mesh = catalog.meshes.size();
+  catalog.meshes.insert(catalog.meshes.end(), meshes.begin(), meshes.end());
   return catalog;
 }
 
-void InstanceList::begin(const SolidCatalog& catalog) {
+void InstanceList::begin(const MeshCatalog& catalog) {
   unsorted_.clear();
-  solid_of_.clear();
-  first_of_.assign(catalog.solids.size() + 1, 0);
+  render_mesh_of_.clear();
+  first_of_.assign(catalog.meshes.size() + 1, 0);
 }
 
-void InstanceList::add(std::size_t solid, const Piece& piece, const geometry::Pose& optical) {
-  unsorted_.push_back(instance_of(piece, optical));
-  solid_of_.push_back(solid);
+void InstanceList::add(std::size_t solid, const Drawable& drawable, const Transformd& optical) {
+  unsorted_.push_back(instance_of(drawable, optical));
+  render_mesh_of_.push_back(solid);
   ++first_of_[solid + 1];
 }
 
-void InstanceList::fill(const Scenery& scenery, const sensors::Perspective& view, bool depths, double ahead,
-                        const SolidCatalog& catalog) {
+void InstanceList::fill(const RenderScene& render_scene, const sensors::Perspective& view, bool depths, double ahead,
+                        const MeshCatalog& catalog) {
   begin(catalog);
   const Frustum frustum(view);
   const double pixels = std::max(view.width / (view.right - view.left), view.height / (view.bottom - view.top));
-  scenery.for_pieces(ahead, [&](const Piece& piece, const geometry::Pose& pose) {
-    if (view.without && scenery.owner(piece) == view.without) return;
-    const geometry::Pose optical = seen_from(pose, view.eye, view.axes);
-    if (!frustum.may_see(optical.position, piece.radius)) return;
-    const double near = std::max(0.01, norm(optical.position) - piece.radius);
-    const double size = std::max({piece.scale.x, piece.scale.y, piece.form == Form::sphere ? piece.scale.z : 0});
-    double error = largest_error * near / (pixels * frustum.stretch(optical.position, piece.radius));
+  render_scene.for_drawables(ahead, [&](const Drawable& drawable, const Transformd& pose) {
+    if (view.without && render_scene.owner(drawable) == view.without) return;
+    const Transformd optical = seen_from(pose, view.eye, view.axes);
+    if (!frustum.may_see(optical.position, drawable.radius)) return;
+    const double near = std::max(0.01, norm(optical.position) - drawable.radius);
+    const double size =
+        std::max({drawable.scale.x, drawable.scale.y, drawable.form == Form::sphere ? drawable.scale.z : 0});
+    double error = largest_error * near / (pixels * frustum.stretch(optical.position, drawable.radius));
     if (depths) error = std::min(error, largest_depth_error);
     const std::size_t level = view.finest ? roundness.size() - 1 : level_for(error / size);
-    add(solid_of(piece, level, catalog), piece, optical);
+    add(render_mesh_of(drawable, level, catalog), drawable, optical);
   });
   sort();
 }
 
-void InstanceList::fill_all(const Scenery& scenery, const Vec3d& eye, const Mat3d& axes, double ahead,
-                            const SolidCatalog& catalog) {
+void InstanceList::fill_all(const RenderScene& render_scene, const Vec3d& eye, const Mat3d& axes, double ahead,
+                            const MeshCatalog& catalog) {
   begin(catalog);
-  scenery.for_pieces(ahead, [&](const Piece& piece, const geometry::Pose& pose) {
-    add(solid_of(piece, shadow_level, catalog), piece, seen_from(pose, eye, axes));
+  render_scene.for_drawables(ahead, [&](const Drawable& drawable, const Transformd& pose) {
+    add(render_mesh_of(drawable, shadow_level, catalog), drawable, seen_from(pose, eye, axes));
   });
   sort();
 }
@@ -149,7 +150,7 @@ void InstanceList::sort() {
     if (count > 0) groups_.push_back({solid, first_of_[solid], count});
   }
   sorted_.resize(unsorted_.size());
-  for (std::size_t i = 0; i < unsorted_.size(); ++i) sorted_[first_of_[solid_of_[i]]++] = unsorted_[i];
+  for (std::size_t i = 0; i < unsorted_.size(); ++i) sorted_[first_of_[render_mesh_of_[i]]++] = unsorted_[i];
 }
 
 }  // namespace murosimf::render

@@ -7,19 +7,19 @@
 #include <span>
 #include <vector>
 
-#include "murosimf/render/scenery.h"
+#include "murosimf/render/render_scene.h"
 #include "murosimf/sensors/view_source.h"
 
 namespace murosimf::render {
 
 /// Solids that a drawing needs, and where the meshes begin among them.
-struct SolidCatalog {
-  std::vector<Solid> solids;
+struct MeshCatalog {
+  std::vector<RenderMesh> meshes;
   std::size_t first_mesh = 0;
 };
 
 /// Round solids at all levels of roundness, the box, then the meshes.
-[[nodiscard]] SolidCatalog solid_catalog(std::span<const Solid> meshes);
+[[nodiscard]] MeshCatalog solid_catalog(std::span<const RenderMesh> meshes);
 
 /// One piece for the graphics device: rows of the matrix that takes the solid to optical axes.
 struct Instance {
@@ -39,21 +39,22 @@ class InstanceList {
  public:
   /// Pieces that are in the picture. Round ones are off by less than a quarter of a pixel, and with `depths` by less than
   /// half a millimeter.
-  void fill(const Scenery& scenery, const sensors::Perspective& view, bool depths, double ahead,
-            const SolidCatalog& catalog);
+  void fill(const RenderScene& render_scene, const sensors::Perspective& view, bool depths, double ahead,
+            const MeshCatalog& catalog);
   /// All pieces, for a lamp that looks along the third axis from `eye`; z counts from there.
-  void fill_all(const Scenery& scenery, const Vec3d& eye, const Mat3d& axes, double ahead, const SolidCatalog& catalog);
+  void fill_all(const RenderScene& render_scene, const Vec3d& eye, const Mat3d& axes, double ahead,
+                const MeshCatalog& catalog);
 
   [[nodiscard]] std::span<const Instance> instances() const { return sorted_; }
   [[nodiscard]] std::span<const InstanceGroup> groups() const { return groups_; }
 
  private:
-  void begin(const SolidCatalog& catalog);
-  void add(std::size_t solid, const Piece& piece, const geometry::Pose& optical);
+  void begin(const MeshCatalog& catalog);
+  void add(std::size_t solid, const Drawable& drawable, const Transformd& optical);
   void sort();
 
   std::vector<Instance> unsorted_, sorted_;
-  std::vector<std::size_t> solid_of_;  // by unsorted instance
+  std::vector<std::size_t> render_mesh_of_;  // by unsorted instance
   std::vector<std::size_t> first_of_;  // by solid
   std::vector<InstanceGroup> groups_;
 };

@@ -74,7 +74,8 @@ double fitting_font(double font, double room, const std::function<double(double)
   return needed > room ? font * room / needed : font;
 }
 
-void draw_title(cairo_t* canvas, const Frame& frame, const std::string& title, double strip, double room, double left) {
+void draw_title(cairo_t* canvas, const PictureFrame& frame, const std::string& title, double strip, double room,
+                double left) {
   const auto width = [&](double font) {
     set_font(canvas, font, true);
     return text_width(canvas, title);
@@ -84,7 +85,7 @@ void draw_title(cairo_t* canvas, const Frame& frame, const std::string& title, d
   show_text(canvas, left, strip / 2, title, white);
 }
 
-void draw_legend(cairo_t* canvas, const Frame& frame, const std::vector<LegendEntry>& entries, double strip,
+void draw_legend(cairo_t* canvas, const PictureFrame& frame, const std::vector<LegendEntry>& entries, double strip,
                  double room, double left) {
   const auto width = [&](double font) {
     set_font(canvas, font, false);
@@ -107,7 +108,8 @@ void draw_legend(cairo_t* canvas, const Frame& frame, const std::vector<LegendEn
 
 }  // namespace
 
-void draw_writing(cairo_t* canvas, const Frame& frame, const std::vector<Path>& paths, const std::string& title) {
+void draw_writing(cairo_t* canvas, const PictureFrame& frame, const std::vector<Path>& paths,
+                  const std::string& title) {
   constexpr double thinnest_strip = 20;  // [pixels] below, no letter could be read
   const double strip = (frame.half_width - frame.lines_width) * frame.scale;
   if (strip < thinnest_strip || frame.lines_width == 0) return;

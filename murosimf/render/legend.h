@@ -12,6 +12,6 @@
 namespace murosimf::render {
 
 /// The canvas is in pixels, y down.
-void draw_writing(cairo_t* canvas, const Frame& frame, const std::vector<Path>& paths, const std::string& title);
+void draw_writing(cairo_t* canvas, const PictureFrame& frame, const std::vector<Path>& paths, const std::string& title);
 
 }  // namespace murosimf::render

@@ -6,9 +6,9 @@ namespace murosimf::render {
 
 struct Renderer::Contexts {};
 
-Renderer::Renderer(const World& world, const std::vector<Entity*>& movers, const LooksOf& looks,
+Renderer::Renderer(const World& world, const std::vector<Entity*>& moving_entities, const AppearanceOf& appearance,
                    RendererOptions /*options*/)
-    : scenery_(world, movers, looks) {
+    : render_scene_(world, moving_entities, appearance) {
   throw SetupError(
       "no pictures by OpenGL in this build: epoxy or EGL was missing (Debian and Ubuntu: libepoxy-dev, libegl-dev)");
 }

@@ -63,7 +63,7 @@ void draw_arrow(cairo_t* canvas, const OverlayArrow& arrow, double pixel) {
 
 }  // namespace
 
-void draw_overlay(cairo_t* canvas, const Overlay& overlay, const Frame& frame) {
+void draw_overlay(cairo_t* canvas, const Overlay& overlay, const PictureFrame& frame) {
   cairo_set_line_join(canvas, CAIRO_LINE_JOIN_ROUND);
   for (const OverlayLine& line : overlay.lines) draw_line(canvas, line, frame.pixel());
   for (const OverlayCircle& circle : overlay.circles) draw_circle(canvas, circle, frame.pixel());

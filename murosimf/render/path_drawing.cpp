@@ -14,7 +14,7 @@ constexpr double path_width = 0.024;  // [m]
 /// A piece of a path without gaps, thinned to what can be seen.
 using Piece = std::vector<Vec3d>;
 
-std::vector<Piece> visible_pieces(const std::vector<Vec3d>& points, const Frame& frame) {
+std::vector<Piece> visible_pieces(const std::vector<Vec3d>& points, const PictureFrame& frame) {
   std::vector<Piece> pieces(1);
   const double far = 10 * (frame.half_length + frame.half_width);  // cairo's numbers end somewhere beyond
   for (const Vec3d& p : points) {
@@ -48,7 +48,7 @@ void draw_fading_line(cairo_t* canvas, const Piece& piece, const Color& color, d
   cairo_paint(canvas);
 }
 
-void draw_robot_path(cairo_t* canvas, const Path& path, const Frame& frame) {
+void draw_robot_path(cairo_t* canvas, const Path& path, const PictureFrame& frame) {
   const double width = std::max(path_width, 1.6 * frame.pixel());
   const std::vector<Piece> pieces = visible_pieces(path.points, frame);
   for (const Piece& piece : pieces) {
@@ -58,7 +58,7 @@ void draw_robot_path(cairo_t* canvas, const Path& path, const Frame& frame) {
   }
 }
 
-void draw_ball_path(cairo_t* canvas, const Path& path, const Frame& frame) {
+void draw_ball_path(cairo_t* canvas, const Path& path, const PictureFrame& frame) {
   const double width = std::max(path_width, 1.6 * frame.pixel());
   const double dashes[] = {2.6 * width, 2.4 * width};
   cairo_set_dash(canvas, dashes, 2, 0);
@@ -74,7 +74,7 @@ void draw_ball_path(cairo_t* canvas, const Path& path, const Frame& frame) {
   cairo_set_dash(canvas, nullptr, 0, 0);
 }
 
-void draw_start(cairo_t* canvas, const Path& path, const Frame& frame) {
+void draw_start(cairo_t* canvas, const Path& path, const PictureFrame& frame) {
   const auto first = std::find_if(path.points.begin(), path.points.end(), is_finite);
   if (first == path.points.end()) return;
   const double pixel = frame.pixel(), radius = std::max(0.036, 3.5 * pixel);
@@ -120,7 +120,7 @@ void draw_number(cairo_t* canvas, double x, double y, double font, const std::st
   cairo_restore(canvas);
 }
 
-void draw_robot(cairo_t* canvas, const Path& path, const Frame& frame) {
+void draw_robot(cairo_t* canvas, const Path& path, const PictureFrame& frame) {
   if (path.points.empty() || !is_finite(path.points.back())) return;
   const Vec3d& place = path.points.back();
   const double size = std::max(7 * frame.pixel(), path.size), edge = std::max(0.09 * size, 1.2 * frame.pixel());
@@ -138,7 +138,7 @@ void draw_robot(cairo_t* canvas, const Path& path, const Frame& frame) {
   draw_number(canvas, place.x, place.y, font, number, ink);
 }
 
-void draw_ball(cairo_t* canvas, const Path& path, const Frame& frame) {
+void draw_ball(cairo_t* canvas, const Path& path, const PictureFrame& frame) {
   if (path.points.empty() || !is_finite(path.points.back())) return;
   const Vec3d& place = path.points.back();
   const double radius = std::max(4.5 * frame.pixel(), path.size);
@@ -152,7 +152,7 @@ void draw_ball(cairo_t* canvas, const Path& path, const Frame& frame) {
 
 }  // namespace
 
-void draw_paths(cairo_t* canvas, const std::vector<Path>& paths, const Frame& frame) {
+void draw_paths(cairo_t* canvas, const std::vector<Path>& paths, const PictureFrame& frame) {
   cairo_set_line_join(canvas, CAIRO_LINE_JOIN_ROUND);
   for (const Path& path : paths) {
     if (!path.is_ball) draw_robot_path(canvas, path, frame);

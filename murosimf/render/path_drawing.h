@@ -11,6 +11,6 @@
 namespace murosimf::render {
 
 /// The canvas is in meters, x to the right and y up, the middle of the field at the origin.
-void draw_paths(cairo_t* canvas, const std::vector<Path>& paths, const Frame& frame);
+void draw_paths(cairo_t* canvas, const std::vector<Path>& paths, const PictureFrame& frame);
 
 }  // namespace murosimf::render

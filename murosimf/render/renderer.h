@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "murosimf/render/light.h"
-#include "murosimf/render/scenery.h"
+#include "murosimf/render/render_scene.h"
 #include "murosimf/sensors/view_source.h"
 
 namespace murosimf::render {
 
 /// How much was drawn so far, by all views of a renderer.
 struct DrawTotals {
-  std::size_t views = 0, pieces = 0, triangles = 0;
+  std::size_t views = 0, drawables = 0, triangles = 0;
 };
 
 struct RendererOptions {
@@ -26,7 +26,8 @@ struct RendererOptions {
 class Renderer final : public sensors::ViewSource {
  public:
   /// Throws SetupError if this machine or this build cannot draw, and what to install.
-  Renderer(const World& world, const std::vector<Entity*>& movers, const LooksOf& looks, RendererOptions options = {});
+  Renderer(const World& world, const std::vector<Entity*>& moving_entities, const AppearanceOf& appearance,
+           RendererOptions options = {});
   ~Renderer() override;
 
   void draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,
@@ -43,7 +44,7 @@ class Renderer final : public sensors::ViewSource {
 
  private:
   struct Contexts;  // one for each thread that draws at the same time
-  Scenery scenery_;
+  RenderScene render_scene_;
   RendererOptions options_;
   std::unique_ptr<Contexts> contexts_;
 };

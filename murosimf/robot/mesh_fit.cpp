@@ -14,28 +14,27 @@ namespace {
 
 using geometry::PrimitiveKind;
 
-std::set<std::string> meshes_of_files(const description::RobotDraft& draft) {
+std::set<std::string> meshes_of_files(const description::RobotDescription& description) {
   std::set<std::string> names;
-  for (const description::DraftMesh& mesh : draft.meshes) {
+  for (const description::MeshDescription& mesh : description.meshes) {
     if (!mesh.file.empty()) names.insert(mesh.name);
   }
   return names;
 }
 
 /// The mesh itself, to be looked at.
-description::DraftVisual visual_of(const description::DraftShape& shape) {
-  const description::Place place =
-      description::inside({shape.placed.position, shape.placed.orientation}, {-shape.middle, {}});
+description::VisualDescription visual_of(const description::ShapeDescription& shape) {
+  const Transformd place = shape.placed.place() * Transformd{-shape.middle, {}};
   return {"", shape.where, shape.mesh, place, shape.placed.color};
 }
 
-bool shows(const description::DraftBody& body, const std::string& mesh) {
-  return std::ranges::any_of(body.visuals, [&](const description::DraftVisual& visual) { return visual.mesh == mesh; });
+bool shows(const description::BodyDescription& body, const std::string& mesh) {
+  return std::ranges::any_of(body.visuals,
+                             [&](const description::VisualDescription& visual) { return visual.mesh == mesh; });
 }
 
-void replace(description::DraftShape& shape, const geometry::FittedPrimitive& fitted) {
-  const description::Place place =
-      description::inside({shape.placed.position, shape.placed.orientation}, {fitted.position, fitted.orientation});
+void replace(description::ShapeDescription& shape, const geometry::FittedPrimitive& fitted) {
+  const Transformd place = shape.placed.place() * Transformd{fitted.position, fitted.orientation};
   shape.placed.shape = fitted.shape;
   shape.placed.position = place.position;
   shape.placed.orientation = place.orientation;
@@ -45,11 +44,12 @@ void replace(description::DraftShape& shape, const geometry::FittedPrimitive& fi
 
 class Fitter {
  public:
-  Fitter(const description::RobotDraft& draft, PrimitiveKind kind) : kind_(kind), files_(meshes_of_files(draft)) {}
+  Fitter(const description::RobotDescription& description, PrimitiveKind kind)
+      : kind_(kind), files_(meshes_of_files(description)) {}
 
-  void fit(description::DraftBody& body) {
-    std::vector<description::DraftVisual> visuals;
-    for (description::DraftShape& shape : body.shapes) {
+  void fit(description::BodyDescription& body) {
+    std::vector<description::VisualDescription> visuals;
+    for (description::ShapeDescription& shape : body.shapes) {
       const auto* convex = std::get_if<Convex>(&shape.placed.shape);
       if (!convex) continue;
       const bool first_part =
@@ -75,9 +75,9 @@ class Fitter {
 
 }  // namespace
 
-std::vector<MeshFit> fit_meshes(description::RobotDraft& draft, PrimitiveKind kind) {
-  Fitter fitter(draft, kind);
-  for (description::DraftBody& body : draft.bodies) fitter.fit(body);
+std::vector<MeshFit> fit_meshes(description::RobotDescription& description, PrimitiveKind kind) {
+  Fitter fitter(description, kind);
+  for (description::BodyDescription& body : description.bodies) fitter.fit(body);
   return fitter.fits;
 }
 

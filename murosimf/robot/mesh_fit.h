@@ -1,10 +1,10 @@
-/// mesh_fit.h - primitives in the place of the meshes that collide in a draft.
+/// mesh_fit.h - primitives in the place of the meshes that collide in a description.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/geometry/primitive_fit.h"
 
 namespace murosimf::robot {
@@ -18,7 +18,7 @@ struct MeshFit {
 
 /// Every convex part of a mesh becomes a primitive of the volume of its hull, which is what contact saw before. A mesh of a
 /// file stays to be looked at, unless its body shows it already. Of several parts the first keeps the name.
-std::vector<MeshFit> fit_meshes(description::RobotDraft& draft, geometry::PrimitiveKind kind);
+std::vector<MeshFit> fit_meshes(description::RobotDescription& description, geometry::PrimitiveKind kind);
 
 /// "sphere", "capsule", "cylinder", "box" or "best". Throws SetupError for others.
 [[nodiscard]] geometry::PrimitiveKind primitive_kind(const std::string& name);

@@ -15,29 +15,29 @@ namespace {
 /// One object to come, with the joint it stands for.
 struct Step {
   Object object;
-  const description::DraftJoint* joint = nullptr;
+  const description::JointDescription* joint = nullptr;
 };
 
 class Builder {
  public:
-  Builder(description::RobotDraft& draft, const RobotTable& table)
-      : draft_(draft), table_(table), children_(draft.bodies.size()) {
-    for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
-      const description::DraftBody& body = draft.bodies[i];
+  Builder(description::RobotDescription& description, const RobotTable& table)
+      : description_(description), table_(table), children_(description.bodies.size()) {
+    for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+      const description::BodyDescription& body = description.bodies[i];
       bodies_.insert(body.name);
-      for (const description::DraftJoint& joint : body.joints) joints_.insert(joint.name);
+      for (const description::JointDescription& joint : body.joints) joints_.insert(joint.name);
       if (body.parent >= 0) children_[body.parent].push_back(i);
-      for (const description::DraftFrame& frame : body.frames)
+      for (const description::FrameDescription& frame : body.frames)
         (frame.kind == "body" ? bodies_ : frames_).insert(frame.name);
     }
   }
 
   [[nodiscard]] Chain build() {
     Chain chain;
-    const std::string& base = draft_.bodies[0].name;
-    const std::string& base_joint = draft_.base_joint;
+    const std::string& base = description_.bodies[0].name;
+    const std::string& base_joint = description_.base_joint;
     if (base_joint != base) joints_.insert(base_joint);
-    chain.base(free_name(base, draft_.bodies[0].where, "body"));
+    chain.base(free_name(base, description_.bodies[0].where, "body"));
     if (!base_joint.empty() && base_joint != base) chain.alias(base_joint);
     if (!frames_.contains(base)) add_other_names(chain, table_.frames, base);
     add_pairs(chain);
@@ -48,17 +48,17 @@ class Builder {
  private:
   /// The base or the last object of a body: mass and shapes, then everything that hangs on it.
   void finish(Chain& chain, std::size_t index) {
-    const description::DraftBody& body = draft_.bodies[index];
+    const description::BodyDescription& body = description_.bodies[index];
     add_mass(chain, body);
     add_shapes(chain, body);
     std::vector<Chain> branches;
     for (const std::size_t child : children_[index]) branches.push_back(build_body(child));
-    for (const description::DraftFrame& frame : body.frames) branches.push_back(build_frame(frame));
+    for (const description::FrameDescription& frame : body.frames) branches.push_back(build_frame(frame));
     chain.fork(branches);
   }
 
   [[nodiscard]] Chain build_body(std::size_t index) {
-    const description::DraftBody& body = draft_.bodies[index];
+    const description::BodyDescription& body = description_.bodies[index];
     Chain chain;
     for (const Step& step : name_last(steps(body), body)) add(chain, step);
     if (chain.objects().back().is_joint()) add_alias(chain, body);
@@ -67,12 +67,12 @@ class Builder {
     return chain;
   }
 
-  [[nodiscard]] static std::vector<Step> steps(const description::DraftBody& body) {
+  [[nodiscard]] static std::vector<Step> steps(const description::BodyDescription& body) {
     const auto& [offset, turn] = body.place;
     std::vector<Step> result;
     if (!is_zero(offset)) result.push_back({{Kind::translation, -1, offset, {}, body.name + ".offset", true}});
     if (!is_identity(turn)) result.push_back({{Kind::rotation, -1, {}, turn, body.name + ".turn", true}});
-    for (const description::DraftJoint& joint : body.joints) {
+    for (const description::JointDescription& joint : body.joints) {
       const bool away = !is_zero(joint.anchor);
       if (away) result.push_back({{Kind::translation, -1, joint.anchor, {}, joint.name + ".anchor", true}});
       if (joint.reference != 0) result.push_back({back_to_zero(joint)});
@@ -84,7 +84,7 @@ class Builder {
   }
 
   /// In the pose of the file the joint stands at `reference`, so this undoes it.
-  [[nodiscard]] static Object back_to_zero(const description::DraftJoint& joint) {
+  [[nodiscard]] static Object back_to_zero(const description::JointDescription& joint) {
     const Vec3d axis = (1.0 / norm(joint.axis)) * joint.axis;
     const std::string name = joint.name + ".zero";
     if (joint.kind == Kind::prismatic) return {Kind::translation, -1, -joint.reference * axis, {}, name, true};
@@ -92,7 +92,7 @@ class Builder {
   }
 
   /// The body's name for the last object, if it is no joint.
-  [[nodiscard]] std::vector<Step> name_last(std::vector<Step> steps, const description::DraftBody& body) {
+  [[nodiscard]] std::vector<Step> name_last(std::vector<Step> steps, const description::BodyDescription& body) {
     Object& last = steps.back().object;
     if (!steps.back().joint) last.name = free_name(body.name, body.where, "body");
     last.structural = false;  // it is the body, and somebody may look at it
@@ -114,13 +114,13 @@ class Builder {
   }
 
   /// A servo of the table has rotor, friction and speed-torque line of its own: the file's describe the same part.
-  void add_joint_constants(Chain& chain, const description::DraftJoint& joint) const {
+  void add_joint_constants(Chain& chain, const description::JointDescription& joint) const {
     if (joint.range) chain.with(properties::joint_range, *joint.range);
     if (joint.stiffness > 0) {
       chain.with(properties::joint_stiffness, joint.stiffness);
       chain.with(properties::joint_spring_reference, joint.spring_reference);
     }
-    for (const description::DraftMimic& mimic : draft_.mimics) {
+    for (const description::MimicDescription& mimic : description_.mimics) {
       if (mimic.joint == joint.name) {
         chain.with(properties::joint_coupling, {mimic.leader, mimic.ratio, mimic.offset});
       }
@@ -142,17 +142,17 @@ class Builder {
     }
   }
 
-  void add_alias(Chain& chain, const description::DraftBody& body) {
+  void add_alias(Chain& chain, const description::BodyDescription& body) {
     if (chain.objects().back().name != body.name) chain.alias(free_name(body.name, body.where, "body"));
   }
 
   void add_pairs(Chain& chain) const {
     ExcludedPairs excluded;
-    for (const description::DraftExclusion& pair : draft_.exclusions) {
+    for (const description::ExclusionDescription& pair : description_.exclusions) {
       excluded.emplace_back(object_of(pair.body1), object_of(pair.body2));
     }
     AllowedPairs allowed;
-    for (const description::DraftPair& pair : draft_.pairs) {
+    for (const description::PairDescription& pair : description_.pairs) {
       for (const ShapeOfObject& a : find_shapes(pair.shape1)) {
         for (const ShapeOfObject& b : find_shapes(pair.shape2)) allowed.emplace_back(a, b);
       }
@@ -169,7 +169,7 @@ class Builder {
   /// Several if it is a mesh of several parts.
   [[nodiscard]] std::vector<ShapeOfObject> find_shapes(const std::string& name) const {
     std::vector<ShapeOfObject> shapes;
-    for (const description::DraftBody& body : draft_.bodies) {
+    for (const description::BodyDescription& body : description_.bodies) {
       for (std::size_t i = 0; i < body.shapes.size(); ++i) {
         if (body.shapes[i].name == name) shapes.push_back({object_of(body.name), i});
       }
@@ -188,33 +188,33 @@ class Builder {
     while (given_.contains(free)) free += "2";
     given_.insert(free);
     if (owner) {
-      draft_.warnings.push_back(
+      description_.warnings.push_back(
           files::one_line(fmt::format("{}: {} '{}' is called '{}' here, since a {} has the same name", where, kind,
                                       name, free, owner)));
     }
     return free;
   }
 
-  void add_shapes(Chain& chain, const description::DraftBody& body) const {
+  void add_shapes(Chain& chain, const description::BodyDescription& body) const {
     Shapes shapes;
-    for (const description::DraftShape& shape : body.shapes) shapes.push_back(shape.placed);
+    for (const description::ShapeDescription& shape : body.shapes) shapes.push_back(shape.placed);
     if (!shapes.empty()) chain.with(properties::shapes, shapes);
-    const Visuals visuals = description::visuals_of(draft_, body);
+    const Visuals visuals = description::visuals_of(description_, body);
     if (!visuals.empty()) chain.with(properties::visuals, visuals);
   }
 
-  void add_mass(Chain& chain, const description::DraftBody& body) {
+  void add_mass(Chain& chain, const description::BodyDescription& body) {
     if (body.solid.mass > 0) {
       chain.with(properties::mass, body.solid.mass);
       chain.with(properties::center_of_mass, body.solid.center);
       chain.with(properties::inertia, body.solid.inertia);
     } else {
-      draft_.warnings.push_back(
+      description_.warnings.push_back(
           files::one_line(fmt::format("{}: body '{}' moves but has no mass; add an inertial", body.where, body.name)));
     }
   }
 
-  [[nodiscard]] Chain build_frame(const description::DraftFrame& frame) {
+  [[nodiscard]] Chain build_frame(const description::FrameDescription& frame) {
     const std::string name = free_name(frame.name, frame.where, frame.kind);
     const auto& [offset, turn] = frame.place;
     Chain chain;
@@ -226,12 +226,12 @@ class Builder {
     return chain;
   }
 
-  [[nodiscard]] bool is_sole(const description::DraftFrame& frame) const {
+  [[nodiscard]] bool is_sole(const description::FrameDescription& frame) const {
     if (!table_.soles.empty()) return table_.is_sole(frame.name);
     return frame.box && frame.name.ends_with("sole");
   }
 
-  description::RobotDraft& draft_;
+  description::RobotDescription& description_;
   const RobotTable& table_;
   std::vector<std::vector<std::size_t>> children_;
   std::set<std::string> joints_, bodies_, frames_;  // bodies also those that are welded to others
@@ -241,9 +241,10 @@ class Builder {
 
 }  // namespace
 
-ModelPtr build_model(description::RobotDraft& draft, const RobotTable& table) {
-  const Chain chain = Builder(draft, table).build();
-  return at(draft.bodies[0].where, [&] { return std::make_shared<const Model>(draft.name, chain); });
+ModelPtr build_model(description::RobotDescription& description, const RobotTable& table) {
+  const Chain chain = Builder(description, table).build();
+  return with_context(description.bodies[0].where,
+                      [&] { return std::make_shared<const Model>(description.name, chain); });
 }
 
 }  // namespace murosimf::robot

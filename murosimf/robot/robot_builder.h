@@ -1,4 +1,4 @@
-/// robot_builder.h - a draft becomes a Model: a tree of the seven basic objects.
+/// robot_builder.h - a description becomes a Model: a tree of the seven basic objects.
 ///
 /// A body becomes translation (<body>.offset), rotation (<body>.turn) and its joints; what is the identity is left
 /// out. A joint away from the body's origin has a translation before (<joint>.anchor) and its inverse behind; one whose
@@ -8,15 +8,15 @@
 /// In a Model no two objects share a name: a joint keeps it, a body or frame of the same name gets a suffix.
 #pragma once
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/model/model.h"
-#include "murosimf/robot/robot_table.h"
+#include "murosimf/robot/robot_config.h"
 
 namespace murosimf::robot {
 
 /// Takes servos, soles and surfaces of the table, which win over those of the file. Bodies without joints should be
-/// welded and soles placed before (robot_weld.h, robot_roles.h). Renamed and massless bodies are lines in the draft's warnings.
+/// welded and soles placed before (lump_fixed_joints.h, role_inference.h). Renamed and massless bodies are lines in the description's warnings.
 /// Throws SetupError, with the place in the file, for what Model refuses.
-[[nodiscard]] ModelPtr build_model(description::RobotDraft& draft, const RobotTable& table);
+[[nodiscard]] ModelPtr build_model(description::RobotDescription& description, const RobotTable& table);
 
 }  // namespace murosimf::robot

@@ -11,9 +11,9 @@
 #include "murosimf/formats/mjcf/mjcf_sensor.h"
 #include "murosimf/formats/mjcf/mjcf_writer.h"
 #include "murosimf/formats/urdf/urdf_reader.h"
+#include "murosimf/robot/robot_config.h"
 #include "murosimf/robot/robot_reader.h"
-#include "murosimf/robot/robot_roles.h"
-#include "murosimf/robot/robot_table.h"
+#include "murosimf/robot/role_inference.h"
 
 namespace murosimf::robot {
 namespace {
@@ -21,20 +21,23 @@ namespace {
 namespace fs = std::filesystem;
 
 /// With all of the bodies of the file: read_robot has welded those that do not move.
-description::RobotDraft read_all_bodies(const fs::path& file, description::ReaderOptions options) {
+description::RobotDescription read_all_bodies(const fs::path& file, description::ReaderOptions options) {
   for (const TableName& mesh : read_table_beside(file).part_per_group) options.part_per_group.push_back(mesh.name);
   const bool urdf = files::XmlFile(file).root().tag() == "robot";
   return urdf ? formats::urdf::read_urdf(file, options) : formats::mjcf::read_mjcf(file, options);
 }
 
-/// Sensors of the robot file that MJCF has no word for. `draft`: as it is written, with the same sensors as the robot's.
-std::vector<sensors::SensorSpec> sensors_for_table(const RobotFile& robot, const description::RobotDraft& draft,
+/// Sensors of the robot file that MJCF has no word for. `description`: as it is written, with the same sensors as the robot's.
+std::vector<sensors::SensorSpec> sensors_for_table(const RobotFile& robot,
+                                                   const description::RobotDescription& description,
                                                    std::vector<std::string>& warnings) {
   std::vector<sensors::SensorSpec> specs;
-  for (std::size_t i = 0; i < draft.sensors.size(); ++i) {
-    const std::string& name = robot.draft.sensors[i].becomes;
+  for (std::size_t i = 0; i < description.sensors.size(); ++i) {
+    const std::string& name = robot.description.sensors[i].becomes;
     const auto spec = std::ranges::find(robot.sensors, name, &sensors::SensorSpec::name);
-    if (name.empty() || spec == robot.sensors.end() || formats::mjcf::is_mjcf_sensor(draft.sensors[i], draft)) continue;
+    if (name.empty() || spec == robot.sensors.end() ||
+        formats::mjcf::is_mjcf_sensor(description.sensors[i], description))
+      continue;
     const auto table = std::ranges::find(robot.table.sensors, name, &components::SensorTable::name);
     if (table == robot.table.sensors.end()) {
       specs.push_back(*spec);
@@ -46,9 +49,9 @@ std::vector<sensors::SensorSpec> sensors_for_table(const RobotFile& robot, const
   return specs;
 }
 
-void count(const description::RobotDraft& draft, RobotConversion& result) {
-  result.bodies = static_cast<int>(draft.bodies.size());
-  for (const description::DraftBody& body : draft.bodies) {
+void count(const description::RobotDescription& description, RobotConversion& result) {
+  result.bodies = static_cast<int>(description.bodies.size());
+  for (const description::BodyDescription& body : description.bodies) {
     result.joints += static_cast<int>(body.joints.size());
     result.mass += body.solid.mass;
   }
@@ -60,17 +63,17 @@ RobotConversion convert_robot(const fs::path& file, const ConversionOptions& opt
   RobotConversion result;
   const RobotFile robot = read_robot(file, options.reader);
   result.warnings = robot.warnings;
-  description::RobotDraft draft = read_all_bodies(file, options.reader);
-  if (options.fit) result.fits = fit_meshes(draft, *options.fit);
-  count(draft, result);
-  result.mjcf = formats::mjcf::to_mjcf(draft, {options.folder});
+  description::RobotDescription description = read_all_bodies(file, options.reader);
+  if (options.fit) result.fits = fit_meshes(description, *options.fit);
+  count(description, result);
+  result.mjcf = formats::mjcf::to_mjcf(description, {options.folder});
   fs::path table = file;
   table.replace_extension(".toml");
   std::error_code none;
   result.own_table = fs::exists(table, none);
-  result.toml =
-      result.own_table ? files::read_input_file(table, files::most_toml_bytes) : roles_toml(robot.draft, robot.table);
-  result.toml += components::sensor_sections(sensors_for_table(robot, draft, result.warnings));
+  result.toml = result.own_table ? files::read_input_file(table, files::most_toml_bytes)
+                                 : roles_toml(robot.description, robot.table);
+  result.toml += components::sensor_sections(sensors_for_table(robot, description, result.warnings));
   return result;
 }
 

@@ -20,7 +20,7 @@ struct ConversionOptions {
 struct RobotConversion {
   std::string mjcf;  ///< text of the file (mjcf_writer.h)
   std::string
-      toml;  ///< that of the file beside it: the robot's own, or roles_toml (robot_roles.h), and sensors that MJCF has no word for
+      toml;  ///< that of the file beside it: the robot's own, or roles_toml (role_inference.h), and sensors that MJCF has no word for
   bool own_table = false;             ///< the robot had a TOML file beside it
   int joints = 0, bodies = 0;         ///< bodies without joints count, too
   double mass = 0;                    ///< [kg]

@@ -7,34 +7,35 @@
 #include "murosimf/files/xml_element.h"
 #include "murosimf/formats/mjcf/mjcf_reader.h"
 #include "murosimf/formats/urdf/urdf_reader.h"
+#include "murosimf/robot/lump_fixed_joints.h"
 #include "murosimf/robot/robot_builder.h"
-#include "murosimf/robot/robot_roles.h"
+#include "murosimf/robot/robot_config.h"
 #include "murosimf/robot/robot_sensors.h"
-#include "murosimf/robot/robot_table.h"
-#include "murosimf/robot/robot_weld.h"
+#include "murosimf/robot/role_inference.h"
 
 namespace murosimf::robot {
 namespace {
 
 /// Materials of the table, by the bodies of the file.
-void apply_surfaces(description::RobotDraft& draft, const RobotTable& table) {
-  for (description::DraftBody& body : draft.bodies) {
-    for (description::DraftShape& shape : body.shapes) shape.placed.surface.material = table.surface(body.name);
+void apply_surfaces(description::RobotDescription& description, const RobotTable& table) {
+  for (description::BodyDescription& body : description.bodies) {
+    for (description::ShapeDescription& shape : body.shapes) shape.placed.surface.material = table.surface(body.name);
   }
 }
 
-void check_names(const RobotTable& table, const description::RobotDraft& draft) {
+void check_names(const RobotTable& table, const description::RobotDescription& description) {
   RobotNames names;
-  for (const description::DraftBody& body : draft.bodies) {
+  for (const description::BodyDescription& body : description.bodies) {
     names.bodies.push_back(body.name);
-    for (const description::DraftJoint& joint : body.joints) names.joints.push_back(joint.name);
-    for (const description::DraftFrame& frame : body.frames) names.frames.push_back(frame.name);
+    for (const description::JointDescription& joint : body.joints) names.joints.push_back(joint.name);
+    for (const description::FrameDescription& frame : body.frames) names.frames.push_back(frame.name);
   }
-  for (const description::DraftMesh& mesh : draft.meshes) names.meshes.push_back(mesh.name);
+  for (const description::MeshDescription& mesh : description.meshes) names.meshes.push_back(mesh.name);
   check_names(table, names);
 }
 
-description::RobotDraft read_draft(const std::filesystem::path& file, const description::ReaderOptions& options) {
+description::RobotDescription read_description(const std::filesystem::path& file,
+                                               const description::ReaderOptions& options) {
   const files::XmlFile xml(file);
   const std::string root = xml.root().tag();
   if (root == "mujoco") return formats::mjcf::read_mjcf(file, options);
@@ -49,16 +50,16 @@ RobotFile read_robot(const std::filesystem::path& file, const description::Reade
   description::ReaderOptions all = options;
   for (const TableName& mesh : table.part_per_group) all.part_per_group.push_back(mesh.name);
   RobotFile robot;
-  robot.draft = read_draft(file, all);
-  check_names(table, robot.draft);
-  apply_surfaces(robot.draft, table);
-  weld_fixed_bodies(robot.draft);
-  if (options.guess) guess_roles(robot.draft, table);
-  place_soles(robot.draft, table);
-  robot.model = build_model(robot.draft, table);
-  robot.sensors = sensors_of(robot.draft, table, *robot.model, file.parent_path(), options.lenient);
-  robot.warnings = std::move(robot.draft.warnings);
-  robot.notes = std::move(robot.draft.notes);
+  robot.description = read_description(file, all);
+  check_names(table, robot.description);
+  apply_surfaces(robot.description, table);
+  weld_fixed_bodies(robot.description);
+  if (options.guess) guess_roles(robot.description, table);
+  place_soles(robot.description, table);
+  robot.model = build_model(robot.description, table);
+  robot.sensors = sensors_of(robot.description, table, *robot.model, file.parent_path(), options.lenient);
+  robot.warnings = std::move(robot.description.warnings);
+  robot.notes = std::move(robot.description.notes);
   robot.table = std::move(table);
   return robot;
 }

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "murosimf/description/reader_options.h"
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/model/model.h"
-#include "murosimf/robot/robot_table.h"
+#include "murosimf/robot/robot_config.h"
 #include "murosimf/sensors/sensor_spec.h"
 
 namespace murosimf::robot {
@@ -18,9 +18,9 @@ struct RobotFile {
   std::vector<std::string>
       warnings;                    ///< one line each: file:line: what looks wrong, or is dropped because of `lenient`
   std::vector<std::string> notes;  ///< one line each: file:line: what means nothing here
-  RobotTable table;                ///< of the TOML file, completed by what was guessed (robot_roles.h)
-  std::vector<sensors::SensorSpec> sensors;  ///< that it carries
-  description::RobotDraft draft;             ///< what the model was made of; bodies without joints are welded
+  RobotTable table;                ///< of the TOML file, completed by what was guessed (role_inference.h)
+  std::vector<sensors::SensorSpec> sensors;   ///< that it carries
+  description::RobotDescription description;  ///< what the model was made of; bodies without joints are welded
 };
 
 /// The root element tells the format. Throws SetupError: file, line, what is wrong, what to do.

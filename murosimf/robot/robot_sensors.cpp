@@ -40,7 +40,7 @@ constexpr std::array kinds{Kind{"accelerometer", "accelerometer", ""},
                            Kind{"imu", "imu", ""},
                            Kind{"jointactuatorfrc", "joint_torque", ""},
                            Kind{"jointpos", "joint_position", ""},
-                           Kind{"jointvel", "joint_rate", ""},
+                           Kind{"jointvel", "joint_velocity", ""},
                            Kind{"lidar", "laser", ""},
                            Kind{"rangefinder", "rangefinder", "nothing found is infinity, not -1"},
                            Kind{"ray", "laser", ""},
@@ -56,7 +56,7 @@ const Kind* find_kind(std::string_view name) {
 }
 
 /// A name that can stand in a path, and that no other sensor has.
-std::string free_name(const description::DraftSensor& sensor, const std::string& type,
+std::string free_name(const description::SensorDescription& sensor, const std::string& type,
                       const std::vector<SensorSpec>& others) {
   std::string name = sensor.name.empty() ? type : sensor.name;
   std::ranges::replace_if(
@@ -74,7 +74,7 @@ std::string free_name(const description::DraftSensor& sensor, const std::string&
 }
 
 /// The object of the model that a site, body or joint of the file has become (robot_builder.h).
-std::string object_of(const description::DraftSensor& sensor, const Model& model) {
+std::string object_of(const description::SensorDescription& sensor, const Model& model) {
   if (sensor.object_kind.empty()) return sensor.frame;
   const std::string suffix = sensor.object_kind == "xbody" ? "body" : sensor.object_kind;
   const std::string renamed = sensor.frame + "." + suffix;
@@ -82,17 +82,19 @@ std::string object_of(const description::DraftSensor& sensor, const Model& model
 }
 
 /// Empty: it can be simulated.
-std::string why_not(const description::DraftSensor& sensor, const Kind* kind, const description::RobotDraft& draft) {
+std::string why_not(const description::SensorDescription& sensor, const Kind* kind,
+                    const description::RobotDescription& description) {
   if (!kind) return "not simulated";
   if (!sensor.obstacle.empty()) return "not simulated: " + sensor.obstacle;
-  const bool of_base = sensor.frame == draft.bodies[0].name;
+  const bool of_base = sensor.frame == description.bodies[0].name;
   if (sensor.kind == "subtreecom" && !of_base) return "not simulated: only the center of mass of the whole robot is";
   return {};
 }
 
-void note(description::RobotDraft& draft, const description::DraftSensor& sensor, std::string_view text) {
+void note(description::RobotDescription& description, const description::SensorDescription& sensor,
+          std::string_view text) {
   if (text.empty()) return;
-  draft.notes.push_back(files::one_line(
+  description.notes.push_back(files::one_line(
       fmt::format("{}: sensor {} '{}' at '{}': {}", sensor.where, sensor.kind, sensor.name, sensor.frame, text)));
 }
 
@@ -104,17 +106,18 @@ double rate_of_steps(double rate) {
 }
 
 /// The rate of a camera, with a note where it is not the file's.
-double camera_rate(description::RobotDraft& draft, const description::DraftSensor& camera) {
+double camera_rate(description::RobotDescription& description, const description::SensorDescription& camera) {
   const double rate = rate_of_steps(camera.rate > 0 ? camera.rate : usual_camera_rate);
   if (camera.rate == 0) {
-    note(draft, camera, fmt::format("assumed: {:.4g} pictures per second", rate));
+    note(description, camera, fmt::format("assumed: {:.4g} pictures per second", rate));
   } else if (rate < camera.rate * (1 - 1e-6)) {
-    note(draft, camera, fmt::format("{:.4g} pictures per second, not {:.4g}: steps are 1 ms long", rate, camera.rate));
+    note(description, camera,
+         fmt::format("{:.4g} pictures per second, not {:.4g}: steps are 1 ms long", rate, camera.rate));
   }
   return rate;
 }
 
-SensorSpec spec_of(const description::DraftSensor& sensor, const std::string& type, const Model& model) {
+SensorSpec spec_of(const description::SensorDescription& sensor, const std::string& type, const Model& model) {
   SensorSpec spec;
   spec.type = type;
   spec.where = sensor.where;
@@ -139,28 +142,28 @@ void check_frame(const SensorSpec& spec, const Model& model) {
 }
 
 /// Its frame is in the model; else it is an error, or a warning if `lenient`.
-bool has_place(const SensorSpec& spec, const Model& model, bool lenient, description::RobotDraft& draft) {
+bool has_place(const SensorSpec& spec, const Model& model, bool lenient, description::RobotDescription& description) {
   try {
     check_frame(spec, model);
   } catch (const SetupError& error) {
     if (!lenient) throw;
-    draft.warnings.emplace_back(error.what());
+    description.warnings.emplace_back(error.what());
     return false;
   }
   return true;
 }
 
-std::vector<SensorSpec> sensors_of_file(description::RobotDraft& draft, const Model& model, bool lenient) {
+std::vector<SensorSpec> sensors_of_file(description::RobotDescription& description, const Model& model, bool lenient) {
   std::vector<SensorSpec> specs;
-  for (description::DraftSensor& sensor : draft.sensors) {
+  for (description::SensorDescription& sensor : description.sensors) {
     const Kind* kind = find_kind(sensor.kind);
-    const std::string reason = why_not(sensor, kind, draft);
-    note(draft, sensor, reason.empty() ? kind->difference : reason);
+    const std::string reason = why_not(sensor, kind, description);
+    note(description, sensor, reason.empty() ? kind->difference : reason);
     if (!reason.empty()) continue;
     SensorSpec spec = spec_of(sensor, std::string(kind->type), model);
-    if (spec.type == "camera") spec.rate = camera_rate(draft, sensor);
+    if (spec.type == "camera") spec.rate = camera_rate(description, sensor);
     spec.name = free_name(sensor, spec.type, specs);
-    if (!has_place(spec, model, lenient, draft)) continue;
+    if (!has_place(spec, model, lenient, description)) continue;
     sensor.becomes = spec.name;
     specs.push_back(std::move(spec));
   }
@@ -169,9 +172,9 @@ std::vector<SensorSpec> sensors_of_file(description::RobotDraft& draft, const Mo
 
 }  // namespace
 
-std::vector<SensorSpec> sensors_of(description::RobotDraft& draft, const RobotTable& table, const Model& model,
-                                   const std::filesystem::path& folder, bool lenient) {
-  std::vector<SensorSpec> specs = sensors_of_file(draft, model, lenient);
+std::vector<SensorSpec> sensors_of(description::RobotDescription& description, const RobotTable& table,
+                                   const Model& model, const std::filesystem::path& folder, bool lenient) {
+  std::vector<SensorSpec> specs = sensors_of_file(description, model, lenient);
   components::change_sensors(specs, table.sensors, folder);
   for (const SensorSpec& spec : specs) check_frame(spec, model);
   return specs;

@@ -3,7 +3,7 @@
 /// Elements of robot files become sensors of these types; `mjcf_sensor.h` and `urdf_sensor.h` read them.
 ///
 ///     MJCF  gyro, accelerometer, framequat          gyroscope, accelerometer, orientation
-///           jointpos, jointvel                      joint_position, joint_rate
+///           jointpos, jointvel                      joint_position, joint_velocity
 ///           jointactuatorfrc, actuatorfrc           joint_torque
 ///           touch; force, torque                    contact_force; force_torque
 ///           framepos, framelinvel, frameangvel      position, linear_velocity, angular_velocity
@@ -14,7 +14,7 @@
 ///           ray, gpu_ray, lidar, gpu_lidar          laser
 ///           camera                                  camera (urdf_sensor.h)
 ///
-/// Numbers of cameras: width and height [px]; opening [rad], from the left to the right border, or fx, fy, cx, cy [px]
+/// Numbers of cameras: width and height [px]; fov [rad], from the left to the right border, or fx, fy, cx, cy [px]
 /// (imaging/image.h says from where they count); k1, k2, p1, p2, k3 [1], Brown's distortion, where the file has any. They
 /// look along x, with y to the left and z up. Their rate is lowered to whole milliseconds; 25 Hz where the file has none.
 ///
@@ -26,18 +26,18 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/model/model.h"
-#include "murosimf/robot/robot_table.h"
+#include "murosimf/robot/robot_config.h"
 #include "murosimf/sensors/sensor_spec.h"
 
 namespace murosimf::robot {
 
-/// The sensors of the draft, changed by the table's, whose parts may stand in `folder`. Sensors of the file that are not
-/// simulated are lines in the draft's notes. Throws SetupError with the place of a sensor on a frame that the model does
+/// The sensors of the description, changed by the table's, whose parts may stand in `folder`. Sensors of the file that are not
+/// simulated are lines in the description's notes. Throws SetupError with the place of a sensor on a frame that the model does
 /// not have; with `lenient` such sensors of the file are lines in its warnings.
-[[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(description::RobotDraft& draft, const RobotTable& table,
-                                                          const Model& model, const std::filesystem::path& folder,
-                                                          bool lenient);
+[[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(description::RobotDescription& description,
+                                                          const RobotTable& table, const Model& model,
+                                                          const std::filesystem::path& folder, bool lenient);
 
 }  // namespace murosimf::robot

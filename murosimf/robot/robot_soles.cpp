@@ -17,7 +17,7 @@ constexpr int directions = 16;            // around
 constexpr std::size_t joints_of_leg = 3;  // at least; a wheel has fewer
 
 /// Farthest points of a shape downwards and nearly so; `at`: of the shape, in the frame whose -z is down.
-void add_low_points(const Shape& shape, const description::Place& at, std::vector<Vec3d>& points) {
+void add_low_points(const Shape& shape, const Transformd& at, std::vector<Vec3d>& points) {
   const auto add = [&](const Vec3d& down) {
     const Vec3d local = transposed_times(at.orientation, down);
     points.push_back(at.position + at.orientation * geometry::support(shape, local));
@@ -31,12 +31,11 @@ void add_low_points(const Shape& shape, const description::Place& at, std::vecto
 }
 
 /// Of all shapes of a body that collide; `place`: of the body in the frame whose -z is down.
-std::vector<Vec3d> low_points(const description::DraftBody& body, const description::Place& place) {
+std::vector<Vec3d> low_points(const description::BodyDescription& body, const Transformd& place) {
   std::vector<Vec3d> points;
-  for (const description::DraftShape& shape : body.shapes) {
+  for (const description::ShapeDescription& shape : body.shapes) {
     const PlacedShape& placed = shape.placed;
-    if (placed.collides)
-      add_low_points(placed.shape, description::inside(place, {placed.position, placed.orientation}), points);
+    if (placed.collides) add_low_points(placed.shape, place * placed.place(), points);
   }
   return points;
 }
@@ -65,48 +64,49 @@ Mat3d level_axes(const Mat3d& turn) {
   return {forward, cross(up, forward), up};
 }
 
-std::size_t joints_above(const description::RobotDraft& draft, std::size_t body) {
+std::size_t joints_above(const description::RobotDescription& description, std::size_t body) {
   std::size_t count = 0;
-  for (int b = static_cast<int>(body); b >= 0; b = draft.bodies[b].parent) count += draft.bodies[b].joints.size();
+  for (int b = static_cast<int>(body); b >= 0; b = description.bodies[b].parent)
+    count += description.bodies[b].joints.size();
   return count;
 }
 
 }  // namespace
 
-std::vector<description::Place> body_places(const description::RobotDraft& draft) {
-  std::vector<description::Place> places;
-  for (const description::DraftBody& body : draft.bodies) {
-    places.push_back(body.parent < 0 ? description::Place{} : description::inside(places[body.parent], body.place));
+std::vector<Transformd> body_places(const description::RobotDescription& description) {
+  std::vector<Transformd> places;
+  for (const description::BodyDescription& body : description.bodies) {
+    places.push_back(body.parent < 0 ? Transformd{} : places[body.parent] * body.place);
   }
   return places;
 }
 
-std::optional<description::DraftFrame> sole_under(const description::RobotDraft& draft, std::size_t body,
-                                                  const std::string& name, const Mat3d& axes) {
-  const description::Place place = body_places(draft)[body];
+std::optional<description::FrameDescription> sole_under(const description::RobotDescription& description,
+                                                        std::size_t body, const std::string& name, const Mat3d& axes) {
+  const Transformd place = body_places(description)[body];
   // axes of the sole to those of the body
   const Mat3d sole_axes = transpose(place.orientation) * level_axes(place.orientation * axes);
-  std::vector<Vec3d> points = low_points(draft.bodies[body], {{}, transpose(sole_axes)});
+  std::vector<Vec3d> points = low_points(description.bodies[body], {{}, transpose(sole_axes)});
   if (points.empty()) return std::nullopt;
   const double bottom = lowest(points);
   std::erase_if(points, [&](const Vec3d& p) { return p.z > bottom + thickness; });
   const auto [right, left] = std::ranges::minmax(points, {}, &Vec3d::y);
   const auto [back, front] = std::ranges::minmax(points, {}, &Vec3d::x);
-  description::DraftFrame sole{name, draft.bodies[body].where};
+  description::FrameDescription sole{name, description.bodies[body].where};
   sole.place = {sole_axes * Vec3d{0.5 * (back.x + front.x), 0.5 * (left.y + right.y), bottom}, sole_axes};
   sole.box = Sole{std::max(least_half, 0.5 * (front.x - back.x)), std::max(least_half, 0.5 * (left.y - right.y))};
   return sole;
 }
 
-std::vector<std::size_t> find_feet(const description::RobotDraft& draft) {
-  const auto places = body_places(draft);
+std::vector<std::size_t> find_feet(const description::RobotDescription& description) {
+  const auto places = body_places(description);
   std::vector<double> bottoms;
-  for (std::size_t i = 0; i < draft.bodies.size(); ++i)
-    bottoms.push_back(lowest(low_points(draft.bodies[i], places[i])));
+  for (std::size_t i = 0; i < description.bodies.size(); ++i)
+    bottoms.push_back(lowest(low_points(description.bodies[i], places[i])));
   const double ground = *std::ranges::min_element(bottoms);
   std::vector<std::size_t> feet;
   for (std::size_t i = 0; i < bottoms.size(); ++i) {
-    if (std::isfinite(bottoms[i]) && bottoms[i] <= ground + level_feet && joints_above(draft, i) >= joints_of_leg)
+    if (std::isfinite(bottoms[i]) && bottoms[i] <= ground + level_feet && joints_above(description, i) >= joints_of_leg)
       feet.push_back(i);
   }
   return feet;

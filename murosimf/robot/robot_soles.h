@@ -5,22 +5,23 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 
 namespace murosimf::robot {
 
 /// Place of every body in the frame of the base, in the pose of the file.
-[[nodiscard]] std::vector<description::Place> body_places(const description::RobotDraft& draft);
+[[nodiscard]] std::vector<Transformd> body_places(const description::RobotDescription& description);
 
 /// The rectangle that the lowest few millimeters of the colliding shapes of a body fill, at least 2 cm wide; a frame of
 /// `name` at its middle. Parts are drawn along their own axes, but a foot need not be level in the pose of the file: x, y, z
 /// of the sole are those axes of `axes` (seen in the body), with either sign, that come nearest to forward, left and up
 /// there. Nothing if the body has no such shape.
-[[nodiscard]] std::optional<description::DraftFrame> sole_under(const description::RobotDraft& draft, std::size_t body,
-                                                                const std::string& name, const Mat3d& axes = {});
+[[nodiscard]] std::optional<description::FrameDescription> sole_under(const description::RobotDescription& description,
+                                                                      std::size_t body, const std::string& name,
+                                                                      const Mat3d& axes = {});
 
 /// Bodies that stand on the ground in the pose of the file, behind three joints at least: all whose colliding shapes reach
 /// down to 1 cm above the lowest of all. In the order of the file.
-[[nodiscard]] std::vector<std::size_t> find_feet(const description::RobotDraft& draft);
+[[nodiscard]] std::vector<std::size_t> find_feet(const description::RobotDescription& description);
 
 }  // namespace murosimf::robot

@@ -181,7 +181,7 @@ void Simulation::initialize() {
   if (initialized_) return;
   check_and_plan();
   world_->freeze_columns();
-  for (const auto& task : tasks_) murosimf::at(full_name(*task), [&] { task->algorithm->initialize(); });
+  for (const auto& task : tasks_) murosimf::with_context(full_name(*task), [&] { task->algorithm->initialize(); });
   initialized_ = true;
   for (const auto& call : after_initialize_) call();
 }

@@ -122,12 +122,12 @@ std::vector<GoalBox> goal_boxes(const FieldSize& size, double side) {
           {"bar_rear", {{w, y + w, w}}, {side * rear, 0, w}}};
 }
 
-ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& grain, bool goals,
-                     const std::vector<Chain>& standing) {
+ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& friction_direction,
+                     bool goals, const std::vector<Chain>& standing) {
   PlacedShape ground;
   ground.shape = Plane{};
   ground.surface.material = ground_material;
-  ground.surface.grain = grain;
+  ground.surface.friction_direction = friction_direction;
   ground.color = carpet_green;
   Chain chain;
   chain.base("field").with(properties::shapes, {ground}).with(properties::markings, field_markings(size));

@@ -86,11 +86,12 @@ struct GoalBox {
 };
 [[nodiscard]] std::vector<GoalBox> goal_boxes(const FieldSize& size, double side);
 
-/// A model named after the field. Its base, "field", is a plane of `ground_material` with the markings; `grain`: where
+/// A model named after the field. Its base, "field", is a plane of `ground_material` with the markings; `friction_direction`: where
 /// the pile of the ground leans (model/shape.h), in the field's axes. Each box of a goal is an object of its own, of
 /// plastic, with its frame in its middle: "goal_right_crossbar" belongs to the goal at x > 0, "goal_left_post_left" is
 /// the post at y > 0 of the goal at x < 0. `standing`: more that stands on the field. The goals are the 13 objects of the field in the paper (7.5).
-[[nodiscard]] ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& grain = {},
-                                   bool goals = true, const std::vector<Chain>& standing = {});
+[[nodiscard]] ModelPtr field_model(const FieldSize& size, const std::string& ground_material,
+                                   const Vec3d& friction_direction = {}, bool goals = true,
+                                   const std::vector<Chain>& standing = {});
 
 }  // namespace murosimf::scene

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/components/servo_draft.h"
+#include "murosimf/components/servo_description.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/setting_targets.h"
 
@@ -137,18 +137,18 @@ class Changes {
   }
 
   static Servo changed_servo(const Servo& servo, const PropertySetting& setting, const std::string& joint) {
-    components::ServoDraft draft(servo);
+    components::ServoDescription description(servo);
     toml::table table;
     table.insert(setting.property, setting.numbers[0]);
     try {
-      draft.take(table);
-      return draft.finish(joint, table.source());
+      description.take(table);
+      return description.finish(joint, table.source());
     } catch (const SetupError& error) {
       throw SetupError(without_place(error.what()));
     }
   }
 
-  /// The draft's table stands in no file: its place means nothing to anybody.
+  /// The description's table stands in no file: its place means nothing to anybody.
   static std::string without_place(const std::string& message) {
     const std::size_t end = message.find(": ");
     return message.starts_with("scene:") && end != std::string::npos ? message.substr(end + 2) : message;
@@ -173,8 +173,8 @@ ModelPtr with_constants(const Model& model, const std::vector<PropertySetting>& 
   std::vector<PropertySetting> ordered = settings;
   std::stable_partition(ordered.begin(), ordered.end(),
                         [](const PropertySetting& setting) { return setting.property == properties::mass.name; });
-  for (const PropertySetting& setting : ordered) at(setting.where, [&] { changes.take(setting); });
-  return at(ordered.back().where, [&] { return std::make_shared<const Model>(changes.result()); });
+  for (const PropertySetting& setting : ordered) with_context(setting.where, [&] { changes.take(setting); });
+  return with_context(ordered.back().where, [&] { return std::make_shared<const Model>(changes.result()); });
 }
 
 }  // namespace murosimf::scene

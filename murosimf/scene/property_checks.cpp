@@ -52,9 +52,9 @@ constexpr std::array settable{
     SettableProperty{"remaining_shift", Owner::base, true},
     SettableProperty{"remaining_turn", Owner::base, true},
     SettableProperty{"joint_position", Owner::joint},
-    SettableProperty{"joint_rate", Owner::joint},
+    SettableProperty{"joint_velocity", Owner::joint},
     SettableProperty{"joint_target", Owner::joint},
-    SettableProperty{"joint_rate_target", Owner::joint},
+    SettableProperty{"joint_velocity_target", Owner::joint},
     SettableProperty{"cycle_target", Owner::joint},
     SettableProperty{"applied_force", Owner::body, true},
     SettableProperty{"supply_voltage", Owner::motor, true, not_negative},
@@ -158,36 +158,36 @@ std::string why_no_motor(const Servo& servo, const RobotSpec& robot, std::string
 }
 
 /// Which of the two targets a joint has; empty if it is this one.
-std::string why_no_target(const Model& model, int joint, const std::vector<const Level*>& levels,
+std::string why_no_target(const Model& model, int joint, const std::vector<const LevelType*>& levels,
                           std::string_view property) {
   const Servo* servo = model.find(properties::servo, joint);
   const bool of_rate = servo && motion::follows_rate(*servo);
-  if (of_rate != (property == "joint_rate_target")) {
-    return fmt::format("this joint follows '{}'", of_rate ? "joint_rate_target" : "joint_target");
+  if (of_rate != (property == "joint_velocity_target")) {
+    return fmt::format("this joint follows '{}'", of_rate ? "joint_velocity_target" : "joint_target");
   }
   if (model.find(properties::joint_coupling, joint)) return "this joint follows another one";
-  const auto needs_servo = [](const Level* level) { return has_word(level->options, "servo_law"); };
+  const auto needs_servo = [](const LevelType* level) { return has_word(level->options, "servo_law"); };
   if (!servo && std::ranges::all_of(levels, needs_servo)) return "this joint has no servo and hangs free";
   return {};
 }
 
 /// It would move a base that is bolted to the world.
-bool moves_fixed_base(const RobotSpec& robot, const std::vector<const Level*>& levels, int index,
+bool moves_fixed_base(const RobotSpec& robot, const std::vector<const LevelType*>& levels, int index,
                       std::string_view property) {
   const bool moves = property == "linear_velocity" || property == "angular_velocity" || property == "applied_force";
   return robot.fixed_base && index == 0 && moves &&
-         std::ranges::all_of(levels, [](const Level* level) { return has_word(level->options, "fixed_base"); });
+         std::ranges::all_of(levels, [](const LevelType* level) { return has_word(level->options, "fixed_base"); });
 }
 
 std::string why_it_does_not_act(const SceneSpec& spec, const RobotSpec& robot, const Entity& entity, int index,
                                 const SettableProperty& property, double time) {
   const auto levels = levels_from(spec, robot, time);
-  const bool acts = !property.of_level || std::ranges::any_of(levels, [&](const Level* level) {
+  const bool acts = !property.of_level || std::ranges::any_of(levels, [&](const LevelType* level) {
     return has_word(level->inputs, property.name);
   });
   if (!acts) return fmt::format("{} does not use '{}'", levels.front()->name, property.name);
   if (moves_fixed_base(robot, levels, index, property.name)) return "its base is fixed";
-  if (property.name == "joint_target" || property.name == "joint_rate_target") {
+  if (property.name == "joint_target" || property.name == "joint_velocity_target") {
     return why_no_target(entity.model(), index, levels, property.name);
   }
   if (property.owner == Owner::gear && entity.model().find(properties::servo, index)->backlash <= 0) {
@@ -242,7 +242,7 @@ std::string check_setting(Simulation& simulation, const SceneSpec& spec, const P
 }
 
 std::string check_command(const RobotSpec& robot, const Model& model, const Vec3d& command) {
-  const Controller& controller = find_entry(controllers(), "controller", robot.controller);
+  const ControllerType& controller = find_entry(controllers(), "controller", robot.controller);
   if (!controller.attainable || is_zero(command)) return {};
   const Vec3d most = controller.attainable(model, command);
   if (norm(most - command) < 1e-9) return {};

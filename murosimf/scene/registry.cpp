@@ -73,7 +73,7 @@ void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerO
   if (!sensors::find_reading(robot, "ground_truth")) {
     const sensors::SensorSpec truth{.name = "ground_truth", .type = "ground_truth", .rate = BallChaser::rate_hz};
     simulation.attach<sensors::GroundTruth>("ground_truth", robot, BallChaser::rate_hz, truth,
-                                            sensors::SensorSurroundings{.movers = options.everybody});
+                                            sensors::SensorSurroundings{.moving_entities = options.everybody});
   }
   simulation.attach<BallChaser>("ball_chaser", robot, BallChaser::rate_hz, chaser);
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
@@ -129,48 +129,50 @@ std::shared_ptr<const collision::ContactLaw> make_paper_multipoint() {
 
 // Keys: what stands in a scene file; "position.z" is the height in `position`.
 constexpr std::array level_entries{
-    Level{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
-          false, "joint_reference", "stance_pose stance_foot remaining_shift remaining_turn", make_kinematic_walking},
-    Level{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)", true,
-          "joint_reference base_rigid integrator contact position.z roll_deg pitch_deg",
-          "applied_force linear_velocity angular_velocity base_quaternion", make_simplified_dynamics},
-    Level{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)", true,
-          "joint_reference fixed_base integrator contact position.z roll_deg pitch_deg",
-          "applied_force linear_velocity angular_velocity base_quaternion", make_full_dynamics},
-    Level{"articulated_dynamics", "servos make torque, the whole tree moves as it must", true,
-          "fixed_base integrator servo_law contact position.z roll_deg pitch_deg self_collision",
-          "applied_force linear_velocity angular_velocity base_quaternion "
-          "supply_voltage torque_enabled servo_temperature backlash_play backlash_side "
-          "rotor_rate",
-          make_articulated_dynamics},
+    LevelType{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
+              false, "joint_reference", "stance_pose stance_foot remaining_shift remaining_turn",
+              make_kinematic_walking},
+    LevelType{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)", true,
+              "joint_reference base_rigid integrator contact position.z roll_deg pitch_deg",
+              "applied_force linear_velocity angular_velocity base_quaternion", make_simplified_dynamics},
+    LevelType{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)", true,
+              "joint_reference fixed_base integrator contact position.z roll_deg pitch_deg",
+              "applied_force linear_velocity angular_velocity base_quaternion", make_full_dynamics},
+    LevelType{"articulated_dynamics", "servos make torque, the whole tree moves as it must", true,
+              "fixed_base integrator servo_law contact position.z roll_deg pitch_deg self_collision",
+              "applied_force linear_velocity angular_velocity base_quaternion "
+              "supply_voltage torque_enabled servo_temperature backlash_play backlash_side "
+              "rotor_rate",
+              make_articulated_dynamics},
 };
 
 constexpr std::array contact_entries{
-    Contact{"implicit_stick", "compliant, implicit, with a tangential spring that sticks; the default",
-            make_law<collision::ImplicitStick>, 0.01, 0.01},
-    Contact{"island_gauss_seidel", "the same force, settled together with all contacts of what is touched",
-            make_law<collision::IslandGaussSeidel>, 0.01, 0.01},
-    Contact{"kelvin_voigt", "spring, damper and a tangential spring that sticks; explicit, for steps of 1 ms",
-            make_law<collision::KelvinVoigt>, 0.002, 0.001},
-    Contact{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)",
-            make_law<collision::PaperLaw>, 0.002, 0.001},
-    Contact{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint, 0.002,
-            0.001},
+    ContactLawType{"implicit_stick", "compliant, implicit, with a tangential spring that sticks; the default",
+                   make_law<collision::ImplicitStick>, 0.01, 0.01},
+    ContactLawType{"island_gauss_seidel", "the same force, settled together with all contacts of what is touched",
+                   make_law<collision::IslandGaussSeidel>, 0.01, 0.01},
+    ContactLawType{"kelvin_voigt", "spring, damper and a tangential spring that sticks; explicit, for steps of 1 ms",
+                   make_law<collision::KelvinVoigt>, 0.002, 0.001},
+    ContactLawType{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)",
+                   make_law<collision::PaperLaw>, 0.002, 0.001},
+    ContactLawType{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint,
+                   0.002, 0.001},
 };
 
 constexpr std::array controller_entries{
-    Controller{"none", "joints stay where they are put", "posture", attach_none},
-    Controller{"walk", "walks with the velocity in walk_command", "command", attach_walk, walks_at},
-    Controller{"trot", "trots on four legs with the velocity in walk_command", "command", attach_trot, trots_at},
-    Controller{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", "", attach_balance},
-    Controller{"keyframes", "plays the key frames of a motion once", "motion", attach_keyframes},
-    Controller{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
-               drives_at},
-    Controller{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",
-               attach_ball_chaser},
-    Controller{"localize", "walks a round on the field and finds out from its camera where it is", "", attach_localize},
-    Controller{"obstacle_course", "crosses the field without touching magenta poles that its camera sees", "",
-               attach_obstacle_course},
+    ControllerType{"none", "joints stay where they are put", "posture", attach_none},
+    ControllerType{"walk", "walks with the velocity in walk_command", "command", attach_walk, walks_at},
+    ControllerType{"trot", "trots on four legs with the velocity in walk_command", "command", attach_trot, trots_at},
+    ControllerType{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", "", attach_balance},
+    ControllerType{"keyframes", "plays the key frames of a motion once", "motion", attach_keyframes},
+    ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
+                   drives_at},
+    ControllerType{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",
+                   attach_ball_chaser},
+    ControllerType{"localize", "walks a round on the field and finds out from its camera where it is", "",
+                   attach_localize},
+    ControllerType{"obstacle_course", "crosses the field without touching magenta poles that its camera sees", "",
+                   attach_obstacle_course},
 };
 
 }  // namespace
@@ -194,8 +196,8 @@ LevelOptions level_options(const RobotSpec& robot) {
   return options;
 }
 
-std::span<const Level> levels() { return level_entries; }
-std::span<const Contact> contacts() { return contact_entries; }
-std::span<const Controller> controllers() { return controller_entries; }
+std::span<const LevelType> levels() { return level_entries; }
+std::span<const ContactLawType> contacts() { return contact_entries; }
+std::span<const ControllerType> controllers() { return controller_entries; }
 
 }  // namespace murosimf::scene

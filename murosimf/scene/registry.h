@@ -28,7 +28,7 @@ struct LevelOptions {
   motion::MovingTreeOptions tree;  ///< full_dynamics, articulated_dynamics; its integrator: simplified_dynamics too
 };
 
-struct Level {
+struct LevelType {
   std::string_view name, meaning;
   bool dynamic;              ///< forces move it: it needs contact with the ground
   std::string_view options;  ///< keys of a robot that it uses, besides those that all levels use
@@ -36,7 +36,7 @@ struct Level {
   std::unique_ptr<MotionLevel> (*make)(Setup&, const LevelOptions&);
 };
 
-struct Contact {
+struct ContactLawType {
   std::string_view name, meaning;
   std::shared_ptr<const collision::ContactLaw> (*make)();
   double longest_step;        ///< [s] with which a robot stands and walks at levels without servos (docs/scenes.md)
@@ -55,7 +55,7 @@ struct ControllerOptions {
   std::uint64_t seed = 1;  ///< of the scene
 };
 
-struct Controller {
+struct ControllerType {
   std::string_view name, meaning;
   std::string_view options;  ///< keys of a robot that it uses, besides those that all controllers use
   void (*attach)(Simulation&, Entity&, const ControllerOptions&);
@@ -68,8 +68,8 @@ struct Controller {
 /// The options that a robot of a scene asks for.
 [[nodiscard]] LevelOptions level_options(const RobotSpec& robot);
 
-[[nodiscard]] std::span<const Level> levels();
-[[nodiscard]] std::span<const Contact> contacts();
-[[nodiscard]] std::span<const Controller> controllers();
+[[nodiscard]] std::span<const LevelType> levels();
+[[nodiscard]] std::span<const ContactLawType> contacts();
+[[nodiscard]] std::span<const ControllerType> controllers();
 
 }  // namespace murosimf::scene

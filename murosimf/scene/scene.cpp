@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/appearance/entity_looks.h"
+#include "murosimf/appearance/entity_appearance.h"
 #include "murosimf/appearance/viewed_shapes.h"
 #include "murosimf/collision/body_contact.h"
 #include "murosimf/collision/ground_contact.h"
@@ -62,7 +62,7 @@ void Scene::add_entities() {
     ball_ = &world.add("ball", model, options);
     ball_->level = "simplified_dynamics";
     ball_->contact = spec_.ball->contact;
-    movers_.push_back(ball_);
+    moving_entities_.push_back(ball_);
   }
   for (const RobotSpec& robot : spec_.robots) add_robot(robot);
   add_bodies();
@@ -81,12 +81,13 @@ void Scene::add_robot(const RobotSpec& robot) {
     if (team.name == robot.team) options.color = team.color;
   }
   const ModelPtr robot_model = model_for(robot.name, model(robot.model, robot.where));
-  Entity& entity =
-      at(robot.where, [&]() -> Entity& { return simulation_->world().add(robot.name, robot_model, options); });
+  Entity& entity = with_context(robot.where, [&]() -> Entity& {
+    return simulation_->world().add(robot.name, robot_model, options);
+  });
   entity.level = robot.level;
   entity.controller = robot.controller;
   robots_.push_back(&entity);
-  movers_.push_back(&entity);
+  moving_entities_.push_back(&entity);
 }
 
 /// A turn about any axis, by up to jitter_tilt.
@@ -114,7 +115,8 @@ void Scene::scatter_postures() {
 ModelPtr Scene::model(const std::string& name, const std::string& where) {
   RobotKind& known = models_[name];
   if (known.model) return known.model;
-  const auto file = at(where, [&] { return files::find_data_file(name, "models", ".xml", spec_.file.parent_path()); });
+  const auto file =
+      with_context(where, [&] { return files::find_data_file(name, "models", ".xml", spec_.file.parent_path()); });
   robot::RobotFile result = robot::read_robot(file, {.lenient = options_.lenient});
   warnings_.insert(warnings_.end(), result.warnings.begin(), result.warnings.end());
   check_materials(*result.model);
@@ -138,7 +140,7 @@ void Scene::attach_controllers() {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const RobotSpec& robot = spec_.robots[i];
     ControllerOptions options;
-    options.everybody = movers_;
+    options.everybody = moving_entities_;
     options.command = robot.command;
     const FieldSize& field = field_size(spec_.field.size);
     options.half_field = {0.5 * field.length, 0.5 * field.width, 0};
@@ -150,10 +152,10 @@ void Scene::attach_controllers() {
     }
     if (!robot.motion.empty()) {
       options.motion =
-          at(robot.where, [&] { return read_motion(find_motion(robot.motion, spec_.file.parent_path())); });
+          with_context(robot.where, [&] { return read_motion(find_motion(robot.motion, spec_.file.parent_path())); });
     }
-    const Controller& controller = find_entry(controllers(), "controller", robot.controller);
-    at(robot.where, [&] { controller.attach(*simulation_, *robots_[i], options); });
+    const ControllerType& controller = find_entry(controllers(), "controller", robot.controller);
+    with_context(robot.where, [&] { controller.attach(*simulation_, *robots_[i], options); });
   }
 }
 
@@ -169,7 +171,7 @@ void Scene::attach_contact() {
   if (ball_) attach(*ball_, ball_->level, spec_.ball->contact);
   for (std::size_t i = 0; i < robots_.size(); ++i) attach(*robots_[i], robots_[i]->level, spec_.robots[i].contact);
   for (Entity* body : bodies_) attach(*body, body->level, body->contact);
-  simulation_->attach<collision::BodyContact>("body_contact", *field_, spec_.rate, movers_, spec_.materials,
+  simulation_->attach<collision::BodyContact>("body_contact", *field_, spec_.rate, moving_entities_, spec_.materials,
                                               collision::BodyContactOptions{.law = spec_.body_contact});
 }
 
@@ -182,10 +184,10 @@ void Scene::warn(const RobotSpec& robot, const std::string& text) {
 }
 
 void Scene::warn_about(const RobotSpec& robot, const Model& model) {
-  const Level& level = find_entry(levels(), "level", robot.level);
+  const LevelType& level = find_entry(levels(), "level", robot.level);
   const bool servos = robot.level == "articulated_dynamics";
   if (level.dynamic) {
-    const Contact& law = find_entry(contacts(), "contact law", robot.contact);
+    const ContactLawType& law = find_entry(contacts(), "contact law", robot.contact);
     const double longest = servos ? law.longest_servo_step : law.longest_step;
     if (1 / spec_.rate > longest * (1 + 1e-9)) {
       warn(robot, fmt::format("{} under {} is stable with steps up to {:.0f} ms; these are {:.3g} ms long",
@@ -201,22 +203,23 @@ void Scene::warn_about(const RobotSpec& robot, const Model& model) {
 
 void Scene::attach_motion() {
   const auto attach = [&](Entity& entity, const LevelOptions& options) {
-    const Level& level = find_entry(levels(), "level", entity.level);
+    const LevelType& level = find_entry(levels(), "level", entity.level);
     simulation_->attach(entity.level, entity, spec_.rate, [&](Setup& setup) { return level.make(setup, options); });
   };
   if (ball_) attach(*ball_, {});
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const RobotSpec& robot = spec_.robots[i];
     warn_about(robot, robots_[i]->model());
-    at(robot.where, [&] { attach(*robots_[i], level_options(robot)); });
+    with_context(robot.where, [&] { attach(*robots_[i], level_options(robot)); });
   }
-  for (Entity* body : bodies_) at(body_spec(*body)->where, [&] { attach(*body, {}); });
+  for (Entity* body : bodies_) with_context(body_spec(*body)->where, [&] { attach(*body, {}); });
 }
 
 void Scene::attach_observers() {
-  for (Entity* entity : movers_) simulation_->attach<motion::Odometer>("odometer", *entity, motion::Odometer::rate_hz);
+  for (Entity* entity : moving_entities_)
+    simulation_->attach<motion::Odometer>("odometer", *entity, motion::Odometer::rate_hz);
   if (!options_.paths) return;
-  recorder_ = &simulation_->attach<PathRecorder>("path_recorder", *field_, PathRecorder::rate_hz, movers_);
+  recorder_ = &simulation_->attach<PathRecorder>("path_recorder", *field_, PathRecorder::rate_hz, moving_entities_);
 }
 
 void Scene::apply_settings() {
@@ -244,22 +247,22 @@ RunReport Scene::report(Duration wall, const Lateness& lateness) const {
   report.threads = simulation_->threads();
   report.seed = spec_.seed;
   report.state_hash = simulation_->state_hash();
-  for (Entity* mover : movers_) {
-    const auto base = mover->base();
+  for (Entity* moving_entity : moving_entities_) {
+    const auto base = moving_entity->base();
     const Vec3d since_sample = base.get(properties::position) - base.get(properties::distance_sample);
-    EntityReport e{mover->name(),
-                   mover->model().name(),
-                   mover->level,
-                   mover->contact,
-                   mover->controller,
-                   mover->options().team,
+    EntityReport e{moving_entity->name(),
+                   moving_entity->model().name(),
+                   moving_entity->level,
+                   moving_entity->contact,
+                   moving_entity->controller,
+                   moving_entity->options().team,
                    base.get(properties::position),
                    base.get(properties::distance_walked) + std::hypot(since_sample.x, since_sample.y),
                    static_cast<int>(base.get(properties::falls)),
-                   mover->frozen()};
+                   moving_entity->frozen()};
     report.entities.push_back(std::move(e));
-    for (const sensors::Reading* reading : sensors::readings_of(*mover)) {
-      report.sensors.push_back({mover->name(), *reading});
+    for (const sensors::Reading* reading : sensors::readings_of(*moving_entity)) {
+      report.sensors.push_back({moving_entity->name(), *reading});
     }
   }
   report.algorithms = simulation_->statistics();
@@ -269,8 +272,8 @@ RunReport Scene::report(Duration wall, const Lateness& lateness) const {
   const auto& frozen = simulation_->warnings();
   report.warnings.insert(report.warnings.end(), frozen.begin(), frozen.end());
   if (auto line = events_to_come(); !line.empty()) report.warnings.push_back(std::move(line));
-  for (const Entity* mover : movers_) {
-    if (auto line = motion::overload_message(*mover); !line.empty()) report.warnings.push_back(std::move(line));
+  for (const Entity* moving_entity : moving_entities_) {
+    if (auto line = motion::overload_message(*moving_entity); !line.empty()) report.warnings.push_back(std::move(line));
   }
   if (lateness.late_steps > 0) {
     report.warnings.push_back(fmt::format("late: {} of {} steps ended behind schedule, the worst {:.1f} ms",
@@ -292,14 +295,14 @@ std::vector<Vec3d> Scene::path_of(Entity& entity) const {
 
 void Scene::write_picture(const std::filesystem::path& file) const {
   std::vector<render::Path> paths;
-  for (Entity* entity : movers_) {
+  for (Entity* entity : moving_entities_) {
     render::Path path;
     path.name = entity->name();
     path.color = entity->options().color;
     path.points = path_of(*entity);
     path.heading = heading(entity->base().get(properties::orientation));
     path.is_ball = entity == ball_;
-    path.number = appearance::shirt_number(entity->name());
+    path.number = appearance::jersey_number(entity->name());
     if (path.is_ball) path.size = spec_.ball->options.radius;
     if (const BodySpec* body = body_spec(*entity)) {  // as round things, too
       path.is_ball = true;
@@ -324,8 +327,8 @@ void Scene::write_view(const std::filesystem::path& file) const {
     view.scale = columns / spec.width;
   }
   std::vector<render::ViewedShape> shapes = appearance::viewed_shapes(*field_);
-  for (const Entity* mover : movers_) {
-    const auto more = appearance::viewed_shapes(*mover);
+  for (const Entity* moving_entity : moving_entities_) {
+    const auto more = appearance::viewed_shapes(*moving_entity);
     shapes.insert(shapes.end(), more.begin(), more.end());
   }
   files::write_file(file, render::scene_view_png(markings, shapes, view,

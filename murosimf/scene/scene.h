@@ -68,7 +68,7 @@ class Scene {
   [[nodiscard]] std::string events_to_come() const;
 
   /// Robots, ball and bodies, in the order of sensors' labels.
-  [[nodiscard]] const std::vector<Entity*>& movers() const { return movers_; }
+  [[nodiscard]] const std::vector<Entity*>& moving_entities() const { return moving_entities_; }
 
   /// A renderer of this scene for who looks from outside (murosimf render), in the scene's light. The simulation must
   /// be initialized and outlive it. Throws SetupError if this machine or this build cannot draw.
@@ -158,8 +158,8 @@ class Scene {
   std::vector<Entity*> robots_;                               // in the order of the spec
   std::vector<std::vector<const sensors::Sensor*>> sensors_;  // by robot
   std::vector<Entity*> bodies_;                               // those of [[bodies]] that move
-  std::vector<Entity*> movers_;                               // robots, ball and bodies
-  std::vector<collision::GroundContact*> ground_contacts_;    // by mover
+  std::vector<Entity*> moving_entities_;                      // robots, ball and bodies
+  std::vector<collision::GroundContact*> ground_contacts_;    // by moving_entity
   const PathRecorder* recorder_ = nullptr;                    // null: nobody asked for paths
 };
 

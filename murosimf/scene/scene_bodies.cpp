@@ -102,7 +102,7 @@ void read_motion_of(const files::TomlTable& table, BodySpec& body) {
   table.read("velocity", body.velocity);
   table.read("angular_velocity", body.angular_velocity);
   table.read("contact", body.contact);
-  at(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", body.contact); });
+  with_context(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", body.contact); });
 }
 
 void read_kind(const files::TomlTable& table, BodySpec& body) {

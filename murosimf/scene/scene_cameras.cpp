@@ -1,7 +1,7 @@
 // Who draws the scene for its cameras, and for people.
 #include <fmt/format.h>
 
-#include "murosimf/appearance/entity_looks.h"
+#include "murosimf/appearance/entity_appearance.h"
 #include "murosimf/render/renderer.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene.h"
@@ -24,9 +24,9 @@ render::Light light_of(const LightSpec& spec) {
 Scene::~Scene() = default;
 
 std::unique_ptr<render::Renderer> Scene::make_renderer(const LightSpec& light) {
-  appearance::LooksLibrary library;
+  appearance::AppearanceLibrary library;
   auto renderer = std::make_unique<render::Renderer>(
-      simulation_->world(), movers_, [&](const Entity& entity) { return library.looks(entity); },
+      simulation_->world(), moving_entities_, [&](const Entity& entity) { return library.appearance(entity); },
       render::RendererOptions{light_of(light), light.samples});
   for (const std::string& warning : library.warnings()) warnings_.push_back(warning);
   renderer->locate();

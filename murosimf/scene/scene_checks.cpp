@@ -34,10 +34,10 @@ void Scene::warn_about_settings() {
   add(unused_keys(spec_));
   std::set<std::string> materials;
   add_materials(field_->model(), materials);
-  for (const Entity* mover : movers_) add_materials(mover->model(), materials);
+  for (const Entity* moving_entity : moving_entities_) add_materials(moving_entity->model(), materials);
   const std::vector<std::string> used(materials.begin(), materials.end());
   add(unused_pairs(spec_, used));
-  if (auto line = unused_grain(spec_, used); !line.empty()) warnings_.push_back(std::move(line));
+  if (auto line = unused_friction_direction(spec_, used); !line.empty()) warnings_.push_back(std::move(line));
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const RobotSpec& robot = spec_.robots[i];
     check_no_contact(robot, robots_[i]->model());
@@ -62,7 +62,7 @@ void Scene::check_no_contact(const RobotSpec& robot, const Model& model) {
 
 void Scene::check_property(const PropertySetting& setting, double time) {
   for (const std::string& entity : setting.entities) {
-    at(setting.where, [&] {
+    with_context(setting.where, [&] {
       if (const auto line = check_setting(*simulation_, spec_, setting, entity, time); !line.empty()) {
         warnings_.push_back(fmt::format("{}: {}; it changes nothing ({})", entity, line, setting.where));
       }
@@ -87,7 +87,7 @@ void Scene::check_properties() {
 }
 
 void Scene::warn_about_start() {
-  const auto lines = start_overlaps(*field_, movers_);
+  const auto lines = start_overlaps(*field_, moving_entities_);
   warnings_.insert(warnings_.end(), lines.begin(), lines.end());
 }
 
@@ -111,7 +111,7 @@ void Scene::watch(const PropertySetting& setting, const std::string& entity) {
   constexpr Duration some_cycles = std::chrono::milliseconds(50);  // of any controller
   const Entity& robot = simulation_->world().entity(entity);
   const bool target =
-      setting.property == properties::joint_target.name || setting.property == properties::joint_rate_target.name;
+      setting.property == properties::joint_target.name || setting.property == properties::joint_velocity_target.name;
   const auto writers = simulation_->writers_of(robot, setting.property);
   if (!target || writers.empty()) return;
   const std::string name = setting_path(setting, robot);

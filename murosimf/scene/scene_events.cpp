@@ -25,7 +25,7 @@ void check_time(double time, const std::string& where) {
 
 /// Only names that there are.
 void check_value(const SceneEvent& event) {
-  at(event.where, [&] {
+  with_context(event.where, [&] {
     if (event.key == "level") (void)find_entry(levels(), "level", event.value);
     if (event.key == "contact") (void)find_entry(contacts(), "contact law", event.value);
     if (event.key == "servo_law") (void)find_entry(motion::servo_laws(), "servo law", event.value);

@@ -18,7 +18,7 @@ void Scene::schedule_events() {
   for (const SceneEvent& event : spec.events) {
     for (const std::string& entity : event.entities) {
       if (event.setting) {
-        at(event.where, [&] {
+        with_context(event.where, [&] {
           if (is_constant(*event.setting)) {
             throw SetupError(
                 fmt::format("'{}' is a constant of the model; set it before the run, by --set", event.key));
@@ -34,7 +34,7 @@ void Scene::schedule_events() {
 }
 
 void Scene::apply(const SceneEvent& event, const std::string& entity) {
-  at(event.where, [&] {
+  with_context(event.where, [&] {
     if (event.setting) return apply(*event.setting, entity);
     if (event.key == "level") return exchange_level(entity, event.value);
     if (event.key == "contact") return exchange_contact(entity, event.value);
@@ -43,7 +43,7 @@ void Scene::apply(const SceneEvent& event, const std::string& entity) {
 }
 
 void Scene::apply(const PropertySetting& setting, const std::string& entity) {
-  at(setting.where, [&] {
+  with_context(setting.where, [&] {
     Entity& changed = simulation_->world().entity(entity);
     for (const int object : objects_meant(changed.model(), setting.object, setting.property)) {
       ObjectAccess(changed, object).set(setting.property, setting.numbers);
@@ -64,7 +64,7 @@ RobotSpec& Scene::spec_of(std::string_view robot) {
 
 void Scene::renew_level(const RobotSpec& robot) {
   Entity& entity = simulation_->world().entity(robot.name);
-  const Level& level = find_entry(levels(), "level", robot.level);
+  const LevelType& level = find_entry(levels(), "level", robot.level);
   const LevelOptions options = level_options(robot);
   const std::string overload = motion::overload_message(entity);  // the level that goes takes it along
   simulation_->exchange(robot.level, entity, [&](Setup& setup) { return level.make(setup, options); });
@@ -93,23 +93,25 @@ void Scene::exchange_servo_law(std::string_view robot, std::string_view law) {
 }
 
 void Scene::exchange_contact(std::string_view entity, std::string_view law) {
-  const Contact& contact = find_entry(contacts(), "contact law", law);
-  const auto mover = std::find(movers_.begin(), movers_.end(), &simulation_->world().entity(entity));
-  if (mover == movers_.end()) throw SetupError(fmt::format("'{}' does not move; it has no contact law", entity));
-  ground_contacts_[static_cast<std::size_t>(mover - movers_.begin())]->exchange_law(contact.make());
+  const ContactLawType& contact = find_entry(contacts(), "contact law", law);
+  const auto moving_entity =
+      std::find(moving_entities_.begin(), moving_entities_.end(), &simulation_->world().entity(entity));
+  if (moving_entity == moving_entities_.end())
+    throw SetupError(fmt::format("'{}' does not move; it has no contact law", entity));
+  ground_contacts_[static_cast<std::size_t>(moving_entity - moving_entities_.begin())]->exchange_law(contact.make());
   simulation_->record(fmt::format("{}: contact {}", entity, law));
-  if (*mover == ball_) {
+  if (*moving_entity == ball_) {
     ball_->contact = spec_.ball->contact = law;
     return;
   }
-  if (std::find(bodies_.begin(), bodies_.end(), *mover) != bodies_.end()) {
-    (*mover)->contact = law;
+  if (std::find(bodies_.begin(), bodies_.end(), *moving_entity) != bodies_.end()) {
+    (*moving_entity)->contact = law;
     return;
   }
   RobotSpec& robot = spec_of(entity);
   robot.contact = law;
-  if (find_entry(levels(), "level", robot.level).dynamic) (*mover)->contact = law;
-  warn_about(robot, (*mover)->model());
+  if (find_entry(levels(), "level", robot.level).dynamic) (*moving_entity)->contact = law;
+  warn_about(robot, (*moving_entity)->model());
 }
 
 }  // namespace murosimf::scene

@@ -21,7 +21,7 @@ constexpr std::array pair_numbers{PairNumber{"friction", &PairSurface::friction}
                                   PairNumber{"rolling", &PairSurface::rolling},
                                   PairNumber{"restitution", &PairSurface::restitution},
                                   PairNumber{"stiffness", &PairSurface::stiffness},
-                                  PairNumber{"grain_effect", &PairSurface::grain_effect}};
+                                  PairNumber{"friction_anisotropy", &PairSurface::friction_anisotropy}};
 
 double PairSurface::*number_called(std::string_view name) {
   for (const PairNumber& known : pair_numbers) {
@@ -83,7 +83,7 @@ bool take_material_change(const std::string& override_text, std::vector<Material
   const Assignment assignment = split_assignment(override_text, where);
   const auto& path = assignment.path;
   if (path[0] != "materials" || path.size() == 1) return false;
-  at(where, [&] {
+  with_context(where, [&] {
     if (path.size() > 4) throw SetupError("write materials.NUMBER or materials.MATERIAL.MATERIAL.NUMBER");
     MaterialChange change{where, "", "", number_called(path.back()), value_of(assignment)};
     if (path.size() > 2) change.a = path[1];
@@ -95,11 +95,11 @@ bool take_material_change(const std::string& override_text, std::vector<Material
 
 void apply_material_changes(const std::vector<MaterialChange>& changes, SceneSpec& spec) {
   for (const MaterialChange& change : changes) {
-    if (change.a.empty()) at(change.where, [&] { spec.materials.set_all(change.number, change.value); });
+    if (change.a.empty()) with_context(change.where, [&] { spec.materials.set_all(change.number, change.value); });
   }
   if (spec.field.friction && spec.materials.knows(spec.field.surface)) change_ground(spec.field, spec.materials);
   for (const MaterialChange& change : changes) {
-    if (!change.a.empty()) at(change.where, [&] { change_pairs(spec.materials, change); });
+    if (!change.a.empty()) with_context(change.where, [&] { change_pairs(spec.materials, change); });
   }
 }
 

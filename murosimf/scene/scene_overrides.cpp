@@ -68,7 +68,7 @@ std::vector<std::string_view> table_keys(std::string_view table) {
   if (table == "start") {
     return {"jitter_position", "jitter_heading_deg", "jitter_tilt_deg", "jitter_posture_deg"};
   }
-  if (table == "field") return {"size", "surface", "grain", "goals", "friction"};
+  if (table == "field") return {"size", "surface", "friction_direction", "goals", "friction"};
   if (table == "view") return {"center", "width", "azimuth_deg", "elevation_deg"};
   if (table == "light") return {"name", "toward", "brightness", "shadows", "samples"};
   if (table == "ball") return {"position", "velocity", "radius", "mass", "hollow", "material", "contact"};

@@ -128,8 +128,8 @@ std::vector<double> named_force(const toml::table& table) {
 PropertySetting property_setting(const Assignment& assignment, std::size_t begin, std::vector<std::string> entities) {
   const toml::table value = assignment.parsed();
   const toml::node& node = *value.get("value");
-  const auto numbers =
-      node.is_table() ? at(assignment.where, [&] { return named_force(*node.as_table()); }) : files::numbers_of(node);
+  const auto numbers = node.is_table() ? with_context(assignment.where, [&] { return named_force(*node.as_table()); })
+                                       : files::numbers_of(node);
   if (!numbers) {
     throw SetupError(fmt::format("{}: the value must be a number or numbers in brackets", assignment.where));
   }

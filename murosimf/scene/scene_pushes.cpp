@@ -57,7 +57,7 @@ double read_second(std::string_view text) {
 
 PushSpec read_push_option(toml::table& scene, const std::string& option) {
   PushSpec push{.where = fmt::format("--push '{}'", option)};
-  at(push.where, [&] {
+  with_context(push.where, [&] {
     const std::size_t time = option.rfind('@'), dots = time == std::string::npos ? time : option.find("..", time);
     if (dots == std::string::npos) {
       throw SetupError("write OBJECT=FORCE@BEGIN..END, for example 'blue1.torso=[60,0,0]@2..2.1'");
@@ -67,7 +67,7 @@ PushSpec read_push_option(toml::table& scene, const std::string& option) {
   });
   const Assignment assignment = split_assignment(option.substr(0, option.rfind('@')), push.where);
   take_force(assignment, push);
-  at(push.where, [&] {
+  with_context(push.where, [&] {
     take_target(scene, assignment.path, push);
     check_push(push);
   });
@@ -86,7 +86,7 @@ PushSpec read_push_table(toml::table& scene, const toml::table& node) {
   for (const std::string_view key : {"on", "from", "to"}) {
     if (!table.find(key)) throw SetupError(fmt::format("{}: '{}' of the push is missing", push.where, key));
   }
-  at(push.where, [&] {
+  with_context(push.where, [&] {
     take_target(scene, split_assignment(on + "=0", push.where).path, push);
     check_push(push);
   });

@@ -42,7 +42,7 @@ void Scene::check_feels(const Entity& entity, const PushSpec& push) const {
   const std::string level = level_at(entity, push.begin);
   if (find_entry(levels(), "level", level).dynamic) return;
   std::vector<std::string_view> feeling;
-  for (const Level& other : levels()) {
+  for (const LevelType& other : levels()) {
     if (other.dynamic) feeling.push_back(other.name);
   }
   throw SetupError(fmt::format("'{}' is at {} then, which ignores forces; it feels them at {}", entity.name(), level,
@@ -53,7 +53,7 @@ void Scene::attach_pushes() {
   std::map<Entity*, std::vector<motion::TimedPush>> all;
   for (const PushSpec& push : spec_.pushes) {
     for (const std::string& name : push.entities)
-      at(push.where, [&] {
+      with_context(push.where, [&] {
         Entity* entity = simulation_->world().find(name);
         if (!entity) throw SetupError(fmt::format("'{}' stands there for good; nothing pushes it", name));
         check_feels(*entity, push);
@@ -65,8 +65,9 @@ void Scene::attach_pushes() {
         simulation_->at(from_seconds(push.begin), [this, text] { simulation_->record(text); });
       });
   }
-  for (Entity* mover : movers_) {  // a map of addresses has no order that could be repeated
-    if (all.contains(mover)) simulation_->attach<motion::Push>("push", *mover, spec_.rate, all[mover]);
+  for (Entity* moving_entity : moving_entities_) {  // a map of addresses has no order that could be repeated
+    if (all.contains(moving_entity))
+      simulation_->attach<motion::Push>("push", *moving_entity, spec_.rate, all[moving_entity]);
   }
 }
 

@@ -72,7 +72,7 @@ std::vector<sensors::SensorSpec> Scene::sensors_of(const RobotSpec& robot) {
 }
 
 void Scene::attach_sensors() {
-  const sensors::SensorSurroundings surroundings{spec_.seed, movers_, [this] { return view_source(); }};
+  const sensors::SensorSurroundings surroundings{spec_.seed, moving_entities_, [this] { return view_source(); }};
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     std::vector<const sensors::Sensor*>& attached = sensors_.emplace_back();
     about(spec_.robots[i].name, [&] {

@@ -66,13 +66,13 @@ void read_field(const files::TomlTable& scene, SceneSpec& spec) {
   const files::TomlTable field(*node, table_keys("field"));
   field.read("size", spec.field.size);
   field.read("surface", spec.field.surface);
-  field.read("grain", spec.field.grain);
+  field.read("friction_direction", spec.field.friction_direction);
   field.read("goals", spec.field.goals);
   require_name(spec.field.surface, field, "surface");
   if (field.find("friction")) field.read("friction", spec.field.friction.emplace());
   require(spec.field.friction.value_or(0) >= 0, field, "friction", "must not be negative");
-  require(spec.field.grain.z == 0, field, "grain", "lies in the ground: [x, y]");
-  at(field.where("size"), [&] { return field_size(spec.field.size); });
+  require(spec.field.friction_direction.z == 0, field, "friction_direction", "lies in the ground: [x, y]");
+  with_context(field.where("size"), [&] { return field_size(spec.field.size); });
 }
 
 void read_view(const files::TomlTable& scene, SceneSpec& spec) {
@@ -97,7 +97,7 @@ void read_light(const files::TomlTable& scene, SceneSpec& spec) {
   if (!node) return;
   const files::TomlTable light(*node, table_keys("light"));
   light.read("name", spec.light.name);
-  at(light.where("name"), [&] { (void)find_entry(render::lights(), "light", spec.light.name); });
+  with_context(light.where("name"), [&] { (void)find_entry(render::lights(), "light", spec.light.name); });
   if (light.find("toward")) light.read("toward", spec.light.toward.emplace());
   light.read("brightness", spec.light.brightness);
   light.read("shadows", spec.light.shadows);
@@ -110,25 +110,25 @@ void read_light(const files::TomlTable& scene, SceneSpec& spec) {
   spec.light.samples = static_cast<int>(samples);
 }
 
-void read_eyes(const files::TomlTable& scene, SceneSpec& spec) {
+void read_viewpoints(const files::TomlTable& scene, SceneSpec& spec) {
   const toml::table* views = scene.table("views");
   if (!views) return;
   for (const auto& [key, node] : *views) {
     const toml::table* inside = node.as_table();
     if (!inside)
       files::fail_at(node.source(), fmt::format("view '{}' must be a table, like [views.{}]", key.str(), key.str()));
-    const files::TomlTable table(*inside, {"eye", "look_at", "opening_deg"});
-    EyeSpec eye{.name = std::string(key.str())};
-    double opening_deg = eye.opening / degree;
+    const files::TomlTable table(*inside, {"eye", "look_at", "fov_deg"});
+    ViewpointSpec eye{.name = std::string(key.str())};
+    double fov_deg = eye.fov / degree;
     require(table.find("eye") != nullptr, table, "eye", "is missing: where the eye is, [x, y, z] in m");
     table.read("eye", eye.eye);
     table.read("look_at", eye.look_at);
-    table.read("opening_deg", opening_deg);
-    require(opening_deg >= 1 && opening_deg <= 150, table, "opening_deg", "must be from 1 to 150");
+    table.read("fov_deg", fov_deg);
+    require(fov_deg >= 1 && fov_deg <= 150, table, "fov_deg", "must be from 1 to 150");
     require(norm(eye.look_at - eye.eye) > 1e-3, table, "look_at", "is where the eye is");
     require(norm(eye.eye) + norm(eye.look_at) <= farthest_place, table, "eye", "is further than 10 km away");
-    eye.opening = opening_deg * degree;
-    spec.eyes.push_back(eye);
+    eye.fov = fov_deg * degree;
+    spec.viewpoints.push_back(eye);
   }
 }
 
@@ -145,7 +145,7 @@ void read_ball(const files::TomlTable& scene, SceneSpec& spec) {
   table.read("material", ball.options.material);
   table.read("contact", ball.contact);
   require_name(ball.options.material, table, "material");
-  at(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", ball.contact); });
+  with_context(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", ball.contact); });
   require(ball.options.radius > 0, table, "radius", "must be positive");
   require(ball.options.mass > 0, table, "mass", "must be positive");
   spec.ball = ball;
@@ -188,8 +188,9 @@ void read_robot(const files::TomlTable& table, RobotSpec& robot) {
   if (table.find("integrator")) {
     std::string integrator;
     table.read("integrator", integrator);
-    robot.integrator = at(table.where("integrator"),
-                          [&] { return find_entry(motion::integrators(), "integrator", integrator).integrator; });
+    robot.integrator = with_context(table.where("integrator"), [&] {
+      return find_entry(motion::integrators(), "integrator", integrator).integrator;
+    });
   }
   table.read("position", robot.position);
   table.read("command", robot.command);
@@ -207,12 +208,13 @@ void read_robot(const files::TomlTable& table, RobotSpec& robot) {
   table.read("no_contact", robot.collision.never);
   components::read_sensor_changes(table.find("sensors"), robot.sensors);
   require(norm(robot.position) <= farthest_place, table, "position", "is further than 10 km away");
-  at(table.where("level"), [&] { return &find_entry(levels(), "level", robot.level); });
-  at(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", robot.contact); });
+  with_context(table.where("level"), [&] { return &find_entry(levels(), "level", robot.level); });
+  with_context(table.where("contact"), [&] { return &find_entry(contacts(), "contact law", robot.contact); });
   if (!robot.servo_law.empty()) {
-    at(table.where("servo_law"), [&] { return &find_entry(motion::servo_laws(), "servo law", robot.servo_law); });
+    with_context(table.where("servo_law"),
+                 [&] { return &find_entry(motion::servo_laws(), "servo law", robot.servo_law); });
   }
-  at(table.where("controller"), [&] { return &find_entry(controllers(), "controller", robot.controller); });
+  with_context(table.where("controller"), [&] { return &find_entry(controllers(), "controller", robot.controller); });
   require(robot.joint_reference == "filter" || robot.joint_reference == "linear", table, "joint_reference",
           "must be \"filter\" or \"linear\"");
 }
@@ -256,7 +258,8 @@ void check_pair(const GivenPair& pair, const std::vector<GivenPair>& earlier) {
 
 void read_materials(const files::TomlTable& scene, SceneSpec& spec) {
   for (const toml::table* node : scene.tables("materials")) {
-    const files::TomlTable table(*node, {"pair", "friction", "rolling", "restitution", "stiffness", "grain_effect"});
+    const files::TomlTable table(*node,
+                                 {"pair", "friction", "rolling", "restitution", "stiffness", "friction_anisotropy"});
     const toml::array* names = (*node)["pair"].as_array();
     const bool pair_of_texts = names && names->size() == 2 && (*names)[0].is_string() && (*names)[1].is_string();
     require(pair_of_texts, table, "pair", "must be two material names");
@@ -268,8 +271,8 @@ void read_materials(const files::TomlTable& scene, SceneSpec& spec) {
     table.read("rolling", pair.rolling);
     table.read("restitution", pair.restitution);
     table.read("stiffness", pair.stiffness);
-    table.read("grain_effect", pair.grain_effect);
-    at(table.where(), [&] {
+    table.read("friction_anisotropy", pair.friction_anisotropy);
+    with_context(table.where(), [&] {
       spec.materials.set(given.a, given.b, pair);
       return 0;
     });
@@ -298,8 +301,8 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   read_gravity(scene, spec);
   std::string body_contact = "island_gauss_seidel";
   scene.read("body_contact", body_contact);
-  spec.body_contact = at(scene.where("body_contact"), [&] {
-    return find_entry(collision::pair_laws(), "law of contact between bodies", body_contact).law;
+  spec.body_contact = with_context(scene.where("body_contact"), [&] {
+    return find_entry(collision::body_contact_laws(), "law of contact between bodies", body_contact).law;
   });
   require(spec.duration >= 0, scene, "duration", "must not be negative");
   require(spec.duration <= longest_duration, scene, "duration", "is longer than simulated time can count");
@@ -309,7 +312,7 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   read_field(scene, spec);
   read_view(scene, spec);
   read_light(scene, spec);
-  read_eyes(scene, spec);
+  read_viewpoints(scene, spec);
   read_ball(scene, spec);
   read_teams(scene, spec);
   read_robots(scene, spec);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/collision/pair_law.h"
+#include "murosimf/collision/body_contact_law.h"
 #include "murosimf/components/sensor_table.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/math/vec3.h"
@@ -25,7 +25,7 @@ inline constexpr double longest_duration = 3e9;  ///< [s] a century; nanoseconds
 struct FieldSpec {
   std::string size = "kid_size_2008";
   std::string surface = "carpet";
-  Vec3d grain;  ///< [1] where its pile leans, in the ground; zero: nowhere
+  Vec3d friction_direction;  ///< [1] where its pile leans, in the ground; zero: nowhere
   bool goals = true;
   std::optional<double> friction;  ///< [1] between the ground and everything; empty: by the pairs of materials
 };
@@ -55,10 +55,10 @@ struct LightSpec {
 };
 
 /// A place from where people look at the scene: [views.NAME].
-struct EyeSpec {
+struct ViewpointSpec {
   std::string name;
-  Vec3d eye, look_at;       ///< [m]
-  double opening = pi / 3;  ///< [rad] from the left to the right border
+  Vec3d eye, look_at;   ///< [m]
+  double fov = pi / 3;  ///< [rad] from the left to the right border
 };
 
 struct TeamSpec {
@@ -140,11 +140,11 @@ struct SceneSpec {
   double jitter_heading = 0;      ///< [rad]
   double jitter_tilt = 0;         ///< [rad] about a random axis
   double jitter_posture = 0;      ///< [rad] joint targets vary by up to this, within joint limits
-  collision::PairLaw body_contact = collision::PairLaw::island_gauss_seidel;
+  collision::BodyContactLaw body_contact = collision::BodyContactLaw::island_gauss_seidel;
   FieldSpec field;
   ViewSpec view;
   LightSpec light;
-  std::vector<EyeSpec> eyes;
+  std::vector<ViewpointSpec> viewpoints;
   std::optional<BallSpec> ball;
   std::vector<TeamSpec> teams;
   std::vector<RobotSpec> robots;

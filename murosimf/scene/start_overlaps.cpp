@@ -34,7 +34,7 @@ struct Standing {
     if (const auto* place = of.find(properties::position)) r = place->values;
     if (const auto* attitude = of.find(properties::orientation)) R = attitude->values;
     if (!r.empty() && !R.empty()) return;
-    for (const geometry::Pose& pose : collision::rest_poses(of.model())) {
+    for (const Transformd& pose : collision::rest_poses(of.model())) {
       r.push_back(pose.position);
       R.push_back(pose.orientation);
     }
@@ -84,7 +84,7 @@ std::optional<OverlapBodies> first_overlap(Standing& one, Standing& other) {
     }
     return !found;
   };
-  // kinds of shapes count on what stands still; between movers everything touches (model/shape.h)
+  // kinds of shapes count on what stands still; between moving_entities everything touches (model/shape.h)
   if (other.moves) {
     (void)collision::for_pairs(a, b, test);
   } else {
@@ -142,15 +142,15 @@ void add_sunken(const std::vector<Standing>& standing, std::vector<std::string>&
 
 }  // namespace
 
-std::vector<std::string> start_overlaps(const Entity& field, std::span<Entity* const> movers) {
+std::vector<std::string> start_overlaps(const Entity& field, std::span<Entity* const> moving_entities) {
   std::map<const Model*, EntityKind> kinds;
   std::vector<Standing> standing;
-  standing.reserve(movers.size() + 1);
+  standing.reserve(moving_entities.size() + 1);
   const auto add = [&](const Entity& entity) -> Standing& {
     EntityKind& kind = kinds.try_emplace(&entity.model(), entity.model()).first->second;
     return standing.emplace_back(entity, kind);
   };
-  for (const Entity* mover : movers) add(*mover);
+  for (const Entity* moving_entity : moving_entities) add(*moving_entity);
   add(field).moves = false;
   std::vector<std::string> lines;
   add_overlaps(standing, lines);

@@ -46,11 +46,11 @@ bool is_for(const SceneEvent& event, const RobotSpec& robot) {
   return std::ranges::find(event.entities, robot.name) != event.entities.end();
 }
 
-bool any_uses(const std::vector<const Level*>& levels, std::string_view word) {
-  return std::ranges::any_of(levels, [&](const Level* level) { return has_word(level->options, word); });
+bool any_uses(const std::vector<const LevelType*>& levels, std::string_view word) {
+  return std::ranges::any_of(levels, [&](const LevelType* level) { return has_word(level->options, word); });
 }
 
-const Level& first_level(const RobotSpec& robot) { return find_entry(levels(), "level", robot.level); }
+const LevelType& first_level(const RobotSpec& robot) { return find_entry(levels(), "level", robot.level); }
 
 bool is_used(const SceneSpec& spec, const RobotSpec& robot, const UsedKey& key) {
   if (key.use == UsedKey::by_level) return any_uses(levels_from(spec, robot, 0), key.word);
@@ -114,8 +114,8 @@ void add_start(const SceneSpec& spec, std::vector<std::string>& lines) {
 
 }  // namespace
 
-std::vector<const Level*> levels_from(const SceneSpec& spec, const RobotSpec& robot, double time) {
-  std::vector<const Level*> found{&first_level(robot)};
+std::vector<const LevelType*> levels_from(const SceneSpec& spec, const RobotSpec& robot, double time) {
+  std::vector<const LevelType*> found{&first_level(robot)};
   for (const SceneEvent& event : spec.events) {
     if (event.key != "level" || event.setting || !is_for(event, robot)) continue;
     if (event.time <= time && time > 0) found.clear();
@@ -154,15 +154,16 @@ std::vector<std::string> unused_pairs(const SceneSpec& spec, const std::vector<s
   return lines;
 }
 
-std::string unused_grain(const SceneSpec& spec, const std::vector<std::string>& used) {
-  if (is_zero(spec.field.grain)) return {};
+std::string unused_friction_direction(const SceneSpec& spec, const std::vector<std::string>& used) {
+  if (is_zero(spec.field.friction_direction)) return {};
   Surface ground, body;
   ground.material = spec.field.surface;
   for (const std::string& name : used) {
     body.material = name;
-    if (spec.materials.find(ground, body).grain_effect > 0) return {};
+    if (spec.materials.find(ground, body).friction_anisotropy > 0) return {};
   }
-  return fmt::format("field: nothing here feels the pile of '{}'; 'grain' changes nothing", spec.field.surface);
+  return fmt::format("field: nothing here feels the pile of '{}'; 'friction_direction' changes nothing",
+                     spec.field.surface);
 }
 
 }  // namespace murosimf::scene

@@ -11,10 +11,10 @@
 
 namespace murosimf::scene {
 
-struct Level;
+struct LevelType;
 
 /// The levels at which a robot is at a time [s] or later, as far as events are foreseen.
-[[nodiscard]] std::vector<const Level*> levels_from(const SceneSpec& spec, const RobotSpec& robot, double time);
+[[nodiscard]] std::vector<const LevelType*> levels_from(const SceneSpec& spec, const RobotSpec& robot, double time);
 
 /// One line for each key of the scene that changes nothing, however it was set: in the file, by --set or as an event.
 [[nodiscard]] std::vector<std::string> unused_keys(const SceneSpec& spec);
@@ -24,6 +24,6 @@ struct Level;
 [[nodiscard]] std::vector<std::string> unused_pairs(const SceneSpec& spec, const std::vector<std::string>& used);
 
 /// A line if the pile of the ground leans and nothing of these materials feels it; else empty.
-[[nodiscard]] std::string unused_grain(const SceneSpec& spec, const std::vector<std::string>& used);
+[[nodiscard]] std::string unused_friction_direction(const SceneSpec& spec, const std::vector<std::string>& used);
 
 }  // namespace murosimf::scene

@@ -10,7 +10,7 @@
 
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/error.h"
-#include "murosimf/sensors/all_around.h"
+#include "murosimf/sensors/world_queries.h"
 
 namespace murosimf::sensors {
 namespace {
@@ -24,12 +24,12 @@ std::vector<Output> outputs() {
 
 using LensKey = std::tuple<std::string, int, int, std::array<double, 5>, std::vector<double>>;
 
-LensKey key_of(const LensSpec& lens, double resolution) {
+LensKey key_of(const imaging::LensSpec& lens, double resolution) {
   return {lens.model, lens.width, lens.height, {lens.fx, lens.fy, lens.cx, lens.cy, resolution}, lens.coefficients};
 }
 
 /// Looking for folds turns the lens round for thousands of pixels: once for equal lenses.
-std::string shared_fold_remark(const Lens& lens) {
+std::string shared_fold_remark(const imaging::Lens& lens) {
   static std::mutex mutex;
   static std::map<LensKey, std::string> known;
   const std::scoped_lock lock(mutex);
@@ -39,30 +39,30 @@ std::string shared_fold_remark(const Lens& lens) {
 }
 
 /// Equal lenses share one map while somebody uses it.
-std::shared_ptr<const LensMap> shared_map(const LensSpec& lens, double resolution) {
+std::shared_ptr<const imaging::LensMap> shared_map(const imaging::LensSpec& lens, double resolution) {
   static std::mutex mutex;
-  static std::map<LensKey, std::weak_ptr<const LensMap>> known;
+  static std::map<LensKey, std::weak_ptr<const imaging::LensMap>> known;
   const std::scoped_lock lock(mutex);
   const LensKey key = key_of(lens, resolution);
   auto map = known[key].lock();
-  if (!map) known[key] = map = std::make_shared<const LensMap>(Lens(lens), resolution);
+  if (!map) known[key] = map = std::make_shared<const imaging::LensMap>(imaging::Lens(lens), resolution);
   return map;
 }
 
 CameraInfo info_of(const SensorSpec& spec, const CameraSpec& camera, const Mounting& mounting, Duration period,
-                   const std::vector<Entity*>& movers) {
+                   const std::vector<Entity*>& moving_entities) {
   const Mat3d turn = transpose(true_orientation(spec)) * spec.orientation;  // takes the error back
-  CameraInfo info{.name = spec.name, .lens = Lens(camera.lens), .period = period};
+  CameraInfo info{.name = spec.name, .lens = imaging::Lens(camera.lens), .period = period};
   info.link = mounting.link_object();
   info.position = mounting.position_on_link();
   info.orientation = mounting.orientation_on_link() * optical_axes;
   info.nominal = mounting.orientation_on_link() * turn * optical_axes;
   info.labels = {"background", "ground", "line", "goal"};
-  for (const Entity* mover : movers) info.labels.push_back(mover->name());
+  for (const Entity* moving_entity : moving_entities) info.labels.push_back(moving_entity->name());
   return info;
 }
 
-Perspective perspective_of(const ViewWindow& window, const Vec3d& eye, const Mat3d& axes, const Rows& rows) {
+Perspective perspective_of(const imaging::ViewWindow& window, const Vec3d& eye, const Mat3d& axes, const imaging::Rows& rows) {
   Perspective perspective;
   perspective.eye = eye;
   perspective.axes = axes * window.axes;
@@ -85,8 +85,8 @@ Mat3d turned(const Mat3d& axes, const Vec3d& rate, double ahead) {
 
 /// With the size of the lens's picture: pictures take turns, and those that were never drawn have none yet.
 template <class Pixel>
-Image<Pixel>& sized(Image<Pixel>& image, const LensSpec& lens) {
-  if (image.width() != lens.width || image.height() != lens.height) image = Image<Pixel>(lens.width, lens.height);
+imaging::Image<Pixel>& sized(imaging::Image<Pixel>& image, const imaging::LensSpec& lens) {
+  if (image.width() != lens.width || image.height() != lens.height) image = imaging::Image<Pixel>(lens.width, lens.height);
   return image;
 }
 
@@ -98,12 +98,12 @@ Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
       mounting_error_(spec.mounting_error),
       mounting_(setup, spec),
       find_source_(surroundings.view_source),
-      frame_(write_frame(setup, info_of(spec, spec_, mounting_, reading().info->period, surroundings.movers))),
+      frame_(write_frame(setup, info_of(spec, spec_, mounting_, reading().info->period, surroundings.moving_entities))),
       noise_({spec_.shot_noise, spec_.read_noise},
              RandomStream(surroundings.seed, setup.entity().name() + "/" + spec.name + "/pixels")),
       on_the_way_(most_on_the_way()) {
   read_motion_of_all(setup, surroundings);
-  if (!spec_.mosaic.empty()) pattern_ = at("mosaic", [&] { return bayer_pattern(spec_.mosaic); });
+  if (!spec_.mosaic.empty()) pattern_ = with_context("mosaic", [&] { return imaging::bayer_pattern(spec_.mosaic); });
   frame_.wanted = spec_.always_on;
 }
 
@@ -124,7 +124,7 @@ void Camera::start() {
 void Camera::measure(std::span<double> values) noexcept {
   const Vec3d p = mounting_.position();
   const Quaterniond q = from_matrix(mounting_.orientation());
-  const LensSpec& lens = spec_.lens;
+  const imaging::LensSpec& lens = spec_.lens;
   const Vec3d& e = mounting_error_;
   const std::array<double, 14> all{p.x,     p.y,     p.z,     q.w,     q.x, q.y, q.z,
                                    lens.fx, lens.fy, lens.cx, lens.cy, e.x, e.y, e.z};
@@ -144,8 +144,8 @@ void Camera::taken(std::uint64_t sample) noexcept {
 
 /// Images come back empty from the frame the first time.
 template <class Pixel>
-void Camera::fit(bool wanted, Image<Pixel>& image) const {
-  if (wanted && image.empty()) image = Image<Pixel>(spec_.lens.width, spec_.lens.height);
+void Camera::fit(bool wanted, imaging::Image<Pixel>& image) const {
+  if (wanted && image.empty()) image = imaging::Image<Pixel>(spec_.lens.width, spec_.lens.height);
 }
 
 void Camera::arrived(std::uint64_t sample) noexcept {
@@ -183,11 +183,11 @@ void Camera::look_at_all_rows(double ahead, const Layers& layers, View& picture)
   }
 }
 
-void Camera::look(const Rows& rows, double ahead, const Layers& layers, View& picture) noexcept {
+void Camera::look(const imaging::Rows& rows, double ahead, const Layers& layers, View& picture) noexcept {
   const Vec3d eye = mounting_.position() + ahead * mounting_.velocity();
   const Mat3d axes = turned(mounting_.orientation(), mounting_.angular_velocity(), ahead) * optical_axes;
   for (std::size_t i = 0; i < map_->views().size(); ++i) {
-    const Rows needed = map_->plain() ? rows : map_->needed(i, rows);
+    const imaging::Rows needed = map_->plain() ? rows : map_->needed(i, rows);
     if (needed.count == 0) continue;
     const Perspective perspective = perspective_of(map_->views()[i], eye, axes, needed);
     if (map_->plain()) {
@@ -202,8 +202,8 @@ void Camera::look(const Rows& rows, double ahead, const Layers& layers, View& pi
   if (layers.labels) map_->apply(windows_.labels, sized(picture.labels, spec_.lens), rows);
 }
 
-Camera::Windows::Windows(std::span<const ViewWindow> windows) {
-  for (const ViewWindow& window : windows) {
+Camera::Windows::Windows(std::span<const imaging::ViewWindow> windows) {
+  for (const imaging::ViewWindow& window : windows) {
     colors.emplace_back(window.width, window.height);
     depths.emplace_back(window.width, window.height);
     labels.emplace_back(window.width, window.height);
@@ -219,11 +219,11 @@ void Camera::Windows::draw(ViewSource& source, const Perspective& perspective, c
   labels[i] = std::move(view.labels);
 }
 
-void Camera::develop(std::uint64_t sample, ColorImage& color, GrayImage& mosaic) noexcept {
+void Camera::develop(std::uint64_t sample, imaging::ColorImage& color, imaging::GrayImage& mosaic) noexcept {
   if (blur_) blur_->apply(color);
   if (exposure_) exposure_->apply(color);
   if (spec_.shot_noise > 0 || spec_.read_noise > 0) noise_.apply(color, sample);
-  if (pattern_) make_mosaic(color, *pattern_, sized(mosaic, spec_.lens));
+  if (pattern_) imaging::make_mosaic(color, *pattern_, sized(mosaic, spec_.lens));
 }
 
 }  // namespace murosimf::sensors

@@ -19,12 +19,12 @@
 #include <vector>
 
 #include "murosimf/imaging/bayer.h"
+#include "murosimf/imaging/exposure.h"
 #include "murosimf/imaging/gaussian_blur.h"
 #include "murosimf/imaging/image_noise.h"
 #include "murosimf/imaging/lens_map.h"
-#include "murosimf/imaging/light.h"
+#include "murosimf/sensors/camera_frame.h"
 #include "murosimf/sensors/camera_spec.h"
-#include "murosimf/sensors/frame.h"
 #include "murosimf/sensors/mounting.h"
 #include "murosimf/sensors/sensor.h"
 
@@ -43,16 +43,16 @@ class Camera final : public Sensor {
  private:
   struct Picture {
     View view;
-    GrayImage mosaic;
+    imaging::GrayImage mosaic;
   };
   /// What was drawn for each view of the lens map.
   struct Windows {
-    explicit Windows(std::span<const ViewWindow> windows = {});
+    explicit Windows(std::span<const imaging::ViewWindow> windows = {});
     void draw(ViewSource& source, const Perspective& perspective, const Layers& layers, double ahead,
               std::size_t i) noexcept;
-    std::vector<ColorImage> colors;
-    std::vector<DepthImage> depths;
-    std::vector<LabelImage> labels;
+    std::vector<imaging::ColorImage> colors;
+    std::vector<imaging::DepthImage> depths;
+    std::vector<imaging::LabelImage> labels;
   };
 
   void measure(std::span<double> values) noexcept override;
@@ -61,28 +61,28 @@ class Camera final : public Sensor {
   void arrived(std::uint64_t sample) noexcept override;
 
   template <class Pixel>
-  void fit(bool wanted, Image<Pixel>& image) const;
+  void fit(bool wanted, imaging::Image<Pixel>& image) const;
   void expose(View& picture) noexcept;
   /// Looks `ahead` [s] of the sample, and later for later rows.
   void look_at_all_rows(double ahead, const Layers& layers, View& picture) noexcept;
-  void look(const Rows& rows, double ahead, const Layers& layers, View& picture) noexcept;
-  void develop(std::uint64_t sample, ColorImage& color, GrayImage& mosaic) noexcept;
+  void look(const imaging::Rows& rows, double ahead, const Layers& layers, View& picture) noexcept;
+  void develop(std::uint64_t sample, imaging::ColorImage& color, imaging::GrayImage& mosaic) noexcept;
 
   CameraSpec spec_;
   Vec3d mounting_error_;
   Mounting mounting_;
   std::function<ViewSource*()> find_source_;
-  Frame& frame_;
-  ImageNoise noise_;
-  std::optional<BayerPattern> pattern_;
+  CameraFrame& frame_;
+  imaging::ImageNoise noise_;
+  std::optional<imaging::BayerPattern> pattern_;
   ViewSource* source_ = nullptr;  // none: it draws nothing
-  std::shared_ptr<const LensMap> map_;
+  std::shared_ptr<const imaging::LensMap> map_;
   Windows windows_;
-  std::optional<LightMean> mean_;
-  std::optional<GaussianBlur> blur_;
-  std::optional<Exposure> exposure_;
+  std::optional<imaging::LightMean> mean_;
+  std::optional<imaging::GaussianBlur> blur_;
+  std::optional<imaging::Exposure> exposure_;
   std::vector<Picture> on_the_way_;
-  ColorImage colors_behind_;  // a mosaic's; memory that pictures take turns in
+  imaging::ColorImage colors_behind_;  // a mosaic's; memory that pictures take turns in
 };
 
 }  // namespace murosimf::sensors

@@ -42,27 +42,27 @@ std::vector<double> coefficients(const SensorSpec& spec, const std::string& mode
   return values;
 }
 
-/// [px] The focal length with which the lens sees `opening` [rad] from the left to the right.
-double focal_length(LensSpec lens, double opening) {
+/// [px] The focal length with which the lens sees `fov` [rad] from the left to the right.
+double focal_length(imaging::LensSpec lens, double fov) {
   lens.fx = lens.fy = 1;
   lens.cx = lens.cy = 0;
-  const auto border = Lens(lens).project({std::sin(0.5 * opening), 0, std::cos(0.5 * opening)});
+  const auto border = imaging::Lens(lens).project({std::sin(0.5 * fov), 0, std::cos(0.5 * fov)});
   if (!border || !(border->u > 0)) {
-    throw SetupError(fmt::format("a {} lens cannot see {:.4g} rad; say 'fx' instead of 'opening', or another lens",
-                                 lens.model, opening));
+    throw SetupError(
+        fmt::format("a {} lens cannot see {:.4g} rad; say 'fx' instead of 'fov', or another lens", lens.model, fov));
   }
   return 0.5 * lens.width / border->u;
 }
 
-LensSpec lens_of(const SensorSpec& spec) {
-  LensSpec lens{.model = lens_model(spec)};
+imaging::LensSpec lens_of(const SensorSpec& spec) {
+  imaging::LensSpec lens{.model = lens_model(spec)};
   lens.width = checked_count(spec, "width", 640, {1, largest_picture});
   lens.height = checked_count(spec, "height", 480, {1, largest_picture});
   lens.coefficients = coefficients(spec, lens.model);
   lens.cx = spec.number("cx", 0.5 * (lens.width - 1));
   lens.cy = spec.number("cy", 0.5 * (lens.height - 1));
   lens.fx = spec.number("fx", 0);
-  if (!spec.numbers.contains("fx")) lens.fx = focal_length(lens, checked_opening(spec, "opening", pi / 3));
+  if (!spec.numbers.contains("fx")) lens.fx = focal_length(lens, checked_fov(spec, "fov", pi / 3));
   lens.fy = spec.number("fy", lens.fx);
   return lens;
 }

@@ -11,7 +11,7 @@
 namespace murosimf::sensors {
 
 struct CameraSpec {
-  LensSpec lens{};
+  imaging::LensSpec lens{};
   Layers layers{};
   bool always_on = false;    ///< draws also if nobody reads its frames
   double resolution = 1;     ///< [1] drawn pixels to a pixel of the picture, where a lens distorts (lens_map.h)
@@ -28,14 +28,14 @@ struct CameraSpec {
 
 /// Numbers of SensorSpec that cameras know: of picture and lens, then of light.
 inline constexpr std::string_view camera_numbers =
-    "width height opening fx fy cx cy k1 k2 k3 k4 k5 k6 p1 p2 a1 a2 a3 a4 a5 a6 resolution blur exposure exposure_time "
+    "width height fov fx fy cx cy k1 k2 k3 k4 k5 k6 p1 p2 a1 a2 a3 a4 a5 a6 resolution blur exposure exposure_time "
     "motion_samples readout_time readout_bands shot_noise read_noise";
 
 /// Their keys of the coefficients of a lens model, in its order; none for a model without or an unknown one.
 [[nodiscard]] std::vector<std::string> lens_coefficients(std::string_view model);
 
 /// Texts `lens` (name of the model) and `mosaic`, flags `color`, `depth`, `labels`, `always_on`, and the numbers above.
-/// Without focal length it follows from `opening` [rad, from the left to the right border, default 60 deg]; without
+/// Without focal length it follows from `fov` [rad, from the left to the right border, default 60 deg]; without
 /// center it is in the middle; k1 alone makes a lens plumb_bob. Throws SetupError that names the number that is impossible.
 [[nodiscard]] CameraSpec camera_spec(const SensorSpec& spec);
 

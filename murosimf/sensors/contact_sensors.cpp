@@ -7,7 +7,7 @@
 
 #include "murosimf/model/properties.h"
 #include "murosimf/sensors/numbers.h"
-#include "murosimf/sensors/three_numbers.h"
+#include "murosimf/sensors/vec3_io.h"
 
 namespace murosimf::sensors {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr double standard_threshold = 0.1;  // [N]
 
 /// Where the force that is left goes through the plane of the sensor.
-std::array<double, 2> center_of_pressure(const Forced& load) noexcept {
+std::array<double, 2> center_of_pressure(const Wrenchd& load) noexcept {
   return {-load.n.y / load.f.z, load.n.x / load.f.z};
 }
 
@@ -29,7 +29,7 @@ ContactLoad::ContactLoad(Setup& setup, const SensorSpec& spec)
       R_(setup.read(properties::orientation)),
       external_(setup.input(properties::external_force, {})),
       applied_(setup.input(properties::applied_force, {})),
-      pushable_(setup.input(properties::pushable, 1)),
+      dynamic_(setup.input(properties::dynamic, 1)),
       stance_foot_(setup.observe(properties::stance_foot)) {
   const Model& model = setup.model();
   const auto& link_of = model.tree().link_of;
@@ -43,8 +43,8 @@ ContactLoad::ContactLoad(Setup& setup, const SensorSpec& spec)
   }
 }
 
-Forced ContactLoad::load() const noexcept {
-  if (pushable_[0] == 0) return carried_weight();
+Wrenchd ContactLoad::load() const noexcept {
+  if (dynamic_[0] == 0) return carried_weight();
   const Vec3d place = mounting_.position();
   Vec3d force, moment;
   for (const int k : bodies_) {
@@ -56,7 +56,7 @@ Forced ContactLoad::load() const noexcept {
   return {to_sensor * moment, to_sensor * force};
 }
 
-Forced ContactLoad::carried_weight() const noexcept {
+Wrenchd ContactLoad::carried_weight() const noexcept {
   const double stance = stance_foot_[0];
   if (std::isnan(stance)) return {};
   const auto foot = static_cast<std::size_t>(stance);
@@ -94,7 +94,7 @@ ForceTorque::ForceTorque(Setup& setup, const SensorSpec& spec, const SensorSurro
     : ContactSensor(setup, spec, surroundings, {{"force", "N", xyz()}, {"torque", "N m", xyz()}}) {}
 
 void ForceTorque::measure(std::span<double> values) noexcept {
-  const Forced load = load_.load();
+  const Wrenchd load = load_.load();
   write(load.f, values);
   write(load.n, values.subspan(3));
 }
@@ -103,7 +103,7 @@ PressureCenter::PressureCenter(Setup& setup, const SensorSpec& spec, const Senso
     : ContactSensor(setup, spec, surroundings, {{"center", "m", {"x", "y"}}, {"force", "N", {}}}) {}
 
 void PressureCenter::measure(std::span<double> values) noexcept {
-  const Forced load = load_.load();
+  const Wrenchd load = load_.load();
   values[0] = values[1] = std::nan("");
   values[2] = load.f.z;
   if (load.f.z <= threshold_) return;
@@ -124,7 +124,7 @@ PressureCells::PressureCells(Setup& setup, const SensorSpec& spec, const SensorS
 }
 
 void PressureCells::measure(std::span<double> values) noexcept {
-  const Forced load = load_.load();
+  const Wrenchd load = load_.load();
   std::fill(values.begin(), values.end(), 0.0);
   if (load.f.z <= threshold_) return;
   const auto [x, y] = center_of_pressure(load);

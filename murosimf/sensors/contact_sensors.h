@@ -35,10 +35,10 @@ class ContactLoad {
  public:
   ContactLoad(Setup& setup, const SensorSpec& spec);
   /// [N m, N] in axes of the sensor, at its place.
-  [[nodiscard]] Forced load() const noexcept;
+  [[nodiscard]] Wrenchd load() const noexcept;
 
  private:
-  [[nodiscard]] Forced carried_weight() const noexcept;
+  [[nodiscard]] Wrenchd carried_weight() const noexcept;
 
   Mounting mounting_;
   std::vector<int> bodies_;      // of the link
@@ -48,8 +48,8 @@ class ContactLoad {
   Vec3d weight_;                 // [N] world, what carries the robot
   std::span<const Vec3d> r_;
   std::span<const Mat3d> R_;
-  std::span<const Forced> external_, applied_;
-  std::span<const double> pushable_, stance_foot_;
+  std::span<const Wrenchd> external_, applied_;
+  std::span<const double> dynamic_, stance_foot_;
 };
 
 /// Common to all of this page.

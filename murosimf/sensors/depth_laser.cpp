@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "murosimf/sensors/all_around.h"
+#include "murosimf/sensors/world_queries.h"
 
 namespace murosimf::sensors {
 namespace {
@@ -39,25 +39,25 @@ DepthLaser::DepthLaser(Setup& setup, const SensorSpec& spec, const SensorSurroun
       range_(laser_range(spec)),
       find_source_(surroundings.view_source) {
   read_motion_of_all(setup, surroundings);
-  const auto [count, first, opening] = laser_sector(spec);
-  const auto rows = static_cast<std::size_t>(std::max(1.0, std::ceil(opening / widest_row)));
-  const double sector = opening / static_cast<double>(rows);
+  const auto [count, first, fov] = laser_sector(spec);
+  const auto rows = static_cast<std::size_t>(std::max(1.0, std::ceil(fov / widest_row)));
+  const double sector = fov / static_cast<double>(rows);
   const double rays = count / static_cast<double>(rows);
   const int width = std::clamp(static_cast<int>(pixels_per_ray * rays), fewest_pixels, most_pixels);
   for (std::size_t i = 0; i < rows; ++i) {
     rows_.push_back(row_at(first + (static_cast<double>(i) + 0.5) * sector, std::max(0.5 * sector, 0.01), width));
     rows_.back().without = &robot_;
   }
-  const collision::Fan fan(count, first, opening);
+  const collision::Fan fan(count, first, fov);
   for (std::size_t i = 0; i < fan.size(); ++i) {
-    const double angle = count < 2 ? 0 : opening * static_cast<double>(i) / (count - 1);
+    const double angle = count < 2 ? 0 : fov * static_cast<double>(i) / (count - 1);
     const auto row = sector > 0 ? std::min(rows - 1, static_cast<std::size_t>(angle / sector)) : 0;
     const Vec3d seen = transposed_times(rows_[row].axes, fan.direction(i));
     const double u = (seen.x / seen.z - rows_[row].left) / (rows_[row].right - rows_[row].left) * width - 0.5;
     taps_.push_back({row, u, 1 / seen.z});
   }
   constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
-  for (const Perspective& row : rows_) views_.push_back({{}, DepthImage(row.width, 1, unknown), {}});
+  for (const Perspective& row : rows_) views_.push_back({{}, imaging::DepthImage(row.width, 1, unknown), {}});
 }
 
 void DepthLaser::start() { source_ = find_source_ ? find_source_() : nullptr; }

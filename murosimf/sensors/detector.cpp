@@ -7,8 +7,8 @@
 
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/sensors/all_around.h"
 #include "murosimf/sensors/ground_truth.h"
+#include "murosimf/sensors/world_queries.h"
 
 namespace murosimf::sensors {
 namespace {
@@ -41,9 +41,9 @@ Seen seen(Setup other) {
 }  // namespace
 
 Detector::Numbers::Numbers(const SensorSpec& spec)
-    : half_azimuth(0.5 * checked_opening(spec, "opening_azimuth", 2 * pi / 3)),
-      half_elevation(0.5 * checked_opening(spec, "opening_elevation", 2 * pi / 3, pi)),
-      range(checked_range(spec, {.nearest = 0.1})),
+    : half_azimuth(0.5 * checked_fov(spec, "fov_azimuth", 2 * pi / 3)),
+      half_elevation(0.5 * checked_fov(spec, "fov_elevation", 2 * pi / 3, pi)),
+      range(checked_range(spec, {.min = 0.1})),
       visible_share(checked_number(spec, "visible_share", 0.25, {0, 1})),
       misses(checked_number(spec, "misses", 0, {0, 1})),
       distance_noise(checked_number(spec, "distance_noise", 0)),
@@ -55,7 +55,7 @@ Detector::Detector(Setup& setup, const SensorSpec& spec, const SensorSurrounding
       robot_(setup.entity()),
       mounting_(setup, spec),
       numbers_(spec),
-      scene_(all_around(setup, surroundings)) {
+      scene_(world_queries(setup, surroundings)) {
   const std::string name = fmt::format("{}/{}/", setup.entity().name(), spec.name);
   for (Entity* entity : looked_at(setup, spec, surroundings)) {
     targets_.push_back({seen(setup.of(*entity)),
@@ -72,7 +72,7 @@ Detector::Polar Detector::polar(const Vec3d& place) noexcept {
 }
 
 bool Detector::sees(const Target& target, const Polar& place) noexcept {
-  if (place.distance < numbers_.range.nearest || place.distance > numbers_.range.farthest) return false;
+  if (place.distance < numbers_.range.min || place.distance > numbers_.range.max) return false;
   if (abs(place.azimuth) > numbers_.half_azimuth || abs(place.elevation) > numbers_.half_elevation) return false;
   if (numbers_.misses > 0 && target.misses.uniform(looks_) < numbers_.misses) return false;
   const double share = share_in_sight(scene_, mounting_.position(), &robot_, target.seen);

@@ -8,14 +8,14 @@
 ///     distance = d (1 + distance_noise n_j),   azimuth = a + azimuth_noise m_j,   elevation = e + elevation_noise k_j
 ///
 /// Each component of o is drawn once, evenly from -offset to offset. Errors of the outputs' signals come on top.
-/// An entity is seen if its base's origin is in the field of view, |a| <= opening_azimuth / 2 and |e| <=
-/// opening_elevation / 2, and in the range; if of the points by which it is looked at (sight.h) one is free, and at
+/// An entity is seen if its base's origin is in the field of view, |a| <= fov_azimuth / 2 and |e| <=
+/// fov_elevation / 2, and in the range; if of the points by which it is looked at (sight.h) one is free, and at
 /// least the part visible_share; and if it is not missed, which happens with the probability `misses`. Everything that
 /// collides hides what is behind it, but for the robot that carries the sensor.
 /// Source: vision perceptor of the RoboCup 3D simulation league (SimSpark wiki, Perceptors): field of view, polar
 /// values, error proportional to the distance, constant offset. There, nothing hides anything.
 ///
-/// Numbers: opening_azimuth, opening_elevation (2.0944 rad = 120 deg), nearest (0.1 m), farthest (infinite),
+/// Numbers: fov_azimuth, fov_elevation (2.0944 rad = 120 deg), range_min (0.1 m), range_max (infinite),
 /// visible_share (0.25), misses (0), distance_noise (0), azimuth_noise, elevation_noise (0 rad), offset (0 m).
 /// SimSpark's errors: distance_noise 0.000965, azimuth_noise 0.002583 (0.1480 deg), elevation_noise 0.002138 (0.1225
 /// deg), offset 0.005.
@@ -31,7 +31,7 @@ namespace murosimf::sensors {
 
 class Detector final : public Sensor {
  public:
-  /// Looks at spec.objects, or at all other movers. Throws SetupError that names the number that is impossible, or the
+  /// Looks at spec.objects, or at all other moving_entities. Throws SetupError that names the number that is impossible, or the
   /// entity that there is none of.
   Detector(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "murosimf/model/properties.h"
-#include "murosimf/sensors/three_numbers.h"
+#include "murosimf/sensors/vec3_io.h"
 
 namespace murosimf::sensors {
 namespace {
@@ -24,14 +24,14 @@ std::vector<Output> outputs_for(const std::vector<Entity*>& entities) {
 }  // namespace
 
 std::vector<Entity*> sensed_entities(const SensorSpec& spec, const SensorSurroundings& surroundings) {
-  if (spec.objects.empty()) return surroundings.movers;
+  if (spec.objects.empty()) return surroundings.moving_entities;
   std::vector<Entity*> entities;
   std::vector<std::string_view> names;
-  for (const Entity* mover : surroundings.movers) names.push_back(mover->name());
+  for (const Entity* moving_entity : surroundings.moving_entities) names.push_back(moving_entity->name());
   for (const std::string& name : spec.objects) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) throw SetupError(unknown_name("entity", name, names));
-    entities.push_back(surroundings.movers[static_cast<std::size_t>(found - names.begin())]);
+    entities.push_back(surroundings.moving_entities[static_cast<std::size_t>(found - names.begin())]);
   }
   return entities;
 }

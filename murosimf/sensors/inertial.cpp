@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-#include "murosimf/sensors/three_numbers.h"
+#include "murosimf/sensors/vec3_io.h"
 
 namespace murosimf::sensors {
 namespace {

@@ -51,7 +51,7 @@ JointPosition::JointPosition(Setup& setup, const SensorSpec& spec, const SensorS
     : JointSensor(setup, spec, surroundings, properties::joint_position, {"position", "rad", {}}) {}
 
 JointRate::JointRate(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
-    : JointSensor(setup, spec, surroundings, properties::joint_rate, {"rate", "rad/s", {}}) {}
+    : JointSensor(setup, spec, surroundings, properties::joint_velocity, {"rate", "rad/s", {}}) {}
 
 ServoSensor::ServoSensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings, Output output)
     : Sensor(setup, spec, surroundings,
@@ -81,8 +81,8 @@ MotorCurrent::MotorCurrent(Setup& setup, const SensorSpec& spec, const SensorSur
       joint_torque_(setup.observe(properties::joint_torque)) {
   for (Joint& joint : joints_) {
     const Servo* servo = servo_of(setup.model(), joint.object);
-    const bool motor = servo && servo->voltage > 0 && servo->no_load_rate > 0;
-    joint.factor = motor ? servo->no_load_rate / servo->voltage : 0;
+    const bool motor = servo && servo->voltage > 0 && servo->no_load_speed > 0;
+    joint.factor = motor ? servo->no_load_speed / servo->voltage : 0;
   }
 }
 

@@ -1,13 +1,13 @@
 /// joint_sensors.h - sensors: what servos and joints report. One output, a number for each joint.
 ///
 ///     joint_position      q, of an encoder at the output side of the gear            [rad | m]
-///     joint_rate          q'                                                         [rad/s | m/s]
+///     joint_velocity          q'                                                         [rad/s | m/s]
 ///     joint_torque        of servo and gear, as the joint feels it                   [N m | N]
 ///     motor_current       i = tau_m / k_t, tau_m the motor's torque before friction  [A]
 ///     motor_voltage       supply of the servo                                        [V]
 ///     motor_temperature   of its winding                                             [C]
 ///
-/// k_t = voltage / no_load_rate on the output side of the gear (model/servo.h). Joints without such a servo show 0. Where
+/// k_t = voltage / no_load_speed on the output side of the gear (model/servo.h). Joints without such a servo show 0. Where
 /// a level has no torque (kinematic_walking, simplified_dynamics) torque and current are 0, the voltage is the servo's own
 /// and the temperature that of the air. full_dynamics has the torque that the motion would take; current follows it.
 #pragma once

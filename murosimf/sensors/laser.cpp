@@ -8,12 +8,12 @@ Laser::Laser(Setup& setup, const SensorSpec& spec, const SensorSurroundings& sur
       mounting_(setup, spec),
       range_(laser_range(spec)),
       fan_(laser_sector(spec).fan()),
-      scene_(all_around(setup, surroundings)) {}
+      scene_(world_queries(setup, surroundings)) {}
 
 void Laser::measure(std::span<double> values) noexcept {
   scene_.refresh();
-  const geometry::Pose here{mounting_.position(), mounting_.orientation()};
-  scene_.cast(fan_, here, {.range = range_.farthest, .without = &robot_}, values);
+  const Transformd here{mounting_.position(), mounting_.orientation()};
+  scene_.cast(fan_, here, {.range = range_.max, .without = &robot_}, values);
   present(values);
 }
 

@@ -16,9 +16,9 @@ Output laser_ranges(const SensorSpec& spec) {
 }
 
 LaserSector laser_sector(const SensorSpec& spec) {
-  const double opening = checked_opening(spec, "opening", 1.5 * pi);
-  const double first = checked_number(spec, "first_angle", -0.5 * opening, {-2 * pi, 2 * pi});
-  return {rays_of(spec), first, opening};
+  const double fov = checked_fov(spec, "fov", 1.5 * pi);
+  const double first = checked_number(spec, "first_angle", -0.5 * fov, {-2 * pi, 2 * pi});
+  return {rays_of(spec), first, fov};
 }
 
 Range laser_range(const SensorSpec& spec) { return checked_range(spec, {0.06, 30}); }

@@ -13,14 +13,14 @@ namespace murosimf::sensors {
 /// Where the rays are.
 struct LaserSector {
   int rays = 0;
-  double first = 0, opening = 0;  ///< [rad] from x towards y: of the first ray, and on to the last
-  [[nodiscard]] collision::Fan fan() const { return {rays, first, opening}; }
+  double first = 0, fov = 0;  ///< [rad] from x towards y: of the first ray, and on to the last
+  [[nodiscard]] collision::Fan fan() const { return {rays, first, fov}; }
 };
 
-/// Of the numbers rays, opening and first_angle (laser.h). Throws SetupError that names the one that is impossible.
+/// Of the numbers rays, fov and first_angle (laser.h). Throws SetupError that names the one that is impossible.
 [[nodiscard]] LaserSector laser_sector(const SensorSpec& spec);
 
-/// Of the numbers nearest and farthest.
+/// Of the numbers range_min and range_max.
 [[nodiscard]] Range laser_range(const SensorSpec& spec);
 
 }  // namespace murosimf::sensors

@@ -62,7 +62,7 @@ void Sensor::make_signals(const SensorSpec& spec, std::uint64_t seed, const std:
     std::vector<std::string> names;
     for (const std::string& label : output.labels) names.push_back(fmt::format("{}.{}", stream, label));
     if (names.empty()) names.push_back(stream);
-    signals_.push_back(at(output.name, [&] { return Signal(signal, seed, names, periods); }));
+    signals_.push_back(with_context(output.name, [&] { return Signal(signal, seed, names, periods); }));
   }
 }
 

@@ -46,8 +46,8 @@ struct SensorSpec {
 
 /// What sensors need to know of the simulation that they are in.
 struct SensorSurroundings {
-  std::uint64_t seed = 1;         ///< of all noise
-  std::vector<Entity*> movers{};  ///< robots and ball: all whose pose changes
+  std::uint64_t seed = 1;                  ///< of all noise
+  std::vector<Entity*> moving_entities{};  ///< robots and ball: all whose pose changes
   /// Who draws; asked when something that needs pictures starts. Null, or none: there are no pictures, which whoever
   /// gives this has said already.
   std::function<ViewSource*()> view_source{};

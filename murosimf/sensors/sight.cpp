@@ -23,8 +23,7 @@ Vec3d outline_point(const Seen& body, const Vec3d& across) noexcept {
   Vec3d best;
   double farthest = -std::numeric_limits<double>::infinity();
   for (const collision::CollidingShape& shape : body.shapes) {
-    const geometry::Pose at = collision::placed_in({body.r[shape.object], body.R[shape.object]},
-                                                   {shape.placed.position, shape.placed.orientation});
+    const Transformd at = Transformd{body.r[shape.object], body.R[shape.object]} * shape.placed.place();
     const Vec3d arm = at.orientation * geometry::support(shape.placed.shape, transposed_times(at.orientation, across));
     const double reach = dot(at.position + arm, across);
     if (reach <= farthest) continue;

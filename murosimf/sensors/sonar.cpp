@@ -7,8 +7,8 @@ namespace {
 
 std::vector<Vec3d> cone(const SensorSpec& spec) {
   const int rays = checked_count(spec, "rays", 61, {1, 100000});
-  const double opening = checked_opening(spec, "opening", 15 * pi / 180);
-  const double part = rays > 1 ? (1 - std::cos(opening / 2)) / (rays - 1) : 0;
+  const double fov = checked_fov(spec, "fov", 15 * pi / 180);
+  const double part = rays > 1 ? (1 - std::cos(fov / 2)) / (rays - 1) : 0;
   std::vector<Vec3d> directions;
   for (int k = 0; k < rays; ++k) {
     const double along = 1 - part * k, across = std::sqrt(std::max(1 - along * along, 0.0));
@@ -27,14 +27,14 @@ NearestOfRays::NearestOfRays(Setup& setup, const SensorSpec& spec, const SensorS
       mounting_(setup, spec),
       range_(checked_range(spec, usual)),
       directions_(std::move(directions)),
-      scene_(all_around(setup, surroundings)) {}
+      scene_(world_queries(setup, surroundings)) {}
 
 void NearestOfRays::measure(std::span<double> values) noexcept {
   scene_.refresh();
   const Mat3d axes = mounting_.orientation();
   const Vec3d here = mounting_.position();
   bool found = false;
-  double nearest = range_.farthest;
+  double nearest = range_.max;
   for (const Vec3d& direction : directions_) {
     const auto hit = scene_.cast({here, axes * direction}, {.range = nearest, .without = &robot_});
     if (!hit) continue;

@@ -2,12 +2,12 @@
 ///
 /// Output `range` [m]: the distance of the nearest surface on any of `rays` rays, exact for all shapes that collide;
 /// the robot that carries the sensor is transparent. Nothing within the range is +infinity, something nearer than
-/// `nearest` -infinity (ROS REP-117).
+/// `range_min` -infinity (ROS REP-117).
 ///
-/// A sonar looks along x of the sensor into a cone of `opening`, from side to side. Its first ray is the axis; ray k of
+/// A sonar looks along x of the sensor into a cone of `fov`, from side to side. Its first ray is the axis; ray k of
 /// the other n - 1 has the angle a from the axis and the angle b about it,
 ///
-///     cos a = 1 - (1 - cos(opening / 2)) k / (n - 1),   b = k pi (3 - sqrt(5)),
+///     cos a = 1 - (1 - cos(fov / 2)) k / (n - 1),   b = k pi (3 - sqrt(5)),
 ///
 /// so that each ray stands for an equal part of the cone and the last one is at its edge. A thing that is smaller than
 /// the gaps between rays may be missed; how surfaces reflect sound is not modeled.
@@ -16,14 +16,14 @@
 /// A range finder is one ray along z of the sensor, as MJCF has it. Unlike there, nothing found is +infinity, not -1,
 /// and all of the robot is transparent, not only the body that the sensor is fixed to.
 ///
-/// Numbers of the sonar: rays (61), opening (0.2618 rad = 15 deg), nearest (0.02 m), farthest (4 m); of the range
-/// finder: nearest (0 m), farthest (infinite).
+/// Numbers of the sonar: rays (61), fov (0.2618 rad = 15 deg), range_min (0.02 m), range_max (4 m); of the range
+/// finder: range_min (0 m), range_max (infinite).
 #pragma once
 
-#include "murosimf/sensors/all_around.h"
 #include "murosimf/sensors/mounting.h"
 #include "murosimf/sensors/numbers.h"
 #include "murosimf/sensors/sensor.h"
+#include "murosimf/sensors/world_queries.h"
 
 namespace murosimf::sensors {
 

@@ -29,20 +29,26 @@ struct Layers {
 
 /// What was drawn; layers that were not wanted stay as they were.
 struct View {
-  ColorImage color;
-  DepthImage depth;
-  LabelImage labels;
+  imaging::ColorImage color;
+  imaging::DepthImage depth;
+  imaging::LabelImage labels;
 };
 
-/// The first labels; movers follow, in the order of SensorSurroundings::movers.
-enum Label : std::uint16_t { label_background = 0, label_ground = 1, label_line = 2, label_goal = 3, label_mover = 4 };
+/// The first labels; moving_entities follow, in the order of SensorSurroundings::moving_entities.
+enum Label : std::uint16_t {
+  label_background = 0,
+  label_ground = 1,
+  label_line = 2,
+  label_goal = 3,
+  label_moving_entity = 4
+};
 
 class ViewSource {
  public:
   virtual ~ViewSource() = default;
 
   /// Draws the scene as it is at this instant, moved on by `ahead` [s] with the present velocities. Whoever asks while the
-  /// simulation runs reads pose and velocity of all movers. Images get the size of the perspective. May be called from several threads at once; the pixels do not depend on the thread.
+  /// simulation runs reads pose and velocity of all moving_entities. Images get the size of the perspective. May be called from several threads at once; the pixels do not depend on the thread.
   virtual void draw(const Perspective& perspective, const Layers& layers, double ahead, View& view) noexcept = 0;
 };
 

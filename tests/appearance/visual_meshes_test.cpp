@@ -89,50 +89,50 @@ TEST(VisualMeshes, NameTheFileThatCannotBeRead) {
   EXPECT_TRUE(says(error_of([&] { (void)visual_triangles({.file = file, .scale = {1, 0, 1}}); }), {"t.obj", "scale"}));
 }
 
-TEST(Looks, AreMeshesForTheEyeInsteadOfWhatCollides) {
+TEST(Appearance, AreMeshesForTheEyeInsteadOfWhatCollides) {
   write("t.obj", formats::urdf::urdf_files::tetrahedron());
   const std::string ball = "<geom type='sphere' size='0.1'/>";
   const std::string eye = "<geom type='box' size='1 1 1' contype='0' conaffinity='0'/>";
   const std::string mesh = "<mesh name='t' file='t.obj'/>";
-  const Looks dressed = looks_of(*read_arm(mesh, ball + eye + "<geom mesh='t'" + silent + "/>").model);
+  const Appearance dressed = appearance_of(*read_arm(mesh, ball + eye + "<geom mesh='t'" + silent + "/>").model);
   ASSERT_EQ(dressed.meshes.size(), 1U);
   ASSERT_EQ(dressed.shapes.size(), 1U);
   EXPECT_TRUE(std::holds_alternative<Box>(dressed.shapes[0].placed.shape));
-  const Looks bare = looks_of(*read_arm(mesh, ball + eye).model);
+  const Appearance bare = appearance_of(*read_arm(mesh, ball + eye).model);
   EXPECT_TRUE(bare.meshes.empty());
   EXPECT_EQ(bare.shapes.size(), 2U);
 }
 
-TEST(Looks, HaveConvexPolyhedraAmongTheMeshes) {
+TEST(Appearance, HaveConvexPolyhedraAmongTheMeshes) {
   write("t.obj", formats::urdf::urdf_files::tetrahedron());
   const robot::RobotFile robot = read_arm("<mesh name='t' file='t.obj'/>", "<geom type='mesh' mesh='t' pos='0 0 5'/>");
-  const Looks looks = looks_of(*robot.model);
-  ASSERT_EQ(looks.meshes.size(), 1U);
-  EXPECT_EQ(looks.meshes[0].object, robot.model->object_index("arm"));
-  EXPECT_EQ(looks.meshes[0].mesh.triangles.size(), 4U);
+  const Appearance appearance = appearance_of(*robot.model);
+  ASSERT_EQ(appearance.meshes.size(), 1U);
+  EXPECT_EQ(appearance.meshes[0].object, robot.model->object_index("arm"));
+  EXPECT_EQ(appearance.meshes[0].mesh.triangles.size(), 4U);
   Vec3d sum;
-  for (const Vec3d& v : looks.meshes[0].mesh.vertices) sum += v;
+  for (const Vec3d& v : appearance.meshes[0].mesh.vertices) sum += v;
   expect_near(0.25 * sum, Vec3d{0.25, 0.25, 5.25});
 }
 
-TEST(Looks, LeaveOutWhatCannotBeReadWithAWarning) {
+TEST(Appearance, LeaveOutWhatCannotBeReadWithAWarning) {
   const auto broken = write("t.obj", "v 0 0 0\nf 1 2 3\n");
-  const Looks looks = looks_of(
+  const Appearance appearance = appearance_of(
       *read_arm("<mesh name='t' file='t.obj'/>", "<geom type='sphere' size='0.1'/><geom mesh='t'" + silent + "/>")
            .model);
-  EXPECT_TRUE(looks.meshes.empty());
-  EXPECT_EQ(looks.shapes.size(), 1U) << "what collides is drawn instead";
-  ASSERT_EQ(looks.warnings.size(), 1U);
-  EXPECT_TRUE(says(looks.warnings[0], {"t.obj:2", "'elbow' is drawn without it"}));
+  EXPECT_TRUE(appearance.meshes.empty());
+  EXPECT_EQ(appearance.shapes.size(), 1U) << "what collides is drawn instead";
+  ASSERT_EQ(appearance.warnings.size(), 1U);
+  EXPECT_TRUE(says(appearance.warnings[0], {"t.obj:2", "'elbow' is drawn without it"}));
 }
 
-TEST(Looks, OfARealRobotHaveFewTriangles) {
+TEST(Appearance, OfARealRobotHaveFewTriangles) {
   if (!std::filesystem::exists(k1_mjcf())) GTEST_SKIP() << "no " << k1_mjcf();
   const robot::RobotFile robot = robot::read_robot(k1_mjcf());
-  const Looks all = looks_of(*robot.model, 1'000'000), few = looks_of(*robot.model);
-  const auto count = [](const Looks& looks) {
+  const Appearance all = appearance_of(*robot.model, 1'000'000), few = appearance_of(*robot.model);
+  const auto count = [](const Appearance& appearance) {
     std::size_t triangles = 0;
-    for (const SeenMesh& seen : looks.meshes) triangles += seen.mesh.triangles.size();
+    for (const SeenMesh& seen : appearance.meshes) triangles += seen.mesh.triangles.size();
     return triangles;
   };
   EXPECT_GT(count(all), 200'000U);

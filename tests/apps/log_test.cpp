@@ -9,13 +9,13 @@ bool has_gnuplot() { return std::system("gnuplot --version >/dev/null 2>&1") == 
 TEST(Log, IsATableOfNumbersOverTime) {
   const fs::path file = scratch("run.csv");
   const Result run =
-      murosimf("run walk --duration 0.1 --log 'walker.pelvis.position' --log 'w*.l_foot.joint_rate' --out " +
+      murosimf("run walk --duration 0.1 --log 'walker.pelvis.position' --log 'w*.l_foot.joint_velocity' --out " +
                file.string() + " --log-rate 50");
   EXPECT_EQ(run.exit_code, 0) << run.errors;
   const std::string text = read_file(file);
   EXPECT_EQ(text.substr(0, text.find('\n')),
             "time [s],walker.pelvis.position.x [m],walker.pelvis.position.y [m],walker.pelvis.position.z [m],"
-            "walker.l_foot.joint_rate [rad/s]");
+            "walker.l_foot.joint_velocity [rad/s]");
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 5);
   EXPECT_NE(text.find("\n0.08,"), std::string::npos);
 }

@@ -101,8 +101,8 @@ double nearest_pole(const std::string& level, std::uint64_t seed) {
   do {
     simulation.run(100ms);
     queries.refresh();
-    for (const Entity* mover : scene.movers()) {
-      if (mover != &robot) nearest = std::min(nearest, queries.distance({&robot}, {mover})->distance);
+    for (const Entity* moving_entity : scene.moving_entities()) {
+      if (moving_entity != &robot) nearest = std::min(nearest, queries.distance({&robot}, {moving_entity})->distance);
     }
   } while (simulation.now() < 50s && truth(robot).x < 2.8);
   EXPECT_GE(truth(robot).x, 2.8) << level << ", seed " << seed;

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/check/robot_doctor.h"
+#include "murosimf/check/robot_checks.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::check {
@@ -76,7 +76,7 @@ TEST(ModelReport, ShowsTheLimitsOfServos) {
   Servo limited, ideal;
   limited.type = "mx106";
   limited.stall_torque = 8;
-  limited.no_load_rate = 5;
+  limited.no_load_speed = 5;
   limited.torque_limit = 3;
   ideal.type = "position";
   ideal.law = "ideal_pd";
@@ -93,7 +93,7 @@ TEST(ModelReport, ShowsTheLimitsOfServos) {
   const std::string json = to_json(make_report(model));
   EXPECT_TRUE(contains(json, "\"servo_law\" : \"ideal_pd\"")) << json;
   EXPECT_TRUE(contains(json, "\"torque_limit\" : 3.0")) << json;
-  EXPECT_TRUE(contains(json, "\"no_load_rate\" : 5.0")) << json;
+  EXPECT_TRUE(contains(json, "\"no_load_speed\" : 5.0")) << json;
 }
 
 TEST(ModelReport, ShowsFindingsLimbsAndLegs) {

@@ -154,7 +154,7 @@ TEST(Compound, EnclosesItsShapes) {
         robot.pose(dice, 1);
         compound.refit(robot.r, robot.R);
         for (std::size_t k = 0; k < samples.size(); ++k) {
-          const geometry::Pose at = compound.pose(static_cast<int>(k), robot.r, robot.R);
+          const Transformd at = compound.pose(static_cast<int>(k), robot.r, robot.R);
           for (std::size_t n = static_cast<std::size_t>(i); n < samples[k].size(); n += 1250) {
             const Vec3d p = at.position + at.orientation * samples[k][n];
             const double out =
@@ -209,8 +209,7 @@ TEST(Compound, TreesFindWhatBruteForceFinds) {
 }
 
 /// True if one of the points of the surface of A is in B.
-bool one_inside(const std::vector<Vec3d>& points, const geometry::Pose& at_a, const Shape& b,
-                const geometry::Pose& at_b) {
+bool one_inside(const std::vector<Vec3d>& points, const Transformd& at_a, const Shape& b, const Transformd& at_b) {
   return std::any_of(points.begin(), points.end(), [&](const Vec3d& point) {
     const Vec3d p = at_a.position + at_a.orientation * point;
     return fixtures::outside(b, transposed_times(at_b.orientation, p - at_b.position)) < 0;

@@ -22,16 +22,17 @@ TEST(ContactForce, BodiesSlideAgainstTheFrictionThatHoldsThem) {
   EXPECT_EQ(norm(sliding_direction({}, 0)), 0);
 }
 
-// Law: mu (1 - g cos a) at the angle a from the grain: mu (1 - g) along it, mu across, mu (1 + g) against it.
+// Law: mu (1 - g cos a) at the angle a from the friction_direction: mu (1 - g) along it, mu across, mu (1 + g) against it.
 TEST(ContactForce, FrictionDependsOnTheDirectionByTheGrain) {
   ContactParameters p = parameters();
-  const Vec3d grain{0.6, 0.8, 0}, across{-0.8, 0.6, 0};
-  EXPECT_DOUBLE_EQ(friction_limit(p, 10, grain), 5) << "no grain";
-  p.grain = 0.25 * grain;
-  EXPECT_DOUBLE_EQ(friction_limit(p, 10, grain), 5 * 0.75);
+  const Vec3d friction_direction{0.6, 0.8, 0}, across{-0.8, 0.6, 0};
+  EXPECT_DOUBLE_EQ(friction_limit(p, 10, friction_direction), 5) << "no friction_direction";
+  p.friction_direction = 0.25 * friction_direction;
+  EXPECT_DOUBLE_EQ(friction_limit(p, 10, friction_direction), 5 * 0.75);
   EXPECT_DOUBLE_EQ(friction_limit(p, 10, across), 5);
-  EXPECT_DOUBLE_EQ(friction_limit(p, 10, -grain), 5 * 1.25);
-  EXPECT_NEAR(friction_limit(p, 10, std::sqrt(0.5) * (grain + across)), 5 * (1 - 0.25 * std::sqrt(0.5)), 1e-14);
+  EXPECT_DOUBLE_EQ(friction_limit(p, 10, -friction_direction), 5 * 1.25);
+  EXPECT_NEAR(friction_limit(p, 10, std::sqrt(0.5) * (friction_direction + across)), 5 * (1 - 0.25 * std::sqrt(0.5)),
+              1e-14);
 }
 
 // Law: the moment of rolling resistance is rolling r f_n against the rotation, and falls linearly to zero below

@@ -20,7 +20,7 @@ TEST(ContactLoads, SumOfPoints) {
     ContactSet set = one_point(0, {}, p);
     set.points.resize(3, set.points[0]);
     std::vector<Vec3d> r{dice.vector(1), dice.vector(1)};
-    std::vector<Forced> force(2), rest{{dice.vector(1), dice.vector(1)}, {dice.vector(1), dice.vector(1)}};
+    std::vector<Wrenchd> force(2), rest{{dice.vector(1), dice.vector(1)}, {dice.vector(1), dice.vector(1)}};
     std::vector<Sym6d> damping(2);
     for (ContactPoint& c : set.points) {
       c.object = 1;
@@ -40,8 +40,8 @@ TEST(ContactLoads, SumOfPoints) {
     write_loads(set, r, force, damping);
     write_loads(set, r, force, damping);
 
-    const Motiond change{dice.vector(1), dice.vector(1)};
-    const Forced given = force[1] - damping[1] * change;
+    const Twistd change{dice.vector(1), dice.vector(1)};
+    const Wrenchd given = force[1] - damping[1] * change;
     Vec3d f = rest[1].f, n = rest[1].n;
     for (const ContactPoint& c : set.points) {
       const Vec3d arm = c.point - r[1];

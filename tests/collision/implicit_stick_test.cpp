@@ -192,7 +192,7 @@ TEST(ImplicitStickTest, SlidingFollowsTheNormalForce) {
   EXPECT_TRUE(law.accept(set));
 }
 
-// Opening forgets. Tolerance: rounding.
+// Fov forgets. Tolerance: rounding.
 TEST(ImplicitStickTest, CommitStickAndOpen) {
   const ImplicitStick law;
   ContactSet set = one_point(1e-3);
@@ -319,11 +319,11 @@ TEST(ImplicitStickTest, RollingResistance) {
 }
 
 // While sticking and while sliding. In numbers: mu f_n = 5 N,
-// grain 0.2 along x, 33 N s/m of sticking: it slips at 4 N / 33 N s/m = 0.121 m/s along and 6 / 33 = 0.182 m/s against.
+// friction_direction 0.2 along x, 33 N s/m of sticking: it slips at 4 N / 33 N s/m = 0.121 m/s along and 6 / 33 = 0.182 m/s against.
 TEST(ImplicitStickTest, ConeDependsOnTheGrain) {
   const ImplicitStick law;
   ContactParameters p = parameters();
-  p.grain = {0.2, 0, 0};
+  p.friction_direction = {0.2, 0, 0};
   const auto state_at = [&](const Vec3d& next) {
     ContactSet set = one_point(1e-3, {}, p);
     law.prepare(set);
@@ -338,14 +338,14 @@ TEST(ImplicitStickTest, ConeDependsOnTheGrain) {
   EXPECT_EQ(state_at({-0.181, 0, 0}), ContactState::stick);
   EXPECT_EQ(state_at({-0.183, 0, 0}), ContactState::slip);
   law::Worst error;
-  for (const auto& [v, expected] : grain_cases) {
+  for (const auto& [v, expected] : friction_direction_cases) {
     ContactSet set = sliding_point(v);
-    set.parameters[0].grain = p.grain;
+    set.parameters[0].friction_direction = p.friction_direction;
     law.prepare(set);
     error.see(difference(tangential(set.points[0].force, Vec3d{0, 0, 1}), expected), "along", v.x, v.y);
   }
-  expect_law(level, "sliding on grain 0.2 along, across and against it: error of the friction",
-             "mu (1 - grain . d) f_n against the motion", error, 1e-14, "N");
+  expect_law(level, "sliding on friction_direction 0.2 along, across and against it: error of the friction",
+             "mu (1 - friction_direction . d) f_n against the motion", error, 1e-14, "N");
 }
 
 // Rule: every point has its own constants and its own state.

@@ -85,15 +85,15 @@ TEST(KelvinVoigtTest, FrictionStaysInTheCone) {
 // Tolerance: rounding.
 TEST(KelvinVoigtTest, ConeDependsOnTheGrain) {
   ContactParameters p = parameters();
-  p.grain = {0.2, 0, 0};
+  p.friction_direction = {0.2, 0, 0};
   law::Worst error;
-  for (const auto& [v, expected] : grain_cases) {
+  for (const auto& [v, expected] : friction_direction_cases) {
     ContactSet set = one_point(1e-3, v, p);
     law.prepare(set);
     error.see(difference(tangential(set.points[0].force, Vec3d{0, 0, 1}), expected), "along", v.x, v.y);
   }
-  expect_law(level, "sliding on grain 0.2 along, across and against it: error of the friction",
-             "mu (1 - grain . d) f_n against the motion", error, 1e-14, "N");
+  expect_law(level, "sliding on friction_direction 0.2 along, across and against it: error of the friction",
+             "mu (1 - friction_direction . d) f_n against the motion", error, 1e-14, "N");
 }
 
 // Tolerance: rounding.

@@ -32,11 +32,11 @@ inline void expect_law(const std::string& level, const std::string& law, const s
   law::expect_below({.law = law, .level = level, .source = source}, error, limit, unit);
 }
 
-/// Velocity [m/s] of a point that is pressed with 10 N on ground with mu = 0.5 and grain 0.2 along x, and its friction
-/// [N]: mu (1 - grain . d) f_n against the motion.
-inline const std::pair<Vec3d, Vec3d> grain_cases[] = {{{1, 0, 0}, {-4, 0, 0}},
-                                                      {{0, 1, 0}, {0, -5, 0}},
-                                                      {{-1, 0, 0}, {6, 0, 0}}};
+/// Velocity [m/s] of a point that is pressed with 10 N on ground with mu = 0.5 and friction_direction 0.2 along x, and its friction
+/// [N]: mu (1 - friction_direction . d) f_n against the motion.
+inline const std::pair<Vec3d, Vec3d> friction_direction_cases[] = {{{1, 0, 0}, {-4, 0, 0}},
+                                                                   {{0, 1, 0}, {0, -5, 0}},
+                                                                   {{-1, 0, 0}, {6, 0, 0}}};
 
 /// One point on flat ground.
 inline ContactSet one_point(double depth, const Vec3d& velocity = {}, const ContactParameters& p = parameters()) {

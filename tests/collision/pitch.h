@@ -17,7 +17,7 @@ struct InWorld {
   const Entity* entity;
   int object, index;
   Shape shape;
-  geometry::Pose at;
+  Transformd at;
 };
 
 /// Two robots with one shape of each kind on every limb, two balls, and a field with a plane, a wall and a sign that
@@ -72,10 +72,10 @@ class Pitch {
       const auto* r = entity->find(properties::position);
       const auto* R = entity->find(properties::orientation);
       for (const int object : entity->model().bodies()) {
-        const geometry::Pose body = r ? geometry::Pose{r->values[object], R->values[object]} : geometry::Pose{};
+        const Transformd body = r ? Transformd{r->values[object], R->values[object]} : Transformd{};
         int index = 0;
         for (const PlacedShape& shape : *entity->model().find(properties::shapes, object)) {
-          const geometry::Pose at = collision::placed_in(body, {shape.position, shape.orientation});
+          const Transformd at = body * shape.place();
           if (shape.collides) result.push_back({entity.get(), object, index, shape.shape, at});
           ++index;
         }

@@ -13,7 +13,6 @@ namespace {
 using fixtures::Dice;
 using fixtures::InWorld;
 using fixtures::Pitch;
-using geometry::Pose;
 using geometry::Ray;
 
 Ray random_ray(Dice& dice) { return {dice.vector(1.5) + Vec3d{0, 0, 1.2}, dice.unit()}; }
@@ -78,7 +77,7 @@ TEST(Queries, OverlapsAgreeWithBruteForce) {
       scene.refresh();
       const Shape shape = kinds[static_cast<std::size_t>(i) % kinds.size()];
       const auto near = pitch.all()[static_cast<std::size_t>(dice.pick(12))];
-      const Pose at{near.at.position + dice.vector(0.2), dice.turn()};
+      const Transformd at{near.at.position + dice.vector(0.2), dice.turn()};
       std::vector<BodyRef> expected;
       for (const InWorld& it : pitch.all()) {
         const BodyRef body{it.entity, it.object};

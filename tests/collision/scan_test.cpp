@@ -11,17 +11,16 @@ namespace murosimf::collision {
 namespace {
 
 using fixtures::Dice;
-using geometry::Pose;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Fans of all openings: full circles, narrow ones, single rays, and rays that are all the same.
 Fan random_fan(Dice& dice) {
-  const double opening = dice.chance(0.2) ? 2 * pi : dice.chance(0.2) ? 0 : dice.uniform(0, 2 * pi);
-  return {1 + dice.pick(300), dice.uniform(-10, 10), opening};
+  const double fov = dice.chance(0.2) ? 2 * pi : dice.chance(0.2) ? 0 : dice.uniform(0, 2 * pi);
+  return {1 + dice.pick(300), dice.uniform(-10, 10), fov};
 }
 
-std::vector<double> one_by_one(QueryScene& scene, const Fan& fan, const Pose& at, const RayLimits& limits) {
+std::vector<double> one_by_one(QueryScene& scene, const Fan& fan, const Transformd& at, const RayLimits& limits) {
   std::vector<double> distances;
   for (std::size_t i = 0; i < fan.size(); ++i) {
     const auto hit = scene.cast(fan.ray(i, at), limits);
@@ -53,7 +52,7 @@ TEST(Scan, FindsWhatEachRayFindsAlone) {
       pitch.shake(dice);
       scene.refresh();
       const Fan fan = random_fan(dice);
-      const Pose at{dice.vector(1.5) + Vec3d{0, 0, 1.2}, dice.turn()};
+      const Transformd at{dice.vector(1.5) + Vec3d{0, 0, 1.2}, dice.turn()};
       RayLimits limits;
       if (i % 3 == 0) limits.range = dice.uniform(0.5, 2);
       if (i % 2 == 0) limits.without = pitch.world.find("red");
@@ -72,7 +71,7 @@ TEST(Scan, FindsWhatEachRayFindsAlone) {
 
 TEST(Scan, RaysGoCounterclockwiseFromTheFirstToTheLast) {
   const Fan fan(5, pi / 2, pi);
-  const Pose at{{1, 2, 3}, {}};
+  const Transformd at{{1, 2, 3}, {}};
   EXPECT_EQ(fan.size(), 5u);
   EXPECT_LT(norm(fan.ray(0, at).direction - Vec3d{0, 1, 0}), 1e-15);
   EXPECT_LT(norm(fan.ray(2, at).direction - Vec3d{-1, 0, 0}), 1e-15);

@@ -50,7 +50,7 @@ TEST(Verdict, TheCheapestLevelIsAdequateIfNothingDeviates) {
 TEST(Verdict, WhateverIsOverItsThresholdDisqualifies) {
   for (std::size_t q = 0; q < quantities().size(); ++q) {
     Comparison c = four_levels();
-    const Quantity& quantity = quantities()[q];
+    const ComparedQuantity& quantity = quantities()[q];
     c.entries[0].deviations.*quantity.deviation = 1.01 * quantity.threshold / quantity.scale;
     c.entries[1].deviations.*quantity.deviation = 0.99 * quantity.threshold / quantity.scale;
     const Recommendation r = recommend(c, {});

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "murosimf/check/robot_doctor.h"
+#include "murosimf/check/robot_checks.h"
 #include "murosimf/components/sensor_sections.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/math/scalar.h"
@@ -80,7 +80,7 @@ TEST(SensorTable, ATableWithoutTypeChangesTheSensorOfTheFile) {
 TEST(SensorTable, SectionsReadBackAsTheSameSensors) {
   const std::string text =
       "[sensors.a]\npart = 'bmi088'\nframe = 'imu'\nposition = [0.1, 0, -0.25]\nrpy_deg = [10, -20, 150]\nrate = 200\n"
-      "[sensors.b]\ntype = 'joint_rate'\njoints = ['elbow']\ndelay = 0.5\nlowest = -1\nhighest = 3\n"
+      "[sensors.b]\ntype = 'joint_velocity'\njoints = ['elbow']\ndelay = 0.5\nlowest = -1\nhighest = 3\n"
       "[sensors.c]\ntype = 'contact_force'\nthreshold = 2.5\nrange = inf\n";
   const robot::RobotFile before = read_with(text);
   const robot::RobotFile after = read_with(sensor_sections(before.sensors));

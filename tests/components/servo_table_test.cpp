@@ -31,13 +31,13 @@ TEST(ServoTable, ShippedServosArePlausible) {
     EXPECT_EQ(servo.type, type);
     EXPECT_EQ(servo.law, "dc_motor");
     expect_between(servo.voltage, 3, 24);
-    expect_between(servo.no_load_rate, 2, 40);
-    expect_between(0.25 * servo.stall_torque * servo.no_load_rate, 0.5, 50);                    // [W] largest power
-    expect_between(servo.stall_torque * servo.no_load_rate / servo.voltage, 0.5, 10);           // [A] at stall
-    expect_between(servo.stall_torque / servo.position_gain, 0.05, 1.5);                        // [rad] to full duty
-    expect_between(servo.rotor_inertia * servo.no_load_rate / servo.stall_torque, 0.002, 0.2);  // [s] to run up
+    expect_between(servo.no_load_speed, 2, 40);
+    expect_between(0.25 * servo.stall_torque * servo.no_load_speed, 0.5, 50);                    // [W] largest power
+    expect_between(servo.stall_torque * servo.no_load_speed / servo.voltage, 0.5, 10);           // [A] at stall
+    expect_between(servo.stall_torque / servo.position_gain, 0.05, 1.5);                         // [rad] to full duty
+    expect_between(servo.rotor_inertia * servo.no_load_speed / servo.stall_torque, 0.002, 0.2);  // [s] to run up
     expect_between((servo.friction.coulomb + servo.friction.stribeck) / servo.stall_torque, 0.002, 0.2);
-    expect_between(servo.friction.viscous * servo.no_load_rate / servo.stall_torque, 0, 0.2);
+    expect_between(servo.friction.viscous * servo.no_load_speed / servo.stall_torque, 0, 0.2);
     expect_between(servo.duty_limit, 0.5, 1);
     EXPECT_EQ(servo.velocity_gain, 0);
   }
@@ -50,7 +50,7 @@ void expect_fitted(const std::string& type, double k_t, double R, double voltage
   const auto near = [](double value, double expected) { EXPECT_NEAR(value / expected, 1, 2e-4); };
   near(servo.voltage, voltage);
   near(servo.stall_torque, k_t * voltage / R);
-  near(servo.no_load_rate, voltage / k_t);
+  near(servo.no_load_speed, voltage / k_t);
   near(servo.position_gain, k_t * voltage / R * duty_per_rad);
 }
 
@@ -77,7 +77,7 @@ TEST(ServoTable, ShippedServosAgreeWithTheirDataSheets) {
     SCOPED_TRACE(type);
     const Servo servo = read_servo(type);
     EXPECT_NEAR(servo.stall_torque / torque, 1, 0.25);
-    EXPECT_NEAR(servo.no_load_rate / (speed * pi / 30), 1, 0.25);
+    EXPECT_NEAR(servo.no_load_speed / (speed * pi / 30), 1, 0.25);
   }
 }
 

@@ -12,9 +12,9 @@
 #include "murosimf/files/csv_file.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/formats/mesh/mesh_file.h"
-#include "murosimf/formats/servo_log/servo_log.h"
+#include "murosimf/formats/servo_log/servo_log_reader.h"
 #include "murosimf/model/error.h"
-#include "murosimf/robot/robot_table.h"
+#include "murosimf/robot/robot_config.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
@@ -63,7 +63,7 @@ TEST_F(InputFile, IsRefusedForWhatItIs) {
 
 TEST_F(InputFile, IsTheOnlyKindThatAnyReaderOpens) {
   const std::vector<std::pair<std::string, std::function<void(const fs::path&)>>> readers{
-      {".toml", [](const fs::path& file) { (void)robot::read_robot_table(file); }},
+      {".toml", [](const fs::path& file) { (void)robot::read_robot_config(file); }},
       {".xml", [](const fs::path& file) { (void)XmlFile(file); }},
       {".json", [](const fs::path& file) { (void)formats::servo_log::read_servo_logs({file.string()}); }},
       {".csv", [](const fs::path& file) { (void)read_csv(file); }},

@@ -1,11 +1,11 @@
 // TOML files beside a robot; servos in them come from servo tables, sensors from parts.
-#include "murosimf/robot/robot_table.h"
+#include "murosimf/robot/robot_config.h"
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace murosimf;
   fuzz::feed(data, size, ".toml", [](const auto& file) {
-    const robot::RobotTable table = robot::read_robot_table(file);
+    const robot::RobotTable table = robot::read_robot_config(file);
     std::vector<sensors::SensorSpec> sensors;
     components::change_sensors(sensors, table.sensors, {});
   });

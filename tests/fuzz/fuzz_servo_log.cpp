@@ -1,5 +1,5 @@
 // Recordings of a servo, JSON.
-#include "murosimf/formats/servo_log/servo_log.h"
+#include "murosimf/formats/servo_log/servo_log_reader.h"
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

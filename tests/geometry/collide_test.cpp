@@ -30,7 +30,7 @@ void for_pairs(const char* name, int poses, const Visit& visit) {
       if (std::holds_alternative<Plane>(a) && std::holds_alternative<Plane>(b)) continue;
       Dice dice(pair_name(a, b) + name);
       for (int i = 0; i < poses; ++i) {
-        const Pose at_a = random_pose(dice, 0.14), at_b = random_pose(dice, 0.14);
+        const Transformd at_a = random_pose(dice, 0.14), at_b = random_pose(dice, 0.14);
         visit(a, at_a, b, at_b);
       }
     }
@@ -42,7 +42,7 @@ void expect_pairs(const std::string& law, const std::string& source, const law::
 }
 
 /// Of a plane only one direction counts, which the search by samples would not find.
-double least_shift(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b) {
+double least_shift(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b) {
   if (std::holds_alternative<Plane>(a)) return shift(a, at_a, b, at_b, -at_a.orientation.z);
   if (std::holds_alternative<Plane>(b)) return shift(a, at_a, b, at_b, at_b.orientation.z);
   return LeastShift(a, at_a, b, at_b).value();
@@ -53,7 +53,7 @@ double least_shift(const Shape& a, const Pose& at_a, const Shape& b, const Pose&
 TEST(Collide, DepthIsTheLeastShift) {
   law::Worst longer, along;
   int touching = 0, apart = 0;
-  for_pairs("depth", 40, [&](const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b) {
+  for_pairs("depth", 40, [&](const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b) {
     const double least = least_shift(a, at_a, b, at_b);
     Manifold found;
     const bool touch = collide(a, at_a, b, at_b, found);
@@ -79,7 +79,7 @@ TEST(Collide, DepthIsTheLeastShift) {
 // outside. Tolerance: faces may lean by 2.5 degrees against the normal, which shifts points sideways.
 TEST(Collide, PointsLieInTheMiddleOfTheOverlap) {
   law::Worst outside_a, outside_b;
-  for_pairs("points", 200, [&](const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b) {
+  for_pairs("points", 200, [&](const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b) {
     Manifold found;
     if (!collide(a, at_a, b, at_b, found)) return;
     ASSERT_GT(found.count, 0);
@@ -101,7 +101,7 @@ TEST(Collide, PointsLieInTheMiddleOfTheOverlap) {
 
 // Law: who is called A and who B makes no difference but the sign of the normal.
 TEST(Collide, SwappedPairsGiveTheSame) {
-  for_pairs("swap", 100, [&](const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b) {
+  for_pairs("swap", 100, [&](const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b) {
     Manifold one, other;
     ASSERT_EQ(collide(a, at_a, b, at_b, one), collide(b, at_b, a, at_a, other)) << pair_name(a, b);
     ASSERT_EQ(one.count, other.count) << pair_name(a, b);

@@ -30,7 +30,7 @@ struct Resize {
 Shape resized(const Shape& shape, double scale) { return std::visit(Resize{scale}, shape); }
 
 /// All numbers are good, the shift along the normal is the depth; and nothing is found only if there is nothing.
-void expect_sound(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b, double tolerance) {
+void expect_sound(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b, double tolerance) {
   const std::string name = std::string(shape_name(a)) + '-' + shape_name(b);
   Manifold found;
   const Gap gap = distance(a, at_a, b, at_b);
@@ -64,7 +64,7 @@ const Mat3d quarters[] = {{}, rotation_x(pi / 2), rotation_y(pi / 2), rotation_z
 TEST(Degenerate, Concentric) {
   for_kinds([](const Shape& a, const Shape& b) {
     for (const Mat3d& turn : quarters) {
-      const Pose here{{0.3, -0.2, 0.1}, {}}, turned{here.position, turn};
+      const Transformd here{{0.3, -0.2, 0.1}, {}}, turned{here.position, turn};
       expect_sound(a, turned, b, here, 1e-7);
       Manifold found;
       ASSERT_TRUE(collide(a, turned, b, here, found));
@@ -79,8 +79,8 @@ TEST(Degenerate, ParallelAndTouching) {
   for_kinds([](const Shape& a, const Shape& b) {
     for (const Mat3d& turn : quarters) {
       for (const Vec3d& way : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, -1}, Vec3d{0.6, 0.8, 0}}) {
-        const Pose at_b{};
-        Pose at_a{{}, turn};
+        const Transformd at_b{};
+        Transformd at_a{{}, turn};
         const double touching = shift(a, at_a, b, at_b, way);
         for (const double past : {-1e-3, -1e-9, -1e-13, 0.0, 1e-16, 1e-13, 1e-9, 1e-3}) {
           at_a.position = (touching + past) * way;
@@ -94,7 +94,7 @@ TEST(Degenerate, ParallelAndTouching) {
 // Rule: nothing is found between shapes that are far apart, and the distance is about that of the centers.
 TEST(Degenerate, FarAway) {
   for_kinds([](const Shape& a, const Shape& b) {
-    const Pose far{{1e4, -2e4, 3e4}, rotation_x(0.4)};
+    const Transformd far{{1e4, -2e4, 3e4}, rotation_x(0.4)};
     Manifold found;
     EXPECT_FALSE(collide(a, far, b, {}, found));
     EXPECT_NEAR(distance(a, far, b, {}).distance, norm(far.position), bounding_radius(a) + bounding_radius(b) + 1e-6);
@@ -109,7 +109,7 @@ TEST(Degenerate, TinyAndHuge) {
       for (const double size_b : {1e-2, 1e3}) {
         const Shape sized_a = resized(a, size_a), sized_b = resized(b, size_b);
         for (int i = 0; i < 10; ++i) {
-          const Pose at_a = random_pose(dice, 0.12 * std::fmax(size_a, size_b)), at_b{{}, dice.turn()};
+          const Transformd at_a = random_pose(dice, 0.12 * std::fmax(size_a, size_b)), at_b{{}, dice.turn()};
           expect_sound(sized_a, at_a, sized_b, at_b, 1e-8 * std::fmax(size_a, size_b));
         }
       }

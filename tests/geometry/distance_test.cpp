@@ -28,7 +28,7 @@ TEST(Distance, PointsAndPartingPlanesProveEachOther) {
   for (const Shape& a : all_kinds()) {
     for (const Shape& b : all_kinds()) {
       for (int i = 0; i < 200; ++i) {
-        const Pose at_a = random_pose(dice, 0.4), at_b = random_pose(dice, 0.4);
+        const Transformd at_a = random_pose(dice, 0.4), at_b = random_pose(dice, 0.4);
         const Gap gap = distance(a, at_a, b, at_b);
         if (gap.distance < 1e-3) continue;
         ++apart;
@@ -55,7 +55,7 @@ TEST(Distance, OfAnOverlapIsItsDepth) {
   for (const Shape& a : all_kinds()) {
     for (const Shape& b : all_kinds()) {
       for (int i = 0; i < 30; ++i) {
-        const Pose at_a = random_pose(dice, 0.08), at_b = random_pose(dice, 0.08);
+        const Transformd at_a = random_pose(dice, 0.08), at_b = random_pose(dice, 0.08);
         Manifold found;
         const Gap gap = distance(a, at_a, b, at_b);
         ASSERT_EQ(collide(a, at_a, b, at_b, found), gap.distance < 0);
@@ -71,7 +71,7 @@ TEST(Distance, OfAnOverlapIsItsDepth) {
 
 // Law: by hand. Tolerance: rounding.
 TEST(Distance, ByHand) {
-  const Pose here{}, there{{0, 0, 3}, {}}, lying{{0, 3, 0}, rotation_x(pi / 2)};
+  const Transformd here{}, there{{0, 0, 3}, {}}, lying{{0, 3, 0}, rotation_x(pi / 2)};
   EXPECT_NEAR(distance(Sphere{1}, here, Sphere{0.5}, there).distance, 1.5, 1e-15);
   EXPECT_NEAR(distance(Box{{1, 1, 1}}, here, Cylinder{0.5, 0.25}, there).distance, 1.75, 1e-14);
   EXPECT_NEAR(distance(Capsule{0.5, 1}, here, Capsule{0.25, 1}, lying).distance, 3 - 1 - 0.25 - 0.5, 1e-14);

@@ -14,7 +14,6 @@ namespace murosimf::pairs {
 using fixtures::Dice;
 using geometry::Manifold;
 using geometry::ManifoldPoint;
-using geometry::Pose;
 
 inline Vec3d unit(const Vec3d& v) { return (1 / norm(v)) * v; }
 
@@ -114,12 +113,12 @@ struct Lines {
 }  // namespace detail
 
 /// Largest n . x over a shape [m], world frame.
-inline double reach(const Shape& shape, const Pose& at, const Vec3d& n) {
+inline double reach(const Shape& shape, const Transformd& at, const Vec3d& n) {
   return dot(n, at.position) + std::visit(detail::Reach{transposed_times(at.orientation, n)}, shape);
 }
 
 /// Least shift of A along n that parts it from B.
-inline double shift(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b, const Vec3d& n) {
+inline double shift(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b, const Vec3d& n) {
   return reach(b, at_b, n) + reach(a, at_a, -n);
 }
 
@@ -127,7 +126,7 @@ inline double shift(const Shape& a, const Pose& at_a, const Shape& b, const Pose
 /// one line), and elsewhere. Never less than the true one.
 class LeastShift {
  public:
-  LeastShift(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b)
+  LeastShift(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b)
       : g_([&](const Vec3d& n) { return shift(a, at_a, b, at_b, n); }) {
     std::vector<Vec3d> lines;
     for (const auto& [shape, at] : {std::pair(&a, &at_a), std::pair(&b, &at_b)}) {
@@ -210,9 +209,9 @@ class LeastShift {
   Vec3d n_;
 };
 
-inline Pose random_pose(Dice& dice, double reach) { return {dice.vector(reach), dice.turn()}; }
+inline Transformd random_pose(Dice& dice, double reach) { return {dice.vector(reach), dice.turn()}; }
 
-inline Vec3d to_shape(const Pose& at, const Vec3d& point) {
+inline Vec3d to_shape(const Transformd& at, const Vec3d& point) {
   return transposed_times(at.orientation, point - at.position);
 }
 

@@ -29,12 +29,12 @@ std::vector<Shape> all_shapes() {
 }
 
 /// Of a point of the world from a shape.
-double outside(const Shape& shape, const Pose& at, const Vec3d& p) {
+double outside(const Shape& shape, const Transformd& at, const Vec3d& p) {
   return fixtures::outside(shape, transposed_times(at.orientation, p - at.position));
 }
 
 /// The first point of a ray in a shape, by steps of half a millimeter and bisection; negative if there is none.
-double walk(const Ray& ray, const Shape& shape, const Pose& at, double length) {
+double walk(const Ray& ray, const Shape& shape, const Transformd& at, double length) {
   const auto out = [&](double t) { return outside(shape, at, ray.origin + t * ray.direction); };
   constexpr double step = 5e-4;
   if (out(0) <= 0) return 0;
@@ -48,7 +48,7 @@ double walk(const Ray& ray, const Shape& shape, const Pose& at, double length) {
 }
 
 /// A ray from somewhere around to a place in or near the shape.
-Ray random_ray(Dice& dice, const Pose& at) {
+Ray random_ray(Dice& dice, const Transformd& at) {
   const Vec3d from = at.position + dice.uniform(0, 0.5) * dice.unit();
   const Vec3d way = at.position + dice.vector(0.1) - from;
   return {from, (1 / norm(way)) * way};
@@ -61,7 +61,7 @@ TEST(Ray, MeetsWhatAWalkFinds) {
   for (const Shape& shape : all_shapes()) {
     int hits = 0, misses = 0, grazes = 0;
     for (int i = 0; i < 300; ++i) {
-      const Pose at{dice.vector(0.3), dice.turn()};
+      const Transformd at{dice.vector(0.3), dice.turn()};
       const Ray ray = random_ray(dice, at);
       const double walked = walk(ray, shape, at, 1.5);
       const auto met = meet(ray, shape, at);
@@ -88,7 +88,7 @@ TEST(Ray, NormalsPointOutwards) {
   Dice dice("normals");
   for (const Shape& shape : all_shapes()) {
     for (int i = 0; i < 300; ++i) {
-      const Pose at{dice.vector(0.3), dice.turn()};
+      const Transformd at{dice.vector(0.3), dice.turn()};
       const Ray ray = random_ray(dice, at);
       const auto met = meet(ray, shape, at);
       if (!met || met->distance == 0) continue;
@@ -105,7 +105,7 @@ TEST(Ray, NormalsPointOutwards) {
 TEST(Ray, FromInsideMeetsAtOnce) {
   Dice dice("inside");
   for (const Shape& shape : all_shapes()) {
-    const Pose at{dice.vector(1), dice.turn()};
+    const Transformd at{dice.vector(1), dice.turn()};
     const Ray ray{at.position - 0.01 * at.orientation.z, dice.unit()};
     const auto met = meet(ray, shape, at);
     ASSERT_TRUE(met) << shape_name(shape);
@@ -115,7 +115,7 @@ TEST(Ray, FromInsideMeetsAtOnce) {
 }
 
 TEST(Ray, ClosedForms) {
-  const Pose at{{5, 0, 0}, {}};
+  const Transformd at{{5, 0, 0}, {}};
   const Ray forward{{0, 0, 0}, {1, 0, 0}};
   EXPECT_EQ(meet(forward, Sphere{0.5}, at)->distance, 4.5);
   EXPECT_EQ(meet(forward, Box{{1, 2, 3}}, at)->distance, 4);

@@ -17,7 +17,7 @@ constexpr double sink = 1e-3;
 struct Resting {
   const char* name;
   Shape shape, below;
-  Pose at;  // just touching what is below, which is at the origin
+  Transformd at;  // just touching what is below, which is at the origin
   int least_points;
   double spread;  // [m] that the points must be apart from each other at most
 };
@@ -98,7 +98,7 @@ std::vector<Resting> resting_cases() {
 TEST(Resting, HasEnoughPointsFarApart) {
   for (const Resting& it : resting_cases()) {
     // pressed in along the exact normal
-    Pose at = it.at;
+    Transformd at = it.at;
     Manifold found;
     at.position = (1 - 1e-6) * at.position;
     ASSERT_TRUE(collide(it.shape, at, it.below, {}, found)) << it.name;
@@ -127,7 +127,7 @@ TEST(Resting, KeepsNamesWhileItSlidesAndRocks) {
     for (int step = 0; step < 400; ++step) {
       const double t = 0.05 * step;
       const Vec3d rock{1e-3 * std::sin(3 * t), 1e-3 * std::sin(2.3 * t + 1), 1e-3 * std::sin(t)};
-      Pose at = it.at;
+      Transformd at = it.at;
       at.position = it.at.position + 1e-4 * Vec3d{std::sin(t), std::cos(1.7 * t), 0};
       at.orientation = to_matrix(exponential(rock)) * at.orientation;
       Manifold found;

@@ -37,7 +37,7 @@ TEST(Volume, BoundsEncloseShapes) {
   for (const Shape& shape : finite_shapes()) {
     const std::vector<Vec3d> samples = murosimf::fixtures::surface_samples(shape);
     for (int i = 0; i < 3; ++i) {
-      const Pose local{dice.vector(1), dice.turn()}, body{dice.vector(1), dice.turn()};
+      const Transformd local{dice.vector(1), dice.turn()}, body{dice.vector(1), dice.turn()};
       fixtures::for_all_kinds([&]<class V>(const V&) {
         const V v = moved(fit<V>(shape, local), body.position, body.orientation);
         double worst = -1;
@@ -53,7 +53,7 @@ TEST(Volume, BoundsEncloseShapes) {
 
 /// How far the least of the samples is from the surface of the bound.
 template <class V>
-double slack(const Shape& shape, const Pose& at) {
+double slack(const Shape& shape, const Transformd& at) {
   const V v = fit<V>(shape, at);
   double nearest = 1e300;
   for (const Vec3d& p : murosimf::fixtures::surface_samples(shape)) {
@@ -66,13 +66,13 @@ double slack(const Shape& shape, const Pose& at) {
 TEST(Volume, BoundsTouchShapes) {
   Dice dice("tight");
   for (const Shape& shape : finite_shapes()) {
-    const Pose at{dice.vector(1), dice.turn()};
+    const Transformd at{dice.vector(1), dice.turn()};
     fixtures::for_all_kinds([&]<class V>(const V&) { EXPECT_LT(slack<V>(shape, at), 1e-3) << shape_name(shape); });
   }
 }
 
 TEST(Volume, BoundsOfBallsAndCapsulesAreExact) {
-  const Pose at{{1, 2, 3}, rotation_x(0.3)};
+  const Transformd at{{1, 2, 3}, rotation_x(0.3)};
   EXPECT_EQ(fit<BoundingSphere>(Sphere{0.2}, at).radius, 0.2);
   const BoundingCapsule capsule = fit<BoundingCapsule>(Capsule{0.1, 0.4}, at);
   EXPECT_EQ(capsule.radius, 0.1);

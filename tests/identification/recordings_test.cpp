@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "murosimf/formats/servo_log/fitted_servo.h"
-#include "murosimf/formats/servo_log/servo_log.h"
+#include "murosimf/formats/servo_log/servo_log_reader.h"
 #include "murosimf/identification/bench_logs.h"
 #include "murosimf/identification/bench_servo.h"
 #include "tests/law.h"

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/imaging/bayer.h"
+#include "murosimf/imaging/exposure.h"
 #include "murosimf/imaging/gaussian_blur.h"
 #include "murosimf/imaging/image_noise.h"
-#include "murosimf/imaging/light.h"
 #include "murosimf/imaging/srgb.h"
 #include "murosimf/model/error.h"
 #include "tests/law.h"

@@ -36,7 +36,7 @@ Lens fisheye() {
 }
 
 /// A lens that looks backwards too: all six faces. There is nothing in the corners.
-Lens all_around() {
+Lens world_queries() {
   return Lens({.model = "equidistant",
                .width = 361,
                .height = 361,
@@ -109,7 +109,7 @@ TEST(LensMap, ShowsThePatternWhereTheFormulaHasIt) {
   };
   for (const auto& [name, lens, views] :
        {Case{"plumb_bob, one view", barrel(), 1}, Case{"equidistant, 170 deg, five faces", fisheye(), 5},
-        Case{"equidistant, 360 deg, six faces", all_around(), 6}}) {
+        Case{"equidistant, 360 deg, six faces", world_queries(), 6}}) {
     const LensMap map(lens);
     EXPECT_EQ(map.views().size(), views) << name;
     EXPECT_FALSE(map.plain());
@@ -201,7 +201,7 @@ bool amid_a_wall(const Lens& lens, int u, int v) {
 }
 
 TEST(LensMap, KeepsDepthExactOnPlanes) {
-  for (const Lens& lens : {barrel(), fisheye(), all_around()}) {
+  for (const Lens& lens : {barrel(), fisheye(), world_queries()}) {
     const LensMap map(lens, 2);
     const auto views = rendered<float>(map, box_depth);
     DepthImage picture(map.width(), map.height());

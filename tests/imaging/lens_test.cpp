@@ -215,10 +215,10 @@ TEST(Lens, WithAnyCoefficientsIsOneToOneWithinItsFold) {
 
 TEST(Lens, KnowsHowFarItsPictureReaches) {
   LensSpec spec{.width = 200, .height = 100, .fx = 100, .fy = 100, .cx = 99.5, .cy = 49.5};
-  const Opening opening = Lens(spec).opening();
-  EXPECT_NEAR(opening.horizontal, pi / 2, 1e-12);
-  EXPECT_NEAR(opening.vertical, 2 * std::atan(0.5), 1e-12);
-  EXPECT_NEAR(opening.diagonal, 2 * std::atan(std::sqrt(1.25)), 1e-12);
+  const Fov fov = Lens(spec).fov();
+  EXPECT_NEAR(fov.horizontal, pi / 2, 1e-12);
+  EXPECT_NEAR(fov.vertical, 2 * std::atan(0.5), 1e-12);
+  EXPECT_NEAR(fov.diagonal, 2 * std::atan(std::sqrt(1.25)), 1e-12);
   EXPECT_NEAR(Lens(spec).corner_angle(), std::atan(std::sqrt(1.25)), 1e-12);
   EXPECT_EQ(Lens(spec).fold_remark(), "");
 }

@@ -22,7 +22,7 @@ struct Driven {
     rig.attach_dynamics(car, {.level = level});
   }
   [[nodiscard]] Vec3d place() const { return car.base().get(properties::position); }
-  [[nodiscard]] double rate(const char* wheel) const { return car.object(wheel).get(properties::joint_rate); }
+  [[nodiscard]] double rate(const char* wheel) const { return car.object(wheel).get(properties::joint_velocity); }
 
   test::Rig rig;
   Entity& car;

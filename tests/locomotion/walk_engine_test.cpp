@@ -64,7 +64,7 @@ double chase(const Vec3d& start, double heading, const Vec3d& ball_place) {
   Entity& ball = rig.add("ball", scene::ball_model(), {.position = ball_place});
   const std::vector<Entity*> everybody{&robot, &ball};
   rig.simulation.attach<sensors::GroundTruth>("ground_truth", robot, 20, sensors::SensorSpec{.name = "ground_truth"},
-                                              sensors::SensorSurroundings{.movers = everybody});
+                                              sensors::SensorSurroundings{.moving_entities = everybody});
   rig.simulation.attach<behavior::BallChaser>("ball_chaser", robot, 20, behavior::BallChaserOptions{.goal = {3, 0, 0}});
   rig.simulation.attach<WalkEngine>("walk_engine", robot, 100);
   rig.materials.set("ball", "", {.friction = 0.5, .rolling = 0.03, .restitution = 0.5});

@@ -39,7 +39,8 @@ struct Walk {
     add({.name = "tilt", .type = "orientation", .where = "test", .rate = 50});
   }
   void add(const SensorSpec& spec) {
-    components::attach_sensor(simulation(), walker(), spec, {.seed = 1, .movers = {&walker()}}, scene.spec().rate);
+    components::attach_sensor(simulation(), walker(), spec, {.seed = 1, .moving_entities = {&walker()}},
+                              scene.spec().rate);
   }
   Simulation& simulation() { return scene.simulation(); }
   Entity& walker() { return simulation().world().entity("walker"); }
@@ -143,7 +144,7 @@ TEST(RunLog, IsTheSameAtManyThreads) {
     for (const char* name : {"blue1", "red2"}) {
       Entity& robot = simulation.world().entity(name);
       components::attach_sensor(simulation, robot, {.name = "imu", .type = "imu", .where = "test", .rate = 100},
-                                {.movers = {&robot}}, scene.spec().rate);
+                                {.moving_entities = {&robot}}, scene.spec().rate);
     }
     RunLog log(simulation, {"*.imu", "ball.ball.position"});
     simulation.run(200ms);
@@ -238,8 +239,8 @@ TEST(LogPaths, AreEntityObjectProperty) {
   EXPECT_EQ(names(world, {"walker.head.offset.position.x"}),
             std::vector<std::string>{"walker.head.offset.position.x [m]"})
       << "names of objects may have dots";
-  EXPECT_EQ(names(world, {"walker.j_l_shin.joint_rate"}),
-            std::vector<std::string>{"walker.j_l_shin.joint_rate [rad/s]"});
+  EXPECT_EQ(names(world, {"walker.j_l_shin.joint_velocity"}),
+            std::vector<std::string>{"walker.j_l_shin.joint_velocity [rad/s]"});
 }
 
 TEST(LogPaths, TakeTeamsAsOverridesDo) {

@@ -27,12 +27,12 @@ Matrix6 dense(const Sym6d& a) {
   d << dense(a.J), H, H.transpose(), dense(a.M);
   return d;
 }
-Vector6 dense(const Motiond& m) {
+Vector6 dense(const Twistd& m) {
   Vector6 d;
   d << dense(m.w), dense(m.v);
   return d;
 }
-Vector6 dense(const Forced& f) {
+Vector6 dense(const Wrenchd& f) {
   Vector6 d;
   d << dense(f.n), dense(f.f);
   return d;
@@ -62,15 +62,15 @@ SymMat3d random_symmetric(Dice& dice) {
   const Vec3d a = dice.vector(1), b = dice.vector(1);
   return {a.x, a.y, a.z, b.x, b.y, b.z};
 }
-Motiond random_motion(Dice& dice) { return {dice.vector(1), dice.vector(1)}; }
-Forced random_force(Dice& dice) { return {dice.vector(1), dice.vector(1)}; }
+Twistd random_motion(Dice& dice) { return {dice.vector(1), dice.vector(1)}; }
+Wrenchd random_force(Dice& dice) { return {dice.vector(1), dice.vector(1)}; }
 
 // Law: [n; f] = [J H; H^T M] [w; v], sums and multiples likewise. Tolerance: six products of numbers up to 6.
 TEST(Spatial, ProductWithMotion) {
   Dice dice("product with motion");
   for (int i = 0; i < 100; ++i) {
     const Sym6d a = from_dense(random_definite(dice, 0)), b = from_dense(random_definite(dice, 0));
-    const Motiond m = random_motion(dice);
+    const Twistd m = random_motion(dice);
     EXPECT_LT((dense(a * m) - dense(a) * dense(m)).norm(), 1e-14);
     Sym6d sum = a;
     sum += b;
@@ -90,9 +90,9 @@ TEST(Spatial, DamperAtAPoint) {
     J << -skew(x), Eigen::Matrix3d::Identity();
     EXPECT_LT((dense(at_point(D, x)) - J.transpose() * dense(D) * J).norm(), 1e-14);
     // and by its meaning
-    const Motiond m = random_motion(dice);
+    const Twistd m = random_motion(dice);
     const Vec3d f = D * (m.v + cross(m.w, x));
-    const Forced force = at_point(D, x) * m;
+    const Wrenchd force = at_point(D, x) * m;
     EXPECT_LT(fixtures::difference(force.f, f), 3e-15);
     EXPECT_LT(fixtures::difference(force.n, cross(x, f)), 6e-15);
   }
@@ -103,8 +103,8 @@ TEST(Spatial, MovedForce) {
   Dice dice("moved force");
   for (int i = 0; i < 100; ++i) {
     const Vec3d f = dice.vector(1), at = dice.vector(1), p = dice.vector(1), p_new = dice.vector(1);
-    const Forced about_p{cross(at - p, f), f};
-    const Forced about_new = moved(about_p, p_new - p);
+    const Wrenchd about_p{cross(at - p, f), f};
+    const Wrenchd about_new = moved(about_p, p_new - p);
     EXPECT_LT(fixtures::difference(about_new.n, cross(at - p_new, f)), 2e-15);
     EXPECT_EQ(fixtures::difference(about_new.f, f), 0);
   }
@@ -123,8 +123,8 @@ TEST(Spatial, MovedMap) {
     EXPECT_LT((dense(moved(a, o)) - X.transpose() * dense(a) * X).norm(), 1e-13);
     EXPECT_LT((dense(moved(moved(a, o), -o)) - dense(a)).norm(), 1e-13);
     // the same motion gives the same force, wherever it is written down
-    const Motiond at_new = random_motion(dice);
-    const Motiond at_old{at_new.w, at_new.v - cross(at_new.w, o)};
+    const Twistd at_new = random_motion(dice);
+    const Twistd at_old{at_new.w, at_new.v - cross(at_new.w, o)};
     EXPECT_LT((dense(moved(a, o) * at_new) - dense(moved(a * at_old, o))).norm(), 1e-13);
   }
 }
@@ -135,8 +135,8 @@ TEST(Spatial, SolveAgainstEigen) {
   Dice dice("solve");
   for (int i = 0; i < 300; ++i) {
     const Matrix6 A = random_definite(dice, std::pow(10.0, -(i % 7)));
-    const Forced force = random_force(dice);
-    const Motiond m = solve(from_dense(A), force);
+    const Wrenchd force = random_force(dice);
+    const Twistd m = solve(from_dense(A), force);
     const Vector6 reference = A.ldlt().solve(dense(force));
     const Vector6 eigenvalues = Eigen::SelfAdjointEigenSolver<Matrix6>(A).eigenvalues();
     const double condition = eigenvalues(5) / eigenvalues(0);
@@ -148,7 +148,7 @@ TEST(Spatial, SolveAgainstEigen) {
 // Law: the inertia of a body, [I 0; 0 m 1] at its center, inverts to force / mass and I^-1 moment. Tolerance: rounding.
 TEST(Spatial, SolveFreeBody) {
   const Sym6d body{{2, 4, 5, 0, 0, 0}, {Vec3d{}, Vec3d{}, Vec3d{}}, diagonal(8.0)};
-  const Motiond m = solve(body, Forced{{2, 2, 2}, {4, 8, -8}});
+  const Twistd m = solve(body, Wrenchd{{2, 2, 2}, {4, 8, -8}});
   EXPECT_LT(fixtures::difference(m.w, {1, 0.5, 0.4}), 3e-16);
   EXPECT_LT(fixtures::difference(m.v, {0.5, 1, -1}), 3e-16);
 }

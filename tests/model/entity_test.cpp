@@ -39,7 +39,7 @@ TEST(EntityTest, ColumnsOnDemand) {
   EXPECT_EQ(entity.column(joint_position).values.data(), rows);
   EXPECT_EQ(entity.find(joint_position)->values.data(), rows);
   EXPECT_EQ(entity.columns().size(), 3u);
-  EXPECT_EQ(entity.find(joint_rate), nullptr);
+  EXPECT_EQ(entity.find(joint_velocity), nullptr);
 }
 
 // Rule: one row per object, a single one for properties of the base.
@@ -65,8 +65,8 @@ TEST(EntityTest, FrozenColumns) {
   const double* rows = entity.column(joint_position).values.data();
   entity.freeze_columns();
   EXPECT_EQ(entity.column(joint_position).values.data(), rows);
-  EXPECT_TRUE(says(error_of([&] { entity.column(joint_rate); }), {"entity 'blue1'", "'joint_rate'", "frozen"}));
-  EXPECT_EQ(entity.find(joint_rate), nullptr);
+  EXPECT_TRUE(says(error_of([&] { entity.column(joint_velocity); }), {"entity 'blue1'", "'joint_velocity'", "frozen"}));
+  EXPECT_EQ(entity.find(joint_velocity), nullptr);
 }
 
 // Rule: what nobody writes is seen at once in debug builds (NaN), and is zero in release builds, for every number of
@@ -103,8 +103,10 @@ TEST(EntityTest, TypedAccess) {
   entity.column(walk_command);
   entity.base().set(walk_command, {1, 2, 3});
   EXPECT_EQ(difference(entity.base().get(walk_command), {1, 2, 3}), 0);
-  EXPECT_TRUE(says(error_of([&] { (void)entity.base().get(joint_rate); }), {"'blue1'", "'trunk'", "'joint_rate'"}));
-  EXPECT_TRUE(says(error_of([&] { entity.base().set(joint_rate, 1); }), {"'blue1'", "'trunk'", "'joint_rate'"}));
+  EXPECT_TRUE(
+      says(error_of([&] { (void)entity.base().get(joint_velocity); }), {"'blue1'", "'trunk'", "'joint_velocity'"}));
+  EXPECT_TRUE(
+      says(error_of([&] { entity.base().set(joint_velocity, 1); }), {"'blue1'", "'trunk'", "'joint_velocity'"}));
 }
 
 // Rule: by name there are the same numbers, with their unit.

@@ -64,14 +64,14 @@ TEST(Material, ImpossibleNumbers) {
   EXPECT_NE(refused({.restitution = -0.1}), "no error");
   EXPECT_NE(refused({.restitution = 1.1}), "no error");
   EXPECT_NE(refused({.stiffness = -1}), "no error");
-  EXPECT_TRUE(says(refused({.grain_effect = 1}), {"'wood'", "'felt'", "grain_effect", "below 1"}));
-  EXPECT_NE(refused({.grain_effect = -0.1}), "no error");
+  EXPECT_TRUE(says(refused({.friction_anisotropy = 1}), {"'wood'", "'felt'", "friction_anisotropy", "below 1"}));
+  EXPECT_NE(refused({.friction_anisotropy = -0.1}), "no error");
   for (const double bad : {nan_value, infinity}) {
     EXPECT_NE(refused({.friction = bad}), "no error");
     EXPECT_NE(refused({.rolling = bad}), "no error");
     EXPECT_NE(refused({.restitution = bad}), "no error");
     EXPECT_NE(refused({.stiffness = bad}), "no error");
-    EXPECT_NE(refused({.grain_effect = bad}), "no error");
+    EXPECT_NE(refused({.friction_anisotropy = bad}), "no error");
   }
   EXPECT_EQ(refused({.friction = 0, .rolling = 0, .restitution = 0, .stiffness = 0}), "no error");
   EXPECT_EQ(refused({.restitution = 1}), "no error");
@@ -98,7 +98,7 @@ TEST(Material, StandardTableIsComplete) {
     for (const char* other : {"rubber", "plastic", "ball", "carpet", "grass"}) {
       const PairSurface pair = table.find(surface(body, stranger), surface(other, stranger));
       EXPECT_LT(pair.friction, stranger) << body << ' ' << other;
-      EXPECT_EQ(pair.grain_effect > 0, std::string(other) == "grass") << body << ' ' << other;
+      EXPECT_EQ(pair.friction_anisotropy > 0, std::string(other) == "grass") << body << ' ' << other;
     }
   }
 }

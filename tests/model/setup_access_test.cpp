@@ -140,7 +140,7 @@ TEST_F(SetupAccess, ConflictInOneOfMany) {
   const AccessSet a = declare([](murosimf::Setup& s) {
     (void)s.read(position);
     (void)s.read(orientation);
-    (void)s.write(joint_rate);
+    (void)s.write(joint_velocity);
   });
   const AccessSet b = declare([](murosimf::Setup& s) {
     (void)s.read(position);
@@ -189,8 +189,8 @@ TEST_F(SetupAccess, FrozenWorld) {
   (void)declare([](murosimf::Setup& s) { (void)s.read(position); });
   world_.freeze_columns();
   EXPECT_EQ(error_of([&] { (void)declare([](murosimf::Setup& s) { (void)s.read(position); }); }), "no error");
-  EXPECT_TRUE(says(error_of([&] { (void)declare([](murosimf::Setup& s) { (void)s.write(joint_rate); }); }),
-                   {"'blue'", "'joint_rate'", "frozen"}));
+  EXPECT_TRUE(says(error_of([&] { (void)declare([](murosimf::Setup& s) { (void)s.write(joint_velocity); }); }),
+                   {"'blue'", "'joint_velocity'", "frozen"}));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 using fixtures::difference;
 using namespace properties;
 
-/// Pose of an object in the frame of its link, by walking up to the link.
+/// Place of an object in the frame of its link, by walking up to the link.
 void place_in_link(const Model& model, int object, Vec3d& offset, Mat3d& turn) {
   offset = {};
   turn = {};

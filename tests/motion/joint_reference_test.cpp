@@ -28,7 +28,7 @@ struct Arm {
     rig.simulation.initialize();
   }
   double q() { return entity.object("hinge").get(properties::joint_position); }
-  double qd() { return entity.object("hinge").get(properties::joint_rate); }
+  double qd() { return entity.object("hinge").get(properties::joint_velocity); }
   test::Rig rig;
   Entity& entity;
 };
@@ -58,7 +58,7 @@ TEST(JointReference, FilterFollowsTheCriticallyDampedStep) {
 TEST(JointReference, WheelComesToItsRateAndTurnsForEver) {
   for (const ReferenceKind kind : {ReferenceKind::filter, ReferenceKind::linear}) {
     Arm arm({.kind = kind}, {.law = "ideal_pd", .velocity_gain = 0.5});
-    arm.entity.object("hinge").set(properties::joint_rate_target, 20);
+    arm.entity.object("hinge").set(properties::joint_velocity_target, 20);
     arm.entity.object("hinge").set(properties::joint_target, 3);  // means nothing to a wheel
     law::Worst error;
     for (int i = 1; i <= 1000; ++i) {

@@ -69,7 +69,7 @@ TEST(ArticulatedLevel, RefusesAnUnknownOrImpossibleServo) {
     return refusal<ArticulatedDynamics>(empty_hinge().with(properties::servo, servo));
   };
   EXPECT_TRUE(says(with_servo({.type = "mx", .law = "dc_moter"}), {"servo 'mx'", "did you mean 'dc_motor'?"}));
-  EXPECT_TRUE(says(with_servo({.type = "mx"}), {"servo 'mx'", "positive stall_torque and no_load_rate"}));
+  EXPECT_TRUE(says(with_servo({.type = "mx"}), {"servo 'mx'", "positive stall_torque and no_load_speed"}));
 }
 
 TEST(Levels, RefuseAnEmptyRange) {

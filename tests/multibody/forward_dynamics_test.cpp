@@ -46,7 +46,7 @@ struct Case {
   /// ABA with everything in it, and a damping on one link; the result stands in `bodies`.
   void forward(std::size_t damped = 0, const Sym6d& damping = {}) {
     clear_loads<double>(bodies);
-    add_load(bodies[damped], Forced{}, damping);
+    add_load(bodies[damped], Wrenchd{}, damping);
     for (std::size_t l = 0; l < links.size(); ++l) {
       add_load(bodies[l], external[l], Sym6d{});
       bodies[l].torque = torque[l];
@@ -63,11 +63,11 @@ struct Case {
   }
 
   struct Inverse {
-    std::vector<Forced> force;
+    std::vector<Wrenchd> force;
     std::vector<double> torque;
   };
-  [[nodiscard]] Inverse inverse(const Motiond& base, const std::vector<double>& joint_acceleration) const {
-    Inverse result{std::vector<Forced>(links.size()), std::vector<double>(links.size())};
+  [[nodiscard]] Inverse inverse(const Twistd& base, const std::vector<double>& joint_acceleration) const {
+    Inverse result{std::vector<Wrenchd>(links.size()), std::vector<double>(links.size())};
     inverse_dynamics<double>(tree, links, base, joint_acceleration, external, result.force, result.torque);
     return result;
   }
@@ -79,7 +79,7 @@ struct Case {
                                     {acceleration[3], acceleration[4], acceleration[5]}},
                                    joints);
     Vector all(acceleration.size());
-    const Forced& base = result.force[0];
+    const Wrenchd& base = result.force[0];
     all.head<6>() << base.n.x, base.n.y, base.n.z, base.f.x, base.f.y, base.f.z;
     for (std::size_t l = 1; l < links.size(); ++l) all[5 + static_cast<int>(l)] = result.torque[l];
     return all;
@@ -97,7 +97,7 @@ struct Case {
   State<double> state;
   std::vector<LinkMotion<double>> links;
   std::vector<ArticulatedLink<double>> bodies;
-  std::vector<Forced> external;
+  std::vector<Wrenchd> external;
   std::vector<double> torque, rotor, qdd;
 };
 
@@ -123,10 +123,10 @@ void expect_kernel(const std::string& level, const std::string& law, const std::
 }
 
 /// Larger part of the difference of two spatial vectors.
-double difference(const Motiond& a, const Motiond& b) {
+double difference(const Twistd& a, const Twistd& b) {
   return fixtures::largest(fixtures::difference(a.w, b.w), fixtures::difference(a.v, b.v));
 }
-double difference(const Forced& a, const Forced& b) {
+double difference(const Wrenchd& a, const Wrenchd& b) {
   return fixtures::largest(fixtures::difference(a.n, b.n), fixtures::difference(a.f, b.f));
 }
 
@@ -136,8 +136,8 @@ TEST(ForwardDynamics, InverseDynamicsGivesTheTorquesBack) {
     c.forward();
     const std::vector<double> qdd = c.joint_accelerations();
     const auto back = c.inverse(c.bodies[0].acceleration, qdd);
-    double scale = 1, worst = difference(back.force[0], Forced{});
-    for (const Forced& f : back.force) scale = std::max({scale, norm(f.f), norm(f.n)});
+    double scale = 1, worst = difference(back.force[0], Wrenchd{});
+    for (const Wrenchd& f : back.force) scale = std::max({scale, norm(f.f), norm(f.n)});
     for (std::size_t l = 1; l < qdd.size(); ++l) {
       worst = fixtures::largest(worst, std::abs(back.torque[l] + c.rotor[l] * qdd[l] - c.torque[l]));
     }
@@ -193,11 +193,11 @@ TEST(ForwardDynamics, EqualsTheSolutionWithTheMassMatrix) {
 TEST(ForwardDynamics, PrescribedJointsGiveTheSameBase) {
   const auto error = [](Case& c) {
     c.forward();
-    std::vector<Motiond> working(c.links.size());
-    Forced force = -1.0 * base_bias<double>(c.tree, c.links, c.joint_accelerations(), working);
-    for (const Forced& f : c.external) force += f;
-    const Motiond base = solve(to_sym6(composite_inertia<double>(c.links)), force);
-    const Motiond& expected = c.bodies[0].acceleration;
+    std::vector<Twistd> working(c.links.size());
+    Wrenchd force = -1.0 * base_bias<double>(c.tree, c.links, c.joint_accelerations(), working);
+    for (const Wrenchd& f : c.external) force += f;
+    const Twistd base = solve(to_sym6(composite_inertia<double>(c.links)), force);
+    const Twistd& expected = c.bodies[0].acceleration;
     return difference(base, expected) / (1 + norm(expected.w) + norm(expected.v));
   };
   expect_kernel("eq. (3)", "relative error of the base's acceleration, joints prescribed",
@@ -210,9 +210,9 @@ TEST(ForwardDynamics, AddedDampingIsAForceThatFollowsTheAcceleration) {
     Dice dice("damping", static_cast<std::uint64_t>(1e6 * std::abs(c.torque.back())));
     const std::size_t l = c.links.size() - 1;
     const Sym6d damping = at_point(SymMat3d{3, 2, 1, 0.5, 0.2, 0.1}, dice.vector(0.3));
-    c.external.assign(c.links.size(), Forced{});
+    c.external.assign(c.links.size(), Wrenchd{});
     c.forward(l, damping);
-    const Motiond base = c.bodies[0].acceleration;
+    const Twistd base = c.bodies[0].acceleration;
     const auto joints = c.joint_accelerations();
     c.external[l] = -1.0 * (damping * c.bodies[l].acceleration);
     c.forward();
@@ -228,13 +228,13 @@ TEST(ForwardDynamics, AddedDampingIsAForceThatFollowsTheAcceleration) {
 }
 
 /// Momentum about the base's origin from poses and velocities of the links, by sums of point masses and inertias.
-Forced momentum_by_sums(const Model& model, const State<double>& s) {
-  Forced sum;
+Wrenchd momentum_by_sums(const Model& model, const State<double>& s) {
+  Wrenchd sum;
   for (const Link& link : model.tree().links) {
     const int i = link.object;
     const Vec3d c = s.r[i] + s.R[i] * link.com;
     const Vec3d p = link.mass * (s.v[i] + cross(s.w[i], c - s.r[i]));
-    sum += Forced{cross(c - s.r[0], p) + rotated(s.R[i], link.inertia) * s.w[i], p};
+    sum += Wrenchd{cross(c - s.r[0], p) + rotated(s.R[i], link.inertia) * s.w[i], p};
   }
   return sum;
 }
@@ -245,7 +245,7 @@ TEST(LinkMotion, MomentumIsTheSumOverTheBodies) {
     State<double>& s = c.state;
     s.v[0] = {};
     velocities<double>(c.tree, s.qd, s.r, s.R, s.v, s.w);
-    const Forced sums = momentum_by_sums(c.model, s);
+    const Wrenchd sums = momentum_by_sums(c.model, s);
     return difference(momentum<double>(c.links), sums) / (1 + norm(sums.n) + norm(sums.f));
   };
   expect_kernel("link motion", "relative error of the momentum", "sum over the bodies", worst_case(error), 1e-12);
@@ -258,7 +258,7 @@ TEST(LinkMotion, BiasForceIsTheRateOfMomentum) {
   const auto error = [](Case& c) {
     State<double>& s = c.state;
     s.v[0] = {};
-    Forced change;
+    Wrenchd change;
     for (const double sign : {-1.0, 1.0}) {
       State<double> t = s;
       for (const int i : c.model.joints()) t.q[i] += sign * h * t.qd[i];
@@ -267,8 +267,8 @@ TEST(LinkMotion, BiasForceIsTheRateOfMomentum) {
       velocities<double>(c.tree, t.qd, t.r, t.R, t.v, t.w);
       change += (sign / (2 * h)) * momentum_by_sums(c.model, t);
     }
-    std::vector<Motiond> working(c.links.size());
-    const Forced bias = base_bias<double>(c.tree, c.links, std::vector<double>(c.links.size()), working);
+    std::vector<Twistd> working(c.links.size());
+    const Wrenchd bias = base_bias<double>(c.tree, c.links, std::vector<double>(c.links.size()), working);
     return difference(bias, change) / (1 + norm(change.n) + norm(change.f));
   };
   expect_kernel("link motion", "relative error of the force at a base that moves uniformly",

@@ -69,7 +69,7 @@ TEST(Integrate, ConstantAccelerationInClosedForm) {
   FreeBody<double> body;
   const double dt = 1e-3;
   const int n = 1000;
-  const Motiond acceleration{{0, 0, 3}, {1, -2, -9.81}};
+  const Twistd acceleration{{0, 0, 3}, {1, -2, -9.81}};
   for (int i = 0; i < n; ++i) advance<double>(body, acceleration, dt);
   const double area = dt * dt * n * (n + 1) / 2;
   const std::string first = "n dt a", second = "semi-implicit Euler: dt^2 a n (n + 1) / 2";

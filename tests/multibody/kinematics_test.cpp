@@ -175,7 +175,7 @@ TEST(Kinematics, PoseInBase) {
       const std::vector<int> path = path_to(tree, tree.link_of[i]);
       std::vector<double> q(s.q.size(), std::nan(""));
       for (const int l : path) q[tree.links[l].object] = s.q[tree.links[l].object];
-      const Pose<double> pose = pose_in_base<double>(tree, path, model.placement(i), q);
+      const Transform<double> pose = pose_in_base<double>(tree, path, model.placement(i), q);
       place_error.see(difference(pose.r, transposed_times(s.R[0], s.r[i] - s.r[0])), "tree", seed, "object", i);
       turn_error.see(difference(pose.R, transpose(s.R[0]) * s.R[i]), "tree", seed, "object", i);
     }
@@ -199,7 +199,7 @@ TEST(Kinematics, TwistAgainstBase) {
     for (const int i : kept_rows(model)) {
       const std::vector<int> path = path_to(tree, tree.link_of[i]);
       const Vec3d at = s.r[i] + dice.vector(0.2);
-      const Motiond twist = twist_against_base<double>(tree, path, at, s.qd, Spans(s.r), std::span<const Mat3d>(s.R));
+      const Twistd twist = twist_against_base<double>(tree, path, at, s.qd, Spans(s.r), std::span<const Mat3d>(s.R));
       const Vec3d carried = s.v[0] + cross(s.w[0], at - s.r[0]);
       w_error.see(difference(twist.w, s.w[i] - s.w[0]), "tree", seed, "object", i);
       v_error.see(difference(twist.v, s.v[i] + cross(s.w[i], at - s.r[i]) - carried), "tree", seed, "object", i);

@@ -38,11 +38,11 @@ void numbers(SymMat3<S>& m, const Visit& visit) {
   visit(m.xx), visit(m.yy), visit(m.zz), visit(m.xy), visit(m.xz), visit(m.yz);
 }
 template <class S, class Visit>
-void numbers(Motion<S>& m, const Visit& visit) {
+void numbers(Twist<S>& m, const Visit& visit) {
   numbers(m.w, visit), numbers(m.v, visit);
 }
 template <class S, class Visit>
-void numbers(Force<S>& f, const Visit& visit) {
+void numbers(Wrench<S>& f, const Visit& visit) {
   numbers(f.n, visit), numbers(f.f, visit);
 }
 template <class S, class Visit>
@@ -65,7 +65,7 @@ void numbers(ArticulatedLink<S>& l, const Visit& visit) {
   numbers(l.U, visit), visit(l.inverse_D), visit(l.u), numbers(l.acceleration, visit), visit(l.joint_acceleration);
 }
 template <class S, class Visit>
-void numbers(Pose<S>& p, const Visit& visit) {
+void numbers(Transform<S>& p, const Visit& visit) {
   numbers(p.r, visit), numbers(p.R, visit);
 }
 template <class S, class Visit>
@@ -92,17 +92,17 @@ struct Dynamics {
         joint_motion(count) {}
 
   std::vector<S> qdd;
-  std::vector<Force<S>> external;
+  std::vector<Wrench<S>> external;
   std::vector<Sym6<S>> damping;
-  Motion<S> base;
+  Twist<S> base;
   // results
   std::vector<LinkMotion<S>> links;
   std::vector<ArticulatedLink<S>> bodies;  // torque and added_inertia are given
-  std::vector<Force<S>> force;
+  std::vector<Wrench<S>> force;
   std::vector<S> torque;
-  std::vector<Motion<S>> joint_motion;
+  std::vector<Twist<S>> joint_motion;
   RigidInertia<S> composite;
-  Force<S> bias, momentum;
+  Wrench<S> bias, momentum;
   Vec3<S> linear_momentum;
   S kinetic{}, potential{};
 
@@ -133,11 +133,11 @@ struct Robot {
   State<S> state;
   Dynamics<S> dynamics;
   FreeBody<S> body;
-  Motion<S> acceleration;
+  Twist<S> acceleration;
   Vec3<S> shift;
   // results
-  std::vector<Pose<S>> in_base;
-  std::vector<Motion<S>> twist;
+  std::vector<Transform<S>> in_base;
+  std::vector<Twist<S>> twist;
   std::vector<Vec3<S>> shifted;
   CommonBody<S> common;
 

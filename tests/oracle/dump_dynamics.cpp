@@ -61,7 +61,9 @@ class Robot {
     multibody::poses<double>(tree_, q, r_, R);
     multibody::link_motions<double>(tree_, r_, R, state_.rate, qd, links_);
   }
-  void push(int object, const Forced& wrench) { external_[tree_.link_of[object]] += moved(wrench, r_[0] - r_[object]); }
+  void push(int object, const Wrenchd& wrench) {
+    external_[tree_.link_of[object]] += moved(wrench, r_[0] - r_[object]);
+  }
   [[nodiscard]] double rotor(std::size_t i) const {
     const double* armature = model_.find(properties::joint_armature, joints_[i]);
     return armature ? *armature : 0;
@@ -84,9 +86,9 @@ class Robot {
 
   [[nodiscard]] std::vector<double> forces() const {
     std::vector<double> qdd(links_.size()), torque(links_.size());
-    std::vector<Forced> force(links_.size());
+    std::vector<Wrenchd> force(links_.size());
     for (std::size_t i = 0; i < rows_.size(); ++i) qdd[rows_[i]] = state_.joint_acceleration[i];
-    const Motiond base{state_.base_acceleration.w, state_.base_acceleration.v - gravity};
+    const Twistd base{state_.base_acceleration.w, state_.base_acceleration.v - gravity};
     multibody::inverse_dynamics<double>(tree_, links_, base, qdd, external_, force, torque);
     auto result = flat(force[0].n, force[0].f);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -123,7 +125,7 @@ class Robot {
   std::vector<std::size_t> rows_;  // links of the joints
   std::vector<Vec3d> r_;           // [m] of all objects
   std::vector<multibody::LinkMotion<double>> links_;
-  std::vector<Forced> external_;  // [N m, N] about the base's origin, by link
+  std::vector<Wrenchd> external_;  // [N m, N] about the base's origin, by link
 };
 
 void dump(const char* model_file, const char* state_file) {

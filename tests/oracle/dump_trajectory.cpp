@@ -32,7 +32,7 @@ void set_state(Entity& robot, const oracle::StateFile& file, const oracle::Robot
   robot.base().set(properties::angular_velocity, state.rate);
   for (std::size_t i = 0; i < file.joints.size(); ++i) {
     robot.object(file.joints[i]).set(properties::joint_position, state.q[i]);
-    robot.object(file.joints[i]).set(properties::joint_rate, state.qd[i]);
+    robot.object(file.joints[i]).set(properties::joint_velocity, state.qd[i]);
   }
 }
 

@@ -44,7 +44,7 @@ struct ToFcl {
   }
 };
 
-fcl::CollisionObjectd object(const Shape& shape, const Pose& at) {
+fcl::CollisionObjectd object(const Shape& shape, const Transformd& at) {
   fcl::Transform3d pose = fcl::Transform3d::Identity();
   const Mat3d& R = at.orientation;
   pose.linear() << R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z;
@@ -52,7 +52,7 @@ fcl::CollisionObjectd object(const Shape& shape, const Pose& at) {
   return {std::visit(ToFcl{}, shape), pose};
 }
 
-double fcl_distance(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b) {
+double fcl_distance(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b) {
   const auto first = object(a, at_a), second = object(b, at_b);
   fcl::DistanceRequestd request;
   request.gjk_solver_type = fcl::GST_LIBCCD;
@@ -62,7 +62,7 @@ double fcl_distance(const Shape& a, const Pose& at_a, const Shape& b, const Pose
 }
 
 /// Negative if they do not touch.
-double fcl_depth(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b) {
+double fcl_depth(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b) {
   const auto first = object(a, at_a), second = object(b, at_b);
   fcl::CollisionRequestd request(16, true);
   request.gjk_solver_type = fcl::GST_LIBCCD;
@@ -75,7 +75,7 @@ double fcl_depth(const Shape& a, const Pose& at_a, const Shape& b, const Pose& a
   return deepest;
 }
 
-double our_depth(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b) {
+double our_depth(const Shape& a, const Transformd& at_a, const Shape& b, const Transformd& at_b) {
   Manifold found;
   if (!collide(a, at_a, b, at_b, found)) return -1;
   double deepest = 0;
@@ -105,7 +105,7 @@ TEST(AgainstFcl, DistanceOfShapesThatAreApart) {
     for (const Shape& b : all_kinds()) {
       double worst = 0;
       for (int i = 0; i < 200; ++i) {
-        const Pose at_a = random_pose(dice, 0.4), at_b = random_pose(dice, 0.4);
+        const Transformd at_a = random_pose(dice, 0.4), at_b = random_pose(dice, 0.4);
         const double ours = distance(a, at_a, b, at_b).distance;
         if (ours < 1e-3) continue;
         worst = std::fmax(worst, std::abs(ours - fcl_distance(a, at_a, b, at_b)));
@@ -121,7 +121,7 @@ TEST(AgainstFcl, DepthWhereItIsClosedForm) {
     for (const Shape& b : all_kinds()) {
       if (!closed_form_depth(a, b)) continue;
       for (int i = 0; i < 200; ++i) {
-        const Pose at_a = random_pose(dice, 0.15), at_b = random_pose(dice, 0.15);
+        const Transformd at_a = random_pose(dice, 0.15), at_b = random_pose(dice, 0.15);
         const double ours = our_depth(a, at_a, b, at_b);
         EXPECT_NEAR(ours, fcl_depth(a, at_a, b, at_b), 1e-9) << shape_name(a) << '-' << shape_name(b);
       }
@@ -133,7 +133,7 @@ TEST(AgainstFcl, DepthBelowAPlane) {
   Dice dice("fcl plane");
   for (const Shape& a : all_kinds()) {
     for (int i = 0; i < 200; ++i) {
-      const Pose at_a = random_pose(dice, 0.1), at_b = random_pose(dice, 0.1);
+      const Transformd at_a = random_pose(dice, 0.1), at_b = random_pose(dice, 0.1);
       const double ours = our_depth(a, at_a, Plane{}, at_b);
       EXPECT_NEAR(ours, fcl_depth(a, at_a, Plane{}, at_b), 1e-9) << shape_name(a);
     }
@@ -145,7 +145,7 @@ TEST(AgainstFcl, BoxesAreNeverDeeper) {
   int equal = 0;
   const Shape a = Box{{0.06, 0.1, 0.15}}, b = Box{{0.1, 0.08, 0.05}};
   for (int i = 0; i < 1000; ++i) {
-    const Pose at_a = random_pose(dice, 0.12), at_b = random_pose(dice, 0.12);
+    const Transformd at_a = random_pose(dice, 0.12), at_b = random_pose(dice, 0.12);
     const double ours = our_depth(a, at_a, b, at_b), theirs = fcl_depth(a, at_a, b, at_b);
     ASSERT_EQ(ours > 0, theirs > 0);
     if (ours < 0) continue;

@@ -28,8 +28,8 @@ struct RobotState {
   Vec3d rate;                 ///< [rad/s] of the base
   std::vector<double> q, qd;  ///< by joint
   std::vector<double> torque;
-  std::vector<Forced> wrenches;  ///< by body
-  Motiond base_acceleration;
+  std::vector<Wrenchd> wrenches;  ///< by body
+  Twistd base_acceleration;
   std::vector<double> joint_acceleration;
 };
 

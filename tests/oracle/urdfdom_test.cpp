@@ -28,7 +28,7 @@ Eigen::Matrix3d to_eigen(const Mat3d& m) {
   return result;
 }
 
-Eigen::Isometry3d to_eigen(const description::Place& place) {
+Eigen::Isometry3d to_eigen(const Transformd& place) {
   return Eigen::Translation3d(to_eigen(place.position)) * Eigen::Quaterniond(to_eigen(place.orientation));
 }
 Eigen::Isometry3d to_eigen(const urdf::Pose& pose) {
@@ -40,8 +40,8 @@ double difference(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
 }
 
-const description::DraftBody& body_of(const description::RobotDraft& draft, const std::string& name) {
-  for (const description::DraftBody& body : draft.bodies) {
+const description::BodyDescription& body_of(const description::RobotDescription& description, const std::string& name) {
+  for (const description::BodyDescription& body : description.bodies) {
     if (body.name == name) return body;
   }
   throw std::runtime_error("no body " + name);
@@ -49,12 +49,12 @@ const description::DraftBody& body_of(const description::RobotDraft& draft, cons
 
 bool moves(const urdf::Joint& joint) { return joint.type != urdf::Joint::FIXED; }
 
-void compare_joint(const description::DraftBody& body, const urdf::Joint& joint) {
+void compare_joint(const description::BodyDescription& body, const urdf::Joint& joint) {
   SCOPED_TRACE(joint.name);
   EXPECT_LT(difference(to_eigen(body.place), to_eigen(joint.parent_to_joint_origin_transform)), rounding);
   ASSERT_EQ(body.joints.size(), moves(joint) ? 1u : 0u);
   if (!moves(joint)) return;
-  const description::DraftJoint& ours = body.joints[0];
+  const description::JointDescription& ours = body.joints[0];
   EXPECT_EQ(ours.name, joint.name);
   EXPECT_EQ(ours.kind == Kind::prismatic, joint.type == urdf::Joint::PRISMATIC);
   EXPECT_LT((to_eigen(ours.axis) - to_eigen(joint.axis).normalized()).norm(), rounding);
@@ -102,9 +102,9 @@ std::vector<double> sizes(const urdf::Geometry& geometry) {
   return {};
 }
 
-void compare_collisions(const description::DraftBody& body, const urdf::Link& link) {
-  std::vector<const description::DraftShape*> ours;
-  for (const description::DraftShape& shape : body.shapes) {
+void compare_collisions(const description::BodyDescription& body, const urdf::Link& link) {
+  std::vector<const description::ShapeDescription*> ours;
+  for (const description::ShapeDescription& shape : body.shapes) {
     if (shape.placed.collides) ours.push_back(&shape);
   }
   ASSERT_EQ(ours.size(), link.collision_array.size());
@@ -113,7 +113,7 @@ void compare_collisions(const description::DraftBody& body, const urdf::Link& li
     const urdf::Collision& collision = *link.collision_array[i];
     EXPECT_EQ(sizes(placed.shape), sizes(*collision.geometry));
     if (!ours[i]->mesh.empty()) continue;  // a hull is placed at its middle
-    const description::Place place{placed.position, placed.orientation};
+    const Transformd place{placed.position, placed.orientation};
     EXPECT_LT(difference(to_eigen(place), to_eigen(collision.origin)), rounding);
   }
 }
@@ -135,13 +135,14 @@ void their_poses(const urdf::Link& link, const Eigen::Isometry3d& pose, const st
   }
 }
 
-std::vector<Eigen::Isometry3d> our_poses(const description::RobotDraft& draft, const std::map<std::string, double>& q) {
+std::vector<Eigen::Isometry3d> our_poses(const description::RobotDescription& description,
+                                         const std::map<std::string, double>& q) {
   std::vector<Eigen::Isometry3d> all{Eigen::Isometry3d::Identity()};
-  for (std::size_t i = 1; i < draft.bodies.size(); ++i) {
-    const description::DraftBody& body = draft.bodies[i];
+  for (std::size_t i = 1; i < description.bodies.size(); ++i) {
+    const description::BodyDescription& body = description.bodies[i];
     Vec3d shift = body.place.position;
     Mat3d turn = body.place.orientation;
-    for (const description::DraftJoint& joint : body.joints) {
+    for (const description::JointDescription& joint : body.joints) {
       const double position = q.at(joint.name);
       if (joint.kind == Kind::prismatic) {
         shift += turn * (position * joint.axis);
@@ -149,12 +150,12 @@ std::vector<Eigen::Isometry3d> our_poses(const description::RobotDraft& draft, c
         turn = turn * rotation(joint.axis, position);
       }
     }
-    all.push_back(all[static_cast<std::size_t>(body.parent)] * to_eigen(description::Place{shift, turn}));
+    all.push_back(all[static_cast<std::size_t>(body.parent)] * to_eigen(Transformd{shift, turn}));
   }
   return all;
 }
 
-void compare_poses(const description::RobotDraft& draft, const urdf::ModelInterface& theirs, int count) {
+void compare_poses(const description::RobotDescription& description, const urdf::ModelInterface& theirs, int count) {
   const RandomStream random(1, "urdfdom_test");
   std::uint64_t number = 0;
   double worst = 0;
@@ -163,9 +164,9 @@ void compare_poses(const description::RobotDraft& draft, const urdf::ModelInterf
     for (const auto& [name, joint] : theirs.joints_) q[name] = random.uniform(number++, -3, 3);
     std::map<std::string, Eigen::Isometry3d> expected;
     their_poses(*theirs.getRoot(), Eigen::Isometry3d::Identity(), q, expected);
-    const auto found = our_poses(draft, q);
+    const auto found = our_poses(description, q);
     for (std::size_t k = 0; k < found.size(); ++k) {
-      worst = std::max(worst, difference(found[k], expected.at(draft.bodies[k].name)));
+      worst = std::max(worst, difference(found[k], expected.at(description.bodies[k].name)));
     }
   }
   EXPECT_LT(worst, rounding);
@@ -174,20 +175,20 @@ void compare_poses(const description::RobotDraft& draft, const urdf::ModelInterf
 void compare(const std::filesystem::path& file, int count) {
   const auto theirs = urdf::parseURDFFile(file.string());
   ASSERT_TRUE(theirs);
-  const description::RobotDraft draft = formats::urdf::read_urdf(file);
-  EXPECT_EQ(draft.name, theirs->getName());
-  ASSERT_EQ(draft.bodies.size(), theirs->links_.size());
-  EXPECT_EQ(draft.bodies[0].name, theirs->getRoot()->name);
+  const description::RobotDescription description = formats::urdf::read_urdf(file);
+  EXPECT_EQ(description.name, theirs->getName());
+  ASSERT_EQ(description.bodies.size(), theirs->links_.size());
+  EXPECT_EQ(description.bodies[0].name, theirs->getRoot()->name);
   for (const auto& [name, link] : theirs->links_) {
     SCOPED_TRACE(name);
-    const description::DraftBody& body = body_of(draft, name);
+    const description::BodyDescription& body = body_of(description, name);
     compare_mass(body.solid, *link);
     compare_collisions(body, *link);
     if (!link->parent_joint) continue;
-    EXPECT_EQ(draft.bodies[static_cast<std::size_t>(body.parent)].name, link->getParent()->name);
+    EXPECT_EQ(description.bodies[static_cast<std::size_t>(body.parent)].name, link->getParent()->name);
     compare_joint(body, *link->parent_joint);
   }
-  compare_poses(draft, *theirs, count);
+  compare_poses(description, *theirs, count);
 }
 
 TEST(urdf_against_urdfdom, RandomRobots) {

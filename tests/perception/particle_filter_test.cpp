@@ -16,8 +16,8 @@ namespace {
 
 const Markings field = scene::field_markings(scene::kid_size_2008);
 
-TEST(LineTable, IsAsFarAsTheNearestLine) {
-  const LineTable table(field);
+TEST(LineDistanceField, IsAsFarAsTheNearestLine) {
+  const LineDistanceField table(field);
   fixtures::Dice dice("table");
   law::Worst worst;
   for (int i = 0; i < 2000; ++i) {
@@ -30,17 +30,17 @@ TEST(LineTable, IsAsFarAsTheNearestLine) {
                     worst, 0.0142, "m");
 }
 
-TEST(LineTable, KnowsPlacesByHeart) {
+TEST(LineDistanceField, KnowsPlacesByHeart) {
   EXPECT_NEAR(distance_to_lines(field, 0.3, 1), 0.3, 1e-12);      // half line
   EXPECT_NEAR(distance_to_lines(field, 2.5, 1.575), 0.4, 1e-12);  // touch line, to the middle of the line
   EXPECT_NEAR(distance_to_lines(field, 0.6 * std::cos(pi / 4), 0.6 * std::sin(pi / 4)), 0, 1e-3);  // center circle
 }
 
-TEST(LineTable, NeedsLines) {
+TEST(LineDistanceField, NeedsLines) {
   Markings bare = field;
   bare.strokes.clear();
-  EXPECT_THROW(LineTable{bare}, SetupError);
-  EXPECT_THROW(LineTable(field, 1e-4), SetupError);
+  EXPECT_THROW(LineDistanceField{bare}, SetupError);
+  EXPECT_THROW(LineDistanceField(field, 1e-4), SetupError);
 }
 
 TEST(Planar, FramesGoThereAndBack) {
@@ -109,7 +109,7 @@ TEST(ParticleFilter, DrawsNothingFromEvenWeights) {
 }
 
 /// Points on the lines within 2 m, as a robot at `pose` would see them.
-std::vector<LinePoint> seen_from(const Vec3d& pose, const LineTable& table, fixtures::Dice& dice) {
+std::vector<LinePoint> seen_from(const Vec3d& pose, const LineDistanceField& table, fixtures::Dice& dice) {
   std::vector<LinePoint> points;
   while (points.size() < 40) {
     const Vec3d place{dice.uniform(0.3, 2), dice.uniform(-1.5, 1.5), 0}, there = from_frame(pose, place);
@@ -119,7 +119,7 @@ std::vector<LinePoint> seen_from(const Vec3d& pose, const LineTable& table, fixt
 }
 
 TEST(ParticleFilter, FindsARobotAndKeepsIt) {
-  const LineTable table(field);
+  const LineDistanceField table(field);
   fixtures::Dice dice("walk");
   ParticleFilter filter({}, 1, "test");
   Vec3d pose{-1.2, 0.3, 0.2};                                      // where it is
@@ -144,7 +144,7 @@ TEST(ParticleFilter, FindsARobotAndKeepsIt) {
 }
 
 TEST(ParticleFilter, IsTheSameEveryTime) {
-  const LineTable table(field);
+  const LineDistanceField table(field);
   const auto run = [&](std::uint64_t seed) {
     fixtures::Dice dice("walk");
     ParticleFilter filter({.particles = 100}, seed, "test");

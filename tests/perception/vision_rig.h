@@ -7,7 +7,7 @@
 
 #include "murosimf/imaging/image.h"
 #include "murosimf/perception/ground_projection.h"
-#include "murosimf/perception/line_table.h"
+#include "murosimf/perception/line_distance_field.h"
 
 namespace murosimf::test {
 

@@ -7,10 +7,10 @@
 namespace murosimf::test {
 namespace {
 
-using collision::PairLaw;
+using collision::BodyContactLaw;
 
-const char* name_of(PairLaw law) {
-  for (const auto& entry : collision::pair_laws()) {
+const char* name_of(BodyContactLaw law) {
+  for (const auto& entry : collision::body_contact_laws()) {
     if (entry.law == law) return entry.name.data();
   }
   return "?";
@@ -20,7 +20,7 @@ Vec3d momentum(Entity& e) { return e.base().get(properties::total_mass) * Rig::v
 
 /// A ball of 0.1 kg flies with 1 m/s along -x at the shin of a robot, without gravity.
 struct Kick {
-  explicit Kick(const std::string& level, PairLaw law = PairLaw::island_gauss_seidel) {
+  explicit Kick(const std::string& level, BodyContactLaw law = BodyContactLaw::island_gauss_seidel) {
     const bool kinematic = level == "kinematic_walking";
     rig.simulation.world().gravity = {};
     robot = &rig.add("robot", kid21(), {.position = {0, 0, kinematic ? 0.0 : 1.0}});
@@ -44,7 +44,7 @@ struct Kick {
 };
 
 /// A level and a law between bodies.
-using LevelAndPairLaw = std::tuple<std::string, PairLaw>;
+using LevelAndPairLaw = std::tuple<std::string, BodyContactLaw>;
 
 class PairOfLevels : public testing::TestWithParam<LevelAndPairLaw> {};
 
@@ -57,22 +57,24 @@ TEST_P(PairOfLevels, KeepsTheMomentumOfBallAndRobot) {
   const Vec3d P = momentum(*kick.ball) + momentum(*kick.robot);
   kick.rig.run(0.5);
   EXPECT_GT(Rig::velocity(*kick.ball).x, 0.02) << "the ball did not bounce";
-  const bool exact = law != PairLaw::carry;
+  const bool exact = law != BodyContactLaw::carry;
   law::expect_below({.law = "ball hits robot: change of the pair's momentum",
                      .level = level + ", " + name_of(law),
                      .source = "forces are equal and opposite: none"},
                     norm(momentum(*kick.ball) + momentum(*kick.robot) - P), exact ? 1e-12 : 1e-4, "N s");
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Bodies, PairOfLevels,
-    testing::Combine(testing::ValuesIn(dynamic_levels()),
-                     testing::Values(PairLaw::island_gauss_seidel, PairLaw::carry, PairLaw::kelvin_voigt)),
-    [](const auto& test) { return std::get<0>(test.param) + "_" + name_of(std::get<1>(test.param)); });
+INSTANTIATE_TEST_SUITE_P(Bodies, PairOfLevels,
+                         testing::Combine(testing::ValuesIn(dynamic_levels()),
+                                          testing::Values(BodyContactLaw::island_gauss_seidel, BodyContactLaw::carry,
+                                                          BodyContactLaw::kelvin_voigt)),
+                         [](const auto& test) {
+                           return std::get<0>(test.param) + "_" + name_of(std::get<1>(test.param));
+                         });
 
 /// Two equal balls, the second one flies at the first off its middle, without gravity.
 struct Billiards {
-  explicit Billiards(PairLaw law) {
+  explicit Billiards(BodyContactLaw law) {
     rig.simulation.world().gravity = {};
     rig.materials = MaterialTable::standard();
     a = &rig.add("a", scene::ball_model());
@@ -87,16 +89,16 @@ struct Billiards {
   Entity* b = nullptr;
 };
 
-class PairLaws : public testing::TestWithParam<PairLaw> {};
+class BodyContactLaws : public testing::TestWithParam<BodyContactLaw> {};
 
-TEST_P(PairLaws, TwoSpheresKeepMomentumAndMomentOfMomentum) {
+TEST_P(BodyContactLaws, TwoSpheresKeepMomentumAndMomentOfMomentum) {
   Billiards table(GetParam());
   const Vec3d P = momentum(*table.a) + momentum(*table.b);
   const auto L = [&] { return Kick::angular_momentum(*table.a) + Kick::angular_momentum(*table.b); };
   const Vec3d L_before = L();
   table.rig.run(0.5);
   EXPECT_LT(Rig::velocity(*table.a).x, -0.5) << "the balls did not meet";
-  const bool late = GetParam() == PairLaw::carry;
+  const bool late = GetParam() == BodyContactLaw::carry;
   law::expect_below({.law = "two spheres collide off their middle: change of momentum",
                      .level = std::string("simplified_dynamics, ") + name_of(GetParam()),
                      .source = late ? "none once contact is over, up to its last step" : "none, up to rounding"},
@@ -108,11 +110,12 @@ TEST_P(PairLaws, TwoSpheresKeepMomentumAndMomentOfMomentum) {
                     norm(L() - L_before), 4e-4, "N m s");
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, PairLaws,
-                         testing::Values(PairLaw::island_gauss_seidel, PairLaw::carry, PairLaw::kelvin_voigt),
+INSTANTIATE_TEST_SUITE_P(Bodies, BodyContactLaws,
+                         testing::Values(BodyContactLaw::island_gauss_seidel, BodyContactLaw::carry,
+                                         BodyContactLaw::kelvin_voigt),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
-class Ledger : public testing::TestWithParam<PairLaw> {};
+class Ledger : public testing::TestWithParam<BodyContactLaw> {};
 
 // A kinematic robot feels nothing; ball and ledger together keep momentum to rounding, and angular momentum up to the
 // ball's way within a step times its force (1 mm of 0.1 N s: 1e-4 N m s).
@@ -122,7 +125,7 @@ TEST_P(Ledger, ClosesTheBalanceOfAKinematicRobot) {
   const Vec3d P = momentum(*kick.ball);
   const Vec3d L = Kick::angular_momentum(*kick.ball);
   kick.rig.run(0.5);
-  const Forced ledger = kick.robot->base().get(properties::absorbed_impulse);
+  const Wrenchd ledger = kick.robot->base().get(properties::absorbed_impulse);
   EXPECT_GT(Rig::velocity(*kick.ball).x, 0.1) << "the ball did not bounce";
   EXPECT_GT(norm(ledger.f), 0.1);
   const std::string level = std::string("kinematic_walking, ") + name_of(GetParam());
@@ -137,7 +140,8 @@ TEST_P(Ledger, ClosesTheBalanceOfAKinematicRobot) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, Ledger,
-                         testing::Values(PairLaw::island_gauss_seidel, PairLaw::carry, PairLaw::kelvin_voigt),
+                         testing::Values(BodyContactLaw::island_gauss_seidel, BodyContactLaw::carry,
+                                         BodyContactLaw::kelvin_voigt),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
 // A kinematic robot that walks into a resting ball pushes it forward, and is not slowed down itself.

@@ -30,7 +30,7 @@ struct Crash {
     double sum = 0;
     Entity& car = *robots.front();
     for (const int joint : car.model().joints()) {
-      sum += car.find(properties::joint_torque)->values[joint] * car.find(properties::joint_rate)->values[joint];
+      sum += car.find(properties::joint_torque)->values[joint] * car.find(properties::joint_velocity)->values[joint];
     }
     return sum;
   }

@@ -22,12 +22,12 @@ TEST_P(Flight, KeepsItsMomentum) {
   rig.simulation.initialize();
   Rig::launch(robot, {0.3, 0.2, 0.1}, {1.3, -1.5, 1.2});
   rig.simulation.step();  // takes over the launch
-  const Forced start = momentum(robot);
+  const Wrenchd start = momentum(robot);
   const double weight = robot.base().get(properties::total_mass) * g;
   law::Worst linear, angular;
   for (int i = 1; i <= 2000; ++i) {
     rig.simulation.step();
-    const Forced now = momentum(robot);
+    const Wrenchd now = momentum(robot);
     const Vec3d expected = start.f + Vec3d{0, 0, -weight * 1e-3 * i};
     linear.see(norm(now.f - expected) / norm(expected), "step", i);
     angular.see(norm(now.n - start.n) / norm(start.n), "step", i);
@@ -75,7 +75,7 @@ law::Worst energy_drift(double rate_hz) {
   rig.simulation.initialize();
   fixtures::Dice dice("energy");
   for (const int joint : model->joints()) {
-    robot.object(model->objects()[joint].name).set(properties::joint_rate, dice.uniform(-2, 2));
+    robot.object(model->objects()[joint].name).set(properties::joint_velocity, dice.uniform(-2, 2));
   }
   Rig::launch(robot, {0.3, 0.2, 0.1}, {1.3, -1.5, 1.2});
   rig.simulation.step();  // takes over the launch

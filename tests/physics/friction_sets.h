@@ -21,7 +21,7 @@ inline std::vector<FrictionSet> friction_sets() {
     return Servo{.type = "xl330",
                  .voltage = V,
                  .stall_torque = stall,
-                 .no_load_rate = V / k_t,
+                 .no_load_speed = V / k_t,
                  .position_gain = 0.002877 * 400 * stall,
                  .firmware_gain = 400,
                  .rotor_inertia = J,

@@ -74,10 +74,11 @@ TEST_P(Coulomb, BoxComesToRest) {
 // On grass friction is mu (1 - g) along the pile, mu across it and mu (1 + g) against it.
 TEST_P(Coulomb, GrassHoldsBestAgainstItsGrain) {
   const PairSurface pair = MaterialTable::standard().find({"rubber", 0}, {"grass", 0});
-  ASSERT_GT(pair.grain_effect, 0.1);
-  for (const auto& [grain, factor] : {std::pair{Vec3d{2, 0, 0}, 1 - pair.grain_effect}, std::pair{Vec3d{0, 1, 0}, 1.0},
-                                      std::pair{Vec3d{-1, 0, 0}, 1 + pair.grain_effect}}) {
-    const Surface grass{"grass", 0, grain};
+  ASSERT_GT(pair.friction_anisotropy, 0.1);
+  for (const auto& [friction_direction, factor] :
+       {std::pair{Vec3d{2, 0, 0}, 1 - pair.friction_anisotropy}, std::pair{Vec3d{0, 1, 0}, 1.0},
+        std::pair{Vec3d{-1, 0, 0}, 1 + pair.friction_anisotropy}}) {
+    const Surface grass{"grass", 0, friction_direction};
     expect_friction(GetParam(), "grass", factor * pair.friction, [&](double slope) {
       return let_go(GetParam(), slope, grass, {"rubber", 0});
     });

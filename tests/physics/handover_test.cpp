@@ -104,7 +104,7 @@ TEST(Handover, TwelveSwitchesOnASlope) {
 }
 
 /// Momentum of the whole robot as the equations of its level have it: simplified_dynamics is a rigid body.
-Forced momentum_at(const std::string& level, Entity& robot) {
+Wrenchd momentum_at(const std::string& level, Entity& robot) {
   if (level != "simplified_dynamics") return momentum(robot);
   const auto base = robot.base();
   return {base.get(properties::common_inertia) * base.get(properties::angular_velocity),
@@ -126,9 +126,9 @@ TEST_P(HandoverBetween, KeepsMomentumInTheMiddleOfAStep) {
                                                 Vec3d{0.15, 0, 0.3});
   rig.attach_dynamics(robot, {.level = from});
   rig.run(3.137);  // a foot swings
-  const Forced before = momentum_at(from, robot);
+  const Wrenchd before = momentum_at(from, robot);
   rig.exchange(robot, to);
-  const Forced after = momentum_at(to, robot);
+  const Wrenchd after = momentum_at(to, robot);
   ASSERT_GT(norm(before.f), 0.1);
   ASSERT_GT(norm(before.n), 1e-3);
   const law::Statement statement{.law = "momentum of a walking robot over an exchange",
@@ -173,7 +173,7 @@ TEST(Handover, AFlyingRobotFliesOn) {
   rig.simulation.step();
   const Vec3d start = robot.base().get(properties::common_center_of_mass);
   const Vec3d v = Rig::velocity(robot);
-  const Forced spin = momentum(robot);
+  const Wrenchd spin = momentum(robot);
   double t = 0;
   for (const std::string level : {"full_dynamics", "simplified_dynamics", "articulated_dynamics"}) {
     rig.exchange(robot, level);

@@ -16,11 +16,12 @@ using Touching = std::set<std::uint64_t>;
 class Judge final : public Algorithm {
  public:
   Judge(Setup& setup, const std::vector<Entity*>& entities)
-      : movers_(make_movers(setup, entities)), finder_(movers_, MaterialTable::standard(), 9.81, 0.001) {}
+      : moving_entities_(make_moving_entities(setup, entities)),
+        finder_(moving_entities_, MaterialTable::standard(), 9.81, 0.001) {}
 
   void step(const Instant&) noexcept override {
-    for (collision::Mover& mover : movers_) mover.start_step();
-    finder_.find(movers_, set_);
+    for (collision::MovingEntity& moving_entity : moving_entities_) moving_entity.start_step();
+    finder_.find(moving_entities_, set_);
     if (++steps_ % 20 != 0) return;
     Touching found;
     for (const auto& c : set_.points) found.insert(c.shapes);
@@ -32,32 +33,32 @@ class Judge final : public Algorithm {
   [[nodiscard]] std::size_t most() const { return most_; }
 
  private:
-  static std::vector<collision::Mover> make_movers(Setup& setup, const std::vector<Entity*>& entities) {
-    std::vector<collision::Mover> movers;
-    for (Entity* entity : entities) movers.emplace_back(setup.of(*entity));
-    return movers;
+  static std::vector<collision::MovingEntity> make_moving_entities(Setup& setup, const std::vector<Entity*>& entities) {
+    std::vector<collision::MovingEntity> moving_entities;
+    for (Entity* entity : entities) moving_entities.emplace_back(setup.of(*entity));
+    return moving_entities;
   }
   Touching brute_force() {
     Touching touching;
-    for (std::size_t a = 0; a < movers_.size(); ++a) {
-      for (std::size_t b = a + 1; b < movers_.size(); ++b) test_all(a, b, touching);
+    for (std::size_t a = 0; a < moving_entities_.size(); ++a) {
+      for (std::size_t b = a + 1; b < moving_entities_.size(); ++b) test_all(a, b, touching);
     }
     return touching;
   }
   void test_all(std::size_t a, std::size_t b, Touching& touching) {
     geometry::Manifold manifold;
-    const auto &first = movers_[a].compound.shapes(), &second = movers_[b].compound.shapes();
+    const auto &first = moving_entities_[a].compound.shapes(), &second = moving_entities_[b].compound.shapes();
     for (std::size_t i = 0; i < first.size(); ++i) {
       for (std::size_t j = 0; j < second.size(); ++j) {
-        if (geometry::collide(first[i].placed.shape, movers_[a].pose(static_cast<int>(i)), second[j].placed.shape,
-                              movers_[b].pose(static_cast<int>(j)), manifold)) {
+        if (geometry::collide(first[i].placed.shape, moving_entities_[a].pose(static_cast<int>(i)),
+                              second[j].placed.shape, moving_entities_[b].pose(static_cast<int>(j)), manifold)) {
           touching.insert(a << 48 | b << 32 | i << 16 | j);
         }
       }
     }
   }
 
-  std::vector<collision::Mover> movers_;
+  std::vector<collision::MovingEntity> moving_entities_;
   collision::PairFinder finder_;
   collision::PairSet set_;
   int steps_ = 0;

@@ -91,7 +91,7 @@ struct Flight {
     rig.attach_dynamics(*robot, dynamics);
     rig.simulation.initialize();
     for (const char* name : {"left_hip_pitch", "right_hip_roll", "right_knee"}) {
-      robot->object(name).set(properties::joint_rate, 2.0);
+      robot->object(name).set(properties::joint_velocity, 2.0);
     }
     robot->base().set(properties::angular_velocity, {1, 2, 0.5});
   }

@@ -28,7 +28,7 @@ Arrival arrive(Bolted& robot, double end, const Energy& energy) {
   for (int i = 0; i < 3000; ++i) {
     robot.rig.simulation.step();
     result.place = joint.get(properties::joint_position);
-    result.rate = joint.get(properties::joint_rate);
+    result.rate = joint.get(properties::joint_velocity);
     arrived |= result.place >= end;
     result.farthest = std::max(result.farthest, result.place - end);
     if (arrived) result.rebound = std::max(result.rebound, end - result.place);
@@ -145,7 +145,7 @@ TEST_P(EndsAtLevel, RangeWithoutZeroHoldsFromTheStart) {
     limb.rig.run(0.5);
     EXPECT_NEAR(limb.q(), 0.3, 0.5 * degree);
     limb.robot->object("joint").set(properties::joint_target, 2.0);
-    limb.robot->object("joint").set(properties::joint_rate, 5.0);
+    limb.robot->object("joint").set(properties::joint_velocity, 5.0);
     double farthest = 0;
     for (int i = 0; i < 1000; ++i) {
       limb.rig.simulation.step();
@@ -167,7 +167,7 @@ TEST(JointEnds, GivenMotionStaysInsideWithRungeKutta) {
     auto joint = limb.robot->object("joint");
     joint.set(properties::joint_target, 0.8);
     joint.set(properties::joint_position, 0.75);
-    joint.set(properties::joint_rate, 30);
+    joint.set(properties::joint_velocity, 30);
     bool arrived = false;
     for (int i = 0; i < 200; ++i) {
       limb.rig.simulation.step();

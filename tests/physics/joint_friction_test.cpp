@@ -34,10 +34,10 @@ struct Arm {
   }
   ObjectAccess hinge() { return robot->object("hinge"); }
   [[nodiscard]] double angle() { return hinge().get(properties::joint_position); }
-  [[nodiscard]] double rate() { return hinge().get(properties::joint_rate); }
+  [[nodiscard]] double rate() { return hinge().get(properties::joint_velocity); }
   void place(double angle, double rate = 0) {
     hinge().set(properties::joint_position, angle);
-    hinge().set(properties::joint_rate, rate);
+    hinge().set(properties::joint_velocity, rate);
   }
 
   Rig rig;
@@ -123,8 +123,8 @@ TEST(Friction, NeverGivesEnergy) {
   Entity& robot = rig.add("arms", std::make_shared<const Model>("arms", std::move(chain)));
   rig.attach_dynamics(robot, {.level = level, .on_ground = false, .tree = {.fixed_base = true}});
   rig.simulation.initialize();
-  robot.object("upper").set(properties::joint_rate, 3);
-  robot.object("lower").set(properties::joint_rate, -8);
+  robot.object("upper").set(properties::joint_velocity, 3);
+  robot.object("lower").set(properties::joint_velocity, -8);
   const auto energy = [&] {
     double sum = 0;
     for (const char* name : {"upper", "lower"}) {
@@ -159,7 +159,7 @@ Servo motor() {
   return {.type = "test",
           .voltage = 12,
           .stall_torque = 6,
-          .no_load_rate = 6.6,
+          .no_load_speed = 6.6,
           .position_gain = 30,
           .rotor_inertia = 0.01};
 }
@@ -300,7 +300,7 @@ TEST(Backlash, LetsTheJointMoveFreelyByItsPlay) {
   arm.hinge().set(properties::torque_enabled, 0);
   Play angle;
   for (const double push : {1e-4, -1e-4, 1e-4}) {
-    arm.hinge().set(properties::applied_force, Forced{{0, push, 0}, {}});
+    arm.hinge().set(properties::applied_force, Wrenchd{{0, push, 0}, {}});
     arm.rig.run(4.0);
     angle.see(arm.angle());
   }

@@ -44,10 +44,10 @@ TEST(Pendulum, HasThePeriodOfItsClosedForm) {
 TEST(Slider, AcceleratesUnderAConstantForce) {
   const double m = 0.8, force = 2.5;
   Bolted slider(Chain{}.base("wall").prismatic("rail", {1, 0, 0}).with(properties::mass, m));
-  slider.joint("rail").set(properties::applied_force, Forced{{}, {force, 0, 0}});
+  slider.joint("rail").set(properties::applied_force, Wrenchd{{}, {force, 0, 0}});
   slider.rig.run(1.0);
   law::expect_near({.law = "slider of 0.8 kg, pushed with 2.5 N: rate after 1 s", .level = level, .source = "F t / m"},
-                   slider.joint("rail").get(properties::joint_rate), force / m, 1e-9, "m/s");
+                   slider.joint("rail").get(properties::joint_velocity), force / m, 1e-9, "m/s");
 }
 
 /// A cart of M kg on a rail with a pendulum (m, l, I at its center); phi from hanging, positive towards +x.
@@ -82,14 +82,14 @@ TEST(Slider, CartWithPoleAcceleratesAsLagrangeSays) {
   law::Worst error;
   for (int i = 0; i < 50; ++i) {
     const double force = dice.uniform(-5, 5), phi = dice.uniform(-pi, pi), rate = dice.uniform(-3, 3);
-    rail.set(properties::applied_force, Forced{{}, {force, 0, 0}});
-    rail.set(properties::joint_rate, 0);
+    rail.set(properties::applied_force, Wrenchd{{}, {force, 0, 0}});
+    rail.set(properties::joint_velocity, 0);
     pole.set(properties::joint_position, phi);
-    pole.set(properties::joint_rate, rate);
+    pole.set(properties::joint_velocity, rate);
     cart.rig.simulation.step();
     const auto [x, turn] = CartPole::accelerations(force, phi, rate);
-    error.see(std::abs(rail.get(properties::joint_rate) / 1e-3 - x), "cart, state", i);
-    error.see(std::abs((pole.get(properties::joint_rate) - rate) / 1e-3 - turn), "pole, state", i);
+    error.see(std::abs(rail.get(properties::joint_velocity) / 1e-3 - x), "cart, state", i);
+    error.see(std::abs((pole.get(properties::joint_velocity) - rate) / 1e-3 - turn), "pole, state", i);
   }
   law::expect_below({.law = "cart with a pole under a force: error of the accelerations",
                      .level = level,

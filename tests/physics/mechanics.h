@@ -30,12 +30,12 @@ inline std::vector<MovingBody> moving_bodies(Entity& entity) {
 }
 
 /// [kg m^2/s, N s] moment of momentum about the common center of mass, and momentum.
-inline Forced momentum(Entity& entity) {
+inline Wrenchd momentum(Entity& entity) {
   const Vec3d c = entity.base().get(properties::common_center_of_mass);
-  Forced sum;
+  Wrenchd sum;
   for (const MovingBody& body : moving_bodies(entity)) {
     const Vec3d p = body.mass * body.velocity;
-    sum += Forced{cross(body.center - c, p) + body.inertia * body.angular_velocity, p};
+    sum += Wrenchd{cross(body.center - c, p) + body.inertia * body.angular_velocity, p};
   }
   return sum;
 }

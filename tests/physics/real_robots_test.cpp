@@ -1,6 +1,6 @@
 // Robots of teams, from the files that they publish (tests/robot_data.h): they stand, walk and fall.
 //
-// The files name no soles and no gains, so both are guessed when they are read (murosimf/robot/robot_roles.h). No rows of
+// The files name no soles and no gains, so both are guessed when they are read (murosimf/robot/role_inference.h). No rows of
 // docs/validation.md come from here, because the files are no part of the project.
 #include <gtest/gtest.h>
 

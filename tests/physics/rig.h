@@ -116,12 +116,12 @@ struct Rig {
     Dynamics dynamics;
   };
   void attach_together(const std::vector<Together>& all, const collision::BodyContactOptions& options = {}) {
-    std::vector<Entity*> movers;
+    std::vector<Entity*> moving_entities;
     for (const auto& [entity, dynamics] : all) {
-      movers.push_back(entity);
+      moving_entities.push_back(entity);
       if (find_entry(scene::levels(), "level", dynamics.level).dynamic) attach_ground(*entity, dynamics);
     }
-    simulation.attach<collision::BodyContact>("body_contact", *ground, rate, movers, materials, options);
+    simulation.attach<collision::BodyContact>("body_contact", *ground, rate, moving_entities, materials, options);
     for (const auto& [entity, dynamics] : all) attach_level(*entity, dynamics);
   }
 

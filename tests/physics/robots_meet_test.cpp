@@ -26,7 +26,7 @@ struct Meeting {
   [[nodiscard]] Vec3d total_momentum() const {
     Vec3d sum;
     for (Entity* robot : {first, second}) {
-      const bool free = robot->base().get(properties::pushable) != 0;
+      const bool free = robot->base().get(properties::dynamic) != 0;
       sum += free ? linear_momentum(*robot) : robot->base().get(properties::absorbed_impulse).f;
     }
     return sum;

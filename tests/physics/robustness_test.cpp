@@ -135,7 +135,7 @@ TEST(Freezing, BadForcesFreezeTheEntityThatFeelsThem) {
   rig.attach_dynamics(ball);
   rig.run(0.1);
   const double infinite = std::numeric_limits<double>::infinity();
-  ball.base().set(properties::applied_force, Forced{{}, {infinite, 0, 0}});
+  ball.base().set(properties::applied_force, Wrenchd{{}, {infinite, 0, 0}});
   rig.run(0.1);
   EXPECT_TRUE(ball.frozen());
   EXPECT_TRUE(std::isfinite(norm(Rig::place(ball))));

@@ -29,7 +29,7 @@ struct Arm {
 
 /// Without friction, so that everything is linear.
 Servo motor() {
-  return {.type = "test", .stall_torque = 6, .no_load_rate = 6.6, .position_gain = 30, .rotor_inertia = 0.01};
+  return {.type = "test", .stall_torque = 6, .no_load_speed = 6.6, .position_gain = 30, .rotor_inertia = 0.01};
 }
 
 // J q'' = kp (target - q) - d q' with J = 0.3 kg m^2 behind the joint, rotor included, and kp = 15 N m/rad. Implicit
@@ -42,7 +42,7 @@ TEST(Servo, StepResponseIsThatOfALinearSystem) {
   Servo ideal = dc;
   ideal.law = "ideal_pd";
   ideal.velocity_gain = 3;
-  for (const auto& [servo, damping] : {std::pair{ideal, 3.0}, std::pair{dc, dc.stall_torque / dc.no_load_rate}}) {
+  for (const auto& [servo, damping] : {std::pair{ideal, 3.0}, std::pair{dc, dc.stall_torque / dc.no_load_speed}}) {
     Arm arm(servo, J - servo.rotor_inertia);
     const double step = 0.1, w = std::sqrt(kp / J), z = damping / (2 * J * w), wd = w * std::sqrt(1 - z * z);
     arm.hinge().set(properties::joint_target, step);
@@ -60,16 +60,16 @@ TEST(Servo, StepResponseIsThatOfALinearSystem) {
   }
 }
 
-// J qd' = kv (rate - qd): without position gain a servo follows joint_rate_target. Implicit Euler at 1 ms lags by half a
+// J qd' = kv (rate - qd): without position gain a servo follows joint_velocity_target. Implicit Euler at 1 ms lags by half a
 // step of the time constant J / kv = 60 ms.
 TEST(Servo, WithoutPositionGainFollowsARate) {
   const Servo servo{.type = "wheel", .law = "ideal_pd", .velocity_gain = 0.5};
   Arm arm(servo, 0.03);
-  arm.hinge().set(properties::joint_rate_target, 30);
+  arm.hinge().set(properties::joint_velocity_target, 30);
   law::Worst error;
   for (int i = 1; i <= 1000; ++i) {
     arm.rig.simulation.step();
-    error.see(std::abs(arm.hinge().get(properties::joint_rate) / 30 - (1 - std::exp(-1e-3 * i / 0.06))), "time",
+    error.see(std::abs(arm.hinge().get(properties::joint_velocity) / 30 - (1 - std::exp(-1e-3 * i / 0.06))), "time",
               1e-3 * i);
     EXPECT_LE(std::abs(arm.hinge().get(properties::joint_position)), pi) << "whole turns are taken out";
   }
@@ -87,8 +87,8 @@ TEST(Servo, DcMotorHasItsSpeedTorqueLine) {
   Arm free(servo, 0.1);
   free.hinge().set(properties::joint_target, 1000);
   free.rig.run(2.0);
-  law::expect_near({.law = "servo without load: rate at a duty of 0.9", .level = level, .source = "0.9 no_load_rate"},
-                   free.hinge().get(properties::joint_rate), 0.9 * 6.6, 0.01 * 0.9 * 6.6, "rad/s");
+  law::expect_near({.law = "servo without load: rate at a duty of 0.9", .level = level, .source = "0.9 no_load_speed"},
+                   free.hinge().get(properties::joint_velocity), 0.9 * 6.6, 0.01 * 0.9 * 6.6, "rad/s");
   Arm blocked(servo, 1e6);
   blocked.hinge().set(properties::joint_target, 1);
   blocked.rig.run(0.1);

@@ -33,7 +33,7 @@ struct Swing {
 std::vector<double> deflections(Bolted& robot, double start, double seconds) {
   auto joint = robot.joint("joint");
   joint.set(properties::joint_position, slack + start);
-  joint.set(properties::joint_rate, 0);
+  joint.set(properties::joint_velocity, 0);
   std::vector<double> x{start};
   for (int i = 0; i < std::lround(1000 * seconds); ++i) {
     robot.rig.simulation.step();
@@ -146,7 +146,7 @@ std::vector<std::pair<double, double>> torques(double stiffness, double damping)
   std::vector<std::pair<double, double>> result;
   for (int i = 0; i < 100; ++i) {
     rig.simulation.step();
-    const double q = joint.get(properties::joint_position), qd = joint.get(properties::joint_rate);
+    const double q = joint.get(properties::joint_position), qd = joint.get(properties::joint_velocity);
     result.emplace_back(joint.get(properties::joint_torque), stiffness * (q - slack) + damping * qd);
   }
   return result;

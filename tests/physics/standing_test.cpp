@@ -37,7 +37,7 @@ Stand stand(const Dynamics& dynamics, double slope, double amplitude, double rat
     double f_z = 0;
     Vec3d moment;  // of the ground forces about the world's origin
     for (const int object : robot.model().bodies()) {
-      const Forced f = robot.find(properties::external_force)->values[object];
+      const Wrenchd f = robot.find(properties::external_force)->values[object];
       moment += f.n + cross(robot.find(properties::position)->values[object], f.f);
       f_z += f.f.z;
     }

@@ -17,7 +17,7 @@ class Pusher final : public Algorithm {
  public:
   /// `rms` [N] along x and along y.
   Pusher(Setup& setup, double rms) : size_(std::sqrt(3) * rms), push_(setup.write(properties::applied_force)) {}
-  void initialize() override { std::fill(push_.begin(), push_.end(), Forced{}); }
+  void initialize() override { std::fill(push_.begin(), push_.end(), Wrenchd{}); }
   void step(const Instant&) noexcept override {
     push_[0].f = {stream_.uniform(2 * count_, -size_, size_), stream_.uniform(2 * count_ + 1, -size_, size_), 0};
     ++count_;
@@ -27,7 +27,7 @@ class Pusher final : public Algorithm {
   double size_;  // [N] of a uniform distribution with that rms
   RandomStream stream_{1, "pushes"};
   std::uint64_t count_ = 0;
-  std::span<Forced> push_;
+  std::span<Wrenchd> push_;
 };
 
 /// What walks, where and how.

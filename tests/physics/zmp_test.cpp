@@ -64,7 +64,7 @@ std::vector<Vec3d> support_points(Entity& robot) {
 
 /// [m] the zero moment point's distance from the edge of the support polygon.
 double support_margin(Entity& robot) {
-  Forced sum;  // about the world's origin
+  Wrenchd sum;  // about the world's origin
   for (const int object : robot.model().bodies()) {
     const auto i = static_cast<std::size_t>(object);
     sum += moved(robot.find(properties::external_force)->values[i], -robot.find(properties::position)->values[i]);

@@ -18,7 +18,7 @@ inline std::string no_drawing() {
   static const std::string reason = [] {
     try {
       const World empty;
-      const render::Renderer renderer(empty, {}, render::looks_of_shapes);
+      const render::Renderer renderer(empty, {}, render::appearance_of_shapes);
       return std::string();
     } catch (const SetupError& error) {
       return std::string(error.what());
@@ -34,7 +34,7 @@ struct DrawnWorld {
     entity.column(properties::orientation).values.assign(entity.model().size(), turn);
     entity.column(properties::linear_velocity).values.assign(entity.model().size(), {});
     entity.column(properties::angular_velocity).values.assign(entity.model().size(), {});
-    movers.push_back(&entity);
+    moving_entities.push_back(&entity);
     return entity;
   }
   Entity& add_ball(const std::string& name, double radius, const Vec3d& place) {
@@ -46,7 +46,7 @@ struct DrawnWorld {
 
   sensors::View draw(const sensors::Perspective& view, const sensors::Layers& layers = {true, true, true},
                      render::RendererOptions options = {.light = {.shadows = false}}, double ahead = 0) {
-    render::Renderer renderer(world, movers, render::looks_of_shapes, options);
+    render::Renderer renderer(world, moving_entities, render::appearance_of_shapes, options);
     renderer.locate();
     sensors::View drawn;
     renderer.draw(view, layers, ahead, drawn);
@@ -55,10 +55,10 @@ struct DrawnWorld {
   }
 
   World world;
-  std::vector<Entity*> movers;
+  std::vector<Entity*> moving_entities;
 };
 
-/// From `eye` along x, x of the picture to -y; `half`: tangent of half the opening, to all sides.
+/// From `eye` along x, x of the picture to -y; `half`: tangent of half the fov, to all sides.
 inline sensors::Perspective along_x(const Vec3d& eye, double half, int width, int height) {
   sensors::Perspective view;
   view.eye = eye;

@@ -12,7 +12,7 @@ namespace {
 
 using render::InstanceGroup;
 using render::InstanceList;
-using render::Scenery;
+using render::RenderScene;
 using sensors::Perspective;
 
 struct Ball {
@@ -63,11 +63,12 @@ class Instances : public testing::Test {
  protected:
   Drawn draw(const std::vector<Ball>& balls, const Perspective& view, bool depths = false) {
     DrawnWorld world;
-    for (const Ball& ball : balls) world.add_ball("b" + std::to_string(world.movers.size()), ball.radius, ball.place);
-    Scenery scenery(world.world, world.movers);
-    scenery.locate();
-    const auto catalog = render::solid_catalog(scenery.meshes());
-    list_.fill(scenery, view, depths, 0, catalog);
+    for (const Ball& ball : balls)
+      world.add_ball("b" + std::to_string(world.moving_entities.size()), ball.radius, ball.place);
+    RenderScene render_scene(world.world, world.moving_entities);
+    render_scene.locate();
+    const auto catalog = render::solid_catalog(render_scene.meshes());
+    list_.fill(render_scene, view, depths, 0, catalog);
     Drawn drawn;
     for (const InstanceGroup& group : list_.groups()) {
       for (const auto& instance : list_.instances().subspan(group.first, group.count)) {
@@ -91,7 +92,7 @@ TEST_F(Instances, LeaveNothingOutThatCanBeSeen) {
     }
     const Drawn drawn = draw(balls, view);
     for (std::size_t k = 0; k < balls.size(); ++k) {
-      const bool is_drawn = drawn.labels.contains(sensors::label_mover + static_cast<std::uint32_t>(k));
+      const bool is_drawn = drawn.labels.contains(sensors::label_moving_entity + static_cast<std::uint32_t>(k));
       bool is_seen = false;
       for (int p = 0; p < 500 && !is_seen; ++p) {
         is_seen = sees(view, balls[k].place + balls[k].radius * on_sphere(p, 500));
@@ -109,18 +110,19 @@ TEST_F(Instances, LeaveNothingOutThatCanBeSeen) {
 TEST_F(Instances, LeaveOutWhatIsBehindAndWhoLooks) {
   const Perspective view = along_x({0, 0, 0}, 0.5, 100, 100);
   const Drawn drawn = draw({{{-2, 0, 0}, 0.5}, {{2, 0, 0}, 0.5}, {{2, 3, 0}, 0.5}, {{0.2, 0, 0}, 0.5}}, view);
-  EXPECT_EQ(drawn.labels, (std::set<std::uint32_t>{sensors::label_mover + 1, sensors::label_mover + 3}));
+  EXPECT_EQ(drawn.labels,
+            (std::set<std::uint32_t>{sensors::label_moving_entity + 1, sensors::label_moving_entity + 3}));
 
   DrawnWorld world;
   world.add_ball("own", 0.1, {1, 0, 0});
   world.add_ball("other", 0.1, {2, 0, 0});
-  Scenery scenery(world.world, world.movers);
-  scenery.locate();
+  RenderScene render_scene(world.world, world.moving_entities);
+  render_scene.locate();
   Perspective own = view;
-  own.without = world.movers[0];
-  list_.fill(scenery, own, false, 0, render::solid_catalog(scenery.meshes()));
+  own.without = world.moving_entities[0];
+  list_.fill(render_scene, own, false, 0, render::solid_catalog(render_scene.meshes()));
   ASSERT_EQ(list_.instances().size(), 1u);
-  EXPECT_EQ(list_.instances()[0].label, sensors::label_mover + 1u);
+  EXPECT_EQ(list_.instances()[0].label, sensors::label_moving_entity + 1u);
 }
 
 /// Sides of a round solid, which has segments (segments - 2) triangles of a sphere.

@@ -53,7 +53,7 @@ TEST_F(Renderer, ABallIsWhereItsProjectionIs) {
       Blob seen, expected;
       for (int v = 0; v < view.height; ++v) {
         for (int u = 0; u < view.width; ++u) {
-          if (drawn.labels(u, v) == sensors::label_mover) seen.see(u, v);
+          if (drawn.labels(u, v) == sensors::label_moving_entity) seen.see(u, v);
           if (std::isfinite(depth_of_sphere(view, u, v, place, 0.07))) expected.see(u, v);
         }
       }
@@ -126,7 +126,7 @@ TEST_F(Renderer, AllShapesAreWhatTheyAre) {
         for (double t = 6 * reach; t < 10 * reach; t += reach / 100) {
           nearest = std::min(nearest, fixtures::outside(shape, transposed_times(turn, view.eye + t * ray - place)));
         }
-        const bool drawn_here = drawn.labels(u, v) == sensors::label_mover;
+        const bool drawn_here = drawn.labels(u, v) == sensors::label_moving_entity;
         inside += nearest <= 0 ? 1 : 0;
         // rays that pass within a hundredth of the surface may go either way
         if (std::abs(nearest) > 0.02 * reach && drawn_here != (nearest <= 0)) ++wrong;
@@ -147,7 +147,7 @@ TEST_F(Renderer, WhatMovesIsSeenLater) {
     Blob blob;
     for (int v = 0; v < 200; ++v) {
       for (int u = 0; u < 200; ++u) {
-        if (drawn.labels(u, v) == sensors::label_mover) blob.see(u, v);
+        if (drawn.labels(u, v) == sensors::label_moving_entity) blob.see(u, v);
       }
     }
     return blob.sum_u / blob.count;
@@ -233,7 +233,7 @@ TEST_F(Renderer, ManySamplesMakeEdgesSmooth) {
   };
   EXPECT_GE(colors_between(4), colors_between(1));
   const View both = world.draw(view, {true, true, true}, {.samples = 4});
-  EXPECT_EQ(both.labels(50, 50), sensors::label_mover) << "labels have one sample";
+  EXPECT_EQ(both.labels(50, 50), sensors::label_moving_entity) << "labels have one sample";
   EXPECT_NEAR(both.depth(50, 50), 1.8, 1e-3);
 }
 
@@ -256,7 +256,7 @@ TEST_F(Renderer, RowsAloneAreThoseOfTheWholePicture) {
 
 TEST_F(Renderer, SaysWhoDraws) {
   const World world;
-  const render::Renderer renderer(world, {}, render::looks_of_shapes);
+  const render::Renderer renderer(world, {}, render::appearance_of_shapes);
   EXPECT_NE(renderer.name(), "");
   if (renderer.name().find("llvmpipe") != std::string::npos) {
     EXPECT_NE(renderer.name().find(", software"), std::string::npos);

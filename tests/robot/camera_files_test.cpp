@@ -1,7 +1,7 @@
 // Cameras of robot files: their lenses, where they look, and what conversion makes of them.
 #include <cmath>
 
-#include "murosimf/check/robot_doctor.h"
+#include "murosimf/check/robot_checks.h"
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/robot/robot_conversion.h"
 #include "murosimf/robot/robot_sensors.h"
@@ -33,7 +33,7 @@ RobotFile read(const std::string& inside, const std::string& defaults = "") {
 }
 
 Numbers numbers_of(const std::string& attributes) {
-  return read("<camera name='eye' " + attributes + "/>").draft.sensors.at(0).numbers;
+  return read("<camera name='eye' " + attributes + "/>").description.sensors.at(0).numbers;
 }
 
 std::string mistake(const std::string& attributes) {
@@ -45,9 +45,9 @@ TEST(MjcfCameras, HaveTheOpeningOfTheirFovy) {
   EXPECT_EQ(usual.at("width"), 640);
   EXPECT_EQ(usual.at("height"), 480);
   const double fy = 240 / std::tan(0.5 * 45 * pi / 180);  // square pixels: fx is the same
-  EXPECT_NEAR(320 / std::tan(0.5 * usual.at("opening")), fy, 1e-9);
+  EXPECT_NEAR(320 / std::tan(0.5 * usual.at("fov")), fy, 1e-9);
   const Numbers square = numbers_of("fovy='60' resolution='200 200'");
-  EXPECT_NEAR(square.at("opening"), pi / 3, 1e-12);
+  EXPECT_NEAR(square.at("fov"), pi / 3, 1e-12);
   EXPECT_EQ(square.at("width"), 200);
 }
 
@@ -56,7 +56,7 @@ TEST(MjcfCameras, HaveTheOpeningOfTheirFovy) {
 TEST(MjcfCameras, ShowWhatMuJoCoShowsOfALensOffTheMiddle) {
   const Numbers n =
       numbers_of("resolution='640 480' sensorsize='0.0064 0.0048' focal='0.005 0.0051' principal='0.001 0.0005'");
-  EXPECT_FALSE(n.contains("opening"));
+  EXPECT_FALSE(n.contains("fov"));
   const double distance = 0.02;
   EXPECT_NEAR(distance * (-0.5 - n.at("cx")) / n.at("fx"), 0.004 - 0.0128, 1e-9);
   EXPECT_NEAR(distance * (639.5 - n.at("cx")) / n.at("fx"), 0.004 + 0.0128, 1e-9);
@@ -71,7 +71,7 @@ TEST(MjcfCameras, TakeSettingsOfTheirClass) {
   const RobotFile robot =
       read("<camera name='eye' class='wide'/>",
            "<default><default class='wide'><camera fovy='90' resolution='100 50'/></default></default>");
-  EXPECT_NEAR(robot.draft.sensors.at(0).numbers.at("opening"), 2 * std::atan(2), 1e-12);
+  EXPECT_NEAR(robot.description.sensors.at(0).numbers.at("fov"), 2 * std::atan(2), 1e-12);
 }
 
 TEST(MjcfCameras, ImpossibleOnesAreRefused) {
@@ -84,9 +84,9 @@ TEST(MjcfCameras, ImpossibleOnesAreRefused) {
   EXPECT_TRUE(says(mistake("mode='follow'"), {"robot.xml:2", "mode of camera"}));
 }
 
-/// Direction in the base's frame in which the draft's sensor `number` has its axes.
+/// Direction in the base's frame in which the description's sensor `number` has its axes.
 Mat3d axes_in_base(const RobotFile& robot, std::size_t number) {
-  const description::DraftSensor& sensor = robot.draft.sensors.at(number);
+  const description::SensorDescription& sensor = robot.description.sensors.at(number);
   const Model& model = *robot.model;
   std::vector<Vec3d> r(model.size());
   std::vector<Mat3d> R(model.size());
@@ -130,11 +130,11 @@ std::string urdf_camera(const std::string& inside, const std::string& outside = 
 }
 
 Numbers urdf_numbers(const std::string& inside) {
-  return read_robot(write("robot.urdf", urdf_camera(inside))).draft.sensors.at(0).numbers;
+  return read_robot(write("robot.urdf", urdf_camera(inside))).description.sensors.at(0).numbers;
 }
 
 TEST(UrdfCameras, HaveWhatTheFormatSaysByDefault) {
-  EXPECT_EQ(urdf_numbers(""), (Numbers{{"width", 320}, {"height", 240}, {"opening", 1.047}}));
+  EXPECT_EQ(urdf_numbers(""), (Numbers{{"width", 320}, {"height", 240}, {"fov", 1.047}}));
 }
 
 TEST(UrdfCameras, HaveTheLensOfTheFile) {
@@ -202,9 +202,9 @@ TEST(ConvertedCameras, OfMjcfAreElementsAgain) {
                               "<camera name='viewer' mode='track'/>"));
   std::string text;
   const RobotFile before = read_robot(file), after = converted(file, text);
-  ASSERT_EQ(after.draft.sensors.size(), 2U) << text;
+  ASSERT_EQ(after.description.sensors.size(), 2U) << text;
   for (std::size_t i = 0; i < 2; ++i) {
-    const description::DraftSensor &camera = after.draft.sensors[i], &same = before.draft.sensors[i];
+    const description::SensorDescription &camera = after.description.sensors[i], &same = before.description.sensors[i];
     EXPECT_EQ(camera.name, same.name);
     ASSERT_EQ(camera.numbers.size(), same.numbers.size());
     for (const auto& [key, number] : same.numbers) EXPECT_NEAR(camera.numbers.at(key), number, 1e-9) << key;

@@ -8,8 +8,8 @@
 
 #include "murosimf/formats/mjcf/mjcf_writer.h"
 #include "murosimf/geometry/mesh_mass.h"
+#include "murosimf/robot/robot_config.h"
 #include "murosimf/robot/robot_reader.h"
-#include "murosimf/robot/robot_table.h"
 #include "tests/formats/urdf/urdf_files.h"
 #include "tests/robot/same_model.h"
 #include "tests/robot_data.h"
@@ -106,14 +106,14 @@ TEST(RobotConversion, AUrdfRobotComesBackAsItWas) {
   const RobotFile before = read_robot(file), after = converted(file, {}, false);
   expect_same(*after.model, *before.model);
   EXPECT_EQ(after.model->name(), "a & b");
-  ASSERT_EQ(after.draft.bodies[0].visuals.size(), 1u);
-  EXPECT_EQ(after.draft.bodies[1].joints[0].effort_limit, 6);
-  EXPECT_EQ(after.draft.bodies[0].name, "base");
+  ASSERT_EQ(after.description.bodies[0].visuals.size(), 1u);
+  EXPECT_EQ(after.description.bodies[1].joints[0].effort_limit, 6);
+  EXPECT_EQ(after.description.bodies[0].name, "base");
 }
 
-TEST(RobotConversion, WeldedDraftsAreWrittenToo) {
+TEST(RobotConversion, LumpedDescriptionsAreWrittenToo) {
   const RobotFile before = read_robot(write_all_of_urdf());
-  const RobotFile after = read_robot(write("welded.xml", formats::mjcf::to_mjcf(before.draft, {test_folder()})));
+  const RobotFile after = read_robot(write("welded.xml", formats::mjcf::to_mjcf(before.description, {test_folder()})));
   expect_same(*after.model, *before.model);
 }
 
@@ -165,7 +165,7 @@ TEST(RobotConversion, AllThatMjcfCanSayComesBack) {
   EXPECT_EQ(after.model->find_object("root"), 0);
   EXPECT_TRUE(after.model->find(properties::sole, after.model->object_index("left_sole")));
   EXPECT_TRUE(after.model->find_object("eye"));
-  EXPECT_EQ(after.draft.bodies[1].shapes.size(), 3u) << "one cylinder and two parts of a mesh";
+  EXPECT_EQ(after.description.bodies[1].shapes.size(), 3u) << "one cylinder and two parts of a mesh";
 }
 
 TEST(RobotConversion, TheTextIsTheSameTheSecondTime) {
@@ -178,8 +178,8 @@ TEST(RobotConversion, FittedMeshesKeepVolumeMassAndNames) {
   const auto file = write_all_of_mjcf();
   const RobotFile before = read_robot(file), after = converted(file, geometry::PrimitiveKind::box);
   EXPECT_DOUBLE_EQ(after.model->tree().mass, before.model->tree().mass);
-  const auto& was = before.draft.bodies[1].shapes;
-  const auto& is = after.draft.bodies[1].shapes;
+  const auto& was = before.description.bodies[1].shapes;
+  const auto& is = after.description.bodies[1].shapes;
   ASSERT_EQ(is.size(), was.size());
   EXPECT_EQ(is[1].name, "m2");
   EXPECT_EQ(is[2].name, "m2.2");
@@ -190,7 +190,7 @@ TEST(RobotConversion, FittedMeshesKeepVolumeMassAndNames) {
     const Vec3d center = was[i].placed.position + was[i].placed.orientation * geometry::solid_mass(hull).center;
     EXPECT_LT(fixtures::difference(is[i].placed.position, center), 1e-12);
   }
-  ASSERT_EQ(after.draft.bodies[1].visuals.size(), 1u) << "the mesh itself is still to be seen";
+  ASSERT_EQ(after.description.bodies[1].visuals.size(), 1u) << "the mesh itself is still to be seen";
   const auto fits = convert_robot(file, {.fit = geometry::PrimitiveKind::best}).fits;
   ASSERT_EQ(fits.size(), 3u);
   for (const MeshFit& fit : fits) EXPECT_GT(fit.overlap, 0.3) << fit.mesh;
@@ -203,7 +203,7 @@ TEST(RobotConversion, UnknownKindsOfPrimitivesAreRefused) {
 TEST(ServoSections, ActuatorsOfTheFileAreComplete) {
   const auto file = write("robot.xml", all_of_mjcf());
   write("parts.obj", two_parts());
-  const auto table = read_robot_table(write("stub.toml", convert_robot(file).toml));
+  const auto table = read_robot_config(write("stub.toml", convert_robot(file).toml));
   ASSERT_EQ(table.servos.size(), 2u) << "joint c follows b and has no servo of its own";
   const Servo& servo = table.servos.at("a").servo;
   EXPECT_EQ(servo.law, "ideal_pd");
@@ -216,7 +216,7 @@ TEST(ServoSections, ActuatorsOfTheFileAreComplete) {
 }
 
 TEST(ServoSections, WhatTheFileLacksIsGuessed) {
-  const auto servos = read_robot_table(write("stub.toml", convert_robot(write_all_of_urdf()).toml)).servos;
+  const auto servos = read_robot_config(write("stub.toml", convert_robot(write_all_of_urdf()).toml)).servos;
   ASSERT_EQ(servos.size(), 1u);
   const Servo& servo = servos.at("j").servo;
   EXPECT_EQ(servo.law, "ideal_pd");

@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "murosimf/check/robot_doctor.h"
+#include "murosimf/check/robot_checks.h"
 #include "murosimf/robot/robot_conversion.h"
 #include "tests/fixtures.h"
 #include "tests/robot/sensor_files.h"
@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Element{"<accelerometer site='elbow'/>", "accelerometer", "elbow.site"},
                     Element{"<framequat objtype='site' objname='imu'/>", "orientation", "imu"},
                     Element{"<jointpos joint='elbow'/>", "joint_position", ""},
-                    Element{"<jointvel joint='elbow'/>", "joint_rate", ""},
+                    Element{"<jointvel joint='elbow'/>", "joint_velocity", ""},
                     Element{"<jointactuatorfrc joint='elbow'/>", "joint_torque", ""},
                     Element{"<actuatorfrc actuator='m'/>", "joint_torque", ""},
                     Element{"<touch site='imu'/>", "contact_force", "imu"},
@@ -140,7 +140,7 @@ TEST(UrdfSensors, ASensorAtAFixedJointIsOnTheLinkBehindIt) {
 TEST(UrdfSensors, WhatIsNotSimulatedStaysInTheList) {
   const RobotFile robot = read_blocks("<gazebo reference='eye'><sensor name='c' type='magnetometer'/></gazebo>");
   EXPECT_TRUE(robot.sensors.empty());
-  EXPECT_EQ(robot.draft.sensors.size(), 1u);
+  EXPECT_EQ(robot.description.sensors.size(), 1u);
   EXPECT_TRUE(any_contains(robot.notes, "sensor magnetometer 'c' at 'eye': not simulated"));
 }
 
@@ -152,10 +152,10 @@ const std::string laser =
     "<type>gaussian</type><stddev>0.03</stddev></noise></ray></sensor></gazebo>";
 
 TEST(UrdfSensors, ScannersHaveTheirRaysRangeAndNoise) {
-  const description::RobotDraft draft = formats::urdf::read_urdf(write("robot.urdf", urdf(laser)), {});
-  const description::DraftSensor& sensor = draft.sensors.at(0);
+  const description::RobotDescription description = formats::urdf::read_urdf(write("robot.urdf", urdf(laser)), {});
+  const description::SensorDescription& sensor = description.sensors.at(0);
   const std::map<std::string, double> numbers{
-      {"rays", 22}, {"opening", 3}, {"first_angle", -1}, {"nearest", 0.2}, {"farthest", 20}};
+      {"rays", 22}, {"fov", 3}, {"first_angle", -1}, {"range_min", 0.2}, {"range_max", 20}};
   EXPECT_EQ(sensor.numbers, numbers);
   EXPECT_EQ(sensor.signals.at("").noise, 0.03);
   EXPECT_EQ(sensor.signals.at("").resolution, 0.01);
@@ -201,7 +201,7 @@ TEST(ConvertedSensors, OfMjcfAreElementsAgain) {
                 "<gyro name='g' site='imu' noise='0.1' cutoff='9'/><jointpos joint='elbow'/><actuatorfrc name='t' "
                 "actuator='m'/><framepos name='p' objtype='body' objname='arm'/><accelerometer site='elbow'/>");
   std::string mjcf;
-  expect_same_sensors(converted(before.draft.file, &mjcf), before);
+  expect_same_sensors(converted(before.description.file, &mjcf), before);
   EXPECT_TRUE(contains(mjcf, "<gyro name=\"g\" site=\"imu\" noise=\"0.1\" cutoff=\"9\"/>")) << mjcf;
 }
 
@@ -210,7 +210,7 @@ TEST(ConvertedSensors, OfUrdfAreInTheTomlFile) {
       "<gazebo reference='eye'><sensor name='i' type='imu'><pose>0 0 0.5 0 0 0</pose><update_rate>50</update_rate><imu>"
       "<noise><rate><stddev>0.2</stddev></rate></noise></imu></sensor><sensor name='c' type='magnetometer'/></gazebo>" +
       laser);
-  const RobotFile after = converted(before.draft.file);
+  const RobotFile after = converted(before.description.file);
   ASSERT_GE(after.sensors.size(), 1u);
   expect_same_sensors(after, before);
 }

@@ -49,9 +49,9 @@ TEST(UrdfModel, PlaysInAScene) {
 }
 
 TEST(UrdfModel, NamesTheFileWhereAMovingLinkHasNoMass) {
-  const auto draft =
+  const auto description =
       read_robot(write("robot.urdf", robot(link("limb") + joint("revolute", "base", "limb", any_limit))));
-  EXPECT_TRUE(any_contains(draft.warnings, "robot.urdf:2: body 'limb' moves but has no mass"));
+  EXPECT_TRUE(any_contains(description.warnings, "robot.urdf:2: body 'limb' moves but has no mass"));
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ constexpr Property<double> place{{"place", "m", "world", "where it is", Scope::b
 constexpr Property<double> effort{{"effort", "J", "-", "what that took", Scope::base}};
 
 /// A level that moves one number; what it can refuse, and what it writes, is up to the test.
-class Mover : public MotionLevel {
+class MovingEntity : public MotionLevel {
  public:
-  Mover(Setup& setup, double speed, std::string refused = {})
+  MovingEntity(Setup& setup, double speed, std::string refused = {})
       : place_(setup.write(place)[0]), speed_(speed), refused_(std::move(refused)) {}
   void initialize() override { place_ = 0; }
   void step(const Instant& instant) noexcept override { place_ += speed_ * seconds(instant.period); }
@@ -35,9 +35,9 @@ class Mover : public MotionLevel {
   std::string refused_;
 };
 
-class Worker final : public Mover {
+class Worker final : public MovingEntity {
  public:
-  Worker(Setup& setup, bool fails = false) : Mover(setup, 5), effort_(setup.write(effort)[0]), fails_(fails) {}
+  Worker(Setup& setup, bool fails = false) : MovingEntity(setup, 5), effort_(setup.write(effort)[0]), fails_(fails) {}
   void take_over(const Momentum&) override {
     if (fails_) throw SetupError("no work today");
     effort_ = 7;
@@ -67,10 +67,10 @@ struct World1 {
 TEST(Exchange, TakesTheSamePlaceInTheOrder) {
   World1 w;
   auto& before = w.simulation.attach<Watch>("before", w.robot, 1000, place);
-  w.simulation.attach<Mover>("slow", w.robot, 1000, 1.0);
+  w.simulation.attach<MovingEntity>("slow", w.robot, 1000, 1.0);
   auto& after = w.simulation.attach<Watch>("after", w.robot, 1000, place);
   w.simulation.run(2ms);
-  auto& fast = w.simulation.exchange<Mover>("fast", w.robot, 10.0);
+  auto& fast = w.simulation.exchange<MovingEntity>("fast", w.robot, 10.0);
   w.simulation.run(2ms);
   EXPECT_EQ(fast.given, 1.0) << "momentum of the level before";
   EXPECT_EQ(w.robot.level, "fast");
@@ -84,8 +84,8 @@ TEST(Exchange, TakesTheSamePlaceInTheOrder) {
 
 TEST(Exchange, BeforeTheFirstStepJustReplaces) {
   World1 w;
-  w.simulation.attach<Mover>("slow", w.robot, 1000, 1.0);
-  auto& fast = w.simulation.exchange<Mover>("fast", w.robot, 10.0);
+  w.simulation.attach<MovingEntity>("slow", w.robot, 1000, 1.0);
+  auto& fast = w.simulation.exchange<MovingEntity>("fast", w.robot, 10.0);
   w.simulation.run(1ms);
   EXPECT_EQ(fast.given, -1) << "initialized, nothing to take over";
   EXPECT_NEAR(w.robot.base().get(place), 0.01, 1e-15);
@@ -93,11 +93,11 @@ TEST(Exchange, BeforeTheFirstStepJustReplaces) {
 
 TEST(Exchange, RemovesColumnsThatNobodyUses) {
   World1 w;
-  w.simulation.attach<Mover>("slow", w.robot, 1000, 1.0);
+  w.simulation.attach<MovingEntity>("slow", w.robot, 1000, 1.0);
   w.simulation.run(1ms);
   w.simulation.exchange<Worker>("worker", w.robot);
   EXPECT_EQ(w.robot.base().get(effort), 7);
-  w.simulation.exchange<Mover>("slow", w.robot, 1.0);
+  w.simulation.exchange<MovingEntity>("slow", w.robot, 1.0);
   EXPECT_EQ(w.robot.find(effort), nullptr);
   EXPECT_TRUE(says(error_of([&] { w.robot.column(effort); }), {"frozen"})) << "as before";
 }
@@ -116,11 +116,11 @@ class Observer final : public Algorithm {
 TEST(Exchange, WhatNobodyWritesAnyMoreReturnsToItsStartValue) {
   World1 w;
   auto& observer = w.simulation.attach<Observer>("observer", w.robot, 1000);
-  w.simulation.attach<Mover>("slow", w.robot, 1000, 1.0);
+  w.simulation.attach<MovingEntity>("slow", w.robot, 1000, 1.0);
   w.simulation.run(1ms);
   w.simulation.exchange<Worker>("worker", w.robot);
   w.simulation.run(1ms);
-  w.simulation.exchange<Mover>("slow", w.robot, 1.0);
+  w.simulation.exchange<MovingEntity>("slow", w.robot, 1.0);
   w.simulation.run(1ms);
   ASSERT_EQ(observer.seen.size(), 3u);
   EXPECT_TRUE(std::isnan(observer.seen[0]));
@@ -130,10 +130,10 @@ TEST(Exchange, WhatNobodyWritesAnyMoreReturnsToItsStartValue) {
 
 TEST(Exchange, ARefusalChangesNothing) {
   World1 w;
-  w.simulation.attach<Mover>("slow", w.robot, 1000, 1.0);
+  w.simulation.attach<MovingEntity>("slow", w.robot, 1000, 1.0);
   w.simulation.run(1ms);
   const std::uint64_t hash = w.simulation.state_hash();
-  EXPECT_TRUE(says(error_of([&] { w.simulation.exchange<Mover>("lazy", w.robot, 2.0, "it sleeps"); }),
+  EXPECT_TRUE(says(error_of([&] { w.simulation.exchange<MovingEntity>("lazy", w.robot, 2.0, "it sleeps"); }),
                    {"'robot' stays at slow", "lazy", "it sleeps"}));
   EXPECT_TRUE(says(error_of([&] { w.simulation.exchange<Worker>("worker", w.robot, true); }), {"no work today"}));
   EXPECT_EQ(w.simulation.state_hash(), hash);
@@ -148,26 +148,29 @@ TEST(Exchange, RefusesToLeaveAReaderWithoutItsWriter) {
   w.simulation.attach<Worker>("worker", w.robot, 1000);
   w.simulation.attach<Watch>("watch", w.robot, 1000, effort);
   w.simulation.run(1ms);
-  EXPECT_TRUE(says(error_of([&] { w.simulation.exchange<Mover>("slow", w.robot, 1.0); }),
+  EXPECT_TRUE(says(error_of([&] { w.simulation.exchange<MovingEntity>("slow", w.robot, 1.0); }),
                    {"'robot' stays at worker", "watch", "'effort'"}));
   w.simulation.run(1ms);
 }
 
 TEST(Exchange, RefusesFrozenAndMotionlessEntitiesAndTwoLevels) {
   World1 w;
-  EXPECT_TRUE(says(error_of([&] { w.simulation.exchange<Mover>("slow", w.robot, 1.0); }), {"'robot' has no level"}));
-  w.simulation.attach<Mover>("slow", w.robot, 1000, 1.0);
-  EXPECT_TRUE(says(error_of([&] { w.simulation.attach<Mover>("fast", w.robot, 1000, 2.0); }), {"another level"}));
+  EXPECT_TRUE(
+      says(error_of([&] { w.simulation.exchange<MovingEntity>("slow", w.robot, 1.0); }), {"'robot' has no level"}));
+  w.simulation.attach<MovingEntity>("slow", w.robot, 1000, 1.0);
+  EXPECT_TRUE(
+      says(error_of([&] { w.simulation.attach<MovingEntity>("fast", w.robot, 1000, 2.0); }), {"another level"}));
   w.simulation.run(1ms);
   w.robot.freeze("it broke");
-  EXPECT_TRUE(says(error_of([&] { w.simulation.exchange<Mover>("fast", w.robot, 1.0); }), {"frozen (it broke)"}));
+  EXPECT_TRUE(
+      says(error_of([&] { w.simulation.exchange<MovingEntity>("fast", w.robot, 1.0); }), {"frozen (it broke)"}));
 }
 
 TEST(Exchange, StatisticsAndEventsKeepWhatWas) {
   World1 w;
-  w.simulation.attach<Mover>("slow", w.robot, 1000, 1.0);
+  w.simulation.attach<MovingEntity>("slow", w.robot, 1000, 1.0);
   w.simulation.run(3ms);
-  w.simulation.exchange<Mover>("fast", w.robot, 10.0);
+  w.simulation.exchange<MovingEntity>("fast", w.robot, 10.0);
   w.simulation.run(2ms);
   const auto rows = w.simulation.statistics();
   ASSERT_EQ(rows.size(), 2u);
@@ -179,7 +182,7 @@ TEST(Exchange, StatisticsAndEventsKeepWhatWas) {
 
 TEST(TimedCalls, ComeInTheOrderOfTimeBetweenSteps) {
   World1 w;
-  w.simulation.attach<Mover>("slow", w.robot, 1000, 1.0);
+  w.simulation.attach<MovingEntity>("slow", w.robot, 1000, 1.0);
   std::vector<std::pair<char, Duration>> calls;
   const auto note = [&](char name) { return [&, name] { calls.emplace_back(name, w.simulation.now()); }; };
   w.simulation.at(2ms, note('b'));

@@ -118,7 +118,7 @@ TEST_P(EveryField, BaseIsOnePlaneWithMarkings) {
   ASSERT_TRUE(shapes && shapes->size() == 1);
   EXPECT_TRUE(std::holds_alternative<Plane>(shapes->front().shape));
   EXPECT_EQ(shapes->front().surface.material, "carpet");
-  EXPECT_EQ(shapes->front().surface.grain.y, 1);
+  EXPECT_EQ(shapes->front().surface.friction_direction.y, 1);
   const Markings* painted = model->find(properties::markings, field);
   ASSERT_TRUE(painted);
   EXPECT_EQ(painted->strokes.size(), markings.strokes.size());

@@ -6,8 +6,8 @@
 
 #include "murosimf/components/camera_info.h"
 #include "murosimf/scene/scene.h"
-#include "murosimf/scene/scene_eyes.h"
-#include "murosimf/sensors/frame.h"
+#include "murosimf/scene/scene_viewpoints.h"
+#include "murosimf/sensors/camera_frame.h"
 #include "murosimf/sensors/reading.h"
 #include "tests/law.h"
 #include "tests/render/drawn.h"
@@ -19,7 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 using fixtures::error_of;
 using fixtures::says;
-using sensors::Frame;
+using sensors::CameraFrame;
 using sensors::frames_of;
 
 std::string write_scene(const std::string& text) {
@@ -39,7 +39,7 @@ std::string game(const std::string& camera = "") {
          "'simplified_dynamics'\n";
 }
 
-const Frame& frame(Scene& scene, const std::string& name) {
+const CameraFrame& frame(Scene& scene, const std::string& name) {
   return *sensors::frames_of(scene.simulation().world().entity(name)).at(0);
 }
 
@@ -47,7 +47,7 @@ TEST(SceneCameras, AScenesRobotsSee) {
   if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   Scene scene(write_scene(game()));
   scene.simulation().run(201ms);
-  const Frame& seen = frame(scene, "one");
+  const CameraFrame& seen = frame(scene, "one");
   EXPECT_EQ(seen.number, 5u);
   EXPECT_EQ(seen.time, 200ms);
   ASSERT_EQ(seen.info->labels.size(), 7u);
@@ -109,7 +109,7 @@ TEST(SceneCameras, AStraightLineBendsAsTheLensSays) {
             "fx = 320.0\nlens = '") +
         lens.name + "'\n" + lens.keys));
     scene.simulation().run(2ms);
-    const Frame& seen = frame(scene, "one");
+    const CameraFrame& seen = frame(scene, "one");
     const auto& robot = scene.simulation().world().entity("one");
     const auto link = static_cast<std::size_t>(seen.info->link);
     const Mat3d R = robot.find(properties::orientation)->values[link];
@@ -177,11 +177,11 @@ TEST(SceneCameras, ACalibrationFileIsTheLensAndKeysBesideItWin) {
   EXPECT_LT(norm(*ray - *same), 1e-9);
 }
 
-TEST(SceneEyes, SeeTheWholeFieldAndKnowTheirNames) {
+TEST(SceneViewpoints, SeeTheWholeFieldAndKnowTheirNames) {
   Scene scene(write_scene("[views.corner]\neye = [3, 2, 1]\nlook_at = [0, 0, 0]\n" + game()));
   scene.simulation().initialize();
   for (const char* name : {"overview", "top", "side", "left", "right"}) {
-    const sensors::Perspective view = eye_perspective(scene, name, 640, 360);
+    const sensors::Perspective view = viewpoint_perspective(scene, name, 640, 360);
     for (const Vec3d& corner : {Vec3d{3, 2, 0}, {-3, 2, 0}, {3, -2, 0}, {-3, -2, 0}}) {
       const Vec3d seen = transposed_times(view.axes, corner - view.eye);
       EXPECT_GT(seen.z, 0) << name;
@@ -190,10 +190,11 @@ TEST(SceneEyes, SeeTheWholeFieldAndKnowTheirNames) {
     }
     EXPECT_LT(view.axes.y.z, 1e-12) << name << ": down is down";
   }
-  EXPECT_EQ(eye_perspective(scene, "corner", 64, 64).eye.x, 3);
-  const sensors::Perspective robot = eye_perspective(scene, "two", 64, 64);
+  EXPECT_EQ(viewpoint_perspective(scene, "corner", 64, 64).eye.x, 3);
+  const sensors::Perspective robot = viewpoint_perspective(scene, "two", 64, 64);
   EXPECT_LT(norm(robot.eye - Vec3d{0.6, 0.5, 0.3}), 1.5);
-  EXPECT_TRUE(says(error_of([&] { (void)eye_perspective(scene, "corna", 64, 64); }), {"view", "corna", "corner"}));
+  EXPECT_TRUE(
+      says(error_of([&] { (void)viewpoint_perspective(scene, "corna", 64, 64); }), {"view", "corna", "corner"}));
 }
 
 }  // namespace

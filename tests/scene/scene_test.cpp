@@ -106,16 +106,16 @@ TEST(SceneSpec, OverridesReachTheirTargets) {
 TEST(SceneSpec, TheGroundMayLean) {
   const SceneSpec spec = spec_of(small_scene + R"([field]
 surface = "grass"
-grain = [0.0, -1.0]
+friction_direction = [0.0, -1.0]
 [[materials]]
 pair = ["rubber", "grass"]
 friction = 0.6
-grain_effect = 0.25
+friction_anisotropy = 0.25
 )");
-  EXPECT_EQ(spec.field.grain.x, 0);
-  EXPECT_EQ(spec.field.grain.y, -1);
-  EXPECT_EQ(spec.materials.find({.material = "rubber"}, {.material = "grass"}).grain_effect, 0.25);
-  EXPECT_EQ(spec_of(small_scene, {"field.grain=[1, 0]"}).field.grain.x, 1);
+  EXPECT_EQ(spec.field.friction_direction.x, 0);
+  EXPECT_EQ(spec.field.friction_direction.y, -1);
+  EXPECT_EQ(spec.materials.find({.material = "rubber"}, {.material = "grass"}).friction_anisotropy, 0.25);
+  EXPECT_EQ(spec_of(small_scene, {"field.friction_direction=[1, 0]"}).field.friction_direction.x, 1);
 }
 
 TEST(Scene, OverridesSetPropertiesByName) {
@@ -137,7 +137,7 @@ TEST(Scene, EveryValueIsReachableFromSimulationToProperty) {
   Scene scene(write_scene(small_scene));
   scene.simulation().run(from_seconds(0.1));
   Entity& robot = scene.simulation().world().entity("blue1");
-  EXPECT_EQ(robot.object("l_shin").get("joint_rate").unit, "rad/s | m/s");
+  EXPECT_EQ(robot.object("l_shin").get("joint_velocity").unit, "rad/s | m/s");
   EXPECT_EQ(robot.object("l_shin").get("mass").numbers, (std::vector<double>{0.18}));
   EXPECT_EQ(robot.object("head").get("position").numbers.size(), 3u);
 }
@@ -213,7 +213,8 @@ TEST(SceneMistakes, InOverridesNameTheOverride) {
   expect_mistake(set("blue1.pelvis.walk_command=[nan,0,0]"), {"cannot be nan"});
   expect_mistake(set("blue1.l_shin.mass=0"), {"it must be above 0"});
   expect_mistake(set("ball.radus=1"), {"--set 'ball.radus=1'", "did you mean 'radius'?"});
-  expect_mistake(set("field.grain=[0, 0, 1]"), {"--set 'field.grain=[0, 0, 1]'", "'grain' lies in the ground"});
+  expect_mistake(set("field.friction_direction=[0, 0, 1]"),
+                 {"--set 'field.friction_direction=[0, 0, 1]'", "'friction_direction' lies in the ground"});
   expect_mistake(set("red1.contact=paper_multi"), {"unknown contact law 'paper_multi'", "'paper_multipoint'"});
   expect_mistake(set("field.surface=gras"), {"unknown material 'gras'; did you mean 'grass'?"});
   expect_mistake(set("blue1.controller=ball_chser"), {"did you mean 'ball_chaser'?"});

@@ -119,7 +119,7 @@ void expect_nothing_ignored(const Subject& subject) {
 }
 
 TEST(Settings, ActOrAreRefusedOrWarnedAboutAtEveryLevel) {
-  for (const Level& level : levels()) {
+  for (const LevelType& level : levels()) {
     for (const char* controller : {"walk", "none"}) {
       expect_nothing_ignored({"kid21", std::string(level.name), controller, {"pelvis", "j_l_shin", "l_shin"}});
     }
@@ -150,7 +150,7 @@ command_period = 0.01
 joints = ["shoulder"]
 [servos.plain]
 stall_torque = 6
-no_load_rate = 6
+no_load_speed = 6
 position_gain = 30
 rotor_inertia = 0.01
 coulomb_friction = 0.05

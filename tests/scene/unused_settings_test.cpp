@@ -124,8 +124,9 @@ TEST(UnusedMaterials, AreRefusedIfNobodyKnowsThem) {
 }
 
 TEST(UnusedMaterials, APileThatNothingFeelsIsNamed) {
-  EXPECT_TRUE(says(warnings_of({.set = {"field.grain=[1, 0]"}}), {"pile of 'carpet'", "'grain' changes nothing"}));
-  EXPECT_EQ(warnings_of({.set = {"field.grain=[1, 0]", "field.surface=grass"}}), "");
+  EXPECT_TRUE(says(warnings_of({.set = {"field.friction_direction=[1, 0]"}}),
+                   {"pile of 'carpet'", "'friction_direction' changes nothing"}));
+  EXPECT_EQ(warnings_of({.set = {"field.friction_direction=[1, 0]", "field.surface=grass"}}), "");
 }
 
 TEST(UnusedMaterials, OfARobotsOwnFileAreKnown) {

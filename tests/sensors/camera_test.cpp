@@ -60,15 +60,16 @@ SensorSpec camera(const std::map<std::string, double>& numbers = {}) {
   spec.name = "eye";
   spec.type = "camera";
   spec.rate = 50;
-  spec.numbers = {{"width", 40}, {"height", 30}, {"opening", 1.0}, {"always_on", 1}};
+  spec.numbers = {{"width", 40}, {"height", 30}, {"fov", 1.0}, {"always_on", 1}};
   for (const auto& [key, number] : numbers) spec.numbers[key] = number;
   return spec;
 }
 
 struct CameraRig : RangeRig {
-  const Frame& attach_camera(Entity& robot, const SensorSpec& spec) {
+  const CameraFrame& attach_camera(Entity& robot, const SensorSpec& spec) {
     reading =
-        &components::attach_sensor(simulation, robot, spec, {1, movers, [this] { return &painter; }}, rate).reading();
+        &components::attach_sensor(simulation, robot, spec, {1, moving_entities, [this] { return &painter; }}, rate)
+             .reading();
     return *frames_of(robot).at(0);
   }
   Painter painter;
@@ -81,7 +82,7 @@ TEST(Camera, LooksFromItsPlaceAlongItsXAxis) {
   SensorSpec spec = camera();
   spec.position = {0.1, 0.02, 0.03};
   spec.orientation = rotation_y(0.2);
-  const Frame& frame = rig.attach_camera(box, spec);
+  const CameraFrame& frame = rig.attach_camera(box, spec);
   rig.begin();
   const Mat3d turn = rotation_z(0.5) * rotation_x(0.3);
   RangeRig::put(box, {1, 2, 3}, turn);
@@ -108,7 +109,7 @@ TEST(Camera, AMountingErrorTurnsWhatIsSeenNotWhatIsBelieved) {
   SensorSpec spec = camera();
   spec.orientation = rotation_y(0.2);
   spec.mounting_error = {0.01, -0.02, 0.03};
-  const Frame& frame = rig.attach_camera(box, spec);
+  const CameraFrame& frame = rig.attach_camera(box, spec);
   rig.begin();
   RangeRig::put(box, {0, 0, 1});
   rig.simulation.run(1ms);
@@ -125,7 +126,7 @@ TEST(Camera, AFrameComesLateAndSaysWhenItWasExposed) {
   Entity& box = rig.add_box("box");
   SensorSpec spec = camera();
   spec.delay = 0.033;
-  const Frame& frame = rig.attach_camera(box, spec);
+  const CameraFrame& frame = rig.attach_camera(box, spec);
   rig.begin();
   RangeRig::put(box, {0, 0, 1});
   rig.simulation.run(33ms);
@@ -143,7 +144,7 @@ TEST(Camera, DrawsOnlyForSomebody) {
   for (const bool wanted : {false, true}) {
     CameraRig rig;
     Entity& box = rig.add_box("box");
-    const Frame& frame = rig.attach_camera(box, camera({{"always_on", 0}}));
+    const CameraFrame& frame = rig.attach_camera(box, camera({{"always_on", 0}}));
     if (wanted) (void)want_frames(box, "eye");
     rig.begin();
     RangeRig::put(box, {0, 0, 1});
@@ -166,7 +167,7 @@ TEST(Camera, WithoutAnybodyWhoDrawsThereAreNoFrames) {
 TEST(Camera, RowsAreExposedOneAfterTheOther) {
   CameraRig rig;
   Entity& box = rig.add_box("box");
-  const Frame& frame = rig.attach_camera(box, camera({{"readout_time", 0.09}, {"readout_bands", 10}}));
+  const CameraFrame& frame = rig.attach_camera(box, camera({{"readout_time", 0.09}, {"readout_bands", 10}}));
   rig.begin();
   RangeRig::put(box, {0, 0, 1});
   box.base().set(properties::angular_velocity, {0, 0, 2});
@@ -186,7 +187,7 @@ TEST(Camera, RowsAreExposedOneAfterTheOther) {
 TEST(Camera, AnExposureIsTheMeanOfItsTime) {
   CameraRig rig;
   Entity& box = rig.add_box("box");
-  const Frame& frame =
+  const CameraFrame& frame =
       rig.attach_camera(box, camera({{"exposure_time", 0.2}, {"motion_samples", 4}, {"depth", 1}, {"labels", 1}}));
   rig.begin();
   RangeRig::put(box, {0, 0, 1});
@@ -207,7 +208,7 @@ void expect_directions(const std::map<std::string, double>& numbers, const std::
   spec.numbers["width"] = 160;
   spec.numbers["height"] = 120;
   spec.texts["lens"] = lens;
-  const Frame& frame = rig.attach_camera(box, spec);
+  const CameraFrame& frame = rig.attach_camera(box, spec);
   rig.begin();
   RangeRig::put(box, {0, 0, 1});
   rig.simulation.run(61ms);  // several frames: images take turns
@@ -226,7 +227,7 @@ void expect_directions(const std::map<std::string, double>& numbers, const std::
 TEST(Camera, ADistortedPictureShowsEachPixelsDirection) {
   expect_directions({{"k1", -0.25}, {"k2", 0.05}}, "plumb_bob", 1);
 }
-TEST(Camera, AWideLensIsMadeOfSeveralViews) { expect_directions({{"opening", 2.9}}, "equidistant", 5); }
+TEST(Camera, AWideLensIsMadeOfSeveralViews) { expect_directions({{"fov", 2.9}}, "equidistant", 5); }
 
 // Pictures take turns: the second one is made where nothing was drawn before.
 TEST(Camera, EveryPictureThroughALensIsWhole) {
@@ -235,11 +236,11 @@ TEST(Camera, EveryPictureThroughALensIsWhole) {
     Entity& box = rig.add_box("box");
     SensorSpec spec = camera({{"k1", -0.2}, {"depth", 1}, {"labels", 1}});
     if (*mosaic != '\0') spec.texts["mosaic"] = mosaic;
-    const Frame& frame = rig.attach_camera(box, spec);
+    const CameraFrame& frame = rig.attach_camera(box, spec);
     rig.begin();
     RangeRig::put(box, {0, 0, 1});
     rig.simulation.run(1ms);
-    const Frame first = frame;
+    const CameraFrame first = frame;
     for (std::uint64_t number = 2; number <= 4; ++number) {
       rig.simulation.run(20ms);
       ASSERT_EQ(frame.number, number);
@@ -256,7 +257,7 @@ TEST(Camera, EffectsComeAfterTheLens) {
   Entity& box = rig.add_box("box");
   SensorSpec spec = camera({{"exposure", 0.25}, {"blur", 1}, {"read_noise", 0.01}});
   spec.texts["mosaic"] = "rggb";
-  const Frame& frame = rig.attach_camera(box, spec);
+  const CameraFrame& frame = rig.attach_camera(box, spec);
   rig.begin();
   RangeRig::put(box, {0, 0, 1});
   rig.simulation.run(1ms);
@@ -271,12 +272,12 @@ TEST(Camera, NoiseIsAnotherOneInEachFrameAndTheSameInEachRun) {
   for (auto* hashes : {&first, &second}) {
     CameraRig rig;
     Entity& box = rig.add_box("box");
-    const Frame& frame = rig.attach_camera(box, camera({{"shot_noise", 0.05}}));
+    const CameraFrame& frame = rig.attach_camera(box, camera({{"shot_noise", 0.05}}));
     rig.begin();
     RangeRig::put(box, {0, 0, 1});
     for (int i = 0; i < 3; ++i) {
       rig.simulation.run(20ms);
-      Frame timeless = frame;
+      CameraFrame timeless = frame;
       timeless.time = {};
       timeless.number = 0;
       hashes->push_back(hash_of(timeless));
@@ -299,7 +300,7 @@ TEST(Camera, WhatIsWrongIsNamed) {
   EXPECT_TRUE(says(error({{"width", 0}}), {"eye", "width"}));
   EXPECT_TRUE(says(error({{"height", 100000}}), {"eye", "height"}));
   EXPECT_TRUE(says(error({{"fx", 0}}), {"focal length"}));
-  EXPECT_TRUE(says(error({{"opening", 3.5}}), {"opening"}));
+  EXPECT_TRUE(says(error({{"fov", 3.5}}), {"fov"}));
   EXPECT_TRUE(says(error({{"k1", 0.1}}, "perspective"), {"k1", "perspective"}));
   EXPECT_TRUE(says(error({}, "fish"), {"fish"}));
   EXPECT_TRUE(says(error({{"color", 0}}), {"color", "depth", "labels"}));
@@ -311,7 +312,7 @@ TEST(Camera, ALensThatFoldsOverIsRemarkedWithItsAngle) {
   CameraRig rig;
   Entity& box = rig.add_box("box");
   const SensorSpec spec = camera({{"k1", -0.9}, {"fx", 15}});
-  const Sensor& sensor = components::attach_sensor(rig.simulation, box, spec, {1, rig.movers, {}}, rig.rate);
+  const Sensor& sensor = components::attach_sensor(rig.simulation, box, spec, {1, rig.moving_entities, {}}, rig.rate);
   EXPECT_TRUE(says(sensor.remark("kinematic_walking"), {"folds", "deg"}));
 }
 

@@ -18,12 +18,13 @@ struct LaserRig : RangeRig {
   const Reading& attach_laser(Entity& robot, const SensorSpec& spec) {
     const auto source = [this]() -> ViewSource* {
       if (!renderer) {
-        renderer = std::make_unique<render::Renderer>(simulation.world(), movers, render::looks_of_shapes);
+        renderer =
+            std::make_unique<render::Renderer>(simulation.world(), moving_entities, render::appearance_of_shapes);
         renderer->locate();
       }
       return renderer.get();
     };
-    return components::attach_sensor(simulation, robot, spec, {1, movers, source}, rate).reading();
+    return components::attach_sensor(simulation, robot, spec, {1, moving_entities, source}, rate).reading();
   }
   std::unique_ptr<render::Renderer> renderer;
 };
@@ -39,13 +40,13 @@ TEST(DepthLaser, MeasuresAsTheRaysDo) {
   rig.add_ball("ball", 0.2);
   rig.add_walls({wall({4, 0, 0}, {0.1, 4, 3}), wall({-3, 0, 0}, {0.1, 4, 3}), wall({0, 4, 0}, {4, 0.1, 3}),
                  wall({0, -4, 0}, {4, 0.1, 3}), wall({1.5, 1.5, 0}, {0.3, 0.2, 2})});
-  const std::map<std::string, double> numbers{{"rays", 721}, {"opening", 4.7}};
+  const std::map<std::string, double> numbers{{"rays", 721}, {"fov", 4.7}};
   SensorSpec one = test::sensor("laser", numbers), other = test::sensor("depth_laser", numbers);
   one.position = other.position = {0.05, 0, 0.1};
   const Reading& rays = rig.attach(box, one);
   const Reading& depths = rig.attach_laser(box, other);
   rig.begin();
-  RangeRig::put(*rig.movers[1], {2, -0.5, 0.1});
+  RangeRig::put(*rig.moving_entities[1], {2, -0.5, 0.1});
   law::Worst worst;
   int edges = 0, seen = 0;
   for (int i = 0; i < 12; ++i) {
@@ -76,7 +77,7 @@ TEST(DepthLaser, ShowsNothingAsInfinityAndItsRobotNotAtAll) {
   Entity& box = rig.add_box("box");
   rig.add_walls({wall({2, 0, 0}, {0.1, 1, 1})});
   const Reading& depths =
-      rig.attach_laser(box, test::sensor("depth_laser", {{"rays", 3}, {"opening", pi}, {"farthest", 5}}));
+      rig.attach_laser(box, test::sensor("depth_laser", {{"rays", 3}, {"fov", pi}, {"range_max", 5}}));
   rig.begin();
   RangeRig::put(box, {0, 0, 0});
   rig.simulation.run(1ms);

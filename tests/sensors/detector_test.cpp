@@ -35,7 +35,7 @@ bool sees(const Reading& reading, const std::string& entity) {
   return !std::isnan(values[0]);
 }
 
-const std::map<std::string, double> looks_everywhere{{"opening_azimuth", 2 * pi}, {"opening_elevation", pi}};
+const std::map<std::string, double> looks_everywhere{{"fov_azimuth", 2 * pi}, {"fov_elevation", pi}};
 
 TEST(Detector, ShowsWhereThingsAre) {
   Dice dice("detector");
@@ -87,9 +87,10 @@ TEST(Detector, FieldOfViewAndRangeEndWhereTheyShould) {
   RangeRig rig;
   Entity& robot = rig.add_box("robot");
   Entity& ball = rig.add_ball("ball", 0.01);
-  const Reading& reading = rig.attach(robot, test::sensor("detector", {{"opening_azimuth", 100 * degree},
-                                                                       {"opening_elevation", 60 * degree},
-                                                                       {"farthest", 6}}));
+  const Reading& reading =
+      rig.attach(robot,
+                 test::sensor("detector",
+                              {{"fov_azimuth", 100 * degree}, {"fov_elevation", 60 * degree}, {"range_max", 6}}));
   rig.begin();
   RangeRig::put(robot, {0, 0, 10});
   const auto sees_at = [&](double distance, double azimuth, double elevation) {
@@ -220,7 +221,7 @@ TEST(Detector, TheOffsetIsConstantAndWithinItsBounds) {
 }
 
 /// What a robot with noisy sensors shows of the ball and in its scan, with another robot far behind it or without.
-std::uint64_t hash_of_looks(bool with_another) {
+std::uint64_t hash_of_appearance(bool with_another) {
   RangeRig rig;
   Entity& robot = rig.add_box("robot");
   Entity* another = with_another ? &rig.add_box("another") : nullptr;
@@ -229,7 +230,7 @@ std::uint64_t hash_of_looks(bool with_another) {
       rig.attach(robot,
                  test::sensor("detector",
                               {{"misses", 0.3}, {"distance_noise", 0.1}, {"azimuth_noise", 0.1}, {"offset", 0.1}}));
-  SensorSpec laser = test::sensor("laser", {{"opening", pi}});
+  SensorSpec laser = test::sensor("laser", {{"fov", pi}});
   laser.signals[""].noise = 0.01;
   const Reading& scan = rig.attach(robot, laser);
   rig.begin();
@@ -245,7 +246,7 @@ std::uint64_t hash_of_looks(bool with_another) {
   return hasher.value();
 }
 
-TEST(Detector, ARobotOutOfSightChangesNoNoise) { EXPECT_EQ(hash_of_looks(true), hash_of_looks(false)); }
+TEST(Detector, ARobotOutOfSightChangesNoNoise) { EXPECT_EQ(hash_of_appearance(true), hash_of_appearance(false)); }
 
 /// On the head of a robot that stands, at any level.
 class RangeSensors : public testing::TestWithParam<std::string> {};
@@ -254,12 +255,13 @@ TEST_P(RangeSensors, WorkAtEveryLevel) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21(), {.position = {0, 0, 0}});
   Entity& other = rig.add("other", test::kid21(), {.position = {2, 0.2, 0}, .heading = 1});
-  const std::vector<Entity*> movers{&robot, &other};
+  const std::vector<Entity*> moving_entities{&robot, &other};
   const auto attach = [&](const std::string& type) {
-    return &components::attach_sensor(rig.simulation, robot, test::sensor(type), {1, movers}, rig.rate).reading();
+    return &components::attach_sensor(rig.simulation, robot, test::sensor(type), {1, moving_entities}, rig.rate)
+                .reading();
   };
   const Reading *detector = attach("detector"), *laser = attach("laser"), *sonar = attach("sonar");
-  for (Entity* entity : movers) rig.attach_motion(*entity, {.level = GetParam()});
+  for (Entity* entity : moving_entities) rig.attach_motion(*entity, {.level = GetParam()});
   rig.run(0.01);
   const Vec3d way = test::Rig::place(other) - test::Rig::place(robot);
   EXPECT_NEAR(detector->output("other")[0], norm(way), 0.01);
@@ -280,10 +282,10 @@ TEST(Detector, MistakesAreNamed) {
   EXPECT_TRUE(says(message("misses", 1.1), {"detector: ", "misses is 1.1", "from 0 to 1"}));
   EXPECT_TRUE(says(message("distance_noise", -1), {"distance_noise is -1", "from 0 on"}));
   EXPECT_TRUE(says(message("azimuth_noise", std::nan("")), {"azimuth_noise is nan"}));
-  EXPECT_TRUE(says(message("opening_azimuth", 6.3), {"opening_azimuth is 6.3"}));
-  EXPECT_TRUE(says(message("opening_elevation", 3.2), {"opening_elevation is 3.2"}));
+  EXPECT_TRUE(says(message("fov_azimuth", 6.3), {"fov_azimuth is 6.3"}));
+  EXPECT_TRUE(says(message("fov_elevation", 3.2), {"fov_elevation is 3.2"}));
   EXPECT_TRUE(says(message("offset", -1), {"offset is -1"}));
-  EXPECT_TRUE(says(message("nearest", infinity), {"nearest is inf"}));
+  EXPECT_TRUE(says(message("range_min", infinity), {"range_min is inf"}));
   EXPECT_TRUE(says(message("visible_share", 2), {"visible_share is 2"}));
 }
 

@@ -25,7 +25,7 @@ TEST(GroundTruth, ShowsWhereEverybodyIs) {
   Entity& robot = rig.add("robot", test::kid21(), {.position = {1, 2, 0}, .heading = 0.5, .team = "blue"});
   Entity& ball = rig.add("ball", scene::ball_model(), {.position = {0, 0, 1}});
   rig.simulation.attach<GroundTruth>("ground_truth", robot, 100, SensorSpec{.name = "ground_truth"},
-                                     SensorSurroundings{.movers = {&robot, &ball}});
+                                     SensorSurroundings{.moving_entities = {&robot, &ball}});
   auto& observer = rig.simulation.attach<Observer>("observer", robot, 100);
   rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", robot, 1000);
   rig.attach_dynamics(ball, {.on_ground = false});
@@ -49,7 +49,7 @@ TEST(GroundTruth, NamesEntitiesThatThereAreNoneOf) {
   Entity& robot = rig.add("robot", test::kid21());
   const SensorSpec spec{.name = "truth", .objects = {"robbot"}};
   const auto attach = [&] {
-    rig.simulation.attach<GroundTruth>("truth", robot, 100, spec, SensorSurroundings{.movers = {&robot}});
+    rig.simulation.attach<GroundTruth>("truth", robot, 100, spec, SensorSurroundings{.moving_entities = {&robot}});
   };
   EXPECT_EQ(fixtures::error_of(attach), "unknown entity 'robbot'; did you mean 'robot'?");
 }

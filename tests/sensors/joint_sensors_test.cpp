@@ -22,7 +22,7 @@ struct Standing {
     rig.attach_motion(robot, {.level = level});
   }
   static std::vector<std::string> every_type() {
-    return {"joint_position", "joint_rate", "joint_torque", "motor_current", "motor_voltage", "motor_temperature"};
+    return {"joint_position", "joint_velocity", "joint_torque", "motor_current", "motor_voltage", "motor_temperature"};
   }
   [[nodiscard]] double of(const std::string& sensor, const std::string& joint) const {
     const Reading& reading = *find_reading(robot, sensor);
@@ -38,13 +38,13 @@ struct Standing {
 class Joints : public testing::TestWithParam<std::string> {};
 
 TEST_P(Joints, ShowPositionAndRate) {
-  Standing standing(GetParam(), {"joint_position", "joint_rate"});
+  Standing standing(GetParam(), {"joint_position", "joint_velocity"});
   standing.rig.run(1);
   const double position = standing.robot.object("j_l_shin").get(properties::joint_position);
-  const double rate = standing.robot.object("j_l_shin").get(properties::joint_rate);
+  const double rate = standing.robot.object("j_l_shin").get(properties::joint_velocity);
   standing.rig.simulation.step();
   EXPECT_EQ(standing.of("joint_position", "j_l_shin"), position);
-  EXPECT_EQ(standing.of("joint_rate", "j_l_shin"), rate);
+  EXPECT_EQ(standing.of("joint_velocity", "j_l_shin"), rate);
   EXPECT_GT(std::abs(position), 0.1) << "its knees are bent";
 }
 
@@ -85,7 +85,7 @@ TEST(JointPosition, CountsTheStepsOfAnEncoder) {
 
 /// A bolted arm of one link, 2 kg at 0.2 m, held level by a servo without friction.
 ModelPtr arm() {
-  Servo servo{.voltage = 12, .stall_torque = 10, .no_load_rate = 6, .position_gain = 500, .rotor_inertia = 0.01};
+  Servo servo{.voltage = 12, .stall_torque = 10, .no_load_speed = 6, .position_gain = 500, .rotor_inertia = 0.01};
   return std::make_shared<const Model>("arm", Chain{}
                                                   .base("base")
                                                   .with(properties::mass, 1.0)
@@ -96,7 +96,7 @@ ModelPtr arm() {
                                                   .with(properties::servo, servo));
 }
 
-// Holding torque m g l, and the current i = torque/k_t with k_t = voltage/no_load_rate = 2 N m/A.
+// Holding torque m g l, and the current i = torque/k_t with k_t = voltage/no_load_speed = 2 N m/A.
 TEST(MotorCurrent, IsThatOfTheTorqueThatHoldsALoad) {
   test::Rig rig;
   Entity& robot = rig.add("arm", arm(), {.position = {0, 0, 1}});

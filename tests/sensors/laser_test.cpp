@@ -36,7 +36,7 @@ double distance_in_room(const Vec3d& from, const Vec3d& along) {
 }
 
 /// The largest error of a scan from `at`.
-double worst_error(const Reading& reading, const geometry::Pose& at) {
+double worst_error(const Reading& reading, const Transformd& at) {
   double worst = 0;
   for (std::size_t i = 0; i < reading.values.size(); ++i) {
     const double angle = -0.75 * pi + static_cast<double>(i) * 1.5 * pi / 1080;
@@ -83,7 +83,7 @@ TEST(Laser, FirstRayPointsAtTheFirstAngleAndTheOthersFollowCounterclockwise) {
   Entity& robot = rig.add_box("robot");
   Entity& ball = rig.add_ball("ball");
   const Reading& reading =
-      rig.attach(robot, test::sensor("laser", {{"rays", 4}, {"first_angle", 0}, {"opening", 1.5 * pi}}));
+      rig.attach(robot, test::sensor("laser", {{"rays", 4}, {"first_angle", 0}, {"fov", 1.5 * pi}}));
   rig.begin();
   RangeRig::put(robot, {0, 0, 1});
   for (const std::size_t ray : {0u, 1u, 2u, 3u}) {
@@ -106,7 +106,7 @@ TEST(Laser, DoesNotSeeTheRobotThatCarriesItButAllOthers) {
   RangeRig rig;
   Entity& robot = rig.add_box("robot");
   Entity& other = rig.add_box("other");
-  const Reading& reading = rig.attach(robot, test::sensor("laser", {{"rays", 1}, {"opening", 0}}));
+  const Reading& reading = rig.attach(robot, test::sensor("laser", {{"rays", 1}, {"fov", 0}}));
   rig.begin();
   RangeRig::put(robot, {0, 0, 1});
   RangeRig::put(other, {3, 0, 1});
@@ -133,7 +133,7 @@ TEST(Laser, OutsideOfItsRangeItShowsInfinities) {
   RangeRig rig;
   Entity& robot = rig.add_box("robot");
   Entity& ball = rig.add_ball("ball");
-  SensorSpec spec = test::sensor("laser", {{"rays", 1}, {"opening", 0}, {"nearest", 0.5}, {"farthest", 4}});
+  SensorSpec spec = test::sensor("laser", {{"rays", 1}, {"fov", 0}, {"range_min", 0.5}, {"range_max", 4}});
   const Reading& plain = rig.attach(robot, spec);
   spec.name = "real";
   spec.signals["ranges"] = everything_wrong();
@@ -163,7 +163,7 @@ std::uint64_t readings_of_tumblers(const std::string& volume, int threads) {
   RangeRig rig(threads);
   std::vector<const Reading*> readings;
   for (const char* name : {"one", "two", "three"}) rig.add_box(name, volume);
-  for (Entity* robot : rig.movers) {
+  for (Entity* robot : rig.moving_entities) {
     for (const char* type : {"laser", "detector", "sonar"}) {
       SensorSpec spec = test::sensor(type);
       if (spec.type == "detector") spec.numbers = {{"misses", 0.2}, {"distance_noise", 0.01}};
@@ -174,7 +174,7 @@ std::uint64_t readings_of_tumblers(const std::string& volume, int threads) {
   }
   rig.begin();
   double x = 0;
-  for (Entity* robot : rig.movers) {
+  for (Entity* robot : rig.moving_entities) {
     RangeRig::put(*robot, {x, 0.1 * x, 1});
     RangeRig::launch(*robot, {-0.5 * x, 0.3, 0}, {x, 1, 2 - x});
     x += 0.7;
@@ -199,13 +199,13 @@ TEST(Laser, ImpossibleNumbersAreNamed) {
   EXPECT_TRUE(says(message("rays", 0), {"laser: ", "rays is 0", "from 1 to 100000"}));
   EXPECT_TRUE(says(message("rays", 100001), {"rays is 100001"}));
   EXPECT_TRUE(says(message("rays", 10.5), {"rays is 10.5", "whole number"}));
-  EXPECT_TRUE(says(message("opening", -0.1), {"opening is -0.1"}));
-  EXPECT_TRUE(says(message("opening", 7), {"opening is 7"}));
+  EXPECT_TRUE(says(message("fov", -0.1), {"fov is -0.1"}));
+  EXPECT_TRUE(says(message("fov", 7), {"fov is 7"}));
   EXPECT_TRUE(says(message("first_angle", std::nan("")), {"first_angle is nan"}));
-  EXPECT_TRUE(says(message("nearest", -1), {"nearest is -1"}));
-  EXPECT_TRUE(says(message("nearest", 30), {"nearest is 30", "farthest 30"}));
+  EXPECT_TRUE(says(message("range_min", -1), {"range_min is -1"}));
+  EXPECT_TRUE(says(message("range_min", 30), {"range_min is 30", "range_max 30"}));
   EXPECT_EQ(message("rays", 100000), "no error");
-  EXPECT_EQ(message("opening", 2 * 3.1416), "no error");
+  EXPECT_EQ(message("fov", 2 * 3.1416), "no error");
 }
 
 }  // namespace

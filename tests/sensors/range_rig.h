@@ -15,32 +15,32 @@ struct RangeRig : Rig {
   explicit RangeRig(int threads = 1) : Rig(0.8, 0, 1000, threads) { simulation.world().gravity = {}; }
 
   /// Something that moves; where, says put().
-  Entity& add_mover(const std::string& name, ModelPtr model, const std::string& volume = "sphere") {
+  Entity& add_moving_entity(const std::string& name, ModelPtr model, const std::string& volume = "sphere") {
     EntityOptions options;
     options.collision.volume = volume;
-    movers.push_back(&add(name, std::move(model), options));
-    return *movers.back();
+    moving_entities.push_back(&add(name, std::move(model), options));
+    return *moving_entities.back();
   }
   /// A box of 4.3 kg, 0.30 x 0.20 x 0.10 m.
   Entity& add_box(const std::string& name, const std::string& volume = "sphere") {
-    return add_mover(name, box_model(), volume);
+    return add_moving_entity(name, box_model(), volume);
   }
   Entity& add_ball(const std::string& name, double radius = 0.1) {
-    return add_mover(name, std::make_shared<const Model>(fixtures::ball_model(radius, 0.4)));
+    return add_moving_entity(name, std::make_shared<const Model>(fixtures::ball_model(radius, 0.4)));
   }
   /// Boxes that stand in the world.
   void add_walls(const Shapes& walls) {
     add("walls", std::make_shared<const Model>("walls", Chain{}.base("walls").with(properties::shapes, walls)));
   }
 
-  /// After all movers were added.
+  /// After all moving_entities were added.
   const Reading& attach(Entity& robot, SensorSpec spec, std::uint64_t seed = 1) {
     if (spec.name.empty()) spec.name = spec.type;
-    return components::attach_sensor(simulation, robot, spec, {seed, movers}, rate).reading();
+    return components::attach_sensor(simulation, robot, spec, {seed, moving_entities}, rate).reading();
   }
   /// After all sensors were attached.
   void begin() {
-    for (Entity* mover : movers) attach_dynamics(*mover, {.on_ground = false});
+    for (Entity* moving_entity : moving_entities) attach_dynamics(*moving_entity, {.on_ground = false});
     simulation.initialize();
   }
   static void put(Entity& entity, const Vec3d& place, const Mat3d& turn = {}) {
@@ -49,7 +49,7 @@ struct RangeRig : Rig {
     entity.base().set(properties::base_quaternion, from_matrix(turn));
   }
 
-  std::vector<Entity*> movers;
+  std::vector<Entity*> moving_entities;
 };
 
 /// A sensor with the numbers that differ from their defaults.

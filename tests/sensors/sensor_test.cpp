@@ -2,7 +2,7 @@
 #include "murosimf/sensors/sensor.h"
 
 #include "murosimf/components/sensor_types.h"
-#include "murosimf/sensors/true_motion.h"
+#include "murosimf/sensors/frame_sensors.h"
 #include "tests/fixtures.h"
 #include "tests/physics/rig.h"
 #include "tests/sensors/puppet.h"

@@ -38,7 +38,7 @@ TEST(Sight, AWallHidesThePointsBehindIt) {
 TEST(Sight, ARobotInTheOpenIsSeenWhole) {
   fixtures::Dice dice("in the open");
   RangeRig rig;
-  Entity& robot = rig.add_mover("robot", test::kid21());
+  Entity& robot = rig.add_moving_entity("robot", test::kid21());
   rig.begin();
   collision::QueryScene scene(rig.simulation.world());
   const Seen body{&robot, robot.find(properties::position)->values, robot.find(properties::orientation)->values,

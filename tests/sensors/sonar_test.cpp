@@ -20,7 +20,7 @@ double range_of_ball(double angle) {
   RangeRig rig;
   Entity& robot = rig.add_box("robot");
   Entity& ball = rig.add_ball("ball", 0.05);
-  const Reading& reading = rig.attach(robot, test::sensor("sonar", {{"rays", 2000}, {"opening", 30 * degree}}));
+  const Reading& reading = rig.attach(robot, test::sensor("sonar", {{"rays", 2000}, {"fov", 30 * degree}}));
   rig.begin();
   RangeRig::put(robot, {0, 0, 9}, rotation_z(1));
   RangeRig::put(ball, Vec3d{0, 0, 9} + rotation_z(1) * rotation_y(-angle) * Vec3d{2, 0, 0});
@@ -41,7 +41,7 @@ TEST(Sonar, FindsTheNearSideOfASkewWall) {
   RangeRig rig;
   rig.add_walls({placed(Box{{0.1, 20, 20}}, {0, 0, 0}, {})});
   Entity& robot = rig.add_box("robot");
-  const Reading& reading = rig.attach(robot, test::sensor("sonar", {{"rays", 5000}, {"opening", 40 * degree}}));
+  const Reading& reading = rig.attach(robot, test::sensor("sonar", {{"rays", 5000}, {"fov", 40 * degree}}));
   rig.begin();
   RangeRig::put(robot, {-2.1, 0, 1}, rotation_y(-45 * degree));
   rig.simulation.step();
@@ -53,7 +53,7 @@ TEST(Sonar, OutsideOfItsRangeItShowsInfinities) {
   RangeRig rig;
   Entity& robot = rig.add_box("robot");
   Entity& ball = rig.add_ball("ball");
-  const Reading& reading = rig.attach(robot, test::sensor("sonar", {{"nearest", 0.25}, {"farthest", 2.55}}));
+  const Reading& reading = rig.attach(robot, test::sensor("sonar", {{"range_min", 0.25}, {"range_max", 2.55}}));
   rig.begin();
   RangeRig::put(robot, {0, 0, 1});
   const auto at = [&](double x) {
@@ -87,8 +87,8 @@ TEST(RangeFinder, MeasuresAlongZ) {
 
 TEST(Sonar, ImpossibleNumbersAreNamed) {
   EXPECT_TRUE(says(test::mistake(test::sensor("sonar", {{"rays", 0}})), {"rays is 0"}));
-  EXPECT_TRUE(says(test::mistake(test::sensor("sonar", {{"opening", 7}})), {"opening is 7"}));
-  EXPECT_TRUE(says(test::mistake(test::sensor("rangefinder", {{"farthest", 0}})), {"farthest 0"}));
+  EXPECT_TRUE(says(test::mistake(test::sensor("sonar", {{"fov", 7}})), {"fov is 7"}));
+  EXPECT_TRUE(says(test::mistake(test::sensor("rangefinder", {{"range_max", 0}})), {"range_max 0"}));
 }
 
 }  // namespace

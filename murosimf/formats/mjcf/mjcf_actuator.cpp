@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/formats/mjcf/mjcf_vocabulary.h"
+#include "murosimf/formats/mjcf/mjcf_schema.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::formats::mjcf {

@@ -12,16 +12,17 @@ namespace {
 
 class BodyReader {
  public:
-  BodyReader(const MjcfContext& context, description::RobotDraft& draft) : context_(context), draft_(draft) {}
+  BodyReader(const MjcfContext& context, description::RobotDescription& description)
+      : context_(context), description_(description) {}
 
   void read_base(const files::XmlElement& base, const std::string& outer_class) {
     int joints = 0;
     for (const files::XmlElement& joint : base.children()) {
       if (joint.tag() != "joint" && joint.tag() != "freejoint") continue;
       if (++joints > 1) joint.fail("the base has a second joint; besides its free joint it can have none");
-      draft_.base_joint = joint.attribute("name").value_or("");
+      description_.base_joint = joint.attribute("name").value_or("");
     }
-    description::DraftBody body;
+    description::BodyDescription body;
     body.name = context_.names.of(base);
     body.where = base.where();
     finish(base, context_.defaults.child_class(base, outer_class), std::move(body));
@@ -29,15 +30,15 @@ class BodyReader {
 
  private:
   /// Mass, shapes and sites of a body, then the bodies that hang on it.
-  void finish(const files::XmlElement& element, const std::string& child_class, description::DraftBody body) {
+  void finish(const files::XmlElement& element, const std::string& child_class, description::BodyDescription body) {
     const auto children = children_in(element, child_class, context_.defaults, context_.compiler);
     read_solid(element, children, body);
     for (const MjcfChild& child : children) {
       if (child.element.tag() == "site") body.frames.push_back(read_site(child));
       if (child.element.tag() == "camera") add_camera(child, body);
     }
-    const int index = static_cast<int>(draft_.bodies.size());
-    draft_.bodies.push_back(std::move(body));
+    const int index = static_cast<int>(description_.bodies.size());
+    description_.bodies.push_back(std::move(body));
     for (const MjcfChild& child : children) {
       if (child.element.tag() == "body") read_body(child, index);
     }
@@ -45,11 +46,11 @@ class BodyReader {
 
   void read_body(const MjcfChild& child, int parent) {
     const files::XmlElement& element = child.element;
-    description::DraftBody body;
+    description::BodyDescription body;
     body.name = context_.names.of(element);
     body.where = element.where();
     body.parent = parent;
-    body.place = description::inside(child.frame, place_of(own_attributes(element)));
+    body.place = child.frame * place_of(own_attributes(element));
     const std::string child_class = context_.defaults.child_class(element, child.child_class);
     for (const files::XmlElement& joint : element.children()) {
       if (joint.tag() == "freejoint") joint.fail("freejoint inside the robot; only its base may be free");
@@ -59,7 +60,7 @@ class BodyReader {
   }
 
   void read_solid(const files::XmlElement& element, const std::vector<MjcfChild>& children,
-                  description::DraftBody& body) {
+                  description::BodyDescription& body) {
     std::vector<description::MassProperties> solids;
     const MjcfGeomContext geom_context{context_.compiler, context_.meshes, mass_from_geoms(element, context_.compiler),
                                        context_.lenient, context_.warnings};
@@ -79,26 +80,27 @@ class BodyReader {
     if (!mass_from_geoms(element, context_.compiler) && !inertials.empty()) body.solid_where = inertials[0].where();
   }
 
-  [[nodiscard]] description::DraftShape make_shape(const MjcfChild& child, const MjcfAttributes& attributes,
-                                                   PlacedShape placed) const {
+  [[nodiscard]] description::ShapeDescription make_shape(const MjcfChild& child, const MjcfAttributes& attributes,
+                                                         PlacedShape placed) const {
     if (std::holds_alternative<Plane>(placed.shape)) {
       child.element.fail("a plane cannot be part of a robot; use a box");
     }
-    const description::Place place = description::inside(child.frame, {placed.position, placed.orientation});
+    const Transformd place = child.frame * placed.place();
     placed.position = place.position;
     placed.orientation = place.orientation;
     return {child.element.attribute("name").value_or(""), child.element.where(), placed, attributes.text("mesh")};
   }
 
-  [[nodiscard]] static description::DraftVisual placed_visual(const MjcfChild& child, description::DraftVisual visual) {
-    visual.place = description::inside(child.frame, visual.place);
+  [[nodiscard]] static description::VisualDescription placed_visual(const MjcfChild& child,
+                                                                    description::VisualDescription visual) {
+    visual.place = child.frame * visual.place;
     return visual;
   }
 
-  [[nodiscard]] description::DraftFrame read_site(const MjcfChild& child) const {
+  [[nodiscard]] description::FrameDescription read_site(const MjcfChild& child) const {
     const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
-    description::DraftFrame frame{context_.names.of(child.element), child.element.where()};
-    frame.place = description::inside(child.frame, place_of(attributes));
+    description::FrameDescription frame{context_.names.of(child.element), child.element.where()};
+    frame.place = child.frame * place_of(attributes);
     const bool box = attributes.text("type") == "box" && attributes.has("size");
     const auto size = box ? attributes.numbers("size", 2, 3) : std::vector<double>(2);
     if (size[0] > 0 && size[1] > 0) frame.box = Sole{size[0], size[1]};
@@ -107,20 +109,20 @@ class BodyReader {
 
   /// One with a name is a frame that others may use, with the axes that MJCF gives it; one that does not stay at its
   /// place on the body is none.
-  void add_camera(const MjcfChild& child, description::DraftBody& body) {
+  void add_camera(const MjcfChild& child, description::BodyDescription& body) {
     const MjcfAttributes attributes = context_.defaults.resolve(child.element, child.child_class);
     const auto name = child.element.attribute("name");
-    description::DraftSensor camera = read_mjcf_camera(attributes, name.value_or(body.name));
-    const description::Place place = description::inside(child.frame, place_of(attributes));
+    description::SensorDescription camera = read_mjcf_camera(attributes, name.value_or(body.name));
+    const Transformd place = child.frame * place_of(attributes);
     if (!camera.obstacle.empty()) {
       camera.frame = body.name;
     } else if (name) {
       body.frames.push_back({*name, child.element.where(), "camera", place, {}});
     } else {
       camera.object_kind = "xbody";
-      camera.place = description::inside(place, camera.place);
+      camera.place = place * camera.place;
     }
-    draft_.sensors.push_back(std::move(camera));
+    description_.sensors.push_back(std::move(camera));
   }
 
   [[nodiscard]] static MjcfAttributes own_attributes(const files::XmlElement& element) {
@@ -128,12 +130,12 @@ class BodyReader {
     attributes.overlay(element);
     return attributes;
   }
-  [[nodiscard]] description::Place place_of(const MjcfAttributes& attributes) const {
+  [[nodiscard]] Transformd place_of(const MjcfAttributes& attributes) const {
     return {attributes.vector("pos", {}), read_orientation(attributes, context_.compiler)};
   }
 
   const MjcfContext& context_;
-  description::RobotDraft& draft_;
+  description::RobotDescription& description_;
 };
 
 }  // namespace
@@ -144,8 +146,8 @@ bool is_free_joint(const files::XmlElement& joint, const std::string& child_clas
 }
 
 void read_bodies(const files::XmlElement& base, const std::string& child_class, const MjcfContext& context,
-                 description::RobotDraft& draft) {
-  BodyReader(context, draft).read_base(base, child_class);
+                 description::RobotDescription& description) {
+  BodyReader(context, description).read_base(base, child_class);
 }
 
 }  // namespace murosimf::formats::mjcf

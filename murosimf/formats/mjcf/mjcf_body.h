@@ -1,4 +1,4 @@
-/// mjcf_body.h - bodies of an MJCF file, as parts of a draft: their places, joints, mass, shapes and sites.
+/// mjcf_body.h - bodies of an MJCF file, as parts of a description: their places, joints, mass, shapes and sites.
 #pragma once
 
 #include "murosimf/formats/mjcf/mjcf_context.h"
@@ -6,9 +6,9 @@
 namespace murosimf::formats::mjcf {
 
 /// The whole robot, from the body with the free joint on. Its place in the file is left out: the scene places robots.
-/// Fills bodies, cameras and base_joint of `draft`.
+/// Fills bodies, cameras and base_joint of `description`.
 void read_bodies(const files::XmlElement& base, const std::string& child_class, const MjcfContext& context,
-                 description::RobotDraft& draft);
+                 description::RobotDescription& description);
 
 /// True for `freejoint` and for a joint of type free.
 [[nodiscard]] bool is_free_joint(const files::XmlElement& joint, const std::string& child_class,

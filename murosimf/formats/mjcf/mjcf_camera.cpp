@@ -8,7 +8,7 @@ namespace murosimf::formats::mjcf {
 namespace {
 
 constexpr double usual_width = 640, usual_height = 480;  // [px]
-constexpr double usual_opening = 45;                     // [deg] vertical, of the format
+constexpr double usual_fov = 45;                         // [deg] vertical, of the format
 constexpr double most_pixels = 1e5;                      // along a side
 constexpr double pixel_pitch = 1e-6;                     // [m] of sensors that are written
 
@@ -58,16 +58,16 @@ void read_sensor(const MjcfAttributes& attributes, const Vec3d& size, std::map<s
   numbers["cy"] = 0.5 * (height - 1) - principal.y;
 }
 
-void read_opening(const MjcfAttributes& attributes, std::map<std::string, double>& numbers) {
+void read_fov(const MjcfAttributes& attributes, std::map<std::string, double>& numbers) {
   for (const char* name : {"focal", "focalpixel", "principal", "principalpixel"}) {
     if (attributes.has(name)) attributes.source(name).fail(fmt::format("{} of camera needs sensorsize; add it", name));
   }
-  const double degrees = attributes.number("fovy", usual_opening);
+  const double degrees = attributes.number("fovy", usual_fov);
   if (!(degrees > 0 && degrees < 180)) {
     attributes.source("fovy").fail(fmt::format("fovy {} of camera must be from 0 to 180 degrees", degrees));
   }
   const double half = 0.5 * degrees * pi / 180;
-  numbers["opening"] = 2 * std::atan(std::tan(half) * numbers["width"] / numbers["height"]);
+  numbers["fov"] = 2 * std::atan(std::tan(half) * numbers["width"] / numbers["height"]);
 }
 
 std::string obstacle_of(const MjcfAttributes& attributes) {
@@ -79,8 +79,8 @@ std::string obstacle_of(const MjcfAttributes& attributes) {
 
 }  // namespace
 
-description::DraftSensor read_mjcf_camera(const MjcfAttributes& attributes, const std::string& frame) {
-  description::DraftSensor camera{"camera", attributes.text("name"), frame, attributes.element().where()};
+description::SensorDescription read_mjcf_camera(const MjcfAttributes& attributes, const std::string& frame) {
+  description::SensorDescription camera{"camera", attributes.text("name"), frame, attributes.element().where()};
   camera.object_kind = "camera";
   camera.place.orientation = camera_axes;
   camera.obstacle = obstacle_of(attributes);
@@ -89,21 +89,21 @@ description::DraftSensor read_mjcf_camera(const MjcfAttributes& attributes, cons
   if (const auto size = pair_of(attributes, "sensorsize")) {
     read_sensor(attributes, *size, camera.numbers);
   } else {
-    read_opening(attributes, camera.numbers);
+    read_fov(attributes, camera.numbers);
   }
   return camera;
 }
 
-bool is_mjcf_camera(const description::DraftSensor& sensor) {
+bool is_mjcf_camera(const description::SensorDescription& sensor) {
   return sensor.kind == "camera" && sensor.object_kind == "camera" && sensor.obstacle.empty();
 }
 
-void write_mjcf_camera(files::XmlText& xml, const description::DraftSensor& camera) {
+void write_mjcf_camera(files::XmlText& xml, const description::SensorDescription& camera) {
   const auto& numbers = camera.numbers;
   const double width = numbers.at("width"), height = numbers.at("height");
   xml.numbers("resolution", {width, height});
-  if (const auto opening = numbers.find("opening"); opening != numbers.end()) {
-    xml.numbers("fovy", {2 * std::atan(std::tan(0.5 * opening->second) * height / width) * 180 / pi});
+  if (const auto fov = numbers.find("fov"); fov != numbers.end()) {
+    xml.numbers("fovy", {2 * std::atan(std::tan(0.5 * fov->second) * height / width) * 180 / pi});
     return;
   }
   xml.numbers("sensorsize", {pixel_pitch * width, pixel_pitch * height});

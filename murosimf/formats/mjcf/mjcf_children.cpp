@@ -12,9 +12,8 @@ void collect(const files::XmlElement& parent, const MjcfChild& around, const Mjc
     }
     MjcfAttributes attributes(element);
     attributes.overlay(element);
-    const description::Place own{attributes.vector("pos", {}), read_orientation(attributes, compiler)};
-    const MjcfChild frame{element, defaults.child_class(element, around.child_class),
-                          description::inside(around.frame, own)};
+    const Transformd own{attributes.vector("pos", {}), read_orientation(attributes, compiler)};
+    const MjcfChild frame{element, defaults.child_class(element, around.child_class), around.frame * own};
     collect(element, frame, defaults, compiler, children);
   }
 }

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/formats/mjcf/mjcf_frame.h"
 
 namespace murosimf::formats::mjcf {
 
 struct MjcfChild {
   files::XmlElement element;
-  std::string child_class;   ///< that holds for it, from the body and frames around it
-  description::Place frame;  ///< of the frames around it, in the body
+  std::string child_class;  ///< that holds for it, from the body and frames around it
+  Transformd frame;         ///< of the frames around it, in the body
 };
 
 /// All children of `body` but frames, whose children stand in their place; in the order of the file.

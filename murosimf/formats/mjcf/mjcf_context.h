@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/formats/mjcf/mjcf_actuator.h"
 #include "murosimf/formats/mjcf/mjcf_defaults.h"
 #include "murosimf/formats/mjcf/mjcf_frame.h"

@@ -116,8 +116,8 @@ MjcfGeom read_mesh_geom(const MjcfAttributes& attributes, const std::string& typ
   const std::string mesh = attributes.text("mesh");
   if (!placed.collides) {
     context.meshes.check_file(mesh, element);
-    const description::Place place{placed.position, placed.orientation};
-    geom.visual = description::DraftVisual{attributes.text("name"), element.where(), mesh, place, placed.color};
+    const Transformd place{placed.position, placed.orientation};
+    geom.visual = description::VisualDescription{attributes.text("name"), element.where(), mesh, place, placed.color};
     return geom;
   }
   for (const formats::mesh::ConvexPart& part : context.meshes.parts(mesh, element)) {

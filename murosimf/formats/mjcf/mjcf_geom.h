@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/formats/mjcf/mjcf_mesh.h"
 
 namespace murosimf::formats::mjcf {
@@ -14,7 +14,7 @@ namespace murosimf::formats::mjcf {
 struct MjcfGeom {
   std::vector<PlacedShape> shapes;
   std::vector<Vec3d> middles;  ///< [m] of the shapes of a mesh: their origins in the mesh frame
-  std::optional<description::DraftVisual> visual;
+  std::optional<description::VisualDescription> visual;
   description::MassProperties solid;  ///< from `mass`, or from `density` [kg/m^3] (1000 if the file is silent)
 };
 

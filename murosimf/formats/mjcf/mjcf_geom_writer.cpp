@@ -60,12 +60,12 @@ void write_contact(files::XmlText& xml, const PlacedShape& placed) {
 }
 
 /// Of the mesh that the shape is a part of.
-description::Place mesh_place(const description::DraftShape& shape) {
-  return description::inside({shape.placed.position, shape.placed.orientation}, {-shape.middle, {}});
+Transformd mesh_place(const description::ShapeDescription& shape) {
+  return shape.placed.place() * Transformd{-shape.middle, {}};
 }
 
 /// Both are parts of one geom: other parts of the same mesh at the same place.
-bool is_same_geom(const description::DraftShape& a, const description::DraftShape& b) {
+bool is_same_geom(const description::ShapeDescription& a, const description::ShapeDescription& b) {
   if (a.mesh.empty() || a.mesh != b.mesh || a.where != b.where || a.name != b.name) return false;
   const bool same_part = is_zero(a.middle - b.middle);
   return !same_part && norm(mesh_place(a).position - mesh_place(b).position) < same_place;
@@ -73,27 +73,28 @@ bool is_same_geom(const description::DraftShape& a, const description::DraftShap
 
 }  // namespace
 
-MjcfGeomWriter::MjcfGeomWriter(const description::RobotDraft& draft, const fs::path& folder, files::XmlText& xml)
-    : draft_(draft), folder_(folder), xml_(xml) {
+MjcfGeomWriter::MjcfGeomWriter(const description::RobotDescription& description, const fs::path& folder,
+                               files::XmlText& xml)
+    : description_(description), folder_(folder), xml_(xml) {
   std::set<std::string> without_file;  // or with one that MuJoCo does not read
-  for (const description::DraftMesh& mesh : draft.meshes) {
+  for (const description::MeshDescription& mesh : description.meshes) {
     if (!is_mesh_file(mesh.file)) without_file.insert(mesh.name);
   }
-  for (const description::DraftBody& body : draft.bodies) {
-    for (const description::DraftShape& shape : body.shapes) {
+  for (const description::BodyDescription& body : description.bodies) {
+    for (const description::ShapeDescription& shape : body.shapes) {
       if (without_file.contains(shape.mesh)) inline_meshes_.emplace(shape.mesh, &shape);
     }
   }
 }
 
 void MjcfGeomWriter::write_assets() {
-  if (draft_.meshes.empty()) return;
+  if (description_.meshes.empty()) return;
   xml_.begin("asset");
-  for (const description::DraftMesh& mesh : draft_.meshes) write_asset(mesh);
+  for (const description::MeshDescription& mesh : description_.meshes) write_asset(mesh);
   xml_.end();
 }
 
-void MjcfGeomWriter::write_asset(const description::DraftMesh& mesh) {
+void MjcfGeomWriter::write_asset(const description::MeshDescription& mesh) {
   const auto in_file = inline_meshes_.find(mesh.name);
   if (in_file == inline_meshes_.end() && !is_mesh_file(mesh.file)) {
     unusable_.insert(mesh.name);
@@ -111,7 +112,7 @@ void MjcfGeomWriter::write_asset(const description::DraftMesh& mesh) {
       xml_.numbers("refquat", {q.w, q.x, q.y, q.z});
     }
   } else {
-    const description::DraftShape& shape = *in_file->second;
+    const description::ShapeDescription& shape = *in_file->second;
     std::vector<double> numbers;
     for (const Vec3d& v : std::get<Convex>(shape.placed.shape).hull->vertices) {
       const Vec3d vertex = shape.middle + v;
@@ -122,28 +123,28 @@ void MjcfGeomWriter::write_asset(const description::DraftMesh& mesh) {
   xml_.end();
 }
 
-void MjcfGeomWriter::write_geoms(const description::DraftBody& body) {
+void MjcfGeomWriter::write_geoms(const description::BodyDescription& body) {
   for (std::size_t i = 0; i < body.shapes.size(); ++i) {
     if (i == 0 || !is_same_geom(body.shapes[i - 1], body.shapes[i])) write_shape(body.shapes[i]);
   }
-  for (const description::DraftVisual& visual : body.visuals) {
+  for (const description::VisualDescription& visual : body.visuals) {
     if (!unusable_.contains(visual.mesh)) write_visual(visual);
   }
 }
 
-void MjcfGeomWriter::write_shape(const description::DraftShape& shape) {
+void MjcfGeomWriter::write_shape(const description::ShapeDescription& shape) {
   const PlacedShape& placed = shape.placed;
   xml_.begin("geom");
   write_name(shape.name);
   xml_.text("type", shape_name(placed.shape)).text_unless_empty("mesh", shape.mesh);
   std::visit(WriteShape{xml_}, placed.shape);
-  write_place(xml_, shape.mesh.empty() ? description::Place{placed.position, placed.orientation} : mesh_place(shape));
+  write_place(xml_, shape.mesh.empty() ? Transformd{placed.position, placed.orientation} : mesh_place(shape));
   write_contact(xml_, placed);
   write_color(xml_, placed.color);
   xml_.end();
 }
 
-void MjcfGeomWriter::write_visual(const description::DraftVisual& visual) {
+void MjcfGeomWriter::write_visual(const description::VisualDescription& visual) {
   xml_.begin("geom");
   write_name(visual.name);
   xml_.text("type", "mesh").text("mesh", visual.mesh);

@@ -20,18 +20,18 @@ Vec3d read_axis(const MjcfAttributes& attributes, const std::string& name) {
 }
 
 /// [rad | m] of one unit of the file.
-double unit_of(const description::DraftJoint& joint, const MjcfContext& context) {
+double unit_of(const description::JointDescription& joint, const MjcfContext& context) {
   return joint.kind == Kind::revolute ? context.compiler.angle_unit : 1.0;
 }
 
-void read_spring(const MjcfAttributes& attributes, description::DraftJoint& joint, double unit) {
+void read_spring(const MjcfAttributes& attributes, description::JointDescription& joint, double unit) {
   joint.reference = unit * attributes.number("ref", 0);
   joint.stiffness = at_least_zero(attributes, "stiffness");
   joint.spring_reference = unit * attributes.number("springref", 0);
 }
 
 /// What limits the torque of all actuators together.
-void limit_effort(const MjcfAttributes& attributes, description::DraftJoint& joint, const MjcfContext& context) {
+void limit_effort(const MjcfAttributes& attributes, description::JointDescription& joint, const MjcfContext& context) {
   if (!is_limited(attributes, "actuatorfrclimited", "actuatorfrcrange", context.compiler)) return;
   const auto range = attributes.numbers("actuatorfrcrange", 2, 2);
   joint.effort_limit = std::max(std::abs(range[0]), std::abs(range[1]));
@@ -42,11 +42,11 @@ void limit_effort(const MjcfAttributes& attributes, description::DraftJoint& joi
 
 }  // namespace
 
-description::DraftJoint read_joint(const files::XmlElement& element, const std::string& child_class,
-                                   const MjcfContext& context) {
+description::JointDescription read_joint(const files::XmlElement& element, const std::string& child_class,
+                                         const MjcfContext& context) {
   const MjcfAttributes attributes = context.defaults.resolve(element, child_class);
   const auto type = attributes.choice("type", {"hinge", "slide", "ball", "free"});
-  description::DraftJoint joint;
+  description::JointDescription joint;
   joint.name = context.names.of(element);
   joint.where = element.where();
   if (type == "ball") element.fail(fmt::format("ball joint '{}' is not supported; use three hinges", joint.name));

@@ -6,7 +6,7 @@
 namespace murosimf::formats::mjcf {
 
 /// Throws SetupError for ball and free joints.
-[[nodiscard]] description::DraftJoint read_joint(const files::XmlElement& element, const std::string& child_class,
-                                                 const MjcfContext& context);
+[[nodiscard]] description::JointDescription read_joint(const files::XmlElement& element, const std::string& child_class,
+                                                       const MjcfContext& context);
 
 }  // namespace murosimf::formats::mjcf

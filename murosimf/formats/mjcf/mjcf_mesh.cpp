@@ -15,7 +15,7 @@ namespace {
 
 constexpr double overcount_ratio = 1.01;  // [1] of the volume that inertia "legacy" may add unnoticed
 
-description::Place origin_of(const MjcfAttributes& attributes) {
+Transformd origin_of(const MjcfAttributes& attributes) {
   return {attributes.vector("refpos", {}), read_quaternion(attributes, "refquat")};
 }
 
@@ -58,14 +58,14 @@ MjcfMeshes::MjcfMeshes(const std::filesystem::path& file, const files::XmlElemen
 
 MjcfMeshes::~MjcfMeshes() = default;
 
-std::vector<description::DraftMesh> MjcfMeshes::drafts() const {
-  std::vector<description::DraftMesh> drafts;
+std::vector<description::MeshDescription> MjcfMeshes::descriptions() const {
+  std::vector<description::MeshDescription> descriptions;
   for (const auto& [name, mesh] : meshes_) {
     const MjcfAttributes& attributes = mesh->attributes;
-    drafts.push_back({name, attributes.element().where(), path_of(attributes), attributes.vector("scale", {1, 1, 1}),
-                      origin_of(attributes)});
+    descriptions.push_back({name, attributes.element().where(), path_of(attributes),
+                            attributes.vector("scale", {1, 1, 1}), origin_of(attributes)});
   }
-  return drafts;
+  return descriptions;
 }
 
 const std::vector<formats::mesh::ConvexPart>& MjcfMeshes::parts(const std::string& name,
@@ -124,7 +124,7 @@ MjcfMeshes::Mesh& MjcfMeshes::find(const std::string& name, const files::XmlElem
 MjcfMeshes::Mesh& MjcfMeshes::loaded(const std::string& name, const files::XmlElement& user) {
   Mesh& mesh = find(name, user);
   if (!mesh.read) {
-    at(mesh.attributes.element().where() + ": mesh '" + name + "'", [&] { load(name, mesh); });
+    with_context(mesh.attributes.element().where() + ": mesh '" + name + "'", [&] { load(name, mesh); });
     mesh.read = true;
   }
   return mesh;

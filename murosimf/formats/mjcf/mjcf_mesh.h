@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/formats/mesh/mesh_library.h"
 #include "murosimf/formats/mjcf/mjcf_frame.h"
 #include "murosimf/geometry/mesh_mass.h"
@@ -43,7 +43,7 @@ class MjcfMeshes {
   void check_file(const std::string& name, const files::XmlElement& user);
 
   /// In alphabetical order.
-  [[nodiscard]] std::vector<description::DraftMesh> drafts() const;
+  [[nodiscard]] std::vector<description::MeshDescription> descriptions() const;
 
   /// Mass properties at density 1, as the mesh's attribute `inertia` says: legacy (default), exact, convex or shell.
   /// Throws SetupError as `parts`; for a flat mesh unless it is a shell; for exact if it is not closed or inside out.

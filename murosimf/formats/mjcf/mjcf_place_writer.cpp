@@ -6,7 +6,7 @@
 
 namespace murosimf::formats::mjcf {
 
-void write_place(files::XmlText& xml, const description::Place& place) {
+void write_place(files::XmlText& xml, const Transformd& place) {
   xml.vector_unless_zero("pos", place.position);
   if (is_identity(place.orientation)) return;
   const auto clean = [](double x) { return std::fabs(x) < 1e-15 ? 0.0 : x; };  // rounding of rotations

@@ -8,7 +8,7 @@
 #include "murosimf/formats/mjcf/mjcf_actuator.h"
 #include "murosimf/formats/mjcf/mjcf_body.h"
 #include "murosimf/formats/mjcf/mjcf_relations.h"
-#include "murosimf/formats/mjcf/mjcf_vocabulary.h"
+#include "murosimf/formats/mjcf/mjcf_schema.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::formats::mjcf {
@@ -61,12 +61,12 @@ Base find_base(const files::XmlElement& root, const MjcfDefaults& defaults, bool
 }
 
 /// settotalmass: masses and inertias in proportion.
-void scale_masses(const MjcfCompiler& compiler, description::RobotDraft& draft) {
+void scale_masses(const MjcfCompiler& compiler, description::RobotDescription& description) {
   double total = 0;
-  for (const description::DraftBody& body : draft.bodies) total += body.solid.mass;
+  for (const description::BodyDescription& body : description.bodies) total += body.solid.mass;
   if (!(compiler.total_mass > 0) || !(total > 0)) return;
   const double factor = compiler.total_mass / total;
-  for (description::DraftBody& body : draft.bodies) {
+  for (description::BodyDescription& body : description.bodies) {
     body.solid.mass *= factor;
     body.solid.inertia = factor * body.solid.inertia;
   }
@@ -74,32 +74,32 @@ void scale_masses(const MjcfCompiler& compiler, description::RobotDraft& draft) 
 
 }  // namespace
 
-description::RobotDraft read_mjcf(const std::filesystem::path& file, const description::ReaderOptions& options) {
+description::RobotDescription read_mjcf(const std::filesystem::path& file, const description::ReaderOptions& options) {
   files::XmlFile xml(file);
   const files::XmlElement root = xml.root();
   if (root.tag() != "mujoco") {
     root.fail(fmt::format("the root is <{}>, not <mujoco>; this is no MJCF file", root.tag()));
   }
   xml.follow_includes();
-  description::RobotDraft draft;
-  draft.file = file;
-  draft.name = root.attribute("model").value_or(file.stem().string());
-  files::check_words(root, mjcf_vocabulary(), options.lenient, draft.warnings, draft.notes);
-  for (const files::XmlElement& world : root.children("worldbody")) note_world(world, draft.notes);
+  description::RobotDescription description;
+  description.file = file;
+  description.name = root.attribute("model").value_or(file.stem().string());
+  files::validate(root, mjcf_schema(), options.lenient, description.warnings, description.notes);
+  for (const files::XmlElement& world : root.children("worldbody")) note_world(world, description.notes);
 
   const MjcfDefaults defaults(root);
   const MjcfCompiler compiler = read_compiler(root);
-  const auto [base, child_class] = find_base(root, defaults, options.lenient, draft.warnings);
+  const auto [base, child_class] = find_base(root, defaults, options.lenient, description.warnings);
   const MjcfNames names(base);
-  MjcfMeshes meshes(file, root, defaults, compiler, options.part_per_group, draft.warnings);
-  draft.meshes = meshes.drafts();
-  const auto actuators = read_actuators(root, defaults, compiler, names, options.lenient, draft.warnings);
-  const MjcfContext context{defaults, compiler, names, actuators, options.lenient, meshes, draft.warnings};
-  read_bodies(base, child_class, context, draft);
-  scale_masses(compiler, draft);
-  description::resolve_damping_ratios(draft);
-  read_relations(root, names, defaults, draft);
-  return draft;
+  MjcfMeshes meshes(file, root, defaults, compiler, options.part_per_group, description.warnings);
+  description.meshes = meshes.descriptions();
+  const auto actuators = read_actuators(root, defaults, compiler, names, options.lenient, description.warnings);
+  const MjcfContext context{defaults, compiler, names, actuators, options.lenient, meshes, description.warnings};
+  read_bodies(base, child_class, context, description);
+  scale_masses(compiler, description);
+  description::resolve_damping_ratios(description);
+  read_relations(root, names, defaults, description);
+  return description;
 }
 
 }  // namespace murosimf::formats::mjcf

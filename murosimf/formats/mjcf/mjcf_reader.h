@@ -1,4 +1,4 @@
-/// mjcf_reader.h - a robot from an MJCF file, the format of MuJoCo, as a draft.
+/// mjcf_reader.h - a robot from an MJCF file, the format of MuJoCo, as a description.
 ///
 /// The robot is the body under worldbody that has a free joint. Read are bodies, joints, inertials, geoms, meshes, sites,
 /// frames, cameras, actuators, sensors, default classes, includes, linear couplings of joints, contact masks, exclusions
@@ -9,12 +9,12 @@
 #pragma once
 
 #include "murosimf/description/reader_options.h"
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 
 namespace murosimf::formats::mjcf {
 
 /// Throws SetupError: file, line, what is wrong, what to do.
-[[nodiscard]] description::RobotDraft read_mjcf(const std::filesystem::path& file,
-                                                const description::ReaderOptions& options = {});
+[[nodiscard]] description::RobotDescription read_mjcf(const std::filesystem::path& file,
+                                                      const description::ReaderOptions& options = {});
 
 }  // namespace murosimf::formats::mjcf

@@ -32,8 +32,8 @@ std::string name_in(const files::XmlElement& element, const char* attribute, std
 }
 
 /// Position of joint1 = polynomial of the position of joint2, both from their reference.
-description::DraftMimic read_mimic(const files::XmlElement& element, const MjcfNames& names,
-                                   const description::RobotDraft& draft) {
+description::MimicDescription read_mimic(const files::XmlElement& element, const MjcfNames& names,
+                                         const description::RobotDescription& description) {
   if (!element.attribute("joint2")) {
     element.fail("a joint that is fixed by an equality is not supported; leave the joint out, or give joint2");
   }
@@ -45,10 +45,11 @@ description::DraftMimic read_mimic(const files::XmlElement& element, const MjcfN
   if (std::any_of(polynomial.begin() + 2, polynomial.end(), [](double c) { return c != 0; })) {
     element.fail("only joints that are coupled linearly are supported; set the last three of polycoef to 0");
   }
-  description::DraftMimic mimic{name_in(element, "joint1", "joint", names.joints()),
-                                name_in(element, "joint2", "joint", names.joints()), element.where(), polynomial[1]};
-  mimic.offset = polynomial[0] + description::reference_of(draft, mimic.joint) -
-                 mimic.ratio * description::reference_of(draft, mimic.leader);
+  description::MimicDescription mimic{name_in(element, "joint1", "joint", names.joints()),
+                                      name_in(element, "joint2", "joint", names.joints()), element.where(),
+                                      polynomial[1]};
+  mimic.offset = polynomial[0] + description::reference_of(description, mimic.joint) -
+                 mimic.ratio * description::reference_of(description, mimic.leader);
   return mimic;
 }
 
@@ -74,11 +75,11 @@ Kinds kinds_of(const MjcfAttributes& geom) {
 
 /// The scene's ground has the usual kinds: what stands on the file's own floor shall stand on it, too.
 void stand_on_usual_ground(const files::XmlElement& root, const MjcfDefaults& defaults,
-                           description::RobotDraft& draft) {
+                           description::RobotDescription& description) {
   std::vector<Kinds> world;
   for (const files::XmlElement& geom : geoms_of_world(root)) world.push_back(kinds_of(defaults.resolve(geom)));
-  for (description::DraftBody& body : draft.bodies) {
-    for (description::DraftShape& shape : body.shapes) {
+  for (description::BodyDescription& body : description.bodies) {
+    for (description::ShapeDescription& shape : body.shapes) {
       PlacedShape& placed = shape.placed;
       const auto stands_on = [&](const Kinds& kinds) { return may_touch(placed, kinds); };
       if (!placed.collides || stands_on({}) || std::ranges::none_of(world, stands_on)) continue;
@@ -95,33 +96,34 @@ std::vector<std::string> world_geoms(const files::XmlElement& root) {
 
 class Pairs {
  public:
-  Pairs(const files::XmlElement& root, description::RobotDraft& draft) : outside_(world_geoms(root)), draft_(draft) {}
+  Pairs(const files::XmlElement& root, description::RobotDescription& description)
+      : outside_(world_geoms(root)), description_(description) {}
 
   void read(const files::XmlElement& element) {
     const auto first = shapes_of(element, "geom1");
     const auto second = shapes_of(element, "geom2");
-    for (description::DraftShape* shape : first) collide(*shape, second.empty());
-    for (description::DraftShape* shape : second) collide(*shape, first.empty());
+    for (description::ShapeDescription* shape : first) collide(*shape, second.empty());
+    for (description::ShapeDescription* shape : second) collide(*shape, first.empty());
     if (!first.empty() && !second.empty()) {
-      draft_.pairs.push_back({first[0]->name, second[0]->name, element.where()});
+      description_.pairs.push_back({first[0]->name, second[0]->name, element.where()});
     }
   }
 
  private:
   /// None for a geom outside the robot.
-  std::vector<description::DraftShape*> shapes_of(const files::XmlElement& element, const char* attribute) {
+  std::vector<description::ShapeDescription*> shapes_of(const files::XmlElement& element, const char* attribute) {
     const auto name = element.attribute(attribute);
     if (!name) element.fail(fmt::format("pair without {}; add it", attribute));
-    std::vector<description::DraftShape*> shapes;
+    std::vector<description::ShapeDescription*> shapes;
     std::vector<std::string_view> known(outside_.begin(), outside_.end());
-    for (description::DraftBody& body : draft_.bodies) {
-      for (description::DraftShape& shape : body.shapes) {
+    for (description::BodyDescription& body : description_.bodies) {
+      for (description::ShapeDescription& shape : body.shapes) {
         if (shape.name == *name) shapes.push_back(&shape);
         if (!shape.name.empty()) known.push_back(shape.name);
       }
     }
-    for (const description::DraftBody& body : draft_.bodies) {
-      for (const description::DraftVisual& visual : body.visuals) {
+    for (const description::BodyDescription& body : description_.bodies) {
+      for (const description::VisualDescription& visual : body.visuals) {
         if (visual.name == *name) {
           element.fail(
               fmt::format("contact pair with the mesh '{}', which does not collide; give it contype and "
@@ -136,7 +138,7 @@ class Pairs {
     return shapes;
   }
 
-  static void collide(description::DraftShape& shape, bool with_the_world) {
+  static void collide(description::ShapeDescription& shape, bool with_the_world) {
     shape.placed.collides = true;
     if (!with_the_world) return;
     shape.placed.contact_type |= 1U;
@@ -144,27 +146,27 @@ class Pairs {
   }
 
   std::vector<std::string> outside_;  // names of geoms of the world
-  description::RobotDraft& draft_;
+  description::RobotDescription& description_;
 };
 
 }  // namespace
 
 void read_relations(const files::XmlElement& root, const MjcfNames& names, const MjcfDefaults& defaults,
-                    description::RobotDraft& draft) {
-  stand_on_usual_ground(root, defaults, draft);
+                    description::RobotDescription& description) {
+  stand_on_usual_ground(root, defaults, description);
   for (const files::XmlElement& element : elements(root, "equality", "joint")) {
-    draft.mimics.push_back(read_mimic(element, names, draft));
+    description.mimics.push_back(read_mimic(element, names, description));
   }
   for (const files::XmlElement& element : elements(root, "contact", "exclude")) {
     if (element.attribute("body1") == "world" || element.attribute("body2") == "world") continue;
-    draft.exclusions.push_back({name_in(element, "body1", "body", names.bodies()),
-                                name_in(element, "body2", "body", names.bodies()), element.where()});
+    description.exclusions.push_back({name_in(element, "body1", "body", names.bodies()),
+                                      name_in(element, "body2", "body", names.bodies()), element.where()});
   }
-  Pairs pairs(root, draft);
+  Pairs pairs(root, description);
   for (const files::XmlElement& element : elements(root, "contact", "pair")) pairs.read(element);
   for (const files::XmlElement& section : root.children("sensor")) {
     for (const files::XmlElement& element : section.children()) {
-      draft.sensors.push_back(read_mjcf_sensor(element, root, defaults, draft));
+      description.sensors.push_back(read_mjcf_sensor(element, root, defaults, description));
     }
   }
 }

@@ -2,17 +2,17 @@
 /// that are excluded or wanted (`contact`), and sensors.
 #pragma once
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/formats/mjcf/mjcf_defaults.h"
 #include "murosimf/formats/mjcf/mjcf_names.h"
 
 namespace murosimf::formats::mjcf {
 
-/// Fills mimics, exclusions, pairs and sensors of `draft`, whose bodies are read already. Throws SetupError for unknown names,
+/// Fills mimics, exclusions, pairs and sensors of `description`, whose bodies are read already. Throws SetupError for unknown names,
 /// for a coupling that is not linear, and for a contact pair with a mesh that is only looked at.
 /// A geom whose masks let it touch the floor of the file, but not a usual one, becomes of kind 1, too: the scene brings its
 /// own floor. A geom that is paired with one outside the robot, like the floor, collides from now on whatever its masks say.
 void read_relations(const files::XmlElement& root, const MjcfNames& names, const MjcfDefaults& defaults,
-                    description::RobotDraft& draft);
+                    description::RobotDescription& description);
 
 }  // namespace murosimf::formats::mjcf

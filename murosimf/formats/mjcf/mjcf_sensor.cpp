@@ -35,21 +35,23 @@ const char* attribute_of(std::string_view kind) {
   return nullptr;
 }
 
-const description::DraftBody* find_body(const description::RobotDraft& draft, const std::string& name) {
-  const auto body = std::ranges::find(draft.bodies, name, &description::DraftBody::name);
-  return body == draft.bodies.end() ? nullptr : &*body;
+const description::BodyDescription* find_body(const description::RobotDescription& description,
+                                              const std::string& name) {
+  const auto body = std::ranges::find(description.bodies, name, &description::BodyDescription::name);
+  return body == description.bodies.end() ? nullptr : &*body;
 }
 
-bool has_joint(const description::RobotDraft& draft, const std::string& name) {
-  return std::ranges::any_of(draft.bodies, [&](const description::DraftBody& body) {
-    return std::ranges::find(body.joints, name, &description::DraftJoint::name) != body.joints.end();
+bool has_joint(const description::RobotDescription& description, const std::string& name) {
+  return std::ranges::any_of(description.bodies, [&](const description::BodyDescription& body) {
+    return std::ranges::find(body.joints, name, &description::JointDescription::name) != body.joints.end();
   });
 }
 
-bool has_frame(const description::RobotDraft& draft, const std::string& name, std::string_view kind) {
-  return std::ranges::any_of(draft.bodies, [&](const description::DraftBody& body) {
-    return std::ranges::any_of(body.frames,
-                               [&](const description::DraftFrame& f) { return f.name == name && f.kind == kind; });
+bool has_frame(const description::RobotDescription& description, const std::string& name, std::string_view kind) {
+  return std::ranges::any_of(description.bodies, [&](const description::BodyDescription& body) {
+    return std::ranges::any_of(body.frames, [&](const description::FrameDescription& f) {
+      return f.name == name && f.kind == kind;
+    });
   });
 }
 
@@ -64,7 +66,8 @@ std::vector<files::XmlElement> actuators_called(const files::XmlElement& root, c
 }
 
 /// The force of an actuator is that of its joint if nothing is between them.
-void move_to_joint(description::DraftSensor& sensor, const files::XmlElement& root, const MjcfDefaults& defaults) {
+void move_to_joint(description::SensorDescription& sensor, const files::XmlElement& root,
+                   const MjcfDefaults& defaults) {
   for (const files::XmlElement& actuator : actuators_called(root, sensor.frame)) {
     const MjcfAttributes attributes = defaults.resolve(actuator);
     const auto gear = attributes.numbers("gear", 1, 6);
@@ -78,15 +81,15 @@ void move_to_joint(description::DraftSensor& sensor, const files::XmlElement& ro
   sensor.obstacle = "its actuator moves no joint";
 }
 
-void place_on_body(description::DraftSensor& sensor, const description::RobotDraft& draft) {
+void place_on_body(description::SensorDescription& sensor, const description::RobotDescription& description) {
   if (sensor.kind == "framequat") {
     sensor.obstacle = "it shows axes of inertia; write objtype=\"xbody\"";
-  } else if (const description::DraftBody* body = find_body(draft, sensor.frame)) {
+  } else if (const description::BodyDescription* body = find_body(description, sensor.frame)) {
     sensor.place.position = body->solid.center;
   }
 }
 
-void read_signal(const MjcfAttributes& attributes, description::DraftSensor& sensor) {
+void read_signal(const MjcfAttributes& attributes, description::SensorDescription& sensor) {
   const double noise = attributes.number("noise", 0), cutoff = attributes.number("cutoff", 0);
   if (noise < 0) attributes.source("noise").fail("noise of the sensor is negative; it must be at least 0");
   if (noise > 0) sensor.signals[""].noise = noise;
@@ -96,19 +99,19 @@ void read_signal(const MjcfAttributes& attributes, description::DraftSensor& sen
 }
 
 /// The object is in the file that is written.
-bool object_is_there(const description::DraftSensor& sensor, const description::RobotDraft& draft) {
+bool object_is_there(const description::SensorDescription& sensor, const description::RobotDescription& description) {
   const std::string &kind = sensor.object_kind, &name = sensor.frame;
-  if (kind == "joint") return has_joint(draft, name);
-  if (kind == "body" || kind == "xbody") return find_body(draft, name) || has_frame(draft, name, "body");
-  return has_frame(draft, name, kind);
+  if (kind == "joint") return has_joint(description, name);
+  if (kind == "body" || kind == "xbody") return find_body(description, name) || has_frame(description, name, "body");
+  return has_frame(description, name, kind);
 }
 
 /// Actuators are written as sensors of their joints' torques.
-const char* written_kind(const description::DraftSensor& sensor) {
+const char* written_kind(const description::SensorDescription& sensor) {
   return sensor.kind == "actuatorfrc" ? "jointactuatorfrc" : sensor.kind.c_str();
 }
 
-void write_sensor(files::XmlText& xml, const description::DraftSensor& sensor) {
+void write_sensor(files::XmlText& xml, const description::SensorDescription& sensor) {
   const char* kind = written_kind(sensor);
   const std::string attribute = attribute_of(kind);
   xml.begin(kind).text_unless_empty("name", sensor.name);
@@ -123,9 +126,10 @@ void write_sensor(files::XmlText& xml, const description::DraftSensor& sensor) {
 
 }  // namespace
 
-description::DraftSensor read_mjcf_sensor(const files::XmlElement& element, const files::XmlElement& root,
-                                          const MjcfDefaults& defaults, const description::RobotDraft& draft) {
-  description::DraftSensor sensor{element.tag(), element.attribute("name").value_or(""), "", element.where()};
+description::SensorDescription read_mjcf_sensor(const files::XmlElement& element, const files::XmlElement& root,
+                                                const MjcfDefaults& defaults,
+                                                const description::RobotDescription& description) {
+  description::SensorDescription sensor{element.tag(), element.attribute("name").value_or(""), "", element.where()};
   for (const char* attribute : {"site", "objname", "joint", "body", "actuator", "geom", "camera"}) {
     const auto name = element.attribute(attribute);
     if (!name) continue;
@@ -136,26 +140,26 @@ description::DraftSensor read_mjcf_sensor(const files::XmlElement& element, cons
   if (sensor.object_kind == "geom") sensor.obstacle = "it is that of a geom; put a site there";
   if (element.attribute("refname")) sensor.obstacle = "it is relative to another frame";
   if (sensor.object_kind == "actuator") move_to_joint(sensor, root, defaults);
-  if (sensor.object_kind == "body" && sensor.kind.starts_with("frame")) place_on_body(sensor, draft);
+  if (sensor.object_kind == "body" && sensor.kind.starts_with("frame")) place_on_body(sensor, description);
   MjcfAttributes attributes(element);
   attributes.overlay(element);
   read_signal(attributes, sensor);
   return sensor;
 }
 
-bool is_mjcf_sensor(const description::DraftSensor& sensor, const description::RobotDraft& draft) {
-  if (is_mjcf_camera(sensor)) return object_is_there(sensor, draft);
+bool is_mjcf_sensor(const description::SensorDescription& sensor, const description::RobotDescription& description) {
+  if (is_mjcf_camera(sensor)) return object_is_there(sensor, description);
   const bool complete = sensor.obstacle.empty() && !sensor.object_kind.empty();
-  return complete && attribute_of(written_kind(sensor)) && object_is_there(sensor, draft);
+  return complete && attribute_of(written_kind(sensor)) && object_is_there(sensor, description);
 }
 
-void write_mjcf_sensors(files::XmlText& xml, const description::RobotDraft& draft) {
-  const auto fits = [&](const description::DraftSensor& sensor) {
-    return !is_mjcf_camera(sensor) && is_mjcf_sensor(sensor, draft);
+void write_mjcf_sensors(files::XmlText& xml, const description::RobotDescription& description) {
+  const auto fits = [&](const description::SensorDescription& sensor) {
+    return !is_mjcf_camera(sensor) && is_mjcf_sensor(sensor, description);
   };
-  const bool any = std::ranges::any_of(draft.sensors, fits);
+  const bool any = std::ranges::any_of(description.sensors, fits);
   if (any) xml.begin("sensor");
-  for (const description::DraftSensor& sensor : draft.sensors) {
+  for (const description::SensorDescription& sensor : description.sensors) {
     if (is_mjcf_camera(sensor)) continue;  // it stands in its body
     if (fits(sensor)) {
       write_sensor(xml, sensor);

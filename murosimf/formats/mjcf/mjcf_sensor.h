@@ -5,23 +5,25 @@
 /// Source: XML reference of the MuJoCo documentation, "sensor".
 #pragma once
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/files/xml_text.h"
 #include "murosimf/formats/mjcf/mjcf_defaults.h"
 
 namespace murosimf::formats::mjcf {
 
-/// `draft`: its bodies are read already. A sensor of an actuator becomes one of the actuator's joint.
-[[nodiscard]] description::DraftSensor read_mjcf_sensor(const files::XmlElement& element, const files::XmlElement& root,
-                                                        const MjcfDefaults& defaults,
-                                                        const description::RobotDraft& draft);
+/// `description`: its bodies are read already. A sensor of an actuator becomes one of the actuator's joint.
+[[nodiscard]] description::SensorDescription read_mjcf_sensor(const files::XmlElement& element,
+                                                              const files::XmlElement& root,
+                                                              const MjcfDefaults& defaults,
+                                                              const description::RobotDescription& description);
 
-/// The section `sensor`: an element for each sensor that MJCF has and whose object is in the draft, a comment for the
+/// The section `sensor`: an element for each sensor that MJCF has and whose object is in the description, a comment for the
 /// others. Cameras of MJCF are not among them: they stand in bodies (mjcf_camera.h).
-void write_mjcf_sensors(files::XmlText& xml, const description::RobotDraft& draft);
+void write_mjcf_sensors(files::XmlText& xml, const description::RobotDescription& description);
 
 /// It has an element of MJCF's own, in the section `sensor` or in a body.
-[[nodiscard]] bool is_mjcf_sensor(const description::DraftSensor& sensor, const description::RobotDraft& draft);
+[[nodiscard]] bool is_mjcf_sensor(const description::SensorDescription& sensor,
+                                  const description::RobotDescription& description);
 
 }  // namespace murosimf::formats::mjcf

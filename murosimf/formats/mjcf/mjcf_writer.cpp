@@ -20,15 +20,15 @@ constexpr double sole_thickness = 1e-3;  // [m] half; only looked at
 
 class Writer {
  public:
-  Writer(const description::RobotDraft& draft, const MjcfWriterOptions& options)
-      : draft_(draft), geoms_(draft, options.folder, xml_), children_(draft.bodies.size()) {
-    for (std::size_t i = 0; i < draft.bodies.size(); ++i) {
-      if (draft.bodies[i].parent >= 0) children_[draft.bodies[i].parent].push_back(i);
+  Writer(const description::RobotDescription& description, const MjcfWriterOptions& options)
+      : description_(description), geoms_(description, options.folder, xml_), children_(description.bodies.size()) {
+    for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+      if (description.bodies[i].parent >= 0) children_[description.bodies[i].parent].push_back(i);
     }
   }
 
   std::string write() {
-    xml_.begin("mujoco").text("model", draft_.name);
+    xml_.begin("mujoco").text("model", description_.name);
     xml_.begin("compiler").text("angle", "radian").text("autolimits", "true").text("inertiafromgeom", "false").end();
     geoms_.write_assets();
     xml_.begin("worldbody");
@@ -37,26 +37,26 @@ class Writer {
     write_contacts();
     write_couplings();
     write_actuators();
-    write_mjcf_sensors(xml_, draft_);
+    write_mjcf_sensors(xml_, description_);
     xml_.end();
     return xml_.result();
   }
 
  private:
   void write_body(std::size_t index) {
-    const description::DraftBody& body = draft_.bodies[index];
+    const description::BodyDescription& body = description_.bodies[index];
     xml_.begin("body").text("name", body.name);
     write_place(xml_, body.place);
-    if (index == 0) xml_.begin("freejoint").text_unless_empty("name", draft_.base_joint).end();
-    for (const description::DraftJoint& joint : body.joints) write_joint(joint);
+    if (index == 0) xml_.begin("freejoint").text_unless_empty("name", description_.base_joint).end();
+    for (const description::JointDescription& joint : body.joints) write_joint(joint);
     write_inertial(body.solid);
     geoms_.write_geoms(body);
-    for (const description::DraftFrame& frame : body.frames) write_frame(frame);
+    for (const description::FrameDescription& frame : body.frames) write_frame(frame);
     for (const std::size_t child : children_[index]) write_body(child);
     xml_.end();
   }
 
-  void write_joint(const description::DraftJoint& joint) {
+  void write_joint(const description::JointDescription& joint) {
     xml_.begin("joint").text("name", joint.name);
     if (joint.kind == Kind::prismatic) xml_.text("type", "slide");
     xml_.vector_unless_zero("pos", joint.anchor).vector("axis", joint.axis);
@@ -82,7 +82,7 @@ class Writer {
     xml_.end();
   }
 
-  void write_frame(const description::DraftFrame& frame) {
+  void write_frame(const description::FrameDescription& frame) {
     xml_.begin(frame.kind == "camera" ? "camera" : "site").text("name", frame.name);
     write_place(xml_, frame.place);
     if (frame.kind == "camera") write_camera(frame);
@@ -92,20 +92,20 @@ class Writer {
     xml_.end();
   }
 
-  void write_camera(const description::DraftFrame& frame) {
-    for (const description::DraftSensor& sensor : draft_.sensors) {
+  void write_camera(const description::FrameDescription& frame) {
+    for (const description::SensorDescription& sensor : description_.sensors) {
       if (is_mjcf_camera(sensor) && sensor.frame == frame.name) return write_mjcf_camera(xml_, sensor);
     }
   }
 
   void write_contacts() {
-    if (draft_.exclusions.empty() && draft_.pairs.empty()) return;
+    if (description_.exclusions.empty() && description_.pairs.empty()) return;
     xml_.begin("contact");
-    for (const description::DraftExclusion& pair : draft_.exclusions) {
+    for (const description::ExclusionDescription& pair : description_.exclusions) {
       const std::string &first = body_of(pair.body1), &second = body_of(pair.body2);
       if (first != second) xml_.begin("exclude").text("body1", first).text("body2", second).end();
     }
-    for (const description::DraftPair& pair : draft_.pairs) {
+    for (const description::PairDescription& pair : description_.pairs) {
       xml_.begin("pair").text("geom1", pair.shape1).text("geom2", pair.shape2).end();
     }
     xml_.end();
@@ -113,8 +113,8 @@ class Writer {
 
   /// The body itself, or the one that it is welded to.
   [[nodiscard]] const std::string& body_of(const std::string& name) const {
-    for (const description::DraftBody& body : draft_.bodies) {
-      const auto is_it = [&](const description::DraftFrame& frame) {
+    for (const description::BodyDescription& body : description_.bodies) {
+      const auto is_it = [&](const description::FrameDescription& frame) {
         return frame.kind == "body" && frame.name == name;
       };
       if (std::ranges::any_of(body.frames, is_it)) return body.name;
@@ -123,32 +123,32 @@ class Writer {
   }
 
   void write_couplings() {
-    if (draft_.mimics.empty()) return;
+    if (description_.mimics.empty()) return;
     xml_.begin("equality");
-    for (const description::DraftMimic& mimic : draft_.mimics) {
+    for (const description::MimicDescription& mimic : description_.mimics) {
       xml_.begin("joint").text("joint1", mimic.joint).text("joint2", mimic.leader);
       // the format counts both positions from their references
-      const double offset = mimic.offset - description::reference_of(draft_, mimic.joint) +
-                            mimic.ratio * description::reference_of(draft_, mimic.leader);
+      const double offset = mimic.offset - description::reference_of(description_, mimic.joint) +
+                            mimic.ratio * description::reference_of(description_, mimic.leader);
       xml_.numbers("polycoef", {offset, mimic.ratio, 0, 0, 0}).end();
     }
     xml_.end();
   }
 
   void write_actuators() {
-    std::vector<const description::DraftJoint*> driven;
-    for (const description::DraftBody& body : draft_.bodies) {
-      for (const description::DraftJoint& joint : body.joints) {
+    std::vector<const description::JointDescription*> driven;
+    for (const description::BodyDescription& body : description_.bodies) {
+      for (const description::JointDescription& joint : body.joints) {
         if (joint.servo) driven.push_back(&joint);
       }
     }
     if (driven.empty()) return;
     xml_.begin("actuator");
-    for (const description::DraftJoint* joint : driven) write_actuator(*joint);
+    for (const description::JointDescription* joint : driven) write_actuator(*joint);
     xml_.end();
   }
 
-  void write_actuator(const description::DraftJoint& joint) {
+  void write_actuator(const description::JointDescription& joint) {
     const Servo& servo = *joint.servo;
     const bool holds = servo.position_gain > 0, brakes = servo.velocity_gain > 0;
     xml_.begin(holds ? "position" : brakes ? "velocity" : "motor").text("name", joint.name).text("joint", joint.name);
@@ -158,7 +158,7 @@ class Writer {
     xml_.end();
   }
 
-  const description::RobotDraft& draft_;
+  const description::RobotDescription& description_;
   files::XmlText xml_;
   MjcfGeomWriter geoms_;
   std::vector<std::vector<std::size_t>> children_;
@@ -166,8 +166,8 @@ class Writer {
 
 }  // namespace
 
-std::string to_mjcf(const description::RobotDraft& draft, const MjcfWriterOptions& options) {
-  return Writer(draft, options).write();
+std::string to_mjcf(const description::RobotDescription& description, const MjcfWriterOptions& options) {
+  return Writer(description, options).write();
 }
 
 }  // namespace murosimf::formats::mjcf

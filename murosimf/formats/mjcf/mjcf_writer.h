@@ -1,4 +1,4 @@
-/// mjcf_writer.h - a draft of a robot as an MJCF file in our normal form.
+/// mjcf_writer.h - a description of a robot as an MJCF file in our normal form.
 ///
 /// One file that needs no other one but meshes: SI units and radians, no default classes, no includes, orientations as
 /// quaternions, all masses as inertials, shapes for the eye without contact in group 2. What has its default value in
@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <string>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 
 namespace murosimf::formats::mjcf {
 
@@ -22,6 +22,7 @@ struct MjcfWriterOptions {
 
 /// Bodies without joints may be welded already; what is left of them are frames. Shapes that share a name stay apart:
 /// the first keeps it.
-[[nodiscard]] std::string to_mjcf(const description::RobotDraft& draft, const MjcfWriterOptions& options = {});
+[[nodiscard]] std::string to_mjcf(const description::RobotDescription& description,
+                                  const MjcfWriterOptions& options = {});
 
 }  // namespace murosimf::formats::mjcf

@@ -37,11 +37,11 @@ void unless_zero(std::string& text, std::string_view key, double value, std::str
 }
 
 std::string motor(const Servo& s) {
-  const double k_t = s.voltage / s.no_load_rate;
+  const double k_t = s.voltage / s.no_load_speed;
   std::string text = "law = \"dc_motor\"\n";
   line(text, "voltage", s.voltage, "[V]");
   line(text, "stall_torque", s.stall_torque, fmt::format("[N m] R = {:.4g} ohm", k_t * s.voltage / s.stall_torque));
-  line(text, "no_load_rate", s.no_load_rate, fmt::format("[rad/s] k_t = {:.4g} N m/A", k_t));
+  line(text, "no_load_speed", s.no_load_speed, fmt::format("[rad/s] k_t = {:.4g} N m/A", k_t));
   line(text, "position_gain", s.position_gain, "[N m/rad] at the firmware gain below");
   line(text, "firmware_gain", s.firmware_gain, "[1] register of the P gain");
   line(text, "duty_limit", s.duty_limit, "[1]");

@@ -91,24 +91,24 @@ double at_least_zero(const files::XmlElement& element) {
   return number;
 }
 
-void read_friction(const files::XmlElement& block, description::DraftBody& body, UrdfLog& log) {
+void read_friction(const files::XmlElement& block, description::BodyDescription& body, UrdfLog& log) {
   const auto mu1 = only_child(block, "mu1"), mu2 = only_child(block, "mu2");
   if (!mu1 && !mu2) return;
   const double friction = at_least_zero(mu1 ? *mu1 : *mu2);
   if (mu2 && at_least_zero(*mu2) != friction) {
     log.warn(*mu2, fmt::format("friction of link '{}' differs by direction; mu1 is taken for all", body.name));
   }
-  for (description::DraftShape& shape : body.shapes) shape.placed.surface.friction = friction;
+  for (description::ShapeDescription& shape : body.shapes) shape.placed.surface.friction = friction;
 }
 
-void read_link_block(const files::XmlElement& block, description::DraftBody& body, description::RobotDraft& draft,
-                     UrdfLog& log) {
+void read_link_block(const files::XmlElement& block, description::BodyDescription& body,
+                     description::RobotDescription& description, UrdfLog& log) {
   read_friction(block, body, log);
   for (const files::XmlElement& element : block.children()) {
     const std::string tag = element.tag();
     if (tag == "mu1" || tag == "mu2") continue;
     if (tag == "sensor") {
-      draft.sensors.push_back(read_sensor(element, body.name, log));
+      description.sensors.push_back(read_sensor(element, body.name, log));
     } else {
       note_other(element, log);
     }
@@ -116,8 +116,8 @@ void read_link_block(const files::XmlElement& block, description::DraftBody& bod
 }
 
 /// `link`: the one behind the joint, which has the joint's frame; a fixed joint is no object of the model.
-void read_joint_block(const files::XmlElement& block, const std::string& link, description::DraftJoint* joint,
-                      description::RobotDraft& draft, UrdfLog& log) {
+void read_joint_block(const files::XmlElement& block, const std::string& link, description::JointDescription* joint,
+                      description::RobotDescription& description, UrdfLog& log) {
   for (const files::XmlElement& element : block.children()) {
     const std::string tag = element.tag();
     if (tag == "springStiffness" && joint) {
@@ -125,16 +125,16 @@ void read_joint_block(const files::XmlElement& block, const std::string& link, d
     } else if (tag == "springReference" && joint) {
       joint->spring_reference = text_number(element);
     } else if (tag == "sensor") {
-      draft.sensors.push_back(read_sensor(element, joint ? joint->name : link, log));
+      description.sensors.push_back(read_sensor(element, joint ? joint->name : link, log));
     } else {
       note_other(element, log);
     }
   }
 }
 
-description::DraftJoint* moving_joint(description::RobotDraft& draft, const std::string& name) {
-  for (description::DraftBody& body : draft.bodies) {
-    for (description::DraftJoint& joint : body.joints) {
+description::JointDescription* moving_joint(description::RobotDescription& description, const std::string& name) {
+  for (description::BodyDescription& body : description.bodies) {
+    for (description::JointDescription& joint : body.joints) {
       if (joint.name == name) return &joint;
     }
   }
@@ -142,22 +142,24 @@ description::DraftJoint* moving_joint(description::RobotDraft& draft, const std:
 }
 
 void read_block(const files::XmlElement& block, const std::string& name, const UrdfTree& tree,
-                description::RobotDraft& draft, UrdfLog& log) {
-  const auto body = std::ranges::find_if(draft.bodies, [&](const description::DraftBody& b) { return b.name == name; });
-  if (body != draft.bodies.end()) return read_link_block(block, *body, draft, log);
+                description::RobotDescription& description, UrdfLog& log) {
+  const auto body =
+      std::ranges::find_if(description.bodies, [&](const description::BodyDescription& b) { return b.name == name; });
+  if (body != description.bodies.end()) return read_link_block(block, *body, description, log);
   if (const int joint = tree.find_joint(name); joint >= 0) {
     const std::string& link = tree.links[static_cast<std::size_t>(tree.joints[joint].child)].name;
-    return read_joint_block(block, link, moving_joint(draft, name), draft, log);
+    return read_joint_block(block, link, moving_joint(description, name), description, log);
   }
   log.warn(block, fmt::format("gazebo block for '{}', which is no link or joint; it is left out", name));
 }
 
 }  // namespace
 
-void read_gazebo(const files::XmlElement& robot, const UrdfTree& tree, description::RobotDraft& draft, UrdfLog& log) {
+void read_gazebo(const files::XmlElement& robot, const UrdfTree& tree, description::RobotDescription& description,
+                 UrdfLog& log) {
   for (const files::XmlElement& block : robot.children("gazebo")) {
     if (const auto name = block.attribute("reference")) {
-      read_block(block, *name, tree, draft, log);
+      read_block(block, *name, tree, description, log);
     } else {
       for (const files::XmlElement& element : block.children()) note_other(element, log);
     }

@@ -5,13 +5,14 @@
 /// Source: SDFormat documentation, "URDF in Gazebo".
 #pragma once
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/formats/urdf/urdf_log.h"
 #include "murosimf/formats/urdf/urdf_tree.h"
 
 namespace murosimf::formats::urdf {
 
-/// `draft` has the bodies of all links.
-void read_gazebo(const files::XmlElement& robot, const UrdfTree& tree, description::RobotDraft& draft, UrdfLog& log);
+/// `description` has the bodies of all links.
+void read_gazebo(const files::XmlElement& robot, const UrdfTree& tree, description::RobotDescription& description,
+                 UrdfLog& log);
 
 }  // namespace murosimf::formats::urdf

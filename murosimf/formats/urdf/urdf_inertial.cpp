@@ -65,7 +65,7 @@ description::MassProperties read_inertial(const UrdfLink& link, bool welded, boo
   const auto inertial = only_child(link.element, "inertial");
   if (!inertial) return {};
   description::MassProperties solid;
-  const description::Place place = read_origin(*inertial);
+  const Transformd place = read_origin(*inertial);
   solid.mass = read_mass(link, *inertial);
   solid.center = place.position;
   solid.inertia = rotated(place.orientation, read_tensor(link, *inertial, log));

@@ -1,7 +1,7 @@
 /// urdf_inertial.h - masses of links of a URDF file.
 #pragma once
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/formats/urdf/urdf_tree.h"
 
 namespace murosimf::formats::urdf {

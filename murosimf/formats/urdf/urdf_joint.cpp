@@ -20,14 +20,15 @@ Vec3d read_axis(const UrdfJoint& joint) {
   return (1.0 / length) * axis;
 }
 
-void read_range(const UrdfJoint& joint, const files::XmlElement& limit, description::DraftJoint& draft, UrdfLog& log) {
+void read_range(const UrdfJoint& joint, const files::XmlElement& limit, description::JointDescription& description,
+                UrdfLog& log) {
   const double lower = number_or(limit, "lower", 0), upper = number_or(limit, "upper", 0);
   if (lower > upper) {
     limit.fail(fmt::format("limits of joint '{}' are upside down: lower {} is above upper {}; swap them", joint.name,
                            lower, upper));
   }
   if (lower < upper) {
-    draft.range = {lower, upper, 0};
+    description.range = {lower, upper, 0};
     return;
   }
   log.refuse(limit, fmt::format("joint '{}' cannot move: lower and upper limit are both {}; write its range, or make "
@@ -35,7 +36,7 @@ void read_range(const UrdfJoint& joint, const files::XmlElement& limit, descript
                                 joint.name, lower));
 }
 
-void read_limits(const UrdfJoint& joint, description::DraftJoint& draft, UrdfLog& log) {
+void read_limits(const UrdfJoint& joint, description::JointDescription& description, UrdfLog& log) {
   const auto limit = only_child(joint.element, "limit");
   const bool bounded = joint.type != "continuous";
   if (!limit) {
@@ -44,17 +45,18 @@ void read_limits(const UrdfJoint& joint, description::DraftJoint& draft, UrdfLog
                                    joint.name, joint.type == "revolute" ? ", or make it continuous" : ""));
   }
   if (bounded) {
-    read_range(joint, *limit, draft, log);
+    read_range(joint, *limit, description, log);
   } else if (limit->attribute("lower") || limit->attribute("upper")) {
     log.note(*limit, "lower and upper limits of continuous joints are not used");
   }
-  draft.effort_limit = at_least_zero(*limit, "effort");
-  draft.rate_limit = at_least_zero(*limit, "velocity");
+  description.effort_limit = at_least_zero(*limit, "effort");
+  description.rate_limit = at_least_zero(*limit, "velocity");
 }
 
-description::DraftMimic read_mimic(const UrdfTree& tree, const UrdfJoint& follower, const files::XmlElement& element) {
-  description::DraftMimic mimic{follower.name, needed_text(element, "joint"), element.where(),
-                                number_or(element, "multiplier", 1), number_or(element, "offset", 0)};
+description::MimicDescription read_mimic(const UrdfTree& tree, const UrdfJoint& follower,
+                                         const files::XmlElement& element) {
+  description::MimicDescription mimic{follower.name, needed_text(element, "joint"), element.where(),
+                                      number_or(element, "multiplier", 1), number_or(element, "offset", 0)};
   const int leader = tree.find_joint(mimic.leader);
   if (leader < 0) {
     std::vector<std::string_view> names;
@@ -69,10 +71,10 @@ description::DraftMimic read_mimic(const UrdfTree& tree, const UrdfJoint& follow
 }
 
 /// Follows the leaders of every joint: more steps than there are joints is a circle.
-void check_circles(const UrdfTree& tree, const std::vector<description::DraftMimic>& mimics) {
+void check_circles(const UrdfTree& tree, const std::vector<description::MimicDescription>& mimics) {
   std::map<std::string, std::string> leaders;
-  for (const description::DraftMimic& mimic : mimics) leaders.emplace(mimic.joint, mimic.leader);
-  for (const description::DraftMimic& mimic : mimics) {
+  for (const description::MimicDescription& mimic : mimics) leaders.emplace(mimic.joint, mimic.leader);
+  for (const description::MimicDescription& mimic : mimics) {
     std::string joint = mimic.joint;
     for (std::size_t steps = 0; leaders.contains(joint); ++steps) {
       joint = leaders.at(joint);
@@ -86,22 +88,22 @@ void check_circles(const UrdfTree& tree, const std::vector<description::DraftMim
 
 }  // namespace
 
-description::DraftJoint read_joint(const UrdfJoint& joint, UrdfLog& log) {
-  description::DraftJoint draft;
-  draft.name = joint.name;
-  draft.where = joint.element.where();
-  draft.kind = joint.type == "prismatic" ? Kind::prismatic : Kind::revolute;
-  draft.axis = read_axis(joint);
-  read_limits(joint, draft, log);
+description::JointDescription read_joint(const UrdfJoint& joint, UrdfLog& log) {
+  description::JointDescription description;
+  description.name = joint.name;
+  description.where = joint.element.where();
+  description.kind = joint.type == "prismatic" ? Kind::prismatic : Kind::revolute;
+  description.axis = read_axis(joint);
+  read_limits(joint, description, log);
   if (const auto dynamics = only_child(joint.element, "dynamics")) {
-    draft.damping = at_least_zero(*dynamics, "damping");
-    draft.friction = at_least_zero(*dynamics, "friction");
+    description.damping = at_least_zero(*dynamics, "damping");
+    description.friction = at_least_zero(*dynamics, "friction");
   }
-  return draft;
+  return description;
 }
 
-std::vector<description::DraftMimic> read_mimics(const UrdfTree& tree, UrdfLog& log) {
-  std::vector<description::DraftMimic> mimics;
+std::vector<description::MimicDescription> read_mimics(const UrdfTree& tree, UrdfLog& log) {
+  std::vector<description::MimicDescription> mimics;
   for (const UrdfJoint& joint : tree.joints) {
     const auto element = only_child(joint.element, "mimic");
     if (!element) continue;

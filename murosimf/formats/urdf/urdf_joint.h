@@ -3,16 +3,16 @@
 
 #include <vector>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/formats/urdf/urdf_tree.h"
 
 namespace murosimf::formats::urdf {
 
 /// A joint that moves. Its frame is that of the link below it. Throws SetupError: no axis direction, no limits where
 /// the type needs them, impossible numbers.
-[[nodiscard]] description::DraftJoint read_joint(const UrdfJoint& joint, UrdfLog& log);
+[[nodiscard]] description::JointDescription read_joint(const UrdfJoint& joint, UrdfLog& log);
 
 /// All `mimic` elements of joints that move. Throws SetupError: unknown or fixed leader, circles.
-[[nodiscard]] std::vector<description::DraftMimic> read_mimics(const UrdfTree& tree, UrdfLog& log);
+[[nodiscard]] std::vector<description::MimicDescription> read_mimics(const UrdfTree& tree, UrdfLog& log);
 
 }  // namespace murosimf::formats::urdf

@@ -12,11 +12,11 @@ std::string line(const files::XmlElement& at, const std::string& message) {
 }  // namespace
 
 void UrdfLog::note(const files::XmlElement& at, const std::string& message) {
-  if (said_.insert(message).second) draft_.notes.push_back(line(at, message));
+  if (said_.insert(message).second) description_.notes.push_back(line(at, message));
 }
 
 void UrdfLog::warn(const files::XmlElement& at, const std::string& message) {
-  if (said_.insert(message).second) draft_.warnings.push_back(line(at, message));
+  if (said_.insert(message).second) description_.warnings.push_back(line(at, message));
 }
 
 void UrdfLog::refuse(const files::XmlElement& at, const std::string& message) {

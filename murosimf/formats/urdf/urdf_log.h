@@ -4,14 +4,14 @@
 #include <set>
 #include <string>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/files/xml_element.h"
 
 namespace murosimf::formats::urdf {
 
 class UrdfLog {
  public:
-  UrdfLog(description::RobotDraft& draft, bool lenient) : draft_(draft), lenient_(lenient) {}
+  UrdfLog(description::RobotDescription& description, bool lenient) : description_(description), lenient_(lenient) {}
 
   /// What means nothing here; the same message is noted once.
   void note(const files::XmlElement& at, const std::string& message);
@@ -22,7 +22,7 @@ class UrdfLog {
   [[nodiscard]] bool lenient() const { return lenient_; }
 
  private:
-  description::RobotDraft& draft_;
+  description::RobotDescription& description_;
   bool lenient_;
   std::set<std::string> said_;
 };

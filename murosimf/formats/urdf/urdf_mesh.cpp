@@ -9,37 +9,39 @@
 
 namespace murosimf::formats::urdf {
 
-std::optional<description::DraftMesh> UrdfMeshes::find(const files::XmlElement& mesh) {
+std::optional<description::MeshDescription> UrdfMeshes::find(const files::XmlElement& mesh) {
   const auto file = paths_.find(needed_text(mesh, "filename"));
   if (!file) return std::nullopt;
   const Vec3d scale = vector_or(mesh, "scale", {1, 1, 1});
-  const auto same = [&](const description::DraftMesh& known) {
+  const auto same = [&](const description::MeshDescription& known) {
     return known.file == *file && is_zero(known.scale - scale);
   };
-  const auto known = std::ranges::find_if(draft_.meshes, same);
-  if (known != draft_.meshes.end()) return *known;
-  description::DraftMesh entry;
+  const auto known = std::ranges::find_if(description_.meshes, same);
+  if (known != description_.meshes.end()) return *known;
+  description::MeshDescription entry;
   entry.name = free_name(file->stem().string());
   entry.where = mesh.where();
   entry.file = *file;
   entry.scale = scale;
-  draft_.meshes.push_back(entry);
+  description_.meshes.push_back(entry);
   return entry;
 }
 
 std::string UrdfMeshes::free_name(const std::string& stem) const {
   std::string name = stem;
-  const auto taken = [&](const description::DraftMesh& known) { return known.name == name; };
-  for (int number = 2; std::ranges::any_of(draft_.meshes, taken); ++number) name = fmt::format("{}_{}", stem, number);
+  const auto taken = [&](const description::MeshDescription& known) { return known.name == name; };
+  for (int number = 2; std::ranges::any_of(description_.meshes, taken); ++number)
+    name = fmt::format("{}_{}", stem, number);
   return name;
 }
 
-const std::vector<formats::mesh::ConvexPart>& UrdfMeshes::parts(const description::DraftMesh& mesh,
+const std::vector<formats::mesh::ConvexPart>& UrdfMeshes::parts(const description::MeshDescription& mesh,
                                                                 const files::XmlElement& user) {
   const bool split = std::ranges::find(part_per_group_, mesh.name) != part_per_group_.end();
   const std::string where = fmt::format("{}: mesh '{}'", user.where(), mesh.name);
-  const formats::mesh::SolidMesh& solid =
-      at(where, [&]() -> const formats::mesh::SolidMesh& { return library_.get(mesh.file, mesh.scale, split); });
+  const formats::mesh::SolidMesh& solid = with_context(where, [&]() -> const formats::mesh::SolidMesh& {
+    return library_.get(mesh.file, mesh.scale, split);
+  });
   if (!solid.flat.empty()) throw SetupError(files::one_line(fmt::format("{}: {}", where, solid.flat)));
   for (const std::string& doubt : formats::mesh::mesh_doubts(solid))
     log_.warn(user, fmt::format("mesh '{}': {}", mesh.name, doubt));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "murosimf/description/reader_options.h"
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/formats/mesh/mesh_library.h"
 #include "murosimf/formats/urdf/urdf_log.h"
 #include "murosimf/formats/urdf/urdf_mesh_path.h"
@@ -17,14 +17,15 @@ namespace murosimf::formats::urdf {
 
 class UrdfMeshes {
  public:
-  UrdfMeshes(UrdfMeshPaths paths, std::vector<std::string> part_per_group, description::RobotDraft& draft, UrdfLog& log)
-      : paths_(std::move(paths)), part_per_group_(std::move(part_per_group)), draft_(draft), log_(log) {}
+  UrdfMeshes(UrdfMeshPaths paths, std::vector<std::string> part_per_group, description::RobotDescription& description,
+             UrdfLog& log)
+      : paths_(std::move(paths)), part_per_group_(std::move(part_per_group)), description_(description), log_(log) {}
 
-  /// The entry among the draft's meshes for a `mesh` element; nothing if its file is not there.
-  [[nodiscard]] std::optional<description::DraftMesh> find(const files::XmlElement& mesh);
+  /// The entry among the description's meshes for a `mesh` element; nothing if its file is not there.
+  [[nodiscard]] std::optional<description::MeshDescription> find(const files::XmlElement& mesh);
 
   /// What contact sees of it. Throws SetupError: the line of the element, then what is wrong with the mesh.
-  [[nodiscard]] const std::vector<formats::mesh::ConvexPart>& parts(const description::DraftMesh& mesh,
+  [[nodiscard]] const std::vector<formats::mesh::ConvexPart>& parts(const description::MeshDescription& mesh,
                                                                     const files::XmlElement& user);
 
   /// That there is no such file, and what to do.
@@ -35,7 +36,7 @@ class UrdfMeshes {
 
   UrdfMeshPaths paths_;
   std::vector<std::string> part_per_group_;
-  description::RobotDraft& draft_;
+  description::RobotDescription& description_;
   UrdfLog& log_;
   formats::mesh::MeshLibrary library_;
 };

@@ -7,10 +7,10 @@
 #include "murosimf/formats/urdf/urdf_gazebo.h"
 #include "murosimf/formats/urdf/urdf_inertial.h"
 #include "murosimf/formats/urdf/urdf_joint.h"
+#include "murosimf/formats/urdf/urdf_schema.h"
 #include "murosimf/formats/urdf/urdf_shape.h"
 #include "murosimf/formats/urdf/urdf_transmission.h"
 #include "murosimf/formats/urdf/urdf_value.h"
-#include "murosimf/formats/urdf/urdf_vocabulary.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::formats::urdf {
@@ -63,8 +63,8 @@ bool is_welded(const UrdfTree& tree, const UrdfLink& link) {
   return (link.joint >= 0 && fixed(link.joint)) || std::ranges::any_of(link.children, fixed);
 }
 
-description::DraftBody read_body(const UrdfTree& tree, const UrdfLink& link, bool balance, UrdfLog& log) {
-  description::DraftBody body;
+description::BodyDescription read_body(const UrdfTree& tree, const UrdfLink& link, bool balance, UrdfLog& log) {
+  description::BodyDescription body;
   body.name = link.name;
   body.where = link.element.where();
   body.solid = read_inertial(link, is_welded(tree, link), balance, log);
@@ -73,12 +73,13 @@ description::DraftBody read_body(const UrdfTree& tree, const UrdfLink& link, boo
 }
 
 /// Bodies by the order of the tree; `number` of a link is that of its body.
-void read_bodies(const UrdfTree& tree, bool balance, UrdfShapes& shapes, description::RobotDraft& draft, UrdfLog& log) {
+void read_bodies(const UrdfTree& tree, bool balance, UrdfShapes& shapes, description::RobotDescription& description,
+                 UrdfLog& log) {
   std::vector<int> number(tree.links.size());
   for (const int index : tree.order) {
     const UrdfLink& link = tree.links[index];
-    number[index] = static_cast<int>(draft.bodies.size());
-    description::DraftBody body = read_body(tree, link, balance, log);
+    number[index] = static_cast<int>(description.bodies.size());
+    description::BodyDescription body = read_body(tree, link, balance, log);
     shapes.add(link.element, body);
     if (index != tree.order[0]) {
       const UrdfJoint& joint = tree.joints[link.joint];
@@ -86,30 +87,30 @@ void read_bodies(const UrdfTree& tree, bool balance, UrdfShapes& shapes, descrip
       body.place = read_origin(joint.element);
       if (!is_fixed(tree, link.joint)) body.joints.push_back(read_joint(joint, log));
     }
-    draft.bodies.push_back(std::move(body));
+    description.bodies.push_back(std::move(body));
   }
 }
 
 }  // namespace
 
-description::RobotDraft read_urdf(const std::filesystem::path& file, const description::ReaderOptions& options) {
+description::RobotDescription read_urdf(const std::filesystem::path& file, const description::ReaderOptions& options) {
   const files::XmlFile xml(file);
   const files::XmlElement robot = xml.root();
   check_root(robot);
-  description::RobotDraft draft;
-  draft.name = robot.attribute("name").value_or(file.stem().string());
-  draft.file = file;
-  files::check_words(robot, urdf_vocabulary(), options.lenient, draft.warnings, draft.notes);
-  UrdfLog log(draft, options.lenient);
+  description::RobotDescription description;
+  description.name = robot.attribute("name").value_or(file.stem().string());
+  description.file = file;
+  files::validate(robot, urdf_schema(), options.lenient, description.warnings, description.notes);
+  UrdfLog log(description, options.lenient);
   const UrdfTree tree = read_tree(robot, log);
   const Compiler compiler = read_compiler(robot);
-  UrdfMeshes meshes(mesh_paths(file, options, compiler), options.part_per_group, draft, log);
+  UrdfMeshes meshes(mesh_paths(file, options, compiler), options.part_per_group, description, log);
   UrdfShapes shapes(read_colors(robot), std::move(meshes), log);
-  read_bodies(tree, compiler.balance, shapes, draft, log);
-  draft.mimics = read_mimics(tree, log);
-  read_gazebo(robot, tree, draft, log);
+  read_bodies(tree, compiler.balance, shapes, description, log);
+  description.mimics = read_mimics(tree, log);
+  read_gazebo(robot, tree, description, log);
   read_transmissions(robot, tree, log);
-  return draft;
+  return description;
 }
 
 }  // namespace murosimf::formats::urdf

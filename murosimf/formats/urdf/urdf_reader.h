@@ -10,12 +10,12 @@
 #pragma once
 
 #include "murosimf/description/reader_options.h"
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 
 namespace murosimf::formats::urdf {
 
 /// Throws SetupError: file, line, what is wrong, what to do.
-[[nodiscard]] description::RobotDraft read_urdf(const std::filesystem::path& file,
-                                                const description::ReaderOptions& options = {});
+[[nodiscard]] description::RobotDescription read_urdf(const std::filesystem::path& file,
+                                                      const description::ReaderOptions& options = {});
 
 }  // namespace murosimf::formats::urdf

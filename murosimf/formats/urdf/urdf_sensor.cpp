@@ -49,12 +49,12 @@ void read_lens(const files::XmlElement& intrinsics, std::map<std::string, double
   if (!(numbers["fx"] > 0 && numbers["fy"] > 0)) intrinsics.fail("fx and fy of a lens must be positive");
 }
 
-void read_opening(const files::XmlElement& camera, std::map<std::string, double>& numbers) {
-  const double opening = child_number(camera, "horizontal_fov", 1.047);
-  if (!(opening > 0 && opening < 2 * pi)) {
-    camera.fail(fmt::format("horizontal_fov of the camera is {}; write radians, above 0 and below 6.28", opening));
+void read_fov(const files::XmlElement& camera, std::map<std::string, double>& numbers) {
+  const double fov = child_number(camera, "horizontal_fov", 1.047);
+  if (!(fov > 0 && fov < 2 * pi)) {
+    camera.fail(fmt::format("horizontal_fov of the camera is {}; write radians, above 0 and below 6.28", fov));
   }
-  numbers["opening"] = opening;
+  numbers["fov"] = fov;
 }
 
 /// What is not said is as the format has it by default.
@@ -68,7 +68,7 @@ std::map<std::string, double> read_camera(const files::XmlElement& sensor, const
   if (intrinsics) {
     read_lens(*intrinsics, numbers);
   } else {
-    read_opening(camera, numbers);
+    read_fov(camera, numbers);
   }
   const auto bend = only_child(camera, "distortion");
   std::map<std::string, double> bends;
@@ -77,7 +77,7 @@ std::map<std::string, double> read_camera(const files::XmlElement& sensor, const
   return numbers;
 }
 
-description::Place read_pose(const files::XmlElement& sensor) {
+Transformd read_pose(const files::XmlElement& sensor) {
   const auto pose = only_child(sensor, "pose");
   if (!pose || pose->text().empty()) return {};
   const auto p = needed_numbers(*pose, pose->text(), 6, "<pose>");
@@ -96,48 +96,48 @@ void widen(sensors::SignalSpec& signal, const files::XmlElement& noise, UrdfLog&
 }
 
 /// Noise of the axes x, y, z inside `quantity`.
-void read_axes(const files::XmlElement& imu, const char* quantity, const char* output, description::DraftSensor& draft,
-               UrdfLog& log) {
+void read_axes(const files::XmlElement& imu, const char* quantity, const char* output,
+               description::SensorDescription& description, UrdfLog& log) {
   const auto inside = only_child(imu, quantity);
   if (!inside) return;
   for (const char* tag : {"x", "y", "z"}) {
     const auto axis = only_child(*inside, tag);
     if (!axis) continue;
-    if (const auto noise = only_child(*axis, "noise")) widen(draft.signals[output], *noise, log);
+    if (const auto noise = only_child(*axis, "noise")) widen(description.signals[output], *noise, log);
   }
 }
 
-void read_imu(const files::XmlElement& imu, description::DraftSensor& draft, UrdfLog& log) {
-  read_axes(imu, "angular_velocity", "gyroscope", draft, log);
-  read_axes(imu, "linear_acceleration", "accelerometer", draft, log);
+void read_imu(const files::XmlElement& imu, description::SensorDescription& description, UrdfLog& log) {
+  read_axes(imu, "angular_velocity", "gyroscope", description, log);
+  read_axes(imu, "linear_acceleration", "accelerometer", description, log);
   const auto noise = only_child(imu, "noise");  // older than SDFormat 1.5
   if (!noise) return;
-  if (const auto rate = only_child(*noise, "rate")) widen(draft.signals["gyroscope"], *rate, log);
-  if (const auto accel = only_child(*noise, "accel")) widen(draft.signals["accelerometer"], *accel, log);
+  if (const auto rate = only_child(*noise, "rate")) widen(description.signals["gyroscope"], *rate, log);
+  if (const auto accel = only_child(*noise, "accel")) widen(description.signals["accelerometer"], *accel, log);
 }
 
-void read_scan(const files::XmlElement& scan, description::DraftSensor& draft, UrdfLog& log) {
+void read_scan(const files::XmlElement& scan, description::SensorDescription& description, UrdfLog& log) {
   const auto horizontal = only_child(scan, "horizontal");
   if (const auto vertical = only_child(scan, "vertical"); vertical && child_number(*vertical, "samples", 1) > 1) {
     log.note(*vertical, "a laser scans one plane only; <vertical> is not used");
   }
   if (!horizontal) return;
   const double first = child_number(*horizontal, "min_angle"), last = child_number(*horizontal, "max_angle");
-  draft.numbers["rays"] =
+  description.numbers["rays"] =
       std::round(child_number(*horizontal, "samples", 640) * child_number(*horizontal, "resolution", 1));
-  draft.numbers["opening"] = last - first;
-  draft.numbers["first_angle"] = first;
+  description.numbers["fov"] = last - first;
+  description.numbers["first_angle"] = first;
 }
 
 /// A scanner's element is called as its kind, without the GPU.
-void read_laser(const files::XmlElement& laser, description::DraftSensor& draft, UrdfLog& log) {
-  if (const auto scan = only_child(laser, "scan")) read_scan(*scan, draft, log);
+void read_laser(const files::XmlElement& laser, description::SensorDescription& description, UrdfLog& log) {
+  if (const auto scan = only_child(laser, "scan")) read_scan(*scan, description, log);
   if (const auto range = only_child(laser, "range")) {
-    draft.numbers["nearest"] = child_number(*range, "min");
-    draft.numbers["farthest"] = child_number(*range, "max");
-    if (const double step = child_number(*range, "resolution"); step > 0) draft.signals[""].resolution = step;
+    description.numbers["range_min"] = child_number(*range, "min");
+    description.numbers["range_max"] = child_number(*range, "max");
+    if (const double step = child_number(*range, "resolution"); step > 0) description.signals[""].resolution = step;
   }
-  if (const auto noise = only_child(laser, "noise")) widen(draft.signals[""], *noise, log);
+  if (const auto noise = only_child(laser, "noise")) widen(description.signals[""], *noise, log);
 }
 
 }  // namespace
@@ -148,23 +148,23 @@ double text_number(const files::XmlElement& element) {
   return needed_numbers(element, value, 1, fmt::format("<{}>", element.tag()))[0];
 }
 
-description::DraftSensor read_sensor(const files::XmlElement& sensor, const std::string& frame, UrdfLog& log) {
-  description::DraftSensor draft{sensor.attribute("type").value_or(""),
-                                 sensor.attribute("name").value_or(""),
-                                 frame,
-                                 sensor.where(),
-                                 read_pose(sensor),
-                                 child_number(sensor, "update_rate")};
+description::SensorDescription read_sensor(const files::XmlElement& sensor, const std::string& frame, UrdfLog& log) {
+  description::SensorDescription description{sensor.attribute("type").value_or(""),
+                                             sensor.attribute("name").value_or(""),
+                                             frame,
+                                             sensor.where(),
+                                             read_pose(sensor),
+                                             child_number(sensor, "update_rate")};
   const auto cameras = sensor.children("camera");
-  if (!cameras.empty()) draft.numbers = read_camera(sensor, cameras[0]);
-  if (draft.rate != 0 && !(draft.rate >= 1e-3 && draft.rate <= 1e6)) {
-    sensor.fail(fmt::format("update_rate of the sensor is {}; write 0 or from 0.001 to 1000000 Hz", draft.rate));
+  if (!cameras.empty()) description.numbers = read_camera(sensor, cameras[0]);
+  if (description.rate != 0 && !(description.rate >= 1e-3 && description.rate <= 1e6)) {
+    sensor.fail(fmt::format("update_rate of the sensor is {}; write 0 or from 0.001 to 1000000 Hz", description.rate));
   }
-  if (const auto imu = only_child(sensor, "imu")) read_imu(*imu, draft, log);
+  if (const auto imu = only_child(sensor, "imu")) read_imu(*imu, description, log);
   for (const char* tag : {"ray", "lidar"}) {
-    if (const auto laser = only_child(sensor, tag)) read_laser(*laser, draft, log);
+    if (const auto laser = only_child(sensor, tag)) read_laser(*laser, description, log);
   }
-  return draft;
+  return description;
 }
 
 }  // namespace murosimf::formats::urdf

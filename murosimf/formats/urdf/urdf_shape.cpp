@@ -47,7 +47,7 @@ files::XmlElement only_shape(const files::XmlElement& owner) {
   return shapes[0];
 }
 
-PlacedShape placed_shape(const Shape& shape, const description::Place& place, const Color& color, bool collides) {
+PlacedShape placed_shape(const Shape& shape, const Transformd& place, const Color& color, bool collides) {
   PlacedShape placed;
   placed.shape = shape;
   placed.position = place.position;
@@ -81,24 +81,24 @@ Color UrdfShapes::color_of(const files::XmlElement& visual) {
   return {};
 }
 
-void UrdfShapes::add(const files::XmlElement& link, description::DraftBody& body) {
+void UrdfShapes::add(const files::XmlElement& link, description::BodyDescription& body) {
   const auto visuals = link.children("visual");
   const Color color = visuals.empty() ? Color{} : color_of(visuals[0]);
   for (const files::XmlElement& collision : link.children("collision")) add_part({collision, true, color}, body);
   for (const files::XmlElement& visual : visuals) add_part({visual, false, color_of(visual)}, body);
 }
 
-void UrdfShapes::add_part(const Part& part, description::DraftBody& body) {
+void UrdfShapes::add_part(const Part& part, description::BodyDescription& body) {
   const files::XmlElement shape = only_shape(part.element);
   const std::string tag = shape.tag();
   if (tag == "mesh") return add_mesh(part, shape, body);
-  if (!is_primitive(tag)) return;  // the vocabulary has told about it
+  if (!is_primitive(tag)) return;  // the schema has told about it
   body.shapes.push_back({part.element.attribute("name").value_or(""), part.element.where(),
                          placed_shape(read_primitive(shape), read_origin(part.element), part.color, part.collides),
                          ""});
 }
 
-void UrdfShapes::add_mesh(const Part& part, const files::XmlElement& mesh, description::DraftBody& body) {
+void UrdfShapes::add_mesh(const Part& part, const files::XmlElement& mesh, description::BodyDescription& body) {
   if (!part.collides) return add_visual_mesh(part, mesh, body);
   try {
     add_collision_mesh(part, mesh, body);
@@ -108,19 +108,20 @@ void UrdfShapes::add_mesh(const Part& part, const files::XmlElement& mesh, descr
   }
 }
 
-void UrdfShapes::add_visual_mesh(const Part& part, const files::XmlElement& mesh, description::DraftBody& body) {
+void UrdfShapes::add_visual_mesh(const Part& part, const files::XmlElement& mesh, description::BodyDescription& body) {
   const auto found = meshes_.find(mesh);
   if (!found) return log_.warn(mesh, fmt::format("for the eye, {}; it is left out", UrdfMeshes::complaint(mesh)));
   body.visuals.push_back({part.element.attribute("name").value_or(""), part.element.where(), found->name,
                           read_origin(part.element), part.color});
 }
 
-void UrdfShapes::add_collision_mesh(const Part& part, const files::XmlElement& mesh, description::DraftBody& body) {
+void UrdfShapes::add_collision_mesh(const Part& part, const files::XmlElement& mesh,
+                                    description::BodyDescription& body) {
   const auto found = meshes_.find(mesh);
   if (!found) mesh.fail(UrdfMeshes::complaint(mesh));
-  const description::Place place = read_origin(part.element);
+  const Transformd place = read_origin(part.element);
   for (const formats::mesh::ConvexPart& convex : meshes_.parts(*found, mesh)) {
-    const description::Place at_middle = description::inside(place, {convex.middle, {}});
+    const Transformd at_middle = place * Transformd{convex.middle, {}};
     body.shapes.push_back({part.element.attribute("name").value_or(""), part.element.where(),
                            placed_shape(convex.shape, at_middle, part.color, true), found->name, convex.middle});
   }

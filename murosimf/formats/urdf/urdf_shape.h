@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/formats/urdf/urdf_log.h"
 #include "murosimf/formats/urdf/urdf_mesh.h"
 
@@ -23,7 +23,7 @@ class UrdfShapes {
 
   /// Adds the shapes of a link to its body. Shapes that collide have the color of the link's first visual. Throws
   /// SetupError: impossible sizes, collision mesh missing or unreadable. A visual mesh that is missing is a warning.
-  void add(const files::XmlElement& link, description::DraftBody& body);
+  void add(const files::XmlElement& link, description::BodyDescription& body);
 
  private:
   /// Something that fills space, before it is a shape.
@@ -32,10 +32,10 @@ class UrdfShapes {
     bool collides = false;
     Color color{};
   };
-  void add_part(const Part& part, description::DraftBody& body);
-  void add_mesh(const Part& part, const files::XmlElement& mesh, description::DraftBody& body);
-  void add_visual_mesh(const Part& part, const files::XmlElement& mesh, description::DraftBody& body);
-  void add_collision_mesh(const Part& part, const files::XmlElement& mesh, description::DraftBody& body);
+  void add_part(const Part& part, description::BodyDescription& body);
+  void add_mesh(const Part& part, const files::XmlElement& mesh, description::BodyDescription& body);
+  void add_visual_mesh(const Part& part, const files::XmlElement& mesh, description::BodyDescription& body);
+  void add_collision_mesh(const Part& part, const files::XmlElement& mesh, description::BodyDescription& body);
   [[nodiscard]] Color color_of(const files::XmlElement& visual);
 
   UrdfColors colors_;

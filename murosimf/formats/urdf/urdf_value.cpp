@@ -77,7 +77,7 @@ Vec3d vector_or(const files::XmlElement& element, const char* attribute, const V
 
 Mat3d from_roll_pitch_yaw(const Vec3d& rpy) { return rotation_z(rpy.z) * rotation_y(rpy.y) * rotation_x(rpy.x); }
 
-description::Place read_origin(const files::XmlElement& owner) {
+Transformd read_origin(const files::XmlElement& owner) {
   const auto origin = only_child(owner, "origin");
   if (!origin) return {};
   return {vector_or(*origin, "xyz", {}), from_roll_pitch_yaw(vector_or(*origin, "rpy", {}))};

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/description/robot_draft.h"
+#include "murosimf/description/robot_description.h"
 #include "murosimf/files/xml_element.h"
 
 namespace murosimf::formats::urdf {
@@ -34,7 +34,7 @@ namespace murosimf::formats::urdf {
 
 [[nodiscard]] Mat3d from_roll_pitch_yaw(const Vec3d& rpy);
 /// The place that the `origin` of an element gives; the identity if it has none.
-[[nodiscard]] description::Place read_origin(const files::XmlElement& owner);
+[[nodiscard]] Transformd read_origin(const files::XmlElement& owner);
 
 /// Throws SetupError if a value still holds "${...}" or "$(...)" of the macro language xacro.
 void refuse_macro(const files::XmlElement& element, const std::string& value);

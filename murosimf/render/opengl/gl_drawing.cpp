@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "murosimf/render/opengl/gl_matrix.h"
-#include "murosimf/render/opengl/gl_solids.h"
+#include "murosimf/render/opengl/gl_meshes.h"
 #include "murosimf/render/opengl/gl_strokes.h"
 #include "murosimf/render/opengl/shaders.h"
 
@@ -94,7 +94,7 @@ struct GlDrawing::Objects {
   std::optional<LitPrograms> shadowed;  // from when they are wanted
   LitPrograms* lit = &plain;            // those of this picture
   GlProgram shade{{light_source, solid_vertex}, {shade_fragment}};
-  SolidBuffers solids;
+  MeshBuffers meshes;
   StrokeBuffers strokes;
   GlVertexArray ground_array;
   GlBuffer ground_buffer;
@@ -102,11 +102,12 @@ struct GlDrawing::Objects {
   std::list<GlTarget> targets;       // the one used last is the first
 };
 
-GlDrawing::GlDrawing(const Scenery& scenery) : scenery_(scenery), catalog_(solid_catalog(scenery.meshes())) {
+GlDrawing::GlDrawing(const RenderScene& render_scene)
+    : render_scene_(render_scene), catalog_(solid_catalog(render_scene.meshes())) {
   const GlContext::Current current(context_);
   objects_ = std::make_unique<Objects>();
-  objects_->solids.fill(catalog_);
-  if (scenery.markings()) objects_->strokes.fill(*scenery.markings());
+  objects_->meshes.fill(catalog_);
+  if (render_scene.markings()) objects_->strokes.fill(*render_scene.markings());
 }
 
 GlDrawing::~GlDrawing() {
@@ -133,7 +134,7 @@ DrawCount GlDrawing::draw(const sensors::Perspective& wanted, const sensors::Lay
   sensors::Perspective view = wanted;
   if (view.rows == 0) view.rows = view.height - view.first_row;
   if (light.shadows && layers.color) draw_shadows(view, light, ahead);
-  list_.fill(scenery_, view, layers.depth, ahead, catalog_);
+  list_.fill(render_scene_, view, layers.depth, ahead, catalog_);
   // several samples to a pixel make sense for colors only
   std::vector<std::pair<sensors::Layers, int>> passes{{layers, 1}};
   if (samples > 1 && layers.color) {
@@ -184,7 +185,7 @@ void GlDrawing::draw_scene(const sensors::Perspective& view, const sensors::Laye
     glDepthFunc(GL_LESS);
   }
   objects_->lit->solid.use();
-  objects_->solids.draw(list_);
+  objects_->meshes.draw(list_);
 }
 
 void GlDrawing::draw_ground(const sensors::Perspective& view, const Light& light) {
@@ -206,7 +207,7 @@ void GlDrawing::draw_ground(const sensors::Perspective& view, const Light& light
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   };
   rectangle(view.eye.x, view.eye.y, floor_reach, floor_reach, floor_color);
-  const Markings* markings = scenery_.markings();
+  const Markings* markings = render_scene_.markings();
   if (markings) rectangle(0, 0, markings->half_length, markings->half_width, grass);
 }
 
@@ -248,14 +249,14 @@ void GlDrawing::draw_shadows(const sensors::Perspective& view, const Light& ligh
     objects_->shadowed.emplace(shadow_source);
   }
   ShadowMap& map = *objects_->shadows;
-  const LampView lamp = lamp_view(scenery_, light.toward, ahead);
+  const LampView lamp = lamp_view(render_scene_, light.toward, ahead);
   map.texel = 2 * std::max(lamp.half_width, lamp.half_height) / shadow_side;
   const GlMatrix clip = clip_of(lamp);
   // from optical axes to those of the lamp, then to its picture, 0 to 1
   const Mat3d turn = transpose(lamp.axes) * view.axes;
   const Vec3d shift = transposed_times(lamp.axes, view.eye - lamp.eye);
   map.to_lamp = half_and_half() * (clip * matrix_of(turn, shift));
-  list_.fill_all(scenery_, lamp.eye, lamp.axes, ahead, catalog_);
+  list_.fill_all(render_scene_, lamp.eye, lamp.axes, ahead, catalog_);
   glBindFramebuffer(GL_FRAMEBUFFER, *map.frame);
   glDisable(GL_SCISSOR_TEST);
   glViewport(0, 0, shadow_side, shadow_side);
@@ -268,7 +269,7 @@ void GlDrawing::draw_shadows(const sensors::Perspective& view, const Light& ligh
   glCullFace(GL_FRONT);  // the far sides throw them: near ones cannot darken themselves
   objects_->shade.use();
   set(objects_->shade, "clip", clip);
-  objects_->solids.draw(list_);
+  objects_->meshes.draw(list_);
 }
 
 }  // namespace murosimf::render

@@ -1,4 +1,4 @@
-/// gl_drawing.h - draws views of a scenery in one OpenGL context.
+/// gl_drawing.h - draws views of a render_scene in one OpenGL context.
 ///
 /// Only for the .cpp files of this folder: it brings OpenGL in.
 #pragma once
@@ -14,13 +14,13 @@ namespace murosimf::render {
 
 /// How much was drawn.
 struct DrawCount {
-  std::size_t pieces = 0, triangles = 0;
+  std::size_t drawables = 0, triangles = 0;
 };
 
 class GlDrawing {
  public:
   /// Throws SetupError: no device, or one that cannot do it.
-  explicit GlDrawing(const Scenery& scenery);
+  explicit GlDrawing(const RenderScene& render_scene);
   ~GlDrawing();
   GlDrawing(const GlDrawing&) = delete;
   GlDrawing& operator=(const GlDrawing&) = delete;
@@ -39,9 +39,9 @@ class GlDrawing {
   void draw_shadows(const sensors::Perspective& view, const Light& light, double ahead);
   GlTarget& target(int width, int height, int samples);
 
-  const Scenery& scenery_;
+  const RenderScene& render_scene_;
   GlContext context_;
-  SolidCatalog catalog_;
+  MeshCatalog catalog_;
   InstanceList list_;
   std::unique_ptr<Objects> objects_;
 };

@@ -53,7 +53,7 @@ GlMatrix clip_of(const sensors::Perspective& view, double nearest) {
                   0, 0, 1, 0});
 }
 
-LampView lamp_view(const Scenery& scenery, const Vec3d& toward, double ahead) {
+LampView lamp_view(const RenderScene& render_scene, const Vec3d& toward, double ahead) {
   LampView lamp;
   lamp.axes.z = (-1 / norm(toward)) * toward;
   const Vec3d side = std::abs(toward.x) < std::abs(toward.y) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
@@ -61,9 +61,9 @@ LampView lamp_view(const Scenery& scenery, const Vec3d& toward, double ahead) {
   lamp.axes.x = (1 / norm(x)) * x;
   lamp.axes.y = cross(lamp.axes.z, lamp.axes.x);
   Vec3d low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
-  scenery.for_pieces(ahead, [&](const Piece& piece, const geometry::Pose& pose) {
+  render_scene.for_drawables(ahead, [&](const Drawable& drawable, const Transformd& pose) {
     const Vec3d p = transposed_times(lamp.axes, pose.position);
-    const double r = piece.radius;
+    const double r = drawable.radius;
     if (!std::isfinite(norm(p) + r)) return;
     low = {std::min(low.x, p.x - r), std::min(low.y, p.y - r), std::min(low.z, p.z - r)};
     high = {std::max(high.x, p.x + r), std::max(high.y, p.y + r), std::max(high.z, p.z + r)};

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "murosimf/render/scenery.h"
+#include "murosimf/render/render_scene.h"
 #include "murosimf/sensors/view_source.h"
 
 namespace murosimf::render {
@@ -25,8 +25,8 @@ struct LampView {
   Mat3d axes;                                              ///< optical axes to world axes; the third along the light
   double half_width = 1, half_height = 1, half_depth = 1;  ///< [m]
 };
-/// All pieces of the scenery, and their shadows' way to the ground.
-[[nodiscard]] LampView lamp_view(const Scenery& scenery, const Vec3d& toward, double ahead);
+/// All pieces of the render_scene, and their shadows' way to the ground.
+[[nodiscard]] LampView lamp_view(const RenderScene& render_scene, const Vec3d& toward, double ahead);
 [[nodiscard]] GlMatrix clip_of(const LampView& lamp);
 
 }  // namespace murosimf::render

@@ -9,7 +9,7 @@ namespace murosimf::render {
 
 struct Renderer::Contexts {
   /// One that nobody draws with now.
-  std::unique_ptr<GlDrawing> take(const Scenery& scenery) {
+  std::unique_ptr<GlDrawing> take(const RenderScene& render_scene) {
     {
       const std::scoped_lock lock(mutex);
       if (!free.empty()) {
@@ -18,13 +18,13 @@ struct Renderer::Contexts {
         return drawing;
       }
     }
-    return std::make_unique<GlDrawing>(scenery);
+    return std::make_unique<GlDrawing>(render_scene);
   }
   void give_back(std::unique_ptr<GlDrawing> drawing, const DrawCount& drawn) {
     const std::scoped_lock lock(mutex);
     free.push_back(std::move(drawing));
     ++totals.views;
-    totals.pieces += drawn.pieces;
+    totals.drawables += drawn.drawables;
     totals.triangles += drawn.triangles;
   }
   void complain(const char* what) {
@@ -38,10 +38,10 @@ struct Renderer::Contexts {
   std::string trouble, name;
 };
 
-Renderer::Renderer(const World& world, const std::vector<Entity*>& movers, const LooksOf& looks,
+Renderer::Renderer(const World& world, const std::vector<Entity*>& moving_entities, const AppearanceOf& appearance,
                    RendererOptions options)
-    : scenery_(world, movers, looks), options_(options), contexts_(std::make_unique<Contexts>()) {
-  auto drawing = contexts_->take(scenery_);
+    : render_scene_(world, moving_entities, appearance), options_(options), contexts_(std::make_unique<Contexts>()) {
+  auto drawing = contexts_->take(render_scene_);
   const GlContext& context = drawing->context();
   contexts_->name = context.renderer() + (context.software() ? ", software" : "");
   contexts_->free.push_back(std::move(drawing));
@@ -49,7 +49,7 @@ Renderer::Renderer(const World& world, const std::vector<Entity*>& movers, const
 
 Renderer::~Renderer() = default;
 
-void Renderer::locate() { scenery_.locate(); }
+void Renderer::locate() { render_scene_.locate(); }
 std::string Renderer::name() const { return contexts_->name; }
 
 DrawTotals Renderer::totals() const {
@@ -65,7 +65,7 @@ std::string Renderer::trouble() const {
 void Renderer::draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,
                     sensors::View& view) noexcept {
   try {
-    auto drawing = contexts_->take(scenery_);
+    auto drawing = contexts_->take(render_scene_);
     const DrawCount drawn = drawing->draw(perspective, layers, options_.light, options_.samples, ahead, view);
     contexts_->give_back(std::move(drawing), drawn);
   } catch (const std::exception& error) {

@@ -231,8 +231,8 @@ TEST(MjcfMesh, ForTheEyeOnlyCountsForMassUnlessItIsZero) {
   write("brick.obj", brick());
   const auto eye = read(brick_asset, "<geom type='mesh' mesh='brick' contype='0' conaffinity='0' group='2'/>");
   EXPECT_EQ(eye.model->find(properties::shapes, 0), nullptr);
-  ASSERT_EQ(eye.draft.bodies[0].visuals.size(), 1U);
-  EXPECT_EQ(eye.draft.bodies[0].visuals[0].mesh, "brick");
+  ASSERT_EQ(eye.description.bodies[0].visuals.size(), 1U);
+  EXPECT_EQ(eye.description.bodies[0].visuals[0].mesh, "brick");
   EXPECT_NEAR(mass_of(eye), 48, 1e-12);
   const auto massless = read(brick_asset, "<geom size='1' mass='3'/><geom type='mesh' mesh='brick' mass='0'/>");
   EXPECT_EQ(mass_of(massless), 3);

@@ -85,8 +85,8 @@ void expect_same_turn(const Mat3d& a, const Mat3d& b) {
   expect_near(a.z, b.z);
 }
 
-/// Pose of an object in world axes, base at the origin, all joints at `angle`.
-multibody::Pose<double> pose(const Model& model, const std::string& object, double angle = 0) {
+/// Place of an object in world axes, base at the origin, all joints at `angle`.
+Transform<double> pose(const Model& model, const std::string& object, double angle = 0) {
   const auto size = static_cast<std::size_t>(model.size());
   std::vector<double> q(size, angle);
   std::vector<Vec3d> r(size);
@@ -99,7 +99,7 @@ multibody::Pose<double> pose(const Model& model, const std::string& object, doub
 // ---- kid21 ----
 
 TEST(MjcfReader, Kid21HasItsMassAndParts) {
-  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, description] = robot::read_robot(kid21);
   EXPECT_EQ(model->name(), "kid21");
   EXPECT_NEAR(model->tree().mass, 4.30, 1e-12);
   EXPECT_EQ(model->joints().size(), 21u);
@@ -111,7 +111,7 @@ TEST(MjcfReader, Kid21HasItsMassAndParts) {
 }
 
 TEST(MjcfReader, Kid21HasTheNamesOfTheFile) {
-  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, description] = robot::read_robot(kid21);
   EXPECT_EQ(model->object_index("pelvis"), 0);
   EXPECT_EQ(model->object_index("l_foot"), model->object_index("j_l_foot"));
   EXPECT_EQ(model->objects()[model->object_index("l_foot")].name, "j_l_foot");
@@ -122,7 +122,7 @@ TEST(MjcfReader, Kid21HasTheNamesOfTheFile) {
 }
 
 TEST(MjcfReader, Kid21HasSolesInTheRightPlace) {
-  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, description] = robot::read_robot(kid21);
   const auto soles = model->having(properties::sole);
   ASSERT_EQ(soles.size(), 2u);
   EXPECT_EQ(model->objects()[soles[0]].name, "l_sole");
@@ -134,7 +134,7 @@ TEST(MjcfReader, Kid21HasSolesInTheRightPlace) {
 }
 
 TEST(MjcfReader, Kid21HasServosOfItsTable) {
-  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, description] = robot::read_robot(kid21);
   EXPECT_EQ(model->having(properties::servo).size(), 21u);
   const Servo& knee = *model->find(properties::servo, model->object_index("j_l_shin"));
   EXPECT_EQ(knee.type, "mx64");
@@ -150,7 +150,7 @@ TEST(MjcfReader, Kid21HasServosOfItsTable) {
 }
 
 TEST(MjcfReader, Kid21HasSurfacesOfItsTable) {
-  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, description] = robot::read_robot(kid21);
   const Shapes& foot = *model->find(properties::shapes, model->object_index("l_foot"));
   ASSERT_EQ(foot.size(), 1u);
   EXPECT_EQ(foot[0].surface.material, "rubber");
@@ -160,7 +160,7 @@ TEST(MjcfReader, Kid21HasSurfacesOfItsTable) {
 }
 
 TEST(MjcfReader, Kid21HasTwentyBodiesWithOneShapeEach) {
-  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, description] = robot::read_robot(kid21);
   const auto with_shapes = model->having(properties::shapes);
   EXPECT_EQ(with_shapes.size(), 20u);
   for (const int i : with_shapes) EXPECT_EQ(model->find(properties::shapes, i)->size(), 1u);
@@ -171,7 +171,7 @@ TEST(MjcfReader, Kid21HasTwentyBodiesWithOneShapeEach) {
 }
 
 TEST(MjcfReader, Kid21IgnoresTheFloorWithANote) {
-  const auto [model, warnings, notes, table, carried, draft] = robot::read_robot(kid21);
+  const auto [model, warnings, notes, table, carried, description] = robot::read_robot(kid21);
   EXPECT_TRUE(any_contains(notes, "world geom 'floor' ignored: the scene brings its own ground"));
   EXPECT_TRUE(any_contains(notes, "element 'option' is not used"));
   for (const std::string& note : notes) EXPECT_TRUE(contains(note, "kid21.xml:")) << note;
@@ -451,10 +451,10 @@ TEST(MjcfReader, TheTableBesideMustSpeakOfTheRobot) {
 // ---- couplings, contacts, sensors, frames, includes ----
 
 TEST(MjcfReader, ReadsSpringsAndTheReferenceOfAJoint) {
-  const auto [model, warnings, notes, table, carried, draft] =
+  const auto [model, warnings, notes, table, carried, description] =
       read(closed_robot("<body name='a' pos='0 0 1'><joint name='j' axis='0 2 0' ref='90' stiffness='3' "
                         "springref='45'/><geom size='1'/><site name='tip' pos='0 0 -1'/></body>"));
-  const description::DraftJoint& joint = draft.bodies[1].joints[0];
+  const description::JointDescription& joint = description.bodies[1].joints[0];
   EXPECT_EQ(joint.stiffness, 3);
   EXPECT_NEAR(joint.reference, pi / 2, 1e-15);
   EXPECT_NEAR(joint.spring_reference, pi / 4, 1e-15);
@@ -464,51 +464,51 @@ TEST(MjcfReader, ReadsSpringsAndTheReferenceOfAJoint) {
 }
 
 TEST(MjcfReader, FramesShiftAndTurnWhatStandsInThem) {
-  const auto [model, warnings, notes, table, carried, draft] =
+  const auto [model, warnings, notes, table, carried, description] =
       read(closed_robot("<frame pos='1 0 0' euler='0 0 90'><frame pos='0 1 0'><geom name='g' size='1' pos='1 0 0'/>"
                         "</frame><body name='c' pos='2 0 0'><joint axis='0 0 1'/><geom size='1'/></body>"
                         "<site name='s'/></frame>"));
-  expect_near(draft.bodies[0].shapes[0].placed.position, {0, 1, 0});
-  expect_near(draft.bodies[1].place.position, {1, 2, 0});
-  expect_near(draft.bodies[1].place.orientation.x, {0, 1, 0});
-  expect_near(draft.bodies[0].frames[0].place.position, {1, 0, 0});
+  expect_near(description.bodies[0].shapes[0].placed.position, {0, 1, 0});
+  expect_near(description.bodies[1].place.position, {1, 2, 0});
+  expect_near(description.bodies[1].place.orientation.x, {0, 1, 0});
+  expect_near(description.bodies[0].frames[0].place.position, {1, 0, 0});
 }
 
 TEST(MjcfReader, WeldsBodiesWithoutJointsAndKeepsTheirFrames) {
-  const auto [model, warnings, notes, table, carried, draft] =
+  const auto [model, warnings, notes, table, carried, description] =
       read(closed_robot("<body name='bar' pos='2 0 0' euler='0 0 90'>"
                         "<inertial mass='1' pos='2 0 0' diaginertia='1 2 2'/><geom type='box' size='1 2 3'/>"
                         "<site name='end' pos='1 0 0'/><body name='tip' pos='0 1 0'>"
                         "<joint name='j' axis='0 0 1'/><geom size='1'/></body></body>"));
-  ASSERT_EQ(draft.bodies.size(), 2U);
-  const description::DraftBody& base = draft.bodies[0];
+  ASSERT_EQ(description.bodies.size(), 2U);
+  const description::BodyDescription& base = description.bodies[0];
   EXPECT_EQ(base.solid.mass, 2);
   expect_near(base.solid.center, {1, 1, 0});
   EXPECT_NEAR(base.solid.inertia.zz, 1 + 2 + 2 * 2, 1e-12);  // two masses of 1 kg at 1.414 m
   EXPECT_NEAR(base.solid.inertia.yy, 1 + 1 + 2, 1e-12);      // the bar's own xx is yy here
   EXPECT_NEAR(base.solid.inertia.xy, -2, 1e-12);
   expect_near(base.shapes[0].placed.position, {2, 0, 0});
-  expect_near(draft.bodies[1].place.position, {1, 0, 0});
+  expect_near(description.bodies[1].place.position, {1, 0, 0});
   for (const char* frame : {"bar", "end"}) EXPECT_TRUE(model->find_object(frame)) << frame;
 }
 
 TEST(MjcfReader, ReadsCoupledJointsExclusionsAndSensors) {
   const std::string two = limb("<joint name='a' axis='0 0 1'/><joint name='a2' axis='0 1 0'/><site name='imu'/>");
-  const auto draft =
+  const auto description =
       read(closed(robot(two) + "<equality><joint joint1='a2' joint2='a' polycoef='0.1 -2 0 0 0'/></equality>"
                                "<contact><exclude body1='b' body2='limb'/></contact>"
                                "<sensor><gyro name='g' site='imu'/><jointpos joint='a'/></sensor>"))
-          .draft;
-  ASSERT_EQ(draft.mimics.size(), 1U);
-  EXPECT_EQ(draft.mimics[0].joint, "a2");
-  EXPECT_EQ(draft.mimics[0].leader, "a");
-  EXPECT_EQ(draft.mimics[0].ratio, -2);
-  EXPECT_EQ(draft.mimics[0].offset, 0.1);
-  ASSERT_EQ(draft.exclusions.size(), 1U);
-  EXPECT_EQ(draft.exclusions[0].body2, "limb");
-  ASSERT_EQ(draft.sensors.size(), 2U);
-  EXPECT_EQ(draft.sensors[0].kind, "gyro");
-  EXPECT_EQ(draft.sensors[1].frame, "a");
+          .description;
+  ASSERT_EQ(description.mimics.size(), 1U);
+  EXPECT_EQ(description.mimics[0].joint, "a2");
+  EXPECT_EQ(description.mimics[0].leader, "a");
+  EXPECT_EQ(description.mimics[0].ratio, -2);
+  EXPECT_EQ(description.mimics[0].offset, 0.1);
+  ASSERT_EQ(description.exclusions.size(), 1U);
+  EXPECT_EQ(description.exclusions[0].body2, "limb");
+  ASSERT_EQ(description.sensors.size(), 2U);
+  EXPECT_EQ(description.sensors[0].kind, "gyro");
+  EXPECT_EQ(description.sensors[1].frame, "a");
 }
 
 TEST(MjcfReader, ThingsOfDifferentKindsMayShareAName) {
@@ -524,10 +524,10 @@ TEST(MjcfReader, ThingsOfDifferentKindsMayShareAName) {
 
 TEST(MjcfReader, CoupledJointsCountFromTheirReferences) {
   const std::string two = limb("<joint name='a' axis='0 0 1' ref='90'/><joint name='a2' axis='0 1 0' ref='-90'/>");
-  const auto draft =
-      read(closed(robot(two) + "<equality><joint joint1='a2' joint2='a' polycoef='0.1'/></equality>")).draft;
-  EXPECT_EQ(draft.mimics[0].ratio, 1);
-  EXPECT_NEAR(draft.mimics[0].offset, 0.1 - pi, 1e-12);  // -pi/2 + 0.1 = offset + pi/2 in the pose of the file
+  const auto description =
+      read(closed(robot(two) + "<equality><joint joint1='a2' joint2='a' polycoef='0.1'/></equality>")).description;
+  EXPECT_EQ(description.mimics[0].ratio, 1);
+  EXPECT_NEAR(description.mimics[0].offset, 0.1 - pi, 1e-12);  // -pi/2 + 0.1 = offset + pi/2 in the pose of the file
 }
 
 TEST(MjcfReader, AGeomPairedWithTheFloorCollides) {
@@ -537,14 +537,14 @@ TEST(MjcfReader, AGeomPairedWithTheFloorCollides) {
     const std::string floor = "<worldbody><geom name='floor' type='plane' size='1 1 1'/></worldbody>";
     return read(closed(robot(foot, floor) + contact));
   };
-  EXPECT_FALSE(with_floor("").draft.bodies[0].shapes[0].placed.collides);
-  EXPECT_TRUE(with_floor(pair).draft.bodies[0].shapes[0].placed.collides);
+  EXPECT_FALSE(with_floor("").description.bodies[0].shapes[0].placed.collides);
+  EXPECT_TRUE(with_floor(pair).description.bodies[0].shapes[0].placed.collides);
 }
 
 TEST(MjcfReader, AGeomThatStandsOnTheFilesFloorStandsOnOurs) {
   const auto shape = [](const std::string& masks, const std::string& floor) {
     const std::string world = "<worldbody><geom type='plane' size='1 1 1' " + floor + "/></worldbody>";
-    return read(closed_robot("<geom size='1' " + masks + "/>", world)).draft.bodies[0].shapes[0].placed;
+    return read(closed_robot("<geom size='1' " + masks + "/>", world)).description.bodies[0].shapes[0].placed;
   };
   const PlacedShape usual{};
   EXPECT_TRUE(may_touch(shape("contype='2' conaffinity='2'", "contype='2' conaffinity='2'"), usual));
@@ -569,7 +569,7 @@ TEST(MjcfReader, IncludesOtherFiles) {
 
 TEST(MjcfReader, MassesFollowTheCompilersRules) {
   const auto read_with = [](const std::string& compiler, const std::string& inertial) {
-    return read(closed_robot(limb("<joint axis='0 0 1'/>", inertial), "<compiler " + compiler + "/>")).draft;
+    return read(closed_robot(limb("<joint axis='0 0 1'/>", inertial), "<compiler " + compiler + "/>")).description;
   };
   const std::string thin = "<inertial mass='1' diaginertia='1 1 4'/>";
   const auto balanced = read_with("balanceinertia='true'", thin);
@@ -642,7 +642,7 @@ TEST(MjcfReader, NamesWhatIsWrongWithTheBase) {
 TEST(MjcfReader, NamesWhatIsWrongWithJoints) {
   expect_complaint(message(closed_robot(limb("<joint name='j' axis='0 0 0'/>"))), 5,
                    "axis of joint 'j' has no direction");
-  EXPECT_EQ(read(closed_robot(limb("<joint name='j'/>"))).draft.bodies[1].joints[0].axis.z, 1)
+  EXPECT_EQ(read(closed_robot(limb("<joint name='j'/>"))).description.bodies[1].joints[0].axis.z, 1)
       << "the format's default";
   expect_complaint(message(closed_robot(limb("<joint name='j' type='ball'/>"))), 5, "ball joint 'j' is not supported");
   expect_complaint(message(closed_robot(limb("<joint type='hing' axis='0 0 1'/>"))), 5, "did you mean 'hinge'?");

@@ -32,7 +32,7 @@ inline std::filesystem::path write(const std::string& name, const std::string& t
   return file;
 }
 
-inline description::RobotDraft read(const std::string& text, const description::ReaderOptions& options = {}) {
+inline description::RobotDescription read(const std::string& text, const description::ReaderOptions& options = {}) {
   return read_urdf(write("robot.urdf", text), options);
 }
 

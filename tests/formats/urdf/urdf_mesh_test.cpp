@@ -12,17 +12,18 @@ std::string mesh(const std::string& name, const std::string& more = "") {
   return "<mesh filename='" + name + "' " + more + "/>";
 }
 
-/// The draft of a robot in folder `pkg/urdf` whose link has one collision mesh.
-description::RobotDraft read_package_robot(const std::string& name, const description::ReaderOptions& options = {}) {
+/// The description of a robot in folder `pkg/urdf` whose link has one collision mesh.
+description::RobotDescription read_package_robot(const std::string& name,
+                                                 const description::ReaderOptions& options = {}) {
   return read_urdf(write("pkg/urdf/robot.urdf", with_link(collision(mesh(name)))), options);
 }
 
 TEST(UrdfMesh, IsConvexScaledAndPlaced) {
   write("t.obj", tetrahedron());
-  const auto draft =
+  const auto description =
       read(with_link("<collision name='c'><origin xyz='10 0 0' rpy='0 0 1.5707963267948966'/><geometry>" +
                      mesh("t.obj", "scale='2 4 -6'") + "</geometry></collision>"));
-  const auto& shapes = draft.bodies.at(0).shapes;
+  const auto& shapes = description.bodies.at(0).shapes;
   ASSERT_EQ(shapes.size(), 1u);
   EXPECT_EQ(shapes[0].mesh, "t");
   // corners 0 0 0, 2 0 0, 0 4 0, 0 0 -6 turned a quarter about z
@@ -35,25 +36,25 @@ TEST(UrdfMesh, IsConvexScaledAndPlaced) {
     EXPECT_TRUE(std::ranges::any_of(corners, [&](const Vec3d& c) { return norm(c - expected) < 1e-12; }))
         << expected.x << ' ' << expected.y << ' ' << expected.z;
   }
-  ASSERT_EQ(draft.meshes.size(), 1u);
-  EXPECT_EQ(draft.meshes[0].name, "t");
-  expect_near(draft.meshes[0].scale, {2, 4, -6});
+  ASSERT_EQ(description.meshes.size(), 1u);
+  EXPECT_EQ(description.meshes[0].name, "t");
+  expect_near(description.meshes[0].scale, {2, 4, -6});
 }
 
 TEST(UrdfMesh, IsSharedByAllThatUseIt) {
   write("t.obj", tetrahedron());
-  const auto draft = read(with_link(collision(mesh("t.obj")) + collision(mesh("t.obj"))));
-  const auto& shapes = draft.bodies.at(0).shapes;
+  const auto description = read(with_link(collision(mesh("t.obj")) + collision(mesh("t.obj"))));
+  const auto& shapes = description.bodies.at(0).shapes;
   ASSERT_EQ(shapes.size(), 2u);
   EXPECT_EQ(std::get<Convex>(shapes[0].placed.shape).hull, std::get<Convex>(shapes[1].placed.shape).hull);
-  EXPECT_EQ(draft.meshes.size(), 1u);
+  EXPECT_EQ(description.meshes.size(), 1u);
 }
 
 TEST(UrdfMesh, OfAnotherScaleHasAnotherName) {
   write("t.obj", tetrahedron());
-  const auto draft = read(with_link(collision(mesh("t.obj")) + collision(mesh("t.obj", "scale='2 2 2'"))));
-  EXPECT_EQ(draft.bodies.at(0).shapes.at(0).mesh, "t");
-  EXPECT_EQ(draft.bodies.at(0).shapes.at(1).mesh, "t_2");
+  const auto description = read(with_link(collision(mesh("t.obj")) + collision(mesh("t.obj", "scale='2 2 2'"))));
+  EXPECT_EQ(description.bodies.at(0).shapes.at(0).mesh, "t");
+  EXPECT_EQ(description.bodies.at(0).shapes.at(1).mesh, "t_2");
 }
 
 TEST(UrdfMesh, HasAPartForEachGroupWhereItIsAskedFor) {
@@ -66,29 +67,29 @@ TEST(UrdfMesh, HasAPartForEachGroupWhereItIsAskedFor) {
 
 TEST(UrdfMesh, ForTheEyeIsNotRead) {
   write("t.dae", "this is no mesh");
-  const auto draft = read(
+  const auto description = read(
       with_link("<visual><origin xyz='1 2 3'/><geometry>" + mesh("t.dae", "scale='2 2 2'") + "</geometry></visual>"));
-  ASSERT_EQ(draft.bodies.at(0).visuals.size(), 1u);
-  const description::DraftVisual& visual = draft.bodies[0].visuals[0];
-  ASSERT_EQ(draft.meshes.size(), 1u);
-  EXPECT_EQ(visual.mesh, draft.meshes[0].name);
-  EXPECT_EQ(draft.meshes[0].file, test_folder() / "t.dae");
-  expect_near(draft.meshes[0].scale, {2, 2, 2});
+  ASSERT_EQ(description.bodies.at(0).visuals.size(), 1u);
+  const description::VisualDescription& visual = description.bodies[0].visuals[0];
+  ASSERT_EQ(description.meshes.size(), 1u);
+  EXPECT_EQ(visual.mesh, description.meshes[0].name);
+  EXPECT_EQ(description.meshes[0].file, test_folder() / "t.dae");
+  expect_near(description.meshes[0].scale, {2, 2, 2});
   expect_near(visual.place.position, {1, 2, 3});
-  EXPECT_TRUE(draft.bodies[0].shapes.empty());
-  EXPECT_TRUE(draft.warnings.empty());
+  EXPECT_TRUE(description.bodies[0].shapes.empty());
+  EXPECT_TRUE(description.warnings.empty());
 }
 
 TEST(UrdfMesh, ForTheEyeMayBeMissing) {
-  const auto draft = read(with_link(visual(mesh("gone.stl")) + visual(mesh("gone.stl"))));
-  ASSERT_EQ(draft.warnings.size(), 1u);
-  EXPECT_TRUE(contains(draft.warnings[0], "robot.urdf:2: for the eye, there is no mesh file 'gone.stl'"));
+  const auto description = read(with_link(visual(mesh("gone.stl")) + visual(mesh("gone.stl"))));
+  ASSERT_EQ(description.warnings.size(), 1u);
+  EXPECT_TRUE(contains(description.warnings[0], "robot.urdf:2: for the eye, there is no mesh file 'gone.stl'"));
 }
 
 TEST(UrdfMesh, ThatIsMissingIsLeftOutIfLenient) {
-  const auto draft = read(with_link(collision(mesh("gone.stl"))), {.lenient = true});
-  EXPECT_TRUE(draft.bodies.at(0).shapes.empty());
-  EXPECT_TRUE(any_contains(draft.warnings, "collision mesh left out"));
+  const auto description = read(with_link(collision(mesh("gone.stl"))), {.lenient = true});
+  EXPECT_TRUE(description.bodies.at(0).shapes.empty());
+  EXPECT_TRUE(any_contains(description.warnings, "collision mesh left out"));
 }
 
 TEST(UrdfMesh, ThatCannotBeReadIsNamedWithBothLines) {
@@ -107,8 +108,8 @@ TEST(UrdfMesh, ThatIsFlatIsAnError) {
 
 TEST(UrdfMesh, InMillimetersIsAWarning) {
   write("big.obj", "v 0 0 0\nv 100 0 0\nv 0 100 0\nv 0 0 100\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-  const auto draft = read(with_link(collision(mesh("big.obj"))));
-  EXPECT_TRUE(any_contains(draft.warnings, "a file in millimeters needs scale"));
+  const auto description = read(with_link(collision(mesh("big.obj"))));
+  EXPECT_TRUE(any_contains(description.warnings, "a file in millimeters needs scale"));
 }
 
 TEST(UrdfMesh, IsFoundByPathsOfEveryKind) {
@@ -147,9 +148,9 @@ TEST(UrdfMesh, IsFoundOnTheSearchPath) {
 TEST(UrdfMesh, IsFoundOnThePathOfTheEnvironment) {
   const auto file = write("store/far/t.obj", tetrahedron());
   setenv("MUROSIMF_PACKAGE_PATH", ("/nowhere:" + (test_folder() / "store").string()).c_str(), 1);
-  const auto draft = read_package_robot("package://far/t.obj");
+  const auto description = read_package_robot("package://far/t.obj");
   unsetenv("MUROSIMF_PACKAGE_PATH");
-  EXPECT_EQ(draft.meshes.at(0).file, file);
+  EXPECT_EQ(description.meshes.at(0).file, file);
 }
 
 TEST(UrdfMesh, IsFoundInTheFolderThatAMujocoBlockNames) {

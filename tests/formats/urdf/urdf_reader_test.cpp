@@ -1,4 +1,4 @@
-/// urdf_reader_test - what a URDF file says becomes the right draft of a robot.
+/// urdf_reader_test - what a URDF file says becomes the right description of a robot.
 #include "murosimf/formats/urdf/urdf_reader.h"
 
 #include "tests/formats/urdf/urdf_files.h"
@@ -9,16 +9,16 @@ namespace {
 using namespace urdf_files;
 
 TEST(UrdfReader, PutsParentsBeforeChildrenInTheOrderOfTheFile) {
-  const auto draft = read(robot(link("d") + link("c") + link("b") + link("a") + joint("fixed", "b", "c", "", "j1") +
-                                joint("fixed", "base", "a", "", "j2") + joint("fixed", "base", "b", "", "j3") +
-                                joint("fixed", "a", "d", "", "j4")));
+  const auto description = read(robot(link("d") + link("c") + link("b") + link("a") +
+                                      joint("fixed", "b", "c", "", "j1") + joint("fixed", "base", "a", "", "j2") +
+                                      joint("fixed", "base", "b", "", "j3") + joint("fixed", "a", "d", "", "j4")));
   std::vector<std::string> names;
-  for (const description::DraftBody& body : draft.bodies) names.push_back(body.name);
+  for (const description::BodyDescription& body : description.bodies) names.push_back(body.name);
   EXPECT_EQ(names, (std::vector<std::string>{"base", "a", "d", "b", "c"}));
-  EXPECT_EQ(draft.bodies[0].parent, -1);
-  EXPECT_EQ(draft.bodies[2].parent, 1);
-  EXPECT_EQ(draft.bodies[4].parent, 3);
-  EXPECT_TRUE(draft.bodies[4].joints.empty());
+  EXPECT_EQ(description.bodies[0].parent, -1);
+  EXPECT_EQ(description.bodies[2].parent, 1);
+  EXPECT_EQ(description.bodies[4].parent, 3);
+  EXPECT_TRUE(description.bodies[4].joints.empty());
 }
 
 TEST(UrdfReader, NamesTheRobotAfterItsFileIfItHasNoName) {
@@ -27,13 +27,13 @@ TEST(UrdfReader, NamesTheRobotAfterItsFileIfItHasNoName) {
 }
 
 TEST(UrdfReader, ReadsEveryNumberOfAJoint) {
-  const auto draft = read(with_joint("revolute",
-                                     "<origin xyz='1 2 3'/><axis xyz='0 3 4'/>"
-                                     "<limit lower='-0.5' upper='1.5' effort='7' velocity='8'/>"
-                                     "<dynamics damping='0.25' friction='0.75'/>"));
-  const description::DraftBody& body = draft.bodies.at(1);
+  const auto description = read(with_joint("revolute",
+                                           "<origin xyz='1 2 3'/><axis xyz='0 3 4'/>"
+                                           "<limit lower='-0.5' upper='1.5' effort='7' velocity='8'/>"
+                                           "<dynamics damping='0.25' friction='0.75'/>"));
+  const description::BodyDescription& body = description.bodies.at(1);
   expect_near(body.place.position, {1, 2, 3});
-  const description::DraftJoint& joint = body.joints.at(0);
+  const description::JointDescription& joint = body.joints.at(0);
   EXPECT_EQ(joint.name, "j");
   EXPECT_EQ(joint.kind, Kind::revolute);
   expect_near(joint.axis, {0, 0.6, 0.8});
@@ -63,37 +63,38 @@ TEST(UrdfReader, KnowsWhichJointsHaveARange) {
 
 TEST(UrdfReader, TurnsByRollThenPitchThenYawAboutFixedAxes) {
   // by hand: a quarter about x takes y to z, then a quarter about y takes z to x, then a quarter about z takes x to y
-  const auto draft =
+  const auto description =
       read(with_joint("continuous", "<origin rpy='1.5707963267948966 1.5707963267948966 1.5707963267948966'/>"));
-  const Mat3d& turn = draft.bodies.at(1).place.orientation;
+  const Mat3d& turn = description.bodies.at(1).place.orientation;
   expect_near(turn * Vec3d{0, 1, 0}, {0, 1, 0});
   expect_near(turn * Vec3d{1, 0, 0}, {0, 0, -1});
   expect_near(turn * Vec3d{0, 0, 1}, {1, 0, 0});
 }
 
 TEST(UrdfReader, TurnsInertiaToTheAxesOfTheLink) {
-  const auto draft =
+  const auto description =
       read(with_link("<inertial><origin xyz='1 2 3' rpy='0 0 1.5707963267948966'/><mass value='2'/>"
                      "<inertia ixx='1' iyy='2' izz='2.5' ixy='0.1' ixz='0.2' iyz='0.3'/></inertial>"));
-  const description::MassProperties& solid = draft.bodies.at(0).solid;
+  const description::MassProperties& solid = description.bodies.at(0).solid;
   EXPECT_EQ(solid.mass, 2);
   expect_near(solid.center, {1, 2, 3});
   // x of the inertial frame is y of the link, y of it is -x
   expect_near({solid.inertia.xx, solid.inertia.yy, solid.inertia.zz}, {2, 1, 2.5});
   expect_near({solid.inertia.xy, solid.inertia.xz, solid.inertia.yz}, {-0.1, -0.3, 0.2});
-  EXPECT_TRUE(draft.bodies[0].solid_where.ends_with("robot.urdf:2"));
+  EXPECT_TRUE(description.bodies[0].solid_where.ends_with("robot.urdf:2"));
 }
 
 TEST(UrdfReader, TakesLinksWithoutInertialForMassless) {
-  const auto draft = read(with_link(collision("<box size='1 1 1'/>")));
-  EXPECT_EQ(draft.bodies.at(0).solid.mass, 0);
-  EXPECT_TRUE(draft.bodies[0].solid_where.empty());
+  const auto description = read(with_link(collision("<box size='1 1 1'/>")));
+  EXPECT_EQ(description.bodies.at(0).solid.mass, 0);
+  EXPECT_TRUE(description.bodies[0].solid_where.empty());
 }
 
 TEST(UrdfReader, TakesFramesWithAWeightForPoints) {
-  const auto draft = read(with_link("<inertial><mass value='0.0001'/><inertia ixx='0' iyy='0' izz='0'/></inertial>"));
-  EXPECT_EQ(draft.bodies.at(0).solid.mass, 0.0001);
-  EXPECT_TRUE(any_contains(draft.notes, "robot.urdf:2: links with mass and without inertia are points"));
+  const auto description =
+      read(with_link("<inertial><mass value='0.0001'/><inertia ixx='0' iyy='0' izz='0'/></inertial>"));
+  EXPECT_EQ(description.bodies.at(0).solid.mass, 0.0001);
+  EXPECT_TRUE(any_contains(description.notes, "robot.urdf:2: links with mass and without inertia are points"));
 }
 
 TEST(UrdfReader, WarnsAboutInertiaThatNoSolidHas) {
@@ -105,25 +106,27 @@ TEST(UrdfReader, TakesBothHalvesOfAnInertia) {
   const std::string text =
       "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0.1' iyx='0.1' ixz='0.2' "
       "izx='0.3'/></inertial>";
-  const auto draft = read(with_link(text));
-  ASSERT_EQ(draft.warnings.size(), 1u);
-  EXPECT_TRUE(contains(draft.warnings[0], "robot.urdf:2: inertia of link 'base' is not symmetric: izx is not ixz"));
-  EXPECT_EQ(draft.bodies.at(0).solid.inertia.xz, 0.2);
+  const auto description = read(with_link(text));
+  ASSERT_EQ(description.warnings.size(), 1u);
+  EXPECT_TRUE(
+      contains(description.warnings[0], "robot.urdf:2: inertia of link 'base' is not symmetric: izx is not ixz"));
+  EXPECT_EQ(description.bodies.at(0).solid.inertia.xz, 0.2);
 }
 
 TEST(UrdfReader, BalancesInertiaWhereTheFileAsksForIt) {
-  const auto draft = read(
+  const auto description = read(
       "<robot name='r'><mujoco><compiler balanceinertia='true'/></mujoco><link name='base'><inertial>"
       "<mass value='1'/><inertia ixx='1' iyy='1' izz='4'/></inertial></link></robot>");
-  const SymMat3d& inertia = draft.bodies.at(0).solid.inertia;
+  const SymMat3d& inertia = description.bodies.at(0).solid.inertia;
   expect_near({inertia.xx, inertia.yy, inertia.zz}, {2, 2, 2});
-  EXPECT_TRUE(draft.warnings.empty());
+  EXPECT_TRUE(description.warnings.empty());
 }
 
 TEST(UrdfReader, HalvesTheSizesOfShapes) {
-  const auto draft = read(with_link(collision("<box size='2 4 6'/>") + collision("<cylinder radius='1' length='4'/>") +
-                                    collision("<capsule radius='1' length='6'/>") + collision("<sphere radius='3'/>")));
-  const auto& shapes = draft.bodies.at(0).shapes;
+  const auto description =
+      read(with_link(collision("<box size='2 4 6'/>") + collision("<cylinder radius='1' length='4'/>") +
+                     collision("<capsule radius='1' length='6'/>") + collision("<sphere radius='3'/>")));
+  const auto& shapes = description.bodies.at(0).shapes;
   ASSERT_EQ(shapes.size(), 4u);
   expect_near(std::get<Box>(shapes[0].placed.shape).half_size, {1, 2, 3});
   EXPECT_EQ(std::get<Cylinder>(shapes[1].placed.shape).half_length, 2);
@@ -132,10 +135,10 @@ TEST(UrdfReader, HalvesTheSizesOfShapes) {
 }
 
 TEST(UrdfReader, TellsWhatCollidesFromWhatIsForTheEye) {
-  const auto draft = read(
+  const auto description = read(
       with_link(visual("<sphere radius='1'/>", "<material name='m'><color rgba='1 0.5 0 1'/></material>") +
                 "<collision name='bump'><origin xyz='1 0 0'/><geometry><sphere radius='2'/></geometry></collision>"));
-  const auto& shapes = draft.bodies.at(0).shapes;
+  const auto& shapes = description.bodies.at(0).shapes;
   ASSERT_EQ(shapes.size(), 2u);
   EXPECT_TRUE(shapes[0].placed.collides);
   EXPECT_EQ(shapes[0].name, "bump");
@@ -145,44 +148,45 @@ TEST(UrdfReader, TellsWhatCollidesFromWhatIsForTheEye) {
 }
 
 TEST(UrdfReader, FindsColorsByNameWhereverTheyAreDefined) {
-  const auto draft = read("<robot name='r'><material name='blue'><color rgba='0 0 1 1'/></material><link name='base'>" +
-                          visual("<sphere radius='1'/>", "<material name='blue'/>") +
-                          visual("<sphere radius='1'/>", "<material name='red'/>") +
-                          visual("<sphere radius='1'/>", "<material name='red'><color rgba='1 0 0 1'/></material>") +
-                          visual("<sphere radius='1'/>", "<material name='green'/>") + "</link></robot>");
-  const auto& shapes = draft.bodies.at(0).shapes;
+  const auto description =
+      read("<robot name='r'><material name='blue'><color rgba='0 0 1 1'/></material><link name='base'>" +
+           visual("<sphere radius='1'/>", "<material name='blue'/>") +
+           visual("<sphere radius='1'/>", "<material name='red'/>") +
+           visual("<sphere radius='1'/>", "<material name='red'><color rgba='1 0 0 1'/></material>") +
+           visual("<sphere radius='1'/>", "<material name='green'/>") + "</link></robot>");
+  const auto& shapes = description.bodies.at(0).shapes;
   EXPECT_EQ(shapes[0].placed.color.blue, 1);
   EXPECT_EQ(shapes[1].placed.color.red, 1);
   EXPECT_EQ(shapes[2].placed.color.red, 1);
   EXPECT_EQ(shapes[3].placed.color.red, Color{}.red);
-  EXPECT_TRUE(any_contains(draft.notes, "material 'green' has no color"));
+  EXPECT_TRUE(any_contains(description.notes, "material 'green' has no color"));
 }
 
 TEST(UrdfReader, ReadsWhoFollowsWhom) {
-  const auto draft = read(
+  const auto description = read(
       robot(link("a", solid()) + link("b", solid()) + joint("revolute", "base", "a", any_limit, "lead") +
             joint("revolute", "a", "b", any_limit + "<mimic joint='lead' multiplier='-2' offset='0.5'/>", "follow")));
-  ASSERT_EQ(draft.mimics.size(), 1u);
-  EXPECT_EQ(draft.mimics[0].joint, "follow");
-  EXPECT_EQ(draft.mimics[0].leader, "lead");
-  EXPECT_EQ(draft.mimics[0].ratio, -2);
-  EXPECT_EQ(draft.mimics[0].offset, 0.5);
+  ASSERT_EQ(description.mimics.size(), 1u);
+  EXPECT_EQ(description.mimics[0].joint, "follow");
+  EXPECT_EQ(description.mimics[0].leader, "lead");
+  EXPECT_EQ(description.mimics[0].ratio, -2);
+  EXPECT_EQ(description.mimics[0].offset, 0.5);
 }
 
 TEST(UrdfReader, LetsTheRobotFloatInItsWorld) {
-  const auto draft = read("<robot name='r'><link name='world'/>" + link("trunk", solid()) +
-                          joint("floating", "world", "trunk", "<origin xyz='0 0 9'/>") + "</robot>");
-  ASSERT_EQ(draft.bodies.size(), 1u);
-  EXPECT_EQ(draft.bodies[0].name, "trunk");
-  EXPECT_EQ(draft.bodies[0].parent, -1);
-  expect_near(draft.bodies[0].place.position, {});
+  const auto description = read("<robot name='r'><link name='world'/>" + link("trunk", solid()) +
+                                joint("floating", "world", "trunk", "<origin xyz='0 0 9'/>") + "</robot>");
+  ASSERT_EQ(description.bodies.size(), 1u);
+  EXPECT_EQ(description.bodies[0].name, "trunk");
+  EXPECT_EQ(description.bodies[0].parent, -1);
+  expect_near(description.bodies[0].place.position, {});
 }
 
 TEST(UrdfReader, SaysThatNothingIsBoltedToTheWorld) {
-  const auto draft = read("<robot name='r'><link name='world'/>" + link("trunk", solid()) +
-                          joint("fixed", "world", "trunk") + "</robot>");
-  EXPECT_EQ(draft.bodies.size(), 2u);
-  EXPECT_TRUE(any_contains(draft.warnings, "bolts the robot to the world"));
+  const auto description = read("<robot name='r'><link name='world'/>" + link("trunk", solid()) +
+                                joint("fixed", "world", "trunk") + "</robot>");
+  EXPECT_EQ(description.bodies.size(), 2u);
+  EXPECT_TRUE(any_contains(description.warnings, "bolts the robot to the world"));
 }
 
 TEST(UrdfReader, IgnoresTheAxisOfAFixedJoint) {
@@ -196,24 +200,24 @@ TEST(UrdfReader, TakesPrefixDeclarationsOfExpandedFiles) {
 }
 
 TEST(UrdfReader, NotesWhatMeansNothingOncePerKind) {
-  const auto draft = read(robot(link("limb", solid()) +
-                                joint("revolute", "base", "limb", any_limit + "<safety_controller k_velocity='1'/>") +
-                                "<transmission name='t'><joint name='j'/><actuator "
-                                "name='m'><mechanicalReduction>200</mechanicalReduction></actuator></transmission>"
-                                "<transmission name='u'><joint name='k'/></transmission>"));
-  EXPECT_TRUE(any_contains(draft.notes, "robot.urdf:3: element 'safety_controller' is not used"));
-  EXPECT_TRUE(any_contains(draft.notes, "robot.urdf:4: gear ratios are not used"));
-  EXPECT_TRUE(any_contains(draft.warnings, "robot.urdf:4: transmission 'u' speaks of joint 'k'"));
-  EXPECT_EQ(std::ranges::count_if(draft.notes,
+  const auto description = read(robot(
+      link("limb", solid()) + joint("revolute", "base", "limb", any_limit + "<safety_controller k_velocity='1'/>") +
+      "<transmission name='t'><joint name='j'/><actuator "
+      "name='m'><mechanicalReduction>200</mechanicalReduction></actuator></transmission>"
+      "<transmission name='u'><joint name='k'/></transmission>"));
+  EXPECT_TRUE(any_contains(description.notes, "robot.urdf:3: element 'safety_controller' is not used"));
+  EXPECT_TRUE(any_contains(description.notes, "robot.urdf:4: gear ratios are not used"));
+  EXPECT_TRUE(any_contains(description.warnings, "robot.urdf:4: transmission 'u' speaks of joint 'k'"));
+  EXPECT_EQ(std::ranges::count_if(description.notes,
                                   [](const auto& note) { return contains(note, "element 'transmission'"); }),
             1);
 }
 
 TEST(UrdfReader, DropsWhatItDoesNotKnowIfLenient) {
-  const auto draft = read(with_link("<wings/>" + collision("<ellipsoid/>")), {.lenient = true});
-  EXPECT_TRUE(any_contains(draft.warnings, "robot.urdf:2: unknown element in link 'wings'"));
-  EXPECT_TRUE(any_contains(draft.warnings, "element 'ellipsoid' is not supported"));
-  EXPECT_TRUE(draft.bodies.at(0).shapes.empty());
+  const auto description = read(with_link("<wings/>" + collision("<ellipsoid/>")), {.lenient = true});
+  EXPECT_TRUE(any_contains(description.warnings, "robot.urdf:2: unknown element in link 'wings'"));
+  EXPECT_TRUE(any_contains(description.warnings, "element 'ellipsoid' is not supported"));
+  EXPECT_TRUE(description.bodies.at(0).shapes.empty());
 }
 
 }  // namespace

@@ -1,0 +1,34 @@
+/// entity_appearance.h - what entities look like to the renderer: meshes for the eye, shapes, numbers on shirts.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "murosimf/appearance/jersey_numbers.h"
+#include "murosimf/render/render_scene.h"
+
+namespace murosimf::appearance {
+
+/// 3 of "blue3"; -1 if the name ends in no number, or in one of more than three digits.
+[[nodiscard]] int jersey_number(const std::string& name);
+
+/// Reads meshes once per model: equal robots share them. Meshes of a robot have at most `usual_triangles` together
+/// (visual_meshes.h).
+class AppearanceLibrary {
+ public:
+  /// Robots of a team whose names end in a number wear it on chest and back.
+  [[nodiscard]] render::EntityAppearance appearance(const Entity& entity);
+  /// One line for each mesh that could not be read and is left out.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  struct ModelAppearance {
+    render::EntityAppearance drawn;
+    std::vector<JerseyNumber> plates;
+  };
+  std::map<const Model*, ModelAppearance> models_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace murosimf::appearance

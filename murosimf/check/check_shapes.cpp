@@ -1,0 +1,87 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/check/robot_checks.h"
+#include "murosimf/formats/mesh/mesh_file.h"
+#include "murosimf/geometry/distance.h"
+#include "murosimf/model/error.h"
+#include "murosimf/robot/robot_soles.h"
+
+namespace murosimf::check {
+namespace {
+
+constexpr double overlap = 0.001;              // [m] less is a matter of rounding
+constexpr std::size_t many_triangles = 50000;  // of one mesh: its picture costs more than the physics
+
+Transformd pose_of(const Transformd& body, const PlacedShape& shape) {
+  const Transformd at = body * shape.place();
+  return {at.position, at.orientation};
+}
+
+/// [m] how deep two bodies are in each other at most, in the pose of the file; 0: not at all.
+double deepest(const description::BodyDescription& a, const Transformd& at_a, const description::BodyDescription& b,
+               const Transformd& at_b) {
+  double depth = 0;
+  for (const description::ShapeDescription& s : a.shapes) {
+    for (const description::ShapeDescription& t : b.shapes) {
+      if (!s.placed.collides || !t.placed.collides || !may_touch(s.placed, t.placed)) continue;
+      const auto pose_s = pose_of(at_a, s.placed), pose_t = pose_of(at_b, t.placed);
+      const double reach = bounding_radius(s.placed.shape) + bounding_radius(t.placed.shape);
+      if (norm(pose_s.position - pose_t.position) > reach) continue;
+      depth = std::max(depth, -geometry::distance(s.placed.shape, pose_s, t.placed.shape, pose_t).distance);
+    }
+  }
+  return depth;
+}
+
+bool is_excluded(const description::RobotDescription& description, const description::BodyDescription& a,
+                 const description::BodyDescription& b) {
+  return std::ranges::any_of(description.exclusions, [&](const description::ExclusionDescription& pair) {
+    return (pair.body1 == a.name && pair.body2 == b.name) || (pair.body1 == b.name && pair.body2 == a.name);
+  });
+}
+
+void examine_overlaps(const description::RobotDescription& description, std::vector<Finding>& findings) {
+  const auto places = robot::body_places(description);
+  for (std::size_t a = 0; a < description.bodies.size(); ++a) {
+    for (std::size_t b = a + 1; b < description.bodies.size(); ++b) {
+      const bool neighbors = description.bodies[b].parent == static_cast<int>(a);
+      if (neighbors || is_excluded(description, description.bodies[a], description.bodies[b])) continue;
+      const double depth = deepest(description.bodies[a], places[a], description.bodies[b], places[b]);
+      if (depth <= overlap) continue;
+      findings.push_back(
+          {Severity::warning, description.bodies[b].where,
+           fmt::format("shapes of '{}' and '{}' overlap by {:.1f} mm in the pose of the file",
+                       description.bodies[a].name, description.bodies[b].name, 1000 * depth),
+           "they cannot touch each other while inner collisions are on; make one smaller if they should"});
+    }
+  }
+}
+
+void examine_meshes(const description::RobotDescription& description, std::vector<Finding>& findings) {
+  for (const description::MeshDescription& mesh : description.meshes) {
+    std::error_code none;
+    if (mesh.file.empty() || !std::filesystem::is_regular_file(mesh.file, none)) continue;
+    std::size_t triangles = 0;
+    try {
+      triangles = formats::mesh::read_mesh_file(mesh.file).mesh.triangles.size();
+    } catch (const SetupError& error) {
+      findings.push_back({Severity::warning, mesh.where, error.what(), "it cannot be drawn"});
+    }
+    if (triangles <= many_triangles) continue;
+    findings.push_back({Severity::warning, mesh.where, fmt::format("mesh '{}' has {} triangles", mesh.name, triangles),
+                        fmt::format("{} are plenty for a picture", many_triangles)});
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> examine_shapes(const description::RobotDescription& description) {
+  std::vector<Finding> findings;
+  examine_overlaps(description, findings);
+  examine_meshes(description, findings);
+  return findings;
+}
+
+}  // namespace murosimf::check

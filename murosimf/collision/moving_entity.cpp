@@ -1,0 +1,111 @@
+#include "murosimf/collision/moving_entity.h"
+
+#include <algorithm>
+
+#include "murosimf/collision/impulse_response.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::collision {
+
+namespace {
+
+// [m] A tree then lasts for some steps, and so do the pairs of shapes that it found near each other.
+constexpr double margin = 0.008;
+
+std::vector<int> find_feet(const Model& model, const Compound& compound) {
+  std::vector<int> feet;
+  const auto& link_of = model.tree().link_of;
+  for (const int sole : model.having(properties::sole)) {
+    for (std::size_t i = 0; i < compound.shapes().size(); ++i) {
+      if (link_of[compound.shapes()[i].object] == link_of[sole]) feet.push_back(static_cast<int>(i));
+    }
+  }
+  return feet;
+}
+
+Compound make_compound(const Entity& entity) {
+  const CollisionOptions& options = entity.options().collision;
+  return compound_of(
+      entity, {.volume = options.volume, .inner = options.self_collision, .excluded = options.never, .margin = margin});
+}
+
+}  // namespace
+
+MovingEntity::MovingEntity(Setup setup)
+    : entity(&setup.entity()),
+      compound(make_compound(setup.entity())),
+      feet(find_feet(setup.model(), compound)),
+      r(setup.read(properties::position)),
+      v(setup.read(properties::linear_velocity)),
+      w(setup.read(properties::angular_velocity)),
+      R(setup.read(properties::orientation)),
+      dynamic(setup.read(properties::dynamic)),
+      interaction_force(setup.write(properties::interaction_force)),
+      external_force(setup.write(properties::external_force)),
+      external_damping(setup.write(properties::external_damping)),
+      ledger(setup.write(properties::absorbed_impulse)),
+      separation(setup.write(properties::separation)),
+      contacts(setup.write(collision::contacts)[0]) {
+  poses_.resize(compound.shapes().size());
+  for (const CollidingShape& shape : compound.shapes()) radii_.push_back(bounding_radius(shape.placed.shape));
+  pushed_.reserve(static_cast<std::size_t>(setup.model().size()));
+  setup.claim();  // levels make their free pass for the island solver
+}
+
+bool MovingEntity::limbs_can_touch() const {
+  // six coordinates are those of a rigid body
+  return !compound.inner_pairs().off() && can_be_pushed() && contacts.response && contacts.response->coordinates() > 6;
+}
+
+void MovingEntity::refit() noexcept {
+  if (refitted_) return;
+  refitted_ = true;
+  if (fits_ > 0 && compound.still_fits(r, R)) return;
+  compound.refit(r, R);
+  ++fits_;
+}
+
+geometry::BoundingSphere MovingEntity::sphere(int shape) const noexcept {
+  const CollidingShape& s = compound.shapes()[shape];
+  return {r[s.object] + R[s.object] * s.placed.position, radii_[shape]};
+}
+
+const Transformd& MovingEntity::pose(int shape) noexcept {
+  auto& [step, pose] = poses_[shape];
+  if (step != step_) pose = compound.pose(shape, r, R);
+  step = step_;
+  return pose;
+}
+
+void MovingEntity::start_step() noexcept {
+  refitted_ = false;
+  ++step_;
+  for (const int object : pushed_) {
+    interaction_force[object] = Wrenchd{};
+    if (contacts.law) continue;
+    // no contact with the ground starts these anew in every step
+    external_force[object] = Wrenchd{};
+    external_damping[object] = Sym6d{};
+  }
+  pushed_.clear();
+}
+
+void MovingEntity::push(int object, const Vec3d& point, const Vec3d& force, double dt) noexcept {
+  if (!can_be_pushed()) {
+    ledger[0] += Wrenchd{cross(point, dt * force), dt * force};
+    return;
+  }
+  const Wrenchd at_origin{cross(point - r[object], force), force};
+  interaction_force[object] += at_origin;
+  external_force[object] += at_origin;
+  if (contacts.law) contacts.rest_force[object] += at_origin;
+  if (std::find(pushed_.begin(), pushed_.end(), object) == pushed_.end()) pushed_.push_back(object);
+}
+
+void MovingEntity::damp(int object, const Vec3d& point, const SymMat3d& damping) noexcept {
+  const Sym6d at_origin = at_point(damping, point - r[object]);
+  external_damping[object] += at_origin;
+  if (contacts.law) contacts.rest_damping.push_back({object, at_origin});
+}
+
+}  // namespace murosimf::collision

@@ -1,0 +1,98 @@
+#include "murosimf/files/xml_schema.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::files {
+namespace {
+
+bool contains(const XmlWords& words, std::string_view word) { return std::ranges::find(words, word) != words.end(); }
+
+XmlWords joined(XmlWords a, const XmlWords& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+class Checker {
+ public:
+  explicit Checker(const XmlVocabulary& schema) : schema_(schema) {}
+
+  void check(const XmlElement& element, const std::string& parent = {}) {
+    auto found = schema_.find(parent + "/" + element.tag());
+    if (found == schema_.end()) found = schema_.find(element.tag());
+    if (found == schema_.end()) return;
+    check_attributes(element, found->second);
+    check_children(element, found->second);
+  }
+
+  XmlFindings findings;
+
+ private:
+  void check_attributes(const XmlElement& element, const XmlRule& rule) {
+    for (const auto& [name, value] : element.attributes()) {
+      const bool declares_prefix = name.starts_with("xmlns");
+      if (contains(rule.used, name) || declares_prefix) continue;
+      const auto kind = fmt::format("attribute of {}", element.tag());
+      if (contains(rule.unused, name)) {
+        note(element, fmt::format("attribute '{}' of {}", name, element.tag()));
+      } else if (contains(rule.unsupported, name)) {
+        refuse(element, fmt::format("attribute '{}' of {} is not supported", name, element.tag()));
+      } else {
+        refuse(element, unknown_name(kind, name, joined(rule.used, rule.unused)));
+      }
+    }
+  }
+
+  void check_children(const XmlElement& element, const XmlRule& rule) {
+    const auto kind = fmt::format("element in {}", element.tag());
+    for (const XmlElement& child : element.children()) {
+      const std::string tag = child.tag();
+      if (contains(rule.children, tag)) {
+        check(child, element.tag());
+      } else if (contains(rule.unused_children, tag)) {
+        note(child, fmt::format("element '{}'", tag));
+      } else if (contains(rule.unsupported_children, tag)) {
+        refuse(child, fmt::format("element '{}' is not supported", tag));
+      } else {
+        refuse(child, unknown_name(kind, tag, joined(rule.children, rule.unused_children)));
+      }
+    }
+  }
+
+  void note(const XmlElement& at, const std::string& what) {
+    if (noted_.insert(what).second)
+      findings.notes.push_back(one_line(fmt::format("{}: {} is not used", at.where(), what)));
+  }
+
+  void refuse(const XmlElement& at, const std::string& what) {
+    findings.refused.push_back(one_line(fmt::format("{}: {}", at.where(), what)));
+  }
+
+  const XmlVocabulary& schema_;
+  std::set<std::string> noted_;
+};
+
+}  // namespace
+
+XmlFindings validate(const XmlElement& root, const XmlVocabulary& schema) {
+  Checker checker(schema);
+  checker.check(root);
+  return checker.findings;
+}
+
+void validate(const XmlElement& root, const XmlVocabulary& schema, bool lenient, std::vector<std::string>& warnings,
+              std::vector<std::string>& notes) {
+  const auto [found, refused] = validate(root, schema);
+  if (!refused.empty() && !lenient) {
+    const std::size_t more = refused.size() - 1;
+    throw SetupError(refused.front() + (more > 0 ? fmt::format(" (and {} more like this)", more) : ""));
+  }
+  notes.insert(notes.end(), found.begin(), found.end());
+  warnings.insert(warnings.end(), refused.begin(), refused.end());
+}
+
+}  // namespace murosimf::files

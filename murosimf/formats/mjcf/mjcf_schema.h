@@ -1,0 +1,15 @@
+/// mjcf_schema.h - which elements and attributes of MJCF the reader knows, and what it does with the others.
+///
+/// Source: the XML reference of the MuJoCo documentation.
+#pragma once
+
+#include "murosimf/files/xml_schema.h"
+
+namespace murosimf::formats::mjcf {
+
+[[nodiscard]] const files::XmlVocabulary& mjcf_schema();
+
+/// Tags of the actuators that the reader understands.
+[[nodiscard]] bool is_actuator(std::string_view tag);
+
+}  // namespace murosimf::formats::mjcf

@@ -1,0 +1,88 @@
+#include "murosimf/motion/mimic_joints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/properties.h"
+#include "murosimf/motion/servo_law.h"
+
+namespace murosimf::motion {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+[[noreturn]] void refuse(const Model& model, int follower, const std::string& why) {
+  throw SetupError(
+      fmt::format("model '{}', coupled joint '{}': {}", model.name(), model.objects()[follower].name, why));
+}
+
+/// Who says where a joint is, and that makes sense.
+int leader_of(const Model& model, int follower, const JointCoupling& coupling) {
+  const int leader = with_context(fmt::format("coupled joint '{}'", model.objects()[follower].name),
+                                  [&] { return model.object_index(coupling.leader); });
+  if (!model.objects()[leader].is_joint()) refuse(model, follower, fmt::format("'{}' is no joint", coupling.leader));
+  if (!std::isfinite(coupling.offset) || !std::isfinite(coupling.ratio) || coupling.ratio == 0) {
+    refuse(model, follower,
+           fmt::format("ratio {} and offset {} must be finite, the ratio not zero", coupling.ratio, coupling.offset));
+  }
+  return leader;
+}
+
+void refuse_wheels(const Model& model, const MimicJoints::Pair& pair) {
+  for (const int joint : {pair.follower, pair.leader}) {
+    const Servo* servo = model.find(properties::servo, joint);
+    if (!servo || !follows_rate(*servo)) continue;
+    refuse(model, pair.follower,
+           fmt::format("the servo of '{}' follows a rate; coupled joints need a servo with a position gain, or none",
+                       model.objects()[joint].name));
+  }
+}
+
+}  // namespace
+
+MimicJoints::MimicJoints(const Model& model) : ranges_(static_cast<std::size_t>(model.size()), {-infinity, infinity}) {
+  for (const int i : model.having(properties::joint_range)) {
+    const Vec3d& range = *model.find(properties::joint_range, i);
+    ranges_[i] = {range.x, range.y};
+  }
+  for (const int i : model.having(properties::joint_coupling)) pairs_.push_back(pair(model, i));
+  narrow(model);
+}
+
+MimicJoints::Pair MimicJoints::pair(const Model& model, int follower) const {
+  if (!model.objects()[follower].is_joint()) refuse(model, follower, "it is no joint");
+  Pair pair{follower, follower, 1, 0};
+  for (int i = 0; const JointCoupling* next = model.find(properties::joint_coupling, pair.leader); ++i) {
+    if (i == model.size()) refuse(model, follower, "it follows itself");
+    const int leader = leader_of(model, pair.leader, *next);
+    pair = {follower, leader, pair.ratio * next->ratio, pair.offset + pair.ratio * next->offset};
+  }
+  refuse_wheels(model, pair);
+  return pair;
+}
+
+void MimicJoints::narrow(const Model& model) {
+  for (const Pair& pair : pairs_) {
+    auto [low, high] = range(pair.follower);
+    low = (low - pair.offset) / pair.ratio;
+    high = (high - pair.offset) / pair.ratio;
+    if (low > high) std::swap(low, high);
+    Range& leader = ranges_[pair.leader];
+    leader = {std::max(leader.lowest, low), std::min(leader.highest, high)};
+    if (leader.lowest <= leader.highest) continue;
+    refuse(model, pair.follower,
+           fmt::format("its range and that of '{}' have no position in common", model.objects()[pair.leader].name));
+  }
+}
+
+void MimicJoints::follow(std::span<double> q, std::span<double> qd) const noexcept {
+  for (const Pair& pair : pairs_) {
+    q[pair.follower] = pair.offset + pair.ratio * q[pair.leader];
+    qd[pair.follower] = pair.ratio * qd[pair.leader];
+  }
+}
+
+}  // namespace murosimf::motion

@@ -1,0 +1,46 @@
+/// mimic_joints.h - joints that another joint takes along (joint_coupling): position = offset + ratio * leader's.
+///
+/// A joint that follows a follower counts as one that follows the first leader. A leader's range is narrowed to what its
+/// followers' ranges let it do, so that no follower has to leave its own.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "murosimf/model/model.h"
+#include "murosimf/motion/joint_stop.h"
+
+namespace murosimf::motion {
+
+class MimicJoints {
+ public:
+  struct Pair {
+    int follower = 0, leader = 0;  ///< objects; a leader follows nobody
+    double ratio = 1;              ///< [1 | rad/m | m/rad]
+    double offset = 0;             ///< [rad | m]
+  };
+  struct Range {
+    double lowest, highest;  ///< [rad | m]
+  };
+
+  /// Throws SetupError if a leader does not exist or is no joint, joints follow each other in a circle, a number is no
+  /// sensible one, one of two joints turns by a rate (velocity_joints.h), or the ranges have nothing in common.
+  explicit MimicJoints(const Model& model);
+
+  /// In the order of the followers in the model.
+  [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
+  [[nodiscard]] bool empty() const { return pairs_.empty(); }
+  /// Where a joint (an object of the model) can stand; without a range, anywhere.
+  [[nodiscard]] const Range& range(int joint) const { return ranges_[static_cast<std::size_t>(joint)]; }
+  /// Followers go where their leaders are; by object.
+  void follow(std::span<double> q, std::span<double> qd) const noexcept;
+
+ private:
+  [[nodiscard]] Pair pair(const Model& model, int follower) const;
+  void narrow(const Model& model);
+
+  std::vector<Pair> pairs_;
+  std::vector<Range> ranges_;  // by object
+};
+
+}  // namespace murosimf::motion

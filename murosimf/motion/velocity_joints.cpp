@@ -1,0 +1,29 @@
+#include "murosimf/motion/velocity_joints.h"
+
+#include <cmath>
+
+#include "murosimf/model/properties.h"
+#include "murosimf/motion/servo_law.h"
+
+namespace murosimf::motion {
+
+VelocityJoints::VelocityJoints(Setup& setup) : turns_(static_cast<std::size_t>(setup.model().size())) {
+  const Model& model = setup.model();
+  for (const int i : model.joints()) {
+    const Servo* servo = model.find(properties::servo, i);
+    const bool turns = servo && follows_rate(*servo);
+    turns_[i] = turns;
+    (turns ? joints_ : others_).push_back(i);
+    const bool hinge = model.objects()[i].kind == Kind::revolute;
+    if (turns && hinge && !model.find(properties::joint_range, i)) endless_.push_back(i);
+  }
+  if (!joints_.empty()) target_ = setup.input(properties::joint_velocity_target, 0.0);
+}
+
+void VelocityJoints::wrap(std::span<double> q) const noexcept {
+  for (const int i : endless_) {
+    if (std::abs(q[i]) > pi) q[i] = std::remainder(q[i], 2 * pi);
+  }
+}
+
+}  // namespace murosimf::motion

@@ -1,0 +1,33 @@
+/// velocity_joints.h - joints that follow a rate (joint_velocity_target) instead of a position, such as wheels.
+///
+/// Hinges without ends turn for ever; their joint position is kept within a turn, so that sines stay exact.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "murosimf/model/setup.h"
+
+namespace murosimf::motion {
+
+class VelocityJoints {
+ public:
+  /// Takes the column of rate targets only if the model has such joints.
+  explicit VelocityJoints(Setup& setup);
+
+  /// Objects of the model, in its order; the second: all its other joints.
+  [[nodiscard]] const std::vector<int>& joints() const { return joints_; }
+  [[nodiscard]] const std::vector<int>& others() const { return others_; }
+  [[nodiscard]] bool contains(int object) const { return turns_[static_cast<std::size_t>(object)]; }
+  /// [rad/s | m/s] of one of joints().
+  [[nodiscard]] double target(int object) const noexcept { return target_[static_cast<std::size_t>(object)]; }
+  /// Takes whole turns out of positions [rad] beyond half a turn.
+  void wrap(std::span<double> q) const noexcept;
+
+ private:
+  std::vector<int> joints_, others_, endless_;
+  std::vector<bool> turns_;         // by object
+  std::span<const double> target_;  // [rad/s | m/s] empty if there are none
+};
+
+}  // namespace murosimf::motion

@@ -1,0 +1,107 @@
+#include "murosimf/multibody/frictional_joints.h"
+
+#include "murosimf/math/pack.h"
+#include "murosimf/multibody/articulated_parts.h"
+#include "murosimf/multibody/joint_friction.h"
+
+namespace murosimf::multibody {
+namespace {
+
+constexpr double locked = 1e30;     // [kg m^2 | kg]
+constexpr double tolerated = 0.25;  // [1] of F, in one step
+constexpr double slow = 1e-3;       // [rad/s | m/s] below this, friction of islands is a damper
+
+/// How the sweep sees a joint: 1/D and u.
+template <class S>
+struct Axle {
+  S inverse_D, u;
+};
+
+/// Decides about a joint of the inertia D, and takes its friction into account.
+template <class S>
+[[gnu::always_inline]] inline Axle<S> decide(FrictionalJoint<S>& j, const S& D, Loads loads, double dt) {
+  j.drive = D * j.rate * (1 / dt) + j.torque;
+  if (loads != Loads::of_repeated_pass) {  // F follows the load, and would make joints change their minds once more
+    j.budget = j.coulomb;
+    if (j.gear) j.budget = j.budget + dry_friction(*j.gear, j.rate, j.motor_torque, j.load);
+  }
+  const S push = j.drive + j.load;
+  const S size = abs(push);
+  const auto sticks = size < j.budget;
+  const S sign = select(push > S(0.0), S(1.0), S(-1.0));
+  j.direction = select(sticks, S(0.0), sign);
+  const S stop = -locked * (j.rate * (1 / dt));
+  if (loads == Loads::of_last_pass) {
+    return {1.0 / select(sticks, S(locked), D), select(sticks, stop, j.torque - sign * j.budget + j.own_load)};
+  }
+  const S end_rate = (size - j.budget) * dt / D;
+  const S damping = j.budget / select(end_rate < S(slow), S(slow), end_rate);
+  return {1.0 / select(sticks, S(locked), D + dt * damping),
+          select(sticks, stop, j.torque - damping * j.rate + j.own_load)};
+}
+
+/// Whether friction is off by more than the tolerated share of F, as p stands now.
+template <class S>
+[[gnu::always_inline]] inline auto is_wrong(const FrictionalJoint<S>& j) {
+  const S push = j.drive + j.load;
+  const S along = select(j.direction == S(0.0), j.budget - abs(push), j.direction * push - j.budget);
+  return (along < -tolerated * j.budget) & (j.budget > S(0.0));
+}
+
+}  // namespace
+
+template <class S>
+void sweep_with_friction(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies,
+                         std::span<FrictionalJoint<S>> joints, Loads loads, double dt) noexcept {
+  for (std::size_t l = links.size() - 1; l > 0; --l) {
+    ArticulatedLink<S>& body = bodies[l];
+    ArticulatedLink<S>& parent = bodies[tree.links[l].parent];
+    FrictionalJoint<S>& joint = joints[l];
+    const Twist<S>& s = links[l].axis;
+    parts::add_link(links[l], body);
+    body.U = body.inertia * s;
+    joint.own_load = -dot(s, body.force);
+    if (loads != Loads::of_last_step) joint.load = joint.own_load - dot(parent.acceleration, body.U);
+    const Axle<S> axle = decide(joint, dot(s, body.U) + joint.inertia, loads, dt);
+    body.inverse_D = axle.inverse_D;
+    body.u = axle.u;
+    parts::hand_over(body, axle.u * axle.inverse_D, parent);
+  }
+  parts::add_link(links[0], bodies[0]);
+}
+
+template <class S>
+S accelerate_with_friction(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies,
+                           std::span<FrictionalJoint<S>> joints, const Twist<S>& base) noexcept {
+  bodies[0].acceleration = base;
+  S wrong = 0.0;
+  for (std::size_t l = 1; l < links.size(); ++l) {
+    ArticulatedLink<S>& body = bodies[l];
+    const Twist<S>& a = bodies[tree.links[l].parent].acceleration;
+    const S carried = dot(a, body.U);
+    body.joint_acceleration = (body.u - carried) * body.inverse_D;
+    body.acceleration = a + body.joint_acceleration * links[l].axis;
+    joints[l].load = joints[l].own_load - carried;
+    wrong = wrong + select(is_wrong(joints[l]), S(1.0), S(0.0));
+  }
+  return wrong;
+}
+
+template <class S>
+S wrong_decisions(std::span<const FrictionalJoint<S>> joints) noexcept {
+  S wrong = 0.0;
+  for (std::size_t l = 1; l < joints.size(); ++l) wrong = wrong + select(is_wrong(joints[l]), S(1.0), S(0.0));
+  return wrong;
+}
+
+#define MUROSIMF_INSTANTIATE(S)                                                                                      \
+  template void sweep_with_friction<S>(const Tree&, std::span<const LinkMotion<S>>, std::span<ArticulatedLink<S>>,   \
+                                       std::span<FrictionalJoint<S>>, Loads, double) noexcept;                       \
+  template S accelerate_with_friction<S>(const Tree&, std::span<const LinkMotion<S>>, std::span<ArticulatedLink<S>>, \
+                                         std::span<FrictionalJoint<S>>, const Twist<S>&) noexcept;                   \
+  template S wrong_decisions<S>(std::span<const FrictionalJoint<S>>) noexcept;
+MUROSIMF_INSTANTIATE(double)
+MUROSIMF_INSTANTIATE(Pack8)
+#undef MUROSIMF_INSTANTIATE
+
+}  // namespace murosimf::multibody

@@ -1,0 +1,66 @@
+/// gl_meshes.h - solids in the graphics device's memory, drawn by instance.
+///
+/// Only for the .cpp files of this folder: it brings OpenGL in.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "murosimf/render/instances.h"
+#include "murosimf/render/opengl/gl_attributes.h"
+#include "murosimf/render/opengl/gl_handles.h"
+
+namespace murosimf::render {
+
+/// Corners of all solids in one buffer.
+struct MeshBuffers {
+  struct Range {
+    std::size_t first_index = 0, indices = 0;
+    GLint first_corner = 0;
+  };
+
+  void fill(const MeshCatalog& catalog) {
+    std::vector<Vertex> corners;
+    std::vector<std::uint32_t> indices;
+    for (const RenderMesh& solid : catalog.solids) {
+      ranges.push_back({indices.size(), solid.triangles.size(), static_cast<GLint>(corners.size())});
+      corners.insert(corners.end(), solid.corners.begin(), solid.corners.end());
+      indices.insert(indices.end(), solid.triangles.begin(), solid.triangles.end());
+    }
+    glBindVertexArray(*array);
+    upload(GL_ELEMENT_ARRAY_BUFFER, *index_buffer, indices, GL_STATIC_DRAW);
+    upload(GL_ARRAY_BUFFER, *corner_buffer, corners, GL_STATIC_DRAW);
+    attribute(0, 3, GL_FLOAT, sizeof(Vertex), offsetof(Vertex, place), false);
+    attribute(1, 3, GL_FLOAT, sizeof(Vertex), offsetof(Vertex, normal), false);
+  }
+
+  void draw(const InstanceList& list) {
+    glBindVertexArray(*array);
+    glBindBuffer(GL_ARRAY_BUFFER, *instance_buffer);
+    const auto instances = list.instances();
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size_bytes()), instances.data(), GL_STREAM_DRAW);
+    for (const InstanceGroup& group : list.groups()) {
+      const std::size_t base = group.first * sizeof(Instance);
+      const auto place = [&](GLuint index, GLint numbers, GLenum type, std::size_t offset, bool normalized = false) {
+        attribute(index, numbers, type, sizeof(Instance), base + offset, true, normalized);
+      };
+      place(2, 4, GL_FLOAT, offsetof(Instance, row_x));
+      place(3, 4, GL_FLOAT, offsetof(Instance, row_y));
+      place(4, 4, GL_FLOAT, offsetof(Instance, row_z));
+      place(5, 3, GL_FLOAT, offsetof(Instance, normal_scale));
+      place(6, 4, GL_UNSIGNED_BYTE, offsetof(Instance, color), true);
+      place(7, 1, GL_UNSIGNED_INT, offsetof(Instance, label));
+      const Range& range = ranges[group.solid];
+      glDrawElementsInstancedBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(range.indices), GL_UNSIGNED_INT,
+                                        reinterpret_cast<const void*>(range.first_index * sizeof(std::uint32_t)),
+                                        static_cast<GLsizei>(group.count), range.first_corner);
+    }
+  }
+
+  std::vector<Range> ranges;
+  GlVertexArray array;
+  GlBuffer corner_buffer, index_buffer, instance_buffer;
+};
+
+}  // namespace murosimf::render

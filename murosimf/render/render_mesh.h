@@ -1,0 +1,46 @@
+/// render_mesh.h - surfaces as triangles with normals, for drawing.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "murosimf/math/vec3.h"
+#include "murosimf/model/shape.h"
+
+namespace murosimf::render {
+
+/// A corner: place [m] and unit normal, in the frame of the solid.
+struct Vertex {
+  std::array<float, 3> place{}, normal{};
+  friend bool operator==(const Vertex&, const Vertex&) = default;
+  friend bool operator<(const Vertex& a, const Vertex& b) {
+    return a.place != b.place ? a.place < b.place : a.normal < b.normal;
+  }
+};
+
+struct RenderMesh {
+  std::vector<Vertex> corners;
+  std::vector<std::uint32_t> triangles;  ///< three corners each, counterclockwise seen from outside
+  [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
+};
+
+/// Round solids have `segments` around (a multiple of 4). Seen along their axis they cover the same area as what they
+/// stand for: their corners stand out a little, the middles of their sides stand in. From aside a sphere covers up to a
+/// share of 5.5 / segments^2 less.
+[[nodiscard]] RenderMesh unit_sphere(int segments);       ///< radius 1
+[[nodiscard]] RenderMesh unit_half_sphere(int segments);  ///< radius 1, z > 0, open below
+[[nodiscard]] RenderMesh unit_tube(int segments);         ///< radius 1, z from -1 to 1, open
+[[nodiscard]] RenderMesh unit_cylinder(int segments);     ///< the same, closed
+[[nodiscard]] RenderMesh unit_box();                      ///< from -1 to 1
+
+/// Flat faces.
+[[nodiscard]] RenderMesh render_mesh_of(const ConvexHull& hull);
+
+/// Of a mesh. Triangles that meet at less than `crease` [rad] are shaded as one smooth surface; those without area are
+/// left out.
+[[nodiscard]] RenderMesh render_mesh_of(std::span<const Vec3d> vertices,
+                                  std::span<const std::array<std::uint32_t, 3>> triangles, double crease = 0.7);
+
+}  // namespace murosimf::render

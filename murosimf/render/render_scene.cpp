@@ -1,0 +1,154 @@
+#include "murosimf/render/render_scene.h"
+
+#include <algorithm>
+
+#include "murosimf/collision/colliding_shapes.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/sensors/view_source.h"
+
+namespace murosimf::render {
+namespace {
+
+double farthest(const RenderMesh& solid) {
+  double square = 0;
+  for (const Vertex& corner : solid.corners) {
+    const auto& [x, y, z] = corner.place;
+    square = std::max(square, static_cast<double>(x * x + y * y + z * z));
+  }
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+Color color_on(const Entity& entity, const Color& color) {
+  const Color gray;
+  const bool is_default = color.red == gray.red && color.green == gray.green && color.blue == gray.blue;
+  return is_default ? entity.options().color : color;
+}
+
+EntityAppearance appearance_of_shapes(const Entity& entity) {
+  EntityAppearance appearance;
+  for (const int i : entity.model().having(properties::shapes)) {
+    for (const PlacedShape& shape : *entity.model().find(properties::shapes, i))
+      appearance.shapes.push_back({i, shape});
+  }
+  return appearance;
+}
+
+RenderScene::RenderScene(const World& world, const std::vector<Entity*>& moving_entities,
+                         const AppearanceOf& appearance) {
+  for (const auto& entity : world.entities()) add_entity(*entity, moving_entities, appearance);
+  std::stable_sort(drawables_.begin(), drawables_.end(), [](const Drawable& a, const Drawable& b) {
+    return a.owner != b.owner ? a.owner < b.owner : a.object < b.object;
+  });
+}
+
+void RenderScene::locate() {
+  for (Owner& owner : owners_) {
+    const auto values = [&](const auto& property) {
+      const auto* column = owner.entity->find(property);
+      return column ? std::span(column->values) : decltype(std::span(column->values)){};
+    };
+    if (!owner.entity->find(properties::orientation)) continue;
+    owner.r = values(properties::position);
+    owner.R = values(properties::orientation);
+    owner.v = values(properties::linear_velocity);
+    owner.w = values(properties::angular_velocity);
+  }
+}
+
+void RenderScene::add_entity(Entity& entity, const std::vector<Entity*>& moving_entities,
+                             const AppearanceOf& appearance) {
+  const auto moving_entity = std::find(moving_entities.begin(), moving_entities.end(), &entity);
+  const bool moves = moving_entity != moving_entities.end();
+  const int owner = static_cast<int>(owners_.size());
+  owners_.push_back({&entity, collision::rest_poses(entity.model()), {}, {}, {}, {}});
+  const auto label = static_cast<std::uint16_t>(moves ? static_cast<int>(sensors::label_moving_entity) +
+                                                            (moving_entity - moving_entities.begin())
+                                                      : static_cast<int>(sensors::label_goal));
+  const Model& model = entity.model();
+  for (const int i : model.having(properties::markings)) {
+    if (!markings_) markings_ = model.find(properties::markings, i);
+  }
+  const EntityAppearance own = appearance(entity);
+  for (const ShownShape& shown : own.shapes) {
+    add_shape({.owner = owner, .object = shown.object, .color = color_on(entity, shown.placed.color), .label = label},
+              shown.placed);
+  }
+  for (const ShownMesh& part : own.meshes) {
+    Drawable drawable{.owner = owner,
+                      .object = part.object,
+                      .form = Form::mesh,
+                      .color = color_on(entity, part.color),
+                      .label = label};
+    drawable.radius = farthest(part.solid);
+    drawable.mesh = add_mesh(part.solid);
+    drawables_.push_back(drawable);
+  }
+}
+
+/// Meshes of equal corners are one: equal robots share them. `identity` tells them apart faster.
+int RenderScene::add_mesh(const RenderMesh& solid, const void* identity) {
+  for (std::size_t i = 0; i < meshes_.size(); ++i) {
+    const bool same = identity ? identities_[i] == identity
+                               : meshes_[i].triangles == solid.triangles && meshes_[i].corners == solid.corners;
+    if (same) return static_cast<int>(i);
+  }
+  meshes_.push_back(solid);
+  identities_.push_back(identity);
+  return static_cast<int>(meshes_.size()) - 1;
+}
+
+void RenderScene::add_shape(Drawable drawable, const PlacedShape& shape) {
+  drawable.place = {shape.position, shape.orientation};
+  drawable.radius = bounding_radius(shape.shape);
+  const auto add = [&](Form form, const Vec3d& scale) {
+    drawable.form = form;
+    drawable.scale = scale;
+    drawables_.push_back(drawable);
+  };
+  if (const auto* sphere = std::get_if<Sphere>(&shape.shape)) {
+    add(Form::sphere, {sphere->radius, sphere->radius, sphere->radius});
+  } else if (const auto* ellipsoid = std::get_if<Ellipsoid>(&shape.shape)) {
+    add(Form::sphere, ellipsoid->semi_axes);
+  } else if (const auto* box = std::get_if<Box>(&shape.shape)) {
+    add(Form::box, box->half_size);
+  } else if (const auto* cylinder = std::get_if<Cylinder>(&shape.shape)) {
+    add(Form::cylinder, {cylinder->radius, cylinder->radius, cylinder->half_length});
+  } else if (const auto* capsule = std::get_if<Capsule>(&shape.shape)) {
+    add_round(drawable, *capsule);
+  } else if (const auto* convex = std::get_if<Convex>(&shape.shape)) {
+    drawable.mesh = add_mesh(render_mesh_of(*convex->hull), convex->hull.get());
+    add(Form::mesh, {1, 1, 1});
+  }
+}
+
+/// A tube with two half spheres.
+void RenderScene::add_round(Drawable drawable, const Capsule& capsule) {
+  const double r = capsule.radius, h = capsule.half_length;
+  const Transformd middle = drawable.place;
+  drawable.form = Form::tube;
+  drawable.scale = {r, r, h};
+  drawables_.push_back(drawable);
+  drawable.form = Form::half_sphere;
+  drawable.scale = {r, r, r};
+  drawable.radius = r;
+  for (const double side : {1.0, -1.0}) {
+    drawable.place.position = middle.position + middle.orientation * Vec3d{0, 0, side * h};
+    drawable.place.orientation = side > 0 ? middle.orientation : middle.orientation * rotation_x(pi);
+    drawables_.push_back(drawable);
+  }
+}
+
+Transformd RenderScene::pose_of(const Owner& owner, int object, double ahead) const {
+  const auto i = static_cast<std::size_t>(object);
+  if (owner.r.empty() || owner.R.empty()) return owner.rest[i];
+  Transformd pose{owner.r[i], owner.R[i]};
+  if (ahead == 0) return pose;
+  if (!owner.v.empty()) pose.position += ahead * owner.v[i];
+  const double rate = owner.w.empty() ? 0 : norm(owner.w[i]);
+  if (rate > 0) pose.orientation = rotation((1 / rate) * owner.w[i], ahead * rate) * pose.orientation;
+  return pose;
+}
+
+}  // namespace murosimf::render

@@ -1,0 +1,111 @@
+/// render_scene.h - what there is to be drawn: pieces of robots, ball and goals, and where they are now.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "murosimf/geometry/manifold.h"
+#include "murosimf/model/world.h"
+#include "murosimf/render/render_mesh.h"
+
+namespace murosimf::render {
+
+/// A surface on an object of a model.
+struct ShownMesh {
+  int object = 0;
+  RenderMesh solid;  ///< [m] object frame
+  Color color;
+};
+
+/// A shape on an object of a model.
+struct ShownShape {
+  int object = 0;
+  PlacedShape placed;
+};
+
+/// What an entity looks like. Gray, the color that things have by default, is drawn in the entity's own color.
+struct EntityAppearance {
+  std::vector<ShownMesh> meshes;
+  std::vector<ShownShape> shapes;
+};
+using AppearanceOf = std::function<EntityAppearance(const Entity&)>;
+
+/// The color in which an entity shows something of `color`.
+[[nodiscard]] Color color_on(const Entity& entity, const Color& color);
+
+/// All shapes of the model.
+[[nodiscard]] EntityAppearance appearance_of_shapes(const Entity& entity);
+
+enum class Form { sphere, half_sphere, tube, cylinder, box, mesh };
+
+/// One thing to draw. Solids of the forms have the size 1 and are scaled.
+struct Drawable {
+  int owner = 0, object = 0;
+  Transformd place;  ///< of the solid in the frame of the object
+  Vec3d scale{1, 1, 1};
+  Form form = Form::box;
+  int mesh = -1;  ///< RenderScene::meshes
+  Color color;
+  std::uint16_t label = 0;
+  double radius = 0;  ///< [m] about its origin, all of it
+};
+
+/// The things of a world that have shapes, all but the ground.
+class RenderScene {
+ public:
+  /// `moving_entities`: those that get labels of their own. The world must outlive it, and its entities must be there already.
+  RenderScene(const World& world, const std::vector<Entity*>& moving_entities,
+              const AppearanceOf& appearance = appearance_of_shapes);
+
+  /// Reads the columns that there are; to be called when all of them are there.
+  void locate();
+
+  [[nodiscard]] const std::vector<Drawable>& drawables() const { return drawables_; }
+  [[nodiscard]] const std::vector<RenderMesh>& meshes() const { return meshes_; }
+  [[nodiscard]] const Entity* owner(const Drawable& drawable) const { return owners_[drawable.owner].entity; }
+  /// Of the first entity that has some; null if none has.
+  [[nodiscard]] const Markings* markings() const { return markings_; }
+
+  /// Calls visit(piece, pose) for each piece; poses [m] in the world, moved on by `ahead` [s].
+  template <class Visit>
+  void for_drawables(double ahead, const Visit& visit) const;
+
+ private:
+  struct Owner {
+    const Entity* entity;
+    std::vector<Transformd> rest;    // of what nothing moves
+    std::span<const Vec3d> r, v, w;  // none of what nothing moves
+    std::span<const Mat3d> R;
+  };
+  void add_entity(Entity& entity, const std::vector<Entity*>& moving_entities, const AppearanceOf& appearance);
+  void add_shape(Drawable drawable, const PlacedShape& shape);
+  void add_round(Drawable drawable, const Capsule& capsule);
+  int add_mesh(const RenderMesh& solid, const void* identity = nullptr);
+  [[nodiscard]] Transformd pose_of(const Owner& owner, int object, double ahead) const;
+
+  std::vector<Owner> owners_;
+  std::vector<Drawable> drawables_;  // by owner and object
+  std::vector<RenderMesh> meshes_;
+  std::vector<const void*> identities_;  // of meshes that several robots share
+  const Markings* markings_ = nullptr;
+};
+
+// ---- definitions ----
+
+template <class Visit>
+void RenderScene::for_drawables(double ahead, const Visit& visit) const {
+  int owner = -1, object = -1;
+  Transformd at;
+  for (const Drawable& drawable : drawables_) {
+    if (drawable.owner != owner || drawable.object != object)
+      at = pose_of(owners_[drawable.owner], drawable.object, ahead);
+    owner = drawable.owner;
+    object = drawable.object;
+    visit(drawable, Transformd{at.position + at.orientation * drawable.place.position,
+                               at.orientation * drawable.place.orientation});
+  }
+}
+
+}  // namespace murosimf::render

@@ -1,0 +1,54 @@
+#include "murosimf/robot/lump_fixed_joints.h"
+
+#include <utility>
+
+namespace murosimf::robot {
+namespace {
+
+/// Moves everything that `body` has to `parent`.
+void weld(description::BodyDescription& body, description::BodyDescription& parent) {
+  const Transformd& place = body.place;
+  parent.solid =
+      description::combined({parent.solid, description::moved(body.solid, place.position, place.orientation)});
+  if (parent.solid_where.empty()) parent.solid_where = body.solid_where;
+  for (description::ShapeDescription& shape : body.shapes) {
+    const Transformd there = place * shape.placed.place();
+    shape.placed.position = there.position;
+    shape.placed.orientation = there.orientation;
+    parent.shapes.push_back(std::move(shape));
+  }
+  for (description::VisualDescription& visual : body.visuals) {
+    visual.place = place * visual.place;
+    parent.visuals.push_back(std::move(visual));
+  }
+  parent.frames.push_back({body.name, body.where, "body", place, {}});
+  for (description::FrameDescription& frame : body.frames) {
+    frame.place = place * frame.place;
+    parent.frames.push_back(std::move(frame));
+  }
+}
+
+}  // namespace
+
+void weld_fixed_bodies(description::RobotDescription& description) {
+  std::vector<description::BodyDescription> kept;
+  std::vector<int> index;          // of each body, or of the one that it is welded to, among those kept
+  std::vector<Transformd> welded;  // of each body in that one
+  for (description::BodyDescription& body : description.bodies) {
+    if (body.parent >= 0) {
+      body.place = welded[body.parent] * body.place;
+      body.parent = index[body.parent];
+    }
+    const bool moves = body.parent < 0 || !body.joints.empty();
+    index.push_back(moves ? static_cast<int>(kept.size()) : body.parent);
+    welded.push_back(moves ? Transformd{} : body.place);
+    if (moves) {
+      kept.push_back(std::move(body));
+    } else {
+      weld(body, kept[body.parent]);
+    }
+  }
+  description.bodies = std::move(kept);
+}
+
+}  // namespace murosimf::robot

@@ -1,0 +1,158 @@
+#include "murosimf/robot/robot_config.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/components/sensor_toml.h"
+#include "murosimf/components/servo_description.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::robot {
+namespace {
+
+/// Fills a RobotTable from the tables of one file.
+class Reader {
+ public:
+  explicit Reader(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  [[nodiscard]] RobotTable read(const toml::table& root) {
+    for (const auto& [key, value] : root) {
+      if (key == "soles") {
+        read_soles(table_of(key, value));
+      } else if (key == "frames") {
+        read_other_names(table_of(key, value), table_.frames);
+      } else if (key == "joints") {
+        read_other_names(table_of(key, value), table_.joints);
+      } else if (key == "surfaces") {
+        read_surfaces(table_of(key, value));
+      } else if (key == "meshes") {
+        read_meshes(table_of(key, value));
+      } else if (key == "servos") {
+        for (const auto& [name, servo] : table_of(key, value)) read_servo(name, table_of(name, servo));
+      } else if (key == "sensors") {
+        table_.sensors = components::read_sensor_tables(table_of(key, value));
+      } else {
+        unknown("table", key, {"soles", "frames", "joints", "surfaces", "meshes", "servos", "sensors"});
+      }
+    }
+    return table_;
+  }
+
+ private:
+  [[noreturn]] void unknown(std::string_view kind, const toml::key& key,
+                            const std::vector<std::string_view>& known) const {
+    files::fail_at(key.source(), unknown_name(kind, key.str(), known));
+  }
+
+  const toml::table& table_of(const toml::key& key, const toml::node& node) const {
+    if (const auto* table = node.as_table()) return *table;
+    files::fail_at(key.source(), fmt::format("'{}' must be a table, like [{}]", key.str(), key.str()));
+  }
+  [[nodiscard]] TableName name_of(std::string_view key, const toml::node& node) const {
+    const auto text = node.value_exact<std::string>();
+    if (!text || text->empty()) files::fail_at(node.source(), fmt::format("'{}' must be a name in quotes", key));
+    return {*text, files::where(node.source())};
+  }
+
+  void read_soles(const toml::table& soles) {
+    const std::vector<std::string_view> feet{"left", "right", "front_left", "front_right", "hind_left", "hind_right"};
+    for (const auto& [key, value] : soles) {
+      if (std::ranges::find(feet, key.str()) == feet.end()) unknown("sole", key, feet);
+      table_.soles.push_back(name_of(key, value));
+    }
+  }
+
+  void read_other_names(const toml::table& names, std::map<std::string, TableName>& others) {
+    for (const auto& [key, value] : names) others[std::string(key.str())] = name_of(key, value);
+  }
+
+  void read_surfaces(const toml::table& surfaces) {
+    for (const auto& [key, value] : surfaces) {
+      if (key == "default") {
+        table_.default_surface = name_of(key, value).name;
+      } else {
+        table_.surfaces[std::string(key.str())] = {name_of(key, value).name, files::where(key.source())};
+      }
+    }
+  }
+
+  void read_meshes(const toml::table& meshes) {
+    for (const auto& [key, value] : meshes) {
+      if (key != "part_per_group") unknown("key of [meshes]", key, {"part_per_group"});
+      const toml::array* names = value.as_array();
+      if (!names) files::fail_at(key.source(), "part_per_group must be a list of meshes, like [\"torso\"]");
+      for (const toml::node& name : *names) table_.part_per_group.push_back(name_of("part_per_group", name));
+    }
+  }
+
+  void read_servo(const toml::key& name, const toml::table& table) {
+    components::ServoDescription description{std::string(name.str())};
+    if (const toml::node* type = table.get("type")) {
+      const TableName ready_made = name_of("type", *type);
+      description =
+          with_context(ready_made.where, [&] { return components::read_servo_description(ready_made.name, folder_); });
+    }
+    description.take(table, {"type", "joints"});
+    give_to_joints(description.finish(name.str(), name.source()), name, table);
+  }
+
+  void give_to_joints(const Servo& servo, const toml::key& name, const toml::table& table) {
+    const toml::array* joints = table["joints"].as_array();
+    if (!joints) files::fail_at(name.source(), fmt::format("servo '{}' needs joints = [\"...\"]", name.str()));
+    for (const toml::node& node : *joints) {
+      const auto [joint, place] = name_of("joints", node);
+      const auto [entry, fresh] = table_.servos.emplace(joint, TableServo{servo, place});
+      if (!fresh) {
+        files::fail_at(node.source(), fmt::format("joint '{}' has servo '{}' already ({}); keep one", joint,
+                                                  entry->second.servo.type, entry->second.where));
+      }
+    }
+  }
+
+  std::filesystem::path folder_;  ///< of the file
+  RobotTable table_;
+};
+
+void check_name(const TableName& entry, std::string_view kind, const std::vector<std::string>& names) {
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  if (std::ranges::find(names, entry.name) != names.end()) return;
+  throw SetupError(fmt::format("{}: {}", entry.where, unknown_name(kind, entry.name, known)));
+}
+
+}  // namespace
+
+const std::string& RobotTable::surface(const std::string& body) const {
+  const auto found = surfaces.find(body);
+  return found == surfaces.end() ? default_surface : found->second.name;
+}
+
+bool RobotTable::is_sole(const std::string& frame) const {
+  return std::ranges::find(sole_frames, frame) != sole_frames.end();
+}
+
+RobotTable read_robot_config(const std::filesystem::path& file) {
+  return Reader(file.parent_path()).read(files::parse_toml_file(file));
+}
+
+RobotTable read_table_beside(const std::filesystem::path& model_file) {
+  auto file = model_file;
+  file.replace_extension(".toml");
+  std::error_code none;
+  return std::filesystem::exists(file, none) ? read_robot_config(file) : RobotTable{};
+}
+
+void check_names(const RobotTable& table, const RobotNames& names) {
+  std::vector<std::string> places = names.frames;
+  places.insert(places.end(), names.bodies.begin(), names.bodies.end());
+  std::vector<std::string> objects = places;
+  objects.insert(objects.end(), names.joints.begin(), names.joints.end());
+  for (const auto& [joint, servo] : table.servos) check_name({joint, servo.where}, "joint", names.joints);
+  for (const auto& [body, surface] : table.surfaces) check_name({body, surface.where}, "body", names.bodies);
+  for (const TableName& mesh : table.part_per_group) check_name(mesh, "mesh", names.meshes);
+  for (const TableName& sole : table.soles) check_name(sole, "frame", places);
+  for (const auto& [role, frame] : table.frames) check_name(frame, "frame", objects);
+  for (const auto& [alias, joint] : table.joints) check_name(joint, "joint", names.joints);
+}
+
+}  // namespace murosimf::robot

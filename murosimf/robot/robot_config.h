@@ -1,0 +1,81 @@
+/// robot_config.h - what a robot file cannot say, from a TOML file of the same stem beside it.
+///
+///     [soles]                      # box sites at the bottoms of the feet, or the feet themselves
+///     left = "l_sole"              # (a quadruped: front_left, front_right, hind_left, hind_right)
+///     right = "r_sole"
+///
+///     [frames]                     # other names for frames, bodies and joints
+///     imu = "imu_link"
+///     camera = "camera_optical_frame"
+///
+///     [joints]                     # other names for joints
+///     LHipYaw = "Left_Hip_Yaw"
+///
+///     [surfaces]                   # materials of the pair table (model/material.h), by body
+///     default = "plastic"
+///     l_foot = "rubber"
+///
+///     [meshes]
+///     part_per_group = ["torso"]   # meshes of OBJ files whose objects or groups are convex parts
+///
+///     [sensors.imu]                # docs/robots.md, "Sensors"; murosimf/components/sensor_table.h
+///     part = "mpu6050"
+///
+///     [servos.legs]                # SI units, on the output side of the gear (docs/robots.md, "Servos")
+///     type = "mx64"                # a ready-made servo to start from: servos/mx64.toml, or a file beside this one
+///     voltage = 14.8               # any number of it may be replaced; without a type, the law's needs must be there
+///     joints = ["j_l_thigh", "j_r_thigh"]
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "murosimf/components/sensor_table.h"
+#include "murosimf/model/servo.h"
+
+namespace murosimf::robot {
+
+/// A name in the table, and where it is written: "robot.toml:3:8".
+struct TableName {
+  std::string name;
+  std::string where;
+};
+
+struct TableServo {
+  Servo servo;
+  std::string where;
+};
+
+struct RobotTable {
+  std::vector<TableName> soles;
+  std::vector<std::string> sole_frames;          ///< where the soles are, once they are placed (role_inference.h)
+  std::map<std::string, TableName> frames;       ///< frame, body or joint by its other name
+  std::map<std::string, TableName> joints;       ///< joint by its other name
+  std::string default_surface;                   ///< empty: none
+  std::map<std::string, TableName> surfaces;     ///< material by body
+  std::map<std::string, TableServo> servos;      ///< by joint
+  std::vector<TableName> part_per_group;         ///< meshes of several convex parts
+  std::vector<components::SensorTable> sensors;  ///< that it makes, changes or removes
+
+  /// Material of a body: its own or the default.
+  [[nodiscard]] const std::string& surface(const std::string& body) const;
+  [[nodiscard]] bool is_sole(const std::string& frame) const;
+};
+
+/// Throws SetupError with file:line:column for unknown keys, values of a wrong type and impossible numbers.
+[[nodiscard]] RobotTable read_robot_config(const std::filesystem::path& file);
+
+/// The table beside a model file; an empty one if there is none.
+[[nodiscard]] RobotTable read_table_beside(const std::filesystem::path& model_file);
+
+/// Names that a robot has.
+struct RobotNames {
+  std::vector<std::string> joints, bodies, frames, meshes;
+};
+
+/// Throws SetupError if the table speaks of a joint, body, frame or mesh that the robot does not have.
+void check_names(const RobotTable& table, const RobotNames& names);
+
+}  // namespace murosimf::robot

@@ -1,0 +1,248 @@
+#include "murosimf/robot/role_inference.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "murosimf/components/servo_sections.h"
+#include "murosimf/files/xml_element.h"
+#include "murosimf/model/error.h"
+#include "murosimf/robot/robot_soles.h"
+
+namespace murosimf::robot {
+namespace {
+
+constexpr double full_torque_bend = 0.1;   // [rad] a guessed servo gives all it has at this error
+constexpr double full_force_shift = 0.02;  // [m] of a slider
+constexpr double damping_time = 0.05;      // [s] damping over gain of a guessed servo
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool contains(const std::string& text, std::string_view part) { return lower(text).find(part) != std::string::npos; }
+
+/// The body that has a frame or is called `name`, and the frame.
+struct Found {
+  std::size_t body = 0;
+  description::FrameDescription* frame = nullptr;
+};
+
+std::optional<Found> find_place(description::RobotDescription& description, const std::string& name) {
+  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+    for (description::FrameDescription& frame : description.bodies[i].frames) {
+      if (frame.name == name) return Found{i, &frame};
+    }
+  }
+  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+    if (description.bodies[i].name == name) return Found{i, nullptr};
+  }
+  return std::nullopt;
+}
+
+/// A sole on the body, under its shapes; its name is `name` with ".sole".
+bool add_sole(description::RobotDescription& description, const Found& foot, const std::string& name) {
+  const Mat3d axes = foot.frame ? foot.frame->place.orientation : Mat3d{};
+  auto sole = sole_under(description, foot.body, name + ".sole", axes);
+  if (sole) description.bodies[foot.body].frames.push_back(*std::move(sole));
+  return sole.has_value();
+}
+
+bool has_sole_site(const description::RobotDescription& description) {
+  return std::ranges::any_of(description.bodies, [](const description::BodyDescription& body) {
+    return std::ranges::any_of(body.frames, [](const description::FrameDescription& f) {
+      return f.box && f.name.ends_with("sole");
+    });
+  });
+}
+
+/// Frames that are called soles and have no rectangle.
+std::vector<std::string> sole_frames(const description::RobotDescription& description) {
+  std::vector<std::string> names;
+  for (const description::BodyDescription& body : description.bodies) {
+    for (const description::FrameDescription& frame : body.frames) {
+      if (lower(frame.name).ends_with("sole")) names.push_back(frame.name);
+    }
+  }
+  return names;
+}
+
+/// Left before right, of four the front ones first.
+void sort_feet(description::RobotDescription& description, std::vector<std::string>& feet) {
+  const auto places = body_places(description);
+  const auto place = [&](const std::string& foot) { return places[find_place(description, foot)->body].position; };
+  const auto left_first = [&](const auto& a, const auto& b) { return place(a).y > place(b).y; };
+  if (feet.size() == 4) {
+    std::ranges::sort(feet, [&](const auto& a, const auto& b) { return place(a).x > place(b).x; });
+    std::sort(feet.begin() + 2, feet.end(), left_first);
+  }
+  std::sort(feet.begin(), feet.begin() + 2, left_first);
+}
+
+void guess_soles(description::RobotDescription& description, RobotTable& table) {
+  if (!table.soles.empty() || has_sole_site(description)) return;
+  std::vector<std::string> feet = sole_frames(description);
+  std::erase_if(feet, [&](const std::string& foot) {
+    return !sole_under(description, find_place(description, foot)->body, foot);
+  });
+  if (feet.empty()) {
+    for (const std::size_t body : find_feet(description)) feet.push_back(description.bodies[body].name);
+  }
+  if (feet.size() != 2 && feet.size() != 4) return;
+  sort_feet(description, feet);
+  for (const std::string& foot : feet) table.soles.push_back({foot, description.bodies[0].where});
+  description.notes.push_back(
+      fmt::format("{}: guessed: the soles are under {}", description.bodies[0].where, fmt::join(feet, ", ")));
+}
+
+bool is_joint(const description::RobotDescription& description, const std::string& name) {
+  return std::ranges::any_of(description.bodies, [&](const description::BodyDescription& body) {
+    return std::ranges::find(body.joints, name, &description::JointDescription::name) != body.joints.end();
+  });
+}
+
+void take_frame(description::RobotDescription& description, RobotTable& table, const std::string& role,
+                const std::string& name) {
+  const bool taken = table.frames.contains(role) || table.joints.contains(role) || find_place(description, role) ||
+                     is_joint(description, role) || role == description.base_joint;
+  if (name.empty() || name == role || taken) return;
+  table.frames[role] = {name, description.bodies[0].where};
+  description.notes.push_back(fmt::format("{}: guessed: {} is '{}'", description.bodies[0].where, role, name));
+}
+
+/// The first frame or body with `word` in its name; one with `better`, too, is preferred.
+std::string name_with(const description::RobotDescription& description, std::string_view word,
+                      std::string_view better) {
+  std::string found;
+  const auto look_at = [&](const std::string& name) {
+    if (!contains(name, word)) return;
+    if (found.empty() || (!contains(found, better) && contains(name, better))) found = name;
+  };
+  for (const description::BodyDescription& body : description.bodies) {
+    for (const description::FrameDescription& frame : body.frames) look_at(frame.name);
+  }
+  for (const description::BodyDescription& body : description.bodies) look_at(body.name);
+  return found;
+}
+
+std::string frame_of_sensor(description::RobotDescription& description, std::string_view kind) {
+  for (const description::SensorDescription& sensor : description.sensors) {
+    if (sensor.kind == kind && sensor.obstacle.empty() && find_place(description, sensor.frame)) return sensor.frame;
+  }
+  return {};
+}
+
+/// The last body on each side whose name says hand, gripper or wrist.
+void guess_hands(description::RobotDescription& description, RobotTable& table) {
+  const auto places = body_places(description);
+  std::map<std::string, std::string> hands;
+  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+    const std::string& name = description.bodies[i].name;
+    const bool hand = contains(name, "hand") || contains(name, "gripper") || contains(name, "wrist");
+    if (hand && std::abs(places[i].position.y) > 0.01) {
+      hands[places[i].position.y > 0 ? "left_hand" : "right_hand"] = name;
+    }
+  }
+  for (const auto& [role, name] : hands) take_frame(description, table, role, name);
+}
+
+void guess_frames(description::RobotDescription& description, RobotTable& table) {
+  std::string imu = frame_of_sensor(description, "gyro");
+  if (imu.empty()) imu = frame_of_sensor(description, "imu");
+  take_frame(description, table, "imu", imu.empty() ? name_with(description, "imu", "imu_") : imu);
+  const std::string camera = frame_of_sensor(description, "camera");
+  take_frame(description, table, "camera", camera.empty() ? name_with(description, "camera", "optical") : camera);
+  guess_hands(description, table);
+}
+
+/// [N m | N] that the file gives for whatever moves the joint; 0: nothing.
+double largest_torque(const description::JointDescription& joint) {
+  if (joint.servo && joint.servo->stall_torque > 0) return joint.servo->stall_torque;
+  return joint.effort_limit;
+}
+
+bool has_gain(const Servo& servo) { return servo.position_gain > 0 || servo.velocity_gain > 0; }
+
+void guess_servo(description::JointDescription& joint) {
+  Servo servo;
+  servo.type = components::guessed_servo;
+  servo.law = "ideal_pd";
+  servo.stall_torque = largest_torque(joint);
+  servo.no_load_speed = joint.rate_limit;
+  servo.position_gain = servo.stall_torque / (joint.kind == Kind::prismatic ? full_force_shift : full_torque_bend);
+  servo.velocity_gain = damping_time * servo.position_gain;
+  joint.servo = servo;
+}
+
+void guess_servos(description::RobotDescription& description, const RobotTable& table) {
+  std::set<std::string> followers;
+  for (const description::MimicDescription& mimic : description.mimics) followers.insert(mimic.joint);
+  int guessed = 0;
+  for (description::BodyDescription& body : description.bodies) {
+    for (description::JointDescription& joint : body.joints) {
+      const bool driven = (joint.servo && has_gain(*joint.servo)) || table.servos.contains(joint.name);
+      if (driven || followers.contains(joint.name) || !(largest_torque(joint) > 0)) continue;
+      guess_servo(joint);
+      ++guessed;
+    }
+  }
+  if (guessed == 0) return;
+  description.notes.push_back(fmt::format(
+      "{}: guessed: position gains of {} servos, all torque at {} rad, all force at {} m; the file has only "
+      "their largest torques",
+      description.bodies[0].where, guessed, full_torque_bend, full_force_shift));
+}
+
+std::string soles_toml(const RobotTable& table) {
+  const std::vector<std::string_view> two{"left", "right"};
+  const std::vector<std::string_view> four{"front_left", "front_right", "hind_left", "hind_right"};
+  const auto& feet = table.soles.size() == 4 ? four : two;
+  std::string text = "[soles]  # box sites at the bottoms of the feet, or the feet themselves\n";
+  for (std::size_t i = 0; i < std::min(feet.size(), table.soles.size()); ++i) {
+    text += fmt::format("{} = {}\n", feet[i], components::toml_quoted(table.soles[i].name));
+  }
+  return table.soles.empty() ? "" : text + "\n";
+}
+
+std::string frames_toml(const RobotTable& table) {
+  if (table.frames.empty()) return {};
+  std::string text = "[frames]  # other names for frames, bodies and joints\n";
+  for (const auto& [role, frame] : table.frames)
+    text += fmt::format("{} = {}\n", components::toml_quoted(role), components::toml_quoted(frame.name));
+  return text + "\n";
+}
+
+}  // namespace
+
+void place_soles(description::RobotDescription& description, RobotTable& table) {
+  for (const TableName& sole : table.soles) {
+    const auto found = find_place(description, sole.name);
+    const bool placed = found && found->frame && found->frame->box;
+    if (found && !placed && !add_sole(description, *found, sole.name)) {
+      throw SetupError(
+          fmt::format("{}: '{}' cannot be a sole: its body has no shape that collides", sole.where, sole.name));
+    }
+    table.sole_frames.push_back(placed ? sole.name : sole.name + ".sole");
+  }
+}
+
+void guess_roles(description::RobotDescription& description, RobotTable& table) {
+  guess_soles(description, table);
+  guess_frames(description, table);
+  guess_servos(description, table);
+}
+
+std::string roles_toml(const description::RobotDescription& description, const RobotTable& table) {
+  const std::string head = fmt::format(
+      "# What the file of {} cannot say, partly guessed (docs/robots.md): correct it. Servos are on the output side "
+      "of\n"
+      "# the gear, SI units; instead of numbers, the type of a ready-made one will do: type = \"mx64\".\n\n",
+      files::one_line(description.name));
+  return head + soles_toml(table) + frames_toml(table) + components::servo_sections(description);
+}
+
+}  // namespace murosimf::robot

@@ -1,0 +1,27 @@
+/// role_inference.h - what a robot file and the table beside it leave open, guessed from the robot: soles, frames of camera
+/// and inertial sensor, hands, and servos of joints that have nothing but a largest torque.
+///
+/// Everything guessed is a line in the description's notes, and can be written down as a table to be corrected (roles_toml).
+#pragma once
+
+#include <string>
+
+#include "murosimf/description/robot_description.h"
+#include "murosimf/robot/robot_config.h"
+
+namespace murosimf::robot {
+
+/// Gives every sole of the table a frame with a rectangle: a foot, or a frame without a box, gets one under the shapes of
+/// its body. Throws SetupError, at the table's line, if there is none. To be called after the welding.
+void place_soles(description::RobotDescription& description, RobotTable& table);
+
+/// Completes `table` and `description` where both are silent:
+///   soles    frames called "...sole", else the two or four feet that the robot stands on in the pose of the file
+///   frames   imu, camera, left_hand, right_hand: by the names of frames, sensors and bodies
+///   servos   law ideal_pd with the file's largest torque F and rate: gain F / 0.1 rad, damping 0.05 s of it
+void guess_roles(description::RobotDescription& description, RobotTable& table);
+
+/// Soles, frames and servos as the TOML file that would stand beside the robot.
+[[nodiscard]] std::string roles_toml(const description::RobotDescription& description, const RobotTable& table);
+
+}  // namespace murosimf::robot

@@ -1,0 +1,62 @@
+/// camera_frame.h - what a camera shows: its last picture, with the instant at which that was exposed.
+///
+///     const sensors::Frame& frame = sensors::read_frame(setup, "camera");   // an algorithm, in its constructor
+///     if (frame.number != last_) look_at(frame.color, frame.info->lens);    // in its step
+///
+/// A camera draws only if somebody wants its frames: an algorithm that reads them, want_frames, or `always_on` in the
+/// robot's or scene's file. Frames are no part of the state hash: looking changes nothing.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/imaging/image.h"
+#include "murosimf/imaging/lens.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::sensors {
+
+/// What does not change while a camera runs.
+struct CameraInfo {
+  std::string name{};                 ///< unique on its robot
+  imaging::Lens lens;                          ///< the true one
+  Duration period{};                  ///< between two frames
+  int link = 0;                       ///< object that it moves with: a base or joint
+  Vec3d position;                     ///< [m] of the pinhole in the frame of the link, true
+  Mat3d orientation;                  ///< optical axes to those of the link, true: with the mounting error
+  Mat3d nominal;                      ///< the same without the error, as control software may believe it
+  std::vector<std::string> labels{};  ///< names of what LabelImages show (view_source.h)
+};
+
+/// Layers that the camera does not have are empty.
+struct CameraFrame {
+  Duration time{};           ///< simulated, at which the exposure of its first row began; it may have come later
+  std::uint64_t number = 0;  ///< of frames that have come so far; 0: none yet
+  imaging::ColorImage color{};
+  imaging::GrayImage mosaic{};  ///< behind a Bayer filter; then there are no colors
+  imaging::DepthImage depth{};  ///< [m] along the optical axis, infinite where nothing is
+  imaging::LabelImage labels{};
+  std::shared_ptr<const CameraInfo> info{};
+  bool wanted = false;  ///< somebody reads it
+};
+
+void append_hash(Hasher& hasher, const CameraFrame& frame);
+/// Of its instant and all pixels. Equal on one machine for any number of threads; other drivers draw other pixels.
+[[nodiscard]] std::uint64_t hash_of(const CameraFrame& frame);
+
+/// For the camera itself: creates its frame. Throws SetupError if the robot has a camera of that name.
+[[nodiscard]] CameraFrame& write_frame(Setup& setup, CameraInfo info);
+
+/// For algorithms of the robot, in their constructors; the camera draws from then on. It must be attached before. Throws
+/// SetupError with the nearest name if there is none.
+[[nodiscard]] const CameraFrame& read_frame(Setup& setup, std::string_view camera);
+
+/// From outside, before the simulation is initialized: the camera draws. Throws SetupError with the nearest name.
+const CameraFrame& want_frames(Entity& entity, std::string_view camera);
+
+/// Those of all cameras of an entity, in the order of their names.
+[[nodiscard]] std::vector<const CameraFrame*> frames_of(const Entity& entity);
+
+}  // namespace murosimf::sensors
