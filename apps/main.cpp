@@ -115,7 +115,7 @@ void add_plot(CLI::App& app, PlotOptions& options, int& exit_code) {
 }
 
 void add_compare(CLI::App& app, CompareCommand& command, int& exit_code) {
-  compare::CompareOptions& options = command.options;
+  murosimf::compare::CompareOptions& options = command.options;
   CLI::App* compare_command = app.add_subcommand("compare", "Run a scene at several levels and say which is adequate");
   compare_command
       ->add_option("scene", options.scene, "Scene file (TOML), or the name of one that comes with the program")

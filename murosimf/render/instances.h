@@ -55,7 +55,7 @@ class InstanceList {
 
   std::vector<Instance> unsorted_, sorted_;
   std::vector<std::size_t> render_mesh_of_;  // by unsorted instance
-  std::vector<std::size_t> first_of_;  // by solid
+  std::vector<std::size_t> first_of_;        // by solid
   std::vector<InstanceGroup> groups_;
 };
 

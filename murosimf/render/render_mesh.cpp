@@ -138,7 +138,7 @@ RenderMesh render_mesh_of(const ConvexHull& hull) {
 }
 
 RenderMesh render_mesh_of(std::span<const Vec3d> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
-                    double crease) {
+                          double crease) {
   const std::vector<MeshTriangle> faces = with_normals(vertices, triangles);
   std::vector<std::vector<std::size_t>> at_vertex(vertices.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {

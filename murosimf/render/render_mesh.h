@@ -41,6 +41,6 @@ struct RenderMesh {
 /// Of a mesh. Triangles that meet at less than `crease` [rad] are shaded as one smooth surface; those without area are
 /// left out.
 [[nodiscard]] RenderMesh render_mesh_of(std::span<const Vec3d> vertices,
-                                  std::span<const std::array<std::uint32_t, 3>> triangles, double crease = 0.7);
+                                        std::span<const std::array<std::uint32_t, 3>> triangles, double crease = 0.7);
 
 }  // namespace murosimf::render

@@ -62,7 +62,8 @@ CameraInfo info_of(const SensorSpec& spec, const CameraSpec& camera, const Mount
   return info;
 }
 
-Perspective perspective_of(const imaging::ViewWindow& window, const Vec3d& eye, const Mat3d& axes, const imaging::Rows& rows) {
+Perspective perspective_of(const imaging::ViewWindow& window, const Vec3d& eye, const Mat3d& axes,
+                           const imaging::Rows& rows) {
   Perspective perspective;
   perspective.eye = eye;
   perspective.axes = axes * window.axes;
@@ -86,7 +87,8 @@ Mat3d turned(const Mat3d& axes, const Vec3d& rate, double ahead) {
 /// With the size of the lens's picture: pictures take turns, and those that were never drawn have none yet.
 template <class Pixel>
 imaging::Image<Pixel>& sized(imaging::Image<Pixel>& image, const imaging::LensSpec& lens) {
-  if (image.width() != lens.width || image.height() != lens.height) image = imaging::Image<Pixel>(lens.width, lens.height);
+  if (image.width() != lens.width || image.height() != lens.height)
+    image = imaging::Image<Pixel>(lens.width, lens.height);
   return image;
 }
 

@@ -21,7 +21,7 @@ namespace murosimf::sensors {
 /// What does not change while a camera runs.
 struct CameraInfo {
   std::string name{};                 ///< unique on its robot
-  imaging::Lens lens;                          ///< the true one
+  imaging::Lens lens;                 ///< the true one
   Duration period{};                  ///< between two frames
   int link = 0;                       ///< object that it moves with: a base or joint
   Vec3d position;                     ///< [m] of the pinhole in the frame of the link, true

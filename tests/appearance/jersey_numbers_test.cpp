@@ -95,7 +95,7 @@ void expect_good_plates(const Robot& robot, const std::string& object, double mo
   EXPECT_GT(dot(robot.plates[0].center - robot.plates[1].center, chest), 0.05) << "the trunk is between them";
 }
 
-TEST(NumberPlates, OfKid21AreOnItsTorso) {
+TEST(JerseyNumbers, OfKid21AreOnItsTorso) {
   const Robot robot(files::find_data_file("kid21", "models", ".xml"));
   expect_good_plates(robot, "torso");
   // a box of half 0.05 x 0.065 x 0.07 m at a height of 0.08 m
@@ -107,16 +107,16 @@ TEST(NumberPlates, OfKid21AreOnItsTorso) {
   EXPECT_NEAR(robot.plates[0].half_height, 0.039, 1e-12);
 }
 
-TEST(NumberPlates, OfTheLeaguesRobotAreOnItsTorso) {
+TEST(JerseyNumbers, OfTheLeaguesRobotAreOnItsTorso) {
   expect_good_plates(Robot(files::find_data_file("spark_nao0", "models", ".xml")), "torso");
 }
 
-TEST(NumberPlates, OfBoosterK1AreOnItsTrunk) {
+TEST(JerseyNumbers, OfBoosterK1AreOnItsTrunk) {
   if (!std::filesystem::exists(k1_mjcf())) GTEST_SKIP() << "no " << k1_mjcf();
   expect_good_plates(Robot(k1_mjcf()), "Trunk");
 }
 
-TEST(NumberPlates, OfWolfgangOpAreOnItsTorso) {
+TEST(JerseyNumbers, OfWolfgangOpAreOnItsTorso) {
   if (!std::filesystem::exists(wolfgang_urdf())) GTEST_SKIP() << "no " << wolfgang_urdf();
   const robot::RobotFile file = robot::read_robot(wolfgang_urdf(), {.lenient = true});
   expect_good_plates(Robot(wolfgang_urdf()), file.model->objects()[0].name, 0.6);  // its trunk is an open frame
@@ -128,7 +128,7 @@ Chain with_shape(Chain chain, const Shape& shape) {
       .with(properties::shapes, {fixtures::placed(shape)});
 }
 
-TEST(NumberPlates, LookForwardOnALinkThatIsTurned) {
+TEST(JerseyNumbers, LookForwardOnALinkThatIsTurned) {
   // the trunk's own x points to the left, its z forward
   const Mat3d turn{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
   Chain arm = Chain{}.revolute("arm", {0, 1, 0}), head = Chain{}.revolute("head", {0, 0, 1});
@@ -143,12 +143,12 @@ TEST(NumberPlates, LookForwardOnALinkThatIsTurned) {
   EXPECT_NEAR(turned.plates[0].half_width, 0.12, 1e-12) << "60 % of 0.4 m";
 }
 
-TEST(NumberPlates, OfWhatCannotBeSeenThereAreNone) {
+TEST(JerseyNumbers, OfWhatCannotBeSeenThereAreNone) {
   EXPECT_TRUE(
       Robot(Chain{}.base().with(properties::mass, 1.0).with(properties::inertia, {1, 1, 1, 0, 0, 0})).plates.empty());
 }
 
-TEST(NumberPlates, CarryNumbersThatFit) {
+TEST(JerseyNumbers, CarryNumbersThatFit) {
   const JerseyNumber plate{3, {1, 2, 3}, {0, -1, 0}, {0, 0, 1}, 0.3, 0.2};
   for (const int number : {4, 88, 123}) {
     double wide = 0, high = 0;

@@ -61,7 +61,7 @@ TEST(VisualMeshes, OfWeldedLinksBelongToWhatTheyAreWeldedTo) {
   const std::string mesh = "<mesh filename='t.obj' scale='0.1 0.1 0.1'/>";
   const auto file =
       write("robot.urdf",
-            formats::urdf::urdf_files::robot(
+            formats::urdf::urdf_files::robot_xml(
                 link("arm", solid()) + joint("revolute", "base", "arm", any_limit, "elbow") +
                 link("hand", visual(mesh)) +
                 joint("fixed", "arm", "hand", "<origin xyz='1 2 3' rpy='0 0 1.5707963267948966'/>", "wrist")));

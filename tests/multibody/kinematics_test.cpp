@@ -176,8 +176,8 @@ TEST(Kinematics, PoseInBase) {
       std::vector<double> q(s.q.size(), std::nan(""));
       for (const int l : path) q[tree.links[l].object] = s.q[tree.links[l].object];
       const Transform<double> pose = pose_in_base<double>(tree, path, model.placement(i), q);
-      place_error.see(difference(pose.r, transposed_times(s.R[0], s.r[i] - s.r[0])), "tree", seed, "object", i);
-      turn_error.see(difference(pose.R, transpose(s.R[0]) * s.R[i]), "tree", seed, "object", i);
+      place_error.see(difference(pose.position, transposed_times(s.R[0], s.r[i] - s.r[0])), "tree", seed, "object", i);
+      turn_error.see(difference(pose.orientation, transpose(s.R[0]) * s.R[i]), "tree", seed, "object", i);
     }
   }
   const std::string source = "pose in the world, seen from the base";

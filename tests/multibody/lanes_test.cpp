@@ -66,7 +66,7 @@ void numbers(ArticulatedLink<S>& l, const Visit& visit) {
 }
 template <class S, class Visit>
 void numbers(Transform<S>& p, const Visit& visit) {
-  numbers(p.r, visit), numbers(p.R, visit);
+  numbers(p.position, visit), numbers(p.orientation, visit);
 }
 template <class S, class Visit>
 void numbers(CommonBody<S>& b, const Visit& visit) {

@@ -19,22 +19,22 @@ inline imaging::Lens plain_lens() {
 }
 
 /// `height` [m] above the ground, looking along x and down by `pitch` [rad].
-inline CameraPose looking_down(double height, double pitch) {
+inline perception::CameraPose looking_down(double height, double pitch) {
   const Mat3d forward{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}};
   return {{0, 0, height}, rotation_y(pitch) * forward};
 }
 
 /// What a robot at `pose` [m, m, rad] on the field sees.
-inline imaging::ColorImage picture_of(const Markings& field, const imaging::Lens& lens, const CameraPose& camera,
-                                      const Vec3d& pose) {
+inline imaging::ColorImage picture_of(const Markings& field, const imaging::Lens& lens,
+                                      const perception::CameraPose& camera, const Vec3d& pose) {
   imaging::ColorImage picture(lens.spec().width, lens.spec().height, sky);
   for (int v = 0; v < picture.height(); ++v) {
     for (int u = 0; u < picture.width(); ++u) {
-      const auto place = on_ground(lens, camera, {static_cast<double>(u), static_cast<double>(v)});
+      const auto place = perception::on_ground(lens, camera, {static_cast<double>(u), static_cast<double>(v)});
       if (!place) continue;
       const double c = std::cos(pose.z), s = std::sin(pose.z);
       const double x = pose.x + c * place->x - s * place->y, y = pose.y + s * place->x + c * place->y;
-      picture(u, v) = distance_to_lines(field, x, y) < 0.025 ? white : grass;
+      picture(u, v) = perception::distance_to_lines(field, x, y) < 0.025 ? white : grass;
     }
   }
   return picture;

@@ -127,7 +127,7 @@ struct Rig {
 
   /// Another level moves the entity from now on.
   void exchange(Entity& entity, const std::string& level, const scene::LevelOptions& options = {}) {
-    const scene::Level& entry = find_entry(scene::levels(), "level", level);
+    const scene::LevelType& entry = find_entry(scene::levels(), "level", level);
     simulation.exchange(level, entity, [&](Setup& setup) { return entry.make(setup, options); });
   }
 
@@ -151,7 +151,7 @@ struct Rig {
   void attach_level(Entity& entity, const Dynamics& dynamics) {
     scene::LevelOptions options = dynamics.options;
     options.tree = dynamics.tree;
-    const scene::Level& level = find_entry(scene::levels(), "level", dynamics.level);
+    const scene::LevelType& level = find_entry(scene::levels(), "level", dynamics.level);
     simulation.attach(dynamics.level, entity, rate, [&](Setup& setup) { return level.make(setup, options); });
   }
 };

@@ -73,7 +73,7 @@ class Instances : public testing::Test {
     for (const InstanceGroup& group : list_.groups()) {
       for (const auto& instance : list_.instances().subspan(group.first, group.count)) {
         EXPECT_TRUE(drawn.labels.insert(instance.label).second) << "once";
-        drawn.triangles[instance.label] = catalog.solids[group.solid].triangle_count();
+        drawn.triangles[instance.label] = catalog.meshes[group.solid].triangle_count();
       }
     }
     return drawn;

@@ -124,9 +124,10 @@ TEST(MjcfCameras, ThatAreNotFixedAreNotes) {
 
 std::string urdf_camera(const std::string& inside, const std::string& outside = "") {
   using namespace formats::urdf::urdf_files;
-  return formats::urdf::urdf_files::robot(link("head", solid()) + joint("revolute", "base", "head", any_limit, "neck") +
-                                          "<gazebo reference='head'><sensor name='eye' type='camera'>" + outside +
-                                          "<camera>" + inside + "</camera></sensor></gazebo>");
+  return formats::urdf::urdf_files::robot_xml(link("head", solid()) +
+                                              joint("revolute", "base", "head", any_limit, "neck") +
+                                              "<gazebo reference='head'><sensor name='eye' type='camera'>" + outside +
+                                              "<camera>" + inside + "</camera></sensor></gazebo>");
 }
 
 Numbers urdf_numbers(const std::string& inside) {

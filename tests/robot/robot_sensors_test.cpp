@@ -101,9 +101,9 @@ TEST(MjcfSensors, AnUnknownSiteIsAnErrorUnlessLenient) {
 
 std::string urdf(const std::string& blocks) {
   using namespace formats::urdf::urdf_files;
-  return formats::urdf::urdf_files::robot(link("foot", solid()) + link("eye") +
-                                          joint("revolute", "base", "foot", any_limit, "ankle") +
-                                          joint("fixed", "foot", "eye", "<origin xyz='0 0 1'/>", "fixing") + blocks);
+  return formats::urdf::urdf_files::robot_xml(
+      link("foot", solid()) + link("eye") + joint("revolute", "base", "foot", any_limit, "ankle") +
+      joint("fixed", "foot", "eye", "<origin xyz='0 0 1'/>", "fixing") + blocks);
 }
 
 RobotFile read_blocks(const std::string& blocks) { return read_robot(write("robot.urdf", urdf(blocks))); }

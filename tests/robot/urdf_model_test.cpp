@@ -11,9 +11,9 @@ using namespace formats::urdf::urdf_files;
 
 /// A base, a limb at the joint `swing`, and a tip of 3 kg that is fixed to the limb 2 m above the joint.
 std::string pendulum() {
-  return robot(link("limb", solid() + collision("<sphere radius='0.1'/>")) + link("tip", solid(3)) +
-               joint("revolute", "base", "limb", any_limit + "<dynamics damping='0.5' friction='0.25'/>", "swing") +
-               joint("fixed", "limb", "tip", "<origin xyz='0 0 2'/>", "glue"));
+  return robot_xml(link("limb", solid() + collision_xml("<sphere radius='0.1'/>")) + link("tip", solid(3)) +
+                   joint("revolute", "base", "limb", any_limit + "<dynamics damping='0.5' friction='0.25'/>", "swing") +
+                   joint("fixed", "limb", "tip", "<origin xyz='0 0 2'/>", "glue"));
 }
 
 TEST(UrdfModel, WeldsFixedLinksAndKeepsThemAsFrames) {
@@ -50,7 +50,7 @@ TEST(UrdfModel, PlaysInAScene) {
 
 TEST(UrdfModel, NamesTheFileWhereAMovingLinkHasNoMass) {
   const auto description =
-      read_robot(write("robot.urdf", robot(link("limb") + joint("revolute", "base", "limb", any_limit))));
+      read_robot(write("robot.urdf", robot_xml(link("limb") + joint("revolute", "base", "limb", any_limit))));
   EXPECT_TRUE(any_contains(description.warnings, "robot.urdf:2: body 'limb' moves but has no mass"));
 }
 

@@ -49,9 +49,9 @@ class Puppet final : public Algorithm {
 /// A body with one sensor, in a world of its own.
 template <class S>
 struct SensorRig {
-  SensorRig(MotionOfTime motion, const SensorSpec& spec, double step_rate = 1000, std::uint64_t seed = 1)
+  SensorRig(MotionOfTime motion, const sensors::SensorSpec& spec, double step_rate = 1000, std::uint64_t seed = 1)
       : body(simulation.world().add("body", model())),
-        sensor(simulation.attach<S>("sensor", body, step_rate, spec, SensorSurroundings{.seed = seed})) {
+        sensor(simulation.attach<S>("sensor", body, step_rate, spec, sensors::SensorSurroundings{.seed = seed})) {
     simulation.attach<Puppet>("puppet", body, step_rate, std::move(motion));
   }
   static ModelPtr model() {
@@ -64,7 +64,7 @@ struct SensorRig {
     simulation.run(from_seconds(time) - simulation.now());
     simulation.step();
   }
-  [[nodiscard]] const Reading& reading() const { return sensor.reading(); }
+  [[nodiscard]] const sensors::Reading& reading() const { return sensor.reading(); }
 
   Simulation simulation;
   Entity& body;

@@ -34,7 +34,7 @@ struct RangeRig : Rig {
   }
 
   /// After all moving_entities were added.
-  const Reading& attach(Entity& robot, SensorSpec spec, std::uint64_t seed = 1) {
+  const sensors::Reading& attach(Entity& robot, sensors::SensorSpec spec, std::uint64_t seed = 1) {
     if (spec.name.empty()) spec.name = spec.type;
     return components::attach_sensor(simulation, robot, spec, {seed, moving_entities}, rate).reading();
   }
@@ -53,15 +53,15 @@ struct RangeRig : Rig {
 };
 
 /// A sensor with the numbers that differ from their defaults.
-inline SensorSpec sensor(const std::string& type, const std::map<std::string, double>& numbers = {}) {
-  SensorSpec spec;
+inline sensors::SensorSpec sensor(const std::string& type, const std::map<std::string, double>& numbers = {}) {
+  sensors::SensorSpec spec;
   spec.name = spec.type = type;
   spec.numbers = numbers;
   return spec;
 }
 
 /// Message of the mistake of attaching a sensor to a box beside a ball.
-inline std::string mistake(const SensorSpec& spec) {
+inline std::string mistake(const sensors::SensorSpec& spec) {
   RangeRig rig;
   Entity& robot = rig.add_box("robot");
   rig.add_ball("ball");

@@ -149,7 +149,7 @@ DrawCount GlDrawing::draw(const sensors::Perspective& wanted, const sensors::Lay
   }
   DrawCount drawn{list_.instances().size(), 0};
   for (const InstanceGroup& group : list_.groups()) {
-    drawn.triangles += group.count * catalog_.solids[group.solid].triangle_count();
+    drawn.triangles += group.count * catalog_.meshes[group.solid].triangle_count();
   }
   return drawn;
 }

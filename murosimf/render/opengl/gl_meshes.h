@@ -23,7 +23,7 @@ struct MeshBuffers {
   void fill(const MeshCatalog& catalog) {
     std::vector<Vertex> corners;
     std::vector<std::uint32_t> indices;
-    for (const RenderMesh& solid : catalog.solids) {
+    for (const RenderMesh& solid : catalog.meshes) {
       ranges.push_back({indices.size(), solid.triangles.size(), static_cast<GLint>(corners.size())});
       corners.insert(corners.end(), solid.corners.begin(), solid.corners.end());
       indices.insert(indices.end(), solid.triangles.begin(), solid.triangles.end());

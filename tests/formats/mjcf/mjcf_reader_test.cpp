@@ -129,8 +129,8 @@ TEST(MjcfReader, Kid21HasSolesInTheRightPlace) {
   EXPECT_EQ(model->find(properties::sole, soles[0])->half_length, 0.075);
   EXPECT_EQ(model->find(properties::sole, soles[0])->half_width, 0.045);
   // hip 0.02 below the pelvis, two limbs of 0.12, and 0.04 from the ankle to the ground
-  expect_near(pose(*model, "l_sole").r, {0.015, 0.055, -0.30});
-  expect_near(pose(*model, "r_sole").r, {0.015, -0.055, -0.30});
+  expect_near(pose(*model, "l_sole").position, {0.015, 0.055, -0.30});
+  expect_near(pose(*model, "r_sole").position, {0.015, -0.055, -0.30});
 }
 
 TEST(MjcfReader, Kid21HasServosOfItsTable) {
@@ -186,7 +186,7 @@ TEST(MjcfReader, AllWaysToWriteAnOrientationAgree) {
   for (const char* text :
        {"quat='1 1 0 0'", "euler='90 0 0'", "axisangle='2 0 0 90'", "xyaxes='1 0 0 1 0 1'", "zaxis='0 -3 0'"}) {
     const auto model = read(closed_robot(std::string("<body name='c' ") + text + "/>")).model;
-    expect_same_turn(pose(*model, "c").R, turn);
+    expect_same_turn(pose(*model, "c").orientation, turn);
   }
 }
 
@@ -194,7 +194,7 @@ TEST(MjcfReader, EulerAnglesFollowTheSequence) {
   const std::string body = "<body name='c' euler='0.3 0.2 0.1'/>";
   const auto turn = [&](const std::string& sequence) {
     const auto compiler = "<compiler angle='radian' eulerseq='" + sequence + "'/>";
-    return pose(*read(closed_robot(body, compiler)).model, "c").R;
+    return pose(*read(closed_robot(body, compiler)).model, "c").orientation;
   };
   expect_same_turn(turn("xyz"), rotation_x(0.3) * rotation_y(0.2) * rotation_z(0.1));
   expect_same_turn(turn("zyx"), rotation_z(0.3) * rotation_y(0.2) * rotation_x(0.1));
@@ -207,8 +207,8 @@ TEST(MjcfReader, AJointAwayFromTheOriginTurnsTheBodyAboutItself) {
                          .model;
   // 90 deg about y through (1 0 1): the origin, 1 below, goes to -x
   const auto turned = pose(*model, "c", 0.5 * pi);
-  expect_near(turned.r, {0, 0, 1});
-  expect_same_turn(turned.R, rotation_y(0.5 * pi));
+  expect_near(turned.position, {0, 0, 1});
+  expect_same_turn(turned.orientation, rotation_y(0.5 * pi));
   EXPECT_NE(model->object_index("c"), model->object_index("j"));
   EXPECT_TRUE(model->find(properties::mass, model->object_index("c")));
 }
@@ -233,8 +233,8 @@ TEST(MjcfReader, BodiesWithoutJointOrNameAreFine) {
                          .model;
   EXPECT_EQ(model->joints().size(), 2u);
   EXPECT_EQ(model->objects()[model->object_index("body_2")].kind, Kind::endpoint);
-  expect_near(pose(*model, "body_2").r, {1, 0, 0});
-  expect_near(pose(*model, "body_3").R.z, {0, 0, -1});
+  expect_near(pose(*model, "body_2").position, {1, 0, 0});
+  expect_near(pose(*model, "body_3").orientation.z, {0, 0, -1});
   EXPECT_EQ(model->object_index("body_4"), model->object_index("body_4.joint2"));
   EXPECT_EQ(model->objects()[model->object_index("body_4.joint2")].parent, model->object_index("body_4.joint"));
   EXPECT_EQ(model->object_index("root"), 0);
@@ -259,8 +259,8 @@ TEST(MjcfReader, SitesNamedSoleAreSolesWithoutATable) {
                                        "euler='0 0 90'/><site name='imu'/><site name='round_sole' size='1'/>"))
                          .model;
   EXPECT_EQ(model->having(properties::sole), std::vector{model->object_index("left_sole")});
-  expect_near(pose(*model, "left_sole").r, {0, 1, 0});
-  expect_same_turn(pose(*model, "left_sole").R, rotation_z(0.5 * pi));
+  expect_near(pose(*model, "left_sole").position, {0, 1, 0});
+  expect_same_turn(pose(*model, "left_sole").orientation, rotation_z(0.5 * pi));
   EXPECT_EQ(model->objects()[model->object_index("imu")].kind, Kind::endpoint);
 }
 
@@ -459,8 +459,8 @@ TEST(MjcfReader, ReadsSpringsAndTheReferenceOfAJoint) {
   EXPECT_NEAR(joint.reference, pi / 2, 1e-15);
   EXPECT_NEAR(joint.spring_reference, pi / 4, 1e-15);
   // at joint position 90 degrees the tip is where the file has it, at 0 it is turned back
-  expect_near(pose(*model, "tip", pi / 2).r, {0, 0, 0});
-  expect_near(pose(*model, "tip", 0).r, {1, 0, 1});
+  expect_near(pose(*model, "tip", pi / 2).position, {0, 0, 0});
+  expect_near(pose(*model, "tip", 0).position, {1, 0, 1});
 }
 
 TEST(MjcfReader, FramesShiftAndTurnWhatStandsInThem) {

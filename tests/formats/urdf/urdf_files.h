@@ -40,7 +40,7 @@ inline description::RobotDescription read(const std::string& text, const descrip
 inline std::string tetrahedron() { return "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"; }
 
 /// <robot> and its base, a link of 1 kg, in line 1; `inside` begins in line 2.
-inline std::string robot(const std::string& inside) {
+inline std::string robot_xml(const std::string& inside) {
   return "<robot name='r'><link name='base'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial>"
          "</link>\n" +
          inside + "</robot>";
@@ -63,7 +63,7 @@ inline std::string joint(const std::string& type, const std::string& parent, con
 
 /// The base and a limb at joint `j`, which stands in line 3.
 inline std::string with_joint(const std::string& type, const std::string& inside) {
-  return robot(link("limb", solid()) + joint(type, "base", "limb", inside));
+  return robot_xml(link("limb", solid()) + joint(type, "base", "limb", inside));
 }
 
 const std::string any_limit = "<limit lower='-1' upper='1' effort='2' velocity='3'/>";
@@ -73,7 +73,7 @@ inline std::string with_link(const std::string& inside) {
   return "<robot name='r'><link name='base'>\n" + inside + "</link></robot>";
 }
 
-inline std::string collision(const std::string& geometry) {
+inline std::string collision_xml(const std::string& geometry) {
   return "<collision><geometry>" + geometry + "</geometry></collision>";
 }
 inline std::string visual(const std::string& geometry, const std::string& material = "") {

@@ -7,8 +7,9 @@ namespace {
 using namespace urdf_files;
 
 std::string foot_and(const std::string& blocks) {
-  return robot(link("foot", solid() + collision("<box size='1 1 1'/>") + collision("<sphere radius='1'/>")) +
-               joint("revolute", "base", "foot", any_limit, "ankle") + blocks);
+  return robot_xml(
+      link("foot", solid() + collision_xml("<box size='1 1 1'/>") + collision_xml("<sphere radius='1'/>")) +
+      joint("revolute", "base", "foot", any_limit, "ankle") + blocks);
 }
 
 TEST(UrdfGazebo, GivesItsFrictionToAllShapesOfTheLink) {

@@ -15,7 +15,7 @@ std::string mesh(const std::string& name, const std::string& more = "") {
 /// The description of a robot in folder `pkg/urdf` whose link has one collision mesh.
 description::RobotDescription read_package_robot(const std::string& name,
                                                  const description::ReaderOptions& options = {}) {
-  return read_urdf(write("pkg/urdf/robot.urdf", with_link(collision(mesh(name)))), options);
+  return read_urdf(write("pkg/urdf/robot.urdf", with_link(collision_xml(mesh(name)))), options);
 }
 
 TEST(UrdfMesh, IsConvexScaledAndPlaced) {
@@ -43,7 +43,7 @@ TEST(UrdfMesh, IsConvexScaledAndPlaced) {
 
 TEST(UrdfMesh, IsSharedByAllThatUseIt) {
   write("t.obj", tetrahedron());
-  const auto description = read(with_link(collision(mesh("t.obj")) + collision(mesh("t.obj"))));
+  const auto description = read(with_link(collision_xml(mesh("t.obj")) + collision_xml(mesh("t.obj"))));
   const auto& shapes = description.bodies.at(0).shapes;
   ASSERT_EQ(shapes.size(), 2u);
   EXPECT_EQ(std::get<Convex>(shapes[0].placed.shape).hull, std::get<Convex>(shapes[1].placed.shape).hull);
@@ -52,7 +52,8 @@ TEST(UrdfMesh, IsSharedByAllThatUseIt) {
 
 TEST(UrdfMesh, OfAnotherScaleHasAnotherName) {
   write("t.obj", tetrahedron());
-  const auto description = read(with_link(collision(mesh("t.obj")) + collision(mesh("t.obj", "scale='2 2 2'"))));
+  const auto description =
+      read(with_link(collision_xml(mesh("t.obj")) + collision_xml(mesh("t.obj", "scale='2 2 2'"))));
   EXPECT_EQ(description.bodies.at(0).shapes.at(0).mesh, "t");
   EXPECT_EQ(description.bodies.at(0).shapes.at(1).mesh, "t_2");
 }
@@ -60,7 +61,7 @@ TEST(UrdfMesh, OfAnotherScaleHasAnotherName) {
 TEST(UrdfMesh, HasAPartForEachGroupWhereItIsAskedFor) {
   write("two.obj",
         "o a\n" + tetrahedron() + "o b\nv 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n");
-  const auto text = with_link(collision(mesh("two.obj")));
+  const auto text = with_link(collision_xml(mesh("two.obj")));
   EXPECT_EQ(read(text).bodies.at(0).shapes.size(), 1u);
   EXPECT_EQ(read(text, {.part_per_group = {"two"}}).bodies.at(0).shapes.size(), 2u);
 }
@@ -87,28 +88,28 @@ TEST(UrdfMesh, ForTheEyeMayBeMissing) {
 }
 
 TEST(UrdfMesh, ThatIsMissingIsLeftOutIfLenient) {
-  const auto description = read(with_link(collision(mesh("gone.stl"))), {.lenient = true});
+  const auto description = read(with_link(collision_xml(mesh("gone.stl"))), {.lenient = true});
   EXPECT_TRUE(description.bodies.at(0).shapes.empty());
   EXPECT_TRUE(any_contains(description.warnings, "collision mesh left out"));
 }
 
 TEST(UrdfMesh, ThatCannotBeReadIsNamedWithBothLines) {
   write("bad.obj", "v 0 0 0\nv x\n");
-  const auto what = message(with_link(collision(mesh("bad.obj"))));
+  const auto what = message(with_link(collision_xml(mesh("bad.obj"))));
   EXPECT_TRUE(contains(what, "robot.urdf:2: ")) << what;
   EXPECT_TRUE(contains(what, "bad.obj:2: ")) << what;
 }
 
 TEST(UrdfMesh, ThatIsFlatIsAnError) {
   write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
-  EXPECT_TRUE(contains(message(with_link(collision(mesh("flat.obj")))), "robot.urdf:2: mesh 'flat'"));
+  EXPECT_TRUE(contains(message(with_link(collision_xml(mesh("flat.obj")))), "robot.urdf:2: mesh 'flat'"));
   write("t.obj", tetrahedron());
-  EXPECT_TRUE(contains(message(with_link(collision(mesh("t.obj", "scale='1 0 1'")))), "scale of 0"));
+  EXPECT_TRUE(contains(message(with_link(collision_xml(mesh("t.obj", "scale='1 0 1'")))), "scale of 0"));
 }
 
 TEST(UrdfMesh, InMillimetersIsAWarning) {
   write("big.obj", "v 0 0 0\nv 100 0 0\nv 0 100 0\nv 0 0 100\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-  const auto description = read(with_link(collision(mesh("big.obj"))));
+  const auto description = read(with_link(collision_xml(mesh("big.obj"))));
   EXPECT_TRUE(any_contains(description.warnings, "a file in millimeters needs scale"));
 }
 
@@ -157,7 +158,7 @@ TEST(UrdfMesh, IsFoundInTheFolderThatAMujocoBlockNames) {
   const auto file = write("assets/t.obj", tetrahedron());
   const auto text = [](const std::string& compiler) {
     return "<robot name='r'><mujoco><compiler meshdir='assets' " + compiler + "/></mujoco><link name='base'>" +
-           collision(mesh("meshes/t.obj")) + "</link></robot>";
+           collision_xml(mesh("meshes/t.obj")) + "</link></robot>";
   };
   EXPECT_EQ(read(text("")).meshes.at(0).file, file);
   EXPECT_TRUE(contains(message(text("strippath='false'")), "there is no mesh"));

@@ -30,8 +30,8 @@ std::string inertial(const std::string& mass, const std::string& tensor) {
 }
 
 std::string two_limbs(const std::string& first, const std::string& second) {
-  return robot(link("a", solid()) + link("b", solid()) + joint("revolute", "base", "a", any_limit + first, "ja") +
-               joint("revolute", "a", "b", any_limit + second, "jb"));
+  return robot_xml(link("a", solid()) + link("b", solid()) + joint("revolute", "base", "a", any_limit + first, "ja") +
+                   joint("revolute", "a", "b", any_limit + second, "jb"));
 }
 
 std::vector<Mistake> mistakes() {
@@ -42,29 +42,30 @@ std::vector<Mistake> mistakes() {
       {"OtherRoot", "<mujoco/>", 1, "not <robot>"},
       {"NoLink", "<robot name='r'></robot>", 1, "there is no link"},
       {"LinkWithoutName", "<robot name='r'>\n<link/></robot>", 2, "<link> without name"},
-      {"TwoLinksOfOneName", robot(link("base")), 2, "link 'base' is already there"},
-      {"TwoJointsOfOneName", robot(link("a") + link("b") + joint("fixed", "base", "a") + joint("fixed", "base", "b")),
-       5, "joint 'j' is already there"},
-      {"UnknownParent", robot(link("limb") + joint("fixed", "bas", "limb")), 3,
+      {"TwoLinksOfOneName", robot_xml(link("base")), 2, "link 'base' is already there"},
+      {"TwoJointsOfOneName",
+       robot_xml(link("a") + link("b") + joint("fixed", "base", "a") + joint("fixed", "base", "b")), 5,
+       "joint 'j' is already there"},
+      {"UnknownParent", robot_xml(link("limb") + joint("fixed", "bas", "limb")), 3,
        "unknown link 'bas'; did you mean 'base'?"},
-      {"UnknownChild", robot(link("limb") + joint("fixed", "base", "limp")), 3, "unknown link 'limp'"},
-      {"NoParent", robot(link("limb") + "<joint name='j' type='fixed'><child link='limb'/></joint>"), 3,
+      {"UnknownChild", robot_xml(link("limb") + joint("fixed", "base", "limp")), 3, "unknown link 'limp'"},
+      {"NoParent", robot_xml(link("limb") + "<joint name='j' type='fixed'><child link='limb'/></joint>"), 3,
        "<joint> without <parent>"},
-      {"ParentOfItself", robot(link("limb") + joint("fixed", "limb", "limb")), 3, "to itself"},
+      {"ParentOfItself", robot_xml(link("limb") + joint("fixed", "limb", "limb")), 3, "to itself"},
       {"TwoParents",
-       robot(link("a") + link("b") + joint("fixed", "base", "a", "", "j1") + joint("fixed", "base", "b", "", "j2") +
-             joint("fixed", "b", "a", "", "j3")),
+       robot_xml(link("a") + link("b") + joint("fixed", "base", "a", "", "j1") + joint("fixed", "base", "b", "", "j2") +
+                 joint("fixed", "b", "a", "", "j3")),
        6, "two parents, by joints 'j1' and 'j3'"},
       {"Circle",
        "<robot name='r'>\n" + link("a") + link("b") + joint("fixed", "a", "b", "", "j1") +
            joint("fixed", "b", "a", "", "j2") + "</robot>",
        5, "circle"},
       {"CircleBesideTheRobot",
-       robot(link("a") + link("b") + joint("fixed", "a", "b", "", "j1") + joint("fixed", "b", "a", "", "j2")), 5,
+       robot_xml(link("a") + link("b") + joint("fixed", "a", "b", "", "j1") + joint("fixed", "b", "a", "", "j2")), 5,
        "does not reach"},
-      {"TwoRoots", robot(link("limb")), 2, "'limb' is a second root beside 'base'"},
+      {"TwoRoots", robot_xml(link("limb")), 2, "'limb' is a second root beside 'base'"},
       {"UnknownType", with_joint("revolut", any_limit), 3, "unknown type of joint 'revolut'; did you mean 'revolute'?"},
-      {"NoType", robot(link("limb") + "<joint name='j'><parent link='base'/><child link='limb'/></joint>"), 3,
+      {"NoType", robot_xml(link("limb") + "<joint name='j'><parent link='base'/><child link='limb'/></joint>"), 3,
        "<joint> without type"},
       {"Planar", with_joint("planar", ""), 3, "planar joint 'j' is not supported"},
       {"FloatingInside", with_joint("floating", ""), 3, "only its base may float"},
@@ -91,33 +92,33 @@ std::vector<Mistake> mistakes() {
       {"MassWithoutInertia", inertial("1", "ixx='0' iyy='0' izz='0'"), 2, "mass but no inertia"},
       {"InertiaWithoutMass", inertial("0", unit), 2, "inertia but no mass"},
       {"NoGeometry", with_link("<collision/>"), 2, "<collision> without <geometry>"},
-      {"EmptyGeometry", with_link(collision("")), 2, "<geometry> is empty"},
-      {"TwoShapes", with_link(collision("<sphere radius='1'/><sphere radius='1'/>")), 2, "second shape"},
-      {"NegativeRadius", with_link(collision("<sphere radius='-1'/>")), 2, "radius of <sphere> is -1"},
-      {"FlatBox", with_link(collision("<box size='1 1 0'/>")), 2, "more than 0"},
-      {"UnknownShape", with_link(collision("<bocks size='1 1 1'/>")), 2, "unknown element in geometry 'bocks'"},
-      {"UnsupportedShape", with_link(collision("<ellipsoid/>")), 2, "element 'ellipsoid' is not supported"},
-      {"UnknownAttribute", with_link(collision("<sphere radis='1'/>")), 2, "did you mean 'radius'?"},
+      {"EmptyGeometry", with_link(collision_xml("")), 2, "<geometry> is empty"},
+      {"TwoShapes", with_link(collision_xml("<sphere radius='1'/><sphere radius='1'/>")), 2, "second shape"},
+      {"NegativeRadius", with_link(collision_xml("<sphere radius='-1'/>")), 2, "radius of <sphere> is -1"},
+      {"FlatBox", with_link(collision_xml("<box size='1 1 0'/>")), 2, "more than 0"},
+      {"UnknownShape", with_link(collision_xml("<bocks size='1 1 1'/>")), 2, "unknown element in geometry 'bocks'"},
+      {"UnsupportedShape", with_link(collision_xml("<ellipsoid/>")), 2, "element 'ellipsoid' is not supported"},
+      {"UnknownAttribute", with_link(collision_xml("<sphere radis='1'/>")), 2, "did you mean 'radius'?"},
       {"UnknownElement", with_joint("continuous", "<limmit/>"), 3, "did you mean 'limit'?"},
-      {"MissingMesh", with_link(collision("<mesh filename='gone.stl'/>")), 2, "there is no mesh file 'gone.stl'"},
-      {"MissingPackage", with_link(collision("<mesh filename='package://gone/a.stl'/>")), 2,
+      {"MissingMesh", with_link(collision_xml("<mesh filename='gone.stl'/>")), 2, "there is no mesh file 'gone.stl'"},
+      {"MissingPackage", with_link(collision_xml("<mesh filename='package://gone/a.stl'/>")), 2,
        "folder of package 'gone'"},
       {"UnknownLeader", two_limbs("", "<mimic joint='jx'/>"), 5, "unknown joint 'jx'"},
       {"LeaderOfItself", two_limbs("", "<mimic joint='jb'/>"), 5, "mimicking itself"},
       {"LeadersInACircle", two_limbs("<mimic joint='jb'/>", "<mimic joint='ja'/>"), 4, "mimicking itself"},
       {"FixedLeader",
-       robot(link("a") + link("b", solid()) + joint("fixed", "base", "a", "", "ja") +
-             joint("continuous", "a", "b", "<mimic joint='ja'/>", "jb")),
+       robot_xml(link("a") + link("b", solid()) + joint("fixed", "base", "a", "", "ja") +
+                 joint("continuous", "a", "b", "<mimic joint='ja'/>", "jb")),
        5, "which is fixed"},
       {"MacroElement", "<robot name='r' xmlns:xacro='x'>\n<xacro:property name='a' value='1'/></robot>", 2,
        "expand the file first"},
       {"MacroInANumber", inertial("${m}", unit), 2, "expand the file first"},
-      {"MacroInAName", with_link(collision("<mesh filename='$(find a)/b.stl'/>")), 2, "expand the file first"},
-      {"Kinematic", robot("<gazebo reference='base'><kinematic>true</kinematic></gazebo>"), 2,
+      {"MacroInAName", with_link(collision_xml("<mesh filename='$(find a)/b.stl'/>")), 2, "expand the file first"},
+      {"Kinematic", robot_xml("<gazebo reference='base'><kinematic>true</kinematic></gazebo>"), 2,
        "<kinematic> true in a gazebo block"},
-      {"InjectedLink", robot("<gazebo><link/></gazebo>"), 2, "write it as URDF"},
-      {"NegativeFriction", robot("<gazebo reference='base'><mu1>-1</mu1></gazebo>"), 2, "<mu1> is negative"},
-      {"CompilerOption", robot("<mujoco><compiler settotalmass='1'/></mujoco>"), 2,
+      {"InjectedLink", robot_xml("<gazebo><link/></gazebo>"), 2, "write it as URDF"},
+      {"NegativeFriction", robot_xml("<gazebo reference='base'><mu1>-1</mu1></gazebo>"), 2, "<mu1> is negative"},
+      {"CompilerOption", robot_xml("<mujoco><compiler settotalmass='1'/></mujoco>"), 2,
        "'settotalmass' of compiler is not supported"},
   };
 }

@@ -9,9 +9,9 @@ namespace {
 using namespace urdf_files;
 
 TEST(UrdfReader, PutsParentsBeforeChildrenInTheOrderOfTheFile) {
-  const auto description = read(robot(link("d") + link("c") + link("b") + link("a") +
-                                      joint("fixed", "b", "c", "", "j1") + joint("fixed", "base", "a", "", "j2") +
-                                      joint("fixed", "base", "b", "", "j3") + joint("fixed", "a", "d", "", "j4")));
+  const auto description = read(robot_xml(link("d") + link("c") + link("b") + link("a") +
+                                          joint("fixed", "b", "c", "", "j1") + joint("fixed", "base", "a", "", "j2") +
+                                          joint("fixed", "base", "b", "", "j3") + joint("fixed", "a", "d", "", "j4")));
   std::vector<std::string> names;
   for (const description::BodyDescription& body : description.bodies) names.push_back(body.name);
   EXPECT_EQ(names, (std::vector<std::string>{"base", "a", "d", "b", "c"}));
@@ -85,7 +85,7 @@ TEST(UrdfReader, TurnsInertiaToTheAxesOfTheLink) {
 }
 
 TEST(UrdfReader, TakesLinksWithoutInertialForMassless) {
-  const auto description = read(with_link(collision("<box size='1 1 1'/>")));
+  const auto description = read(with_link(collision_xml("<box size='1 1 1'/>")));
   EXPECT_EQ(description.bodies.at(0).solid.mass, 0);
   EXPECT_TRUE(description.bodies[0].solid_where.empty());
 }
@@ -124,8 +124,8 @@ TEST(UrdfReader, BalancesInertiaWhereTheFileAsksForIt) {
 
 TEST(UrdfReader, HalvesTheSizesOfShapes) {
   const auto description =
-      read(with_link(collision("<box size='2 4 6'/>") + collision("<cylinder radius='1' length='4'/>") +
-                     collision("<capsule radius='1' length='6'/>") + collision("<sphere radius='3'/>")));
+      read(with_link(collision_xml("<box size='2 4 6'/>") + collision_xml("<cylinder radius='1' length='4'/>") +
+                     collision_xml("<capsule radius='1' length='6'/>") + collision_xml("<sphere radius='3'/>")));
   const auto& shapes = description.bodies.at(0).shapes;
   ASSERT_EQ(shapes.size(), 4u);
   expect_near(std::get<Box>(shapes[0].placed.shape).half_size, {1, 2, 3});
@@ -163,9 +163,9 @@ TEST(UrdfReader, FindsColorsByNameWhereverTheyAreDefined) {
 }
 
 TEST(UrdfReader, ReadsWhoFollowsWhom) {
-  const auto description = read(
-      robot(link("a", solid()) + link("b", solid()) + joint("revolute", "base", "a", any_limit, "lead") +
-            joint("revolute", "a", "b", any_limit + "<mimic joint='lead' multiplier='-2' offset='0.5'/>", "follow")));
+  const auto description = read(robot_xml(
+      link("a", solid()) + link("b", solid()) + joint("revolute", "base", "a", any_limit, "lead") +
+      joint("revolute", "a", "b", any_limit + "<mimic joint='lead' multiplier='-2' offset='0.5'/>", "follow")));
   ASSERT_EQ(description.mimics.size(), 1u);
   EXPECT_EQ(description.mimics[0].joint, "follow");
   EXPECT_EQ(description.mimics[0].leader, "lead");
@@ -200,7 +200,7 @@ TEST(UrdfReader, TakesPrefixDeclarationsOfExpandedFiles) {
 }
 
 TEST(UrdfReader, NotesWhatMeansNothingOncePerKind) {
-  const auto description = read(robot(
+  const auto description = read(robot_xml(
       link("limb", solid()) + joint("revolute", "base", "limb", any_limit + "<safety_controller k_velocity='1'/>") +
       "<transmission name='t'><joint name='j'/><actuator "
       "name='m'><mechanicalReduction>200</mechanicalReduction></actuator></transmission>"
@@ -214,7 +214,7 @@ TEST(UrdfReader, NotesWhatMeansNothingOncePerKind) {
 }
 
 TEST(UrdfReader, DropsWhatItDoesNotKnowIfLenient) {
-  const auto description = read(with_link("<wings/>" + collision("<ellipsoid/>")), {.lenient = true});
+  const auto description = read(with_link("<wings/>" + collision_xml("<ellipsoid/>")), {.lenient = true});
   EXPECT_TRUE(any_contains(description.warnings, "robot.urdf:2: unknown element in link 'wings'"));
   EXPECT_TRUE(any_contains(description.warnings, "element 'ellipsoid' is not supported"));
   EXPECT_TRUE(description.bodies.at(0).shapes.empty());
