@@ -37,7 +37,7 @@ std::string complaint(const std::string& text) {
 
 std::string servo(const std::string& joints = "joints = ['a', 'b']", const std::string& torque = "6") {
   return "[servos.x]\nstall_torque = " + torque +
-         "\nno_load_rate = 5\nposition_gain = 4\nrotor_inertia = 0.1\ncoulomb_friction = 0.2\n" + joints + "\n";
+         "\nno_load_speed = 5\nposition_gain = 4\nrotor_inertia = 0.1\ncoulomb_friction = 0.2\n" + joints + "\n";
 }
 
 TEST(RobotTable, ReadsWhatIsThere) {
@@ -142,11 +142,11 @@ std::string servo_file(const std::string& text) {
   return file.stem().string();
 }
 const std::string own_servo =
-    "stall_torque = 6\nno_load_rate = 5\nposition_gain = 4\nrotor_inertia = 0.1\ncoulomb_friction = 0.2\n";
+    "stall_torque = 6\nno_load_speed = 5\nposition_gain = 4\nrotor_inertia = 0.1\ncoulomb_friction = 0.2\n";
 
 TEST(RobotTable, FindsServoFilesBesideIt) {
   const std::string type = servo_file(own_servo);
-  const Servo a = servo_of("type = '" + type + "'\nno_load_rate = 8");
+  const Servo a = servo_of("type = '" + type + "'\nno_load_speed = 8");
   EXPECT_EQ(a.type, type);
   EXPECT_EQ(a.stall_torque, 6);
   EXPECT_EQ(a.no_load_speed, 8);
@@ -162,7 +162,7 @@ TEST(RobotTable, NamesMistakesInServoFiles) {
   EXPECT_EQ(complaint_of("stall = 1\n"),
             ":2:8: " + file + ":1:1: unknown key of a servo 'stall'; did you mean 'stall_torque'?");
   EXPECT_EQ(complaint_of(own_servo + "joints = ['a']\n").substr(0, 6), ":2:8: ");
-  EXPECT_EQ(complaint_of("stall_torque = 1\nno_load_rate = 2\n"),
+  EXPECT_EQ(complaint_of("stall_torque = 1\nno_load_speed = 2\n"),
             ":2:8: " + file +
                 ":1:1: servo 'servo_NamesMistakesInServoFiles' needs position_gain, rotor_inertia, coulomb_friction");
   EXPECT_TRUE(complaint_of(own_servo, "voltage = 12")
