@@ -153,7 +153,7 @@ TEST(RobotRoles, AreWrittenAsATableThatReadsBack) {
   EXPECT_TRUE(robot.model->find_object("imu"));
   const auto file = fixtures::temp_folder() / "checks_roles.toml";
   std::ofstream(file) << robot::roles_toml(robot.description, robot.table);
-  const robot::RobotTable table = robot::read_robot_config(file);
+  const robot::RobotConfig table = robot::read_robot_config(file);
   ASSERT_EQ(table.soles.size(), 2u);
   EXPECT_EQ(table.soles[0].name, "left_foot");
   EXPECT_EQ(table.frames.at("imu").name, "my_imu");
