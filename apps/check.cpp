@@ -1,4 +1,4 @@
-// `murosimf check`: the model doctor. Reads a robot, shows what is in it and says what is probably not meant.
+// `murosimf check`: reads a robot, shows what is in it and says what is probably not meant.
 #include <algorithm>
 #include <cstdio>
 #include <optional>

@@ -25,7 +25,7 @@ std::string text_of(const imaging::Lens& lens) {
   text += line("picture", fmt::format("{} x {} px", spec.width, spec.height));
   text += line("focal length", fmt::format("{:.2f} x {:.2f} px", spec.fx, spec.fy));
   text += line("center", fmt::format("{:.2f}, {:.2f} px", spec.cx, spec.cy));
-  text += line("fov", fmt::format("horizontal {:.1f}, vertical {:.1f}, diagonal {:.1f} deg", degrees(horizontal),
+  text += line("field of view", fmt::format("horizontal {:.1f}, vertical {:.1f}, diagonal {:.1f} deg", degrees(horizontal),
                                   degrees(vertical), degrees(diagonal)));
   text += line("sees up to", fmt::format("{:.1f} deg from the axis, in the picture {:.1f} deg",
                                          degrees(lens.widest_angle()), degrees(lens.corner_angle())));

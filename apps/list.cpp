@@ -10,6 +10,7 @@
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/geometry/any_tree.h"
+#include "murosimf/scene/property_catalog.h"
 #include "murosimf/model/material.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/integrator.h"

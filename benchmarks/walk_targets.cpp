@@ -11,6 +11,7 @@
 
 #include "murosimf/locomotion/walk_engine.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
 
 namespace {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include <murosimf/collision/contact_properties.h>
 #include <murosimf/logging/plot.h>
 #include <murosimf/model/properties.h>
 #include <murosimf/scene/scene.h>

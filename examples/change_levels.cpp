@@ -3,6 +3,7 @@
 //     example_change_levels
 #include <cstdio>
 
+#include <murosimf/collision/contact_properties.h>
 #include <murosimf/model/properties.h>
 #include <murosimf/scene/scene.h>
 

@@ -1,6 +1,7 @@
 // A robot from the seven basic objects, without any file: a slide with two arms, moved by hand.
 #include <cstdio>
 
+#include <murosimf/collision/contact_properties.h>
 #include <murosimf/collision/ground_contact.h>
 #include <murosimf/collision/implicit_stick.h>
 #include <murosimf/motion/simplified_dynamics.h>

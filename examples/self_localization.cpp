@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <murosimf/behavior/localize.h>
+#include <murosimf/behavior/behavior_properties.h>
 #include <murosimf/files/output_file.h>
 #include <murosimf/render/field_picture.h>
 #include <murosimf/scene/field.h>

@@ -26,7 +26,7 @@ std::vector<std::vector<Vec3d>> facets_of(const VisualMesh& visual) {
       facets.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
     return facets;
   } catch (const SetupError&) {
-    return {};  // the doctor names it
+    return {};  // robot_checks names it
   }
 }
 

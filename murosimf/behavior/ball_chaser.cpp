@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/locomotion/gait_properties.h"
+
 namespace murosimf::behavior {
 namespace {
 

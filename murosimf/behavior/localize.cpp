@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "murosimf/behavior/walk_to.h"
+#include "murosimf/behavior/behavior_properties.h"
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/perception/dead_reckoning.h"
 
 namespace murosimf::behavior {

@@ -1,4 +1,4 @@
-// The model doctor's look at sensors: what a simulation would say of them.
+// Sensors: what a simulation would say of them.
 #include "murosimf/check/robot_checks.h"
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/model/error.h"

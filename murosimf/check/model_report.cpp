@@ -95,7 +95,7 @@ std::vector<LegReport> make_legs(const Model& model) {
       legs.push_back({model.objects()[sole].name, leg.thigh, leg.shin, leg.thigh + leg.shin + leg.ankle_height,
                       leg.signs.has_value()});
     } catch (const SetupError&) {
-      continue;  // the doctor says why (examine_legs)
+      continue;  // the checks say why (examine_legs)
     }
   }
   return legs;

@@ -1,4 +1,4 @@
-/// robot_findings.h - what the model doctor has to say about a robot file.
+/// robot_findings.h - what the checks have to say about a robot file.
 #pragma once
 
 #include <string>

@@ -19,9 +19,7 @@ std::vector<MovingEntity> make_moving_entities(Setup& setup, const std::vector<E
 constexpr int outside = -1;
 constexpr int insane = -2;  // it belongs to the island, but its numbers have gone bad
 
-bool ground_becomes_rows(const ContactSet& ground) {
-  return ground.law && ground.law->island_use() != IslandUse::never;
-}
+bool ground_becomes_rows(const ContactSeam& seam) { return seam.law && seam.law->island_use() != IslandUse::never; }
 
 }  // namespace
 
@@ -38,15 +36,15 @@ BodyContact::BodyContact(Setup& setup, const std::vector<Entity*>& moving_entiti
 void BodyContact::initialize() {
   set_ = PairSet{};
   set_.parameters = finder_.parameters();
-  for (const MovingEntity& moving_entity : moving_entities_) set_.entities.push_back(moving_entity.entity);
+  for (const MovingEntity& moving_entity : moving_entities_) set_.entities.push_back(moving_entity.number);
   for (MovingEntity& moving_entity : moving_entities_) {
     std::fill(moving_entity.interaction_force.begin(), moving_entity.interaction_force.end(), Wrenchd{});
     std::fill(moving_entity.external_force.begin(), moving_entity.external_force.end(), Wrenchd{});
     std::fill(moving_entity.external_damping.begin(), moving_entity.external_damping.end(), Sym6d{});
     moving_entity.ledger[0] = Wrenchd{};
     moving_entity.separation[0] = {};
-    moving_entity.contacts.dt = period_;
-    moving_entity.contacts.damped_by_others = options_.law == BodyContactLaw::carry;
+    moving_entity.seam.terms.dt = period_;
+    moving_entity.seam.damped_by_others = options_.law == BodyContactLaw::carry;
   }
 }
 
@@ -84,9 +82,10 @@ void BodyContact::solve_island(int island, double dt) noexcept {
   }
   for (std::size_t i = 0; i < moving_entities_.size(); ++i) {
     ContactSet& ground = moving_entities_[i].contacts;
-    if (member_[i] < 0 || !ground_becomes_rows(ground)) continue;
+    const ContactSeam& seam = moving_entities_[i].seam;
+    if (member_[i] < 0 || !ground_becomes_rows(seam)) continue;
     for (ContactPoint& c : ground.points) {
-      solver_.add(c, ground.parameters[c.surface], side(static_cast<int>(i), c.object, c.velocity), {});
+      solver_.add(c, seam.terms.parameters[c.surface], side(static_cast<int>(i), c.object, c.velocity), {});
     }
   }
   const auto is_row = [&](const PairContact& c) {
@@ -111,7 +110,7 @@ void BodyContact::solve_island(int island, double dt) noexcept {
 /// The free pass: pushes of users, explicit laws, and rolling resistance, which is no row.
 int BodyContact::start_member(MovingEntity& moving_entity, double dt) noexcept {
   ContactSet& ground = moving_entity.contacts;
-  if (ground_becomes_rows(ground)) {
+  if (ground_becomes_rows(moving_entity.seam)) {
     for (const int object : ground.loaded) {
       moving_entity.external_force[object] = ground.rest_force[object];
       moving_entity.external_damping[object] = Sym6d{};
@@ -121,19 +120,20 @@ int BodyContact::start_member(MovingEntity& moving_entity, double dt) noexcept {
       moving_entity.external_damping[c.object].J += diagonal(c.angular_damping);
     }
   }
-  return ground.response->free_pass(dt) ? solver_.add(*ground.response) : insane;
+  return moving_entity.seam.response->free_pass(dt) ? solver_.add(*moving_entity.seam.response) : insane;
 }
 
 /// Memory of a law that is no rows, and forces as they acted, for motion's report and for sensors.
 void BodyContact::finish_member(MovingEntity& moving_entity, bool island_stands) noexcept {
   ContactSet& ground = moving_entity.contacts;
-  if (ground.law) {
-    if (!ground_becomes_rows(ground)) {
-      ground.next_velocity.clear();
+  const ContactSeam& seam = moving_entity.seam;
+  if (seam.law) {
+    if (!ground_becomes_rows(seam)) {
+      next_velocity_.clear();
       for (const ContactPoint& c : ground.points) {
-        ground.next_velocity.push_back(ground.response->free_velocity(c.object, c.point, c.velocity));
+        next_velocity_.push_back(seam.response->free_velocity(c.object, c.point, c.velocity));
       }
-      ground.law->commit(ground);
+      seam.law->commit(ground.points, seam.terms, next_velocity_);
     }
     write_final_forces(ground, moving_entity.r, moving_entity.external_force);
     for (const int object : ground.loaded) moving_entity.external_damping[object] = Sym6d{};

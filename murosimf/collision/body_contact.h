@@ -54,7 +54,8 @@ class BodyContact final : public Algorithm {
   StaticCompound environment_;
   Islands islands_;
   IslandSolver solver_;
-  std::vector<int> member_;  // by moving_entity: its number in the solver, or below 0
+  std::vector<Vec3d> next_velocity_;  // [m/s] of the points of one member after the step; working memory
+  std::vector<int> member_;           // by moving_entity: its number in the solver, or below 0
 };
 
 }  // namespace murosimf::collision

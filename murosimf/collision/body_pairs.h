@@ -19,7 +19,7 @@ struct PairContact : ContactPoint {
 
 /// All contacts between moving entities. One value, in a column of the field.
 struct PairSet {
-  std::vector<const Entity*> entities;        ///< by PairContact::a and b
+  std::vector<int> entities;                  ///< by PairContact::a and b: number in the world (World::index_of)
   std::vector<PairContact> points;            ///< sorted by shapes, then by feature
   std::vector<ContactParameters> parameters;  ///< by Contact::surface
   std::vector<PairContact> blocked;           ///< between two that cannot be pushed: no force (kinematic_separation.h)

@@ -2,17 +2,7 @@
 
 #include <algorithm>
 
-#include "murosimf/collision/contact_law.h"
-
 namespace murosimf::collision {
-
-void append_hash(Hasher& hasher, const ContactPoint& point) {
-  hasher.add(point.feature);
-  hasher.add(std::uint64_t{static_cast<std::uint8_t>(point.state)});
-  hasher.add(point.last_normal_force);
-  append_hash(hasher, point.stretch);
-  append_hash(hasher, point.slip_direction);
-}
 
 void append_hash(Hasher& hasher, const ContactSet& set) {
   hasher.add(static_cast<std::uint64_t>(set.points.size()));
@@ -29,7 +19,7 @@ SymMat3d damping_matrix(const ContactPoint& c) {
 
 }  // namespace
 
-void write_loads(ContactSet& set, std::span<const Vec3d> r, std::span<Wrenchd> external_force,
+void write_loads(const ContactSet& set, std::span<const Vec3d> r, std::span<Wrenchd> external_force,
                  std::span<Sym6d> external_damping) noexcept {
   for (const int object : set.loaded) {
     external_force[object] = set.rest_force[object];
@@ -54,19 +44,6 @@ void write_final_forces(const ContactSet& set, std::span<const Vec3d> r, std::sp
   for (const ContactPoint& c : set.points) {
     external_force[c.object] += Wrenchd{c.moment + cross(c.point - r[c.object], c.force), c.force};
   }
-}
-
-void commit_contacts(ContactSet& set, std::span<const Vec3d> r, std::span<Wrenchd> external_force) noexcept {
-  if (!set.law || set.solved) return;
-  set.law->commit(set);
-  write_final_forces(set, r, external_force);
-}
-
-void recall(const ContactPoint& old, ContactPoint& point) noexcept {
-  point.stretch = old.stretch;
-  point.state = old.state;
-  point.last_normal_force = old.last_normal_force;
-  point.slip_direction = old.slip_direction;
 }
 
 }  // namespace murosimf::collision

@@ -2,14 +2,14 @@
 ///
 /// Per step: `prepare` linearizes every point at the present velocities; motion makes a trial step; `accept` looks at
 /// the velocities after it and either agrees or changes its mind about points (open, stick, slip) and asks for
-/// another trial; `commit` updates the memory. Laws have no state of their own: memory is in the points.
+/// another trial; `commit` updates the memory. Laws have no state of their own: memory is in the points, constants in the
+/// terms; both are handed in.
 #pragma once
 
-#include <memory>
 #include <span>
-#include <string_view>
+#include <vector>
 
-#include "murosimf/collision/contact.h"
+#include "murosimf/collision/contact_point.h"
 
 namespace murosimf::collision {
 
@@ -27,11 +27,14 @@ class ContactLaw {
   [[nodiscard]] virtual IslandUse island_use() const noexcept { return IslandUse::never; }
 
   /// May drop points (a law that wants one per body).
-  virtual void prepare(ContactSet& set) const noexcept = 0;
-  /// True if all points agree with `set.next_velocity`; false if some changed and the step must be repeated.
-  [[nodiscard]] virtual bool accept(ContactSet& set) const noexcept = 0;
-  /// Updates the memory, and `force` of every point to what acted in the step.
-  virtual void commit(ContactSet& set) const noexcept = 0;
+  virtual void prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept = 0;
+  /// `next_velocity` [m/s]: of every point after the trial step, as many as points. True if all points agree with it;
+  /// false if some changed and the step must be repeated.
+  [[nodiscard]] virtual bool accept(std::span<ContactPoint> points, const ContactTerms& terms,
+                                    std::span<const Vec3d> next_velocity) const noexcept = 0;
+  /// Updates the memory, and `force` of every point to what acted in the step that ends with `next_velocity` [m/s].
+  virtual void commit(std::span<ContactPoint> points, const ContactTerms& terms,
+                      std::span<const Vec3d> next_velocity) const noexcept = 0;
 };
 
 /// Trial steps per step at most; the last one counts even if the law does not agree (dynamics: six suffice).

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "murosimf/collision/contact_parameters.h"
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
@@ -12,8 +13,8 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
     : model_(setup.model()),
       law_(std::move(law)),
       finder_(setup.entity(), environment),
-      environment_(environment),
-      period_(seconds(setup.period())),
+      environment_(setup.world().index_of(environment)),
+      terms_{{}, seconds(setup.period())},
       r_(setup.read(properties::position)),
       R_(setup.read(properties::orientation)),
       v_(setup.read(properties::linear_velocity)),
@@ -22,28 +23,26 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       dynamic_(setup.input(properties::dynamic, 1)[0]),
       external_force_(setup.write(properties::external_force)),
       external_damping_(setup.write(properties::external_damping)),
-      set_(setup.write(contacts)[0]) {
+      set_(setup.write(contacts)[0]),
+      seam_(setup.write(contact_seam)[0]) {
   const double gravity = norm(setup.world().gravity);
   finder_.for_surfaces([&](const Surface& own, const Surface& other, const Vec3d& friction_direction, int object) {
     const PairSurface pair = materials.find(own, other);
-    parameters_.push_back(contact_parameters(model_, pair, gravity, period_));
-    parameters_.back().friction_direction = pair.friction_anisotropy * friction_direction;
+    terms_.parameters.push_back(contact_parameters(model_, pair, gravity, terms_.dt));
+    terms_.parameters.back().friction_direction = pair.friction_anisotropy * friction_direction;
     environment_objects_.push_back(object);
   });
 }
 
 void GroundContact::initialize() {
+  seam_ = ContactSeam{.law = law_.get(), .terms = terms_};
   set_ = ContactSet{};
-  set_.law = law_.get();
-  set_.dt = period_;
-  set_.parameters = parameters_;
   set_.environment = environment_;
   set_.environment_objects = environment_objects_;
   set_.rest_force.resize(static_cast<std::size_t>(model_.size()));
   const std::size_t most = finder_.most_on_planes();
   set_.points.reserve(most);
-  set_.previous.reserve(most);
-  set_.next_velocity.reserve(most);
+  previous_.reserve(most);
   set_.loaded.reserve(most);
   std::fill(external_force_.begin(), external_force_.end(), Wrenchd{});
   std::fill(external_damping_.begin(), external_damping_.end(), Sym6d{});
@@ -52,7 +51,7 @@ void GroundContact::initialize() {
 void GroundContact::exchange_law(std::shared_ptr<const ContactLaw> law) {
   const bool same_memory = law_->island_use() != IslandUse::never && law->island_use() != IslandUse::never;
   law_ = std::move(law);
-  if (set_.law) set_.law = law_.get();  // else initialize() is still to come
+  if (seam_.law) seam_.law = law_.get();  // else initialize() is still to come
   if (!same_memory) set_.points.clear();
 }
 
@@ -79,7 +78,7 @@ void GroundContact::step(const Instant&) noexcept {
   }
   find_contacts();
   remember();
-  set_.law->prepare(set_);
+  law_->prepare(set_.points, seam_.terms);
   set_.loaded.clear();
   for (const ContactPoint& c : set_.points) {
     if (std::find(set_.loaded.begin(), set_.loaded.end(), c.object) == set_.loaded.end())
@@ -89,7 +88,7 @@ void GroundContact::step(const Instant&) noexcept {
 }
 
 void GroundContact::find_contacts() {
-  set_.previous.swap(set_.points);
+  previous_.swap(set_.points);
   set_.points.clear();
   set_.tests = {};
   finder_.find(r_, R_, set_.points, set_.tests);
@@ -100,10 +99,10 @@ void GroundContact::find_contacts() {
 }
 
 void GroundContact::remember() {
-  auto old = set_.previous.begin();
+  auto old = previous_.begin();
   for (ContactPoint& c : set_.points) {
-    while (old != set_.previous.end() && old->feature < c.feature) ++old;
-    if (old == set_.previous.end() || old->feature != c.feature) continue;
+    while (old != previous_.end() && old->feature < c.feature) ++old;
+    if (old == previous_.end() || old->feature != c.feature) continue;
     recall(*old, c);
   }
 }

@@ -11,7 +11,9 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/collision/contact.h"
 #include "murosimf/collision/contact_law.h"
+#include "murosimf/collision/contact_seam.h"
 #include "murosimf/collision/ground_finder.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/material.h"
@@ -41,19 +43,20 @@ class GroundContact final : public Algorithm {
   const Model& model_;
   std::shared_ptr<const ContactLaw> law_;
   GroundFinder finder_;
-  const Entity* environment_;
-  std::vector<ContactParameters> parameters_;  // by Contact::surface
-  std::vector<int> environment_objects_;       // likewise
-  double period_;                              // [s]
-  std::span<const Vec3d> r_;                   // [m] origins, world
-  std::span<const Mat3d> R_;                   // orientations
-  std::span<const Vec3d> v_;                   // [m/s] of the origins, world
-  std::span<const Vec3d> w_;                   // [rad/s] world
-  std::span<const Wrenchd> applied_force_;     // [N m, N] users' pushes
+  int environment_;                     // its number in the world, -1 for none
+  std::vector<ContactPoint> previous_;  // of the step before
+  ContactTerms terms_;
+  std::vector<int> environment_objects_;    // by Contact::surface
+  std::span<const Vec3d> r_;                // [m] origins, world
+  std::span<const Mat3d> R_;                // orientations
+  std::span<const Vec3d> v_;                // [m/s] of the origins, world
+  std::span<const Vec3d> w_;                // [rad/s] world
+  std::span<const Wrenchd> applied_force_;  // [N m, N] users' pushes
   const double& dynamic_;
   std::span<Wrenchd> external_force_;
   std::span<Sym6d> external_damping_;
   ContactSet& set_;
+  ContactSeam& seam_;
 };
 
 }  // namespace murosimf::collision

@@ -100,36 +100,38 @@ bool accept_point(ContactPoint& c, const ContactParameters& p, double dt, const 
 
 }  // namespace
 
-void ImplicitStick::prepare(ContactSet& set) const noexcept {
-  for (ContactPoint& c : set.points) {
-    const ContactParameters& p = set.parameters[c.surface];
+void ImplicitStick::prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept {
+  for (ContactPoint& c : points) {
+    const ContactParameters& p = terms.parameters[c.surface];
     c.stretch = tangential(c.stretch, c.normal);
     if (c.state == ContactState::open) c.state = ContactState::stick;
     if (c.last_normal_force == 0) c.last_normal_force = p.stiffness * c.depth;
-    linearize(c, p, set.dt);
+    linearize(c, p, terms.dt);
   }
 }
 
-bool ImplicitStick::accept(ContactSet& set) const noexcept {
-  assert(set.next_velocity.size() == set.points.size());
+bool ImplicitStick::accept(std::span<ContactPoint> points, const ContactTerms& terms,
+                           std::span<const Vec3d> next_velocity) const noexcept {
+  assert(next_velocity.size() == points.size());
   bool agreed = true;
-  for (std::size_t i = 0; i < set.points.size(); ++i) {
-    ContactPoint& c = set.points[i];
-    const ContactParameters& p = set.parameters[c.surface];
-    if (accept_point(c, p, set.dt, set.next_velocity[i])) continue;
-    linearize(c, p, set.dt);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ContactPoint& c = points[i];
+    const ContactParameters& p = terms.parameters[c.surface];
+    if (accept_point(c, p, terms.dt, next_velocity[i])) continue;
+    linearize(c, p, terms.dt);
     agreed = false;
   }
   return agreed;
 }
 
-void ImplicitStick::commit(ContactSet& set) const noexcept {
-  for (std::size_t i = 0; i < set.points.size(); ++i) {
-    ContactPoint& c = set.points[i];
-    const ContactParameters& p = set.parameters[c.surface];
-    const double v_n = dot(set.next_velocity[i], c.normal);
-    const Vec3d v_t = set.next_velocity[i] - v_n * c.normal;
-    const double f_n = normal_force(c, p, set.dt, v_n);
+void ImplicitStick::commit(std::span<ContactPoint> points, const ContactTerms& terms,
+                           std::span<const Vec3d> next_velocity) const noexcept {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ContactPoint& c = points[i];
+    const ContactParameters& p = terms.parameters[c.surface];
+    const double v_n = dot(next_velocity[i], c.normal);
+    const Vec3d v_t = next_velocity[i] - v_n * c.normal;
+    const double f_n = normal_force(c, p, terms.dt, v_n);
     // passes may have run out before the law agreed: nothing ever pulls
     if (c.state == ContactState::open || f_n < 0) {
       c.state = ContactState::open;
@@ -140,7 +142,7 @@ void ImplicitStick::commit(ContactSet& set) const noexcept {
     }
     const Vec3d f_t = tangential_force(c, v_t);
     if (c.state == ContactState::stick) {
-      c.stretch += set.dt * v_t;
+      c.stretch += terms.dt * v_t;
     } else {
       c.stretch = (-1.0 / p.tangent_stiffness) * (f_t + p.tangent_damping * v_t);
     }

@@ -23,9 +23,11 @@ namespace murosimf::collision {
 class ImplicitStick : public ContactLaw {
  public:
   [[nodiscard]] IslandUse island_use() const noexcept override { return IslandUse::when_touching; }
-  void prepare(ContactSet& set) const noexcept override;
-  [[nodiscard]] bool accept(ContactSet& set) const noexcept override;
-  void commit(ContactSet& set) const noexcept override;
+  void prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept override;
+  [[nodiscard]] bool accept(std::span<ContactPoint> points, const ContactTerms& terms,
+                            std::span<const Vec3d> next_velocity) const noexcept override;
+  void commit(std::span<ContactPoint> points, const ContactTerms& terms,
+              std::span<const Vec3d> next_velocity) const noexcept override;
 };
 
 /// The same force and memory, but always settled by the island solver (body_contact.h), touching others or not.

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/geometry/collide.h"
-#include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
 namespace {

@@ -19,7 +19,7 @@ void Islands::find(const std::vector<MovingEntity>& moving_entities, const PairS
   std::iota(parent_.begin(), parent_.end(), 0);
   wanted_.assign(size, false);
   const auto solvable = [&](int i) {
-    return moving_entities[i].can_be_pushed() && moving_entities[i].contacts.response != nullptr;
+    return moving_entities[i].can_be_pushed() && moving_entities[i].seam.response != nullptr;
   };
   for (const PairContact& c : set.points) {
     for (const int side : {c.a, c.b}) wanted_[side] = wanted_[side] || solvable(side);
@@ -30,7 +30,7 @@ void Islands::find(const std::vector<MovingEntity>& moving_entities, const PairS
     }
   }
   for (int i = 0; i < static_cast<int>(size); ++i) {
-    const ContactLaw* law = moving_entities[i].contacts.law;
+    const ContactLaw* law = moving_entities[i].seam.law;
     if (law && law->island_use() == IslandUse::always && solvable(i) && !moving_entities[i].entity->frozen())
       wanted_[i] = true;
   }

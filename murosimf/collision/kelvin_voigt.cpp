@@ -33,15 +33,16 @@ void find_force(ContactPoint& c, const ContactParameters& p) {
 
 }  // namespace
 
-void KelvinVoigt::prepare(ContactSet& set) const noexcept {
-  for (ContactPoint& c : set.points) find_force(c, set.parameters[c.surface]);
+void KelvinVoigt::prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept {
+  for (ContactPoint& c : points) find_force(c, terms.parameters[c.surface]);
 }
 
-void KelvinVoigt::commit(ContactSet& set) const noexcept {
-  assert(set.next_velocity.size() == set.points.size());
-  for (std::size_t i = 0; i < set.points.size(); ++i) {
-    ContactPoint& c = set.points[i];
-    const ContactParameters& p = set.parameters[c.surface];
+void KelvinVoigt::commit(std::span<ContactPoint> points, const ContactTerms& terms,
+                         std::span<const Vec3d> next_velocity) const noexcept {
+  assert(next_velocity.size() == points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ContactPoint& c = points[i];
+    const ContactParameters& p = terms.parameters[c.surface];
     if (c.state == ContactState::open) {
       c.stretch = {};
       continue;
@@ -50,7 +51,7 @@ void KelvinVoigt::commit(ContactSet& set) const noexcept {
       const Vec3d f_t = tangential(c.force, c.normal), v_t = tangential(c.velocity, c.normal);
       c.stretch = (-1.0 / p.tangent_stiffness) * (f_t + p.tangent_damping * v_t);
     }
-    c.stretch += set.dt * tangential(set.next_velocity[i], c.normal);
+    c.stretch += terms.dt * tangential(next_velocity[i], c.normal);
   }
 }
 

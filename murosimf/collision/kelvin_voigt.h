@@ -22,9 +22,13 @@ namespace murosimf::collision {
 
 class KelvinVoigt final : public ContactLaw {
  public:
-  void prepare(ContactSet& set) const noexcept override;
-  [[nodiscard]] bool accept(ContactSet&) const noexcept override { return true; }
-  void commit(ContactSet& set) const noexcept override;
+  void prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept override;
+  [[nodiscard]] bool accept(std::span<ContactPoint>, const ContactTerms&,
+                            std::span<const Vec3d>) const noexcept override {
+    return true;
+  }
+  void commit(std::span<ContactPoint> points, const ContactTerms& terms,
+              std::span<const Vec3d> next_velocity) const noexcept override;
 };
 
 }  // namespace murosimf::collision

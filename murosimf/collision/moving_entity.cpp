@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/collision/impulse_response.h"
+#include "murosimf/model/feet.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
@@ -14,10 +16,9 @@ constexpr double margin = 0.008;
 
 std::vector<int> find_feet(const Model& model, const Compound& compound) {
   std::vector<int> feet;
-  const auto& link_of = model.tree().link_of;
-  for (const int sole : model.having(properties::sole)) {
+  for (const Foot& foot : feet_of(model)) {
     for (std::size_t i = 0; i < compound.shapes().size(); ++i) {
-      if (link_of[compound.shapes()[i].object] == link_of[sole]) feet.push_back(static_cast<int>(i));
+      if (belongs_to(model, foot, compound.shapes()[i].object)) feet.push_back(static_cast<int>(i));
     }
   }
   return feet;
@@ -33,6 +34,7 @@ Compound make_compound(const Entity& entity) {
 
 MovingEntity::MovingEntity(Setup setup)
     : entity(&setup.entity()),
+      number(setup.world().index_of(entity)),
       compound(make_compound(setup.entity())),
       feet(find_feet(setup.model(), compound)),
       r(setup.read(properties::position)),
@@ -45,7 +47,8 @@ MovingEntity::MovingEntity(Setup setup)
       external_damping(setup.write(properties::external_damping)),
       ledger(setup.write(properties::absorbed_impulse)),
       separation(setup.write(properties::separation)),
-      contacts(setup.write(collision::contacts)[0]) {
+      contacts(setup.write(collision::contacts)[0]),
+      seam(setup.write(contact_seam)[0]) {
   poses_.resize(compound.shapes().size());
   for (const CollidingShape& shape : compound.shapes()) radii_.push_back(bounding_radius(shape.placed.shape));
   pushed_.reserve(static_cast<std::size_t>(setup.model().size()));
@@ -54,7 +57,7 @@ MovingEntity::MovingEntity(Setup setup)
 
 bool MovingEntity::limbs_can_touch() const {
   // six coordinates are those of a rigid body
-  return !compound.inner_pairs().off() && can_be_pushed() && contacts.response && contacts.response->coordinates() > 6;
+  return !compound.inner_pairs().off() && can_be_pushed() && seam.response && seam.response->coordinates() > 6;
 }
 
 void MovingEntity::refit() noexcept {
@@ -82,7 +85,7 @@ void MovingEntity::start_step() noexcept {
   ++step_;
   for (const int object : pushed_) {
     interaction_force[object] = Wrenchd{};
-    if (contacts.law) continue;
+    if (seam.law) continue;
     // no contact with the ground starts these anew in every step
     external_force[object] = Wrenchd{};
     external_damping[object] = Sym6d{};
@@ -98,14 +101,14 @@ void MovingEntity::push(int object, const Vec3d& point, const Vec3d& force, doub
   const Wrenchd at_origin{cross(point - r[object], force), force};
   interaction_force[object] += at_origin;
   external_force[object] += at_origin;
-  if (contacts.law) contacts.rest_force[object] += at_origin;
+  if (seam.law) contacts.rest_force[object] += at_origin;
   if (std::find(pushed_.begin(), pushed_.end(), object) == pushed_.end()) pushed_.push_back(object);
 }
 
 void MovingEntity::damp(int object, const Vec3d& point, const SymMat3d& damping) noexcept {
   const Sym6d at_origin = at_point(damping, point - r[object]);
   external_damping[object] += at_origin;
-  if (contacts.law) contacts.rest_damping.push_back({object, at_origin});
+  if (seam.law) contacts.rest_damping.push_back({object, at_origin});
 }
 
 }  // namespace murosimf::collision

@@ -6,6 +6,7 @@
 
 #include "murosimf/collision/body_pairs.h"
 #include "murosimf/collision/compound.h"
+#include "murosimf/collision/contact_seam.h"
 #include "murosimf/model/setup.h"
 
 namespace murosimf::collision {
@@ -39,6 +40,7 @@ struct MovingEntity {
   void damp(int object, const Vec3d& point, const SymMat3d& damping) noexcept;
 
   Entity* entity;
+  int number;  ///< of the entity in the world (World::index_of)
   Compound compound;
   std::vector<int> feet;  ///< shapes of the links that have a sole
   std::span<const Vec3d> r, v, w;
@@ -50,6 +52,7 @@ struct MovingEntity {
   std::span<Wrenchd> ledger;
   std::span<Vec3d> separation;
   ContactSet& contacts;
+  ContactSeam& seam;
 
  private:
   std::vector<int> pushed_;  // objects with an interaction force

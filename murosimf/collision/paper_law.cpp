@@ -26,13 +26,13 @@ void keep_deepest(std::vector<ContactPoint>& points) {
 
 }  // namespace
 
-void PaperLaw::prepare(ContactSet& set) const noexcept {
-  if (options_.one_point_per_body) keep_deepest(set.points);
-  for (ContactPoint& c : set.points) {
+void PaperLaw::prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept {
+  if (options_.one_point_per_body) keep_deepest(points);
+  for (ContactPoint& c : points) {
     clear_force(c);
     const double v_n = dot(c.velocity, c.normal);
     const double gain = v_n < 0 ? 1.0 : options_.rebound;
-    const double f_n = gain * set.parameters[c.surface].stiffness * c.depth;
+    const double f_n = gain * terms.parameters[c.surface].stiffness * c.depth;
     c.force = f_n * c.normal - (options_.friction * f_n) * tangential(c.velocity, c.normal);
     c.moment = (-options_.spin_friction * f_n) * c.angular_velocity;
   }

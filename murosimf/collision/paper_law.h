@@ -28,9 +28,12 @@ class PaperLaw final : public ContactLaw {
  public:
   explicit PaperLaw(const PaperLawOptions& options = {}) : options_(options) {}
 
-  void prepare(ContactSet& set) const noexcept override;
-  [[nodiscard]] bool accept(ContactSet&) const noexcept override { return true; }
-  void commit(ContactSet&) const noexcept override {}
+  void prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept override;
+  [[nodiscard]] bool accept(std::span<ContactPoint>, const ContactTerms&,
+                            std::span<const Vec3d>) const noexcept override {
+    return true;
+  }
+  void commit(std::span<ContactPoint>, const ContactTerms&, std::span<const Vec3d>) const noexcept override {}
 
  private:
   PaperLawOptions options_;

@@ -15,21 +15,26 @@ Touch seen_from_other(const Touch& touch) {
           touch.point, -touch.normal,      -touch.force, touch.depth};
 }
 
-void add_static(const Entity& entity, std::vector<Touch>& found) {
+const Entity* entity_at(const World& world, int number) {
+  return number < 0 ? nullptr : world.entities()[static_cast<std::size_t>(number)].get();
+}
+
+void add_static(const World& world, const Entity& entity, std::vector<Touch>& found) {
   const auto* column = entity.find(contacts);
   if (!column) return;
   const ContactSet& set = column->values[0];
   for (const ContactPoint& c : set.points) {
-    found.push_back(touch_of(entity, c, set.environment, set.environment_objects[c.surface]));
+    found.push_back(touch_of(entity, c, entity_at(world, set.environment), set.environment_objects[c.surface]));
   }
 }
 
-void add_pairs(const PairSet& set, const Entity& entity, std::vector<Touch>& found) {
+void add_pairs(const World& world, const PairSet& set, const Entity& entity, std::vector<Touch>& found) {
   for (const PairContact& c : set.points) {
-    const Entity &a = *set.entities[static_cast<std::size_t>(c.a)], &b = *set.entities[static_cast<std::size_t>(c.b)];
-    const Touch touch = touch_of(a, c, &b, c.object_b);
-    if (&a == &entity) found.push_back(touch);
-    if (&b == &entity) found.push_back(seen_from_other(touch));
+    const Entity* a = entity_at(world, set.entities[static_cast<std::size_t>(c.a)]);
+    const Entity* b = entity_at(world, set.entities[static_cast<std::size_t>(c.b)]);
+    const Touch touch = touch_of(*a, c, b, c.object_b);
+    if (a == &entity) found.push_back(touch);
+    if (b == &entity) found.push_back(seen_from_other(touch));
   }
 }
 
@@ -38,9 +43,9 @@ void add_pairs(const PairSet& set, const Entity& entity, std::vector<Touch>& fou
 std::vector<Touch> touches(const World& world, const Entity& entity) {
   std::vector<Touch> found;
   if (entity.frozen()) return found;
-  add_static(entity, found);
+  add_static(world, entity, found);
   for (const auto& holder : world.entities()) {
-    if (const auto* column = holder->find(pair_contacts)) add_pairs(column->values[0], entity, found);
+    if (const auto* column = holder->find(pair_contacts)) add_pairs(world, column->values[0], entity, found);
   }
   return found;
 }

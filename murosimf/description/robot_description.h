@@ -1,5 +1,5 @@
 /// robot_description.h - a robot as a file describes it, before it becomes a Model: what the readers of MJCF and URDF make,
-/// and what the model doctor and the converter look at.
+/// and what the checks and the converter look at.
 ///
 /// Everything is resolved: SI units, angles in rad, classes and includes applied, meshes read. Every part knows where it
 /// is written ("robot.xml:12"), so that later complaints can say so. Names are those of the file.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/error.h"
 #include "murosimf/sensors/reading.h"
 #include "murosimf/sensors/vec3_io.h"

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::locomotion {

@@ -12,7 +12,11 @@ enum class Scope {
   object,  ///< every object of the entity has one
   base,    ///< one for the whole entity; it belongs to the base
   sensor,  ///< one for the whole entity, shown by a sensor; looking changes nothing, so it is not in the state hash
+  wiring,  ///< one for the whole entity, by which its algorithms know each other; made anew, never stored or hashed
 };
+
+/// Whether columns of that scope are what a step goes on from.
+[[nodiscard]] constexpr bool is_state(Scope scope) { return scope == Scope::object || scope == Scope::base; }
 
 /// The part of a descriptor that does not depend on the type.
 struct PropertyInfo {
@@ -27,5 +31,18 @@ template <class T>
 struct Property : PropertyInfo {
   using Value = T;
 };
+
+namespace properties {
+
+/// One line of the list that every folder has of its properties (scene/property_catalog.h collects them).
+struct CatalogEntry {
+  PropertyInfo info;
+  bool constant = false;  ///< it lives in the model, else in a column of the entity
+};
+
+[[nodiscard]] constexpr CatalogEntry constant(const PropertyInfo& info) { return {info, true}; }
+[[nodiscard]] constexpr CatalogEntry variable(const PropertyInfo& info) { return {info, false}; }
+
+}  // namespace properties
 
 }  // namespace murosimf

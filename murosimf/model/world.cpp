@@ -1,6 +1,11 @@
 #include "murosimf/model/world.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+#include "murosimf/model/state_hash.h"
 
 namespace murosimf {
 
@@ -24,17 +29,23 @@ Entity* World::find(std::string_view name) const {
   return nullptr;
 }
 
+int World::index_of(const Entity* entity) const {
+  const auto found =
+      std::find_if(entities_.begin(), entities_.end(), [&](const auto& other) { return other.get() == entity; });
+  return entity && found != entities_.end() ? static_cast<int>(found - entities_.begin()) : -1;
+}
+
 void World::freeze_columns() {
-  for (const auto& entity : entities_) entity->freeze_columns();
+  for (const auto& entity : entities_) entity->columns().freeze();
 }
 
 void World::thaw_columns() {
-  for (const auto& entity : entities_) entity->thaw_columns();
+  for (const auto& entity : entities_) entity->columns().thaw();
 }
 
 std::uint64_t World::state_hash() const {
   Hasher hasher;
-  for (const auto& entity : entities_) entity->append_to(hasher);
+  for (const auto& entity : entities_) append_state(hasher, *entity);
   return hasher.value();
 }
 

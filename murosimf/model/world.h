@@ -16,6 +16,8 @@ class World {
 
   [[nodiscard]] Entity& entity(std::string_view name) const;  ///< throws SetupError with the nearest name
   [[nodiscard]] Entity* find(std::string_view name) const;    ///< null if there is none
+  /// Place of an entity in entities(), where it stays; -1 for null and for one of another world.
+  [[nodiscard]] int index_of(const Entity* entity) const;
   [[nodiscard]] const std::vector<std::unique_ptr<Entity>>& entities() const { return entities_; }
 
   void freeze_columns();

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/motion/contact_trials.h"
 #include "murosimf/motion/coulomb_damping.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/joint_friction.h"
 
 namespace murosimf::motion {
@@ -46,7 +46,7 @@ void ArticulatedDynamics::initialize() {
   tree_.start();
   start_loads();
   check_inertias();
-  tree_.contacts.response = this;
+  tree_.contacts.answer_by(this);
 }
 
 void ArticulatedDynamics::take_over(const Momentum& momentum) {
@@ -54,7 +54,7 @@ void ArticulatedDynamics::take_over(const Momentum& momentum) {
   tree_.take_over(momentum);
   start_loads();
   check_inertias();
-  tree_.contacts.response = this;
+  tree_.contacts.answer_by(this);
 }
 
 /// Friction expects that everything is held.
@@ -92,11 +92,11 @@ void ArticulatedDynamics::check_inertias() {
 }
 
 void ArticulatedDynamics::step(const Instant& instant) noexcept {
-  if (tree_.integrator() == Integrator::rk4 && !tree_.contacts.solved) return step_rk4(seconds(instant.period));
-  if (!tree_.contacts.solved) {
+  if (tree_.integrator() == Integrator::rk4 && !tree_.contacts.solved()) return step_rk4(seconds(instant.period));
+  if (!tree_.contacts.solved()) {
     begin_step(seconds(instant.period));
     auto loads = multibody::Loads::of_last_pass;
-    settle_contacts(tree_.contacts, tree_.columns.r, tree_.external_force, tree_.external_damping, [&] {
+    tree_.contacts.settle([&] {
       const bool settled = solve(std::exchange(loads, multibody::Loads::of_repeated_pass));
       predict_contacts(dt_);
       return settled;
@@ -106,7 +106,7 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
   if (!accelerations_are_sane()) return tree_.halt(too_fast);
   report_torques();
   keep_loads();
-  tree_.commit_contacts();
+  tree_.contacts.commit();
   const Twistd base = bodies_[0].acceleration;
   if (!tree_.advance_base(base, dt_)) return tree_.halt(too_fast);
   advance_joints(dt_);
@@ -124,7 +124,7 @@ void ArticulatedDynamics::step_rk4(double dt) noexcept {
     solve_explicitly();
     if (std::exchange(first, false)) {
       predict_contacts(dt);
-      tree_.commit_contacts();
+      tree_.contacts.commit();
     }
     return bodies_[0].acceleration;
   };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::motion {
 namespace {

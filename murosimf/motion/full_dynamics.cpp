@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "murosimf/motion/contact_trials.h"
 #include "murosimf/multibody/inverse_dynamics.h"
 
 namespace murosimf::motion {
@@ -30,7 +29,7 @@ void FullDynamics::initialize() {
   reference_.initialize(tree_.columns);
   tree_.start();
   start_observing();
-  tree_.contacts.response = this;
+  tree_.contacts.answer_by(this);
 }
 
 void FullDynamics::take_over(const Momentum& momentum) {
@@ -38,7 +37,7 @@ void FullDynamics::take_over(const Momentum& momentum) {
   reference_.take_over(tree_.columns);
   tree_.take_over(momentum);
   start_observing();
-  tree_.contacts.response = this;
+  tree_.contacts.answer_by(this);
 }
 
 void FullDynamics::start_observing() noexcept {
@@ -47,10 +46,10 @@ void FullDynamics::start_observing() noexcept {
 }
 
 void FullDynamics::step(const Instant& instant) noexcept {
-  if (tree_.integrator() == Integrator::rk4 && !tree_.contacts.solved) return step_rk4(instant);
-  if (!tree_.contacts.solved) {
+  if (tree_.integrator() == Integrator::rk4 && !tree_.contacts.solved()) return step_rk4(instant);
+  if (!tree_.contacts.solved()) {
     begin_step(seconds(instant.period));
-    settle_contacts(tree_.contacts, tree_.columns.r, tree_.external_force, tree_.external_damping, [&] {
+    tree_.contacts.settle([&] {
       solve_base(dt_);
       predict_contacts(dt_);
       return true;
@@ -58,7 +57,7 @@ void FullDynamics::step(const Instant& instant) noexcept {
   }
   if (!joints_sane_) return tree_.halt("a joint position or target is no sensible number");
   find_torques(instant);
-  tree_.commit_contacts();
+  tree_.contacts.commit();
   if (!tree_.advance_base(base_, dt_)) return tree_.halt(too_fast);
   tree_.finish_step();
 }
@@ -77,7 +76,7 @@ void FullDynamics::step_rk4(const Instant& instant) noexcept {
     if (std::exchange(first, false)) {
       predict_contacts(seconds(instant.period));
       find_torques(instant);
-      tree_.commit_contacts();
+      tree_.contacts.commit();
     }
     return base_;
   };

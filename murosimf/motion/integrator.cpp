@@ -21,10 +21,10 @@ constexpr std::array entries{
 
 std::span<const IntegratorEntry> integrators() { return entries; }
 
-void check_contacts(Integrator integrator, const collision::ContactSet& contacts, double period) {
-  if (contacts.dt > 0 && contacts.dt != period) {
+void check_contacts(Integrator integrator, const collision::ContactSeam& contacts, double period) {
+  if (contacts.terms.dt > 0 && contacts.terms.dt != period) {
     throw SetupError(fmt::format("its motion has steps of {:.3g} ms, its contact of {:.3g} ms; attach both at one rate",
-                                 1e3 * period, 1e3 * contacts.dt));
+                                 1e3 * period, 1e3 * contacts.terms.dt));
   }
   if (integrator != Integrator::rk4) return;
   if (contacts.damped_by_others) {

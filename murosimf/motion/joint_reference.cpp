@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "murosimf/model/error.h"
+#include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::motion {
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/sanity.h"
 #include "murosimf/multibody/kinematics.h"
 
@@ -16,15 +18,15 @@ constexpr double fading_time = 0.1;         // [s] of what a robot is away from 
 constexpr double steepest = 30 * pi / 180;  // [rad] lean of a robot that can be taken over
 constexpr double highest_sole = 0.02;       // [m] of its lower foot, from the plane
 
-std::vector<int> two_soles(const Model& model) {
-  auto soles = model.having(properties::sole);
-  if (soles.size() != 2) {
+std::vector<Foot> two_feet(const Model& model) {
+  auto feet = feet_of(model);
+  if (feet.size() != 2) {
     throw SetupError(
         fmt::format("model '{}' cannot walk kinematically: it has {} sole{}, not 2 (name them in its "
                     "TOML file)",
-                    model.name(), soles.size(), soles.size() == 1 ? "" : "s"));
+                    model.name(), feet.size(), feet.size() == 1 ? "" : "s"));
   }
-  return soles;
+  return feet;
 }
 
 }  // namespace
@@ -39,20 +41,17 @@ KinematicWalking::KinematicWalking(Setup& setup, const JointReferenceOptions& re
       remaining_turn_(setup.write(properties::remaining_turn)[0]),
       separation_(setup.input(properties::separation, {})[0]),
       dynamic_(setup.write(properties::dynamic)[0]) {
-  const auto soles = two_soles(setup.model());
-  feet_ = {foot(soles[0]), foot(soles[1])};
+  const auto feet = two_feet(setup.model());
+  feet_ = {with_path(feet[0]), with_path(feet[1])};
   up_ = upright_axis();
 }
 
-KinematicWalking::Foot KinematicWalking::foot(int object) const {
-  Foot foot;
-  foot.object = object;
-  foot.sole = *columns_.model.find(properties::sole, object);
-  foot.place = columns_.model.placement(object);
+KinematicWalking::Foot KinematicWalking::with_path(const murosimf::Foot& foot) const {
+  Foot result{foot, {}};
   for (int link = foot.place.link; link > 0; link = columns_.model.tree().links[link].parent) {
-    foot.path.insert(foot.path.begin(), link);
+    result.path.insert(result.path.begin(), link);
   }
-  return foot;
+  return result;
 }
 
 void KinematicWalking::initialize() {
@@ -156,8 +155,7 @@ void KinematicWalking::swap_if_other_foot_penetrates() noexcept {
 }
 
 double KinematicWalking::lowest_corner(const Foot& foot) const noexcept {
-  const Mat3d& R = columns_.R[foot.object];
-  return columns_.r[foot.object].z - foot.sole.half_length * std::abs(R.x.z) - foot.sole.half_width * std::abs(R.y.z);
+  return murosimf::lowest_corner(foot.sole, columns_.r[foot.object], columns_.R[foot.object]);
 }
 
 void KinematicWalking::set_base_twist() noexcept {

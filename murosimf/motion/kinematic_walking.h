@@ -25,6 +25,7 @@
 
 #include <array>
 
+#include "murosimf/model/feet.h"
 #include "murosimf/model/motion_level.h"
 #include "murosimf/motion/joint_reference.h"
 #include "murosimf/motion/pose_columns.h"
@@ -43,15 +44,11 @@ class KinematicWalking final : public MotionLevel {
   void take_over(const Momentum& momentum) override;
 
  private:
-  /// A foot: its sole frame and the links between the base and it.
-  struct Foot {
-    int object = 0;
-    Sole sole;
-    FixedObject place;      // of the sole on its link
+  struct Foot : murosimf::Foot {
     std::vector<int> path;  // links from the base outwards, base excluded
   };
 
-  [[nodiscard]] Foot foot(int object) const;
+  [[nodiscard]] Foot with_path(const murosimf::Foot& foot) const;
   [[nodiscard]] const Foot& standing_foot() const noexcept;
   [[nodiscard]] Vec3d upright_axis() const;
   [[nodiscard]] int lower_foot() const noexcept;

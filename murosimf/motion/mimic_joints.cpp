@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/servo_law.h"
 
 namespace murosimf::motion {

@@ -25,7 +25,9 @@ MotionRecorder::MotionRecorder(Setup& setup, const MotionRecorderOptions& option
       v_(setup.read(properties::linear_velocity)),
       w_(setup.read(properties::angular_velocity)),
       R_(setup.read(properties::orientation)) {
-  find_feet(model_);
+  feet_ = feet_of(model_);
+  if (feet_.size() > 2) feet_.resize(2);
+  record_.soles = feet_.size();
   if (setup.entity().find(collision::contacts)) contacts_ = &setup.read(collision::contacts)[0];
   if (setup.entity().find(properties::joint_torque)) {
     torque_ = setup.read(properties::joint_torque);
@@ -44,14 +46,6 @@ MotionRecorder::MotionRecorder(Setup& setup, const MotionRecorderOptions& option
     grips_[i].reserve(most_grips);
     new_grips_[i].reserve(most_grips);
   }
-}
-
-void MotionRecorder::find_feet(const Model& model) {
-  for (const int object : model.having(properties::sole)) {
-    if (feet_.size() == 2) break;
-    feet_.push_back({object, model.tree().link_of[object], *model.find(properties::sole, object)});
-  }
-  record_.soles = feet_.size();
 }
 
 void MotionRecorder::find_servos(const Model& model) {
@@ -108,8 +102,7 @@ void MotionRecorder::watch_servos() noexcept {
 }
 
 double MotionRecorder::clearance(const Foot& foot) const noexcept {
-  const Mat3d& R = R_[foot.object];
-  return r_[foot.object].z - foot.sole.half_length * std::abs(R.x.z) - foot.sole.half_width * std::abs(R.y.z);
+  return lowest_corner(foot.sole, r_[foot.object], R_[foot.object]);
 }
 
 double MotionRecorder::slip(std::size_t foot) noexcept {
@@ -118,7 +111,7 @@ double MotionRecorder::slip(std::size_t foot) noexcept {
   now.clear();
   for (const collision::ContactPoint& point : contacts_->points) {
     const double load = dot(point.force, point.normal);
-    const bool of_this_foot = model_.tree().link_of[point.object] == feet_[foot].link;
+    const bool of_this_foot = belongs_to(model_, feet_[foot], point.object);
     if (of_this_foot && load > 0 && now.size() < most_grips) now.push_back({point.feature, point.point, load});
   }
   double way = 0, load = 0;

@@ -13,6 +13,7 @@
 
 #include "murosimf/collision/contact.h"
 #include "murosimf/model/algorithm.h"
+#include "murosimf/model/feet.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
 
@@ -52,11 +53,6 @@ class MotionRecorder final : public Algorithm {
   static constexpr double samples_per_second = 100;
 
  private:
-  struct Foot {
-    int object = 0;
-    int link = 0;
-    Sole sole;
-  };
   struct Servoed {
     int object = 0;
     double full_at = 0;  // [rad] between target and position
@@ -68,7 +64,6 @@ class MotionRecorder final : public Algorithm {
     double load = 0;
   };
 
-  void find_feet(const Model& model);
   void find_servos(const Model& model);
   void take_sample(Duration now) noexcept;
   void take_torques() noexcept;
@@ -78,7 +73,7 @@ class MotionRecorder final : public Algorithm {
 
   const Model& model_;
   MotionRecord record_;
-  std::vector<Foot> feet_;
+  std::vector<Foot> feet_;  // the first two
   std::vector<Servoed> servos_;
   std::array<std::vector<Grip>, 2> grips_, new_grips_;
   std::vector<double> torque_sum_;  // [N m | N] by joint since the last sample

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/integrate.h"
 
 namespace murosimf::motion {
@@ -14,7 +16,7 @@ MovingTree::MovingTree(Setup& setup, const MovingTreeOptions& options, std::stri
       links(setup.model().tree().links.size()),
       external_force(setup.write(properties::external_force)),
       external_damping(setup.write(properties::external_damping)),
-      contacts(setup.write(collision::contacts)[0]),
+      contacts(setup),
       gravity(setup.world().gravity),
       entity_(setup.entity()),
       options_(options),
@@ -33,7 +35,7 @@ void MovingTree::start() {
   place_at_start(columns, entity_);
   refresh();
   dynamic_ = 1;
-  check_contacts(options_.integrator, contacts, period_);
+  contacts.check(options_.integrator, period_);
   std::fill(external_force.begin(), external_force.end(), Wrenchd{});
   std::fill(external_damping.begin(), external_damping.end(), Sym6d{});
   check_inertia();
@@ -46,7 +48,7 @@ void MovingTree::check_inertia() const {
 }
 
 void MovingTree::take_over(const Momentum& momentum) {
-  check_contacts(options_.integrator, contacts, period_);
+  contacts.check(options_.integrator, period_);
   seen_revision_ = entity_.revision();
   if (options_.fixed_base) columns.v[0] = columns.w[0] = {};
   refresh();
@@ -56,7 +58,7 @@ void MovingTree::take_over(const Momentum& momentum) {
 }
 
 Momentum MovingTree::hand_over() noexcept {
-  contacts.response = nullptr;
+  contacts.answer_by(nullptr);
   return momentum();
 }
 
@@ -136,10 +138,8 @@ void MovingTree::place_base(const multibody::FreeBody<double>& base) noexcept {
   columns.R[0] = to_matrix(base.turn);
 }
 
-void MovingTree::commit_contacts() noexcept { collision::commit_contacts(contacts, columns.r, external_force); }
-
 bool MovingTree::in_flight() const noexcept {
-  return contacts.points.empty() && !(contacts.solved && contacts.island_stands) &&
+  return contacts.none() &&
          std::all_of(external_damping.begin(), external_damping.end(), [](const Sym6d& d) { return is_zero(d); });
 }
 
@@ -175,7 +175,7 @@ void MovingTree::correct_momentum(const CenterMotion& wanted) noexcept {
 }
 
 void MovingTree::finish_step() noexcept {
-  contacts.solved = false;
+  contacts.renew();
   refresh();
   if (wanted_momentum_) correct_momentum(*wanted_momentum_);
 }

@@ -24,8 +24,8 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/collision/contact_law.h"
 #include "murosimf/collision/impulse_response.h"
+#include "murosimf/motion/contact_trials.h"
 #include "murosimf/motion/free_state.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/pose_columns.h"
@@ -82,8 +82,6 @@ class MovingTree {
   [[nodiscard]] Vec3d next_velocity(int object, const Vec3d& point, const Vec3d& velocity, const Twistd& acceleration,
                                     double dt) const noexcept;
 
-  /// To be called when the step is solved and before anything moves: memory of the contacts, forces as they acted.
-  void commit_contacts() noexcept;
   /// The base after the step, by its a'. False, and nothing changed, if that is no sensible number.
   [[nodiscard]] bool advance_base(const Twistd& acceleration, double dt) noexcept;
   /// The base and all joints after the step, by Runge-Kutta. solve() finds the accelerations at the present columns: it
@@ -100,7 +98,7 @@ class MovingTree {
   std::vector<multibody::LinkMotion<double>> links;
   std::span<Wrenchd> external_force;
   std::span<Sym6d> external_damping;
-  collision::ContactSet& contacts;
+  ContactTrials contacts;
   const Vec3d gravity;  // [m/s^2]
 
  private:
@@ -174,11 +172,10 @@ inline Vec3d MovingTree::next_velocity(int object, const Vec3d& point, const Vec
 
 template <class Acceleration>
 void MovingTree::predict_contacts(double dt, const Acceleration& acceleration_of) noexcept {
-  contacts.next_velocity.clear();
-  for (const collision::ContactPoint& c : contacts.points) {
+  contacts.predict([&](const collision::ContactPoint& c) {
     const Twistd& a = acceleration_of(columns.model.tree().link_of[c.object]);
-    contacts.next_velocity.push_back(next_velocity(c.object, c.point, c.velocity, a, dt));
-  }
+    return next_velocity(c.object, c.point, c.velocity, a, dt);
+  });
 }
 
 template <class Solve, class JointAcceleration>

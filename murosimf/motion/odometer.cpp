@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "murosimf/motion/motion_properties.h"
+
 namespace murosimf::motion {
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::motion {
 namespace {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "murosimf/collision/ground_points.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/multibody/link_motion.h"
 

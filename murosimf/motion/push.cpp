@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::motion {

@@ -5,8 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/motion/contact_trials.h"
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/motion/free_state.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/sanity.h"
 #include "murosimf/multibody/kinematics.h"
 
@@ -21,7 +22,7 @@ SimplifiedDynamics::SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOpt
       reference_(setup, options.reference),
       external_force_(setup.write(properties::external_force)),
       external_damping_(setup.write(properties::external_damping)),
-      contacts_(setup.write(collision::contacts)[0]),
+      contacts_(setup),
       center_(setup.write(properties::common_center_of_mass)[0]),
       velocity_(setup.write(properties::common_center_of_mass_velocity)[0]),
       inertia_(setup.write(properties::common_inertia)[0]),
@@ -44,19 +45,19 @@ void SimplifiedDynamics::initialize() {
   std::fill(external_force_.begin(), external_force_.end(), Wrenchd{});
   std::fill(external_damping_.begin(), external_damping_.end(), Sym6d{});
   check();
-  contacts_.response = this;
+  contacts_.answer_by(this);
 }
 
 void SimplifiedDynamics::check() const {
   reference_.check(options_.integrator);
-  check_contacts(options_.integrator, contacts_, period_);
+  contacts_.check(options_.integrator, period_);
   if (is_positive_definite(inertia_)) return;
   throw SetupError(
       fmt::format("model '{}' has no inertia about some axis; give its masses an inertia", columns_.model.name()));
 }
 
 Momentum SimplifiedDynamics::hand_over() noexcept {
-  contacts_.response = nullptr;
+  contacts_.answer_by(nullptr);
   return {mass_ * velocity_, inertia_ * columns_.w[0]};
 }
 
@@ -73,14 +74,14 @@ void SimplifiedDynamics::take_over(const Momentum& momentum) {
   multibody::shift_all(columns_.v, velocity_ - common_body().velocity);
   dynamic_ = 1;
   columns_.remember_base();
-  contacts_.response = this;
+  contacts_.answer_by(this);
 }
 
 void SimplifiedDynamics::step(const Instant& instant) noexcept {
-  if (options_.integrator == Integrator::rk4 && !contacts_.solved) return step_rk4(seconds(instant.period));
-  if (!contacts_.solved) {
+  if (options_.integrator == Integrator::rk4 && !contacts_.solved()) return step_rk4(seconds(instant.period));
+  if (!contacts_.solved()) {
     begin_step(seconds(instant.period));
-    settle_contacts(contacts_, columns_.r, external_force_, external_damping_, [&] {
+    contacts_.settle([&] {
       solve(dt_);
       predict_contacts();
       return true;
@@ -90,9 +91,9 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
   multibody::advance(body, acceleration_, dt_);
   if (!is_sane(body)) return halt(too_fast);
   if (!reference_.advance(columns_, dt_)) return halt("a joint position or target is no sensible number");
-  collision::commit_contacts(contacts_, columns_.r, external_force_);
+  contacts_.commit();
 
-  contacts_.solved = false;
+  contacts_.renew();
 
   const Mat3d R_before = columns_.R[0];
   columns_.Q[0] = body.turn;
@@ -124,7 +125,7 @@ void SimplifiedDynamics::step_rk4(double dt) noexcept {
     solve(0);
     if (std::exchange(first, false)) {
       predict_contacts();
-      collision::commit_contacts(contacts_, columns_.r, external_force_);
+      contacts_.commit();
     }
     write_rate(
         body, acceleration_, columns_, [&](int joint) { return reference_.acceleration(columns_, joint); }, dy);
@@ -162,10 +163,7 @@ Vec3d SimplifiedDynamics::next_velocity(const Vec3d& point, const Vec3d& velocit
 }
 
 void SimplifiedDynamics::predict_contacts() noexcept {
-  contacts_.next_velocity.clear();
-  for (const collision::ContactPoint& c : contacts_.points) {
-    contacts_.next_velocity.push_back(next_velocity(c.point, c.velocity));
-  }
+  contacts_.predict([&](const collision::ContactPoint& c) { return next_velocity(c.point, c.velocity); });
 }
 
 bool SimplifiedDynamics::free_pass(double dt) noexcept {

@@ -19,9 +19,9 @@
 #include <optional>
 #include <vector>
 
-#include "murosimf/collision/contact_law.h"
 #include "murosimf/collision/impulse_response.h"
 #include "murosimf/model/motion_level.h"
+#include "murosimf/motion/contact_trials.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/joint_reference.h"
 #include "murosimf/motion/pose_columns.h"
@@ -74,7 +74,7 @@ class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseR
   JointReference reference_;
   std::span<Wrenchd> external_force_;
   std::span<Sym6d> external_damping_;
-  collision::ContactSet& contacts_;
+  ContactTrials contacts_;
   Vec3d& center_;      // [m] common center of mass, world
   Vec3d& velocity_;    // [m/s] of the center of mass
   SymMat3d& inertia_;  // [kg m^2] at the center of mass, world axes

@@ -4,7 +4,7 @@
 
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/error.h"
-#include "murosimf/model/properties.h"
+#include "murosimf/model/feet.h"
 #include "murosimf/multibody/kinematics.h"
 
 namespace murosimf::perception {
@@ -34,9 +34,7 @@ CameraPoseEstimator::CameraPoseEstimator(Setup& setup, const sensors::CameraInfo
       inertial_(part(model_.placement(imu_.info->frame.empty() ? 0 : model_.object_index(imu_.info->frame)))),
       q_(static_cast<std::size_t>(model_.size())) {
   for (const std::string& joint : encoders_.info->outputs.front().labels) joints_.push_back(model_.object_index(joint));
-  for (const int object : model_.having(properties::sole)) {
-    feet_.push_back({part(model_.placement(object)), *model_.find(properties::sole, object)});
-  }
+  for (const murosimf::Foot& foot : feet_of(model_)) feet_.push_back({part(foot.place), foot.sole});
   if (feet_.empty()) throw SetupError("a robot that knows how high its camera is needs soles");
 }
 

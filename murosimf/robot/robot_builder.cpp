@@ -4,10 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/description/robot_visuals.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
+#include "murosimf/robot/robot_soles.h"
 
 namespace murosimf::robot {
 namespace {
@@ -20,7 +23,7 @@ struct Step {
 
 class Builder {
  public:
-  Builder(description::RobotDescription& description, const RobotTable& table)
+  Builder(description::RobotDescription& description, const RobotConfig& table)
       : description_(description), table_(table), children_(description.bodies.size()) {
     for (std::size_t i = 0; i < description.bodies.size(); ++i) {
       const description::BodyDescription& body = description.bodies[i];
@@ -221,18 +224,13 @@ class Builder {
     if (!is_zero(offset)) chain.translation(offset, name + ".offset").structural();
     if (!is_identity(turn)) chain.rotation(turn, name + ".turn").structural();
     chain.endpoint(name);
-    if (frame.box && is_sole(frame)) chain.with(properties::sole, *frame.box);
+    if (is_sole(frame, table_)) chain.with(properties::sole, *frame.box);
     add_other_names(chain, table_.frames, frame.name);
     return chain;
   }
 
-  [[nodiscard]] bool is_sole(const description::FrameDescription& frame) const {
-    if (!table_.soles.empty()) return table_.is_sole(frame.name);
-    return frame.box && frame.name.ends_with("sole");
-  }
-
   description::RobotDescription& description_;
-  const RobotTable& table_;
+  const RobotConfig& table_;
   std::vector<std::vector<std::size_t>> children_;
   std::set<std::string> joints_, bodies_, frames_;  // bodies also those that are welded to others
   std::set<std::string> given_;                     // names that free_name has given
@@ -241,7 +239,7 @@ class Builder {
 
 }  // namespace
 
-ModelPtr build_model(description::RobotDescription& description, const RobotTable& table) {
+ModelPtr build_model(description::RobotDescription& description, const RobotConfig& table) {
   const Chain chain = Builder(description, table).build();
   return with_context(description.bodies[0].where,
                       [&] { return std::make_shared<const Model>(description.name, chain); });

@@ -17,6 +17,6 @@ namespace murosimf::robot {
 /// Takes servos, soles and surfaces of the table, which win over those of the file. Bodies without joints should be
 /// welded and soles placed before (lump_fixed_joints.h, role_inference.h). Renamed and massless bodies are lines in the description's warnings.
 /// Throws SetupError, with the place in the file, for what Model refuses.
-[[nodiscard]] ModelPtr build_model(description::RobotDescription& description, const RobotTable& table);
+[[nodiscard]] ModelPtr build_model(description::RobotDescription& description, const RobotConfig& table);
 
 }  // namespace murosimf::robot

@@ -11,12 +11,12 @@
 namespace murosimf::robot {
 namespace {
 
-/// Fills a RobotTable from the tables of one file.
+/// Fills a RobotConfig from the tables of one file.
 class Reader {
  public:
   explicit Reader(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  [[nodiscard]] RobotTable read(const toml::table& root) {
+  [[nodiscard]] RobotConfig read(const toml::table& root) {
     for (const auto& [key, value] : root) {
       if (key == "soles") {
         read_soles(table_of(key, value));
@@ -111,7 +111,7 @@ class Reader {
   }
 
   std::filesystem::path folder_;  ///< of the file
-  RobotTable table_;
+  RobotConfig table_;
 };
 
 void check_name(const TableName& entry, std::string_view kind, const std::vector<std::string>& names) {
@@ -122,27 +122,23 @@ void check_name(const TableName& entry, std::string_view kind, const std::vector
 
 }  // namespace
 
-const std::string& RobotTable::surface(const std::string& body) const {
+const std::string& RobotConfig::surface(const std::string& body) const {
   const auto found = surfaces.find(body);
   return found == surfaces.end() ? default_surface : found->second.name;
 }
 
-bool RobotTable::is_sole(const std::string& frame) const {
-  return std::ranges::find(sole_frames, frame) != sole_frames.end();
-}
-
-RobotTable read_robot_config(const std::filesystem::path& file) {
+RobotConfig read_robot_config(const std::filesystem::path& file) {
   return Reader(file.parent_path()).read(files::parse_toml_file(file));
 }
 
-RobotTable read_table_beside(const std::filesystem::path& model_file) {
+RobotConfig read_table_beside(const std::filesystem::path& model_file) {
   auto file = model_file;
   file.replace_extension(".toml");
   std::error_code none;
-  return std::filesystem::exists(file, none) ? read_robot_config(file) : RobotTable{};
+  return std::filesystem::exists(file, none) ? read_robot_config(file) : RobotConfig{};
 }
 
-void check_names(const RobotTable& table, const RobotNames& names) {
+void check_names(const RobotConfig& table, const RobotNames& names) {
   std::vector<std::string> places = names.frames;
   places.insert(places.end(), names.bodies.begin(), names.bodies.end());
   std::vector<std::string> objects = places;

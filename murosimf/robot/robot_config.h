@@ -48,7 +48,7 @@ struct TableServo {
   std::string where;
 };
 
-struct RobotTable {
+struct RobotConfig {
   std::vector<TableName> soles;
   std::vector<std::string> sole_frames;          ///< where the soles are, once they are placed (role_inference.h)
   std::map<std::string, TableName> frames;       ///< frame, body or joint by its other name
@@ -61,14 +61,13 @@ struct RobotTable {
 
   /// Material of a body: its own or the default.
   [[nodiscard]] const std::string& surface(const std::string& body) const;
-  [[nodiscard]] bool is_sole(const std::string& frame) const;
 };
 
 /// Throws SetupError with file:line:column for unknown keys, values of a wrong type and impossible numbers.
-[[nodiscard]] RobotTable read_robot_config(const std::filesystem::path& file);
+[[nodiscard]] RobotConfig read_robot_config(const std::filesystem::path& file);
 
 /// The table beside a model file; an empty one if there is none.
-[[nodiscard]] RobotTable read_table_beside(const std::filesystem::path& model_file);
+[[nodiscard]] RobotConfig read_table_beside(const std::filesystem::path& model_file);
 
 /// Names that a robot has.
 struct RobotNames {
@@ -76,6 +75,6 @@ struct RobotNames {
 };
 
 /// Throws SetupError if the table speaks of a joint, body, frame or mesh that the robot does not have.
-void check_names(const RobotTable& table, const RobotNames& names);
+void check_names(const RobotConfig& table, const RobotNames& names);
 
 }  // namespace murosimf::robot

@@ -17,13 +17,13 @@ namespace murosimf::robot {
 namespace {
 
 /// Materials of the table, by the bodies of the file.
-void apply_surfaces(description::RobotDescription& description, const RobotTable& table) {
+void apply_surfaces(description::RobotDescription& description, const RobotConfig& table) {
   for (description::BodyDescription& body : description.bodies) {
     for (description::ShapeDescription& shape : body.shapes) shape.placed.surface.material = table.surface(body.name);
   }
 }
 
-void check_names(const RobotTable& table, const description::RobotDescription& description) {
+void check_names(const RobotConfig& table, const description::RobotDescription& description) {
   RobotNames names;
   for (const description::BodyDescription& body : description.bodies) {
     names.bodies.push_back(body.name);
@@ -46,7 +46,7 @@ description::RobotDescription read_description(const std::filesystem::path& file
 }  // namespace
 
 RobotFile read_robot(const std::filesystem::path& file, const description::ReaderOptions& options) {
-  RobotTable table = read_table_beside(file);
+  RobotConfig table = read_table_beside(file);
   description::ReaderOptions all = options;
   for (const TableName& mesh : table.part_per_group) all.part_per_group.push_back(mesh.name);
   RobotFile robot;

@@ -172,7 +172,7 @@ std::vector<SensorSpec> sensors_of_file(description::RobotDescription& descripti
 
 }  // namespace
 
-std::vector<SensorSpec> sensors_of(description::RobotDescription& description, const RobotTable& table,
+std::vector<SensorSpec> sensors_of(description::RobotDescription& description, const RobotConfig& table,
                                    const Model& model, const std::filesystem::path& folder, bool lenient) {
   std::vector<SensorSpec> specs = sensors_of_file(description, model, lenient);
   components::change_sensors(specs, table.sensors, folder);

@@ -37,7 +37,7 @@ namespace murosimf::robot {
 /// simulated are lines in the description's notes. Throws SetupError with the place of a sensor on a frame that the model does
 /// not have; with `lenient` such sensors of the file are lines in its warnings.
 [[nodiscard]] std::vector<sensors::SensorSpec> sensors_of(description::RobotDescription& description,
-                                                          const RobotTable& table, const Model& model,
+                                                          const RobotConfig& table, const Model& model,
                                                           const std::filesystem::path& folder, bool lenient);
 
 }  // namespace murosimf::robot

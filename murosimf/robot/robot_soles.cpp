@@ -73,6 +73,12 @@ std::size_t joints_above(const description::RobotDescription& description, std::
 
 }  // namespace
 
+bool is_sole(const description::FrameDescription& frame, const RobotConfig& table) {
+  if (!frame.box) return false;
+  if (table.soles.empty()) return frame.name.ends_with("sole");
+  return std::ranges::find(table.sole_frames, frame.name) != table.sole_frames.end();
+}
+
 std::vector<Transformd> body_places(const description::RobotDescription& description) {
   std::vector<Transformd> places;
   for (const description::BodyDescription& body : description.bodies) {

@@ -1,4 +1,6 @@
-/// robot_soles.h - the soles of a robot's feet, worked out from the shapes of its feet.
+/// robot_soles.h - which frames of a robot's file are soles, and where soles are that it does not have.
+///
+/// Only what reads robots needs this; whoever has a model asks that (model/feet.h).
 #pragma once
 
 #include <optional>
@@ -6,8 +8,13 @@
 #include <vector>
 
 #include "murosimf/description/robot_description.h"
+#include "murosimf/robot/robot_config.h"
 
 namespace murosimf::robot {
+
+/// The one rule for files: a sole is a frame with a rectangle that [soles] of the table means; without such a section, any
+/// box site whose name ends with "sole". To be asked when soles are placed (role_inference.h).
+[[nodiscard]] bool is_sole(const description::FrameDescription& frame, const RobotConfig& table);
 
 /// Place of every body in the frame of the base, in the pose of the file.
 [[nodiscard]] std::vector<Transformd> body_places(const description::RobotDescription& description);

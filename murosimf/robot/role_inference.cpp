@@ -52,16 +52,16 @@ bool add_sole(description::RobotDescription& description, const Found& foot, con
   return sole.has_value();
 }
 
-bool has_sole_site(const description::RobotDescription& description) {
-  return std::ranges::any_of(description.bodies, [](const description::BodyDescription& body) {
-    return std::ranges::any_of(body.frames, [](const description::FrameDescription& f) {
-      return f.box && f.name.ends_with("sole");
-    });
+bool has_sole(const description::RobotDescription& description, const RobotConfig& table) {
+  return std::ranges::any_of(description.bodies, [&](const description::BodyDescription& body) {
+    return std::ranges::any_of(body.frames,
+                               [&](const description::FrameDescription& frame) { return is_sole(frame, table); });
   });
 }
 
-/// Frames that are called soles and have no rectangle.
-std::vector<std::string> sole_frames(const description::RobotDescription& description) {
+/// Frames that whoever wrote the file may have meant for soles. Not the rule of is_sole: they need no rectangle, since
+/// one is worked out for them, and capital letters do not matter for a guess that is shown to the user.
+std::vector<std::string> frames_called_sole(const description::RobotDescription& description) {
   std::vector<std::string> names;
   for (const description::BodyDescription& body : description.bodies) {
     for (const description::FrameDescription& frame : body.frames) {
@@ -83,9 +83,9 @@ void sort_feet(description::RobotDescription& description, std::vector<std::stri
   std::sort(feet.begin(), feet.begin() + 2, left_first);
 }
 
-void guess_soles(description::RobotDescription& description, RobotTable& table) {
-  if (!table.soles.empty() || has_sole_site(description)) return;
-  std::vector<std::string> feet = sole_frames(description);
+void guess_soles(description::RobotDescription& description, RobotConfig& table) {
+  if (!table.soles.empty() || has_sole(description, table)) return;
+  std::vector<std::string> feet = frames_called_sole(description);
   std::erase_if(feet, [&](const std::string& foot) {
     return !sole_under(description, find_place(description, foot)->body, foot);
   });
@@ -105,7 +105,7 @@ bool is_joint(const description::RobotDescription& description, const std::strin
   });
 }
 
-void take_frame(description::RobotDescription& description, RobotTable& table, const std::string& role,
+void take_frame(description::RobotDescription& description, RobotConfig& table, const std::string& role,
                 const std::string& name) {
   const bool taken = table.frames.contains(role) || table.joints.contains(role) || find_place(description, role) ||
                      is_joint(description, role) || role == description.base_joint;
@@ -137,7 +137,7 @@ std::string frame_of_sensor(description::RobotDescription& description, std::str
 }
 
 /// The last body on each side whose name says hand, gripper or wrist.
-void guess_hands(description::RobotDescription& description, RobotTable& table) {
+void guess_hands(description::RobotDescription& description, RobotConfig& table) {
   const auto places = body_places(description);
   std::map<std::string, std::string> hands;
   for (std::size_t i = 0; i < description.bodies.size(); ++i) {
@@ -150,7 +150,7 @@ void guess_hands(description::RobotDescription& description, RobotTable& table) 
   for (const auto& [role, name] : hands) take_frame(description, table, role, name);
 }
 
-void guess_frames(description::RobotDescription& description, RobotTable& table) {
+void guess_frames(description::RobotDescription& description, RobotConfig& table) {
   std::string imu = frame_of_sensor(description, "gyro");
   if (imu.empty()) imu = frame_of_sensor(description, "imu");
   take_frame(description, table, "imu", imu.empty() ? name_with(description, "imu", "imu_") : imu);
@@ -178,7 +178,7 @@ void guess_servo(description::JointDescription& joint) {
   joint.servo = servo;
 }
 
-void guess_servos(description::RobotDescription& description, const RobotTable& table) {
+void guess_servos(description::RobotDescription& description, const RobotConfig& table) {
   std::set<std::string> followers;
   for (const description::MimicDescription& mimic : description.mimics) followers.insert(mimic.joint);
   int guessed = 0;
@@ -197,7 +197,7 @@ void guess_servos(description::RobotDescription& description, const RobotTable& 
       description.bodies[0].where, guessed, full_torque_bend, full_force_shift));
 }
 
-std::string soles_toml(const RobotTable& table) {
+std::string soles_toml(const RobotConfig& table) {
   const std::vector<std::string_view> two{"left", "right"};
   const std::vector<std::string_view> four{"front_left", "front_right", "hind_left", "hind_right"};
   const auto& feet = table.soles.size() == 4 ? four : two;
@@ -208,7 +208,7 @@ std::string soles_toml(const RobotTable& table) {
   return table.soles.empty() ? "" : text + "\n";
 }
 
-std::string frames_toml(const RobotTable& table) {
+std::string frames_toml(const RobotConfig& table) {
   if (table.frames.empty()) return {};
   std::string text = "[frames]  # other names for frames, bodies and joints\n";
   for (const auto& [role, frame] : table.frames)
@@ -218,7 +218,7 @@ std::string frames_toml(const RobotTable& table) {
 
 }  // namespace
 
-void place_soles(description::RobotDescription& description, RobotTable& table) {
+void place_soles(description::RobotDescription& description, RobotConfig& table) {
   for (const TableName& sole : table.soles) {
     const auto found = find_place(description, sole.name);
     const bool placed = found && found->frame && found->frame->box;
@@ -230,13 +230,13 @@ void place_soles(description::RobotDescription& description, RobotTable& table) 
   }
 }
 
-void guess_roles(description::RobotDescription& description, RobotTable& table) {
+void guess_roles(description::RobotDescription& description, RobotConfig& table) {
   guess_soles(description, table);
   guess_frames(description, table);
   guess_servos(description, table);
 }
 
-std::string roles_toml(const description::RobotDescription& description, const RobotTable& table) {
+std::string roles_toml(const description::RobotDescription& description, const RobotConfig& table) {
   const std::string head = fmt::format(
       "# What the file of {} cannot say, partly guessed (docs/robots.md): correct it. Servos are on the output side "
       "of\n"

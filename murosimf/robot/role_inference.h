@@ -13,15 +13,15 @@ namespace murosimf::robot {
 
 /// Gives every sole of the table a frame with a rectangle: a foot, or a frame without a box, gets one under the shapes of
 /// its body. Throws SetupError, at the table's line, if there is none. To be called after the welding.
-void place_soles(description::RobotDescription& description, RobotTable& table);
+void place_soles(description::RobotDescription& description, RobotConfig& table);
 
 /// Completes `table` and `description` where both are silent:
 ///   soles    frames called "...sole", else the two or four feet that the robot stands on in the pose of the file
 ///   frames   imu, camera, left_hand, right_hand: by the names of frames, sensors and bodies
 ///   servos   law ideal_pd with the file's largest torque F and rate: gain F / 0.1 rad, damping 0.05 s of it
-void guess_roles(description::RobotDescription& description, RobotTable& table);
+void guess_roles(description::RobotDescription& description, RobotConfig& table);
 
 /// Soles, frames and servos as the TOML file that would stand beside the robot.
-[[nodiscard]] std::string roles_toml(const description::RobotDescription& description, const RobotTable& table);
+[[nodiscard]] std::string roles_toml(const description::RobotDescription& description, const RobotConfig& table);
 
 }  // namespace murosimf::robot

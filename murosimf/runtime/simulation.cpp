@@ -107,9 +107,7 @@ void Simulation::drop_columns_of(const Task& task) {
   for (const Access& access : task.access.all()) {
     const auto uses = [&](const auto& other) { return other.get() != &task && other->access.touches(access.column); };
     if (std::any_of(tasks_.begin(), tasks_.end(), uses)) continue;
-    for (const auto& entity : world_->entities()) {
-      entity->drop_columns([&](const ColumnBase* column) { return column == access.column; });
-    }
+    for (const auto& entity : world_->entities()) entity->columns().drop(access.column);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "murosimf/components/servo_description.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/setting_targets.h"
 
 namespace murosimf::scene {

@@ -11,6 +11,7 @@
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/odometer.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/render/field_picture.h"

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/property_checks.h"

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/scene/property_catalog.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::scene {

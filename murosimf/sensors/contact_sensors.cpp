@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/sensors/numbers.h"
 #include "murosimf/sensors/vec3_io.h"
@@ -22,8 +23,9 @@ std::array<double, 2> center_of_pressure(const Wrenchd& load) noexcept {
 }  // namespace
 
 ContactLoad::ContactLoad(Setup& setup, const SensorSpec& spec)
-    : mounting_(setup, spec),
-      soles_(setup.model().having(properties::sole)),
+    : model_(setup.model()),
+      mounting_(setup, spec),
+      feet_(feet_of(setup.model())),
       weight_(-setup.model().tree().mass * setup.world().gravity),
       r_(setup.read(properties::position)),
       R_(setup.read(properties::orientation)),
@@ -31,15 +33,10 @@ ContactLoad::ContactLoad(Setup& setup, const SensorSpec& spec)
       applied_(setup.input(properties::applied_force, {})),
       dynamic_(setup.input(properties::dynamic, 1)),
       stance_foot_(setup.observe(properties::stance_foot)) {
-  const Model& model = setup.model();
-  const auto& link_of = model.tree().link_of;
+  const auto& link_of = model_.tree().link_of;
   const int link = link_of[mounting_.link_object()];
-  for (const int body : model.bodies()) {
+  for (const int body : model_.bodies()) {
     if (link_of[body] == link) bodies_.push_back(body);
-  }
-  for (const int sole : soles_) {
-    own_sole_.push_back(link_of[sole] == link);
-    sole_arm_.push_back(model.placement(sole).offset);
   }
 }
 
@@ -60,9 +57,9 @@ Wrenchd ContactLoad::carried_weight() const noexcept {
   const double stance = stance_foot_[0];
   if (std::isnan(stance)) return {};
   const auto foot = static_cast<std::size_t>(stance);
-  if (foot >= soles_.size() || !own_sole_[foot]) return {};
   const int link = mounting_.link_object();
-  const Vec3d arm = r_[link] + R_[link] * sole_arm_[foot] - mounting_.position();
+  if (foot >= feet_.size() || !belongs_to(model_, feet_[foot], link)) return {};
+  const Vec3d arm = r_[link] + R_[link] * feet_[foot].place.offset - mounting_.position();
   const Mat3d to_sensor = transpose(mounting_.orientation());
   return {to_sensor * cross(arm, weight_), to_sensor * weight_};
 }

@@ -25,6 +25,7 @@
 #include <optional>
 
 #include "murosimf/math/spatial.h"
+#include "murosimf/model/feet.h"
 #include "murosimf/sensors/mounting.h"
 #include "murosimf/sensors/sensor.h"
 
@@ -40,12 +41,11 @@ class ContactLoad {
  private:
   [[nodiscard]] Wrenchd carried_weight() const noexcept;
 
+  const Model& model_;
   Mounting mounting_;
-  std::vector<int> bodies_;      // of the link
-  std::vector<int> soles_;       // of the model; those of the link are marked
-  std::vector<bool> own_sole_;   // by sole
-  std::vector<Vec3d> sole_arm_;  // [m] by sole: from its link's object, link axes
-  Vec3d weight_;                 // [N] world, what carries the robot
+  std::vector<int> bodies_;  // of the link
+  std::vector<Foot> feet_;   // of the model
+  Vec3d weight_;             // [N] world, what carries the robot
   std::span<const Vec3d> r_;
   std::span<const Mat3d> R_;
   std::span<const Wrenchd> external_, applied_;

@@ -15,7 +15,7 @@ namespace {
 
 robot::RobotFile read(const std::string& bodies, const std::string& rest = "") {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto file = fixtures::temp_folder() / (std::string("doctor_") + test->name() + ".xml");
+  const auto file = fixtures::temp_folder() / (std::string("checks_") + test->name() + ".xml");
   std::ofstream(file)
       << "<mujoco model='r'><compiler angle='radian'/>\n<worldbody>\n<body name='trunk'><freejoint/>\n"
       << "<inertial pos='0 0 0' mass='1' diaginertia='.01 .01 .01'/><geom type='box' size='.1 .1 .1'/>\n"
@@ -151,9 +151,9 @@ TEST(RobotRoles, ServosAreGuessedFromTorques) {
 TEST(RobotRoles, AreWrittenAsATableThatReadsBack) {
   const robot::RobotFile robot = read(leg("left", 0.1) + leg("right", -0.1) + "<site name='my_imu'/>");
   EXPECT_TRUE(robot.model->find_object("imu"));
-  const auto file = fixtures::temp_folder() / "doctor_roles.toml";
+  const auto file = fixtures::temp_folder() / "checks_roles.toml";
   std::ofstream(file) << robot::roles_toml(robot.description, robot.table);
-  const robot::RobotTable table = robot::read_robot_config(file);
+  const robot::RobotConfig table = robot::read_robot_config(file);
   ASSERT_EQ(table.soles.size(), 2u);
   EXPECT_EQ(table.soles[0].name, "left_foot");
   EXPECT_EQ(table.frames.at("imu").name, "my_imu");

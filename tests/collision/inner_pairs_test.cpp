@@ -4,6 +4,7 @@
 #include <set>
 
 #include "murosimf/collision/compound.h"
+#include "murosimf/collision/contact_properties.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::collision {

@@ -12,17 +12,17 @@ constexpr const char* level = "paper";
 // In numbers: s_c = 1e4 N/m, depth 2 mm, s_b = 0.4, s_mu = 5 s/m, s_nu = 0.01 m s. Tolerance: rounding.
 TEST(PaperLawTest, Equations4And5) {
   const PaperLaw law({.rebound = 0.4, .friction = 5, .spin_friction = 0.01});
-  ContactSet set = one_point(2e-3, {0.1, -0.2, -0.3});
+  LawCase set = one_point(2e-3, {0.1, -0.2, -0.3});
   ContactPoint& c = set.points[0];
   c.angular_velocity = {1, 2, 3};
-  law.prepare(set);
+  set.prepare(law);
   expect_law(level, "approaching point: error of the force", "eq. (4), (5): s_c depth n - s_mu |f_n| v_t",
              difference(c.force, {-5 * 20 * 0.1, 5 * 20 * 0.2, 20}), 1e-14, "N");
   expect_law(level, "approaching point: error of the moment", "eq. (5): -s_nu |f_n| w",
              difference(c.moment, {-0.2, -0.4, -0.6}), 1e-15, "N m");
 
   c.velocity.z = 0.3;
-  law.prepare(set);
+  set.prepare(law);
   expect_law(level, "separating point: error of the force", "eq. (4), (5): s_b s_c depth n - s_mu |f_n| v_t",
              difference(c.force, {-5 * 8 * 0.1, 5 * 8 * 0.2, 8}), 1e-14, "N");
   expect_law(level, "separating point: error of the moment", "eq. (5): -s_nu |f_n| w",
@@ -32,16 +32,16 @@ TEST(PaperLawTest, Equations4And5) {
 // Rule: the law is explicit: no damping is handed to motion, and every trial is accepted as it is.
 TEST(PaperLawTest, IsExplicit) {
   const PaperLaw law;
-  ContactSet set = one_point(1e-3, {1, 0, 0});
+  LawCase set = one_point(1e-3, {1, 0, 0});
   set.points[0].normal_damping = set.points[0].tangent_damping = set.points[0].angular_damping = 7;
-  law.prepare(set);
+  set.prepare(law);
   EXPECT_EQ(set.points[0].normal_damping, 0);
   EXPECT_EQ(set.points[0].tangent_damping, 0);
   EXPECT_EQ(set.points[0].angular_damping, 0);
   set.next_velocity[0] = {100, 0, 100};
   const Vec3d before = set.points[0].force;
-  EXPECT_TRUE(law.accept(set));
-  law.commit(set);
+  EXPECT_TRUE(set.accepted_by(law));
+  set.commit(law);
   EXPECT_EQ(difference(set.points[0].force, before), 0);
 }
 
@@ -51,10 +51,10 @@ TEST(PaperLawTest, FrictionIsTangential) {
   Dice dice("paper law");
   law::Worst error;
   for (int i = 0; i < 50; ++i) {
-    ContactSet set = one_point(2e-3, dice.vector(1));
+    LawCase set = one_point(2e-3, dice.vector(1));
     ContactPoint& c = set.points[0];
     c.normal = dice.unit();
-    law.prepare(set);
+    set.prepare(law);
     const double f_n = dot(c.velocity, c.normal) < 0 ? 20 : 8;
     error.see(std::abs(dot(c.force, c.normal) - f_n), "normal", i);
     EXPECT_LE(dot(tangential(c.force, c.normal), c.velocity), 0);
@@ -64,8 +64,8 @@ TEST(PaperLawTest, FrictionIsTangential) {
 }
 
 /// Seven points of three bodies; point i has feature i.
-ContactSet seven_points() {
-  ContactSet set = one_point(0);
+LawCase seven_points() {
+  LawCase set = one_point(0);
   set.points.resize(7, set.points[0]);
   const int objects[] = {4, 4, 9, 4, 9, 2, 2};
   const double depths[] = {1, 3, 5, 2, 4, 6, 7};
@@ -80,8 +80,8 @@ ContactSet seven_points() {
 // Rule: one point per body, the deepest.
 TEST(PaperLawTest, KeepsTheDeepestPointOfEveryBody) {
   const PaperLaw law;
-  ContactSet set = seven_points();
-  law.prepare(set);
+  LawCase set = seven_points();
+  set.prepare(law);
   ASSERT_EQ(set.points.size(), 3u);
   const std::pair<int, std::uint32_t> expected[] = {{4, 1}, {9, 2}, {2, 6}};  // object, feature
   for (std::size_t i = 0; i < 3; ++i) {
@@ -94,12 +94,12 @@ TEST(PaperLawTest, KeepsTheDeepestPointOfEveryBody) {
 // Rule: with all points, each feels what it would feel alone.
 TEST(PaperLawTest, KeepsAllPointsIfAsked) {
   const PaperLaw law({.one_point_per_body = false});
-  ContactSet set = seven_points();
-  law.prepare(set);
+  LawCase set = seven_points();
+  set.prepare(law);
   ASSERT_EQ(set.points.size(), 7u);
   for (const ContactPoint& c : set.points) {
-    ContactSet alone = one_point(c.depth);
-    law.prepare(alone);
+    LawCase alone = one_point(c.depth);
+    alone.prepare(law);
     EXPECT_GT(norm(c.force), 0);
     EXPECT_EQ(difference(c.force, alone.points[0].force), 0);
   }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/error.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/sensors/reading.h"

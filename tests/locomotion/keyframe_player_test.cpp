@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "murosimf/locomotion/gait_properties.h"
 #include "tests/physics/rig.h"
 
 namespace murosimf::locomotion {

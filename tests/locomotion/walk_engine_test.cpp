@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/behavior/ball_chaser.h"
+#include "murosimf/locomotion/gait_properties.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 

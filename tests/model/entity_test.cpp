@@ -1,11 +1,13 @@
 #include "murosimf/model/entity.h"
 
 #include <limits>
-#include <set>
 
 #include <gtest/gtest.h>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/world.h"
+#include "murosimf/motion/motion_properties.h"
 #include "tests/fixtures.h"
 
 namespace murosimf {
@@ -63,7 +65,7 @@ TEST(EntityTest, TypeClash) {
 TEST(EntityTest, FrozenColumns) {
   Entity entity("blue1", robot());
   const double* rows = entity.column(joint_position).values.data();
-  entity.freeze_columns();
+  entity.columns().freeze();
   EXPECT_EQ(entity.column(joint_position).values.data(), rows);
   EXPECT_TRUE(says(error_of([&] { entity.column(joint_velocity); }), {"entity 'blue1'", "'joint_velocity'", "frozen"}));
   EXPECT_EQ(entity.find(joint_velocity), nullptr);
@@ -312,19 +314,6 @@ TEST(EntityTest, StateHashTellsEntitiesApart) {
   world.entity("blue1").column(joint_position).values[3] = 1;
   other.entity("blue2").column(joint_position).values[3] = 1;
   EXPECT_NE(world.state_hash(), other.state_hash());
-}
-
-// Rule: the catalogue has every property once, constant ones first, each with unit, frame and meaning.
-TEST(EntityTest, Catalogue) {
-  std::set<std::string_view> names;
-  bool variable_seen = false;
-  for (const CatalogEntry& entry : catalog()) {
-    EXPECT_TRUE(names.insert(entry.info.name).second) << entry.info.name;
-    EXPECT_FALSE(entry.info.unit.empty() || entry.info.frame.empty() || entry.info.meaning.empty()) << entry.info.name;
-    EXPECT_FALSE(entry.constant && variable_seen) << entry.info.name;
-    variable_seen = variable_seen || !entry.constant;
-  }
-  for (const auto known : {"mass", "position", "external_damping", "walk_command"}) EXPECT_TRUE(names.contains(known));
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include "tests/fixtures.h"
 
+#include "murosimf/motion/motion_properties.h"
+
 namespace murosimf {
 namespace {
 

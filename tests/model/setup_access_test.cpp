@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/setup.h"
 #include "tests/fixtures.h"
 

@@ -4,6 +4,7 @@
 #include "murosimf/collision/contact.h"
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/motion/full_dynamics.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/simplified_dynamics.h"
 #include "murosimf/runtime/simulation.h"
 #include "tests/fixtures.h"

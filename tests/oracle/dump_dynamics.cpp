@@ -11,6 +11,7 @@
 #include <cstdio>
 
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/articulated_body.h"
 #include "murosimf/multibody/inverse_dynamics.h"
 #include "murosimf/multibody/kinematics.h"

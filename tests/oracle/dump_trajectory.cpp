@@ -8,6 +8,7 @@
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/articulated_dynamics.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/scene/registry.h"

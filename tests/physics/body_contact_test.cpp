@@ -1,6 +1,8 @@
 // Bodies that move against each other: what one gains the other loses, or its ledger shows.
 #include <gtest/gtest.h>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 

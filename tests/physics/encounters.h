@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "murosimf/collision/queries.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/field.h"
 #include "tests/physics/rig.h"
 

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/collision/paper_law.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"

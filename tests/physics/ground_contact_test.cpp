@@ -1,6 +1,7 @@
 // A box at rest on the ground, under every law and at every dynamic level.
 #include <gtest/gtest.h>
 
+#include "murosimf/collision/contact_properties.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 

@@ -1,6 +1,7 @@
 // A robot changes its level of detail in the middle of what it does: nobody sees a jump, nothing is lost.
 #include <gtest/gtest.h>
 
+#include "murosimf/motion/motion_properties.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/mechanics.h"

@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"

@@ -1,6 +1,8 @@
 // Friction of joints is a budget: it holds a loaded joint still, and takes a constant torque from one that slides.
 #include <gtest/gtest.h>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "tests/law.h"
 #include "tests/physics/friction_sets.h"
 #include "tests/physics/servo_variants.h"

@@ -1,6 +1,7 @@
 // Mechanisms with free joints on a bolted base: closed forms of textbook mechanics.
 #include <gtest/gtest.h>
 
+#include "murosimf/collision/contact_properties.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/bolted.h"

@@ -5,6 +5,7 @@
 
 #include "murosimf/model/entity.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::test {
 

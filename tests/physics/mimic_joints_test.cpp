@@ -1,6 +1,8 @@
 // Joints that another one takes along, at every level that has forces.
 #include <gtest/gtest.h>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/bolted.h"

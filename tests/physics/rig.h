@@ -16,6 +16,7 @@
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/motion/full_dynamics.h"
 #include "murosimf/motion/kinematic_walking.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/odometer.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/runtime/simulation.h"

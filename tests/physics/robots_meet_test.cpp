@@ -1,6 +1,8 @@
 // Two robots of any two levels fly into each other: momentum is kept, and nobody ends up inside the other.
 #include <gtest/gtest.h>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "tests/law.h"
 #include "tests/physics/encounters.h"
 

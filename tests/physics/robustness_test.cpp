@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/motion/simplified_dynamics.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"

@@ -55,7 +55,7 @@ inline ModelPtr kid21_with_m6() {
     const bool number = legs && line.find(" = ") != std::string::npos && !line.starts_with("joints");
     if (!number) changed << line << '\n';
     if (line != "[servos.mx64]") continue;
-    changed << "voltage = 12\nstall_torque = 8.300\nno_load_rate = 7.491\nposition_gain = 41.97\nduty_limit = 0.9625\n"
+    changed << "voltage = 12\nstall_torque = 8.300\nno_load_speed = 7.491\nposition_gain = 41.97\nduty_limit = 0.9625\n"
                "rotor_inertia = 0.01227\ncoulomb_friction = 6e-7\nviscous_friction = 0.02534\n"
                "stribeck_friction = 0.1227\nstribeck_rate = 2.575\nstribeck_exponent = 0.841\n"
                "motor_load_friction = 0.3115\nexternal_load_friction = 2e-8\nstribeck_motor_load_friction = 0.1877\n"

@@ -1,6 +1,7 @@
 // Springs in joints against the closed forms of oscillators.
 #include <gtest/gtest.h>
 
+#include "murosimf/motion/motion_properties.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/bolted.h"

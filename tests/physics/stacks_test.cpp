@@ -3,6 +3,7 @@
 
 #include "murosimf/collision/touches.h"
 #include "murosimf/geometry/hull.h"
+#include "murosimf/motion/motion_properties.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 

@@ -1,6 +1,8 @@
 // A robot that stands: no creep, no shaking, the right weight, also on a slope and while its arms swing.
 #include <gtest/gtest.h>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "tests/law.h"
 #include "tests/physics/arm_swinger.h"
 #include "tests/physics/rig.h"

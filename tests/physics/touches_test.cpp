@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/field.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/math/random.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"

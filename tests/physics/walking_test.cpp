@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "murosimf/collision/contact_properties.h"
 #include "tests/physics/walk.h"
 
 namespace murosimf::test {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/locomotion/gait_properties.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 

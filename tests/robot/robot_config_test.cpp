@@ -19,7 +19,7 @@ std::filesystem::path write(const std::string& text) {
   return file;
 }
 
-RobotTable read(const std::string& text) { return read_robot_config(write(text)); }
+RobotConfig read(const std::string& text) { return read_robot_config(write(text)); }
 
 /// What follows the file name in the complaint about `text`.
 std::string complaint(const std::string& text) {
@@ -37,11 +37,11 @@ std::string complaint(const std::string& text) {
 
 std::string servo(const std::string& joints = "joints = ['a', 'b']", const std::string& torque = "6") {
   return "[servos.x]\nstall_torque = " + torque +
-         "\nno_load_rate = 5\nposition_gain = 4\nrotor_inertia = 0.1\ncoulomb_friction = 0.2\n" + joints + "\n";
+         "\nno_load_speed = 5\nposition_gain = 4\nrotor_inertia = 0.1\ncoulomb_friction = 0.2\n" + joints + "\n";
 }
 
-TEST(RobotTable, ReadsWhatIsThere) {
-  const RobotTable table =
+TEST(RobotConfig, ReadsWhatIsThere) {
+  const RobotConfig table =
       read("[soles]\nleft = 'l'\nright = 'r'\n[surfaces]\ndefault = 'plastic'\nfoot = 'rubber'\n" + servo());
   ASSERT_EQ(table.soles.size(), 2u);
   EXPECT_EQ(table.soles[0].name, "l");
@@ -65,7 +65,7 @@ TEST(RobotTable, ReadsWhatIsThere) {
 std::string section(const std::string& lines) { return "[servos.x]\n" + lines + "\njoints = ['a']\n"; }
 Servo servo_of(const std::string& lines) { return read(section(lines)).servos.at("a").servo; }
 
-TEST(RobotTable, ReadsWhatAServoMayHaveToo) {
+TEST(RobotConfig, ReadsWhatAServoMayHaveToo) {
   const Servo a = read(servo("joints = ['a']\nlaw = 'dc_motor'\nvoltage = 12\nduty_limit = 0.9\ntorque_limit = 3\n"
                              "viscous_friction = 0.3\ncommand_delay = 0.01"))
                       .servos.at("a")
@@ -77,7 +77,7 @@ TEST(RobotTable, ReadsWhatAServoMayHaveToo) {
   EXPECT_EQ(a.command_delay, 0.01);
 }
 
-TEST(RobotTable, ReadsFirmwareBacklashAndHeatOfAServo) {
+TEST(RobotConfig, ReadsFirmwareBacklashAndHeatOfAServo) {
   const Servo a = servo_of(
       "type = 'mx64'\nbacklash = 0.01\nencoder_step = 0.0015\ndead_band = 0.002\ncommand_period = 0.008\n"
       "heat_capacity = 40\nthermal_resistance = 8\nambient_temperature = -5\nderating_temperature = 60\n"
@@ -93,7 +93,7 @@ TEST(RobotTable, ReadsFirmwareBacklashAndHeatOfAServo) {
   EXPECT_EQ(a.heat.temperature_limit, 80);
 }
 
-TEST(RobotTable, StartsFromAReadyMadeServo) {
+TEST(RobotConfig, StartsFromAReadyMadeServo) {
   const Servo mx64 = components::read_servo("mx64");
   const Servo a = servo_of("type = 'mx64'\ncoulomb_friction = 0.2");
   EXPECT_EQ(a.type, "mx64");
@@ -103,7 +103,7 @@ TEST(RobotTable, StartsFromAReadyMadeServo) {
   EXPECT_EQ(a.position_gain, mx64.position_gain);
 }
 
-TEST(RobotTable, AnotherVoltageScalesAReadyMadeServo) {
+TEST(RobotConfig, AnotherVoltageScalesAReadyMadeServo) {
   const Servo mx64 = components::read_servo("mx64");
   const Servo a = servo_of("type = 'mx64'\nvoltage = 18\nposition_gain = 7");
   EXPECT_EQ(a.voltage, 18);
@@ -114,7 +114,7 @@ TEST(RobotTable, AnotherVoltageScalesAReadyMadeServo) {
   EXPECT_DOUBLE_EQ(servo_of("type = 'mx64'\nvoltage = 6").position_gain, 0.5 * mx64.position_gain);
 }
 
-TEST(RobotTable, ACurrentLimitBecomesATorque) {
+TEST(RobotConfig, ACurrentLimitBecomesATorque) {
   // k_t = voltage / no_load_speed = 12 V / (5 rad/s) = 2.4 N m/A, at any voltage
   const std::string numbers = servo("joints = ['a']\nvoltage = 12\ncurrent_limit = 2");
   EXPECT_DOUBLE_EQ(read(numbers).servos.at("a").servo.torque_limit, 4.8);
@@ -123,7 +123,7 @@ TEST(RobotTable, ACurrentLimitBecomesATorque) {
   EXPECT_NEAR(servo_of("type = 'mx64'\nvoltage = 15\ncurrent_limit = 2").torque_limit, torque, 1e-12);
 }
 
-TEST(RobotTable, ReadsAnIdealServo) {
+TEST(RobotConfig, ReadsAnIdealServo) {
   const Servo a = servo_of("law = 'ideal_pd'\nposition_gain = 30\nrotor_inertia = 0.01\nvelocity_gain = 2");
   EXPECT_EQ(a.law, "ideal_pd");
   EXPECT_EQ(a.position_gain, 30);
@@ -142,17 +142,17 @@ std::string servo_file(const std::string& text) {
   return file.stem().string();
 }
 const std::string own_servo =
-    "stall_torque = 6\nno_load_rate = 5\nposition_gain = 4\nrotor_inertia = 0.1\ncoulomb_friction = 0.2\n";
+    "stall_torque = 6\nno_load_speed = 5\nposition_gain = 4\nrotor_inertia = 0.1\ncoulomb_friction = 0.2\n";
 
-TEST(RobotTable, FindsServoFilesBesideIt) {
+TEST(RobotConfig, FindsServoFilesBesideIt) {
   const std::string type = servo_file(own_servo);
-  const Servo a = servo_of("type = '" + type + "'\nno_load_rate = 8");
+  const Servo a = servo_of("type = '" + type + "'\nno_load_speed = 8");
   EXPECT_EQ(a.type, type);
   EXPECT_EQ(a.stall_torque, 6);
   EXPECT_EQ(a.no_load_speed, 8);
 }
 
-TEST(RobotTable, NamesMistakesInServoFiles) {
+TEST(RobotConfig, NamesMistakesInServoFiles) {
   const auto complaint_of = [](const std::string& text, const std::string& more = "") {
     return complaint(section("type = '" + servo_file(text) + "'\n" + more));
   };
@@ -162,7 +162,7 @@ TEST(RobotTable, NamesMistakesInServoFiles) {
   EXPECT_EQ(complaint_of("stall = 1\n"),
             ":2:8: " + file + ":1:1: unknown key of a servo 'stall'; did you mean 'stall_torque'?");
   EXPECT_EQ(complaint_of(own_servo + "joints = ['a']\n").substr(0, 6), ":2:8: ");
-  EXPECT_EQ(complaint_of("stall_torque = 1\nno_load_rate = 2\n"),
+  EXPECT_EQ(complaint_of("stall_torque = 1\nno_load_speed = 2\n"),
             ":2:8: " + file +
                 ":1:1: servo 'servo_NamesMistakesInServoFiles' needs position_gain, rotor_inertia, coulomb_friction");
   EXPECT_TRUE(complaint_of(own_servo, "voltage = 12")
@@ -170,26 +170,26 @@ TEST(RobotTable, NamesMistakesInServoFiles) {
                                "does not say at which voltage its numbers hold"));
 }
 
-TEST(RobotTable, MayBeEmptyOrMissing) {
+TEST(RobotConfig, MayBeEmptyOrMissing) {
   EXPECT_TRUE(read("").soles.empty());
   EXPECT_TRUE(read_table_beside("nowhere/robot.xml").servos.empty());
   EXPECT_THROW((void)read_robot_config("nowhere/robot.toml"), SetupError);
 }
 
-TEST(RobotTable, Kid21NamesAServoForEachJoint) {
+TEST(RobotConfig, Kid21NamesAServoForEachJoint) {
   const auto table = read_table_beside(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml");
   EXPECT_EQ(table.servos.size(), 21u);
   EXPECT_EQ(table.surface("r_foot"), "rubber");
 }
 
-TEST(RobotTable, NamesUnknownKeys) {
+TEST(RobotConfig, NamesUnknownKeys) {
   EXPECT_EQ(complaint("\n[sols]\n"), ":2:2: unknown table 'sols'; did you mean 'soles'?");
   EXPECT_EQ(complaint("[soles]\nlet = 'l'\n"), ":2:1: unknown sole 'let'; did you mean 'left'?");
   EXPECT_EQ(complaint(servo("stall_torqe = 1")),
             ":7:1: unknown key of a servo 'stall_torqe'; did you mean 'stall_torque'?");
 }
 
-TEST(RobotTable, NamesBadValues) {
+TEST(RobotConfig, NamesBadValues) {
   EXPECT_EQ(complaint(servo("joints = ['a']", "nan")), ":2:16: 'stall_torque' must be a finite number, at least 0");
   EXPECT_EQ(complaint(servo("joints = ['a']", "-1")), ":2:16: 'stall_torque' must be a finite number, at least 0");
   EXPECT_EQ(complaint(servo("joints = ['a']", "'6'")), ":2:16: 'stall_torque' must be a finite number, at least 0");
@@ -198,7 +198,7 @@ TEST(RobotTable, NamesBadValues) {
   EXPECT_EQ(complaint("[surfaces]\nfoot = 3\n"), ":2:8: 'foot' must be a name in quotes");
 }
 
-TEST(RobotTable, NamesBadNumbersOfServos) {
+TEST(RobotConfig, NamesBadNumbersOfServos) {
   const std::string infinite = "'viscous_friction' must be a finite number, at least 0";
   EXPECT_EQ(complaint(section("type = 'mx64'\nviscous_friction = inf")), ":3:20: " + infinite);
   EXPECT_EQ(complaint(section("type = 'mx64'\nviscous_friction = -0.1")), ":3:20: " + infinite);
@@ -228,7 +228,7 @@ TEST(RobotTable, NamesBadNumbersOfServos) {
   EXPECT_EQ(complaint(section("type = 'mx64'\ncurrent_limit = 1.7e308")), ":1:9: torque_limit" + large);
 }
 
-TEST(RobotTable, NamesUnknownTypesAndLaws) {
+TEST(RobotConfig, NamesUnknownTypesAndLaws) {
   EXPECT_EQ(complaint(section("type = 'mx65'")), ":2:8: unknown servo type 'mx65'; did you mean 'mx64'?");
   EXPECT_EQ(complaint(section("type = 64")), ":2:8: 'type' must be a name in quotes");
   EXPECT_EQ(complaint(section("law = 'dc_moter'")), ":2:7: unknown servo law 'dc_moter'; did you mean 'dc_motor'?");
@@ -239,7 +239,7 @@ TEST(RobotTable, NamesUnknownTypesAndLaws) {
             ":3:1: 'duty_limit' means nothing to servo law 'ideal_pd'; remove it");
 }
 
-TEST(RobotTable, NamesWhatAServoLacks) {
+TEST(RobotConfig, NamesWhatAServoLacks) {
   EXPECT_EQ(complaint("[servos.x]\nstall_torque = 1\n"),
             ":1:9: servo 'x' needs no_load_speed, position_gain, rotor_inertia, coulomb_friction");
   EXPECT_EQ(complaint(section("law = 'ideal_pd'\nstall_torque = 1")),
@@ -249,10 +249,10 @@ TEST(RobotTable, NamesWhatAServoLacks) {
   EXPECT_TRUE(complaint(servo("joints = ['a', 'a']")).starts_with(":7:16: joint 'a' has servo 'x' already"));
 }
 
-TEST(RobotTable, NamesBrokenText) { EXPECT_TRUE(complaint("[soles\n").starts_with(":1:7: ")); }
+TEST(RobotConfig, NamesBrokenText) { EXPECT_TRUE(complaint("[soles\n").starts_with(":1:7: ")); }
 
-TEST(RobotTable, NamesWhatTheRobotDoesNotHave) {
-  const RobotTable table = read(servo("joints = ['knee_lft']"));
+TEST(RobotConfig, NamesWhatTheRobotDoesNotHave) {
+  const RobotConfig table = read(servo("joints = ['knee_lft']"));
   try {
     check_names(table, {.joints = {"knee_left", "knee_right"}});
     FAIL();

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/formats/mjcf/mjcf_writer.h"
 #include "murosimf/geometry/mesh_mass.h"
 #include "murosimf/robot/robot_config.h"

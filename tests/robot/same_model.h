@@ -9,6 +9,7 @@
 
 #include "murosimf/model/model.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/kinematics.h"
 #include "tests/fixtures.h"
 

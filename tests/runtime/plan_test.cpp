@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
+#include "murosimf/motion/motion_properties.h"
 
 namespace murosimf {
 namespace {

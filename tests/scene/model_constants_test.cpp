@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
 #include "tests/temp_folder.h"
 

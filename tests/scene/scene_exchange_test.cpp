@@ -3,7 +3,10 @@
 
 #include <fstream>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
 #include "tests/temp_folder.h"
 

@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "murosimf/scene/property_catalog.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene.h"

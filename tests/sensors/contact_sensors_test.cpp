@@ -4,7 +4,10 @@
 #include <cmath>
 #include <map>
 
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/components/sensor_types.h"
+#include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"

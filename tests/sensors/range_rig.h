@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "murosimf/components/sensor_types.h"
+#include "murosimf/motion/motion_properties.h"
 #include "tests/fixtures.h"
 #include "tests/physics/rig.h"
 

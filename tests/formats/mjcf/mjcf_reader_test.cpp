@@ -12,6 +12,7 @@
 
 #include "murosimf/formats/mjcf/mjcf_geom.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/kinematics.h"
 #include "tests/temp_folder.h"
 

@@ -1,0 +1,14 @@
+#include "murosimf/behavior/behavior_properties.h"
+
+#include <array>
+
+namespace murosimf::properties {
+namespace {
+
+constexpr std::array entries{variable(pose_estimate), variable(pose_spread), variable(next_waypoint)};
+
+}  // namespace
+
+std::span<const CatalogEntry> behavior_list() { return entries; }
+
+}  // namespace murosimf::properties

@@ -1,0 +1,17 @@
+#include "murosimf/collision/contact_properties.h"
+
+#include <array>
+
+namespace murosimf::properties {
+namespace {
+
+constexpr std::array entries{constant(excluded_pairs),    constant(allowed_pairs),  variable(applied_force),
+                             variable(interaction_force), variable(external_force), variable(external_damping),
+                             variable(dynamic),           variable(stance_foot),    variable(separation),
+                             variable(absorbed_impulse)};
+
+}  // namespace
+
+std::span<const CatalogEntry> contact_list() { return entries; }
+
+}  // namespace murosimf::properties

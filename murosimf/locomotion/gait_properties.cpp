@@ -1,0 +1,17 @@
+#include "murosimf/locomotion/gait_properties.h"
+
+#include <array>
+
+namespace murosimf::properties {
+namespace {
+
+constexpr std::array entries{variable(walk_command),   variable(gait_velocity),   variable(path_curvature),
+                             variable(gait_phase),     variable(gait_amplitude),  variable(motion_time),
+                             variable(balance_up),     variable(balance_upright), variable(balance_bias),
+                             variable(balance_capture)};
+
+}  // namespace
+
+std::span<const CatalogEntry> gait_list() { return entries; }
+
+}  // namespace murosimf::properties

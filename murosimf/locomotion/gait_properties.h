@@ -1,0 +1,30 @@
+/// gait_properties.h - properties of what makes a robot walk, drive and keep its balance.
+#pragma once
+
+#include <span>
+
+#include "murosimf/model/property.h"
+#include "murosimf/model/value.h"
+
+namespace murosimf::properties {
+
+// clang-format off
+
+// ---- variable: one for the whole entity ----
+inline constexpr Property<Vec3d>  walk_command       {{"walk_command", "m/s, m/s, rad/s", "robot, x forward", "desired walking velocity", Scope::base}};
+inline constexpr Property<Vec3d>  gait_velocity      {{"gait_velocity", "m/s, m/s, rad/s", "robot, x forward", "walking velocity after the slew limits", Scope::base}};
+inline constexpr Property<double> path_curvature     {{"path_curvature", "1/m", "-", "of the path that a car drives, positive to the left", Scope::base}};
+inline constexpr Property<double> gait_phase         {{"gait_phase", "rad", "-", "0 to pi: left foot stands", Scope::base}};
+inline constexpr Property<double> gait_amplitude     {{"gait_amplitude", "1", "-", "0 stands, 1 walks", Scope::base}};
+inline constexpr Property<double> motion_time        {{"motion_time", "s", "-", "since the start of the key-frame motion", Scope::base}};
+inline constexpr Property<Vec3d>  balance_up         {{"balance_up", "1", "sensor", "unit vector upward, as the controller that balances takes it", Scope::base}};
+inline constexpr Property<Vec3d>  balance_upright    {{"balance_upright", "1", "sensor", "mean direction of gravity while the robot settled", Scope::base}};
+inline constexpr Property<Vec3d>  balance_bias       {{"balance_bias", "rad/s", "sensor", "mean of the gyroscope while the robot settled", Scope::base}};
+inline constexpr Property<double> balance_capture    {{"balance_capture", "rad", "-", "lean forward at which the robot would come to rest, smoothed", Scope::base}};
+
+// clang-format on
+
+/// Every property of this page, constant ones first.
+[[nodiscard]] std::span<const CatalogEntry> gait_list();
+
+}  // namespace murosimf::properties

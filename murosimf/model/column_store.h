@@ -1,0 +1,73 @@
+/// column_store.h - the columns of one entity, by the names of their properties.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "murosimf/model/column.h"
+
+namespace murosimf {
+
+class ColumnStore {
+ public:
+  /// `owner` is the entity's name, for messages; `objects` are the rows of a column that every object has.
+  ColumnStore(std::string owner, std::size_t objects) : owner_(std::move(owner)), objects_(objects) {}
+
+  /// The column of a property, created if need be. Throws SetupError if the columns are frozen, or if another
+  /// property of the same name has another type.
+  template <class T>
+  Column<T>& column(const Property<T>& property);
+  /// Null if there is none, or one of another type.
+  template <class T>
+  [[nodiscard]] const Column<T>* find(const Property<T>& property) const;
+  [[nodiscard]] ColumnBase* find(std::string_view property) const;
+
+  /// In the order of their names: pairs of name and column.
+  [[nodiscard]] auto begin() const { return columns_.begin(); }
+  [[nodiscard]] auto end() const { return columns_.end(); }
+  [[nodiscard]] std::size_t size() const { return columns_.size(); }
+  [[nodiscard]] bool empty() const { return columns_.empty(); }
+
+  /// From now on no column can be added; spans stay valid for good.
+  void freeze() { frozen_ = true; }
+  /// Columns can be added again, as before freeze().
+  void thaw() { frozen_ = false; }
+  /// Removes a column, of which nobody may have spans any more. Does nothing if it is not one of these.
+  void drop(const ColumnBase* column);
+
+ private:
+  [[noreturn]] void refuse_new(const PropertyInfo& info) const;
+  [[noreturn]] void refuse_type(const PropertyInfo& info) const;
+
+  std::string owner_;
+  std::size_t objects_;
+  std::map<std::string, std::unique_ptr<ColumnBase>, std::less<>> columns_;
+  bool frozen_ = false;
+};
+
+// ---- definitions ----
+
+template <class T>
+Column<T>& ColumnStore::column(const Property<T>& property) {
+  auto found = columns_.find(property.name);
+  if (found == columns_.end()) {
+    if (frozen_) refuse_new(property);
+    const std::size_t rows = property.scope == Scope::object ? objects_ : 1;
+    found = columns_.emplace(std::string(property.name), nullptr).first;
+    Property<T> own = property;
+    own.name = found->first;  // a name that was put together for the call may end with it
+    found->second = std::make_unique<Column<T>>(own, rows);
+  }
+  if (found->second->type() != typeid(T)) refuse_type(property);
+  return static_cast<Column<T>&>(*found->second);
+}
+
+template <class T>
+const Column<T>* ColumnStore::find(const Property<T>& property) const {
+  const ColumnBase* found = find(property.name);
+  return found && found->type() == typeid(T) ? static_cast<const Column<T>*>(found) : nullptr;
+}
+
+}  // namespace murosimf

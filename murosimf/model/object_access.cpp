@@ -1,0 +1,84 @@
+#include "murosimf/model/object_access.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/entity.h"
+
+namespace murosimf {
+
+const Model& ObjectAccess::model() const { return entity_->model(); }
+
+ColumnStore& ObjectAccess::columns() const { return entity_->columns(); }
+
+void ObjectAccess::count_change() { entity_->count_change(); }
+
+void ObjectAccess::refuse_unused(const PropertyInfo& info) const {
+  throw SetupError(fmt::format("{} has no '{}': no attached algorithm uses it", where(), info.name));
+}
+
+const std::string& ObjectAccess::name() const { return model().objects()[object_].name; }
+
+std::string ObjectAccess::where() const { return fmt::format("entity '{}', object '{}'", entity_->name(), name()); }
+
+std::size_t ObjectAccess::row(const ColumnBase& column) const {
+  if (column.info().scope == Scope::object) return static_cast<std::size_t>(object_);
+  if (object_ != 0) {
+    throw SetupError(fmt::format("{} has no '{}': only the base '{}' has it", where(), column.info().name,
+                                 model().objects()[0].name));
+  }
+  return 0;
+}
+
+Quantity ObjectAccess::get(std::string_view property) const {
+  update_structural(model(), columns(), object_);
+  if (const ColumnBase* column = columns().find(property); column && column->numbers() > 0) {
+    Quantity quantity{{}, column->info().unit};
+    for (std::size_t i = 0; i < column->numbers(); ++i) quantity.numbers.push_back(column->get(row(*column), i));
+    return quantity;
+  }
+  const auto& constants = model().constants().columns();
+  if (const auto found = constants.find(property); found != constants.end()) {
+    auto numbers = found->second->numbers(object_);
+    if (!numbers.empty()) return {std::move(numbers), found->second->info().unit};
+  }
+  throw SetupError(fmt::format("{}: {}", where(), unknown_name("property", property, properties())));
+}
+
+void ObjectAccess::set(std::string_view property, std::span<const double> numbers) {
+  ColumnBase* column = columns().find(property);
+  if (!column || column->numbers() == 0) {
+    if (model().constants().columns().contains(property)) {
+      throw SetupError(fmt::format("{}: '{}' is a constant of the model", where(), property));
+    }
+    throw SetupError(fmt::format("{}: {}", where(), unknown_name("property", property, properties())));
+  }
+  if (model().objects()[object_].structural && column->info().scope == Scope::object) {
+    throw SetupError(fmt::format("{} cannot be set: it only gives the tree its shape and follows '{}'", where(),
+                                 model().objects()[model().tree().links[model().tree().link_of[object_]].object].name));
+  }
+  if (numbers.size() != column->numbers()) {
+    throw SetupError(fmt::format("{}: '{}' takes {} number{}, not {}", where(), property, column->numbers(),
+                                 column->numbers() == 1 ? "" : "s", numbers.size()));
+  }
+  for (const double number : numbers) {
+    if (!std::isfinite(number)) throw SetupError(fmt::format("{}: '{}' cannot be {}", where(), property, number));
+  }
+  const std::size_t target = row(*column);
+  for (std::size_t i = 0; i < numbers.size(); ++i) column->set(target, i, numbers[i]);
+  count_change();
+}
+
+std::vector<std::string_view> ObjectAccess::properties() const {
+  std::vector<std::string_view> names;
+  for (const auto& [name, column] : columns()) {
+    if (column->numbers() > 0 && (object_ == 0 || column->info().scope == Scope::object)) names.push_back(name);
+  }
+  for (const auto& [name, column] : model().constants().columns()) {
+    if (!column->numbers(object_).empty()) names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace murosimf

@@ -1,0 +1,45 @@
+#include "murosimf/motion/motion_properties.h"
+
+#include <array>
+
+namespace murosimf::properties {
+namespace {
+
+constexpr std::array entries{constant(joint_damping),
+                             constant(joint_armature),
+                             constant(joint_friction),
+                             constant(joint_stiffness),
+                             constant(joint_spring_reference),
+                             constant(joint_coupling),
+                             variable(joint_load),
+                             variable(coupling_torque),
+                             variable(felt_acceleration),
+                             variable(sent_target),
+                             variable(sent_target_age),
+                             variable(backlash_play),
+                             variable(backlash_side),
+                             variable(rotor_rate),
+                             variable(torque_need),
+                             variable(overload),
+                             variable(cycle_target),
+                             variable(base_quaternion),
+                             variable(total_mass),
+                             variable(common_center_of_mass),
+                             variable(common_center_of_mass_velocity),
+                             variable(common_inertia),
+                             variable(stance_pose),
+                             variable(remaining_shift),
+                             variable(remaining_turn),
+                             variable(distance_walked),
+                             variable(falls),
+                             variable(lying),
+                             variable(distance_sample),
+                             variable(up_at_start),
+                             variable(written_position),
+                             variable(written_velocity)};
+
+}  // namespace
+
+std::span<const CatalogEntry> motion_list() { return entries; }
+
+}  // namespace murosimf::properties
