@@ -7,7 +7,6 @@
 #pragma once
 
 #include "murosimf/model/algorithm.h"
-#include "murosimf/model/properties.h"
 #include "murosimf/model/setup.h"
 
 namespace murosimf::behavior {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/locomotion/gait_properties.h"
 #include "tests/physics/rig.h"
 
 namespace murosimf::behavior {

@@ -1,5 +1,7 @@
 #include "murosimf/motion/new_name.h"
 
+#include "murosimf/collision/contact_properties.h"
+
 namespace murosimf::motion {
 
 NewName::NewName(Setup& setup, const JointReferenceOptions& reference)

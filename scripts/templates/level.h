@@ -28,7 +28,7 @@ class NewName final : public MotionLevel {
  private:
   void move_links() noexcept;
 
-  // All state is in columns: what a level remembers besides is a property of its own (model/properties.h).
+  // All state is in columns: what a level remembers besides is a property of its own (motion_properties.h).
   Entity& entity_;
   PoseColumns columns_;
   JointReference reference_;
