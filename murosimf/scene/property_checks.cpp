@@ -226,7 +226,7 @@ std::string check_object(Simulation& simulation, const SceneSpec& spec, const Pr
   if (!robot) return {};  // a ball is at one level, which has them all
   if (auto why = why_it_does_not_act(spec, *robot, entity, index, *property, time); !why.empty()) return why;
   const auto levels = levels_from(spec, *robot, time);
-  if (!levels.front()->dynamic && levels.size() == 1 && moves_height(setting, entity)) {
+  if (!has_word(levels.front()->options, "position.z") && levels.size() == 1 && moves_height(setting, entity)) {
     return fmt::format("{} does not use z of 'position'", levels.front()->name);
   }
   return {};

@@ -1,0 +1,26 @@
+/// new_name.h - sensor `new_name`: how high it is.
+///
+/// Output `height` [m]: of the sensor above the plane z = 0, world frame, whatever it is mounted on.
+///
+///     height = e_z . r      r: place of the sensor, world
+///
+/// Here stand the equations of a sensor, their source (a paper, a data sheet) and what it does not model. Rate, delay, noise,
+/// filter, saturation and conversion come for nothing (sensor.h).
+#pragma once
+
+#include "murosimf/sensors/mounting.h"
+#include "murosimf/sensors/sensor.h"
+
+namespace murosimf::sensors {
+
+class NewName final : public Sensor {
+ public:
+  NewName(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
+
+ private:
+  void measure(std::span<double> values) noexcept override;
+
+  Mounting mounting_;
+};
+
+}  // namespace murosimf::sensors
