@@ -1,3 +1,11 @@
+# With MUROSIMF_UNITY several sources of a folder are compiled as one: half of compiling is reading the same headers again.
+# Left alone are sources whose names in anonymous namespaces others of their folder have, too, or that define macros.
+set(murosimf_folders_alone geometry)
+set_source_files_properties(behavior/localize.cpp components/sensor_signal.cpp components/sensor_toml.cpp
+  components/servo_description.cpp files/data_path.cpp formats/mesh/obj_file.cpp formats/urdf/urdf_joint.cpp
+  locomotion/gait_clock.cpp motion/joint_stop.cpp robot/role_inference.cpp render/depth_image.cpp render/image_png.cpp render/opengl/gl_drawing.cpp
+  PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+
 # With MUROSIMF_PRECOMPILE: what nearly all sources of the library include, compiled once for all folders.
 function(murosimf_precompile)
   if(NOT MUROSIMF_PRECOMPILE)
@@ -41,7 +49,7 @@ function(murosimf_folder folder)
   if(MUROSIMF_PRECOMPILE AND NOT folder STREQUAL "multibody")
     target_precompile_headers(${target} REUSE_FROM murosimf_precompiled)
   endif()
-  if(MUROSIMF_UNITY)
+  if(MUROSIMF_UNITY AND NOT folder IN_LIST murosimf_folders_alone)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 9)
   endif()
 endfunction()
