@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/collision_probe.h"
-#include "apps/commands.h"
+#include "apps/command_line.h"
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/progress.h"
@@ -16,6 +16,16 @@
 
 namespace murosimf::app {
 namespace {
+
+struct BenchOptions {
+  std::string what;
+  std::string json;  ///< file, "-" for standard output
+};
+
+void define(const Command& command, BenchOptions& options) {
+  command.add("what", options.what, "collision").required().one_of({"collision"});
+  add_json(command, options.json);
+}
 
 /// A scene to measure, and when: [s] of simulated time.
 struct Case {
@@ -137,8 +147,6 @@ std::optional<scene::CollisionReport> measure(const Case& measured, BenchProgres
   return report;
 }
 
-}  // namespace
-
 int bench(const BenchOptions& options) {
   check_json_file(options.json);
   end_gently();
@@ -155,6 +163,12 @@ int bench(const BenchOptions& options) {
   }
   write_result(options.json, scene::to_text(reports), scene::to_json(reports));
   return exit_code();
+}
+
+}  // namespace
+
+void add_bench(CommandLine& line) {
+  line.add<BenchOptions>("bench", "Measure what a part of the simulation costs", define, bench);
 }
 
 }  // namespace murosimf::app

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands.h"
+#include "apps/command_line.h"
 #include "apps/last_words.h"
 #include "apps/standard_output.h"
 #include "murosimf/appearance/robot_picture.h"
@@ -18,6 +18,25 @@
 
 namespace murosimf::app {
 namespace {
+
+struct CheckOptions {
+  std::string model;
+  std::string json;     ///< file, "-" for standard output
+  std::string picture;  ///< PNG file
+  std::string roles;    ///< TOML file
+  bool lenient = false;
+};
+
+void define(const Command& command, CheckOptions& options) {
+  command.add("model", options.model, "Robot file (MJCF or URDF), or the name of one that comes with the program")
+      .required()
+      .offers_list("models");
+  add_json(command, options.json);
+  command.add("--picture", options.picture, "Write a PNG picture of the robot from four sides");
+  command.add("--roles", options.roles,
+              "Write the soles, frames and servos that were found or guessed (TOML), to be corrected");
+  command.add("--lenient", options.lenient, "Accept unknown elements, with a warning");
+}
 
 /// The robot, or as much of it as can be read leniently; then `error` says what kept it from being read strictly.
 struct Reading {
@@ -74,8 +93,6 @@ int show(const CheckOptions& options, const Reading& reading) {
   return wrong ? 1 : 0;
 }
 
-}  // namespace
-
 int check(const CheckOptions& options) {
   check_json_file(options.json);
   const auto file = files::find_data_file(options.model, "models", ".xml");
@@ -86,6 +103,12 @@ int check(const CheckOptions& options) {
     return report_unreadable(options, error);
   }
   return show(options, *reading);
+}
+
+}  // namespace
+
+void add_check(CommandLine& line) {
+  line.add<CheckOptions>("check", "Read a robot, show what is in it and what is wrong with it", define, check);
 }
 
 }  // namespace murosimf::app

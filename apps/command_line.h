@@ -1,24 +1,72 @@
-/// command_line.h - what the definition of the command line gives besides parsing: completions for shells, and a manual.
+/// command_line.h - the commands of the program: each adds itself with its options, and the one that the user names runs.
+///
+/// A command is a source apps/NAME.cpp that defines add_NAME, and one line in the list of apps/main.cpp:
+///
+///     struct PlotOptions {
+///       std::string file;  ///< CSV
+///     };
+///
+///     void define(const Command& command, PlotOptions& options) {
+///       command.add("file", options.file, "Table (CSV) with a header and the time in its first column").required();
+///     }
+///
+///     int plot(const PlotOptions& options) { ... }  // the exit code; SetupError for users' mistakes
+///
+///     void add_plot(CommandLine& line) { line.add<PlotOptions>("plot", "Draw numbers over time", define, plot); }
+///
+/// --help, completions and the manual page are made of that.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
+#include "apps/command.h"
 
 namespace murosimf::app {
 
-/// Shells that have completions.
-[[nodiscard]] const std::vector<std::string>& completion_shells();
+/// What is said of an option.
+struct OptionText {
+  std::string name;  ///< "--threads"; of a positional argument: "scene"
+  std::string meaning;
+  bool positional = false, takes_value = false;
+  Offer offer;
+};
 
-/// A script that completes commands, options, and the names of scenes, models and lists. `shell`: bash or zsh.
-[[nodiscard]] std::string completion_script(const CLI::App& app, std::string_view shell);
+struct CommandText {
+  std::string name, meaning;
+  std::vector<OptionText> options;  ///< as they were added, behind --help
+};
 
-/// The manual page murosimf(1), for man (roff).
-[[nodiscard]] std::string manual_page(const CLI::App& app);
+class CommandLine {
+ public:
+  CommandLine();
+  ~CommandLine();
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
 
-/// What can be listed, by `murosimf list`.
-[[nodiscard]] const std::vector<std::string>& list_kinds();
+  /// A command whose options `define` adds; `action` gets them and returns the exit code.
+  template <class Options>
+  void add(const std::string& name, const std::string& meaning, void (*define)(const Command&, Options&),
+           int (*action)(const Options&)) {
+    const auto options = std::make_shared<Options>();
+    define(add(name, meaning, [options, action] { return action(*options); }), *options);
+  }
+  /// One whose options, if it has any, `action` holds.
+  Command add(const std::string& name, const std::string& meaning, std::function<int()> action);
+
+  /// Runs what the user asks for and returns the exit code. Says mistakes in the command line; throws what a command throws.
+  int run(int argc, char** argv);
+
+  [[nodiscard]] std::vector<CommandText> commands() const;
+
+ private:
+  void refuse_unknown_command(const char* name) const;
+
+  std::unique_ptr<CLI::App> app_;
+  Offers offers_;
+  int exit_code_ = 0;
+};
 
 }  // namespace murosimf::app

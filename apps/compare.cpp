@@ -3,34 +3,68 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands.h"
+#include "apps/command_line.h"
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/progress.h"
+#include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/compare/compare_report.h"
 
 namespace murosimf::app {
-int compare(const CompareCommand& command) {
+namespace {
+
+struct CompareArguments {
+  compare::CompareOptions options;
+  std::vector<std::string> thresholds;  ///< NAME=VALUE
+  std::string json;                     ///< file, "-" for standard output
+  std::string plots;                    ///< folder for PNG files
+};
+
+void define(const Command& command, CompareArguments& arguments) {
+  compare::CompareOptions& options = arguments.options;
+  add_scene_file(command, options.scene);
+  command.add("--entity", options.entity, "The robot whose level changes").required();
+  command.add("--levels", options.levels, "Levels, separated by commas; all if not given").separated_by(',');
+  command.add("--contacts", options.contacts, "Contact laws, separated by commas; the scene's if not given")
+      .separated_by(',');
+  command.add("--set", options.overrides, "PATH=VALUE: change the scene, for example 'field.surface=grass'")
+      .one_at_a_time();
+  command.add("--duration", options.duration, "Simulated seconds, instead of the scene's");
+  add_seed(command, options.seed);
+  command.add("--repeat", options.repeat, "Timed runs per level; their median counts").within(1, 1000).shows_default();
+  command.add("--threshold", arguments.thresholds, "NAME=VALUE: what still counts as the same").one_at_a_time();
+  add_json(command, arguments.json);
+  command.add("--plots", arguments.plots, "Write PNG plots to this folder");
+  add_lenient(command, options.lenient);
+}
+
+int compare(const CompareArguments& arguments) {
   compare::Thresholds thresholds;
-  for (const std::string& text : command.thresholds) thresholds.set(text);
+  for (const std::string& text : arguments.thresholds) thresholds.set(text);
   // where results go is checked before anything is computed, so that no result is lost
-  check_json_file(command.json);
-  if (!command.plots.empty()) compare::check_plots(command.plots);
+  check_json_file(arguments.json);
+  if (!arguments.plots.empty()) compare::check_plots(arguments.plots);
 
   end_gently();
   std::optional<Progress> progress(std::in_place);
-  compare::CompareOptions options = command.options;
+  compare::CompareOptions options = arguments.options;
   options.progress = [&](double share, const std::string& what) { progress->show(share, what); };
   options.stop = interrupted;
   const compare::Comparison comparison = compare::compare(options);
   progress.reset();
   if (comparison.stopped) say_error(fmt::format("stopped by {}; what had not ended is missing", signal_name()));
   const compare::Recommendation recommendation = compare::recommend(comparison, thresholds);
-  write_result(command.json, compare::to_text(comparison, recommendation),
+  write_result(arguments.json, compare::to_text(comparison, recommendation),
                compare::to_json(comparison, recommendation, thresholds));
-  if (!command.plots.empty() && !comparison.stopped) compare::write_plots(comparison, command.plots);
+  if (!arguments.plots.empty() && !comparison.stopped) compare::write_plots(comparison, arguments.plots);
   return comparison.stopped ? exit_code() : 0;
+}
+
+}  // namespace
+
+void add_compare(CommandLine& line) {
+  line.add<CompareArguments>("compare", "Run a scene at several levels and say which is adequate", define, compare);
 }
 
 }  // namespace murosimf::app

@@ -1,43 +1,39 @@
 // `murosimf completion`: scripts that complete the command line, made of its definition.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/commands.h"
+#include "apps/standard_output.h"
 
 namespace murosimf::app {
 namespace {
 
-std::vector<const CLI::App*> commands_of(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
-
 /// "--threads", without positional arguments.
-std::vector<std::string> options_of(const CLI::App& command) {
+std::vector<std::string> options_of(const CommandText& command) {
   std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  for (const OptionText& option : command.options) {
+    if (!option.positional) names.push_back(option.name);
   }
   return names;
 }
 
 /// A shell's command whose output are the names that the first argument of a command can have; empty: files only.
-std::string names_for(const std::string& command, const std::string& program) {
-  if (command == "run" || command == "render" || command == "compare") return program + " list scenes 2>/dev/null";
-  if (command == "check" || command == "convert") return program + " list models 2>/dev/null";
-  if (command == "lens") return program + " list lenses 2>/dev/null";
-  if (command == "list") return fmt::format("echo {}", fmt::join(list_kinds(), " "));
-  if (command == "completion") return fmt::format("echo {}", fmt::join(completion_shells(), " "));
-  return {};
+std::string names_for(const CommandText& command, const std::string& program) {
+  const auto first = std::ranges::find_if(command.options, &OptionText::positional);
+  if (first == command.options.end()) return {};
+  const Offer& offer = first->offer;
+  if (!offer.list.empty()) return fmt::format("{} list {} 2>/dev/null", program, offer.list);
+  return offer.names.empty() ? "" : fmt::format("echo {}", fmt::join(offer.names, " "));
 }
 
-std::string bash_script(const CLI::App& app) {
+std::string bash_script(const std::vector<CommandText>& commands) {
   std::string names, options, arguments;
-  for (const CLI::App* command : commands_of(app)) {
-    const std::string& name = command->get_name();
-    names += name + " ";
-    options += fmt::format("    {}) words=\"{}\" ;;\n", name, fmt::join(options_of(*command), " "));
-    const std::string source = names_for(name, "\"${COMP_WORDS[0]}\"");
-    if (!source.empty()) arguments += fmt::format("    {}) words=\"$({})\" ;;\n", name, source);
+  for (const CommandText& command : commands) {
+    names += command.name + " ";
+    options += fmt::format("    {}) words=\"{}\" ;;\n", command.name, fmt::join(options_of(command), " "));
+    const std::string source = names_for(command, "\"${COMP_WORDS[0]}\"");
+    if (!source.empty()) arguments += fmt::format("    {}) words=\"$({})\" ;;\n", command.name, source);
   }
   return fmt::format(R"(# bash completion of murosimf, written by `murosimf completion bash`
 _murosimf() {{
@@ -65,20 +61,17 @@ std::string zsh_item(const std::string& name, const std::string& meaning) {
   return "'" + text + "'";
 }
 
-std::string zsh_script(const CLI::App& app) {
-  std::string commands, options, arguments;
-  for (const CLI::App* command : commands_of(app)) {
-    const std::string& name = command->get_name();
-    commands += "    " + zsh_item(name, command->get_description()) + "\n";
+std::string zsh_script(const std::vector<CommandText>& commands) {
+  std::string names, options, arguments;
+  for (const CommandText& command : commands) {
+    names += "    " + zsh_item(command.name, command.meaning) + "\n";
     std::string items;
-    for (const CLI::Option* option : command->get_options()) {
-      for (const std::string& long_name : option->get_lnames()) {
-        items += " " + zsh_item("--" + long_name, option->get_description());
-      }
+    for (const OptionText& option : command.options) {
+      if (!option.positional) items += " " + zsh_item(option.name, option.meaning);
     }
-    options += fmt::format("    {}) items=({}) ;;\n", name, items);
-    const std::string source = names_for(name, "$words[1]");
-    if (!source.empty()) arguments += fmt::format("    {}) items=(${{=$({})}}) ;;\n", name, source);
+    options += fmt::format("    {}) items=({}) ;;\n", command.name, items);
+    const std::string source = names_for(command, "$words[1]");
+    if (!source.empty()) arguments += fmt::format("    {}) items=(${{=$({})}}) ;;\n", command.name, source);
   }
   return fmt::format(R"(#compdef murosimf
 # zsh completion of murosimf, written by `murosimf completion zsh`
@@ -98,18 +91,23 @@ else
   _files
 fi
 )",
-                     commands, options, arguments);
+                     names, options, arguments);
 }
 
 }  // namespace
 
-const std::vector<std::string>& completion_shells() {
-  static const std::vector<std::string> shells{"bash", "zsh"};
-  return shells;
-}
-
-std::string completion_script(const CLI::App& app, std::string_view shell) {
-  return shell == "zsh" ? zsh_script(app) : bash_script(app);
+void add_completion(CommandLine& line) {
+  const std::vector<std::string> shells{"bash", "zsh"};
+  const auto shell = std::make_shared<std::string>();
+  const auto write_script = [&line, shell] {
+    write_standard_output(*shell == "zsh" ? zsh_script(line.commands()) : bash_script(line.commands()));
+    return 0;
+  };
+  line.add("completion", "Write a script that completes this command line in a shell", write_script)
+      .add("shell", *shell, "bash or zsh")
+      .required()
+      .one_of(shells)
+      .offers(shells);
 }
 
 }  // namespace murosimf::app

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands.h"
+#include "apps/command_line.h"
 #include "apps/standard_output.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/output_file.h"
@@ -14,6 +14,26 @@ namespace murosimf::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct ConvertOptions {
+  std::string model;
+  std::string out;  ///< MJCF file to write
+  std::string fit;  ///< sphere, capsule, cylinder, box or best; empty: meshes stay meshes
+  bool lenient = false;
+  bool force = false;  ///< replace the file
+};
+
+void define(const Command& command, ConvertOptions& options) {
+  command.add("model", options.model, "Model file (URDF or MJCF), or the name of one that comes with the program")
+      .required()
+      .offers_list("models");
+  command.add("--out", options.out, "MJCF file (.xml) to write").required();
+  command.add("--fit", options.fit,
+              "Put a primitive of the same volume in the place of each mesh that collides: sphere, capsule, cylinder, "
+              "box or best");
+  command.add("--lenient", options.lenient, "Accept unknown elements, with a warning");
+  command.add("--force", options.force, "Replace the file if it is there");
+}
 
 void check_output(const fs::path& in, const fs::path& out, bool force) {
   if (out.extension() != ".xml") {
@@ -49,8 +69,6 @@ std::string write_table(const fs::path& file, const robot::RobotConversion& robo
                                      : "soles, frames and servos, partly guessed; correct it");
 }
 
-}  // namespace
-
 int convert(const ConvertOptions& options) {
   const fs::path in = files::find_data_file(options.model, "models", ".xml"), out = options.out;
   check_output(in, out, options.force);
@@ -65,6 +83,12 @@ int convert(const ConvertOptions& options) {
   for (const std::string& warning : robot.warnings) text += "warning: " + warning + "\n";
   write_standard_output(text);
   return 0;
+}
+
+}  // namespace
+
+void add_convert(CommandLine& line) {
+  line.add<ConvertOptions>("convert", "Write a robot as one plain MJCF file, and a TOML file", define, convert);
 }
 
 }  // namespace murosimf::app

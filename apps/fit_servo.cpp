@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands.h"
+#include "apps/command_line.h"
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/progress.h"
@@ -27,6 +27,42 @@ namespace {
 namespace fs = std::filesystem;
 using identification::ServoLog;
 using Logs = std::vector<ServoLog>;
+
+struct FitServoOptions {
+  std::vector<std::string> logs;      ///< files and folders
+  std::string model = "m4";           ///< of friction: m1 to m6
+  std::string out;                    ///< servo file
+  std::string servo;                  ///< type that firmware and voltage are taken from; empty: what the logs name
+  std::string prior;                  ///< "none", a type or a file; empty: that of the type, if there is one
+  std::vector<std::string> validate;  ///< logs that are not fitted
+  std::string cross_validate;         ///< "trajectory" or "gain"; empty: no
+  std::int64_t seed = 1;
+  int starts = 4;
+  double windows = 0.5;  ///< share of windows in what is minimized, 0 to 1
+  int threads = 0;       ///< 0: as many as the machine has
+  std::string json;      ///< file, "-" for standard output
+};
+
+void define(const Command& command, FitServoOptions& options) {
+  command.add("logs", options.logs, "Recordings (JSON), or folders of them").required();
+  command.add("--model", options.model, "Friction model, m1 to m6").shows_default();
+  command.add("--out", options.out, "Servo file (TOML) to write").required();
+  command.add("--servo", options.servo, "Type that firmware and voltage are taken from, instead of the recordings'");
+  command.add("--prior", options.prior, "What is known before: a servo type, a file (TOML), or 'none'");
+  command.add("--validate", options.validate, "Recordings that are not fitted, to see the error there");
+  command.add("--cross-validate", options.cross_validate,
+              "'trajectory' or 'gain': leave each of them out once, and say how well it is foreseen");
+  command.add("--seed", options.seed, "Seed of the search; the same seed finds the same servo")
+      .within(0, 1000000000)
+      .shows_default();
+  command.add("--starts", options.starts, "Searches from different points").within(1, 1000).shows_default();
+  command.add("--windows", options.windows, "Share of short windows in what is minimized, against whole recordings")
+      .within(0.0, 1.0)
+      .shows_default();
+  command.add("--threads", options.threads, "Threads, instead of all; results do not depend on their number")
+      .within(1, 256);
+  add_json(command, options.json);
+}
 
 /// The type that all logs name.
 std::string motor_of(const Logs& logs) {
@@ -97,8 +133,6 @@ Result fit(const Task& task, const Logs& logs, const std::string& what) {
           found.costs};
 }
 
-}  // namespace
-
 int fit_servo(const FitServoOptions& options) {
   identification::check_search();
   (void)identification::friction_model(options.model);
@@ -130,6 +164,13 @@ int fit_servo(const FitServoOptions& options) {
     say_error(fmt::format("stopped by {}; '{}' is the best so far", signal_name(), options.out));
   }
   return exit_code();
+}
+
+}  // namespace
+
+void add_fit_servo(CommandLine& line) {
+  line.add<FitServoOptions>("fit-servo", "Find the numbers of a servo that explain recordings of it", define,
+                            fit_servo);
 }
 
 }  // namespace murosimf::app

@@ -1,7 +1,7 @@
 // `murosimf lens`: shows the calibration of a camera, and says it in the words of another lens model.
 #include <fmt/format.h>
 
-#include "apps/commands.h"
+#include "apps/command_line.h"
 #include "apps/standard_output.h"
 #include "murosimf/components/camera_info.h"
 #include "murosimf/files/output_file.h"
@@ -11,6 +11,23 @@
 
 namespace murosimf::app {
 namespace {
+
+struct LensOptions {
+  std::string file;   ///< calibration (YAML), or the name of one that comes with the program
+  std::string model;  ///< to convert it to; empty: no
+  std::string out;    ///< calibration to write
+};
+
+void define(const Command& command, LensOptions& options) {
+  command
+      .add("file", options.file, "Calibration (YAML as ROS writes it), or the name of one that comes with the program")
+      .required()
+      .offers_list("lenses");
+  command.add("--as", options.model,
+              "Say it in the words of another lens model: perspective, plumb_bob, rational_polynomial, "
+              "equidistant or ray_polynomial");
+  command.add("--out", options.out, "Calibration to write (YAML)");
+}
 
 double degrees(double angle) { return angle * 180 / pi; }
 
@@ -25,8 +42,8 @@ std::string text_of(const imaging::Lens& lens) {
   text += line("picture", fmt::format("{} x {} px", spec.width, spec.height));
   text += line("focal length", fmt::format("{:.2f} x {:.2f} px", spec.fx, spec.fy));
   text += line("center", fmt::format("{:.2f}, {:.2f} px", spec.cx, spec.cy));
-  text += line("field of view", fmt::format("horizontal {:.1f}, vertical {:.1f}, diagonal {:.1f} deg", degrees(horizontal),
-                                  degrees(vertical), degrees(diagonal)));
+  text += line("field of view", fmt::format("horizontal {:.1f}, vertical {:.1f}, diagonal {:.1f} deg",
+                                            degrees(horizontal), degrees(vertical), degrees(diagonal)));
   text += line("sees up to", fmt::format("{:.1f} deg from the axis, in the picture {:.1f} deg",
                                          degrees(lens.widest_angle()), degrees(lens.corner_angle())));
   if (const std::string remark = lens.fold_remark(); !remark.empty()) text += line("warning", remark);
@@ -38,8 +55,6 @@ std::string text_of(const imaging::LensFit& fit) {
   return line("fit error", fmt::format("{:.2g} px, at most {:.2g} px at {:.0f}, {:.0f}", fit.usual_error,
                                        fit.largest_error, fit.where.u, fit.where.v));
 }
-
-}  // namespace
 
 int lens(const LensOptions& options) {
   if (!options.out.empty()) files::check_writable(options.out);
@@ -55,6 +70,12 @@ int lens(const LensOptions& options) {
   if (!options.out.empty()) files::write_file(options.out, components::camera_info_yaml(info));
   write_standard_output(text);
   return 0;
+}
+
+}  // namespace
+
+void add_lens(CommandLine& line) {
+  line.add<LensOptions>("lens", "Show the calibration of a camera, or convert it", define, lens);
 }
 
 }  // namespace murosimf::app

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/commands.h"
 #include "apps/standard_output.h"
 #include "murosimf/collision/body_contact_law.h"
 #include "murosimf/components/camera_info.h"
@@ -10,11 +9,11 @@
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/geometry/any_tree.h"
-#include "murosimf/scene/property_catalog.h"
 #include "murosimf/model/material.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/servo_law.h"
+#include "murosimf/scene/property_catalog.h"
 #include "murosimf/scene/registry.h"
 
 namespace murosimf::app {
@@ -66,16 +65,19 @@ std::string materials_text() {
   return text;
 }
 
-}  // namespace
+struct ListOptions {
+  std::string what;
+};
 
-const std::vector<std::string>& list_kinds() {
-  static const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",   "integrators",
-                                              "servo_laws", "controllers", "sensors",       "parts",     "lenses",
-                                              "materials",  "scenes",      "models",        "properties"};
-  return kinds;
+void define(const Command& command, ListOptions& options) {
+  const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",   "integrators",
+                                       "servo_laws", "controllers", "sensors",       "parts",     "lenses",
+                                       "materials",  "scenes",      "models",        "properties"};
+  command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
 }
 
-int list(const std::string& what) {
+int list(const ListOptions& options) {
+  const std::string& what = options.what;
   std::string text;
   if (what == "levels") text = names_and_meanings(scene::levels());
   if (what == "contacts") text = names_and_meanings(scene::contacts());
@@ -100,5 +102,9 @@ int list(const std::string& what) {
   write_standard_output(text);
   return 0;
 }
+
+}  // namespace
+
+void add_list(CommandLine& line) { line.add<ListOptions>("list", "List the names that there are", define, list); }
 
 }  // namespace murosimf::app

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
+#include "apps/standard_output.h"
 #include "apps/version.h"
 
 namespace murosimf::app {
@@ -24,17 +25,14 @@ std::string roff(const std::string& text) {
   return result;
 }
 
-std::string option_entry(const CLI::Option& option) {
-  if (option.get_lnames().empty() && !option.get_positional()) return {};
-  const std::string name = option.get_positional() ? option.get_name(true) : "--" + option.get_lnames().front();
-  const bool flag = !option.get_positional() && option.get_items_expected_max() == 0;
-  const std::string value = option.get_positional() || flag ? "" : " \\fIvalue\\fR";
-  return fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", roff(name), value, roff(option.get_description()));
+std::string option_entry(const OptionText& option) {
+  const std::string value = option.positional || !option.takes_value ? "" : " \\fIvalue\\fR";
+  return fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", roff(option.name), value, roff(option.meaning));
 }
 
-std::string command_section(const CLI::App& command) {
-  std::string text = fmt::format(".SS murosimf {}\n{}\n", roff(command.get_name()), roff(command.get_description()));
-  for (const CLI::Option* option : command.get_options()) text += option_entry(*option);
+std::string command_section(const CommandText& command) {
+  std::string text = fmt::format(".SS murosimf {}\n{}\n", roff(command.name), roff(command.meaning));
+  for (const OptionText& option : command.options) text += option_entry(option);
   return text;
 }
 
@@ -57,17 +55,22 @@ murosimf compare arm_swing \-\-entity robot
 .fi
 )";
 
-}  // namespace
-
-std::string manual_page(const CLI::App& app) {
+std::string manual_page(const std::vector<CommandText>& commands) {
   std::string text = fmt::format(
       ".TH MUROSIMF 1 \"\" \"murosimf {}\" \"User Commands\"\n.SH NAME\nmurosimf \\- {}\n.SH SYNOPSIS\n"
       ".B murosimf\n\\fIcommand\\fR [\\fIoptions\\fR]\n.SH COMMANDS\n",
       version_number(), "teams of humanoid robots at exchangeable levels of physical detail");
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    text += command_section(*command);
-  }
+  for (const CommandText& command : commands) text += command_section(command);
   return text + std::string(what_else);
+}
+
+}  // namespace
+
+void add_manual(CommandLine& line) {
+  line.add("man", "Write the manual page (roff): murosimf man | man -l -", [&line] {
+    write_standard_output(manual_page(line.commands()));
+    return 0;
+  });
 }
 
 }  // namespace murosimf::app

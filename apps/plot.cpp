@@ -3,12 +3,25 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands.h"
+#include "apps/command_line.h"
 #include "murosimf/files/csv_file.h"
 #include "murosimf/logging/log_plot.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
+namespace {
+
+struct PlotOptions {
+  std::string file;                   ///< CSV
+  std::string out;                    ///< PNG file; empty: beside the table
+  std::vector<std::string> patterns;  ///< columns to draw; none: all
+};
+
+void define(const Command& command, PlotOptions& options) {
+  command.add("file", options.file, "Table (CSV) with a header and the time in its first column").required();
+  command.add("patterns", options.patterns, "Columns to draw, like 'blue1.imu.*'; all if not given");
+  command.add("--out", options.out, "PNG file to write, instead of one beside the table");
+}
 
 int plot(const PlotOptions& options) {
   namespace fs = std::filesystem;
@@ -21,6 +34,12 @@ int plot(const PlotOptions& options) {
                         return logging::plot_of(table, file.filename().string(), options.patterns);
                       }));
   return 0;
+}
+
+}  // namespace
+
+void add_plot(CommandLine& line) {
+  line.add<PlotOptions>("plot", "Draw numbers over time: what 'run --log' wrote, or any such table", define, plot);
 }
 
 }  // namespace murosimf::app

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands.h"
+#include "apps/command_line.h"
 #include "apps/servo_logs.h"
 #include "apps/standard_output.h"
 #include "murosimf/files/output_file.h"
@@ -18,6 +18,20 @@ namespace {
 
 namespace fs = std::filesystem;
 using identification::ServoLog;
+
+struct ReplayServoOptions {
+  std::vector<std::string> logs;  ///< files and folders
+  std::string servo;              ///< type or file
+  std::string json;               ///< file, "-" for standard output
+  std::string plot;               ///< folder for PNG files
+};
+
+void define(const Command& command, ReplayServoOptions& options) {
+  command.add("logs", options.logs, "Recordings (JSON), or folders of them").required();
+  command.add("--servo", options.servo, "Servo file (TOML), or the name of one that comes with the program").required();
+  add_json(command, options.json);
+  command.add("--plot", options.plot, "Write a PNG plot of each recording to this folder (needs gnuplot)");
+}
 
 fs::path picture_of(const std::string& folder, const ServoLog& log) { return fs::path(folder) / (log.name + ".png"); }
 
@@ -49,8 +63,6 @@ void plot(const fs::path& file, const ServoLog& log, const std::vector<double>& 
                   {.y_label = "simulated - measured [mrad]", .curves = {{"", time, off}}}}});
 }
 
-}  // namespace
-
 int replay_servo(const ReplayServoOptions& options) {
   check_json_file(options.json);
   const std::vector<ServoLog> logs = formats::servo_log::read_servo_logs(options.logs);
@@ -63,6 +75,12 @@ int replay_servo(const ReplayServoOptions& options) {
   }
   write_result(options.json, formats::servo_log::to_text(report), formats::servo_log::to_json(report));
   return 0;
+}
+
+}  // namespace
+
+void add_replay_servo(CommandLine& line) {
+  line.add<ReplayServoOptions>("replay-servo", "Simulate a servo as recordings drove a real one", define, replay_servo);
 }
 
 }  // namespace murosimf::app

@@ -6,10 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands.h"
+#include "apps/command_line.h"
 #include "apps/interruption.h"
 #include "apps/picture_sequence.h"
 #include "apps/progress.h"
+#include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/logging/run_log.h"
@@ -17,6 +18,40 @@
 
 namespace murosimf::app {
 namespace {
+
+struct RunOptions {
+  SceneArguments scene;
+  std::optional<double> duration;  ///< [s]
+  std::string speed = "max";       ///< "max", or simulated seconds per wall second
+  std::string json;                ///< file, "-" for standard output
+  std::string picture;             ///< PNG file
+  std::string pictures;            ///< folder for a sequence of PNG files
+  double picture_every = 0.5;      ///< [s] of simulated time
+  std::vector<std::string> log;    ///< what is recorded (logging/log_paths.h)
+  std::string out;                 ///< CSV file for that
+  double log_rate = 100;           ///< [Hz] of properties in it
+  bool no_cameras = false;         ///< nothing is drawn for cameras
+};
+
+void define(const Command& command, RunOptions& options) {
+  add_scene(command, options.scene);
+  command.add("--duration", options.duration, "Simulated seconds, instead of the scene's");
+  command.add("--speed", options.speed, "'max', or simulated seconds per second: 1 is real time").shows_default();
+  command.add("--json", options.json, "Write the report as JSON to this file, or to standard output with '-'");
+  command.add("--picture", options.picture, "Write a PNG picture of the field from above");
+  const Option pictures = command.add("--pictures", options.pictures,
+                                      "Write PNG pictures of the bodies to this folder while the scene runs");
+  command.add("--picture-every", options.picture_every, "Simulated seconds from one picture to the next")
+      .needs(pictures)
+      .shows_default();
+  const Option log =
+      command.add("--log", options.log,
+                  "Record numbers: of sensors, like 'blue1.imu.*', or properties, like 'ball.ball.position'");
+  const Option out = command.add("--out", options.out, "Write them to this file (CSV)").needs(log);
+  log.one_at_a_time().needs(out);
+  command.add("--log-rate", options.log_rate, "How often properties are recorded, in Hz").needs(log).shows_default();
+  command.add("--no-cameras", options.no_cameras, "Draw nothing for cameras: they have no frames then");
+}
 
 using WallClock = std::chrono::steady_clock;
 
@@ -51,8 +86,6 @@ class RunProgress {
   double end_;  // [s]
 };
 
-}  // namespace
-
 int run(const RunOptions& options) {
   end_gently();
   Clock clock(speed_of(options.speed));
@@ -64,15 +97,10 @@ int run(const RunOptions& options) {
   std::optional<PictureSequence> pictures;
   if (!options.pictures.empty()) pictures.emplace(options.pictures, options.picture_every);
 
-  scene::Scene scene(options.scene, {.threads = options.threads,
-                                     .seed = options.seed,
-                                     .overrides = options.overrides,
-                                     .events = options.events,
-                                     .pushes = options.pushes,
-                                     .lenient = options.lenient,
-                                     .cameras = !options.no_cameras,
-                                     .paths = !options.picture.empty(),
-                                     .stop = interrupted});
+  scene::SceneOptions scene_options = options_of(options.scene);
+  scene_options.cameras = !options.no_cameras;
+  scene_options.paths = !options.picture.empty();
+  scene::Scene scene(options.scene.file, scene_options);
   const Duration duration = duration_of(options.duration.value_or(scene.spec().duration));
   Simulation& simulation = scene.simulation();
   std::optional<logging::RunLog> log;
@@ -105,5 +133,9 @@ int run(const RunOptions& options) {
   write_result(options.json, scene::to_text(report), scene::to_json(report));
   return report.stopped ? exit_code() : 0;
 }
+
+}  // namespace
+
+void add_run(CommandLine& line) { line.add<RunOptions>("run", "Run a scene and say what happened", define, run); }
 
 }  // namespace murosimf::app

@@ -19,6 +19,10 @@ void write_standard_output(const std::string& text) {
   }
 }
 
+void add_json(const Command& command, std::string& json_file) {
+  command.add("--json", json_file, "Write JSON to this file, or to standard output with '-'");
+}
+
 void check_json_file(const std::string& json_file) {
   if (!json_file.empty() && json_file != "-") files::check_writable(json_file);
 }

@@ -3,10 +3,15 @@
 
 #include <string>
 
+#include "apps/command.h"
+
 namespace murosimf::app {
 
 /// Throws SetupError if standard output is closed or full; not after SIGHUP, when nobody is there to read it.
 void write_standard_output(const std::string& text);
+
+/// The option --json.
+void add_json(const Command& command, std::string& json_file);
 
 /// `json_file` as users give it: empty for none, "-" for standard output. To be called before anything is computed, so that
 /// no result is lost. Throws SetupError if the file could not be written.

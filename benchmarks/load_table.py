@@ -4,9 +4,10 @@
     benchmarks/load_table.py --program build/release/murosimf                     prints a table
     benchmarks/load_table.py --program build/release/murosimf --out load.json     and writes it as JSON
 
-The robots (kid21, which has a camera and four other sensors) walk in rows, 1 m apart; every camera knows of all others, so
-each robot's start-up grows with the number of robots. Nothing is drawn. Start-up is the wall time of a run of 0 s, of
-which the least of several counts; a step is 1 ms long and its time that of the report, divided by the number of steps.
+The robots (kid21, which has a camera and four other sensors) walk in rows, 1 m apart; every camera knows of all others,
+so each robot's start-up grows with the number of robots. Nothing is drawn. Start-up is the wall time of a run of 0 s,
+of which the least of several counts; a step is 1 ms long and its time that of the report, divided by the number of
+steps.
 """
 
 import argparse
@@ -24,7 +25,8 @@ STEPS = 1000  # per second
 def scene(robots, level):
     text = 'duration = 1\n[ball]\nposition = [-5, -5]\n'
     for i in range(robots):
-        text += (f'[[robots]]\nname = "r{i}"\nmodel = "kid21"\nlevel = "{level}"\ncontroller = "walk"\ncommand = [0.1, 0, 0]\n'
+        text += (f'[[robots]]\nname = "r{i}"\nmodel = "kid21"\nlevel = "{level}"\n'
+                 f'controller = "walk"\ncommand = [0.1, 0, 0]\n'
                  f'position = [{i % 20}, {i // 20}]\n')
     return text
 
@@ -45,7 +47,8 @@ def measure(program, robots, level, repetitions, folder):
     startup = min(run(program, file, 0)[0] for _ in range(repetitions))
     duration = min(1.0, max(0.05, 10 / robots))
     walls = [run(program, file, duration)[1]["wall_s"] for _ in range(repetitions)]
-    return {"robots": robots, "startup_s": round(startup, 4), "us_per_step": round(1e6 * min(walls) / (STEPS * duration), 2)}
+    us_per_step = round(1e6 * min(walls) / (STEPS * duration), 2)
+    return {"robots": robots, "startup_s": round(startup, 4), "us_per_step": us_per_step}
 
 
 def main():
@@ -61,7 +64,8 @@ def main():
         for robots in COUNTS:
             row = measure(options.program, robots, options.level, options.repetitions, pathlib.Path(name))
             rows.append(row)
-            print(f"{robots:6} {row['startup_s']:13.3f} {row['us_per_step']:10.1f} {row['us_per_step'] / robots:15.2f}", flush=True)
+            us = row["us_per_step"]
+            print(f"{robots:6} {row['startup_s']:13.3f} {us:10.1f} {us / robots:15.2f}", flush=True)
     if options.out:
         options.out.write_text(json.dumps({"schema": 1, "level": options.level, "rows": rows}, indent=2) + "\n")
 

@@ -1,3 +1,15 @@
+# With MUROSIMF_PRECOMPILE: what nearly all sources of the library include, compiled once for all folders.
+function(murosimf_precompile)
+  if(NOT MUROSIMF_PRECOMPILE)
+    return()
+  endif()
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/precompiled.cpp "")
+  add_library(murosimf_precompiled OBJECT ${CMAKE_CURRENT_BINARY_DIR}/precompiled.cpp)
+  target_include_directories(murosimf_precompiled PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(murosimf_precompiled PRIVATE murosimf_options fmt::fmt)
+  target_precompile_headers(murosimf_precompiled PRIVATE ${ARGN})
+endfunction()
+
 # murosimf_folder(<folder> [USES <folders>] [LINKS <libraries>] [EXCEPT <sources>]): one folder of the library as a static
 # library murosimf_<folder>, with `_` for `/`. Adds it to the global properties murosimf_folders and murosimf_folder_targets.
 function(murosimf_folder folder)
@@ -22,9 +34,13 @@ function(murosimf_folder folder)
   add_library(${target} ${sources})
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC ${include_root})
-  target_link_libraries(${target} PUBLIC ${arg_USES} PRIVATE $<BUILD_INTERFACE:murosimf_options> ${arg_LINKS})
+  target_link_libraries(${target} PUBLIC ${arg_USES} PRIVATE $<BUILD_INTERFACE:murosimf_options> fmt::fmt ${arg_LINKS})
   # Eigen's prefetching does not compile with sanitizers and without optimization
   target_compile_definitions(${target} PRIVATE $<$<CONFIG:Debug>:EIGEN_DONT_VECTORIZE>)
+  # kernels have flags of their own, which a header compiled with others does not fit
+  if(MUROSIMF_PRECOMPILE AND NOT folder STREQUAL "multibody")
+    target_precompile_headers(${target} REUSE_FROM murosimf_precompiled)
+  endif()
   if(MUROSIMF_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 9)
   endif()

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Checks the one definition rule: nothing with a name that other files can see is defined twice.
 
-Two inline functions of one name and parameters in two headers, or two classes of one name in two sources, compile and link;
-the linker keeps one of the two, for everybody. No compiler says so. Looked at is what stands at namespace level, formatted
-as clang-format does it: types and inline functions of headers and sources, all functions of sources. What belongs to one
-source stands in an anonymous namespace. Prints file:line: message for each second definition and exits with 1 if there is one.
+Two inline functions of one name and parameters in two headers, or two classes of one name in two sources, compile and
+link; the linker keeps one of the two, for everybody. No compiler says so. Looked at is what stands at namespace level,
+formatted as clang-format does it: types and inline functions of headers and sources, all functions of sources. What
+belongs to one source stands in an anonymous namespace. Prints file:line: message for each second definition and exits
+with 1 if there is one.
 
     scripts/check_odr.py [root of the source tree]
 """
@@ -20,7 +21,8 @@ programs_each = ["tests/oracle", "tests/fuzz"]  # folders whose sources are a pr
 
 opens = re.compile(r"^(?:inline )?namespace([\w: ]*)\{")
 closes = re.compile(r"^\}\s*// namespace(.*)$")
-type_line = re.compile(r"^(?:struct|class|union|enum class|enum struct|enum) (?:alignas\(\S+\) )?(\w+)(?: final)?(?: : [^;]*)?\s*\{")
+type_line = re.compile(r"^(?:struct|class|union|enum class|enum struct|enum) (?:alignas\(\S+\) )?"
+                       r"(\w+)(?: final)?(?: : [^;]*)?\s*\{")
 # a type, a name, an open parenthesis; what follows is read up to the matching one
 function_line = re.compile(r"^(?!using |return |typedef |static_assert|TEST|INSTANTIATE|template class|extern )"
                            r"(?:[\w:<>,*&\[\] ]+[ *&])?(\w+|operator\S+)\(")
@@ -28,7 +30,7 @@ default = re.compile(r"=[^,]*")
 
 
 def parameters(text):
-    """The types of a parameter list, without names and default values, and the text behind it; None if it does not end."""
+    """The types of a parameter list without names and default values, and the text behind it; None: it does not end."""
     depth, part, parts = 1, "", []
     for place, letter in enumerate(text):
         if letter in "(<[{":

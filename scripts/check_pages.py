@@ -3,13 +3,14 @@
 
     scripts/check_pages.py [--build build/release] [--update] [--list] PAGE...
 
-A PAGE is a Markdown file, or a folder of scenes or examples whose header comments are read. Commands stand in blocks, indented or
-fenced; the lines after a command are what it prints. A line `...` in a quote leaves lines out, spaces do not count, and neither
-do wall times. --update writes what is printed now in the place of quoted lines that differ. Every page has a scratch folder of
-its own with copies of the repository's data, and the build folder on its PATH and as build/release.
+A PAGE is a Markdown file, or a folder of scenes or examples whose header comments are read. Commands stand in blocks,
+indented or fenced; the lines after a command are what it prints. A line `...` in a quote leaves lines out, spaces do
+not count, and neither do wall times. --update writes what is printed now in the place of quoted lines that differ.
+Every page has a scratch folder of its own with copies of the repository's data, and the build folder on its PATH and as
+build/release.
 
-Comments of HTML before a block, which no reader of the page sees, change how it is run. Words in brackets choose those commands
-of the block that begin so.
+Comments of HTML before a block, which no reader of the page sees, change how it is run. Words in brackets choose those
+commands of the block that begin so.
 
     <!-- not run (scripts/test): takes half an hour -->           a command that no test can run, and why
     <!-- run with (murosimf run walk): --duration 2 -->           options that make it cheaper, added or replaced
@@ -18,7 +19,8 @@ of the block that begin so.
     <!-- before: cp scenes/walk.toml mine.toml -->                what a reader has done before
     <!-- append to: mine.toml -->                                 the block is (a part of) this file
     <!-- then: murosimf run mine.toml -->                        what proves that file right
-    <!-- output of: murosimf list levels -->                      the block is what this prints; "output of (exit 2)" if it fails
+    <!-- output of: murosimf list levels -->                      the block is what this prints
+    <!-- output of (exit 2): murosimf run nosuch -->              the same of a command that fails
     <!-- figures vary: they depend on the driver -->              numbers in the quotes of this block are not compared
 """
 import argparse
@@ -32,9 +34,12 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-DATA = ["docs", "examples", "lenses", "models", "motions", "parts", "scenes", "servos", "tests/data", "tests/fuzz/seeds"]
-COMMAND = re.compile(r"(murosimf\w*|example_\w+|build/release/\S+|scripts/\S+|cmake|ctest|python3|pip|pre-commit|export|xacro)(?= |$)")
-MARK = re.compile(r"\s*<!-- (not run|run with|each after|needs|before|append to|then|output of|figures vary)(?: \((.*?)\))?: (.*) -->$")
+DATA = ["docs", "examples", "lenses", "models", "motions", "parts", "scenes", "servos", "tests/data",
+        "tests/fuzz/seeds"]
+COMMAND = re.compile(r"(murosimf\w*|example_\w+|build/release/\S+|scripts/\S+|"
+                     r"cmake|ctest|python3|pip|pre-commit|export|xacro)(?= |$)")
+MARK = re.compile(r"\s*<!-- (not run|run with|each after|needs|before|append to|then|output of|figures vary)"
+                  r"(?: \((.*?)\))?: (.*) -->$")
 OPTIONS = re.compile(r"(--\S+ (?:'[^']*'|\S+) ?)+")
 # What a machine may lack: such a command counts as not run.
 LACKS = re.compile(r"no pictures by OpenGL|needs the program gnuplot|cannot run 'ffmpeg'|built without|in this build")
@@ -66,6 +71,12 @@ class Block:
         return [text for known, _, text in self.marks if known == kind]
 
 
+def goes_on(lines, i, indent):
+    """Whether line i belongs to the indented block above it: an empty one does if another one of the block follows."""
+    at = i if lines[i].strip() else i + 1
+    return at < len(lines) and lines[at].startswith(indent)
+
+
 def blocks_of(lines, indent):
     """Fenced and indented blocks; of a comment of a source file, lines with the indent."""
     blocks, marks, i = [], [], 0
@@ -83,8 +94,7 @@ def blocks_of(lines, indent):
             blocks.append(Block(first + 1, lines[first + 1 : i], marks))
             marks = []
         elif lines[i].startswith(indent) and lines[i].strip():
-            while i + 1 < len(lines) and (lines[i + 1].startswith(indent) or
-                                          (not lines[i + 1].strip() and i + 2 < len(lines) and lines[i + 2].startswith(indent))):
+            while i + 1 < len(lines) and goes_on(lines, i + 1, indent):
                 i += 1
             blocks.append(Block(first, [line[len(indent):] for line in lines[first : i + 1]], marks))
             marks = []
@@ -108,7 +118,7 @@ def options_changed(command, options):
     for word in words:
         name = word.split()[0]
         if re.search(rf"{name} \S+", command):
-            command = re.sub(rf"{name} \S+", lambda _: word, command, count=1)
+            command = re.sub(rf"{name} \S+", lambda _, word=word: word, command, count=1)
         else:
             place = re.match(r"\S+(?: [a-z]\S*)*", command).end()
             command = f"{command[:place]} {word}{command[place:]}"
@@ -161,9 +171,11 @@ class Scratch:
     def run(self, command):
         """Exit code and lines of both outputs."""
         try:
-            done = subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=self.folder, env=self.environment, text=True,
-                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, errors="replace", timeout=TIME_LIMIT)
-            result = done.returncode, [line.rstrip() for line in done.stdout.replace(f"{ROOT}/", "").split("\n") if line.strip()]
+            done = subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=self.folder, env=self.environment,
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                  text=True, errors="replace", timeout=TIME_LIMIT)
+            lines = done.stdout.replace(f"{ROOT}/", "").split("\n")
+            result = done.returncode, [line.rstrip() for line in lines if line.strip()]
         except subprocess.TimeoutExpired:
             result = -1, [f"not finished after {TIME_LIMIT} s"]
         self.known[command] = result
@@ -190,7 +202,8 @@ def misquoted(quote, printed, vary):
             anywhere = True
             continue
         wanted = plain(line, vary)
-        found = next((k for k in range(at, len(printed) if anywhere else min(at + 1, len(printed))) if plainly[k] == wanted), None)
+        end = len(printed) if anywhere else min(at + 1, len(printed))
+        found = next((k for k in range(at, end) if plainly[k] == wanted), None)
         if found is None:
             rest = plainly[at:] if anywhere else plainly[at : at + 1]
             near = difflib.get_close_matches(wanted, rest, 1, 0.6 if anywhere else 0)
@@ -268,7 +281,10 @@ class Check:
     def call(self, page, call):
         reason = self.why_not(call)
         if self.options.list or reason:
-            self.left_out.append(f"{page.name}:{call.line + 1}: {call.written}: {reason}") if reason else self.ran.append(call)
+            if reason:
+                self.left_out.append(f"{page.name}:{call.line + 1}: {call.written}: {reason}")
+            else:
+                self.ran.append(call)
             return
         code, printed = self.scratch.known.get(call.text) or self.scratch.run(call.text)
         lacking = [line for line in printed if LACKS.search(line)]
@@ -277,7 +293,8 @@ class Check:
             return
         self.ran.append(call)
         if code != call.exit_code:
-            self.complain(page, call.line, f"'{call.text}' ends with {code}, not {call.exit_code}: {' '.join(printed[-3:])}")
+            said = " ".join(printed[-3:])
+            self.complain(page, call.line, f"'{call.text}' ends with {code}, not {call.exit_code}: {said}")
         elif not (lacking and code == 0):  # what is drawn or not may change the lines
             self.compare(page, call, printed)
 
@@ -290,23 +307,27 @@ class Check:
                 page.replace(call.quote[place], line)
                 self.updated += 1
             else:
-                self.complain(page, call.quote[place], f"quotes    {quote[place]}\n    but '{call.text}' prints    {line}")
+                self.complain(page, call.quote[place],
+                              f"quotes    {quote[place]}\n    but '{call.text}' prints    {line}")
 
     def words(self, page):
         """Commands named in a sentence: the subcommand and its options exist."""
         for number, line in enumerate(page.lines):
             for words in re.findall(r"`murosimf ([a-z][^`]*)`", line):
                 name = words.split()[0]
-                code, text = self.scratch.known.get(f"murosimf {name} --help") or self.scratch.run(f"murosimf {name} --help")
+                ask = f"murosimf {name} --help"
+                code, text = self.scratch.known.get(ask) or self.scratch.run(ask)
                 text = "\n".join(text)
                 unknown = [option for option in re.findall(r"--[a-z-]+", words) if option not in text]
                 if code or unknown:
-                    self.complain(page, number, f"`murosimf {words}`: no such " + (f"option: {unknown[0]}" if unknown else "command"))
+                    what = f"option: {unknown[0]}" if unknown else "command"
+                    self.complain(page, number, f"`murosimf {words}`: no such {what}")
 
     def report(self):
         for line in self.left_out:
             print(f"not run: {line}")
-        print(f"{len(self.ran)} commands run, {len(self.left_out)} not, {self.mistakes} mistakes, {self.updated} lines updated")
+        counts = f"{len(self.ran)} commands run, {len(self.left_out)} not"
+        print(f"{counts}, {self.mistakes} mistakes, {self.updated} lines updated")
 
 
 def main():
@@ -317,8 +338,9 @@ def main():
     parser.add_argument("pages", type=pathlib.Path, nargs="*", help="default: all")
     options = parser.parse_args()
     options.build = options.build.resolve()
-    paths = [path.resolve() for path in options.pages] or [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(ROOT.glob("docs/*.md")),
-                                                           ROOT / "scenes", ROOT / "examples"]
+    everything = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(ROOT.glob("docs/*.md")),
+                  ROOT / "scenes", ROOT / "examples"]
+    paths = [path.resolve() for path in options.pages] or everything
     files = [file for path in paths for file in (sorted(path.glob("*.[ct][po][pm]*")) if path.is_dir() else [path])]
     mistakes = 0
     for path in paths:

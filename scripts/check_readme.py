@@ -16,9 +16,10 @@ main_lines = example[example.index("int main"):].count("\n")
 if main_lines >= 15:
     mistakes.append(f"examples/minimal.cpp: main has {main_lines} lines, not under 15")
 
+folders = "docs|murosimf|examples|scripts|models|motions|scenes|servos|tests|benchmarks|apps"
 for page in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
     text = page.read_text()
-    names = set(re.findall(r"`((?:docs|murosimf|examples|scripts|models|motions|scenes|servos|tests|benchmarks|apps)/[\w./]+)`", text))
+    names = set(re.findall(rf"`((?:{folders})/[\w./]+)`", text))
     links = set(re.findall(r"\]\(([\w./]+)\)", text))
     missing = {name for name in names if not (root / name).exists()}
     missing |= {link for link in links if not (page.parent / link).exists()}

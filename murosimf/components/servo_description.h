@@ -42,7 +42,7 @@ class ServoDescription {
   std::set<std::string, std::less<>> given_;  ///< keys so far
 };
 
-/// The description of a ready-made servo: the file <type>.toml in `beside` or in servos/, which must be complete. Throws
+/// The description of a ready-made servo: the file `<type>.toml` in `beside` or in servos/, which must be complete. Throws
 /// SetupError: with the nearest name if there is no such file, with file:line:column if something is wrong in it.
 [[nodiscard]] ServoDescription read_servo_description(std::string_view type, const std::filesystem::path& beside);
 

@@ -1,4 +1,4 @@
-/// servo_table.h - ready-made servos: the files servos/<type>.toml (docs/robots.md, "Servos").
+/// servo_table.h - ready-made servos: the files `servos/<type>.toml` (docs/robots.md, "Servos").
 #pragma once
 
 #include <string>

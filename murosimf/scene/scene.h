@@ -31,7 +31,7 @@ struct SceneOptions {
   std::optional<std::uint64_t> seed;   ///< instead of the scene's
   std::vector<std::string> overrides;  ///< PATH=VALUE, as for --set
   std::vector<std::string> events;     ///< TIME:PATH=VALUE, as for --at
-  std::vector<std::string> pushes;     ///< OBJECT=FORCE@BEGIN..END, as for --push
+  std::vector<std::string> pushes;     ///< `OBJECT=FORCE@BEGIN..END`, as for --push
   bool lenient = false;                ///< accept unknown elements in model files
   bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames
   bool paths = false;                  ///< remember where everybody has been, for write_picture

@@ -22,6 +22,14 @@ TEST(Cli, RunsAScene) {
   EXPECT_NE(result.output.find("state hash"), std::string::npos);
 }
 
+TEST(Cli, EveryCommandHasHelp) {
+  for (const std::string& command : commands()) {
+    const Result result = murosimf(command + " --help");
+    EXPECT_EQ(result.exit_code, 0) << command;
+    EXPECT_NE(result.output.find("Usage: murosimf " + command), std::string::npos) << result.output;
+  }
+}
+
 TEST(Cli, JsonGoesToStandardOutputOrAFile) {
   const Result result = murosimf("run walk --duration 1 --json -");
   EXPECT_EQ(result.exit_code, 0);
@@ -96,7 +104,6 @@ TEST(Cli, WritesThePictureAndTheRolesOfARobot) {
 
 TEST(Cli, ConvertsAModelOnceUnlessForced) {
   const fs::path folder = scratch("folder"), out = folder / "robot.xml";
-  fs::remove_all(folder);
   fs::create_directories(folder);
   const Result first = murosimf("convert kid21 --out " + out.string());
   EXPECT_EQ(first.exit_code, 0) << first.errors;
@@ -109,7 +116,6 @@ TEST(Cli, ConvertsAModelOnceUnlessForced) {
   const Result again = murosimf("convert kid21 --force --out " + out.string());
   EXPECT_EQ(again.exit_code, 0) << again.errors;
   EXPECT_NE(again.output.find("kept as it is"), std::string::npos) << again.output;
-  fs::remove_all(folder);
 }
 
 TEST(CliMistakes, InConversions) {
@@ -168,7 +174,6 @@ TEST(CliMistakes, InFiles) {
 
 TEST(Cli, WritesNumberedPicturesAndTheSameResult) {
   const fs::path folder = scratch("pictures");
-  fs::remove_all(folder);
   const Result plain = murosimf("run walk --duration 0.5 --json -");
   const Result result =
       murosimf("run walk --duration 0.5 --json - --pictures " + folder.string() + " --picture-every 0.2");
@@ -178,7 +183,6 @@ TEST(Cli, WritesNumberedPicturesAndTheSameResult) {
   EXPECT_FALSE(fs::exists(folder / "0003.png"));
   const auto hash = [](const Result& r) { return r.output.substr(r.output.find("state_hash"), 34); };
   EXPECT_EQ(hash(result), hash(plain));
-  fs::remove_all(folder);
 }
 
 TEST(CliMistakes, OutputsThatCannotBeWrittenAreRefusedBeforeTheRun) {

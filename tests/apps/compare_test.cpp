@@ -36,13 +36,11 @@ TEST(CompareCommand, WritesJsonWithOneEntryPerLevel) {
 TEST(CompareCommand, DrawsPlots) {
   if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot here";
   const fs::path folder = scratch("plots");
-  fs::remove_all(folder);
   const Result result = murosimf(short_push + "--plots " + folder.string());
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   for (const char* name : {"center_of_mass.png", "torso.png", "foot_clearance.png", "torque.png"}) {
     EXPECT_EQ(read_file(folder / name).substr(1, 3), "PNG") << name;
   }
-  fs::remove_all(folder);
 }
 
 TEST(CompareCommand, RefusesMistakes) {

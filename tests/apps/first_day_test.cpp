@@ -101,6 +101,8 @@ std::string offered(const std::string& words, int last) {
 
 TEST(FirstDay, BashCompletesCommandsOptionsAndNames) {
   EXPECT_EQ(offered("ru", 1), " run \n");
+  const std::string all = offered("\"\"", 1);
+  for (const std::string& command : commands()) EXPECT_TRUE(first_day_has(all, " " + command + " ")) << command;
   EXPECT_TRUE(first_day_has(offered("run --pu", 2), " --push "));
   EXPECT_TRUE(first_day_has(offered("run thr", 2), " three_on_three "));
   EXPECT_EQ(offered("list mat", 2), " materials \n");
@@ -118,9 +120,11 @@ TEST(FirstDay, ZshGetsAScriptOfItsOwn) {
 TEST(FirstDay, TheManualPageHasEveryCommand) {
   const std::string page = murosimf("man").output;
   EXPECT_TRUE(page.starts_with(".TH MUROSIMF 1"));
-  for (const char* command :
-       {"run", "render", "plot", "compare", "check", "convert", "list", "bench", "fit\\-servo", "lens"})
-    EXPECT_TRUE(first_day_has(page, std::string(".SS murosimf ") + command + "\n")) << command;
+  for (const std::string& command : commands()) {
+    std::string name = command;
+    if (const auto dash = name.find('-'); dash != std::string::npos) name.replace(dash, 1, "\\-");
+    EXPECT_TRUE(first_day_has(page, ".SS murosimf " + name + "\n")) << command;
+  }
   EXPECT_TRUE(first_day_has(page, "\\fB\\-\\-push\\fR"));
 }
 

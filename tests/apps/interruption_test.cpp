@@ -9,6 +9,7 @@
 #include <functional>
 #include <thread>
 
+#include "tests/apps/folder.h"
 #include "tests/apps/program.h"
 
 namespace murosimf::test {
@@ -88,23 +89,9 @@ class OnTerminal {
   std::string shown_;
 };
 
-class Interruption : public testing::Test {
+class Interruption : public InFolder {
  protected:
-  void SetUp() override {
-    folder_ = scratch("folder");
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    scene_ = write("scene.toml", two_robots).string();
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  [[nodiscard]] std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-  fs::path folder_;
+  void SetUp() override { scene_ = write("scene.toml", two_robots).string(); }
   std::string scene_;
 };
 
@@ -233,14 +220,6 @@ TEST_F(Interruption, AFitWritesTheBestSoFar) {
 
 class InterruptedVideo : public Interruption {
  protected:
-  /// A program `ffmpeg` that says its version as the real one, and then does as the script.
-  [[nodiscard]] std::string with_ffmpeg(const std::string& script) const {
-    const fs::path stub = folder_ / "bin" / "ffmpeg";
-    fs::create_directories(stub.parent_path());
-    std::ofstream(stub) << "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\n" << script;
-    fs::permissions(stub, fs::perms::owner_all);
-    return "PATH=" + stub.parent_path().string() + ":$PATH";
-  }
   [[nodiscard]] std::string render(const std::string& video) const {
     return "render " + scene_ + " --size 64x48 --duration 1e6 --video " + video;
   }
@@ -263,9 +242,10 @@ TEST_F(InterruptedVideo, EndsWhereItIs) {
 }
 
 TEST_F(InterruptedVideo, ASecondSignalEndsTheProgramAndItsChildrenAtOnce) {
-  const std::string path = with_ffmpeg("for f; do :; done\ntouch \"${f#file:}\"\necho $$ >" + file("pid") +
-                                       "\ncat >/dev/null\ntouch " + file("ended") + "\nexec sleep 1000\n");
-  OnTerminal program(render(file("v.mp4")), path);
+  const std::string path =
+      path_with_ffmpeg(folder() / "bin", "for f; do :; done\ntouch \"${f#file:}\"\necho $$ >" + file("pid") +
+                                             "\ncat >/dev/null\ntouch " + file("ended") + "\nexec sleep 1000\n");
+  OnTerminal program(render(file("v.mp4")), "PATH='" + path + "'");
   if (!program.wait_for("of 1000000.00 s") && cannot_draw(program)) GTEST_SKIP() << program.shown();
   ASSERT_TRUE(comes(file("pid"))) << "a child has begun";
   program.send(SIGINT);
@@ -284,12 +264,10 @@ TEST_F(InterruptedVideo, ASecondSignalEndsTheProgramAndItsChildrenAtOnce) {
 
 // A command that has nothing to save ends as if nobody caught the signal.
 TEST_F(Interruption, ShortCommandsEndAtOnce) {
-  const std::string bin = file("bin");
-  fs::create_directories(bin);
-  std::ofstream(bin + "/gnuplot") << "#!/bin/sh\ntouch " << file("begun") << "\nexec sleep 1000\n";
-  fs::permissions(bin + "/gnuplot", fs::perms::owner_all);
+  const std::string path =
+      path_with_program(folder() / "bin", "gnuplot", "touch " + file("begun") + "\nexec sleep 1000\n");
   const std::string table = write("t.csv", "time [s],a\n0,1\n1,2\n").string();
-  OnTerminal program("plot " + table + " --out " + file("t.png"), "PATH=" + bin + ":$PATH");
+  OnTerminal program("plot " + table + " --out " + file("t.png"), "PATH='" + path + "'");
   ASSERT_TRUE(comes(file("begun"))) << program.shown();
   program.send(SIGTERM);
   const int status = program.wait();

@@ -63,9 +63,8 @@ TEST(NumericOptions, RefuseWhatIsNoSensibleNumber) {
 
 TEST(NumericOptions, AreAllInThisTest) {
   std::size_t found = 0;
-  for (const char* command :
-       {"run", "render", "plot", "compare", "check", "convert", "list", "bench", "fit-servo", "replay-servo", "lens"}) {
-    std::stringstream help(murosimf(std::string(command) + " --help").output);
+  for (const std::string& command : commands()) {
+    std::stringstream help(murosimf(command + " --help").output);
     for (std::string line; std::getline(help, line);) {
       const auto option = line.find("--");
       if (option == std::string::npos || line.find_first_not_of(' ') != option) continue;

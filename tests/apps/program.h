@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -30,6 +31,7 @@ inline std::string read_file(const fs::path& file) {
   return text.str();
 }
 
+/// A name that no other test has, in a folder that is removed at the end.
 inline fs::path scratch(const std::string& name) {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
   return fixtures::temp_folder() / (std::string("cli_") + info->test_suite_name() + "_" + info->name() + "_" + name);
@@ -57,6 +59,30 @@ inline fs::path write(const std::string& name, const std::string& text) {
   const fs::path file = scratch(name);
   std::ofstream(file) << text;
   return file;
+}
+
+/// All commands of the program, as --help has them.
+inline std::vector<std::string> commands() {
+  std::vector<std::string> names;
+  std::stringstream help(murosimf("--help").output);
+  std::string line;
+  while (std::getline(help, line) && line != "Subcommands:") continue;
+  while (std::getline(help, line) && line.size() > 2) names.push_back(line.substr(2, line.find(' ', 2) - 2));
+  EXPECT_FALSE(names.empty()) << "the help looks different";
+  return names;
+}
+
+/// Puts a program of this name, a shell script, into a folder. PATH with that folder first.
+inline std::string path_with_program(const fs::path& folder, const std::string& name, const std::string& script) {
+  fs::create_directories(folder);
+  std::ofstream(folder / name) << "#!/bin/sh\n" << script << "\n";
+  fs::permissions(folder / name, fs::perms::owner_all);
+  return folder.string() + ":" + std::getenv("PATH");
+}
+
+/// One that says its version as the real ffmpeg, and then does as the script.
+inline std::string path_with_ffmpeg(const fs::path& folder, const std::string& script) {
+  return path_with_program(folder, "ffmpeg", "[ \"$1\" = -version ] && exit 0\n" + script);
 }
 
 }  // namespace murosimf::test

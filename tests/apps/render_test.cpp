@@ -1,6 +1,7 @@
 // Pictures and videos as a user meets them.
 #include <set>
 
+#include "tests/apps/folder.h"
 #include "tests/apps/program.h"
 
 namespace murosimf::test {
@@ -59,36 +60,23 @@ class Variable {
   std::string name_, before_;
 };
 
-class Folder : public testing::Test {
+class Drawing : public InFolder {
  protected:
-  void SetUp() override {
-    folder_ = scratch("folder");
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    scene_ = write("scene.toml", scene_text);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { scene_ = write("scene.toml", scene_text); }
 
   [[nodiscard]] std::string command(const std::string& options) const {
     return "render " + scene_.string() + " " + options;
   }
-  [[nodiscard]] std::string out(const std::string& name = "a.png") const {
-    return " --out " + (folder_ / name).string();
-  }
-  [[nodiscard]] std::string video(const std::string& name) const { return " --video " + (folder_ / name).string(); }
-  [[nodiscard]] std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename());
-    return names;
-  }
+  [[nodiscard]] std::string out(const std::string& name = "a.png") const { return " --out " + file(name); }
+  [[nodiscard]] std::string video(const std::string& name) const { return " --video " + file(name); }
   /// Bytes of a picture or video that is drawn without a word, and is alone in its folder.
   [[nodiscard]] std::string draw(const std::string& options, const std::string& name = "a.png") const {
     const Result result = murosimf(command(options) + (name.ends_with(".png") ? out(name) : video(name)));
     EXPECT_EQ(result.exit_code, 0) << options;
     EXPECT_EQ(result.output + result.errors, "") << options;
     EXPECT_EQ(files(), std::vector{name});
-    const std::string bytes = read_file(folder_ / name);
-    fs::remove(folder_ / name);
+    const std::string bytes = read_file(file(name));
+    fs::remove(file(name));
     return bytes;
   }
   void expect_refused(const std::string& options, const std::vector<std::string>& parts) const {
@@ -96,13 +84,13 @@ class Folder : public testing::Test {
     EXPECT_EQ(files(), std::vector<std::string>()) << options;
   }
 
-  fs::path folder_, scene_;
+  fs::path scene_;
 };
 
-class Render : public Folder {
+class Render : public Drawing {
  protected:
   void SetUp() override {
-    Folder::SetUp();
+    Drawing::SetUp();
     static const std::string trouble = murosimf(command("--size 8x8 --out " + scratch("probe.png").string())).errors;
     if (!trouble.empty()) GTEST_SKIP() << trouble;
   }
@@ -196,13 +184,13 @@ TEST_F(Render, SlowMotionIsOfVideosAndOfAPossibleSpeed) {
 TEST_F(Render, NamesWithColonsAndSpacesAreFiles) {
   if (!has_ffmpeg()) GTEST_SKIP() << "no ffmpeg here";
   const std::string name = "goal: one.gif";
-  const Result result = murosimf(command("--size 16x16 --duration 0.1 --video '") + (folder_ / name).string() + "'");
+  const Result result = murosimf(command("--size 16x16 --duration 0.1 --video '") + file(name) + "'");
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_EQ(files(), std::vector{name});
 }
 
 TEST_F(Render, AFileThatIsThereIsReplaced) {
-  std::ofstream(folder_ / "a.png") << "old";
+  std::ofstream(file("a.png")) << "old";
   EXPECT_EQ(size_of_png(draw("--size 16x16")), "16x16");
 }
 
@@ -218,15 +206,6 @@ TEST_F(Render, SaysWhichLayersACameraDoesNotDraw) {
                  {"--layer color", "--set 'one.sensors.camera.color=true'"});
 }
 
-/// A program `ffmpeg` that says its version as the real one and then does as the script.
-std::string path_with_fake(const fs::path& folder, const std::string& script) {
-  fs::create_directories(folder);
-  const fs::path file = folder / "ffmpeg";
-  std::ofstream(file) << "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\n" << script << "\n";
-  fs::permissions(file, fs::perms::owner_all);
-  return folder.string() + ":" + std::getenv("PATH");
-}
-
 TEST_F(Render, AnFfmpegThatDiesIsOneLineAndNoFile) {
   const std::string options = "--size 320x200 --duration 0.2" + video("a.mp4");
   const fs::path tools = scratch("tools");
@@ -238,18 +217,17 @@ TEST_F(Render, AnFfmpegThatDiesIsOneLineAndNoFile) {
         Death{"head -c 1000 >/dev/null; exit 1", "gave up without a word"},
         Death{"cat >/dev/null; exit 1", "gave up without a word"},
         Death{"cat >/dev/null; kill -9 $$", "gave up without a word"}, Death{"cat >/dev/null", "cannot write"}}) {
-    const Variable path("PATH", path_with_fake(tools, death.script));
+    const Variable path("PATH", path_with_ffmpeg(tools, death.script));
     expect_refused(options, {death.words});
   }
-  fs::remove_all(tools);
 }
 
-TEST_F(Folder, RefusesVideosWithoutFfmpegBeforeTheRun) {
+TEST_F(Drawing, RefusesVideosWithoutFfmpegBeforeTheRun) {
   const Variable path("PATH", "/nowhere");
   expect_refused("--time 1e9" + video("a.mp4"), {"'ffmpeg'", "not installed", "--out FILE.png"});
 }
 
-TEST_F(Folder, RefusesPlacesThatAreNotThere) {
+TEST_F(Drawing, RefusesPlacesThatAreNotThere) {
   expect_refused("--view onw" + out(), {"unknown view 'onw'", "did you mean 'one'?"});
   expect_refused("--view nowhere" + out(), {"unknown view 'nowhere'", "overview", "corner"});
   expect_refused("--camera one.camra" + out(), {"--camera 'one.camra'", "did you mean 'camera'?"});
@@ -260,7 +238,7 @@ TEST_F(Folder, RefusesPlacesThatAreNotThere) {
   expect_refused("--view top --camera one.camera" + out(), {"either --view or --camera"});
 }
 
-TEST_F(Folder, RefusesImpossibleSizesTimesAndNames) {
+TEST_F(Drawing, RefusesImpossibleSizesTimesAndNames) {
   for (const char* size :
        {"0x0", "100000x100000", "abc", "640", "640x", "x480", "-4x4", "640x480x3", "1e3x10", "8193x8"})
     expect_refused(std::string("--size ") + size + out(), {"--size '" + std::string(size) + "'", "WIDTHxHEIGHT"});
@@ -277,19 +255,19 @@ TEST_F(Folder, RefusesImpossibleSizesTimesAndNames) {
   expect_refused("--set one.sensors.camera.width=100000 --camera one.camera" + out(), {"camera: width is 100000"});
 }
 
-TEST_F(Folder, RefusesOutputsThatCannotBe) {
+TEST_F(Drawing, RefusesOutputsThatCannotBe) {
   expect_refused("", {"either --out FILE.png or --video FILE.mp4"});
   expect_refused(out() + video("a.mp4"), {"either --out FILE.png or --video FILE.mp4"});
   expect_refused("--time 1e9 --out /no/such/folder/a.png",
                  {"cannot write '/no/such/folder/a.png'", "there is no folder"});
   expect_refused("--time 1e9 --out /proc/a.png", {"cannot write '/proc/a.png'"});
-  expect_refused("--time 1e9 --out " + folder_.string(), {"it is a folder"});
+  expect_refused("--time 1e9 --out " + folder().string(), {"it is a folder"});
   expect_refused("--time 1e9 --video /no/such/folder/a.mp4", {"/no/such/folder/a.mp4", "there is no folder"});
   expect_refused("--time 1e9" + video("film"), {"film", "its extension must say which kind", ".mp4"});
   expect_refused("--time 1e9" + video("film.txt"), {"film.txt", "its extension must say which kind", ".mp4"});
 }
 
-TEST_F(Folder, RefusesOptionsOfVideosForPictures) {
+TEST_F(Drawing, RefusesOptionsOfVideosForPictures) {
   expect_refused("--fps 10" + out(), {"--fps", "--video"});
   expect_refused("--duration 1" + out(), {"--duration", "--video"});
   expect_refused("--fps 10 --camera one.camera" + video("a.mp4"), {"--fps", "--camera"});
@@ -302,7 +280,7 @@ TEST_F(Folder, RefusesOptionsOfVideosForPictures) {
 
 constexpr const char* no_device = "__EGL_VENDOR_LIBRARY_FILENAMES";
 
-TEST_F(Folder, WithoutADeviceIsOneLineThatNamesPackages) {
+TEST_F(Drawing, WithoutADeviceIsOneLineThatNamesPackages) {
   const Variable none(no_device, "/nonexistent");
   const std::vector<std::string> parts{"no pictures by OpenGL", "Debian and Ubuntu", "libegl"};
   expect_refused(out(), parts);
@@ -340,10 +318,10 @@ std::string calibration(const std::string& fx, const std::string& k1) {
          k1 + ", 0, 0, 0]\n";
 }
 
-class Calibration : public Folder {
+class Calibration : public Drawing {
  protected:
   void SetUp() override {
-    Folder::SetUp();
+    Drawing::SetUp();
     if (murosimf("lens wolfgang_rory").errors.find("yaml-cpp was missing") != std::string::npos) {
       GTEST_SKIP() << "no yaml-cpp in this build";
     }

@@ -1,4 +1,5 @@
 #include "murosimf/collision/contact_parameters.h"
+#include "murosimf/motion/motion_properties.h"
 
 #include <gtest/gtest.h>
 

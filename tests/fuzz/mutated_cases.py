@@ -24,8 +24,9 @@ controller = "none"
 MESH_ROBOT = """<mujoco><asset><mesh name="m" file="MESH"/></asset><worldbody><body name="b" pos="0 0 1"><freejoint/>
 <geom type="mesh" mesh="m" mass="1"/></body></worldbody></mujoco>
 """
-MESH_URDF = """<robot name="r"><link name="b"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>
-</inertial><collision><geometry><mesh filename="MESH"/></geometry></collision></link></robot>
+MESH_URDF = """<robot name="r"><link name="b"><inertial><mass value="1"/>
+<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+<collision><geometry><mesh filename="MESH"/></geometry></collision></link></robot>
 """
 CSV = "time [s],a.x [m],a.y [m],b\n" + "".join(f"{0.1 * i:.1f},{i},{-i},{i * i}\n" for i in range(12))
 
@@ -49,15 +50,16 @@ class Cases:
         self.servos = texts("servos/*.toml")
         self.lenses = texts("lenses/*.yaml")
         self.logs = texts("tests/fuzz/seeds/*.json")
-        self.meshes = {file.name: file.read_bytes() for pattern in ("stl", "obj")
+        self.meshes = {file.name: file.read_bytes() for pattern in ("stl", "obj", "dae")
                        for file in sorted(ROOT.glob(f"tests/fuzz/seeds/*.{pattern}"))}
         properties = subprocess.run([program, "list", "properties"], capture_output=True, text=True, check=True).stdout
         self.properties = re.findall(r"^([a-z_]+)", properties, re.MULTILINE)
-        self.kinds = [(self.scene, 24), (self.mjcf, 14), (self.urdf, 8), (self.table, 9), (self.motion, 6), (self.part, 6),
-                      (self.servo, 4), (self.lens, 4), (self.log, 4), (self.mesh, 5), (self.numbers, 3), (self.options, 24)]
+        self.kinds = [(self.scene, 24), (self.mjcf, 14), (self.urdf, 8), (self.table, 9), (self.motion, 6),
+                      (self.part, 6), (self.servo, 4), (self.lens, 4), (self.log, 4), (self.mesh, 5), (self.numbers, 3),
+                      (self.options, 24)]
 
     def make(self, rng):
-        kinds, weights = zip(*self.kinds)
+        kinds, weights = zip(*self.kinds, strict=True)
         return rng.choices(kinds, weights)[0](rng)
 
     def scene(self, rng):
@@ -69,9 +71,11 @@ class Cases:
         """What can be done with a robot file."""
         files["scene.toml"] = ONE_ROBOT.replace("MODEL", name).replace("LEVEL", rng.choice(LEVELS))
         lenient = rng.choice([[], [], ["--lenient"]])
-        return rng.choice([["check", name, *lenient], ["check", name, *lenient, "--json", "-"], ["run", "scene.toml", *SHORT, *lenient],
-                           ["run", "scene.toml", *SHORT], ["convert", name, "--out", "out.xml", *lenient],
-                           ["check", name, "--roles", "roles.toml"]]), files
+        command = rng.choice([["check", name, *lenient], ["check", name, *lenient, "--json", "-"],
+                              ["run", "scene.toml", *SHORT, *lenient], ["run", "scene.toml", *SHORT],
+                              ["convert", name, "--out", "out.xml", *lenient],
+                              ["check", name, "--roles", "roles.toml"]])
+        return command, files
 
     def mjcf(self, rng):
         return self.robot(rng, "robot.xml", {"robot.xml": mutated(rng, rng.choice(self.robots))})
@@ -87,13 +91,15 @@ class Cases:
     def motion(self, rng):
         scene = (ROOT / "scenes/get_up.toml").read_text()
         scene = re.sub(r'motion = "[^"]*"', 'motion = "motion.toml"', scene)
-        return ["run", "scene.toml", *SHORT], {"scene.toml": scene, "motion.toml": mutated(rng, rng.choice(self.motions))}
+        files = {"scene.toml": scene, "motion.toml": mutated(rng, rng.choice(self.motions))}
+        return ["run", "scene.toml", *SHORT], files
 
     def part(self, rng):
         part = rng.choice(self.parts)
         kind = re.search(r'^type = "(\w+)"', part, re.MULTILINE)
         scene = ONE_ROBOT.replace("MODEL", "kid21").replace("LEVEL", rng.choice(LEVELS))
-        scene += f'[robots.sensors.mine]\ntype = "{kind.group(1) if kind else "imu"}"\npart = "part.toml"\nframe = "torso"\n'
+        scene += f'[robots.sensors.mine]\ntype = "{kind.group(1) if kind else "imu"}"\n'
+        scene += 'part = "part.toml"\nframe = "torso"\n'
         files = {"scene.toml": scene, "part.toml": part}
         which = rng.choice(["scene.toml", "part.toml", "part.toml"])
         files[which] = mutated(rng, files[which])
@@ -105,7 +111,8 @@ class Cases:
 
     def lens(self, rng):
         models = ["perspective", "plumb_bob", "rational_polynomial", "equidistant", "ray_polynomial", "x"]
-        command = rng.choice([["lens", "lens.yaml"], ["lens", "lens.yaml", "--as", rng.choice(models), "--out", "out.yaml"]])
+        command = rng.choice([["lens", "lens.yaml"],
+                              ["lens", "lens.yaml", "--as", rng.choice(models), "--out", "out.yaml"]])
         return command, {"lens.yaml": mutated(rng, rng.choice(self.lenses))}
 
     def log(self, rng):
@@ -124,27 +131,32 @@ class Cases:
         return self.robot(rng, robot, {robot: text, name: data})
 
     def numbers(self, rng):
-        return ["plot", "run.csv", "--out", "run.png", *rng.choice([[], ["a"], ["*"], ["a.x", "zz"]])], {"run.csv": mutated(rng, CSV)}
+        patterns = rng.choice([[], ["a"], ["*"], ["a.x", "zz"]])
+        return ["plot", "run.csv", "--out", "run.png", *patterns], {"run.csv": mutated(rng, CSV)}
 
     # -- options
 
     def value(self, rng):
-        return rng.choice([rng.choice(NUMBERS), rng.choice(TEXTS), rng.choice(LEVELS), "[1,2,3]", "[0,0,nan]", "[" * 200, '"x"', "{a=1}",
-                           "{}", "[]", "a." * 2000, rng.choice(["implicit_stick", "paper", "kelvin_voigt", "grass", "euler"])])
+        return rng.choice([rng.choice(NUMBERS), rng.choice(TEXTS), rng.choice(LEVELS), "[1,2,3]", "[0,0,nan]",
+                           "[" * 200, '"x"', "{a=1}", "{}", "[]", "a." * 2000,
+                           rng.choice(["implicit_stick", "paper", "kelvin_voigt", "grass", "euler"])])
 
     def path(self, rng):
-        entity = rng.choice(["walker", "robot", "r1", "blue1", "blue.*", "blue.1", "red*", "ball", "field", "*", "nobody", "", "defaults",
-                             "start", "view", "light", rng.choice(TEXTS)])
-        key = rng.choice(["level", "contact", "position", "command", "model", "sensors", "rate", "duration", "seed", "gravity", "surface",
-                          "mass", "radius", "size", "heading_deg", "servo_law", "integrator", "volume", "self_collision", "motion"])
+        entity = rng.choice(["walker", "robot", "r1", "blue1", "blue.*", "blue.1", "red*", "ball", "field", "*",
+                             "nobody", "", "defaults", "start", "view", "light", rng.choice(TEXTS)])
+        key = rng.choice(["level", "contact", "position", "command", "model", "sensors", "rate", "duration", "seed",
+                          "gravity", "surface", "mass", "radius", "size", "heading_deg", "servo_law", "integrator",
+                          "volume", "self_collision", "motion"])
         inner = rng.choice(["torso", "l_foot", "base", "field", "ball", "head", "*", "imu", "camera", "encoders", ""])
         last = rng.choice(self.properties)
-        return rng.choice([key, f"{entity}.{key}", f"{entity}.{last}", f"{entity}.{inner}.{last}", f"{entity}.{inner}.*", f"{entity}.*.*",
-                           f"{entity}.sensors.{inner}.rate", f"{entity}.sensors.{inner}.accelerometer.noise", f"{entity}.{inner}",
+        return rng.choice([key, f"{entity}.{key}", f"{entity}.{last}", f"{entity}.{inner}.{last}",
+                           f"{entity}.{inner}.*", f"{entity}.*.*", f"{entity}.sensors.{inner}.rate",
+                           f"{entity}.sensors.{inner}.accelerometer.noise", f"{entity}.{inner}",
                            "a." * rng.choice([2, 50, 5000]) + last, f"{entity}.{inner}.{last}.x"])
 
     def setting(self, rng):
-        return rng.choice([f"{self.path(rng)}={self.value(rng)}", f"{self.path(rng)}={self.value(rng)}", self.path(rng), "=", ""])
+        return rng.choice([f"{self.path(rng)}={self.value(rng)}", f"{self.path(rng)}={self.value(rng)}", self.path(rng),
+                           "=", ""])
 
     def some_options(self, rng):
         time = rng.choice(["0", "0.005", "0.01", "-1", "nan", "1e300", "x", "", "1e9", "1e-12"])
@@ -162,8 +174,9 @@ class Cases:
 
     def options(self, rng):
         scene = rng.choice(self.scene_names + ["walk"] * 8)
-        command = rng.choice([["run", scene], ["run", scene], ["run", scene], ["run", scene], ["compare", scene, "--entity", "walker"],
-                              ["check", "kid21"], ["list"], ["lens", "wolfgang_amy"], [rng.choice(TEXTS)], []])
+        command = rng.choice([["run", scene], ["run", scene], ["run", scene], ["run", scene],
+                              ["compare", scene, "--entity", "walker"], ["check", "kid21"], ["list"],
+                              ["lens", "wolfgang_amy"], [rng.choice(TEXTS)], []])
         if command[:1] == ["run"]:
             command += SHORT
         if command[:1] == ["compare"]:

@@ -6,14 +6,15 @@ NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?(?![\w.])")
 WORD = re.compile(r"[A-Za-z_][A-Za-z_0-9]*")
 QUOTED = re.compile(r"\"[^\"\n]*\"|'[^'\n]*'")
 
-NUMBERS = ["0", "-0.0", "1", "-1", "2", "3", "7", "0.5", "-0.001", "1e-3", "1e-9", "1e-300", "1e5", "1e10", "1e18", "1e300",
-           "-1e300", "1e999", "nan", "inf", "-inf", "100000", "999999999", "2147483648", "4294967296",
+NUMBERS = ["0", "-0.0", "1", "-1", "2", "3", "7", "0.5", "-0.001", "1e-3", "1e-9", "1e-300", "1e5", "1e10", "1e18",
+           "1e300", "-1e300", "1e999", "nan", "inf", "-inf", "100000", "999999999", "2147483648", "4294967296",
            "9007199254740993", "9223372036854775807", "9223372036854775808", "-9223372036854775808", "0x10", "1_000",
            "1.", ".5", "+3", "1e", "--1", "1,5", "1979-05-27", "true"]
-TEXTS = ["", " ", "*", "?", ".", "..", "/", "/dev/zero", "/dev/null", "/proc/self/mem", "none", "nothing", "a" * 300, "[", "{}", "%s%n",
-         "{}{0}", "\\u0000", "\\n", "\\t", "é", "名", "field", "ball", "ground", "-", "--json", "r1.r1", "world", "null"]
-PIECES = ["[", "]", "{", "}", "\"", "'", "=", ",", ".", "#", "<", ">", "/", "/>", "<!--", "-->", "\n", "\0", "\x1b", "\xff", "=[", "[[", "]]",
-          "\"\"\"", "&lt;", "&#0;", "- ", ": ", "\t", " ", "\r\n", "1", "-", "e"]
+TEXTS = ["", " ", "*", "?", ".", "..", "/", "/dev/zero", "/dev/null", "/proc/self/mem", "none", "nothing", "a" * 300,
+         "[", "{}", "%s%n", "{}{0}", "\\u0000", "\\n", "\\t", "é", "名", "field", "ball", "ground", "-", "--json",
+         "r1.r1", "world", "null"]
+PIECES = ["[", "]", "{", "}", "\"", "'", "=", ",", ".", "#", "<", ">", "/", "/>", "<!--", "-->", "\n", "\0", "\x1b",
+          "\xff", "=[", "[[", "]]", "\"\"\"", "&lt;", "&#0;", "- ", ": ", "\t", " ", "\r\n", "1", "-", "e"]
 
 
 def swap_number(rng, text):
@@ -94,8 +95,9 @@ def cut_off(rng, text):
 def nest_deep(rng, text):
     """Thousands of brackets, dots or elements where a value stands."""
     depth = rng.choice([20, 300, 5000, 50000])
-    deep = rng.choice(["[" * depth, "[" * depth + "]" * depth, "{a=" * depth, "a." * depth + "a = 1", "[" + "a." * depth + "a]",
-                       "<body>" * depth, "<link>" * depth + "</link>" * depth, "- " * depth, "(" * depth])
+    deep = rng.choice(["[" * depth, "[" * depth + "]" * depth, "{a=" * depth, "a." * depth + "a = 1",
+                       "[" + "a." * depth + "a]", "<body>" * depth, "<link>" * depth + "</link>" * depth, "- " * depth,
+                       "(" * depth])
     return _replace_one(rng, text, NUMBER, lambda _: deep) if rng.random() < 0.5 else deep + "\n" + text
 
 
@@ -106,13 +108,14 @@ def flip_byte(rng, text):
     return text[:at] + chr(ord(text[at]) ^ (1 << rng.randrange(7))) + text[at + 1:]
 
 
-MUTATORS = [(swap_number, 12), (scale_numbers, 8), (swap_quoted, 8), (swap_word, 5), (misspell, 4), (drop_lines, 5), (repeat_lines, 4), (move_lines, 2),
-            (insert_piece, 3), (drop_piece, 3), (cut_off, 1), (nest_deep, 1), (flip_byte, 2)]
+MUTATORS = [(swap_number, 12), (scale_numbers, 8), (swap_quoted, 8), (swap_word, 5), (misspell, 4), (drop_lines, 5),
+            (repeat_lines, 4), (move_lines, 2), (insert_piece, 3), (drop_piece, 3), (cut_off, 1), (nest_deep, 1),
+            (flip_byte, 2)]
 
 
 def mutated(rng, text):
     """`text` with one to five mistakes; mostly one, because the first one hides those behind it."""
-    kinds, weights = zip(*MUTATORS)
+    kinds, weights = zip(*MUTATORS, strict=True)
     for kind in rng.choices(kinds, weights, k=rng.choice([1, 1, 1, 1, 2, 2, 3, 5])):
         text = kind(rng, text)
     return text

@@ -5,10 +5,10 @@
     tests/fuzz/mutations.py --program build/release/murosimf --cases 50000   some twenty minutes
     tests/fuzz/mutations.py --program build/release/murosimf --only 4711 --keep found   one of them again, and its files
 
-Mistakes are made in scenes, robots, their tables, motions, parts, servos, lenses, recordings, meshes, tables of numbers and
-options. A case fails if the program ends by a signal, takes longer than 20 s, ends with a code that is none of its own,
-says something else than one line when it refuses (and lines 'warning: ...'), or leaves a '.part' file behind. The same
-seed and number make the same case.
+Mistakes are made in scenes, robots, their tables, motions, parts, servos, lenses, recordings, meshes, tables of numbers
+and options. A case fails if the program ends by a signal, takes longer than 20 s, ends with a code that is none of its
+own, says something else than one line when it refuses (and lines 'warning: ...'), or leaves a '.part' file behind. The
+same seed and number make the same case.
 """
 
 import argparse
@@ -30,8 +30,8 @@ from mutated_cases import Cases  # noqa: E402
 
 TIME_LIMIT = 20  # [s]
 MEMORY_LIMIT = 4_000_000_000  # [byte] of address space
-NEVER = ("terminate called", "Traceback", "AddressSanitizer", "runtime error:", "LeakSanitizer", "Assertion", "unexpected:",
-         "out of memory")
+NEVER = ("terminate called", "Traceback", "AddressSanitizer", "runtime error:", "LeakSanitizer", "Assertion",
+         "unexpected:", "out of memory")
 
 
 def complaint(code, errors):
@@ -76,8 +76,8 @@ class Tester:
     def run(self, number):
         arguments, folder = self.prepare(number)
         try:
-            done = subprocess.run([self.options.program, *arguments], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True,
-                                  timeout=TIME_LIMIT)
+            done = subprocess.run([self.options.program, *arguments], cwd=folder, stdin=subprocess.DEVNULL,
+                                  capture_output=True, timeout=TIME_LIMIT)
             wrong = complaint(done.returncode, done.stderr.decode(errors="replace"))
             code = done.returncode
         except subprocess.TimeoutExpired:
@@ -99,7 +99,8 @@ class Tester:
         self.keep(folder)
         print("in", self.options.keep / folder.name if self.options.keep else folder)
         print(" ".join(map(repr, [self.options.program, *arguments])), flush=True)
-        done = subprocess.run([self.options.program, *arguments], cwd=folder, stdin=subprocess.DEVNULL, timeout=TIME_LIMIT)
+        done = subprocess.run([self.options.program, *arguments], cwd=folder, stdin=subprocess.DEVNULL,
+                              timeout=TIME_LIMIT)
         print("exit code", done.returncode)
 
 
@@ -130,7 +131,8 @@ def run_all(tester, options):
                 continue
             outcomes.append(outcome)
             if outcome.complaint:
-                print(f"case {outcome.number}: {outcome.complaint}; again: --seed {options.seed} --only {outcome.number}", flush=True)
+                again = f"--seed {options.seed} --only {outcome.number}"
+                print(f"case {outcome.number}: {outcome.complaint}; again: {again}", flush=True)
     return outcomes, time.monotonic() - start
 
 

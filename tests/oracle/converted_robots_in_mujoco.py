@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Loads converted robots in MuJoCo and compares them with what MuJoCo makes of the files they were made from.
 
-MJCF files: ranges, dampings and dry friction of joints, number of
-actuators, total mass, and inertia and center of mass of every body in random joint positions. URDF files: their total mass, summed in the
-file. With meshes as they are and fitted.
+MJCF files: ranges, dampings and dry friction of joints, number of actuators, total mass, and inertia and center of mass
+of every body in random joint positions. URDF files: their total mass, summed in the file. With meshes as they are and
+fitted.
 
 Usage: converted_robots_in_mujoco.py <murosimf> <folder of models> <folder of data>
 Exit: 0 all agree, 1 some differ, 77 MuJoCo is not installed (test is skipped).
@@ -72,7 +72,7 @@ def random_positions(random, found, expected):
         value = np.array([0, 0, 1, 1, 0, 0, 0]) if free else random.uniform(-1, 1, 1)
         for model, data, k in ((found, states[0], i), (expected, states[1], j)):
             data.qpos[model.jnt_qposadr[k]:model.jnt_qposadr[k] + len(value)] = value
-    for model, data in zip((found, expected), states):
+    for model, data in zip((found, expected), states, strict=True):
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
     return states

@@ -37,7 +37,7 @@ def concave(random):
     n = len(OUTLINE)
     height = random.uniform(0.2, 2)
     bend = random.uniform(-0.2, 0.2, (n, 2))
-    vertices = [(*(np.array(p) + b), z) for z in (0, height) for p, b in zip(OUTLINE, bend)]
+    vertices = [(*(np.array(p) + b), z) for z in (0, height) for p, b in zip(OUTLINE, bend, strict=True)]
     faces = [(a, c, b) for a, b, c in CAP] + [(a + n, b + n, c + n) for a, b, c in CAP]
     for i in range(n):
         j = (i + 1) % n
@@ -145,7 +145,7 @@ def main():
         (folder / "meshes").mkdir()
         paths = [write_robot(random, folder, i) for i in range(ROBOTS)]
         output = subprocess.run([sys.argv[1], *map(str, paths)], check=True, capture_output=True, text=True).stdout
-        found = [error for path, ours in zip(paths, json.loads(output)) for error in errors(path, ours)]
+        found = [error for path, ours in zip(paths, json.loads(output), strict=True) for error in errors(path, ours)]
     what, worst = max(found, key=lambda entry: entry[1])
     print(f"{len(found)} quantities of {ROBOTS} robots, largest difference {worst:.3g} of the tolerance ({what})")
     # written so that NaN fails

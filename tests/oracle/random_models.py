@@ -102,7 +102,7 @@ def axes(dice, count):
     if count == 1 and dice.random() < 0.5:
         return [dice.uniform(0.5, 2.0) * unit(dice, 3)]
     signs = dice.choice([-1.0, 1.0], 3)
-    return [sign * axis for sign, axis in zip(signs, dice.permutation(np.eye(3))[:count])]
+    return [sign * axis for sign, axis in zip(signs, dice.permutation(np.eye(3))[:count], strict=False)]
 
 
 def joint(dice, name, axis, kind, more):

@@ -70,7 +70,7 @@ class Engine:
         data.qvel[self.dofs] = state.qd
         data.qfrc_applied[self.dofs] = state.torque
         mujoco.mj_kinematics(self.model, data)
-        for body, wrench in zip(self.bodies, state.wrenches):
+        for body, wrench in zip(self.bodies, state.wrenches, strict=True):
             moment, force = wrench[:3], wrench[3:]
             lever = data.xipos[body] - data.xpos[body]  # MuJoCo pushes at the center of mass
             data.xfrc_applied[body] = [*force, *(moment - np.cross(lever, force))]
@@ -94,14 +94,14 @@ class Engine:
         data.qacc[self.dofs] = a[6:]
         mujoco.mj_inverse(self.model, data)
         given = np.zeros(self.model.nv)
-        for body, wrench in zip(self.bodies, state.wrenches):
+        for body, wrench in zip(self.bodies, state.wrenches, strict=True):
             mujoco.mj_applyFT(self.model, data, wrench[3:], wrench[:3], data.xpos[body], body, given)
         left = data.qfrc_inverse - given
         return np.concatenate([self.turn @ left[3:6], left[:3], left[self.dofs]])
 
     def mass_matrix(self):
         M = np.zeros((self.model.nv, self.model.nv))
-        for row, unit in zip(M, np.eye(self.model.nv)):
+        for row, unit in zip(M, np.eye(self.model.nv), strict=True):
             mujoco.mj_mulM(self.model, self.data, row, unit)  # how mj_fullM is called changes with the version
         to_ours = np.zeros_like(M)  # our velocity from MuJoCo's
         to_ours[:3, 3:6] = self.turn

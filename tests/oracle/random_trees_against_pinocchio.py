@@ -14,8 +14,7 @@ import tempfile
 try:
     import numpy as np
     import pinocchio
-
-    pinocchio.buildModelFromMJCF  # None of it without support for MJCF
+    from pinocchio import buildModelFromMJCF  # not there without support for MJCF
 except (ImportError, AttributeError) as missing:
     print(f"skipped: {missing}; pip install pin (3 or newer)")
     sys.exit(77)
@@ -32,12 +31,12 @@ class Engine:
     """Pinocchio's answers in our order and frames."""
 
     def __init__(self, file, robot):
-        self.model = pinocchio.buildModelFromMJCF(str(file))
+        self.model = buildModelFromMJCF(str(file))
         self.data = self.model.createData()
         self.frames = [self.model.getFrameId(body.name, pinocchio.FrameType.BODY) for body in robot.bodies]
         # joints of one body become one joint of several degrees of freedom
         self.dofs = []
-        for body, frame in zip(robot.bodies, self.frames):
+        for body, frame in zip(robot.bodies, self.frames, strict=True):
             first = self.model.idx_vs[self.model.frames[frame].parentJoint]
             self.dofs += [] if body is robot.bodies[0] else [first + k for k in range(len(body.joints))]
         if sorted(self.dofs) != list(range(6, self.model.nv)):
@@ -61,7 +60,7 @@ class Engine:
     def joint_forces(self, state):
         """The wrenches on the bodies, each in the frame of the joint that carries it."""
         forces = [pinocchio.Force.Zero() for _ in range(self.model.njoints)]
-        for number, wrench in zip(self.frames, state.wrenches):
+        for number, wrench in zip(self.frames, state.wrenches, strict=True):
             frame = self.model.frames[number]
             turn = self.data.oMf[number].rotation
             local = pinocchio.Force(turn.T @ wrench[3:], turn.T @ wrench[:3])

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Compares robot files of teams, as they are read here, with what MuJoCo makes of the same files.
 
-Total mass; mass, center and inertia of every body with all that is welded to it; axes and ranges of joints; poses of all
-bodies and links in 1,000 random joint positions, the first all zero; the common center of mass. K1 is there as URDF and
-as MJCF: what both files say is compared here, too. MuJoCo reads URDF files without meshes, which have no mass there.
+Total mass; mass, center and inertia of every body with all that is welded to it; axes and ranges of joints; poses of
+all bodies and links in 1,000 random joint positions, the first all zero; the common center of mass. K1 is there as URDF
+and as MJCF: what both files say is compared here, too. MuJoCo reads URDF files without meshes, which have no mass
+there.
 
 Usage: robots_against_mujoco.py <dump_robot> <folder of robots>
 Exit: 0 all agree, 1 some differ, 77 MuJoCo or the files are not there (test is skipped).
@@ -41,7 +42,7 @@ TOLERANCES = {
     "K1 files: position": 1e-5,
     "K1 files: orientation": 1e-5,
     "K1 files: center": 1e-6,
-    "K1 files: inertia": 1e-5,  # [1] of the largest component; one file has it in body axes, the other in principal ones
+    "K1 files: inertia": 1e-5,  # [1] of the largest component; one file has it in body axes, one in principal ones
 }
 
 
@@ -147,7 +148,7 @@ def compare_files(worst, urdf, mjcf):
         worst.note("K1 files: range", name, np.abs(np.subtract(joint["range"], other["range"])).max())
     for name in urdf["bodies"]:
         for what, ours, others in zip(("position", "orientation"), urdf["states"][0]["frames"][name],
-                                      mjcf["states"][0]["frames"][name]):
+                                      mjcf["states"][0]["frames"][name], strict=True):
             worst.note(f"K1 files: {what}", name, np.abs(np.subtract(ours, others)).max())
 
 

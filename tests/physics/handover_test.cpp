@@ -72,7 +72,7 @@ void expect_no_jump(const Seen& seen, const std::string& what) {
                     seen.pose_change, 1e-12, "m");
   law::expect_below({.law = what + ": way of the base in the step after an exchange (0.3 mm is 0.3 m/s)",
                      .level = level,
-                     .source = "the project's prototype: 0.25 mm"},
+                     .source = "regression: the project's prototype, 0.25 mm"},
                     seen.step, 0.3e-3, "m");
   law::expect_below({.law = what + ": turn of the base in that step", .level = level, .source = "no visible jump"},
                     seen.turn, 0.1 * degree, "rad");

@@ -27,15 +27,15 @@ double lean_after(double push, const std::string& level) {
 class Pushed : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Levels, Pushed, testing::ValuesIn(dynamic_levels()), level_name);
 
-// The figures of the project's prototype.
+// Regression, no law: the figures of the project's prototype.
 TEST_P(Pushed, WithstandsAPushOfTwoNewtonSecondsAndFallsAtThree) {
   law::expect_below({.law = "standing robot pushed with 2 N s: lean of the pelvis after 3 s",
                      .level = GetParam(),
-                     .source = "it stands, as the project's prototype"},
+                     .source = "regression: the project's prototype stands"},
                     lean_after(2, GetParam()), 18, "deg");
   law::expect_above({.law = "standing robot pushed with 3 N s: lean of the pelvis after 3 s",
                      .level = GetParam(),
-                     .source = "it falls, as the project's prototype"},
+                     .source = "regression: the project's prototype falls"},
                     lean_after(3, GetParam()), 60, "deg");
 }
 

@@ -13,7 +13,7 @@ namespace {
 /// 18 s of walking with `command` from standing.
 Walk walk(const std::string& level, const Vec3d& command) { return test::walk({{.level = level}, command}); }
 
-/// Figures of the project's prototype for the same robot and walk parameters (18 s, with the ramp at the start).
+/// Regression: figures of the project's prototype, no law, for the same robot and walk parameters (18 s, with the ramp at the start).
 struct Expected {
   Vec3d command;
   std::array<double, 4> progress;  // [m] along the command, or [rad]; by level as in all_levels()
@@ -45,7 +45,7 @@ void expect_progress(const std::string& level, const Walk& walk, const Vec3d& co
                      double tolerance) {
   law::expect_near({.law = words(command) + ": progress in 18 s",
                     .level = level,
-                    .source = "the project's prototype: same robot, parameters and level"},
+                    .source = "regression: the project's prototype with the same robot, parameters and level"},
                    progress(walk, command), expected, tolerance * std::abs(expected), command.z != 0 ? "rad" : "m");
 }
 

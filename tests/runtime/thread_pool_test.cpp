@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <set>
 #include <thread>
 
 namespace murosimf {
@@ -20,14 +24,29 @@ TEST(ThreadPool, RunsEveryItemOnce) {
   }
 }
 
+/// How many threads take part in a wave whose items wait for all of them, at most ten seconds.
+std::size_t threads_in_a_wave(ThreadPool& pool) {
+  std::mutex mutex;
+  std::condition_variable came;
+  std::set<std::thread::id> here;
+  const auto count = static_cast<std::size_t>(pool.threads());
+  pool.for_each(count, [&](std::size_t) {
+    std::unique_lock lock(mutex);
+    here.insert(std::this_thread::get_id());
+    came.notify_all();
+    came.wait_for(lock, std::chrono::seconds(10), [&] { return here.size() == count; });
+  });
+  return here.size();
+}
+
+// The caller alone could do all the work; items that wait for company show whether the others come, awake or asleep.
 TEST(ThreadPool, WakesThreadsThatSleep) {
   ThreadPool pool(3);
-  std::atomic<int> sum{0};
+  EXPECT_EQ(threads_in_a_wave(pool), 3U);
   for (int round = 0; round < 5; ++round) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    pool.for_each(10, [&](std::size_t i) { sum += static_cast<int>(i); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ASSERT_EQ(threads_in_a_wave(pool), 3U) << "round " << round;
   }
-  EXPECT_EQ(sum.load(), 5 * 45);
 }
 
 TEST(ThreadPool, StopsWithoutWork) { const ThreadPool pool(4); }

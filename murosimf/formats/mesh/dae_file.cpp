@@ -1,6 +1,7 @@
 #include "murosimf/formats/mesh/dae_file.h"
 
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -11,7 +12,9 @@
 namespace murosimf::formats::mesh {
 namespace {
 
-constexpr std::size_t most_nodes = 100'000;  // a node can be used again and again
+// A node can be used again and again, and so can a geometry: what is visited and made of it counts each time.
+constexpr std::size_t most_elements = 1'000'000;
+constexpr std::size_t most_vertices = 3 * most_triangles;
 
 /// v becomes turn v + shift; the turn may scale.
 struct Affine {
@@ -73,9 +76,11 @@ class Reader {
   }
 
   void add_node(const files::XmlElement& node, Affine frame, int depth = 0) {
-    if (++nodes_ > most_nodes || depth > 200) node.fail("the nodes of the file never end; export the mesh again");
-    for (const files::XmlElement& child : node.children()) frame = frame * read_step(child);
-    for (const files::XmlElement& child : node.children()) {
+    const auto children = node.children();
+    elements_ += 1 + children.size();
+    if (elements_ > most_elements || depth > 200) node.fail("the nodes of the file never end; export the mesh again");
+    for (const files::XmlElement& child : children) frame = frame * read_step(child);
+    for (const files::XmlElement& child : children) {
       const std::string tag = child.tag();
       if (tag == "node") add_node(child, frame, depth + 1);
       if (tag == "instance_node") add_node(ids_.find(child, "url"), frame, depth + 1);
@@ -84,8 +89,15 @@ class Reader {
   }
 
   void add_geometry(const files::XmlElement& geometry, const Affine& frame) {
-    const auto mesh = read_dae_geometry(geometry, ids_);
+    auto known = geometries_.find(geometry.id());
+    if (known == geometries_.end()) {
+      known = geometries_.emplace(geometry.id(), read_dae_geometry(geometry, ids_)).first;
+    }
+    const geometry::TriangleMesh& mesh = known->second;
     auto& [vertices, triangles] = file_.mesh;
+    if (vertices.size() + mesh.vertices.size() > most_vertices) {
+      geometry.fail(fmt::format("the mesh has more than {} vertices; simplify it", most_vertices));
+    }
     if (triangles.size() + mesh.triangles.size() > most_triangles) geometry.fail(too_many());
     file_.part_begin.push_back(triangles.size());
     const auto base = static_cast<std::uint32_t>(vertices.size());
@@ -102,8 +114,9 @@ class Reader {
 
   files::XmlFile xml_;
   DaeIds ids_;
+  std::map<const void*, geometry::TriangleMesh> geometries_;  // as read, without the frames of their nodes
   MeshFile file_;
-  std::size_t nodes_ = 0;
+  std::size_t elements_ = 0;
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace murosimf::formats::mjcf {
 class MjcfNames {
  public:
   /// Walks through the bodies from `base` on. Throws SetupError if two of a kind have the same name.
-  /// Who has no name gets one: body_<n>, <body>.joint, <body>.joint2, <body>.site, ...
+  /// Who has no name gets one: `body_<n>`, `<body>.joint`, `<body>.joint2`, `<body>.site`, ...
   explicit MjcfNames(const files::XmlElement& base);
 
   [[nodiscard]] const std::string& of(const files::XmlElement& element) const { return names_.at(element.id()); }

@@ -14,7 +14,7 @@
 
 namespace murosimf::formats::urdf {
 
-/// The number of <kp>0.9</kp> or <kp value="0.9"/>.
+/// The number of `<kp>0.9</kp>` or `<kp value="0.9"/>`.
 [[nodiscard]] double text_number(const files::XmlElement& element);
 
 /// A sensor on the link or joint `frame`. Throws SetupError with file:line for numbers that are impossible.

@@ -134,6 +134,24 @@ TEST(DaeFile, NamesTheLineOfEveryMistake) {
   EXPECT_TRUE(contains(complaint_about("<lines>" + input + "<p>0 1</p></lines>"), "there are no triangles"));
 }
 
+std::string repeated(const std::string& text, int times) {
+  std::string result;
+  for (int i = 0; i < times; ++i) result += text;
+  return result;
+}
+
+// A small file can ask for a thousand times what stands in it.
+TEST(DaeFile, RefusesMoreThanAFileCanMean) {
+  const std::string twice = "<node id='n0'>" + repeated("<instance_geometry url='#g'/>", 100) + "</node>" +
+                            "<node id='n1'>" + repeated("<instance_node url='#n0'/>", 100) + "</node>" + "<node>" +
+                            repeated("<instance_node url='#n1'/>", 100) + "</node>";
+  const std::string empty = "<triangles count='0'><input semantic='VERTEX' source='#v' offset='0'/><p/></triangles>";
+  EXPECT_TRUE(contains(complaint(file_of(library(empty), twice)), "the mesh has more than 3000000 vertices"));
+  const std::string idle = "<node id='n0'>" + repeated("<extra/>", 2000) + "</node><node>" +
+                           repeated("<instance_node url='#n0'/>", 2000) + "</node>";
+  EXPECT_TRUE(contains(complaint(file_of(library(triangles), idle)), "never end"));
+}
+
 TEST(DaeFile, RefusesFilesThatAreNoneOrNeverEnd) {
   EXPECT_TRUE(contains(complaint("<robot/>"), "not <COLLADA>"));
   EXPECT_TRUE(contains(complaint("<COLLADA>"), "not well-formed"));

@@ -1,0 +1,77 @@
+#include "apps/command_line.h"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
+#include "apps/last_words.h"
+#include "apps/version.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::app {
+namespace {
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+OptionText text_of(const CLI::Option& option, const Offers& offers) {
+  const bool positional = option.get_positional();
+  const auto offer = offers.find(&option);
+  const auto& names = option.get_lnames();
+  return {.name = names.empty() ? option.get_name(true) : "--" + names.front(),
+          .meaning = option.get_description(),
+          .positional = positional,
+          .takes_value = option.get_items_expected_max() > 0,
+          .offer = offer == offers.end() ? Offer{} : offer->second};
+}
+
+}  // namespace
+
+CommandLine::CommandLine()
+    : app_(std::make_unique<CLI::App>("MuRoSimF: teams of humanoid robots at exchangeable levels of physical detail",
+                                      "murosimf")) {
+  app_->require_subcommand(1);
+  app_->set_version_flag("--version", version_text());
+}
+
+CommandLine::~CommandLine() = default;
+
+Command CommandLine::add(const std::string& name, const std::string& meaning, std::function<int()> action) {
+  CLI::App* command = app_->add_subcommand(name, meaning);
+  command->callback([this, action = std::move(action)] { exit_code_ = action(); });
+  return {*command, offers_};
+}
+
+int CommandLine::run(int argc, char** argv) {
+  if (argc > 1) refuse_unknown_command(argv[1]);
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app_->exit(error);  // --help, --version
+    say_error(error.what(), "; --help shows what there is");
+    return users_mistake;
+  }
+  return exit_code_;
+}
+
+std::vector<CommandText> CommandLine::commands() const {
+  std::vector<CommandText> texts;
+  for (const CLI::App* command : commands_of(*app_)) {
+    texts.push_back({command->get_name(), command->get_description(), {}});
+    for (const CLI::Option* option : command->get_options()) texts.back().options.push_back(text_of(*option, offers_));
+  }
+  return texts;
+}
+
+/// The parser would only say that a command is required.
+void CommandLine::refuse_unknown_command(const char* name) const {
+  if (name[0] == '-') return;
+  std::vector<std::string_view> names;
+  for (const CLI::App* command : commands_of(*app_)) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    throw SetupError(unknown_name("command", name, names));
+  }
+}
+
+}  // namespace murosimf::app

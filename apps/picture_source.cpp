@@ -1,0 +1,169 @@
+#include "apps/picture_source.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "apps/interruption.h"
+#include "murosimf/render/image_png.h"
+#include "murosimf/render/renderer.h"
+#include "murosimf/scene/scene_viewpoints.h"
+
+namespace murosimf::app {
+namespace {
+
+constexpr int largest_side = 8192;  // [px]
+
+struct Size {
+  int width = 0, height = 0;
+};
+
+Size size_of(const std::string& text) {
+  Size size;
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  bool good = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
+  if (good) {
+    const auto height = std::from_chars(width.ptr + 1, end, size.height);
+    good = height.ec == std::errc{} && height.ptr == end;
+  }
+  if (!good || std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > largest_side) {
+    throw SetupError(
+        fmt::format("--size '{}': write WIDTHxHEIGHT in pixels, each from 1 to {}, like 1280x720", text, largest_side));
+  }
+  return size;
+}
+
+enum class Layer { color, depth, labels };
+
+Layer layer_of(const std::string& name) {
+  if (name == "color") return Layer::color;
+  if (name == "depth") return Layer::depth;
+  if (name == "labels") return Layer::labels;
+  throw SetupError("--layer: " + unknown_name("layer", name, {"color", "depth", "labels"}));
+}
+
+/// A place from where people look.
+class Eye final : public PictureSource {
+ public:
+  Eye(scene::Scene& scene, const RenderOptions& options)
+      : scene_(scene),
+        view_(options.view),
+        size_(size_of(options.size)),
+        layer_(layer_of(options.layer)),
+        fps_(options.fps),
+        slow_(options.slow) {
+    (void)scene::viewpoint_perspective(scene, view_, size_.width, size_.height);
+    scene::LightSpec light = scene.spec().light;
+    light.shadows = !options.no_shadows;
+    light.samples = std::max(light.samples, 4);
+    renderer_ = scene.make_renderer(light);
+  }
+  [[nodiscard]] double fps() const override { return fps_; }
+  [[nodiscard]] double rate() const override { return fps_ * slow_; }
+  std::optional<imaging::ColorImage> take(Duration /*instant*/) override {
+    sensors::View view;
+    const sensors::Layers layers{layer_ == Layer::color, layer_ == Layer::depth, layer_ == Layer::labels};
+    renderer_->draw(scene::viewpoint_perspective(scene_, view_, size_.width, size_.height), layers, 0, view);
+    if (const std::string trouble = renderer_->trouble(); !trouble.empty()) throw SetupError(trouble);
+    if (layer_ == Layer::depth) return render::shown(view.depth);
+    return layer_ == Layer::labels ? render::shown(view.labels) : std::move(view.color);
+  }
+
+ private:
+  scene::Scene& scene_;
+  std::string view_;
+  Size size_;
+  Layer layer_;
+  double fps_, slow_;
+  std::unique_ptr<render::Renderer> renderer_;
+};
+
+/// A camera that a robot carries.
+class RobotCamera final : public PictureSource {
+ public:
+  RobotCamera(scene::Scene& scene, const RenderOptions& options)
+      : simulation_(scene.simulation()),
+        path_(options.camera),
+        frame_(find(scene.simulation().world(), path_)),
+        layer_(layer_of(options.layer)),
+        slow_(options.slow) {
+    if (options.size.empty()) return;
+    throw SetupError(fmt::format("--size: the size of a camera is its own; {} changes it", setting("width=640")));
+  }
+  [[nodiscard]] double fps() const override { return rate() / slow_; }
+  [[nodiscard]] double rate() const override { return 1 / seconds(frame_.info->period); }
+  std::optional<imaging::ColorImage> take(Duration instant) override {
+    // a frame of now is there after the next step, or later by its delay
+    while (frame_.number == 0 || frame_.time < instant) {
+      if (interrupted()) return std::nullopt;
+      if (simulation_.now() > instant + frame_.info->period + std::chrono::seconds(10)) {
+        throw SetupError(fmt::format("--camera '{}': it shows nothing", path_));
+      }
+      simulation_.run(std::chrono::milliseconds(1));
+    }
+    if (layer_ == Layer::depth) return wanted(frame_.depth, "depth");
+    if (layer_ == Layer::labels) return wanted(frame_.labels, "labels");
+    return frame_.mosaic.empty() ? wanted(frame_.color, "color") : render::shown(frame_.mosaic);
+  }
+
+ private:
+  /// What changes the camera, for who reads messages.
+  [[nodiscard]] std::string setting(std::string_view change) const {
+    const auto dot = path_.find('.');
+    return fmt::format("--set '{}.sensors{}.{}'", path_.substr(0, dot), path_.substr(dot), change);
+  }
+  static const sensors::CameraFrame& find(World& world, const std::string& path) {
+    return *with_context(fmt::format("--camera '{}'", path), [&] {
+      const auto dot = path.find('.');
+      Entity& robot = world.entity(path.substr(0, dot));
+      if (dot == std::string::npos) refuse_robot(robot, path);
+      return &sensors::want_frames(robot, path.substr(dot + 1));
+    });
+  }
+  [[noreturn]] static void refuse_robot(const Entity& robot, const std::string& path) {
+    std::string cameras;
+    for (const sensors::CameraFrame* frame : sensors::frames_of(robot)) {
+      cameras += fmt::format("{} {}.{}", cameras.empty() ? ", like" : ",", path, frame->info->name);
+    }
+    throw SetupError("write ROBOT.CAMERA" + cameras);
+  }
+  static imaging::ColorImage colors(const imaging::ColorImage& image) { return image; }
+  template <class Image>
+  static imaging::ColorImage colors(const Image& image) {
+    return render::shown(image);
+  }
+  template <class Image>
+  [[nodiscard]] imaging::ColorImage wanted(const Image& image, std::string_view layer) const {
+    if (!image.empty()) return colors(image);
+    throw SetupError(fmt::format("--layer {}: the camera does not draw it; {} lets it", layer,
+                                 setting(fmt::format("{}=true", layer))));
+  }
+
+  Simulation& simulation_;
+  std::string path_;
+  const sensors::CameraFrame& frame_;
+  Layer layer_;
+  double slow_;
+};
+
+/// Throws SetupError if nothing can be drawn here: cameras would only wait.
+void check_drawing() {
+  const World nothing;
+  const render::Renderer renderer(nothing, {}, render::appearance_of_shapes);
+}
+
+}  // namespace
+
+std::unique_ptr<PictureSource> make_robot_camera(scene::Scene& scene, const RenderOptions& options) {
+  auto camera = std::make_unique<RobotCamera>(scene, options);
+  check_drawing();
+  return camera;
+}
+
+std::unique_ptr<PictureSource> make_eye(scene::Scene& scene, const RenderOptions& options) {
+  return std::make_unique<Eye>(scene, options);
+}
+
+}  // namespace murosimf::app

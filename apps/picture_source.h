@@ -1,0 +1,32 @@
+/// picture_source.h - where the pictures of `murosimf render` come from: a place by name, or a camera that a robot carries.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "apps/render_options.h"
+#include "murosimf/scene/scene.h"
+#include "murosimf/sensors/camera_frame.h"
+
+namespace murosimf::app {
+
+/// Where pictures come from.
+class PictureSource {
+ public:
+  virtual ~PictureSource() = default;
+  /// Pictures per second of a video, and per second of simulated time.
+  [[nodiscard]] virtual double fps() const = 0;
+  [[nodiscard]] virtual double rate() const = 0;
+  /// The picture of an instant that has come, or the first one after it; the simulation may go on for that. Nothing if it
+  /// was interrupted.
+  virtual std::optional<imaging::ColorImage> take(Duration instant) = 0;
+};
+
+/// A camera that a robot carries; before the scene is initialized. Throws SetupError if there is none, or nothing can be
+/// drawn here.
+[[nodiscard]] std::unique_ptr<PictureSource> make_robot_camera(scene::Scene& scene, const RenderOptions& options);
+
+/// A place from where people look; after the scene is initialized. Throws SetupError.
+[[nodiscard]] std::unique_ptr<PictureSource> make_eye(scene::Scene& scene, const RenderOptions& options);
+
+}  // namespace murosimf::app

@@ -1,0 +1,61 @@
+#include "apps/scene_arguments.h"
+
+#include <limits>
+
+#include "apps/interruption.h"
+
+namespace murosimf::app {
+namespace {
+
+template <class Seed>
+void add_any_seed(const Command& command, Seed& seed) {
+  command.add("--seed", seed, "Seed of all random numbers, instead of the scene's")
+      .within(std::int64_t{0}, std::numeric_limits<std::int64_t>::max());
+}
+
+}  // namespace
+
+void add_scene(const Command& command, SceneArguments& scene) {
+  add_scene_file(command, scene.file);
+  command.add("--threads", scene.threads, "Threads; results do not depend on their number")
+      .within(1, 256)
+      .shows_default();
+  add_seed(command, scene.seed);
+  command.add("--set", scene.overrides, "PATH=VALUE: change the scene, for example 'blue.*.level=simplified_dynamics'")
+      .one_at_a_time();
+  command
+      .add("--at", scene.events,
+           "TIME:PATH=VALUE: change the scene while it runs, for example '3:blue1.level=articulated_dynamics'")
+      .one_at_a_time();
+  command
+      .add("--push", scene.pushes,
+           "OBJECT=FORCE@BEGIN..END: push a body, for example 'blue1.torso=[60,0,0]@2..2.1' (N, world axes, s)")
+      .one_at_a_time();
+  add_lenient(command, scene.lenient);
+}
+
+scene::SceneOptions options_of(const SceneArguments& scene) {
+  return {.threads = scene.threads,
+          .seed = scene.seed,
+          .overrides = scene.overrides,
+          .events = scene.events,
+          .pushes = scene.pushes,
+          .lenient = scene.lenient,
+          .stop = interrupted};
+}
+
+void add_scene_file(const Command& command, std::string& file) {
+  command.add("scene", file, "Scene file (TOML), or the name of one that comes with the program")
+      .required()
+      .offers_list("scenes");
+}
+
+void add_seed(const Command& command, std::optional<std::int64_t>& seed) { add_any_seed(command, seed); }
+
+void add_seed(const Command& command, std::optional<std::uint64_t>& seed) { add_any_seed(command, seed); }
+
+void add_lenient(const Command& command, bool& lenient) {
+  command.add("--lenient", lenient, "Accept unknown elements in model files, with a warning");
+}
+
+}  // namespace murosimf::app

@@ -1,0 +1,33 @@
+/// scene_arguments.h - the options of commands that run a scene: which one, and how it is changed and stepped.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/command.h"
+#include "murosimf/scene/scene.h"
+
+namespace murosimf::app {
+
+struct SceneArguments {
+  std::string file;
+  int threads = 1;
+  std::optional<std::int64_t> seed;  ///< from 0
+  std::vector<std::string> overrides, events, pushes;
+  bool lenient = false;
+};
+
+void add_scene(const Command& command, SceneArguments& scene);
+/// For scene::Scene; a signal stops it (interruption.h).
+[[nodiscard]] scene::SceneOptions options_of(const SceneArguments& scene);
+
+// Some of them alone.
+void add_scene_file(const Command& command, std::string& file);
+/// 0 to the largest std::int64_t.
+void add_seed(const Command& command, std::optional<std::int64_t>& seed);
+void add_seed(const Command& command, std::optional<std::uint64_t>& seed);
+void add_lenient(const Command& command, bool& lenient);
+
+}  // namespace murosimf::app

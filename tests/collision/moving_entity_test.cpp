@@ -1,0 +1,109 @@
+// What contact between bodies does to entities besides their level: pushes on those that stand, ways apart, laws exchanged.
+#include "murosimf/collision/moving_entity.h"
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/motion/motion_properties.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/fixtures.h"
+#include "tests/physics/rig.h"
+
+namespace murosimf::collision {
+namespace {
+
+using test::g;
+using test::Rig;
+
+Vec3d ground_force(Entity& entity) {
+  Vec3d sum;
+  for (const ContactPoint& c : entity.find(contacts)->values[0].points) sum += c.force;
+  return sum;
+}
+
+// A ball lies on a box that stands under a law of its own: the ground carries both, whatever law is between them.
+TEST(MovingEntity, PushGoesThroughToTheGround) {
+  for (const BodyContactLaw law : {BodyContactLaw::kelvin_voigt, BodyContactLaw::carry}) {
+    for (const std::string ground : {"implicit_stick", "kelvin_voigt"}) {
+      if (law == BodyContactLaw::carry && ground == "kelvin_voigt") continue;  // damping that this one cannot answer
+      Rig rig;
+      rig.materials = MaterialTable::standard();
+      Entity& box = rig.add("box", test::box_model({"plastic"}));
+      Entity& ball = rig.add("ball", scene::ball_model(), {.position = {0.02, 0.01, 0.1}});
+      const test::Dynamics dynamics{.law = test::law_named(ground)};
+      rig.attach_together({{&box, dynamics}, {&ball, dynamics}}, {.law = law});
+      rig.run(2.5);
+      double sum = 0, felt = 0;
+      for (int i = 0; i < 500; ++i) {
+        rig.simulation.step();
+        sum += ground_force(box).z / 500;
+        felt += box.base().get(properties::external_force).f.z / 500;
+      }
+      const double weight = g * (4.3 + ball.base().get(properties::total_mass));
+      EXPECT_NEAR(sum, weight, 2e-3 * weight) << ground;
+      EXPECT_NEAR(felt, 4.3 * g, 2e-3 * weight) << "ground and ball together carry the box alone";
+    }
+  }
+}
+
+/// Two robots at kinematic_walking beside each other, whose feet overlap by `overlap` [m] along y.
+struct Neighbors {
+  explicit Neighbors(double overlap) {
+    const auto model = std::make_shared<const Model>(fixtures::two_legged());
+    // the left foot of `a` goes to y = 0.08, the right one of `b` from its own -0.08 on
+    a = &rig.add("a", model);
+    b = &rig.add("b", model, {.position = {0.01, 0.16 - overlap, 0}});
+    rig.attach_together({{a, {.level = "kinematic_walking"}}, {b, {.level = "kinematic_walking"}}});
+    rig.simulation.initialize();
+  }
+  [[nodiscard]] static Vec3d separation(Entity* entity) { return entity->base().get(properties::separation); }
+  Rig rig;
+  Entity *a = nullptr, *b = nullptr;
+};
+
+// Rule: each goes half of the way, along the ground, and at most 1 mm in a step.
+TEST(KeepApart, EachGoesHalfOfTheWay) {
+  for (const double overlap : {0.4e-3, 1.2e-3, 5e-3}) {
+    Neighbors neighbors(overlap);
+    neighbors.rig.simulation.step();
+    const double way = std::min(0.5 * overlap, 1e-3);
+    EXPECT_LT(fixtures::difference(Neighbors::separation(neighbors.a), {0, -way, 0}), 1e-9) << overlap;
+    EXPECT_LT(fixtures::difference(Neighbors::separation(neighbors.b), {0, way, 0}), 1e-9) << overlap;
+  }
+}
+
+TEST(KeepApart, AfterwardsNobodyGoesOn) {
+  Neighbors neighbors(3e-3);
+  const Vec3d a = Rig::place(*neighbors.a), b = Rig::place(*neighbors.b);
+  neighbors.rig.run(0.2);
+  EXPECT_NEAR(Rig::place(*neighbors.a).y, a.y - 1.5e-3, 1e-6);
+  EXPECT_NEAR(Rig::place(*neighbors.b).y, b.y + 1.5e-3, 1e-6);
+  EXPECT_EQ(norm(Neighbors::separation(neighbors.a)), 0);
+}
+
+// Laws that settle the whole step share their memory; what a law that does not would make of it is another thing.
+TEST(GroundContactExchange, MemoryStaysBetweenLawsThatShareIt) {
+  const auto points_after = [](const std::string& first, const std::string& second) {
+    Rig rig(0.8, 5 * test::degree);
+    Entity& box = rig.add("box", test::box_model());
+    auto& contact = rig.simulation.attach<GroundContact>("ground_contact", box, 1000, rig.ground,
+                                                         test::law_named(first), rig.materials);
+    rig.simulation.attach<BodyContact>("body_contact", *rig.ground, 1000, std::vector<Entity*>{&box}, rig.materials);
+    rig.simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", box, 1000);
+    rig.run(0.5);
+    EXPECT_EQ(box.find(contacts)->values[0].points.size(), 4U);
+    contact.exchange_law(test::law_named(second));
+    return box.find(contacts)->values[0].points;
+  };
+  EXPECT_TRUE(points_after("implicit_stick", "kelvin_voigt").empty());
+  EXPECT_TRUE(points_after("kelvin_voigt", "implicit_stick").empty());
+  EXPECT_TRUE(points_after("kelvin_voigt", "paper").empty());
+  for (const auto& [first, second] :
+       {std::pair{"implicit_stick", "island_gauss_seidel"}, {"island_gauss_seidel", "implicit_stick"}}) {
+    const auto points = points_after(first, second);
+    ASSERT_EQ(points.size(), 4U) << first;
+    for (const ContactPoint& point : points) EXPECT_GT(norm(point.stretch), 1e-7) << "it leans on its springs";
+  }
+}
+
+}  // namespace
+}  // namespace murosimf::collision

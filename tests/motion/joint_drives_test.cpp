@@ -1,0 +1,152 @@
+// What acts in a joint from inside, number by number, and that stops hold light links at long steps.
+#include "murosimf/motion/joint_drives.h"
+
+#include <gtest/gtest.h>
+
+#include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
+#include "tests/fixtures.h"
+#include "tests/motion/part.h"
+#include "tests/physics/rig.h"
+
+namespace murosimf::motion {
+namespace {
+
+constexpr double h = 2e-3;
+
+/// 40 N m/rad, 1.5 N m s/rad of the servo, a weak damper and spring of the joint, ends at -0.4 and 0.9.
+Chain drives_chain() {
+  const Servo servo{.law = "ideal_pd",
+                    .stall_torque = 50,
+                    .position_gain = 40,
+                    .velocity_gain = 1.5,
+                    .rotor_inertia = 0.01,
+                    .friction = {.coulomb = 0.2, .viscous = 0.07}};
+  return Chain{}
+      .base("base")
+      .with(properties::mass, 3.0)
+      .with(properties::inertia, diagonal(0.1))
+      .revolute("all", {0, 1, 0})
+      .with(properties::servo, servo)
+      .with(properties::joint_armature, 0.003)
+      .with(properties::joint_damping, 0.2)
+      .with(properties::joint_stiffness, 5.0)
+      .with(properties::joint_spring_reference, -0.3)
+      .with(properties::joint_friction, 0.11)
+      .with(properties::joint_range, {-0.4, 0.9, 0})
+      .with(properties::mass, 0.5)
+      .with(properties::inertia, diagonal(0.004))
+      .revolute("free", {0, 1, 0})
+      .with(properties::joint_armature, 0.004)
+      .revolute("smooth", {0, 1, 0})
+      .with(properties::servo, {.law = "ideal_pd", .position_gain = 2, .friction = {.viscous = 0.5}});
+}
+
+struct Drives : test::Alone<JointDrives> {
+  Drives() : Alone(drives_chain()) { part->take_over(holder.columns.qd); }
+  [[nodiscard]] JointDrives::Answer drive(const char* name, double q, double qd, double dt = h) const {
+    return part->drive(index(name), q, qd, dt);
+  }
+};
+
+TEST(JointDrives, AnswerIsTheSumOfItsParts) {
+  Drives drives;
+  drives.object("all").set(properties::joint_target, 0.5);
+  ASSERT_TRUE(drives.part->take_targets());
+  const double q = 0.3, qd = -0.7;
+  const auto answer = drives.drive("all", q, qd);
+  const double now = 40 * (0.5 - q) - 1.5 * qd;
+  EXPECT_NEAR(answer.motor_torque, now, 1e-12);
+  EXPECT_NEAR(answer.motor.torque, now - h * 40 * qd, 1e-12);
+  EXPECT_NEAR(answer.motor.inertia, h * 1.5 + h * h * 40, 1e-12);
+  EXPECT_NEAR(answer.servo.torque, answer.motor.torque - 0.07 * qd, 1e-12);
+  EXPECT_NEAR(answer.servo.inertia, answer.motor.inertia + h * 0.07, 1e-12);
+  EXPECT_NEAR(answer.all.torque, answer.servo.torque - 0.2 * qd - 5 * (q + 0.3), 1e-12);
+  EXPECT_NEAR(answer.all.inertia, answer.servo.inertia + 0.013 + h * 0.2 + 0.25 * h * h * 5, 1e-12);
+  EXPECT_EQ(answer.coulomb, 0.11);
+  ASSERT_NE(answer.gear, nullptr);
+  EXPECT_EQ(answer.gear->coulomb, 0.2);
+  EXPECT_NEAR(drives.part->firm_inertia(drives.index("all")), 0.013, 1e-15);
+}
+
+TEST(JointDrives, JointWithoutServoIsFree) {
+  Drives drives;
+  const auto answer = drives.drive("free", 0.3, 2);
+  EXPECT_EQ(answer.all.torque, 0);
+  EXPECT_EQ(answer.all.inertia, 0.004);
+  EXPECT_EQ(answer.gear, nullptr);
+  EXPECT_EQ(answer.coulomb, 0);
+  EXPECT_EQ(answer.motor_torque, 0);
+}
+
+TEST(JointDrives, GearThatIsOnlyViscousHasNoBudget) {
+  Drives drives;
+  const auto answer = drives.drive("smooth", 0.3, 2, 0);
+  EXPECT_EQ(answer.gear, nullptr);
+  EXPECT_NEAR(answer.all.torque, -2 * 0.3 - 0.5 * 2, 1e-15);
+  EXPECT_EQ(answer.all.inertia, 0) << "the plain torque of this instant";
+}
+
+// Beyond an end: -k (q + h qd - end) - d qd with the inertia h d + h^2 k.
+TEST(JointDrives, StopIsASpringAndADamperOfTheEndOfTheStep) {
+  Drives drives;
+  const JointStop end = joint_stop(drives.entity.model(), drives.index("all"), -0.4, 0.9);
+  ASSERT_GT(end.stiffness, 100);
+  const auto inside = drives.drive("all", 0.85, 1), beyond = drives.drive("all", 0.85, 40);
+  const double servo = -40 * 0.85 - 1.5 * 40 - h * 40 * 40;
+  const auto rest = [](double q, double qd) { return -0.07 * qd - 0.2 * qd - 5 * (q + 0.3); };
+  EXPECT_NEAR(inside.all.inertia, h * 1.5 + h * h * 40 + 0.013 + h * 0.27 + 0.25 * h * h * 5, 1e-12);
+  const double far = 0.85 + h * 40 - 0.9;
+  // the servo is at its limit of 50 N m, where only the firmware's inertia is gone
+  EXPECT_LT(servo, -50);
+  EXPECT_NEAR(beyond.all.torque, -50 + rest(0.85, 40) - end.stiffness * far - end.damping * 40, 1e-9);
+  EXPECT_NEAR(beyond.all.inertia, 0.013 + h * 0.27 + 0.25 * h * h * 5 + h * end.damping + h * h * end.stiffness, 1e-12);
+  const auto lower = drives.drive("all", -0.42, 0);
+  EXPECT_NEAR(lower.all.torque, 40 * 0.42 - 5 * (-0.42 + 0.3) + end.stiffness * 0.02, 1e-9);
+}
+
+TEST(JointDrives, InitializeStandsWhereTargetsAreInsideTheRange) {
+  Drives drives;
+  drives.object("all").set(properties::joint_target, -2);
+  drives.object("free").set(properties::joint_target, -2);
+  auto& columns = drives.holder.columns;
+  std::fill(columns.qd.begin(), columns.qd.end(), 3.0);
+  drives.part->initialize(columns.q, columns.qd);
+  EXPECT_EQ(drives.object("all").get(properties::joint_position), -0.4);
+  EXPECT_EQ(drives.object("free").get(properties::joint_position), -2);
+  EXPECT_EQ(drives.object("all").get(properties::joint_velocity), 0);
+  EXPECT_NEAR(drives.drive("all", 0, 0, 0).motor_torque, 40 * -2, 30 + 1e-12) << "it knows the target, not its end";
+}
+
+/// A finger of 20 g on a heavy wall; a stop of 100 N m per radian holds it at steps of 20 ms, twelve times its own time.
+TEST(JointStop, HoldsALightLinkAtLongSteps) {
+  test::Rig rig(0.8, 0, 50);
+  const auto model = std::make_shared<const Model>("finger", Chain{}
+                                                                 .base("wall")
+                                                                 .with(properties::mass, 40.0)
+                                                                 .with(properties::inertia, diagonal(1.0))
+                                                                 .revolute("joint", {0, 1, 0})
+                                                                 .with(properties::mass, 0.02)
+                                                                 .with(properties::center_of_mass, {0.05, 0, 0})
+                                                                 .with(properties::inertia, diagonal(1e-5))
+                                                                 .with(properties::joint_range, {-0.5, 0.6, 0}));
+  Entity& robot = rig.add("finger", model);
+  rig.attach_dynamics(robot, {.level = "articulated_dynamics",
+                              .law = test::law_named("kelvin_voigt"),
+                              .on_ground = false,
+                              .tree = {.fixed_base = true}});
+  rig.simulation.initialize();
+  auto joint = robot.object("joint");
+  joint.set(properties::joint_velocity, 10);
+  double farthest = 0;
+  for (int i = 0; i < 200; ++i) {
+    rig.simulation.step();
+    farthest = std::max(farthest, joint.get(properties::joint_position));
+  }
+  EXPECT_LT(farthest, 0.6 + 1e-3);
+  EXPECT_NEAR(joint.get(properties::joint_position), 0.6, 1e-4);
+  EXPECT_NEAR(joint.get(properties::joint_velocity), 0, 1e-6);
+}
+
+}  // namespace
+}  // namespace murosimf::motion

@@ -1,0 +1,166 @@
+// Joint reference: ranges, couplings and levels that take over, number by number.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "murosimf/model/properties.h"
+#include "murosimf/motion/joint_reference.h"
+#include "murosimf/motion/motion_properties.h"
+#include "tests/fixtures.h"
+#include "tests/motion/part.h"
+
+namespace murosimf::motion {
+namespace {
+
+constexpr double h = 2e-3, wf = 90;
+
+Chain joints() {
+  return Chain{}
+      .base("base")
+      .revolute("limited", {0, 1, 0})
+      .with(properties::joint_range, {-0.3, 0.8, 0})
+      .revolute("free", {0, 1, 0})
+      .revolute("follower", {0, 1, 0})
+      .with(properties::joint_coupling, {"free", -2, 0.1})
+      .revolute("wheel", {0, 1, 0})
+      .with(properties::servo, {.law = "ideal_pd", .velocity_gain = 1});
+}
+
+struct Reference : test::Alone<JointReference> {
+  explicit Reference(ReferenceKind kind = ReferenceKind::filter)
+      : Alone(joints(), JointReferenceOptions{.kind = kind, .filter_frequency = wf, .control_period = 0.02}),
+        columns(holder.columns) {}
+  void want(const char* name, double target) { object(name).set(properties::joint_target, target); }
+  double& q(const char* name) { return columns.q[index(name)]; }
+  double& qd(const char* name) { return columns.qd[index(name)]; }
+  PoseColumns& columns;
+};
+
+TEST(JointReferenceEnds, StopsThereAtRest) {
+  for (const ReferenceKind kind : {ReferenceKind::filter, ReferenceKind::linear}) {
+    for (const auto& [target, end] : {std::pair{3.0, 0.8}, {-3.0, -0.3}}) {
+      Reference reference(kind);
+      reference.part->take_over(reference.columns);
+      reference.want("limited", target);
+      reference.q("limited") = 0.9 * end;
+      reference.qd("limited") = 100 * target;
+      // a cycle of `linear` has ten steps, and its rate ends in the step after it
+      for (int i = 0; i < (kind == ReferenceKind::filter ? 1 : 11); ++i) {
+        EXPECT_TRUE(reference.part->advance(reference.columns, h));
+      }
+      EXPECT_EQ(reference.q("limited"), end);
+      EXPECT_EQ(reference.qd("limited"), 0);
+      EXPECT_TRUE(reference.part->advance(reference.columns, h));
+      EXPECT_EQ(reference.q("limited"), end);
+      EXPECT_EQ(reference.qd("limited"), 0);
+    }
+  }
+}
+
+TEST(JointReferenceEnds, InsideNothingIsCut) {
+  Reference reference;
+  reference.q("limited") = 0.8;
+  reference.qd("limited") = -3;
+  reference.part->stop_at_limits(reference.columns);
+  EXPECT_EQ(reference.q("limited"), 0.8);
+  EXPECT_EQ(reference.qd("limited"), -3) << "it is at its end, and on its way back";
+  reference.q("limited") = -0.3 - 1e-9;
+  reference.part->stop_at_limits(reference.columns);
+  EXPECT_EQ(reference.q("limited"), -0.3);
+  EXPECT_EQ(reference.qd("limited"), 0);
+}
+
+TEST(JointReferenceEnds, StartsAtItsTargetsWithinTheRange) {
+  Reference reference;
+  reference.want("limited", -5);
+  reference.want("free", 0.7);
+  reference.want("follower", 0.7);
+  reference.qd("free") = 4;
+  reference.part->initialize(reference.columns);
+  EXPECT_EQ(reference.q("limited"), -0.3);
+  EXPECT_EQ(reference.q("free"), 0.7);
+  EXPECT_EQ(reference.qd("free"), 0);
+  EXPECT_DOUBLE_EQ(reference.q("follower"), 0.1 - 2 * 0.7);
+}
+
+// One step of the filter by hand; the follower and the wheel by their own rules.
+TEST(JointReferenceFilter, StepIsThatOfItsEquation) {
+  Reference reference;
+  reference.want("free", 0.5);
+  reference.object("wheel").set(properties::joint_velocity_target, -8);
+  reference.q("free") = 0.1;
+  reference.qd("free") = 1.5;
+  reference.q("wheel") = 0.2;
+  reference.qd("wheel") = 3;
+  EXPECT_DOUBLE_EQ(reference.part->acceleration(reference.columns, reference.index("free")),
+                   wf * wf * 0.4 - 2 * wf * 1.5);
+  EXPECT_DOUBLE_EQ(reference.part->acceleration(reference.columns, reference.index("follower")),
+                   -2 * (wf * wf * 0.4 - 2 * wf * 1.5));
+  EXPECT_DOUBLE_EQ(reference.part->acceleration(reference.columns, reference.index("wheel")), wf * (-8 - 3));
+  ASSERT_TRUE(reference.part->advance(reference.columns, h));
+  const double qdd = (wf * wf * (0.5 - 0.1 - h * 1.5) - 2 * wf * 1.5) / (1 + 2 * wf * h + wf * wf * h * h);
+  EXPECT_NEAR(reference.qd("free"), 1.5 + h * qdd, 1e-14);
+  EXPECT_NEAR(reference.q("free"), 0.1 + h * (1.5 + h * qdd), 1e-15);
+  EXPECT_NEAR(reference.q("follower"), 0.1 - 2 * reference.q("free"), 1e-15);
+  EXPECT_NEAR(reference.qd("follower"), -2 * reference.qd("free"), 1e-14);
+  const double rate = 3 + h * wf * (-8 - 3) / (1 + wf * h);
+  EXPECT_NEAR(reference.qd("wheel"), rate, 1e-14);
+  EXPECT_NEAR(reference.q("wheel"), 0.2 + h * rate, 1e-15);
+}
+
+// Rule: after a take-over a cycle begins for every joint that is not where it should be, and for no other.
+TEST(JointReferenceLinear, BeginsACycleAfterATakeOver) {
+  Reference reference(ReferenceKind::linear);
+  reference.part->initialize(reference.columns);
+  reference.want("free", 0.4);
+  reference.q("free") = 0.3;
+  reference.qd("free") = -7;
+  reference.part->take_over(reference.columns);
+  for (int i = 1; i <= 10; ++i) {
+    ASSERT_TRUE(reference.part->advance(reference.columns, h));
+    EXPECT_NEAR(reference.q("free"), 0.3 + 0.01 * i, 1e-12);
+    EXPECT_NEAR(reference.qd("free"), 5, 1e-12);
+  }
+  ASSERT_TRUE(reference.part->advance(reference.columns, h));
+  EXPECT_EQ(reference.q("free"), 0.4);
+  EXPECT_EQ(reference.qd("free"), 0);
+  EXPECT_EQ(reference.qd("limited"), 0);
+}
+
+TEST(JointReferenceLinear, ANewTargetBeginsANewCycle) {
+  Reference reference(ReferenceKind::linear);
+  reference.part->initialize(reference.columns);
+  reference.want("free", 0.4);
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(reference.part->advance(reference.columns, h));
+  EXPECT_NEAR(reference.q("free"), 0.16, 1e-12);
+  reference.want("free", -0.04);
+  ASSERT_TRUE(reference.part->advance(reference.columns, h));
+  EXPECT_NEAR(reference.qd("free"), -0.2 / 0.02, 1e-10);
+  EXPECT_NEAR(reference.q("free"), 0.14, 1e-12);
+}
+
+TEST(JointReferenceSanity, RefusesNumbersThatAreNone) {
+  for (const double bad : {std::nan(""), 2e4, -std::numeric_limits<double>::infinity()}) {
+    Reference target, rate, position;
+    target.want("free", bad);
+    EXPECT_FALSE(target.part->advance(target.columns, h)) << bad;
+    rate.object("wheel").set(properties::joint_velocity_target, bad);
+    EXPECT_FALSE(rate.part->advance(rate.columns, h)) << bad;
+    position.q("limited") = bad;
+    EXPECT_FALSE(position.part->advance(position.columns, h)) << bad;
+  }
+  Reference good;
+  good.want("free", -4000);
+  good.q("limited") = -4000;
+  EXPECT_TRUE(good.part->is_sane(good.columns));
+}
+
+TEST(JointReferenceCheck, RungeKuttaNeedsTheFilter) {
+  Reference filter, linear(ReferenceKind::linear);
+  EXPECT_EQ(fixtures::error_of([&] { filter.part->check(Integrator::rk4); }), "no error");
+  EXPECT_EQ(fixtures::error_of([&] { linear.part->check(Integrator::semi_implicit_euler); }), "no error");
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { linear.part->check(Integrator::rk4); }), {"rk4", "filter"}));
+}
+
+}  // namespace
+}  // namespace murosimf::motion

@@ -1,0 +1,171 @@
+// The pinned stance: the standing sole rests while joints move, feet swap when the other one lands, refusals name why.
+#include "murosimf/motion/kinematic_walking.h"
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/motion/motion_properties.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/fixtures.h"
+#include "tests/physics/rig.h"
+
+namespace murosimf::motion {
+namespace {
+
+using fixtures::difference;
+using test::degree;
+using test::Rig;
+
+struct Walker {
+  explicit Walker(const EntityOptions& options = {}, const scene::LevelOptions& level = {}) {
+    robot = &rig.add("robot", std::make_shared<const Model>(fixtures::two_legged()), options);
+    rig.attach_motion(*robot, {.level = "kinematic_walking", .options = level});
+    rig.simulation.initialize();
+  }
+  void want(const std::string& joint, double target) { robot->object(joint).set(properties::joint_target, target); }
+  [[nodiscard]] Vec3d place(const char* name) { return robot->object(name).get(properties::position); }
+  [[nodiscard]] Mat3d turn(const char* name) { return robot->object(name).get(properties::orientation); }
+  [[nodiscard]] double stance() { return robot->base().get(properties::stance_foot); }
+  Rig rig;
+  Entity* robot = nullptr;
+};
+
+/// The right leg bends and lifts its foot, flat; the left one, which stands, leans.
+void lift_right(Walker& walker) {
+  walker.want("right_hip_pitch", -0.5);
+  walker.want("right_knee", 0.9);
+  walker.want("right_ankle", -0.5);
+  walker.want("left_hip_pitch", -0.1);
+}
+
+TEST(KinematicStance, StartsOnItsSolesAboveItsPlace) {
+  Walker walker({.position = {1, -2, 0}, .heading = 0.5});
+  EXPECT_NEAR(walker.place("left_foot").z, 0, 1e-12);
+  EXPECT_NEAR(walker.place("right_foot").z, 0, 1e-12);
+  EXPECT_LT(difference(walker.turn("left_foot"), rotation_z(0.5)), 1e-12);
+  EXPECT_LT(difference(Rig::place(*walker.robot), {1, -2, 0.31}), 1e-12);
+  EXPECT_EQ(walker.robot->base().get(properties::dynamic), 0);
+}
+
+// The standing sole does not move; everything else does, as the velocities say: one step of the joints at a time.
+TEST(KinematicStance, StandingSoleRestsAndVelocitiesAreThoseOfThePlaces) {
+  Walker walker({.heading = 0.8});
+  lift_right(walker);
+  const Vec3d stood = walker.place("left_foot");
+  const Mat3d turned = walker.turn("left_foot");
+  double fastest = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3d trunk = Rig::place(*walker.robot), foot = walker.place("right_foot");
+    const Mat3d R = walker.robot->base().get(properties::orientation);
+    walker.rig.simulation.step();
+    ASSERT_EQ(walker.stance(), 0);
+    EXPECT_LT(difference(walker.place("left_foot"), stood), 1e-12);
+    EXPECT_LT(difference(walker.turn("left_foot"), turned), 1e-12);
+    EXPECT_LT(norm(walker.robot->object("left_foot").get(properties::linear_velocity)), 1e-12);
+    EXPECT_LT(norm(walker.robot->object("left_foot").get(properties::angular_velocity)), 1e-12);
+    // velocities after the step against the way of the step: off by half a step's acceleration
+    const Vec3d v = walker.robot->base().get(properties::linear_velocity);
+    const Vec3d w = walker.robot->base().get(properties::angular_velocity);
+    EXPECT_LT(difference(v, 1e3 * (Rig::place(*walker.robot) - trunk)), 5e-3) << i;
+    EXPECT_LT(difference(w, 1e3 * rotation_vector(
+                                      from_matrix(walker.robot->base().get(properties::orientation) * transpose(R)))),
+              2e-2)
+        << i;
+    EXPECT_LT(difference(walker.robot->object("right_foot").get(properties::linear_velocity),
+                         1e3 * (walker.place("right_foot") - foot)),
+              6e-2)
+        << i;
+    fastest = std::max(fastest, norm(v));
+  }
+  EXPECT_GT(fastest, 0.1);
+  EXPECT_GT(walker.place("right_foot").z, 0.02);
+}
+
+// The other leg gets longer than the one that stands: it lands where it is, with its own heading, and stands from then on.
+TEST(KinematicStance, OtherFootStandsWhereItLands) {
+  Walker walker({.heading = 0.3});
+  EXPECT_EQ(walker.stance(), 0);
+  for (const char* joint : {"left_hip_pitch", "left_knee", "left_ankle"}) {
+    walker.want(joint, std::string(joint) == "left_knee" ? 0.8 : -0.4);
+  }
+  Vec3d before = walker.place("right_foot");
+  for (int i = 0; i < 100 && walker.stance() == 0; ++i) {
+    before = walker.place("right_foot");
+    walker.rig.simulation.step();
+  }
+  ASSERT_EQ(walker.stance(), 1);
+  EXPECT_NEAR(walker.place("right_foot").x, before.x, 2e-3);
+  EXPECT_NEAR(walker.place("right_foot").y, before.y, 2e-3);
+  EXPECT_NEAR(walker.place("right_foot").z, 0, 1e-12);
+  const Vec3d landed = walker.place("right_foot");
+  walker.rig.run(0.3);
+  EXPECT_EQ(walker.stance(), 1);
+  EXPECT_LT(difference(walker.place("right_foot"), landed), 1e-12);
+  EXPECT_GT(walker.place("left_foot").z, 0.005);
+  EXPECT_NEAR(walker.robot->base().get(properties::stance_pose).z, 0.3, 1e-6);
+}
+
+TEST(KinematicStance, WhoeverMovesTheBaseMovesTheStandingFoot) {
+  Walker walker({.heading = 0.3});
+  const Vec3d foot = walker.place("left_foot"), base = Rig::place(*walker.robot);
+  walker.robot->base().set(properties::position, base + Vec3d{0.2, -0.1, 0.7});
+  walker.rig.simulation.step();
+  EXPECT_LT(difference(walker.place("left_foot"), foot + Vec3d{0.2, -0.1, 0}), 1e-12) << "it stays on the plane";
+  walker.rig.simulation.step();
+  EXPECT_LT(difference(Rig::place(*walker.robot), base + Vec3d{0.2, -0.1, 0}), 1e-12);
+  walker.robot->base().set(properties::separation, {0.001, -0.002, 0.5});
+  walker.rig.simulation.step();
+  EXPECT_LT(difference(walker.place("left_foot"), foot + Vec3d{0.201, -0.102, 0}), 1e-12);
+}
+
+TEST(KinematicStance, TargetsThatAreNoNumbersFreezeIt) {
+  Walker walker;
+  walker.want("left_knee", std::nan(""));
+  walker.rig.simulation.step();
+  ASSERT_TRUE(walker.robot->frozen());
+  EXPECT_TRUE(fixtures::says(*walker.robot->frozen_reason(), {"target is no sensible number"}));
+  EXPECT_EQ(norm(walker.robot->base().get(properties::linear_velocity)), 0);
+  Walker far;
+  far.robot->base().set(properties::position, {9e5, 9e5, 0});
+  far.rig.simulation.step();
+  EXPECT_TRUE(far.robot->frozen());
+}
+
+/// What it says to a robot that leans by `lean` [degree] about a slanted axis, `height` [m] above the plane.
+std::string refusal(double lean, double height) {
+  Rig rig;
+  rig.simulation.world().gravity = {};
+  Entity& robot =
+      rig.add("robot", std::make_shared<const Model>(fixtures::two_legged()),
+              {.position = {0, 0, height}, .attitude = to_matrix(exponential(lean * degree * Vec3d{0.6, -0.8, 0}))});
+  rig.attach_dynamics(robot, {.on_ground = false});
+  rig.simulation.initialize();
+  return fixtures::error_of([&] { rig.exchange(robot, "kinematic_walking"); });
+}
+
+TEST(KinematicRefusal, IsAtThirtyDegreesAndTwentyMillimeters) {
+  EXPECT_EQ(refusal(0, 0.0195), "no error");
+  EXPECT_TRUE(fixtures::says(refusal(0, 0.0205), {"21 mm away", "more than 20"}));
+  EXPECT_EQ(refusal(0, -0.0195), "no error");
+  EXPECT_TRUE(fixtures::says(refusal(0, -0.0205), {"mm away"}));
+  EXPECT_EQ(refusal(29.5, 0.0), "no error");
+  EXPECT_TRUE(fixtures::says(refusal(30.5, 0.0), {"leans 31 degrees", "more than 30"}));
+}
+
+TEST(KinematicRefusal, ModelsNeedTwoSoles) {
+  const auto with = [](int soles) {
+    Chain chain = Chain{}.base("base").with(properties::mass, 1.0);
+    for (int i = 0; i < soles; ++i) chain.translation({0, 0, -0.1}).with(properties::sole, {0.1, 0.1});
+    return fixtures::error_of([&] {
+      Simulation simulation;
+      Entity& robot = simulation.world().add("robot", std::make_shared<const Model>("odd", chain));
+      simulation.attach<KinematicWalking>("kinematic_walking", robot, 1000);
+    });
+  };
+  EXPECT_EQ(with(2), "no error");
+  EXPECT_TRUE(fixtures::says(with(1), {"model 'odd'", "1 sole, not 2"}));
+  EXPECT_TRUE(fixtures::says(with(3), {"3 soles, not 2"}));
+  EXPECT_TRUE(fixtures::says(with(0), {"0 soles"}));
+}
+
+}  // namespace
+}  // namespace murosimf::motion
