@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include <murosimf/behavior/behavior_properties.h>
 #include <murosimf/behavior/obstacle_course.h>
 #include <murosimf/collision/queries.h>
-#include <murosimf/behavior/behavior_properties.h>
 #include <murosimf/files/output_file.h>
 #include <murosimf/perception/planar.h>
 #include <murosimf/render/field_picture.h>

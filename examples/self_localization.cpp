@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include <murosimf/behavior/localize.h>
 #include <murosimf/behavior/behavior_properties.h>
+#include <murosimf/behavior/localize.h>
 #include <murosimf/files/output_file.h>
 #include <murosimf/render/field_picture.h>
 #include <murosimf/scene/field.h>

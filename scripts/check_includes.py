@@ -3,8 +3,8 @@
 
 Each folder of murosimf/ may include itself, the folders that stand after its USES in murosimf/CMakeLists.txt, and what
 those use, nothing else; a folder may use only what stands above it there. Programs, tests, examples and benchmarks may
-include everything. No two headers of the library have one name. Every header begins with `/// name.h - what it is for` and has
-`#pragma once`. Prints each violation as file:line: message and exits with 1 if there is one.
+include everything. No two headers of the library have one name. Every header begins with `/// name.h - what it is for`
+and has `#pragma once`. Prints each violation as file:line: message and exits with 1 if there is one.
 
     scripts/check_includes.py [root of the source tree]
 """
@@ -20,7 +20,7 @@ include_line = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
 def folders(root):
-    """The folders of the library, low to high: name to the set of those that it may include. Yields mistakes as text."""
+    """The folders of the library, low to high, with the set of those that each may include; and mistakes, as text."""
     allowed, mistakes = {}, []
     for found in folder_line.finditer((root / "murosimf/CMakeLists.txt").read_text(encoding="utf-8")):
         name, words = found[1], found[2].split()

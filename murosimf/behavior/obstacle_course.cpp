@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "murosimf/behavior/walk_to.h"
 #include "murosimf/behavior/behavior_properties.h"
+#include "murosimf/behavior/walk_to.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/perception/dead_reckoning.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "murosimf/collision/contact_properties.h"
 #include "murosimf/behavior/behavior_properties.h"
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "murosimf/scene/property_catalog.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/servo_law.h"
+#include "murosimf/scene/property_catalog.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/setting_targets.h"
 #include "murosimf/scene/unused_settings.h"

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/files/toml_reader.h"
+#include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene_bodies.h"

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/scene/property_catalog.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/property_catalog.h"
 
 namespace murosimf::scene {
 namespace {

@@ -34,6 +34,7 @@ int show(const NewNameOptions& options) {
 }  // namespace
 
 void add_new_name(CommandLine& line) {
+  // its place in --help is that in the list of main.cpp
   line.add<NewNameOptions>("new-name", "Name what moves in a scene", define, show);
 }
 

@@ -5,7 +5,8 @@ namespace murosimf::test {
 namespace {
 
 TEST(NewName, IsACommandOfTheProgram) {
-  EXPECT_NE(murosimf("--help").output.find("  new-name "), std::string::npos);
+  const Result help = murosimf("--help");
+  EXPECT_NE(help.output.find("  new-name "), std::string::npos) << help.output;
 }
 
 TEST(NewName, NamesWhatMoves) {
@@ -15,7 +16,7 @@ TEST(NewName, NamesWhatMoves) {
   EXPECT_NE(result.output.find(" 21 joints\n"), std::string::npos) << result.output;
 }
 
-TEST(NewName, SaysWhichSceneThereIsNot) { expect_mistake("new-name no_such_scene", {"no_such_scene"}); }
+TEST(NewName, RefusesAnUnknownScene) { expect_mistake("new-name nowhere", {"nowhere"}); }
 
 }  // namespace
 }  // namespace murosimf::test

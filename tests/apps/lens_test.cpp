@@ -22,8 +22,9 @@ class CliLens : public testing::Test {
 TEST_F(CliLens, ShowsACalibration) {
   const Result result = murosimf("lens nubots_frankie");
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  for (const char* text : {"model          equidistant\n", "picture        1280 x 1024 px\n",
-                           "focal length   435.20 x 435.20 px\n", "in the picture 132.", "field of view  horizontal 18"}) {
+  for (const char* text :
+       {"model          equidistant\n", "picture        1280 x 1024 px\n", "focal length   435.20 x 435.20 px\n",
+        "in the picture 132.", "field of view  horizontal 18"}) {
     EXPECT_NE(result.output.find(text), std::string::npos) << text << " is not in\n" << result.output;
   }
   EXPECT_EQ(result.output.find("warning"), std::string::npos);

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/behavior/behavior_properties.h"
 #include "murosimf/behavior/localize.h"
 #include "murosimf/behavior/obstacle_course.h"
 #include "murosimf/collision/queries.h"
-#include "murosimf/behavior/behavior_properties.h"
 #include "murosimf/scene/scene.h"
 #include "tests/law.h"
 #include "tests/render/drawn.h"

@@ -10,8 +10,8 @@
 #include <map>
 #include <set>
 
-#include "murosimf/scene/property_catalog.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/property_catalog.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene.h"
 
