@@ -84,17 +84,19 @@ int show(const CheckOptions& options, const Reading& reading) {
   const auto& [robot, error] = reading;
   auto findings = check::examine(robot);
   if (error) findings.insert(findings.begin(), check::make_finding(check::Severity::error, *error));
-  if (!options.picture.empty()) files::write_file(options.picture, appearance::robot_picture_png(robot.description));
   if (!options.roles.empty()) write_roles(options.roles, robot);
   const auto is_error = [](const check::Finding& finding) { return finding.severity == check::Severity::error; };
   const bool wrong = std::ranges::any_of(findings, is_error);
   const check::ModelReport report = check::make_report(*robot.model, std::move(findings), robot.sensors);
   write_result(options.json, check::to_text(report), check::to_json(report));
+  // the last, since not every machine can draw
+  if (!options.picture.empty()) files::write_file(options.picture, appearance::robot_picture_png(robot.description));
   return wrong ? 1 : 0;
 }
 
 int check(const CheckOptions& options) {
   check_json_file(options.json);
+  if (!options.picture.empty()) files::check_writable(options.picture);
   const auto file = files::find_data_file(options.model, "models", ".xml");
   std::optional<Reading> reading;
   try {

@@ -1,5 +1,6 @@
 #include "apps/picture_sequence.h"
 
+#include <algorithm>
 #include <cmath>
 #include <system_error>
 
@@ -7,11 +8,14 @@
 
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
+#include "murosimf/render/image_png.h"
+#include "murosimf/scene/scene_viewpoints.h"
 
 namespace murosimf::app {
 namespace {
 
-constexpr double shortest = 1e-3;  // [s]
+constexpr double shortest = 1e-3;          // [s]
+constexpr int columns = 1280, rows = 720;  // [px]
 
 Duration checked(double every) {
   if (!(every >= shortest && every <= scene::longest_duration)) {
@@ -30,8 +34,20 @@ PictureSequence::PictureSequence(std::filesystem::path folder, double every)
   files::check_writable(file());
 }
 
-void PictureSequence::take(const scene::Scene& scene) {
-  scene.write_view(file());
+void PictureSequence::show(scene::Scene& scene) {
+  scene::LightSpec light = scene.spec().light;
+  light.shadows = true;
+  light.samples = std::max(light.samples, 4);
+  renderer_ = scene.make_renderer(light);
+  scene_ = &scene;
+}
+
+void PictureSequence::take() {
+  sensors::View view;
+  renderer_->draw(scene::parallel_view(*scene_, columns, rows), {}, 0, view);
+  if (const std::string trouble = renderer_->trouble(); !trouble.empty()) throw SetupError(trouble);
+  const std::string title = fmt::format("{}: {:.2f} s", scene_->spec().name, seconds(scene_->simulation().now()));
+  files::write_file(file(), render::image_png(view.color, title));
   next_ += every_;
   ++count_;
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
+#include "murosimf/render/renderer.h"
 #include "murosimf/scene/scene.h"
 
 namespace murosimf::app {
@@ -13,10 +15,13 @@ class PictureSequence {
   /// written to, or if `every` is no time.
   PictureSequence(std::filesystem::path folder, double every);
 
+  /// Of whom: to be called once, when the scene's simulation is initialized. Throws SetupError if nobody can draw here.
+  void show(scene::Scene& scene);
+
   /// Simulated time of the next picture.
   [[nodiscard]] Duration next() const { return next_; }
   /// Writes it: 0000.png, 0001.png, ...
-  void take(const scene::Scene& scene);
+  void take();
 
  private:
   [[nodiscard]] std::filesystem::path file() const;
@@ -24,6 +29,8 @@ class PictureSequence {
   std::filesystem::path folder_;
   Duration every_, next_{};
   int count_ = 0;
+  const scene::Scene* scene_ = nullptr;
+  std::unique_ptr<render::Renderer> renderer_;
 };
 
 }  // namespace murosimf::app

@@ -109,6 +109,7 @@ int run(const RunOptions& options) {
                 logging::RunLogOptions{.step_rate = scene.spec().rate, .property_rate = options.log_rate});
   }
   simulation.initialize();
+  if (pictures) pictures->show(scene);
 
   Duration wall{};  // without that for pictures
   {
@@ -121,7 +122,7 @@ int run(const RunOptions& options) {
     while (pictures && pictures->next() <= duration) {
       advance_to(pictures->next());
       if (interrupted()) break;
-      pictures->take(scene);
+      pictures->take();
     }
     advance_to(duration);
   }

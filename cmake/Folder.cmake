@@ -3,7 +3,7 @@
 set(murosimf_folders_alone geometry)
 set_source_files_properties(behavior/localize.cpp components/sensor_signal.cpp components/sensor_toml.cpp
   components/servo_description.cpp files/data_path.cpp formats/mesh/obj_file.cpp formats/urdf/urdf_joint.cpp
-  locomotion/gait_clock.cpp motion/joint_stop.cpp robot/role_inference.cpp render/depth_image.cpp render/image_png.cpp render/opengl/gl_drawing.cpp
+  locomotion/gait_clock.cpp motion/joint_stop.cpp robot/role_inference.cpp render/image_png.cpp render/opengl/gl_drawing.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # With MUROSIMF_PRECOMPILE: what nearly all sources of the library include, compiled once for all folders.

@@ -2,106 +2,125 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "murosimf/appearance/visual_meshes.h"
 #include "murosimf/description/robot_visuals.h"
+#include "murosimf/geometry/support.h"
+#include "murosimf/model/chain.h"
 #include "murosimf/model/error.h"
-#include "murosimf/render/scene_view.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/render/image_png.h"
+#include "murosimf/render/renderer.h"
 #include "murosimf/robot/robot_soles.h"
 
 namespace murosimf::appearance {
 namespace {
 
-using render::ViewedShape;
-
-constexpr double gap = 0.15;  // [1] between two views, of their height
+constexpr double gap = 0.15;  // [1] between two views, of the height of the first
 constexpr double room = 0.9;  // [1] the title needs some
+constexpr int samples = 4;    // to a pixel
 
-/// The triangles of a mesh in the frame of its body; none if it cannot be read.
-std::vector<std::vector<Vec3d>> facets_of(const VisualMesh& visual) {
-  try {
-    const geometry::TriangleMesh mesh = visual_triangles(visual);
-    std::vector<std::vector<Vec3d>> facets;
-    for (const auto& [a, b, c] : mesh.triangles)
-      facets.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
-    return facets;
-  } catch (const SetupError&) {
-    return {};  // robot_checks names it
+/// Adds those that can be read, in the frame of the base. False if none can: robot_checks names them.
+bool add_meshes(const std::vector<VisualMesh>& visuals, const Transformd& place, render::EntityAppearance& robot) {
+  bool any = false;
+  for (const VisualMesh& visual : visuals) {
+    try {
+      geometry::TriangleMesh mesh = visual_triangles(visual);
+      for (Vec3d& v : mesh.vertices) v = place.position + place.orientation * v;
+      robot.meshes.push_back({0, render::render_mesh_of(mesh.vertices, mesh.triangles), visual.color});
+      any = true;
+    } catch (const SetupError&) {
+      continue;
+    }
   }
+  return any;
 }
 
-std::vector<ViewedShape> meshes_for_the_eye(const description::RobotDescription& description,
-                                            const description::BodyDescription& body, const Transformd& place) {
-  std::vector<ViewedShape> shapes;
-  for (const VisualMesh& visual : description::visuals_of(description, body)) {
-    ViewedShape shape{Sphere{}, place.position, place.orientation, visual.color, facets_of(visual)};
-    if (!shape.facets.empty()) shapes.push_back(std::move(shape));
-  }
-  return shapes;
-}
-
-std::vector<ViewedShape> parts_of(const description::RobotDescription& description) {
-  std::vector<ViewedShape> parts;
+/// Everything in the frame of the base.
+render::EntityAppearance appearance_of(const description::RobotDescription& description) {
+  render::EntityAppearance robot;
   const auto places = robot::body_places(description);
   for (std::size_t i = 0; i < description.bodies.size(); ++i) {
-    auto seen = meshes_for_the_eye(description, description.bodies[i], places[i]);
-    const bool has_meshes = !seen.empty();
-    std::ranges::move(seen, std::back_inserter(parts));
-    for (const description::ShapeDescription& shape : description.bodies[i].shapes) {
-      if (has_meshes && shape.placed.collides) continue;
-      const Transformd at = places[i] * shape.placed.place();
-      parts.push_back({shape.placed.shape, at.position, at.orientation, shape.placed.color});
+    const description::BodyDescription& body = description.bodies[i];
+    const bool has_meshes = add_meshes(description::visuals_of(description, body), places[i], robot);
+    for (const description::ShapeDescription& shape : body.shapes) {
+      PlacedShape placed = shape.placed;
+      if ((has_meshes && placed.collides) || std::holds_alternative<Plane>(placed.shape)) continue;
+      const Transformd at = places[i] * placed.place();
+      placed.position = at.position;
+      placed.orientation = at.orientation;
+      robot.shapes.push_back({0, placed});
     }
   }
-  return parts;
+  return robot;
 }
 
-/// Corners of the box around all parts, seen after a turn.
-struct Extent {
+/// Corners of the box around the robot after a turn; two of the base's origin if there is nothing to be seen.
+std::array<Vec3d, 2> extent_of(const render::EntityAppearance& robot, const Mat3d& turn) {
   Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-};
-
-Extent extent_of(const std::vector<ViewedShape>& parts, const Mat3d& turn) {
-  Extent extent;
-  const auto add = [&](const Vec3d& p) {
-    extent.low = {std::min(extent.low.x, p.x), std::min(extent.low.y, p.y), std::min(extent.low.z, p.z)};
-    extent.high = {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y), std::max(extent.high.z, p.z)};
+  const auto add = [&](const Vec3d& at) {
+    const Vec3d p = turn * at;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   };
-  for (const ViewedShape& part : parts) {
-    for (const auto& facet : part.facets) {
-      for (const Vec3d& p : facet) add(turn * (part.position + part.orientation * p));
-    }
-    if (!part.facets.empty()) continue;
-    const double r = bounding_radius(part.shape);
-    const Vec3d middle = turn * part.position;
-    add(middle - Vec3d{r, r, r});
-    add(middle + Vec3d{r, r, r});
+  for (const render::ShownMesh& shown : robot.meshes) {
+    for (const auto& [place, normal] : shown.solid.corners) add({place[0], place[1], place[2]});
   }
-  return extent;
+  for (const render::ShownShape& shown : robot.shapes) {
+    const auto& [position, orientation] = shown.placed.place();
+    for (const Vec3d& d : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
+      for (const double sign : {-1.0, 1.0}) {
+        const Vec3d direction = transposed_times(turn * orientation, sign * d);
+        add(position + orientation * geometry::support(shown.placed.shape, direction));
+      }
+    }
+  }
+  if (low.x > high.x) return {};
+  return {low, high};
+}
+
+void place(Entity& entity, const Vec3d& position, const Mat3d& orientation) {
+  entity.column(properties::position).values.assign(1, position);
+  entity.column(properties::orientation).values.assign(1, orientation);
 }
 
 }  // namespace
 
-std::string robot_picture_png(const description::RobotDescription& description, int columns, int rows) {
+imaging::ColorImage robot_picture(const description::RobotDescription& description, int columns, int rows) {
   // the eye looks along y: x is to the right, z up
   const std::array turns{rotation_z(-0.5 * pi), rotation_z(pi), rotation_x(0.5 * pi) * rotation_z(0.5 * pi),
                          rotation_x(0.3) * rotation_z(-0.5 * pi + 0.6)};
-  const auto parts = parts_of(description);
-  std::vector<ViewedShape> row;
+  const render::EntityAppearance robot = appearance_of(description);
+  const auto model = std::make_shared<const Model>("robot", Chain{}.base("robot"));
+  World row;
+  std::vector<Vec3d> corners;
+  const auto [lowest, highest] = extent_of(robot, turns[0]);
   double right = 0;
-  for (const Mat3d& turn : turns) {
-    const Extent extent = extent_of(parts, turn);
-    const double middle = 0.5 * (extent.low.z + extent.high.z);
-    for (ViewedShape part : parts) {
-      part.position = turn * part.position + Vec3d{right - extent.low.x, 0, -middle};
-      part.orientation = turn * part.orientation;
-      row.push_back(std::move(part));
-    }
-    right += extent.high.x - extent.low.x + gap * (extent.high.z - extent.low.z);
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const auto [low, high] = extent_of(robot, turns[i]);
+    const Vec3d shift{right - low.x, 0, -0.5 * (low.z + high.z)};
+    place(row.add(fmt::format("view_{}", i), model), shift, turns[i]);
+    corners.insert(corners.end(), {low + shift, high + shift});
+    right += high.x - low.x + gap * (highest.z - lowest.z);
   }
-  render::View view = render::view_of(render::view_from(-0.5 * pi, 0), row, columns, rows);
-  view.scale *= room;
-  return render::scene_view_png({}, row, view, description.name + ": front, left side, top, from an angle");
+  // over the left shoulder of whoever looks
+  const render::Light light{.toward = {-0.5, -0.65, 0.55}, .background = {0.83, 0.86, 0.88}, .shadows = false};
+  render::Renderer renderer(row, {}, [&](const Entity& /*entity*/) { return robot; },
+                            {.light = light, .samples = samples, .ground = false});
+  renderer.locate();
+  render::ParallelView view = render::view_of(corners, render::axes_from(-0.5 * pi, 0), columns, rows);
+  view.pixel /= room;
+  sensors::View drawn;
+  renderer.draw(view, {}, 0, drawn);
+  if (const std::string trouble = renderer.trouble(); !trouble.empty()) throw SetupError(trouble);
+  return std::move(drawn.color);
+}
+
+std::string robot_picture_png(const description::RobotDescription& description) {
+  return render::image_png(robot_picture(description), description.name + ": front, left side, top, from an angle");
 }
 
 }  // namespace murosimf::appearance

@@ -1,12 +1,28 @@
 #include "murosimf/render/image_png.h"
 
+#include <algorithm>
 #include <vector>
 
+#include "murosimf/render/canvas.h"
 #include "murosimf/render/png.h"
 
 namespace murosimf::render {
+namespace {
 
-std::string image_png(const imaging::ColorImage& image) {
+void draw_title(cairo_surface_t* picture, int rows, const std::string& title) {
+  const CanvasPtr canvas(cairo_create(picture), cairo_destroy);
+  const double size = std::clamp(rows / 28.0, 11.0, 28.0);
+  set_font(canvas.get(), size, true);
+  cairo_rectangle(canvas.get(), 0.5 * size, 0.5 * size, text_width(canvas.get(), title) + size, 1.7 * size);
+  set_color(canvas.get(), white, 0.75);
+  cairo_fill(canvas.get());
+  show_text(canvas.get(), size, 1.35 * size, title, {0.1, 0.12, 0.12});
+  check(cairo_status(canvas.get()));
+}
+
+}  // namespace
+
+std::string image_png(const imaging::ColorImage& image, const std::string& title) {
   std::vector<std::uint32_t> pixels;
   pixels.reserve(image.pixels().size());
   for (const imaging::Rgb& p : image.pixels()) {
@@ -16,6 +32,7 @@ std::string image_png(const imaging::ColorImage& image) {
                                                                CAIRO_FORMAT_RGB24, image.width(), image.height(),
                                                                4 * image.width()),
                            cairo_surface_destroy);
+  if (!title.empty()) draw_title(surface.get(), image.height(), title);
   return png_of(surface.get());
 }
 

@@ -7,8 +7,8 @@
 
 namespace murosimf::render {
 
-/// A PNG file, as bytes. Throws SetupError if this build has no pictures.
-[[nodiscard]] std::string image_png(const imaging::ColorImage& image);
+/// A PNG file, as bytes. Throws SetupError if this build has no pictures. `title`: UTF-8, one line, at the top left.
+[[nodiscard]] std::string image_png(const imaging::ColorImage& image, const std::string& title = {});
 
 /// Near is bright, far is dark, nothing is black: linear in 1 / z from the nearest pixel on.
 [[nodiscard]] imaging::ColorImage shown(const imaging::DepthImage& depth);

@@ -36,10 +36,16 @@ std::size_t level_for(double error) {
   return roundness.size() - 1;
 }
 
-/// What a perspective can see, with the borders as planes through the eye; normals point inwards.
+/// What a projection can see, with the borders as planes: n . p > offset inside, n of unit length.
 class Frustum {
  public:
-  explicit Frustum(const sensors::Perspective& view) {
+  explicit Frustum(const Projection& projection) : parallel_(projection.parallel) {
+    const sensors::Perspective& view = projection.window;
+    if (parallel_) {
+      planes_ = {Vec3d{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+      offsets_ = {view.left, -view.right, view.top, -view.bottom};
+      return;
+    }
     const auto unit = [](const Vec3d& v) { return (1 / norm(v)) * v; };
     planes_ = {unit({1, 0, -view.left}), unit({-1, 0, view.right}), unit({0, 1, -view.top}),
                unit({0, -1, view.bottom})};
@@ -47,9 +53,21 @@ class Frustum {
     corner_stretch_ = 1 + x * x + y * y;
   }
   [[nodiscard]] bool may_see(const Vec3d& middle, double radius) const {
-    if (middle.z < -radius) return false;
-    return std::all_of(planes_.begin(), planes_.end(), [&](const Vec3d& n) { return dot(n, middle) > -radius; });
+    if (!parallel_ && middle.z < -radius) return false;
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      if (!(dot(planes_[i], middle) - offsets_[i] > -radius)) return false;
+    }
+    return true;
   }
+  /// [m] The longest outward shift of the outline of a sphere that stays below `error` [px] in the picture; `pixels` to
+  /// a unit of the window.
+  [[nodiscard]] double allowed(double error, double pixels, const Vec3d& middle, double radius) const {
+    if (parallel_) return error / pixels;
+    const double near = std::max(0.01, norm(middle) - radius);
+    return error * near / (pixels * stretch(middle, radius));
+  }
+
+ private:
   /// [1] by which things look larger than they would on the axis, at most, in the part of the picture that shows a
   /// sphere: 1 / cos^2 of the angle.
   [[nodiscard]] double stretch(const Vec3d& middle, double radius) const {
@@ -59,8 +77,9 @@ class Frustum {
     return cosine > 0 ? std::min(corner_stretch_, 1 / (cosine * cosine)) : corner_stretch_;
   }
 
- private:
+  bool parallel_;
   std::array<Vec3d, 4> planes_;
+  std::array<double, 4> offsets_{};  // [m] through the eye: none
   double corner_stretch_ = 1;
 };
 
@@ -112,19 +131,19 @@ void InstanceList::add(std::size_t solid, const Drawable& drawable, const Transf
   ++first_of_[solid + 1];
 }
 
-void InstanceList::fill(const RenderScene& render_scene, const sensors::Perspective& view, bool depths, double ahead,
+void InstanceList::fill(const RenderScene& render_scene, const Projection& projection, bool depths, double ahead,
                         const MeshCatalog& catalog) {
   begin(catalog);
-  const Frustum frustum(view);
+  const sensors::Perspective& view = projection.window;
+  const Frustum frustum(projection);
   const double pixels = std::max(view.width / (view.right - view.left), view.height / (view.bottom - view.top));
   render_scene.for_drawables(ahead, [&](const Drawable& drawable, const Transformd& pose) {
     if (view.without && render_scene.owner(drawable) == view.without) return;
     const Transformd optical = seen_from(pose, view.eye, view.axes);
     if (!frustum.may_see(optical.position, drawable.radius)) return;
-    const double near = std::max(0.01, norm(optical.position) - drawable.radius);
     const double size =
         std::max({drawable.scale.x, drawable.scale.y, drawable.form == Form::sphere ? drawable.scale.z : 0});
-    double error = largest_error * near / (pixels * frustum.stretch(optical.position, drawable.radius));
+    double error = frustum.allowed(largest_error, pixels, optical.position, drawable.radius);
     if (depths) error = std::min(error, largest_depth_error);
     const std::size_t level = view.finest ? roundness.size() - 1 : level_for(error / size);
     add(render_mesh_of(drawable, level, catalog), drawable, optical);

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/render/projection.h"
 #include "murosimf/render/render_scene.h"
-#include "murosimf/sensors/view_source.h"
 
 namespace murosimf::render {
 
@@ -39,7 +39,7 @@ class InstanceList {
  public:
   /// Pieces that are in the picture. Round ones are off by less than a quarter of a pixel, and with `depths` by less than
   /// half a millimeter.
-  void fill(const RenderScene& render_scene, const sensors::Perspective& view, bool depths, double ahead,
+  void fill(const RenderScene& render_scene, const Projection& projection, bool depths, double ahead,
             const MeshCatalog& catalog);
   /// All pieces, for a lamp that looks along the third axis from `eye`; z counts from there.
   void fill_all(const RenderScene& render_scene, const Vec3d& eye, const Mat3d& axes, double ahead,

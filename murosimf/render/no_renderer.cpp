@@ -17,6 +17,8 @@ Renderer::~Renderer() = default;
 void Renderer::locate() {}
 void Renderer::draw(const sensors::Perspective& /*perspective*/, const sensors::Layers& /*layers*/, double /*ahead*/,
                     sensors::View& /*view*/) noexcept {}
+void Renderer::draw(const ParallelView& /*view*/, const sensors::Layers& /*layers*/, double /*ahead*/,
+                    sensors::View& /*into*/) noexcept {}
 std::string Renderer::name() const { return {}; }
 DrawTotals Renderer::totals() const { return {}; }
 std::string Renderer::trouble() const { return {}; }

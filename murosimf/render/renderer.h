@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "murosimf/render/light.h"
+#include "murosimf/render/projection.h"
 #include "murosimf/render/render_scene.h"
 #include "murosimf/sensors/view_source.h"
 
@@ -20,7 +21,8 @@ struct DrawTotals {
 
 struct RendererOptions {
   Light light{};
-  int samples = 1;  ///< to a pixel, of colors: 1, 2, 4 or 8; edges are smooth with 4
+  int samples = 1;     ///< to a pixel, of colors: 1, 2, 4 or 8; edges are smooth with 4
+  bool ground = true;  ///< is drawn, at z = 0
 };
 
 class Renderer final : public sensors::ViewSource {
@@ -32,6 +34,8 @@ class Renderer final : public sensors::ViewSource {
 
   void draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,
             sensors::View& view) noexcept override;
+  /// The same by parallel rays. Who looks level sees the ground cut open.
+  void draw(const ParallelView& view, const sensors::Layers& layers, double ahead, sensors::View& into) noexcept;
 
   /// To be called once when all algorithms are attached: from then on things are seen where they are.
   void locate();
@@ -44,6 +48,9 @@ class Renderer final : public sensors::ViewSource {
 
  private:
   struct Contexts;  // one for each thread that draws at the same time
+  void draw_projection(const Projection& projection, const sensors::Layers& layers, double ahead,
+                       sensors::View& view) noexcept;
+
   RenderScene render_scene_;
   RendererOptions options_;
   std::unique_ptr<Contexts> contexts_;

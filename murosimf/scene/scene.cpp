@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "murosimf/appearance/entity_appearance.h"
-#include "murosimf/appearance/viewed_shapes.h"
 #include "murosimf/collision/body_contact.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/files/data_path.h"
@@ -315,25 +314,6 @@ void Scene::write_picture(const std::filesystem::path& file) const {
   files::write_file(file, render::field_picture_png(*markings, paths,
                                                     {.title = fmt::format("{}: {:.0f} s", spec_.name,
                                                                           seconds(simulation_->now()))}));
-}
-
-void Scene::write_view(const std::filesystem::path& file) const {
-  constexpr int columns = 1280, rows = 720;
-  const Markings& markings = *field_->model().find(properties::markings, 0);
-  const ViewSpec& spec = spec_.view;
-  const render::View axes = render::view_from(spec.azimuth, spec.elevation);
-  render::View view = render::view_of(axes, markings, columns, rows);
-  if (spec.width > 0) {
-    view.center = spec.center;
-    view.scale = columns / spec.width;
-  }
-  std::vector<render::ViewedShape> shapes = appearance::viewed_shapes(*field_);
-  for (const Entity* moving_entity : moving_entities_) {
-    const auto more = appearance::viewed_shapes(*moving_entity);
-    shapes.insert(shapes.end(), more.begin(), more.end());
-  }
-  files::write_file(file, render::scene_view_png(markings, shapes, view,
-                                                 fmt::format("{}: {:.2f} s", spec_.name, seconds(simulation_->now()))));
 }
 
 }  // namespace murosimf::scene

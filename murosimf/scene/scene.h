@@ -74,9 +74,6 @@ class Scene {
   /// be initialized and outlive it. Throws SetupError if this machine or this build cannot draw.
   [[nodiscard]] std::unique_ptr<render::Renderer> make_renderer(const LightSpec& light);
 
-  /// Draws all bodies as they are now, from where the scene's [view] looks. Throws as write_picture.
-  void write_view(const std::filesystem::path& file) const;
-
  private:
   struct RobotKind {
     ModelPtr model;

@@ -1,4 +1,6 @@
 // Who draws the scene for its cameras, and for people.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "murosimf/appearance/entity_appearance.h"
@@ -28,7 +30,9 @@ std::unique_ptr<render::Renderer> Scene::make_renderer(const LightSpec& light) {
   auto renderer = std::make_unique<render::Renderer>(
       simulation_->world(), moving_entities_, [&](const Entity& entity) { return library.appearance(entity); },
       render::RendererOptions{light_of(light), light.samples});
-  for (const std::string& warning : library.warnings()) warnings_.push_back(warning);
+  for (const std::string& warning : library.warnings()) {  // of several renderers
+    if (std::ranges::find(warnings_, warning) == warnings_.end()) warnings_.push_back(warning);
+  }
   renderer->locate();
   return renderer;
 }

@@ -75,6 +75,13 @@ sensors::Perspective behind(const Entity& moving_entity, int width, int height) 
 
 }  // namespace
 
+render::ParallelView parallel_view(const Scene& scene, int width, int height) {
+  const ViewSpec& spec = scene.spec().view;
+  const Mat3d axes = render::axes_from(spec.azimuth, spec.elevation);
+  if (spec.width == 0) return render::view_of(field_corners(scene), axes, width, height);
+  return {.center = spec.center, .axes = axes, .pixel = spec.width / width, .width = width, .height = height};
+}
+
 std::vector<std::string> viewpoint_names(const Scene& scene) {
   std::vector<std::string> names{"overview", "top", "side", "left", "right"};
   for (const ViewpointSpec& eye : scene.spec().viewpoints) names.push_back(eye.name);

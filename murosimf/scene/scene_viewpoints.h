@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/render/projection.h"
 #include "murosimf/scene/scene.h"
-#include "murosimf/sensors/view_source.h"
 
 namespace murosimf::scene {
 
@@ -19,5 +19,8 @@ namespace murosimf::scene {
 /// The picture from one of them, as things are now. Throws SetupError with the nearest name if there is none.
 [[nodiscard]] sensors::Perspective viewpoint_perspective(const Scene& scene, const std::string& name, int width,
                                                          int height);
+
+/// From the scene's [view] by parallel rays: all of its field, or `width` [m] about `center`.
+[[nodiscard]] render::ParallelView parallel_view(const Scene& scene, int width, int height);
 
 }  // namespace murosimf::scene

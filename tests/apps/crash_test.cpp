@@ -85,6 +85,8 @@ TEST(Crash, WhereADriverHasTooLittleMemory) {
   EXPECT_NE(run.output.find("cameras have no frames"), std::string::npos) << run.output;
   const Result picture = with_memory(500000, "render walk --out " + scratch("p.png").string());
   expect_one_line(picture, 2, "no pictures by OpenGL");
+  const Result pictures = with_memory(500000, "run walk --duration 1e9 --pictures " + scratch("p").string());
+  expect_one_line(pictures, 2, "no pictures by OpenGL");
 }
 
 TEST(Hang, WhereAFileNeverEndsOrNeverBegins) {

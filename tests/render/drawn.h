@@ -44,7 +44,9 @@ struct DrawnWorld {
     world.add("field", scene::field_model(scene::kid_size_2008, "carpet", {}, goals));
   }
 
-  sensors::View draw(const sensors::Perspective& view, const sensors::Layers& layers = {true, true, true},
+  /// `view`: a sensors::Perspective or a render::ParallelView.
+  template <class AnyView>
+  sensors::View draw(const AnyView& view, const sensors::Layers& layers = {true, true, true},
                      render::RendererOptions options = {.light = {.shadows = false}}, double ahead = 0) {
     render::Renderer renderer(world, moving_entities, render::appearance_of_shapes, options);
     renderer.locate();

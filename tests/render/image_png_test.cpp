@@ -44,6 +44,22 @@ TEST(ImagePng, IsReadBackAsItWas) {
     }
   }
 }
+
+TEST(ImagePng, HasItsTitleAtTheTopLeft) {
+  const imaging::ColorImage image(400, 200, {10, 60, 20});
+  const std::string file = fixtures::temp_folder().string() + "/" + "image_png_title_test.png";
+  std::ofstream(file, std::ios::binary) << image_png(image, "a title");
+  const Picture picture(file);
+  int title = 0, elsewhere = 0;
+  for (int v = 0; v < 200; ++v) {
+    for (int u = 0; u < 400; ++u) {
+      const bool is_changed = picture.pixel(u, v).red > 20;
+      (u < 200 && v < 40 ? title : elsewhere) += is_changed ? 1 : 0;
+    }
+  }
+  EXPECT_GT(title, 500);
+  EXPECT_EQ(elsewhere, 0);
+}
 #endif
 
 TEST(ShownDepths, AreGrayAndLinearInTheInverse) {

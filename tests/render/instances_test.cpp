@@ -61,7 +61,7 @@ struct Drawn {
 
 class Instances : public testing::Test {
  protected:
-  Drawn draw(const std::vector<Ball>& balls, const Perspective& view, bool depths = false) {
+  Drawn draw(const std::vector<Ball>& balls, const render::Projection& view, bool depths = false) {
     DrawnWorld world;
     for (const Ball& ball : balls)
       world.add_ball("b" + std::to_string(world.moving_entities.size()), ball.radius, ball.place);
@@ -105,6 +105,38 @@ TEST_F(Instances, LeaveNothingOutThatCanBeSeen) {
   }
   EXPECT_GT(visible, 100);
   EXPECT_GT(dropped, (total - visible) / 2) << "most of what cannot be seen";
+}
+
+/// A sphere is in a parallel picture if its middle is less than its radius away from the picture's rectangle.
+TEST_F(Instances, OfParallelRaysAreAllThatTouchThePicture) {
+  Uniform random;
+  int visible = 0;
+  for (int i = 0; i < 20; ++i) {
+    const render::ParallelView view{.center = {random(-1, 1), random(-1, 1), random(-1, 1)},
+                                    .axes = rotation_z(random(-pi, pi)) * rotation_y(random(-pi, pi)) *
+                                            rotation_x(random(-pi, pi)),
+                                    .pixel = random(0.002, 0.02),
+                                    .width = 320,
+                                    .height = 240};
+    std::vector<Ball> balls;
+    for (int k = 0; k < 60; ++k) {
+      balls.push_back({{random(-4, 4), random(-4, 4), random(-4, 4)}, random(0.02, 0.9)});
+    }
+    const Drawn drawn = draw(balls, view);
+    for (std::size_t k = 0; k < balls.size(); ++k) {
+      const Vec3d p = transposed_times(view.axes, balls[k].place - view.center);
+      const double aside = std::max(0.0, std::abs(p.x) - 160 * view.pixel);
+      const double above = std::max(0.0, std::abs(p.y) - 120 * view.pixel);
+      const bool is_drawn = drawn.labels.contains(sensors::label_moving_entity + static_cast<std::uint32_t>(k));
+      if (std::hypot(aside, above) < balls[k].radius) {
+        EXPECT_TRUE(is_drawn) << "ball " << k << " of view " << i;
+        ++visible;
+      } else if (std::max(aside, above) > balls[k].radius) {
+        EXPECT_FALSE(is_drawn) << "ball " << k << " of view " << i;
+      }
+    }
+  }
+  EXPECT_GT(visible, 100);
 }
 
 TEST_F(Instances, LeaveOutWhatIsBehindAndWhoLooks) {
@@ -173,6 +205,24 @@ TEST_F(Instances, RoundThingsAreOffByAQuarterOfAPixelAtMost) {
     }
   }
   EXPECT_EQ(levels.size(), 4u) << "all levels are there";
+}
+
+TEST_F(Instances, OfParallelRaysAreAsRoundWhereverTheyAre) {
+  std::set<std::size_t> levels;
+  for (const double pixel : {0.0005, 0.002, 0.01, 0.1}) {
+    std::set<std::size_t> triangles;
+    for (const double distance : {-50.0, 0.0, 0.5, 50.0}) {
+      const render::ParallelView view{.pixel = pixel, .width = 100, .height = 100};
+      triangles.insert(draw({{{0, 0, distance}, 0.1}}, view).triangles.begin()->second);
+    }
+    ASSERT_EQ(triangles.size(), 1u);
+    levels.insert(*triangles.begin());
+    const double segments = segments_of(*triangles.begin());
+    if (segments < 63) {
+      EXPECT_LT(0.1 * off_circle(segments) / pixel, 0.26) << pixel;
+    }
+  }
+  EXPECT_GE(levels.size(), 3u);
 }
 
 TEST_F(Instances, DepthsAndMeasuringAskForMore) {

@@ -197,5 +197,22 @@ TEST(SceneViewpoints, SeeTheWholeFieldAndKnowTheirNames) {
       says(error_of([&] { (void)viewpoint_perspective(scene, "corna", 64, 64); }), {"view", "corna", "corner"}));
 }
 
+TEST(SceneViewpoints, ByParallelRaysIsWhatViewSays) {
+  Scene whole(write_scene(game()));
+  const render::ParallelView all = parallel_view(whole, 640, 360);
+  for (const Vec3d& corner : {Vec3d{3, 2, 0}, {-3, 2, 0}, {3, -2, 0}, {-3, -2, 0}}) {
+    const Vec3d seen = transposed_times(all.axes, corner - all.center);
+    EXPECT_LT(std::abs(seen.x), 320 * all.pixel);
+    EXPECT_LT(std::abs(seen.y), 180 * all.pixel);
+  }
+  EXPECT_NEAR(-all.axes.z.z, std::sin(26 * pi / 180), 1e-12);
+  EXPECT_LT(all.axes.y.z, 0) << "down is down";
+  Scene part(write_scene("[view]\ncenter = [1, 0.5, 0.2]\nwidth = 3.2\nazimuth_deg = 0\nelevation_deg = 0\n" + game()));
+  const render::ParallelView near = parallel_view(part, 640, 360);
+  EXPECT_NEAR(near.pixel, 0.005, 1e-12);
+  EXPECT_EQ(near.center.y, 0.5);
+  EXPECT_LT(norm(near.axes.x - Vec3d{0, 1, 0}), 1e-12) << "from the front";
+}
+
 }  // namespace
 }  // namespace murosimf::scene

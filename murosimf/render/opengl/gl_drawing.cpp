@@ -19,6 +19,7 @@ namespace {
 constexpr Color grass{0.21, 0.50, 0.24}, floor_color{0.48, 0.48, 0.47}, paint{0.93, 0.94, 0.93};
 constexpr double floor_reach = 500;  // [m]
 constexpr double nearest = 0.01;     // [m]
+constexpr double flattest = 0.01;    // [1] sine of the lowest elevation from which parallel rays see the ground
 constexpr int shadow_side = 2048;    // [px]
 constexpr std::size_t most_targets = 8;
 
@@ -128,13 +129,17 @@ GlTarget& GlDrawing::target(int width, int height, int samples) {
   return targets.front();
 }
 
-DrawCount GlDrawing::draw(const sensors::Perspective& wanted, const sensors::Layers& layers, const Light& light,
-                          int samples, double ahead, sensors::View& into) {
+DrawCount GlDrawing::draw(const Projection& wanted, const sensors::Layers& layers, const RendererOptions& options,
+                          double ahead, sensors::View& into) {
   const GlContext::Current current(context_);
-  sensors::Perspective view = wanted;
+  Projection projection = wanted;
+  sensors::Perspective& view = projection.window;
+  const Light& light = options.light;
+  const int samples = options.samples;
   if (view.rows == 0) view.rows = view.height - view.first_row;
   if (light.shadows && layers.color) draw_shadows(view, light, ahead);
-  list_.fill(render_scene_, view, layers.depth, ahead, catalog_);
+  list_.fill(render_scene_, projection, layers.depth, ahead, catalog_);
+  const GlMatrix clip = projection.parallel ? parallel_clip_of(view, render_scene_, ahead) : clip_of(view, nearest);
   // several samples to a pixel make sense for colors only
   std::vector<std::pair<sensors::Layers, int>> passes{{layers, 1}};
   if (samples > 1 && layers.color) {
@@ -144,7 +149,7 @@ DrawCount GlDrawing::draw(const sensors::Perspective& wanted, const sensors::Lay
   for (const auto& [part, count] : passes) {
     GlTarget& to = target(view.width, view.height, count);
     to.begin(view, part, light.background);
-    draw_scene(view, part, light, to);
+    draw_scene(projection, clip, part, options, to);
     to.read(view, part, into);
   }
   DrawCount drawn{list_.instances().size(), 0};
@@ -154,8 +159,10 @@ DrawCount GlDrawing::draw(const sensors::Perspective& wanted, const sensors::Lay
   return drawn;
 }
 
-void GlDrawing::draw_scene(const sensors::Perspective& view, const sensors::Layers& layers, const Light& light,
-                           GlTarget& to) {
+void GlDrawing::draw_scene(const Projection& projection, const GlMatrix& clip, const sensors::Layers& layers,
+                           const RendererOptions& options, GlTarget& to) {
+  const sensors::Perspective& view = projection.window;
+  const Light& light = options.light;
   const Mat3d to_optical = transpose(view.axes);
   const bool shaded = light.shadows && layers.color;
   glActiveTexture(GL_TEXTURE0);
@@ -163,7 +170,7 @@ void GlDrawing::draw_scene(const sensors::Perspective& view, const sensors::Laye
   objects_->lit = shaded ? &*objects_->shadowed : &objects_->plain;
   for (GlProgram* program : {&objects_->lit->solid, &objects_->lit->ground, &objects_->lit->stroke}) {
     program->use();
-    set(*program, "clip", clip_of(view, nearest));
+    set(*program, "clip", clip);
     set(*program, "up", floats(to_optical.z));
     set(*program, "toward", floats((1 / norm(light.toward)) * (to_optical * light.toward)));
     set(*program, "lamp", floats(light.lamp));
@@ -176,50 +183,92 @@ void GlDrawing::draw_scene(const sensors::Perspective& view, const sensors::Laye
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
   glEnable(GL_DEPTH_TEST);
-  if (view.eye.z > 0) {  // what lies on the ground is drawn in its order, not by depth
-    glDepthFunc(GL_ALWAYS);
-    draw_ground(view, light);
-    glDepthMask(GL_FALSE);
-    if (layers.color || layers.labels) draw_strokes(view, layers, light, to);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_LESS);
-  }
+  if (options.ground) draw_ground(projection, layers, light, to);
   objects_->lit->solid.use();
   objects_->meshes.draw(list_);
 }
 
-void GlDrawing::draw_ground(const sensors::Perspective& view, const Light& light) {
-  GlProgram& program = objects_->lit->ground;
-  program.use();
-  glBindVertexArray(*objects_->ground_array);
-  glBindBuffer(GL_ARRAY_BUFFER, *objects_->ground_buffer);
+/// What lies on the ground is drawn in its order, not by depth.
+void GlDrawing::draw_ground(const Projection& projection, const sensors::Layers& layers, const Light& light,
+                            GlTarget& to) {
+  const sensors::Perspective& view = projection.window;
+  const double downwards = -view.axes.z.z;
+  const bool is_cut = projection.parallel && std::abs(downwards) <= flattest;
+  if (!is_cut && !(projection.parallel ? downwards > 0 : view.eye.z > 0)) return;
+  if (projection.parallel) glEnable(GL_DEPTH_CLAMP);  // the depths are those of the pieces; the ground reaches farther
+  glDepthFunc(GL_ALWAYS);
+  if (is_cut) {
+    draw_earth(view, light);
+  } else {
+    draw_areas(projection, light);
+    glDepthMask(GL_FALSE);
+    if (layers.color || layers.labels) draw_strokes(projection, layers, light, to);
+    glDepthMask(GL_TRUE);
+  }
+  glDepthFunc(GL_LESS);
+  glDisable(GL_DEPTH_CLAMP);
+}
+
+/// Floor and field.
+void GlDrawing::draw_areas(const Projection& projection, const Light& light) {
+  const sensors::Perspective& view = projection.window;
   const auto rectangle = [&](double x, double y, double half_length, double half_width, const Color& color) {
-    std::array<Float3, 4> corners;
+    std::array<Vec3d, 4> corners;
     for (int i = 0; i < 4; ++i) {
       const double sx = i == 1 || i == 3 ? 1 : -1, sy = i < 2 ? -1 : 1;
       const Vec3d p{x + sx * half_length, y + sy * half_width, 0};
-      corners[static_cast<std::size_t>(i)] = floats(transposed_times(view.axes, p - view.eye));
+      corners[static_cast<std::size_t>(i)] = transposed_times(view.axes, p - view.eye);
     }
-    glBufferData(GL_ARRAY_BUFFER, sizeof(corners), corners.data(), GL_STREAM_DRAW);
-    attribute(0, 3, GL_FLOAT, sizeof(Float3), 0, false);
-    set_ground_color(program, color, light);
-    glUniform1ui(program.uniform("what"), sensors::label_ground);
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    draw_rectangle(corners, color, light);
   };
-  rectangle(view.eye.x, view.eye.y, floor_reach, floor_reach, floor_color);
+  // below the eye, or where the middle of a parallel picture meets the ground
+  const Vec3d middle = projection.parallel ? view.eye - (view.eye.z / view.axes.z.z) * view.axes.z : view.eye;
+  rectangle(middle.x, middle.y, floor_reach, floor_reach, floor_color);
   const Markings* markings = render_scene_.markings();
   if (markings) rectangle(0, 0, markings->half_length, markings->half_width, grass);
 }
 
-void GlDrawing::draw_strokes(const sensors::Perspective& view, const sensors::Layers& layers, const Light& light,
+/// The ground seen level: all below its edge, behind everything.
+void GlDrawing::draw_earth(const sensors::Perspective& view, const Light& light) {
+  // -z of the world is mostly y of the picture, or else x
+  const Vec3d down = transposed_times(view.axes, Vec3d{0, 0, -1});
+  const Vec3d deep = (1 / std::hypot(down.x, down.y)) * Vec3d{down.x, down.y, 0}, along{deep.y, -deep.x, 0};
+  const Vec3d edge = Vec3d{0, 0, floor_reach} + view.eye.z * deep;
+  const Vec3d side = floor_reach * along, below = floor_reach * deep;
+  draw_rectangle({edge - side + below, edge + side + below, edge - side, edge + side}, floor_color, light);
+}
+
+/// `corners` [m] optical frame, in the order of a strip.
+void GlDrawing::draw_rectangle(const std::array<Vec3d, 4>& corners, const Color& color, const Light& light) {
+  GlProgram& program = objects_->lit->ground;
+  program.use();
+  glBindVertexArray(*objects_->ground_array);
+  glBindBuffer(GL_ARRAY_BUFFER, *objects_->ground_buffer);
+  std::array<Float3, 4> places;
+  std::ranges::transform(corners, places.begin(), [](const Vec3d& corner) { return floats(corner); });
+  glBufferData(GL_ARRAY_BUFFER, sizeof(places), places.data(), GL_STREAM_DRAW);
+  attribute(0, 3, GL_FLOAT, sizeof(Float3), 0, false);
+  set_ground_color(program, color, light);
+  glUniform1ui(program.uniform("what"), sensors::label_ground);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void GlDrawing::draw_strokes(const Projection& projection, const sensors::Layers& layers, const Light& light,
                              GlTarget& to) {
+  const sensors::Perspective& view = projection.window;
   GlProgram& program = objects_->lit->stroke;
   program.use();
   set(program, "to_optical", matrix_of(transpose(view.axes), transposed_times(view.axes, -1.0 * view.eye)));
   set(program, "pixel", std::max((view.right - view.left) / view.width, (view.bottom - view.top) / view.height));
-  set(program, "height", std::max(view.eye.z, 0.01));
+  Vec3d eye_place{view.eye.x, view.eye.y, std::max(view.eye.z, 0.01)};
+  if (projection.parallel) {
+    eye_place = -view.axes.z;
+    // straight above, any direction is away from the eye
+    if (std::hypot(eye_place.x, eye_place.y) < 0.002) eye_place.x = 0.002;
+  }
+  const Float3 eye = floats(eye_place);
+  glUniform4f(program.uniform("eye"), eye[0], eye[1], eye[2], projection.parallel ? 0.0F : 1.0F);
   set_ground_color(program, paint, light);
-  glUniform2f(program.uniform("foot"), static_cast<float>(view.eye.x), static_cast<float>(view.eye.y));
   glUniform1ui(program.uniform("what"), sensors::label_line);
   glBindVertexArray(*objects_->strokes.array);
   const auto draw = [&](double least) {

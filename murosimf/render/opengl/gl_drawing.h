@@ -3,12 +3,14 @@
 /// Only for the .cpp files of this folder: it brings OpenGL in.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "murosimf/render/instances.h"
-#include "murosimf/render/light.h"
 #include "murosimf/render/opengl/gl_context.h"
+#include "murosimf/render/opengl/gl_matrix.h"
 #include "murosimf/render/opengl/gl_target.h"
+#include "murosimf/render/renderer.h"
 
 namespace murosimf::render {
 
@@ -27,15 +29,19 @@ class GlDrawing {
 
   [[nodiscard]] const GlContext& context() const { return context_; }
   /// Throws SetupError if the picture cannot be had, because it is too large for the device.
-  DrawCount draw(const sensors::Perspective& view, const sensors::Layers& layers, const Light& light, int samples,
-                 double ahead, sensors::View& into);
+  DrawCount draw(const Projection& wanted, const sensors::Layers& layers, const RendererOptions& options, double ahead,
+                 sensors::View& into);
 
  private:
   struct Objects;  // what lives in the context; made and removed while it is current
 
-  void draw_scene(const sensors::Perspective& view, const sensors::Layers& layers, const Light& light, GlTarget& to);
-  void draw_ground(const sensors::Perspective& view, const Light& light);
-  void draw_strokes(const sensors::Perspective& view, const sensors::Layers& layers, const Light& light, GlTarget& to);
+  void draw_scene(const Projection& projection, const GlMatrix& clip, const sensors::Layers& layers,
+                  const RendererOptions& options, GlTarget& to);
+  void draw_ground(const Projection& projection, const sensors::Layers& layers, const Light& light, GlTarget& to);
+  void draw_areas(const Projection& projection, const Light& light);
+  void draw_earth(const sensors::Perspective& view, const Light& light);
+  void draw_rectangle(const std::array<Vec3d, 4>& corners, const Color& color, const Light& light);
+  void draw_strokes(const Projection& projection, const sensors::Layers& layers, const Light& light, GlTarget& to);
   void draw_shadows(const sensors::Perspective& view, const Light& light, double ahead);
   GlTarget& target(int width, int height, int samples);
 

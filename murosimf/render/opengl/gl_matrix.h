@@ -18,6 +18,9 @@ using GlMatrix = std::array<float, 16>;  ///< by columns
 
 /// Optical frame to clip coordinates, rows downwards; far away is infinitely far. `nearest` [m]: what is nearer is cut.
 [[nodiscard]] GlMatrix clip_of(const sensors::Perspective& view, double nearest);
+/// The same by parallel rays, with room in depth for all pieces of the render_scene.
+[[nodiscard]] GlMatrix parallel_clip_of(const sensors::Perspective& window, const RenderScene& render_scene,
+                                        double ahead);
 
 /// Parallel light: what it shines on lies in a box about `eye`.
 struct LampView {

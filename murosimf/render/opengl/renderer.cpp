@@ -64,9 +64,19 @@ std::string Renderer::trouble() const {
 
 void Renderer::draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,
                     sensors::View& view) noexcept {
+  draw_projection(perspective, layers, ahead, view);
+}
+
+void Renderer::draw(const ParallelView& view, const sensors::Layers& layers, double ahead,
+                    sensors::View& into) noexcept {
+  draw_projection(view, layers, ahead, into);
+}
+
+void Renderer::draw_projection(const Projection& projection, const sensors::Layers& layers, double ahead,
+                               sensors::View& view) noexcept {
   try {
     auto drawing = contexts_->take(render_scene_);
-    const DrawCount drawn = drawing->draw(perspective, layers, options_.light, options_.samples, ahead, view);
+    const DrawCount drawn = drawing->draw(projection, layers, options_, ahead, view);
     contexts_->give_back(std::move(drawing), drawn);
   } catch (const std::exception& error) {
     contexts_->complain(error.what());

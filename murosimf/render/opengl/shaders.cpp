@@ -102,9 +102,8 @@ layout(location = 0) in vec4 ends;    // [m] on the ground: from x, y to x, y
 layout(location = 1) in vec4 size;    // [m] half width, how far it goes beyond its ends; 1: an end is a soft joint
 layout(location = 2) in vec3 corner;  // -1 or 1: side; 0 or 1: end; 1: the other end is a soft joint, too
 uniform mat4 to_optical;              // of the world
-uniform float pixel;                  // [1] tangent that a pixel takes
-uniform float height;                 // [m] of the eye
-uniform vec2 foot;                    // [m] of the world below the eye
+uniform float pixel;                  // [1] tangent that a pixel takes; [m] by parallel rays
+uniform vec4 eye;                     // [m] of the world, 1; by parallel rays: the direction to it, 0
 out vec3 seen;
 out vec2 local;                       // [m] along, across
 flat out vec4 extent;                 // [m] half width, first and last of along; 0
@@ -117,7 +116,9 @@ void main() {
   vec2 across = vec2(-dir.y, dir.x);
   vec2 at = corner.y > 0.5 ? ends.zw : ends.xy;
   // half of a pixel's footprint on the ground, seen from far: z pixel to the side, z^2 pixel / height away from the eye
-  vec2 away = at - foot;
+  // (z = 1 by parallel rays, whose height is the sine of their elevation)
+  vec2 away = eye.w * at - eye.xy;
+  float height = eye.z;
   float z = max(0.1, length(vec3(away, height)));
   away /= max(length(away), 0.001);
   vec2 reach = 0.75 * pixel * z * vec2(1.0, z / height);

@@ -1,0 +1,36 @@
+/// projection.h - how a picture shows the scene: through a pinhole (sensors::Perspective), or by parallel rays.
+#pragma once
+
+#include <span>
+
+#include "murosimf/sensors/view_source.h"
+
+namespace murosimf::render {
+
+/// Parallel rays: a thing has the same size however far away it is, and nothing is too near to be seen. The middle of the
+/// picture shows `center`; depths count from there and are negative nearer to the eye.
+struct ParallelView {
+  Vec3d center{};             ///< [m] world
+  Mat3d axes{};               ///< optical axes (right, down, away from the eye) to world axes
+  double pixel = 0.01;        ///< [m] side of a pixel, more than 0
+  int width = 0, height = 0;  ///< [px]
+};
+
+/// Optical axes of an eye in the direction `azimuth` [rad, counterclockwise from x] at `elevation` [rad] above the ground.
+/// (-pi/2, 0) looks from the right side of whoever looks along x, (-pi/2, pi/2) from above with x to the right.
+[[nodiscard]] Mat3d axes_from(double azimuth, double elevation);
+
+/// All points [m, world] fill the picture but for a margin of 6 % on each side.
+[[nodiscard]] ParallelView view_of(std::span<const Vec3d> points, const Mat3d& axes, int width, int height);
+
+/// Either kind. A point at (x, y, z) in the optical axes of `window` is seen at x / z and y / z, by parallel rays at x and
+/// y; the borders of the window are counted in these.
+struct Projection {
+  Projection(const sensors::Perspective& view) : window(view) {}
+  Projection(const ParallelView& view);
+
+  sensors::Perspective window;
+  bool parallel = false;
+};
+
+}  // namespace murosimf::render
