@@ -205,7 +205,7 @@ TEST(SceneViewpoints, ByParallelRaysIsWhatViewSays) {
     EXPECT_LT(std::abs(seen.x), 320 * all.pixel);
     EXPECT_LT(std::abs(seen.y), 180 * all.pixel);
   }
-  EXPECT_NEAR(-all.axes.z.z, std::sin(26 * pi / 180), 1e-12);
+  EXPECT_NEAR(-all.axes.z.z, std::sin(whole.spec().view.elevation), 1e-12);
   EXPECT_LT(all.axes.y.z, 0) << "down is down";
   Scene part(write_scene("[view]\ncenter = [1, 0.5, 0.2]\nwidth = 3.2\nazimuth_deg = 0\nelevation_deg = 0\n" + game()));
   const render::ParallelView near = parallel_view(part, 640, 360);
