@@ -288,22 +288,22 @@ TEST_F(Drawing, WithoutADeviceIsOneLineThatNamesPackages) {
   if (has_ffmpeg()) expect_refused("--camera one.camera --duration 0.1" + video("a.mp4"), parts);
 }
 
-TEST_F(Folder, WithoutADeviceTheRestOfRunAndCheckIsThere) {
+TEST_F(InFolder, WithoutADeviceTheRestOfRunAndCheckIsThere) {
   const Variable none(no_device, "/nonexistent");
   const std::vector<std::string> parts{"no pictures by OpenGL", "Debian and Ubuntu", "libegl"};
-  expect_mistake("run walk --duration 1e9 --pictures " + (folder_ / "pictures").string(), parts);
-  const Result above = murosimf("run walk --duration 0.1 --picture " + (folder_ / "above.png").string());
+  expect_mistake("run walk --duration 1e9 --pictures " + file("pictures"), parts);
+  const Result above = murosimf("run walk --duration 0.1 --picture " + file("above.png"));
   if (above.errors.find("cairo was missing") == std::string::npos) {
     EXPECT_EQ(above.exit_code, 0) << above.errors;
-    EXPECT_EQ(read_file(folder_ / "above.png").substr(1, 3), "PNG");
+    EXPECT_EQ(read_file(folder() / "above.png").substr(1, 3), "PNG");
   }
   const Result plain = murosimf("check kid21");
-  const Result result = murosimf("check kid21 --picture " + (folder_ / "kid21.png").string());
+  const Result result = murosimf("check kid21 --picture " + file("kid21.png"));
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.output, plain.output);
   EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
   for (const std::string& part : parts) EXPECT_NE(result.errors.find(part), std::string::npos) << result.errors;
-  EXPECT_FALSE(fs::exists(folder_ / "kid21.png"));
+  EXPECT_FALSE(fs::exists(folder() / "kid21.png"));
 }
 
 int count(const std::string& text, const std::string& part) {
