@@ -5,7 +5,7 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace murosimf;
   fuzz::feed(data, size, ".yaml", [](const auto& file) {
-    const components::CameraInfo info = components::read_camera_info(file);
+    const components::CameraCalibration info = components::read_camera_info(file);
     (void)imaging::Lens(info.lens).fold_remark();
     (void)components::camera_info_yaml(info);
   });
