@@ -1,6 +1,7 @@
 /// part.h - a part of a level of motion without the level: it gets the columns of an entity of its own.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -15,6 +16,17 @@ class Holder final : public Algorithm {
  public:
   template <class... Arguments>
   explicit Holder(Setup& setup, const Arguments&... arguments) : columns(setup), part(setup, arguments...) {}
+  /// At rest at the origin; in debug builds columns begin as NaN.
+  void initialize() override {
+    std::ranges::fill(columns.r, Vec3d{});
+    std::ranges::fill(columns.R, Mat3d{});
+    std::ranges::fill(columns.v, Vec3d{});
+    std::ranges::fill(columns.w, Vec3d{});
+    std::ranges::fill(columns.q, 0.0);
+    std::ranges::fill(columns.qd, 0.0);
+    std::ranges::fill(columns.Q, Quaterniond{});
+    columns.remember_base();
+  }
   void step(const Instant&) noexcept override {}
 
   motion::PoseColumns columns;

@@ -12,7 +12,10 @@ namespace {
 class Glide final : public MotionLevel {
  public:
   Glide(Setup& setup, bool refuses) : refuses_(refuses), place_(setup.write(properties::position)[0]) {}
-  void initialize() override { speed_ = {0.5, -2, 1}; }
+  void initialize() override {
+    place_ = {};
+    speed_ = {0.5, -2, 1};
+  }
   void step(const Instant& instant) noexcept override { place_ += seconds(instant.period) * speed_; }
   [[nodiscard]] Momentum hand_over() noexcept override {
     const Momentum momentum{speed_, {7, 8, 9}};
