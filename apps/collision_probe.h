@@ -17,7 +17,7 @@ class CollisionProbe final : public Algorithm {
   struct Sample {
     std::int64_t volumes = 0, objects = 0;  ///< tests
     std::size_t contacts = 0;
-    double pairs_us = 0, ground_us = 0;  ///< all transforms and tests: among moving_entities; with goals and ground
+    double pairs_us = 0, ground_us = 0;  ///< all transforms and tests: among moving entities; with goals and ground
   };
 
   /// `setup` is that of the environment.

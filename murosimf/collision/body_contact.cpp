@@ -15,7 +15,7 @@ std::vector<MovingEntity> make_moving_entities(Setup& setup, const std::vector<E
   return moving_entities;
 }
 
-// of moving_entities that are no members of the island at hand
+// of moving entities that are no members of the island at hand
 constexpr int outside = -1;
 constexpr int insane = -2;  // it belongs to the island, but its numbers have gone bad
 

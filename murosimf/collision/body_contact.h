@@ -31,7 +31,7 @@ struct BodyContactOptions {
 
 class BodyContact final : public Algorithm {
  public:
-  /// `setup` is that of an entity that never moves (the field). Ground contact of the moving_entities must be attached before,
+  /// `setup` is that of an entity that never moves (the field). Ground contact of the moving entities must be attached before,
   /// their motion after it, all at the same rate.
   BodyContact(Setup& setup, const std::vector<Entity*>& moving_entities, const MaterialTable& materials,
               const BodyContactOptions& options = {});

@@ -13,7 +13,7 @@
 
 namespace murosimf::collision {
 
-/// Renews the `separation` of all moving_entities, by set.blocked and the environment; counts its tests in set.tests.
+/// Renews the `separation` of all moving entities, by set.blocked and the environment; counts its tests in set.tests.
 void kinematic_separation(std::vector<MovingEntity>& moving_entities, const StaticCompound& environment,
                           PairSet& set) noexcept;
 

@@ -45,7 +45,7 @@ class PairFinder {
                     geometry::Manifold& manifold, PairSet& set) const noexcept;
 
   std::vector<Kind> kinds_;
-  std::vector<std::vector<std::size_t>> kinds_of_shapes_;  // by moving_entity and shape
+  std::vector<std::vector<std::size_t>> kinds_of_shapes_;  // by moving entity and shape
   std::vector<ContactParameters> parameters_;              // of kinds i and j at i * kinds + j
   std::vector<Neighbors> neighbors_;                       // of entities a and b at a * entities + b
   std::vector<geometry::BoundingSphere> reach_;            // of each entity; working memory

@@ -156,7 +156,7 @@ class Scene {
   std::vector<std::vector<const sensors::Sensor*>> sensors_;  // by robot
   std::vector<Entity*> bodies_;                               // those of [[bodies]] that move
   std::vector<Entity*> moving_entities_;                      // robots, ball and bodies
-  std::vector<collision::GroundContact*> ground_contacts_;    // by moving_entity
+  std::vector<collision::GroundContact*> ground_contacts_;    // by moving entity
   const PathRecorder* recorder_ = nullptr;                    // null: nobody asked for paths
 };
 

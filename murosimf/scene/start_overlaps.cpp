@@ -84,7 +84,7 @@ std::optional<OverlapBodies> first_overlap(Standing& one, Standing& other) {
     }
     return !found;
   };
-  // kinds of shapes count on what stands still; between moving_entities everything touches (model/shape.h)
+  // kinds of shapes count on what stands still; between moving entities everything touches (model/shape.h)
   if (other.moves) {
     (void)collision::for_pairs(a, b, test);
   } else {

@@ -10,7 +10,7 @@
 namespace murosimf::scene {
 
 /// One line for each pair of entities that overlap by more than contact ever does, with the bodies that do it (of many
-/// pairs only for the first), and for each moving_entity that is in the ground, the plane z = 0. After initialize(); costs
+/// pairs only for the first), and for each moving entity that is in the ground, the plane z = 0. After initialize(); costs
 /// microseconds for who is near nobody.
 [[nodiscard]] std::vector<std::string> start_overlaps(const Entity& field, std::span<Entity* const> moving_entities);
 

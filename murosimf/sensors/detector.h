@@ -31,7 +31,7 @@ namespace murosimf::sensors {
 
 class Detector final : public Sensor {
  public:
-  /// Looks at spec.objects, or at all other moving_entities. Throws SetupError that names the number that is impossible, or the
+  /// Looks at spec.objects, or at all other moving entities. Throws SetupError that names the number that is impossible, or the
   /// entity that there is none of.
   Detector(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
 

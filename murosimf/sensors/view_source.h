@@ -34,7 +34,7 @@ struct View {
   imaging::LabelImage labels;
 };
 
-/// The first labels; moving_entities follow, in the order of SensorSurroundings::moving_entities.
+/// The first labels; moving entities follow, in the order of SensorSurroundings::moving_entities.
 enum Label : std::uint16_t {
   label_background = 0,
   label_ground = 1,
@@ -48,7 +48,7 @@ class ViewSource {
   virtual ~ViewSource() = default;
 
   /// Draws the scene as it is at this instant, moved on by `ahead` [s] with the present velocities. Whoever asks while the
-  /// simulation runs reads pose and velocity of all moving_entities. Images get the size of the perspective. May be called from several threads at once; the pixels do not depend on the thread.
+  /// simulation runs reads pose and velocity of all moving entities. Images get the size of the perspective. May be called from several threads at once; the pixels do not depend on the thread.
   virtual void draw(const Perspective& perspective, const Layers& layers, double ahead, View& view) noexcept = 0;
 };
 

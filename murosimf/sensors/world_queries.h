@@ -7,11 +7,11 @@
 
 namespace murosimf::sensors {
 
-/// Reads the poses of all moving_entities. Volumes are of the kind that the robot's own collisions use. The scene is to be
+/// Reads the poses of all moving entities. Volumes are of the kind that the robot's own collisions use. The scene is to be
 /// refreshed before questions are asked.
 [[nodiscard]] collision::QueryScene world_queries(Setup& setup, const SensorSurroundings& surroundings);
 
-/// Declares that poses and velocities of all moving_entities are read: what whoever draws them needs (view_source.h).
+/// Declares that poses and velocities of all moving entities are read: what whoever draws them needs (view_source.h).
 void read_motion_of_all(Setup& setup, const SensorSurroundings& surroundings);
 
 }  // namespace murosimf::sensors

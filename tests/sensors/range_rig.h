@@ -34,7 +34,7 @@ struct RangeRig : Rig {
     add("walls", std::make_shared<const Model>("walls", Chain{}.base("walls").with(properties::shapes, walls)));
   }
 
-  /// After all moving_entities were added.
+  /// After all moving entities were added.
   const sensors::Reading& attach(Entity& robot, sensors::SensorSpec spec, std::uint64_t seed = 1) {
     if (spec.name.empty()) spec.name = spec.type;
     return components::attach_sensor(simulation, robot, spec, {seed, moving_entities}, rate).reading();

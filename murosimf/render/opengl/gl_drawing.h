@@ -1,4 +1,4 @@
-/// gl_drawing.h - draws views of a render_scene in one OpenGL context.
+/// gl_drawing.h - draws views of a scene in one OpenGL context.
 ///
 /// Only for the .cpp files of this folder: it brings OpenGL in.
 #pragma once

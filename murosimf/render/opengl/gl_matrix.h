@@ -18,7 +18,7 @@ using GlMatrix = std::array<float, 16>;  ///< by columns
 
 /// Optical frame to clip coordinates, rows downwards; far away is infinitely far. `nearest` [m]: what is nearer is cut.
 [[nodiscard]] GlMatrix clip_of(const sensors::Perspective& view, double nearest);
-/// The same by parallel rays, with room in depth for all pieces of the render_scene.
+/// The same by parallel rays, with room in depth for all pieces of the scene.
 [[nodiscard]] GlMatrix parallel_clip_of(const sensors::Perspective& window, const RenderScene& render_scene,
                                         double ahead);
 
@@ -28,7 +28,7 @@ struct LampView {
   Mat3d axes;                                              ///< optical axes to world axes; the third along the light
   double half_width = 1, half_height = 1, half_depth = 1;  ///< [m]
 };
-/// All pieces of the render_scene, and their shadows' way to the ground.
+/// All pieces of the scene, and their shadows' way to the ground.
 [[nodiscard]] LampView lamp_view(const RenderScene& render_scene, const Vec3d& toward, double ahead);
 [[nodiscard]] GlMatrix clip_of(const LampView& lamp);
 
