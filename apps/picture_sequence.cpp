@@ -9,6 +9,7 @@
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/render/image_png.h"
+#include "murosimf/scene/scene_pictures.h"
 #include "murosimf/scene/scene_viewpoints.h"
 
 namespace murosimf::app {
@@ -38,7 +39,7 @@ void PictureSequence::show(scene::Scene& scene) {
   scene::LightSpec light = scene.spec().light;
   light.shadows = true;
   light.samples = std::max(light.samples, 4);
-  renderer_ = scene.make_renderer(light);
+  renderer_ = make_renderer(scene, light);
   scene_ = &scene;
 }
 

@@ -8,6 +8,7 @@
 #include "apps/interruption.h"
 #include "murosimf/render/image_png.h"
 #include "murosimf/render/renderer.h"
+#include "murosimf/scene/scene_pictures.h"
 #include "murosimf/scene/scene_viewpoints.h"
 
 namespace murosimf::app {
@@ -58,7 +59,7 @@ class Eye final : public PictureSource {
     scene::LightSpec light = scene.spec().light;
     light.shadows = !options.no_shadows;
     light.samples = std::max(light.samples, 4);
-    renderer_ = scene.make_renderer(light);
+    renderer_ = make_renderer(scene, light);
   }
   [[nodiscard]] double fps() const override { return fps_; }
   [[nodiscard]] double rate() const override { return fps_ * slow_; }

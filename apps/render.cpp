@@ -13,6 +13,7 @@
 #include "murosimf/files/output_file.h"
 #include "murosimf/render/light.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 
 namespace murosimf::app {
 namespace {
@@ -96,12 +97,12 @@ int render(const RenderOptions& given) {
   if (!options.camera.empty()) source = make_robot_camera(scene, options);
   simulation.initialize();
   if (!source) source = make_eye(scene, options);
-  for (const std::string& warning : scene.report({}).warnings) say_warning(warning);
+  for (const std::string& warning : make_report(scene).warnings) say_warning(warning);
   run_with_progress(simulation, time);
   const bool written = options.video.empty() ? write_picture(*source, simulation, options)
                                              : write_video(*source, simulation, options,
                                                            options.duration.value_or(scene.spec().duration));
-  if (const auto line = scene.events_to_come(); !interrupted() && !line.empty()) say_warning(line);
+  if (const auto line = events_to_come(scene); !interrupted() && !line.empty()) say_warning(line);
   if (interrupted()) say_stopped(options, simulation, written);
   return exit_code();
 }

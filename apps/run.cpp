@@ -15,6 +15,8 @@
 #include "murosimf/files/output_file.h"
 #include "murosimf/logging/run_log.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_pictures.h"
+#include "murosimf/scene/scene_report.h"
 
 namespace murosimf::app {
 namespace {
@@ -126,11 +128,11 @@ int run(const RunOptions& options) {
     }
     advance_to(duration);
   }
-  scene::RunReport report = scene.report(wall, clock.lateness());
+  scene::RunReport report = make_report(scene, wall, clock.lateness());
   if (simulation.now() < duration) report.stopped = {signal_name(), options.duration.value_or(scene.spec().duration)};
 
   if (log) log->write(options.out);
-  if (!options.picture.empty()) scene.write_picture(options.picture);
+  if (!options.picture.empty()) write_picture(scene, options.picture);
   write_result(options.json, scene::to_text(report), scene::to_json(report));
   return report.stopped ? exit_code() : 0;
 }

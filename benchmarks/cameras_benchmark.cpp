@@ -6,6 +6,7 @@
 
 #include "murosimf/render/renderer.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_pictures.h"
 #include "murosimf/sensors/camera_frame.h"
 
 namespace murosimf::benchmarks {
@@ -49,7 +50,7 @@ void robots(benchmark::State& bench) {
   scene::Scene scene(bench.range(0) > 6 ? "eleven_a_side" : "three_on_three", options);
   Simulation& simulation = scene.simulation();
   simulation.initialize();
-  const auto renderer = scene.make_renderer({});
+  const auto renderer = make_renderer(scene, {});
   sensors::Perspective view;  // from behind a goal: everybody is in the picture
   view.eye = {-6.5, 0, 1.5};
   view.axes = {{0, -1, 0}, {-0.17, 0, -0.985}, {0.985, 0, -0.17}};

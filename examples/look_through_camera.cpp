@@ -6,6 +6,7 @@
 #include <murosimf/math/quaternion.h>
 #include <murosimf/model/properties.h>
 #include <murosimf/scene/scene.h>
+#include <murosimf/scene/scene_report.h>
 #include <murosimf/sensors/camera.h>
 #include <murosimf/sensors/reading.h>
 
@@ -74,5 +75,5 @@ int main() {
                 std::atan2(seen->x, seen->z) * 180 / pi, std::asin(seen->y) * 180 / pi,
                 std::asin(norm(cross(*seen, truth))) * 180 / pi);
   }
-  for (const std::string& warning : scene.report({}).warnings) std::printf("%s\n", warning.c_str());
+  for (const std::string& warning : make_report(scene).warnings) std::printf("%s\n", warning.c_str());
 }

@@ -1,12 +1,12 @@
-// Who draws the scene for its cameras, and for people.
-#include <algorithm>
+#include "murosimf/scene/scene_cameras.h"
 
 #include <fmt/format.h>
 
 #include "murosimf/appearance/entity_appearance.h"
+#include "murosimf/model/error.h"
 #include "murosimf/render/renderer.h"
 #include "murosimf/scene/registry.h"
-#include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_parts.h"
 
 namespace murosimf::scene {
 namespace {
@@ -23,29 +23,32 @@ render::Light light_of(const LightSpec& spec) {
 
 }  // namespace
 
-Scene::~Scene() = default;
-
-std::unique_ptr<render::Renderer> Scene::make_renderer(const LightSpec& light) {
+std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const LightSpec& light) {
   appearance::AppearanceLibrary library;
   auto renderer = std::make_unique<render::Renderer>(
-      simulation_->world(), moving_entities_, [&](const Entity& entity) { return library.appearance(entity); },
+      parts.simulation->world(), parts.moving_entities,
+      [&](const Entity& entity) { return library.appearance(entity); },
       render::RendererOptions{light_of(light), light.samples});
   for (const std::string& warning : library.warnings()) {  // of several renderers
-    if (std::ranges::find(warnings_, warning) == warnings_.end()) warnings_.push_back(warning);
+    if (!parts.remarks.has_warning(warning)) parts.remarks.warn(warning);
   }
   renderer->locate();
   return renderer;
 }
 
-sensors::ViewSource* Scene::view_source() {
-  if (!options_.cameras || cannot_draw_) return nullptr;
+CameraRenderer::CameraRenderer(SceneParts& parts) : parts_(parts) {}
+
+CameraRenderer::~CameraRenderer() = default;
+
+sensors::ViewSource* CameraRenderer::view_source() {
+  if (cannot_draw_) return nullptr;
   if (renderer_) return renderer_.get();
   try {
-    renderer_ = make_renderer(spec_.light);
-    notes_.push_back(fmt::format("cameras: drawn by {}", renderer_->name()));
+    renderer_ = make_renderer(parts_, parts_.spec.light);
+    parts_.remarks.note("cameras", fmt::format("drawn by {}", renderer_->name()));
   } catch (const SetupError& error) {
     cannot_draw_ = true;
-    warnings_.push_back(fmt::format("cameras have no frames: {}", error.what()));
+    parts_.remarks.warn(fmt::format("cameras have no frames: {}", error.what()));
   }
   return renderer_.get();
 }

@@ -1,7 +1,7 @@
-// What a scene sets: whether it acts, is impossible, or changes nothing. docs/scenes.md has the rule.
+#include "murosimf/scene/scene_checks.h"
+
 #include <algorithm>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/property_checks.h"
-#include "murosimf/scene/scene.h"
+#include "murosimf/scene/registry.h"
 #include "murosimf/scene/setting_targets.h"
 #include "murosimf/scene/start_overlaps.h"
 #include "murosimf/scene/unused_settings.h"
@@ -26,27 +26,7 @@ void add_materials(const Model& model, std::set<std::string>& names) {
   }
 }
 
-}  // namespace
-
-void Scene::warn_about_settings() {
-  const auto add = [&](const std::vector<std::string>& lines) {
-    warnings_.insert(warnings_.end(), lines.begin(), lines.end());
-  };
-  add(unused_keys(spec_));
-  std::set<std::string> materials;
-  add_materials(field_->model(), materials);
-  for (const Entity* moving_entity : moving_entities_) add_materials(moving_entity->model(), materials);
-  const std::vector<std::string> used(materials.begin(), materials.end());
-  add(unused_pairs(spec_, used));
-  if (auto line = unused_friction_direction(spec_, used); !line.empty()) warnings_.push_back(std::move(line));
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    const RobotSpec& robot = spec_.robots[i];
-    check_no_contact(robot, robots_[i]->model());
-    if (const auto line = check_command(robot, robots_[i]->model(), robot.command); !line.empty()) warn(robot, line);
-  }
-}
-
-void Scene::check_no_contact(const RobotSpec& robot, const Model& model) {
+void check_no_contact(Remarks& remarks, const RobotSpec& robot, const Model& model) {
   const auto given = robot.given.find("no_contact");
   if (given == robot.given.end()) return;
   for (const auto& [a, b] : robot.collision.never) {
@@ -57,77 +37,94 @@ void Scene::check_no_contact(const RobotSpec& robot, const Model& model) {
     }
   }
   if (!robot.collision.never.empty() && !robot.collision.self_collision) {
-    warn(robot, "'no_contact' changes nothing without 'self_collision = true'");
+    remarks.warn(robot.name, "'no_contact' changes nothing without 'self_collision = true'");
   }
 }
 
-void Scene::check_property(const PropertySetting& setting, double time) {
+void check_property(SceneParts& parts, const PropertySetting& setting, double time) {
   for (const std::string& entity : setting.entities) {
     with_context(setting.where, [&] {
-      if (const auto line = check_setting(*simulation_, spec_, setting, entity, time); !line.empty()) {
-        warnings_.push_back(fmt::format("{}: {}; it changes nothing ({})", entity, line, setting.where));
+      if (const auto line = check_setting(*parts.simulation, parts.spec, setting, entity, time); !line.empty()) {
+        parts.remarks.warn(entity, fmt::format("{}; it changes nothing ({})", line, setting.where));
       }
     });
     if (setting.property != properties::walk_command.name || setting.numbers.size() != 3) continue;
     const Vec3d command{setting.numbers[0], setting.numbers[1], setting.numbers[2]};
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      if (spec_.robots[i].name != entity) continue;
-      const auto line = check_command(spec_.robots[i], robots_[i]->model(), command);
-      if (!line.empty()) warn(spec_.robots[i], fmt::format("{} ({})", line, setting.where));
+    for (std::size_t i = 0; i < parts.robots.size(); ++i) {
+      const RobotSpec& robot = parts.spec.robots[i];
+      if (robot.name != entity) continue;
+      const auto line = check_command(robot, parts.robots[i]->model(), command);
+      if (!line.empty()) parts.remarks.warn(entity, fmt::format("{} ({})", line, setting.where));
     }
   }
 }
 
-void Scene::check_properties() {
-  for (const PropertySetting& setting : spec_.settings) {
-    if (!is_constant(setting)) check_property(setting, 0);  // constants were checked with the model
+void warn_about_steps(SceneParts& parts, const RobotSpec& robot, bool servos) {
+  const ContactLawType& law = find_entry(contacts(), "contact law", robot.contact);
+  const double longest = servos ? law.longest_servo_step : law.longest_step;
+  if (1 / parts.spec.rate <= longest * (1 + 1e-9)) return;
+  parts.remarks.warn(robot.name,
+                     fmt::format("{} under {} is stable with steps up to {:.0f} ms; these are {:.3g} ms long",
+                                 robot.contact, robot.level, 1e3 * longest, 1e3 / parts.spec.rate));
+}
+
+void warn_about_missing_servos(SceneParts& parts, const RobotSpec& robot) {
+  const Model& model = parts.simulation->world().entity(robot.name).model();
+  const auto joints = model.joints();
+  const auto without =
+      std::ranges::count_if(joints, [&](int i) { return model.find(properties::servo, i) == nullptr; });
+  if (without == 0) return;
+  parts.remarks.warn(robot.name,
+                     fmt::format("{} of its {} joints have no servo and hang free", without, joints.size()));
+}
+
+}  // namespace
+
+void warn_about_settings(SceneParts& parts) {
+  const SceneSpec& spec = parts.spec;
+  parts.remarks.warn(unused_keys(spec));
+  std::set<std::string> materials;
+  add_materials(parts.field->model(), materials);
+  for (const Entity* moving_entity : parts.moving_entities) add_materials(moving_entity->model(), materials);
+  const std::vector<std::string> used(materials.begin(), materials.end());
+  parts.remarks.warn(unused_pairs(spec, used));
+  if (auto line = unused_friction_direction(spec, used); !line.empty()) parts.remarks.warn(std::move(line));
+  for (std::size_t i = 0; i < parts.robots.size(); ++i) {
+    const RobotSpec& robot = spec.robots[i];
+    const Model& model = parts.robots[i]->model();
+    check_no_contact(parts.remarks, robot, model);
+    if (const auto line = check_command(robot, model, robot.command); !line.empty())
+      parts.remarks.warn(robot.name, line);
   }
-  for (const SceneEvent& event : spec_.events) {
-    if (event.setting) check_property(*event.setting, event.time);
+}
+
+void check_properties(SceneParts& parts) {
+  for (const PropertySetting& setting : parts.spec.settings) {
+    if (!is_constant(setting)) check_property(parts, setting, 0);  // constants were checked with the model
+  }
+  for (const SceneEvent& event : parts.spec.events) {
+    if (event.setting) check_property(parts, *event.setting, event.time);
   }
 }
 
-void Scene::warn_about_start() {
-  const auto lines = start_overlaps(*field_, moving_entities_);
-  warnings_.insert(warnings_.end(), lines.begin(), lines.end());
+void warn_about_start(SceneParts& parts) { parts.remarks.warn(start_overlaps(*parts.field, parts.moving_entities)); }
+
+void warn_about_static_bodies(SceneParts& parts) {
+  if (std::ranges::none_of(parts.spec.bodies, &BodySpec::is_static)) return;
+  std::vector<std::string_view> walkers;
+  for (const RobotSpec& robot : parts.spec.robots) {
+    if (!find_entry(levels(), "level", robot.level).dynamic) walkers.emplace_back(robot.name);
+  }
+  if (walkers.empty()) return;
+  parts.remarks.warn(fmt::format("{}", fmt::join(walkers, ", ")),
+                     "kinematic_walking takes the ground for a plane: static bodies are walls to it, and nobody walks "
+                     "onto them");
 }
 
-std::string Scene::events_to_come() const {
-  const Duration now = simulation_->now();
-  if (now == Duration{}) return {};
-  std::vector<std::pair<double, const std::string*>> late;  // [s], and where it is written
-  const auto look_at = [&](double time, const std::string& where) {
-    if (from_seconds(time) > now - simulation_->tick()) late.emplace_back(time, &where);
-  };
-  for (const SceneEvent& event : spec_.events) look_at(event.time, event.where);
-  for (const PushSpec& push : spec_.pushes) look_at(push.begin, push.where);
-  if (late.empty()) return {};
-  const auto& [time, where] = *std::ranges::min_element(late, {}, [](const auto& one) { return one.first; });
-  return fmt::format("the run ended at {:.3f} s: {} of {} {} did not come, the first at {:.3f} s ({})", seconds(now),
-                     late.size(), spec_.events.size() + spec_.pushes.size(),
-                     spec_.pushes.empty() ? "events" : "events and pushes", time, *where);
-}
-
-void Scene::watch(const PropertySetting& setting, const std::string& entity) {
-  constexpr Duration some_cycles = std::chrono::milliseconds(50);  // of any controller
-  const Entity& robot = simulation_->world().entity(entity);
-  const bool target =
-      setting.property == properties::joint_target.name || setting.property == properties::joint_velocity_target.name;
-  const auto writers = simulation_->writers_of(robot, setting.property);
-  if (!target || writers.empty()) return;
-  const std::string name = setting_path(setting, robot);
-  const auto objects = objects_meant(robot.model(), setting.object, setting.property);
-  const int count = ++settings_[name];
-  simulation_->at(simulation_->now() + some_cycles, [this, setting, entity, objects, writers, name, count] {
-    if (settings_[name] != count) return;  // set anew meanwhile
-    Entity& changed = simulation_->world().entity(entity);
-    const auto is_there = [&](int object) {
-      return ObjectAccess(changed, object).get(setting.property).numbers == setting.numbers;
-    };
-    if (std::ranges::all_of(objects, is_there)) return;
-    warnings_.push_back(fmt::format("{}: what was set is gone: {} of {} writes '{}' ({})", name,
-                                    fmt::join(writers, ", "), entity, setting.property, setting.where));
-  });
+void warn_about_level(SceneParts& parts, const RobotSpec& robot) {
+  const bool servos = robot.level == "articulated_dynamics";
+  if (find_entry(levels(), "level", robot.level).dynamic) warn_about_steps(parts, robot, servos);
+  if (servos) warn_about_missing_servos(parts, robot);
 }
 
 }  // namespace murosimf::scene

@@ -1,4 +1,5 @@
-// Pushes of a scene: who feels them, and when.
+#include "murosimf/scene/scene_pushing.h"
+
 #include <algorithm>
 #include <map>
 
@@ -6,7 +7,6 @@
 
 #include "murosimf/motion/push.h"
 #include "murosimf/scene/registry.h"
-#include "murosimf/scene/scene.h"
 #include "murosimf/scene/setting_targets.h"
 
 namespace murosimf::scene {
@@ -26,20 +26,19 @@ int pushed_object(const Model& model, const PushSpec& push) {
   throw SetupError(fmt::format("'{}' has neither mass nor shape; push a body", model.objects()[object].name));
 }
 
-}  // namespace
-
 /// The level at which the robot will be then, as far as the scene says.
-std::string Scene::level_at(const Entity& entity, double time) const {
+std::string level_at(const SceneSpec& spec, const Entity& entity, double time) {
   std::string level = entity.level;
-  for (const SceneEvent& event : spec_.events) {
+  for (const SceneEvent& event : spec.events) {
     const bool meant = std::find(event.entities.begin(), event.entities.end(), entity.name()) != event.entities.end();
     if (meant && !event.setting && event.key == "level" && event.time <= time) level = event.value;
   }
   return level;
 }
 
-void Scene::check_feels(const Entity& entity, const PushSpec& push) const {
-  const std::string level = level_at(entity, push.begin);
+/// Throws SetupError if its level ignores forces when the push begins.
+void check_feels(const SceneSpec& spec, const Entity& entity, const PushSpec& push) {
+  const std::string level = level_at(spec, entity, push.begin);
   if (find_entry(levels(), "level", level).dynamic) return;
   std::vector<std::string_view> feeling;
   for (const LevelType& other : levels()) {
@@ -49,25 +48,27 @@ void Scene::check_feels(const Entity& entity, const PushSpec& push) const {
                                fmt::join(feeling, ", ")));
 }
 
-void Scene::attach_pushes() {
+}  // namespace
+
+void attach_pushes(SceneParts& parts) {
   std::map<Entity*, std::vector<motion::TimedPush>> all;
-  for (const PushSpec& push : spec_.pushes) {
+  for (const PushSpec& push : parts.spec.pushes) {
     for (const std::string& name : push.entities)
       with_context(push.where, [&] {
-        Entity* entity = simulation_->world().find(name);
+        Entity* entity = parts.simulation->world().find(name);
         if (!entity) throw SetupError(fmt::format("'{}' stands there for good; nothing pushes it", name));
-        check_feels(*entity, push);
+        check_feels(parts.spec, *entity, push);
         const int object = pushed_object(entity->model(), push);
         all[entity].push_back({object, push.force, push.moment, from_seconds(push.begin), from_seconds(push.end)});
         const bool named = entity->model().find_object(push.object).has_value();
         const std::string text =
             push_text(name + "." + (named ? push.object : entity->model().objects()[object].name), push);
-        simulation_->at(from_seconds(push.begin), [this, text] { simulation_->record(text); });
+        parts.simulation->at(from_seconds(push.begin), [&parts, text] { parts.simulation->record(text); });
       });
   }
-  for (Entity* moving_entity : moving_entities_) {  // a map of addresses has no order that could be repeated
+  for (Entity* moving_entity : parts.moving_entities) {  // a map of addresses has no order that could be repeated
     if (all.contains(moving_entity))
-      simulation_->attach<motion::Push>("push", *moving_entity, spec_.rate, all[moving_entity]);
+      parts.simulation->attach<motion::Push>("push", *moving_entity, parts.spec.rate, all[moving_entity]);
   }
 }
 

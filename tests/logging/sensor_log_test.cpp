@@ -14,6 +14,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 #include "murosimf/sensors/reading.h"
 
 namespace murosimf::logging {
@@ -198,7 +199,7 @@ TEST(RunLog, RefusesImpossibleRates) {
 TEST(RunReports, HaveTheLastSampleOfEverySensor) {
   Walk walk;
   walk.simulation().run(100ms);
-  const scene::RunReport report = walk.scene.report(1s);
+  const scene::RunReport report = make_report(walk.scene, 1s);
   ASSERT_EQ(report.sensors.size(), 2U);
   EXPECT_EQ(report.sensors[1].reading.time, 80ms);
   EXPECT_NE(scene::to_text(report).find("2 sensors, 24 samples\n"), std::string::npos) << scene::to_text(report);

@@ -7,6 +7,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::scene {
@@ -68,7 +69,7 @@ TEST(ModelConstants, AMassTakesItsInertiaAlongAndSaysSo) {
               constant(usual, "blue1", "torso", properties::inertia).xx * 1.2 / before, 1e-12);
   EXPECT_NEAR(scene.simulation().world().entity("blue1").model().tree().mass,
               usual.simulation().world().entity("blue1").model().tree().mass + 1.2 - before, 1e-9);
-  const auto notes = scene.report({}).notes;
+  const auto notes = make_report(scene).notes;
   ASSERT_FALSE(notes.empty());
   EXPECT_TRUE(contains_all(notes.front(), {"blue1: torso: mass 1.2 kg instead of", "its inertia scaled by"}))
       << notes.front();
@@ -79,7 +80,7 @@ TEST(ModelConstants, RobotsWithEqualChangesShareAModel) {
   const World& world = scene.simulation().world();
   EXPECT_EQ(world.entity("blue1").model_ptr(), world.entity("blue2").model_ptr());
   EXPECT_NE(world.entity("blue1").model_ptr(), world.entity("other").model_ptr());
-  const auto notes = scene.report({}).notes;
+  const auto notes = make_report(scene).notes;
   ASSERT_FALSE(notes.empty());
   EXPECT_TRUE(contains_all(notes.front(), {"blue1, blue2: torso: mass"})) << notes.front();
 }

@@ -9,6 +9,7 @@
 
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::scene {
@@ -123,7 +124,7 @@ TEST(SceneBodies, StartWhereAndAsFastAsTheySay) {
 TEST(SceneBodies, CanBeModelsAndAreInTheReport) {
   Scene scene(body_scene("[[bodies]]\nname = \"pole\"\nmodel = \"obstacle_pole\"\nposition = [0.5, 0]\n"));
   scene.simulation().run(std::chrono::milliseconds(10));
-  const RunReport report = scene.report({});
+  const RunReport report = make_report(scene);
   ASSERT_EQ(report.entities.size(), 1u);
   EXPECT_EQ(report.entities[0].name, "pole");
   EXPECT_EQ(report.entities[0].level, "simplified_dynamics");
@@ -148,9 +149,9 @@ controller = "none"
   const double before = base.get(properties::position).z;
   scene.simulation().run(std::chrono::seconds(1));
   EXPECT_NEAR(base.get(properties::position).z, before, 0.002) << "it stands on the step";
-  EXPECT_TRUE(scene.report({}).warnings.empty());
+  EXPECT_TRUE(make_report(scene).warnings.empty());
   Scene kinematic(body_scene(scene_text), {.overrides = {"r.level=kinematic_walking"}});
-  const auto warnings = kinematic.report({}).warnings;
+  const auto warnings = make_report(kinematic).warnings;
   EXPECT_TRUE(std::ranges::any_of(warnings, [](const std::string& warning) {
     return has(warning, "r: kinematic_walking takes the ground for a plane");
   }));

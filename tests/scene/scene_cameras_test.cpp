@@ -6,6 +6,7 @@
 
 #include "murosimf/components/camera_info.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 #include "murosimf/scene/scene_viewpoints.h"
 #include "murosimf/sensors/camera_frame.h"
 #include "murosimf/sensors/reading.h"
@@ -58,7 +59,7 @@ TEST(SceneCameras, AScenesRobotsSee) {
   EXPECT_GT(count[4], 5) << "the ball in front of it";
   EXPECT_GT(count[6], 20) << "the other robot";
   EXPECT_GT(count[1], 500) << "ground";
-  const auto notes = scene.report({}).notes;
+  const auto notes = make_report(scene).notes;
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const auto& n) { return says(n, {"cameras: drawn by"}); }));
 }
 
@@ -91,7 +92,7 @@ TEST(SceneCameras, NobodyLooksNothingIsDrawn) {
   Scene off(write_scene(game()), {.cameras = false});
   off.simulation().run(100ms);
   EXPECT_EQ(frame(off, "one").number, 0u);
-  for (const std::string& note : off.report({}).notes) EXPECT_FALSE(says(note, {"drawn by"}));
+  for (const std::string& note : make_report(off).notes) EXPECT_FALSE(says(note, {"drawn by"}));
 }
 
 /// Where the halfway line is in a picture, column by column, against where the lens projects it.

@@ -8,6 +8,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
 
@@ -45,7 +46,7 @@ std::string write_scene(const std::string& text) {
 
 std::vector<std::string> texts(const Scene& scene) {
   std::vector<std::string> all;
-  for (const Event& event : scene.report({}).events) all.push_back(event.text);
+  for (const Event& event : make_report(scene).events) all.push_back(event.text);
   return all;
 }
 
@@ -76,7 +77,7 @@ set = "blue2.command = [0.1, 0, 0]"
                                       "blue2: articulated_dynamics -> full_dynamics", "blue2: contact kelvin_voigt",
                                       "ball: contact paper", "blue2: servo law ideal_pd",
                                       "blue2.pelvis.applied_force = [0, 1, 0, 0, 0, 0]"}));
-  EXPECT_EQ(scene.report({}).events[1].time, Duration(500ms));
+  EXPECT_EQ(make_report(scene).events[1].time, Duration(500ms));
 }
 
 TEST(Timeline, ARefusalIsAWarningAndTheOthersChange) {
@@ -86,7 +87,7 @@ TEST(Timeline, ARefusalIsAWarningAndTheOthersChange) {
   scene.simulation().run(300ms);
   EXPECT_EQ(scene.simulation().world().entity("blue3").level, "simplified_dynamics");
   EXPECT_EQ(scene.simulation().world().entity("blue2").level, "kinematic_walking");
-  const auto warnings = scene.report({}).warnings;
+  const auto warnings = make_report(scene).warnings;
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(says(warnings[0], {"at 0.100 s", "'blue3' stays at simplified_dynamics", "leans 9"}));
 }
@@ -142,7 +143,7 @@ TEST(SceneExchange, KeepsAGameGoingWithTheBallAtTheFoot) {
   EXPECT_EQ(robot.base().get(properties::falls), 0);
   EXPECT_FALSE(robot.frozen());
   EXPECT_GT(ball.base().get(properties::distance_walked), 0.5) << "the ball was played";
-  EXPECT_EQ(scene.report({}).events.size(), chain.size());
+  EXPECT_EQ(make_report(scene).events.size(), chain.size());
 }
 
 TEST(SceneExchange, GivesTheSameHashForAnyNumberOfThreads) {

@@ -7,6 +7,7 @@
 
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::scene {
@@ -97,7 +98,7 @@ TEST(Pushes, ComeOnTopOfWhatUsersSet) {
 TEST(Pushes, AreEventsOfTheReport) {
   Scene scene(pushed_scene(), {.pushes = {"box=[60,0,0]@0.01..0.03"}});
   scene.simulation().run(std::chrono::milliseconds(50));
-  const auto events = scene.report({}).events;
+  const auto events = make_report(scene).events;
   ASSERT_EQ(events.size(), 1u);
   EXPECT_EQ(events[0].text, "push on box.box: force (60, 0, 0) N, until 0.03 s");
   EXPECT_EQ(events[0].time, std::chrono::milliseconds(10));
@@ -120,7 +121,7 @@ TEST(Pushes, AreRefusedBeforeTheRun) {
 TEST(Pushes, ThatTheRunDoesNotReachAreNamed) {
   Scene scene(pushed_scene(), {.pushes = {"box=[60,0,0]@0.001..0.002", "box=[60,0,0]@3..4"}});
   scene.simulation().run(std::chrono::milliseconds(20));
-  const auto warnings = scene.report({}).warnings;
+  const auto warnings = make_report(scene).warnings;
   const auto late = std::ranges::find_if(warnings, [](const std::string& w) {
     return says_all(w, {"1 of 2 events and pushes", "the first at 3.000 s"});
   });

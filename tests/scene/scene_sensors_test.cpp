@@ -5,6 +5,7 @@
 
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 #include "murosimf/sensors/reading.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"
@@ -138,14 +139,14 @@ TEST(SceneSensors, LookingChangesNoMotion) {
   const auto hash = [](const std::vector<std::string>& overrides) {
     Scene scene(write_scene(start + two), {.overrides = overrides});
     scene.simulation().run(300ms);
-    return scene.report({}).state_hash;
+    return make_report(scene).state_hash;
   };
   EXPECT_EQ(hash({}), hash({"*.sensors.imu=false", "*.sensors.encoders=false"}));
 }
 
 int count_lines(const Scene& scene, const std::string& part) {
   int lines = 0;
-  for (const std::string& note : scene.report({}).notes) lines += note.find(part) != std::string::npos ? 1 : 0;
+  for (const std::string& note : make_report(scene).notes) lines += note.find(part) != std::string::npos ? 1 : 0;
   return lines;
 }
 

@@ -1,5 +1,6 @@
 // Scene files: what they mean, what --set changes, and one clear line for every mistake.
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 
 #include <gtest/gtest.h>
 
@@ -147,7 +148,7 @@ TEST(Scene, EveryValueIsReachableFromSimulationToProperty) {
 TEST(Scene, ReportNamesEverybodyAndEveryAlgorithm) {
   Scene scene(write_scene(small_scene));
   scene.simulation().run(from_seconds(0.5));
-  const RunReport report = scene.report(from_seconds(0.25));
+  const RunReport report = make_report(scene, from_seconds(0.25));
   ASSERT_EQ(report.entities.size(), 4u);
   EXPECT_EQ(report.entities[0].name, "ball");
   EXPECT_DOUBLE_EQ(report.real_time_factor, 2);
@@ -188,7 +189,7 @@ TEST(SceneMistakes, ThatOnlyWeakenAResultAreWarnings) {
   const auto warned = [](std::vector<std::string> overrides, const std::string& text) {
     overrides.emplace_back("*.sensors=false");  // they have warnings of their own
     Scene scene(write_scene(small_scene), {.overrides = overrides});
-    const auto warnings = scene.report(Duration{}, {}).warnings;
+    const auto warnings = make_report(scene).warnings;
     return std::any_of(warnings.begin(), warnings.end(),
                        [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
   };

@@ -14,6 +14,7 @@
 #include "murosimf/scene/property_catalog.h"
 #include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 
 namespace murosimf::scene {
 namespace {
@@ -45,7 +46,7 @@ class Trial {
     options.overrides.insert(options.overrides.end(), settings.begin(), settings.end());
     Scene scene("walk", options);
     scene.simulation().run(60ms);
-    warnings = scene.report({}).warnings;
+    warnings = make_report(scene).warnings;
     return numbers_of(scene.simulation().world().entity("walker"), without);
   }
 

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::scene {
@@ -27,7 +28,7 @@ std::string said_of(const std::string& first, const std::string& second, const s
                       << first << "\n[[robots]]\nname = 'b'\nposition = " << second << "\n";
   Scene scene(file);
   scene.simulation().initialize();
-  return fmt::format("{}", fmt::join(scene.report({}).warnings, "\n"));
+  return fmt::format("{}", fmt::join(make_report(scene).warnings, "\n"));
 }
 
 TEST(StartOverlaps, AreNamedWithBothEntities) {

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_report.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::scene {
@@ -45,7 +46,7 @@ struct What {
 std::string warnings_of(const What& what) {
   Scene scene(scene_file(what.text), {.overrides = what.set, .events = what.at});
   scene.simulation().run(20ms);
-  return fmt::format("{}", fmt::join(scene.report({}).warnings, "\n"));
+  return fmt::format("{}", fmt::join(make_report(scene).warnings, "\n"));
 }
 
 std::string refusal_of(const What& what) {
@@ -154,7 +155,7 @@ TEST(Mistakes, InEmptyNamesAndNumbersAreRefused) {
 
 TEST(Seeds, AreExact) {
   const Scene scene(scene_file(pair_scene), {.overrides = {"seed=9007199254740993"}});
-  EXPECT_EQ(scene.report({}).seed, 9007199254740993U);
+  EXPECT_EQ(make_report(scene).seed, 9007199254740993U);
 }
 
 TEST(PropertySettings, ThatWouldBeOverwrittenAreRefused) {
@@ -196,7 +197,7 @@ TEST(PropertySettings, OfTargetsThatAControllerWritesAreNamed) {
               {.overrides = {"still.controller=walk", "still.j_l_shin.joint_target=0.4",
                              "real.j_l_shin.joint_target=0.4", "still.j_head.joint_target=0.1"}});
   scene.simulation().run(100ms);
-  const auto warnings = scene.report({}).warnings;
+  const auto warnings = make_report(scene).warnings;
   ASSERT_EQ(warnings.size(), 1U) << fmt::format("{}", fmt::join(warnings, "\n"));
   EXPECT_TRUE(says(warnings[0], {"still.j_l_shin.joint_target: what was set is gone", "walk_engine"}));
 }
@@ -225,7 +226,7 @@ TEST(EventsOfTheReport, HaveEverySettingAndEveryEvent) {
                                                   "0.01:real.level=articulated_dynamics", "0.01:real.contact=paper"}});
   scene.simulation().run(20ms);
   std::vector<std::string> texts;
-  for (const Event& event : scene.report({}).events) texts.push_back(event.text);
+  for (const Event& event : make_report(scene).events) texts.push_back(event.text);
   EXPECT_EQ(texts, (std::vector<std::string>{"real.j_l_shin.joint_position = 0.25",
                                              "real.pelvis.applied_force = [0, 0, 0, 5, 0, 0]",
                                              "real: articulated_dynamics, as before", "real: contact paper"}));

@@ -1,0 +1,71 @@
+#include "murosimf/scene/model_source.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/files/data_path.h"
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/robot/robot_reader.h"
+#include "murosimf/scene/model_constants.h"
+
+namespace murosimf::scene {
+namespace {
+
+/// Settings of constants of the entity.
+std::vector<PropertySetting> constants_of(const SceneSpec& spec, const std::string& entity) {
+  std::vector<PropertySetting> settings;
+  for (const PropertySetting& setting : spec.settings) {
+    const auto& names = setting.entities;
+    const bool meant = std::find(names.begin(), names.end(), entity) != names.end();
+    if (meant && is_constant(setting)) settings.push_back(setting);
+  }
+  return settings;
+}
+
+/// All whom the first setting means, for remarks that are true of all of them.
+std::string owners_of(const std::vector<PropertySetting>& settings) {
+  return fmt::format("{}", fmt::join(settings[0].entities, ", "));
+}
+
+}  // namespace
+
+const ModelSource::RobotKind& ModelSource::robot(const std::string& name, const std::string& where) {
+  RobotKind& known = robots_[name];
+  if (known.model) return known;
+  const auto file =
+      with_context(where, [&] { return files::find_data_file(name, "models", ".xml", spec_.file.parent_path()); });
+  robot::RobotFile result = robot::read_robot(file, {.lenient = lenient_});
+  remarks_.warn(result.warnings);
+  check_materials(*result.model);
+  known = {result.model, std::move(result.sensors)};
+  return known;
+}
+
+ModelPtr ModelSource::changed_for(const std::string& entity, const ModelPtr& model) {
+  const std::vector<PropertySetting> settings = constants_of(spec_, entity);
+  if (settings.empty()) return model;
+  std::string key;
+  for (const PropertySetting& setting : settings) key += setting.where + "\n";
+  ModelPtr& known = with_constants_[{model, key}];
+  if (known) return known;
+  std::vector<std::string> remarks;
+  known = with_constants(*model, settings, remarks);
+  for (const std::string& remark : remarks) remarks_.note(owners_of(settings), remark);
+  return known;
+}
+
+void ModelSource::check_materials(const Model& model) const {
+  for (const int body : model.bodies()) {
+    const Shapes* shapes = model.find(properties::shapes, body);
+    if (!shapes) continue;
+    for (const PlacedShape& placed : *shapes) {
+      if (placed.surface.material.empty() || spec_.materials.knows(placed.surface.material)) continue;
+      throw SetupError(fmt::format("model '{}', object '{}': {}", model.name(), model.objects()[body].name,
+                                   unknown_name("material", placed.surface.material, spec_.materials.names())));
+    }
+  }
+}
+
+}  // namespace murosimf::scene

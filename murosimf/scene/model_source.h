@@ -1,0 +1,43 @@
+/// model_source.h - the models of a scene's entities: read once for equal robots, copied where the scene changes constants.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "murosimf/model/model.h"
+#include "murosimf/scene/remarks.h"
+#include "murosimf/scene/scene_spec.h"
+#include "murosimf/sensors/sensor_spec.h"
+
+namespace murosimf::scene {
+
+class ModelSource {
+ public:
+  ModelSource(const SceneSpec& spec, bool lenient, Remarks& remarks)
+      : spec_(spec), lenient_(lenient), remarks_(remarks) {}
+
+  /// A robot's model by name or file, with the sensors of its files. Throws SetupError: no such file, a mistake in it,
+  /// an unknown material.
+  struct RobotKind {
+    ModelPtr model;
+    std::vector<sensors::SensorSpec> sensors;
+  };
+  [[nodiscard]] const RobotKind& robot(const std::string& name, const std::string& where);
+
+  /// The model, or a copy with the constants that the scene changes for this entity.
+  [[nodiscard]] ModelPtr changed_for(const std::string& entity, const ModelPtr& model);
+
+  /// Throws SetupError for a material that the scene does not know.
+  void check_materials(const Model& model) const;
+
+ private:
+  const SceneSpec& spec_;
+  bool lenient_;
+  Remarks& remarks_;
+  std::map<std::string, RobotKind> robots_;                              // equal robots share one
+  std::map<std::pair<ModelPtr, std::string>, ModelPtr> with_constants_;  // equal changes share one, too
+};
+
+}  // namespace murosimf::scene

@@ -1,0 +1,126 @@
+#include "murosimf/scene/scene_builder.h"
+
+#include <algorithm>
+
+#include "murosimf/collision/body_contact.h"
+#include "murosimf/collision/ground_contact.h"
+#include "murosimf/motion/odometer.h"
+#include "murosimf/scene/field.h"
+#include "murosimf/scene/motion_file.h"
+#include "murosimf/scene/registry.h"
+#include "murosimf/scene/scene_checks.h"
+#include "murosimf/scene/scene_entities.h"
+#include "murosimf/scene/scene_exchange.h"
+#include "murosimf/scene/scene_pushing.h"
+#include "murosimf/scene/scene_sensors.h"
+#include "murosimf/scene/scene_settings.h"
+
+namespace murosimf::scene {
+namespace {
+
+ControllerOptions controller_options(const SceneParts& parts, const RobotSpec& robot) {
+  const SceneSpec& spec = parts.spec;
+  ControllerOptions options;
+  options.everybody = parts.moving_entities;
+  options.command = robot.command;
+  const FieldSize& field = field_size(spec.field.size);
+  options.half_field = {0.5 * field.length, 0.5 * field.width, 0};
+  options.start = {robot.position.x, robot.position.y, robot.heading};
+  options.markings = field_markings(field);
+  options.seed = spec.seed;
+  for (const TeamSpec& team : spec.teams) {
+    if (team.name == robot.team) options.attacks = team.attacks;
+  }
+  if (!robot.motion.empty()) {
+    options.motion =
+        with_context(robot.where, [&] { return read_motion(find_motion(robot.motion, spec.file.parent_path())); });
+  }
+  return options;
+}
+
+void attach_controllers(SceneParts& parts) {
+  for (std::size_t i = 0; i < parts.robots.size(); ++i) {
+    const RobotSpec& robot = parts.spec.robots[i];
+    const ControllerOptions options = controller_options(parts, robot);
+    const ControllerType& controller = find_entry(controllers(), "controller", robot.controller);
+    with_context(robot.where, [&] { controller.attach(*parts.simulation, *parts.robots[i], options); });
+  }
+}
+
+/// Also for those whom no force moves: they may change their level.
+void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law) {
+  if (find_entry(levels(), "level", level).dynamic) entity.contact = law;
+  parts.ground_contacts.push_back(
+      &parts.simulation->attach<collision::GroundContact>("ground_contact", entity, parts.spec.rate, parts.field,
+                                                          find_entry(contacts(), "contact law", law).make(),
+                                                          parts.spec.materials));
+}
+
+void attach_contact(SceneParts& parts) {
+  const SceneSpec& spec = parts.spec;
+  if (parts.ball) attach_ground_contact(parts, *parts.ball, parts.ball->level, spec.ball->contact);
+  for (std::size_t i = 0; i < parts.robots.size(); ++i) {
+    attach_ground_contact(parts, *parts.robots[i], parts.robots[i]->level, spec.robots[i].contact);
+  }
+  for (Entity* body : parts.bodies) attach_ground_contact(parts, *body, body->level, body->contact);
+  parts.simulation->attach<collision::BodyContact>("body_contact", *parts.field, spec.rate, parts.moving_entities,
+                                                   spec.materials,
+                                                   collision::BodyContactOptions{.law = spec.body_contact});
+}
+
+void attach_level(SceneParts& parts, Entity& entity, const LevelOptions& options) {
+  const LevelType& level = find_entry(levels(), "level", entity.level);
+  parts.simulation->attach(entity.level, entity, parts.spec.rate,
+                           [&](Setup& setup) { return level.make(setup, options); });
+}
+
+void attach_motion(SceneParts& parts) {
+  if (parts.ball) attach_level(parts, *parts.ball, {});
+  for (std::size_t i = 0; i < parts.robots.size(); ++i) {
+    const RobotSpec& robot = parts.spec.robots[i];
+    warn_about_level(parts, robot);
+    with_context(robot.where, [&] { attach_level(parts, *parts.robots[i], level_options(robot)); });
+  }
+  for (Entity* body : parts.bodies) {
+    with_context(body_spec(parts.spec, *body)->where, [&] { attach_level(parts, *body, {}); });
+  }
+}
+
+void attach_observers(SceneParts& parts, bool paths) {
+  for (Entity* entity : parts.moving_entities) {
+    parts.simulation->attach<motion::Odometer>("odometer", *entity, motion::Odometer::rate_hz);
+  }
+  if (!paths) return;
+  parts.recorder = &parts.simulation->attach<PathRecorder>("path_recorder", *parts.field, PathRecorder::rate_hz,
+                                                           parts.moving_entities);
+}
+
+}  // namespace
+
+void build(SceneParts& parts, const SceneOptions& options) {
+  Simulation& simulation = *parts.simulation;
+  simulation.world().gravity = parts.spec.gravity;
+  simulation.stop_if(options.stop);
+  if (options.cameras) parts.cameras = std::make_unique<CameraRenderer>(parts);
+  ModelSource models(parts.spec, options.lenient, parts.remarks);
+  add_entities(parts, models);
+  attach_sensors(parts, models);
+  attach_controllers(parts);
+  attach_pushes(parts);
+  attach_contact(parts);
+  attach_motion(parts);
+  note_about_sensors(parts);
+  warn_about_static_bodies(parts);
+  attach_observers(parts, options.paths);
+  scatter_postures(parts);
+  warn_about_settings(parts);
+  simulation.after_initialize([&parts] {
+    check_properties(parts);
+    start_moving(parts);
+    apply_settings(parts);
+    warn_about_start(parts);
+  });
+  schedule_events(parts);
+}
+
+}  // namespace murosimf::scene

@@ -1,0 +1,38 @@
+/// scene_cameras.h - who draws a scene for its cameras, and for people.
+#pragma once
+
+#include <memory>
+
+#include "murosimf/sensors/view_source.h"
+
+namespace murosimf::render {
+class Renderer;
+}
+
+namespace murosimf::scene {
+
+struct LightSpec;
+struct SceneParts;
+
+/// A renderer of the scene in this light. The scene must be initialized and outlive it. Throws SetupError if this machine
+/// or this build cannot draw.
+[[nodiscard]] std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const LightSpec& light);
+
+/// Draws for the cameras of a scene, in its light. Made when the first of them asks.
+class CameraRenderer {
+ public:
+  explicit CameraRenderer(SceneParts& parts);
+  ~CameraRenderer();
+  CameraRenderer(const CameraRenderer&) = delete;
+  CameraRenderer& operator=(const CameraRenderer&) = delete;
+
+  /// Null if nobody can draw here, which is a warning then.
+  [[nodiscard]] sensors::ViewSource* view_source();
+
+ private:
+  SceneParts& parts_;
+  std::unique_ptr<render::Renderer> renderer_;
+  bool cannot_draw_ = false;
+};
+
+}  // namespace murosimf::scene

@@ -1,0 +1,25 @@
+/// scene_options.h - how a scene is built, besides what its file says.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/runtime/simulation.h"
+
+namespace murosimf::scene {
+
+struct SceneOptions {
+  int threads = 1;
+  std::optional<std::uint64_t> seed;   ///< instead of the scene's
+  std::vector<std::string> overrides;  ///< PATH=VALUE, as for --set
+  std::vector<std::string> events;     ///< TIME:PATH=VALUE, as for --at
+  std::vector<std::string> pushes;     ///< `OBJECT=FORCE@BEGIN..END`, as for --push
+  bool lenient = false;                ///< accept unknown elements in model files
+  bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames
+  bool paths = false;                  ///< remember where everybody has been, for write_picture
+  StopRequest stop{};                  ///< ends runs of the simulation early (Simulation::stop_if)
+};
+
+}  // namespace murosimf::scene

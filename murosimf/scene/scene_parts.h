@@ -1,0 +1,51 @@
+/// scene_parts.h - what a scene consists of once it is built: plain data that the functions of this folder share.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/runtime/path_recorder.h"
+#include "murosimf/runtime/simulation.h"
+#include "murosimf/scene/remarks.h"
+#include "murosimf/scene/scene_cameras.h"
+#include "murosimf/scene/scene_spec.h"
+#include "murosimf/sensors/sensor.h"
+
+namespace murosimf::collision {
+class GroundContact;
+}
+
+namespace murosimf::scene {
+
+/// Stays where it is: the simulation calls back into it.
+struct SceneParts {
+  SceneParts(SceneSpec what, int threads);
+  ~SceneParts();
+  SceneParts(const SceneParts&) = delete;
+  SceneParts& operator=(const SceneParts&) = delete;
+
+  SceneSpec spec;  ///< what the file says, with the levels and laws of now
+  std::unique_ptr<Simulation> simulation;
+  Remarks remarks;
+  std::map<std::string, int> times_set;  ///< how often each property was, by its path
+  Entity* field = nullptr;
+  Entity* ball = nullptr;
+  std::vector<Entity*> robots;                               ///< in the order of the spec
+  std::vector<std::vector<const sensors::Sensor*>> sensors;  ///< by robot
+  std::vector<Entity*> bodies;                               ///< those of [[bodies]] that move
+  std::vector<Entity*> moving_entities;                      ///< robots, ball and bodies
+  std::vector<collision::GroundContact*> ground_contacts;    ///< by moving entity
+  const PathRecorder* recorder = nullptr;                    ///< null: nobody asked for paths
+  std::unique_ptr<CameraRenderer> cameras;                   ///< null: nothing is drawn for them
+};
+
+/// Null if the entity is no body of [[bodies]].
+[[nodiscard]] const BodySpec* body_spec(const SceneSpec& spec, const Entity& entity);
+
+/// Throws SetupError with the nearest name if there is no such robot.
+[[nodiscard]] RobotSpec& robot_spec(SceneSpec& spec, std::string_view robot);
+
+}  // namespace murosimf::scene

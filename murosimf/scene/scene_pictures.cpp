@@ -1,0 +1,57 @@
+#include "murosimf/scene/scene_pictures.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/appearance/entity_appearance.h"
+#include "murosimf/files/output_file.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/render/field_picture.h"
+#include "murosimf/render/renderer.h"
+
+namespace murosimf::scene {
+namespace {
+
+/// [m] world; ends where it is now.
+std::vector<Vec3d> points_of(const SceneParts& parts, Entity& entity) {
+  std::vector<Vec3d> points;
+  if (parts.recorder) {
+    points = std::ranges::find(parts.recorder->paths(), &entity, &PathRecorder::Path::entity)->points;
+  }
+  points.push_back(entity.base().get(properties::position));
+  return points;
+}
+
+render::Path path_of(const SceneParts& parts, Entity& entity) {
+  render::Path path;
+  path.name = entity.name();
+  path.color = entity.options().color;
+  path.points = points_of(parts, entity);
+  path.heading = heading(entity.base().get(properties::orientation));
+  path.is_ball = &entity == parts.ball;
+  path.number = appearance::jersey_number(entity.name());
+  if (path.is_ball) path.size = parts.spec.ball->options.radius;
+  if (const BodySpec* body = body_spec(parts.spec, entity)) {  // as round things, too
+    path.is_ball = true;
+    if (body->shape) path.size = bounding_radius(*body->shape);
+  }
+  return path;
+}
+
+}  // namespace
+
+void write_picture(const Scene& scene, const std::filesystem::path& file) {
+  const SceneParts& parts = scene.parts();
+  std::vector<render::Path> paths;
+  for (Entity* entity : parts.moving_entities) paths.push_back(path_of(parts, *entity));
+  const Markings* markings = parts.field->model().find(properties::markings, 0);
+  const std::string title = fmt::format("{}: {:.0f} s", parts.spec.name, seconds(parts.simulation->now()));
+  files::write_file(file, render::field_picture_png(*markings, paths, {.title = title}));
+}
+
+std::unique_ptr<render::Renderer> make_renderer(Scene& scene, const LightSpec& light) {
+  return make_renderer(scene.parts(), light);
+}
+
+}  // namespace murosimf::scene

@@ -1,0 +1,89 @@
+#include "murosimf/scene/scene_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
+#include "murosimf/motion/torque_watch.h"
+
+namespace murosimf::scene {
+namespace {
+
+EntityReport report_of(Entity& entity) {
+  const auto base = entity.base();
+  const Vec3d since_sample = base.get(properties::position) - base.get(properties::distance_sample);
+  return {entity.name(),
+          entity.model().name(),
+          entity.level,
+          entity.contact,
+          entity.controller,
+          entity.options().team,
+          base.get(properties::position),
+          base.get(properties::distance_walked) + std::hypot(since_sample.x, since_sample.y),
+          static_cast<int>(base.get(properties::falls)),
+          entity.frozen()};
+}
+
+/// Those of the scene, then those of the run.
+std::vector<std::string> warnings_of(const Scene& scene, const Lateness& lateness) {
+  std::vector<std::string> all = scene.parts().remarks.warnings();
+  const auto& frozen = scene.simulation().warnings();
+  all.insert(all.end(), frozen.begin(), frozen.end());
+  if (auto line = events_to_come(scene); !line.empty()) all.push_back(std::move(line));
+  for (const Entity* entity : scene.moving_entities()) {
+    if (auto line = motion::overload_message(*entity); !line.empty()) all.push_back(std::move(line));
+  }
+  if (lateness.late_steps > 0) {
+    all.push_back(fmt::format("late: {} of {} steps ended behind schedule, the worst {:.1f} ms", lateness.late_steps,
+                              lateness.steps, 1e3 * seconds(lateness.worst)));
+  }
+  return all;
+}
+
+}  // namespace
+
+RunReport make_report(const Scene& scene, Duration wall, const Lateness& lateness) {
+  const Simulation& simulation = scene.simulation();
+  RunReport report;
+  report.scene = scene.spec().name;
+  report.simulated = seconds(simulation.now());
+  report.wall = seconds(wall);
+  report.real_time_factor = wall > Duration{} ? report.simulated / report.wall : 0;
+  report.threads = simulation.threads();
+  report.seed = scene.spec().seed;
+  report.state_hash = simulation.state_hash();
+  for (Entity* entity : scene.moving_entities()) {
+    report.entities.push_back(report_of(*entity));
+    for (const sensors::Reading* reading : sensors::readings_of(*entity)) {
+      report.sensors.push_back({entity->name(), *reading});
+    }
+  }
+  report.algorithms = simulation.statistics();
+  report.events = simulation.events();
+  report.notes = scene.parts().remarks.notes();
+  report.warnings = warnings_of(scene, lateness);
+  return report;
+}
+
+std::string events_to_come(const Scene& scene) {
+  const SceneSpec& spec = scene.spec();
+  const Duration now = scene.simulation().now();
+  if (now == Duration{}) return {};
+  std::vector<std::pair<double, const std::string*>> late;  // [s], and where it is written
+  const auto look_at = [&](double time, const std::string& where) {
+    if (from_seconds(time) > now - scene.simulation().tick()) late.emplace_back(time, &where);
+  };
+  for (const SceneEvent& event : spec.events) look_at(event.time, event.where);
+  for (const PushSpec& push : spec.pushes) look_at(push.begin, push.where);
+  if (late.empty()) return {};
+  const auto& [time, where] = *std::ranges::min_element(late, {}, [](const auto& one) { return one.first; });
+  return fmt::format("the run ended at {:.3f} s: {} of {} {} did not come, the first at {:.3f} s ({})", seconds(now),
+                     late.size(), spec.events.size() + spec.pushes.size(),
+                     spec.pushes.empty() ? "events" : "events and pushes", time, *where);
+}
+
+}  // namespace murosimf::scene
