@@ -3,6 +3,8 @@
 
 #include "apps/command_line.h"
 #include "apps/standard_output.h"
+#include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/catalog/property_catalog.h"
 #include "murosimf/collision/body_contact_law.h"
 #include "murosimf/components/camera_info.h"
 #include "murosimf/components/sensor_table.h"
@@ -13,8 +15,6 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/servo_law.h"
-#include "murosimf/scene/property_catalog.h"
-#include "murosimf/scene/registry.h"
 
 namespace murosimf::app {
 namespace {
@@ -79,15 +79,15 @@ void define(const Command& command, ListOptions& options) {
 int list(const ListOptions& options) {
   const std::string& what = options.what;
   std::string text;
-  if (what == "levels") text = names_and_meanings(scene::levels());
-  if (what == "contacts") text = names_and_meanings(scene::contacts());
+  if (what == "levels") text = names_and_meanings(catalog::levels());
+  if (what == "contacts") text = names_and_meanings(catalog::contacts());
   if (what == "body_contacts") text = names_and_meanings(collision::body_contact_laws());
   if (what == "volumes") {
     for (const auto& name : geometry::volume_names()) text += fmt::format("{}\n", name);
   }
   if (what == "integrators") text = names_and_meanings(motion::integrators());
   if (what == "servo_laws") text = names_and_meanings(motion::servo_laws());
-  if (what == "controllers") text = names_and_meanings(scene::controllers());
+  if (what == "controllers") text = names_and_meanings(catalog::controllers());
   if (what == "sensors") text = sensors_text();
   if (what == "parts") {
     for (const auto& name : components::sensor_parts()) text += fmt::format("{}\n", name);

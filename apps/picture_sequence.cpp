@@ -19,7 +19,7 @@ constexpr double shortest = 1e-3;          // [s]
 constexpr int columns = 1280, rows = 720;  // [px]
 
 Duration checked(double every) {
-  if (!(every >= shortest && every <= scene::longest_duration)) {
+  if (!(every >= shortest && every <= scene_file::longest_duration)) {
     throw SetupError(fmt::format("--picture-every {}: must be at least {} s", every, shortest));
   }
   return from_seconds(every);
@@ -36,7 +36,7 @@ PictureSequence::PictureSequence(std::filesystem::path folder, double every)
 }
 
 void PictureSequence::show(scene::Scene& scene) {
-  scene::LightSpec light = scene.spec().light;
+  scene_file::LightSpec light = scene.spec().light;
   light.shadows = true;
   light.samples = std::max(light.samples, 4);
   renderer_ = make_renderer(scene, light);

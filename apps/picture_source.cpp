@@ -56,7 +56,7 @@ class Eye final : public PictureSource {
         fps_(options.fps),
         slow_(options.slow) {
     (void)scene::viewpoint_perspective(scene, view_, size_.width, size_.height);
-    scene::LightSpec light = scene.spec().light;
+    scene_file::LightSpec light = scene.spec().light;
     light.shadows = !options.no_shadows;
     light.samples = std::max(light.samples, 4);
     renderer_ = make_renderer(scene, light);

@@ -41,7 +41,7 @@ void define(const Command& command, RenderOptions& options) {
 }
 
 Duration time_of(const char* option, double s) {
-  if (!(s >= 0 && s <= scene::longest_duration))
+  if (!(s >= 0 && s <= scene_file::longest_duration))
     throw SetupError(fmt::format("{} {}: must be a number from 0", option, s));
   return from_seconds(s);
 }

@@ -69,7 +69,7 @@ std::optional<double> speed_of(const std::string& text) {
 
 Duration duration_of(double s) {
   if (!(s >= 0) || !std::isfinite(s)) throw SetupError(fmt::format("--duration {}: must be a number from 0", s));
-  if (s > scene::longest_duration)
+  if (s > scene_file::longest_duration)
     throw SetupError(fmt::format("--duration {}: longer than simulated time can count", s));
   return from_seconds(s);
 }

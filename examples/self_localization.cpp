@@ -16,8 +16,8 @@
 #include <murosimf/behavior/localize.h>
 #include <murosimf/files/output_file.h>
 #include <murosimf/render/field_picture.h>
-#include <murosimf/scene/field.h>
 #include <murosimf/scene/scene.h>
+#include <murosimf/scene_file/field.h>
 
 using namespace murosimf;
 using namespace std::chrono_literals;
@@ -137,7 +137,7 @@ void draw(const std::string& file, double time) {
   overlay.arrows.push_back({believed, 0.4, dark_blue});
   char title[80];
   std::snprintf(title, sizeof title, "%s: %.1f s", scene.spec().name.c_str(), time);
-  files::write_file(file, render::field_picture_png(scene::field_markings(scene::kid_size_2008), {},
+  files::write_file(file, render::field_picture_png(scene_file::field_markings(scene_file::kid_size_2008), {},
                                                     {.pixels_per_meter = 100, .title = title, .overlay = overlay}));
 }
 

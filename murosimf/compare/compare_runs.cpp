@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/motion/torque_watch.h"
-#include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene.h"
 
 namespace murosimf::compare {
@@ -39,9 +39,9 @@ std::unique_ptr<scene::Scene> build(const CompareOptions& options, const Compare
 }
 
 /// The robot that is to change, from the scene as it is.
-const scene::RobotSpec& find_robot(const scene::SceneSpec& spec, const std::string& name) {
+const scene_file::RobotSpec& find_robot(const scene_file::SceneSpec& spec, const std::string& name) {
   std::vector<std::string_view> names;
-  for (const scene::RobotSpec& robot : spec.robots) {
+  for (const scene_file::RobotSpec& robot : spec.robots) {
     if (robot.name == name) return robot;
     names.emplace_back(robot.name);
   }
@@ -51,15 +51,15 @@ const scene::RobotSpec& find_robot(const scene::SceneSpec& spec, const std::stri
   throw SetupError(fmt::format("--entity '{}': {}", name, unknown_name("robot", name, names)));
 }
 
-std::vector<CompareEntry> entries_for(const CompareOptions& options, const scene::RobotSpec& robot) {
+std::vector<CompareEntry> entries_for(const CompareOptions& options, const scene_file::RobotSpec& robot) {
   for (const std::string& name : options.levels)
-    with_context("--levels", [&] { return &find_entry(scene::levels(), "level", name); });
+    with_context("--levels", [&] { return &find_entry(catalog::levels(), "level", name); });
   std::vector<std::string> laws = options.contacts;
   if (laws.empty()) laws.push_back(robot.contact);
   for (const std::string& name : laws)
-    with_context("--contacts", [&] { return &find_entry(scene::contacts(), "contact law", name); });
+    with_context("--contacts", [&] { return &find_entry(catalog::contacts(), "contact law", name); });
   std::vector<CompareEntry> entries;
-  for (const scene::LevelType& level : scene::levels()) {
+  for (const catalog::LevelType& level : catalog::levels()) {
     const std::string name(level.name);
     const auto& wanted = options.levels;
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
@@ -75,8 +75,8 @@ std::vector<CompareEntry> entries_for(const CompareOptions& options, const scene
 }
 
 /// A level that changes on the way is none that could be compared.
-void check_events(const scene::SceneSpec& spec, const std::string& robot) {
-  for (const scene::SceneEvent& event : spec.events) {
+void check_events(const scene_file::SceneSpec& spec, const std::string& robot) {
+  for (const scene_file::SceneEvent& event : spec.events) {
     const bool concerned = std::find(event.entities.begin(), event.entities.end(), robot) != event.entities.end();
     if (!concerned || (event.key != "level" && event.key != "contact")) continue;
     throw SetupError(fmt::format("{}: the {} of '{}' changes on the way; take the event out of the scene to compare it",
@@ -180,7 +180,7 @@ void measure_cost(const CompareOptions& options, Comparison& result) {
   }
 }
 
-double checked_duration(const CompareOptions& options, const scene::SceneSpec& spec) {
+double checked_duration(const CompareOptions& options, const scene_file::SceneSpec& spec) {
   const double duration = options.duration.value_or(spec.duration);
   if (!(duration > 0) || duration > longest_record) {
     throw SetupError(fmt::format("--duration {}: must be a number above 0 and up to {}", duration, longest_record));
@@ -201,7 +201,7 @@ Comparison compare(const CompareOptions& options) {
   Comparison result;
   {
     const scene::Scene scene(options.scene, scene_options(options));
-    const scene::SceneSpec& spec = scene.spec();
+    const scene_file::SceneSpec& spec = scene.spec();
     result.scene = spec.name;
     result.entity = options.entity;
     result.duration = checked_duration(options, spec);

@@ -12,7 +12,7 @@
 
 #include "murosimf/logging/log_catalog.h"
 #include "murosimf/model/error.h"
-#include "murosimf/scene/setting_targets.h"
+#include "murosimf/scene_file/setting_targets.h"
 #include "murosimf/sensors/reading.h"
 
 namespace murosimf::logging {
@@ -95,7 +95,7 @@ std::vector<LoggedNumber> numbers_of_joints(const Search& search) {
 }
 
 bool means_joints(const Search& search) {
-  return !search.parts.empty() && search.parts.size() <= 2 && scene::is_of_joints(search.parts[0]);
+  return !search.parts.empty() && search.parts.size() <= 2 && scene_file::is_of_joints(search.parts[0]);
 }
 
 std::vector<LoggedNumber> joints_meant(const std::vector<Search>& all) {

@@ -3,7 +3,7 @@
 ///
 /// Every other folder declares its own beside what uses them: collision/contact_properties.h,
 /// motion/motion_properties.h, locomotion/gait_properties.h, behavior/behavior_properties.h. All of them are in the namespace
-/// `properties`, and scene/property_catalog.h has the list of all.
+/// `properties`, and catalog/property_catalog.h has the list of all.
 ///
 /// "world" in the column `frame` means world axes; a moment or a linear velocity without further words is taken at
 /// the origin of its object. Properties whose value is no row of numbers (contact sets, sightings) are declared

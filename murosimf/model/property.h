@@ -34,7 +34,7 @@ struct Property : PropertyInfo {
 
 namespace properties {
 
-/// One line of the list that every folder has of its properties (scene/property_catalog.h collects them).
+/// One line of the list that every folder has of its properties (catalog/property_catalog.h collects them).
 struct CatalogEntry {
   PropertyInfo info;
   bool constant = false;  ///< it lives in the model, else in a column of the entity

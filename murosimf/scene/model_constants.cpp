@@ -9,7 +9,7 @@
 #include "murosimf/components/servo_description.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
-#include "murosimf/scene/setting_targets.h"
+#include "murosimf/scene_file/setting_targets.h"
 
 namespace murosimf::scene {
 namespace {
@@ -19,7 +19,7 @@ constexpr std::string_view servo_word = "servo";
 const std::array joint_numbers{properties::joint_damping, properties::joint_armature, properties::joint_friction,
                                properties::joint_stiffness, properties::joint_spring_reference};
 
-bool is_of_servo(const PropertySetting& setting) {
+bool is_of_servo(const scene_file::PropertySetting& setting) {
   return setting.object == servo_word || setting.object.ends_with(".servo");
 }
 
@@ -29,7 +29,7 @@ const Property<double>* joint_number(std::string_view name) {
   return found == joint_numbers.end() ? nullptr : &*found;
 }
 
-void require_numbers(const PropertySetting& setting, std::size_t count) {
+void require_numbers(const scene_file::PropertySetting& setting, std::size_t count) {
   if (setting.numbers.size() != count) {
     throw SetupError(fmt::format("'{}' takes {} number{}, not {}", setting.property, count, count == 1 ? "" : "s",
                                  setting.numbers.size()));
@@ -45,7 +45,7 @@ class Changes {
   Changes(const Model& model, std::vector<std::string>& remarks)
       : model_(model), constants_(model.constants()), remarks_(remarks) {}
 
-  void take(const PropertySetting& setting) {
+  void take(const scene_file::PropertySetting& setting) {
     if (is_of_servo(setting)) return take_servo(setting);
     if (const auto* property = joint_number(setting.property)) return take_joint_number(setting, *property);
     if (setting.property == properties::joint_range.name) return take_range(setting);
@@ -60,8 +60,8 @@ class Changes {
  private:
   [[nodiscard]] const std::string& name(int object) const { return model_.objects()[object].name; }
 
-  [[nodiscard]] std::vector<int> massive_objects(const PropertySetting& setting) const {
-    std::vector<int> objects = objects_meant(model_, setting.object, setting.property);
+  [[nodiscard]] std::vector<int> massive_objects(const scene_file::PropertySetting& setting) const {
+    std::vector<int> objects = scene_file::objects_meant(model_, setting.object, setting.property);
     const bool one = objects.size() == 1;
     std::erase_if(objects, [&](int object) { return !constants_.find(properties::mass, object); });
     if (objects.empty() && one) {
@@ -73,7 +73,7 @@ class Changes {
     return objects;
   }
 
-  void take_mass(const PropertySetting& setting, int object) {
+  void take_mass(const scene_file::PropertySetting& setting, int object) {
     require_numbers(setting, 1);
     const double before = *constants_.find(properties::mass, object), mass = setting.numbers[0];
     if (!(mass > 0)) throw SetupError(fmt::format("mass {} kg of '{}': it must be above 0", mass, name(object)));
@@ -88,44 +88,44 @@ class Changes {
                                    mass, before, inertia));
   }
 
-  void take_center(const PropertySetting& setting, int object) {
+  void take_center(const scene_file::PropertySetting& setting, int object) {
     require_numbers(setting, 3);
     constants_.set(properties::center_of_mass, object, {setting.numbers[0], setting.numbers[1], setting.numbers[2]});
   }
 
-  void take_inertia(const PropertySetting& setting, int object) {
+  void take_inertia(const scene_file::PropertySetting& setting, int object) {
     require_numbers(setting, ValueTraits<SymMat3d>::numbers);
     SymMat3d I;
     for (std::size_t i = 0; i < setting.numbers.size(); ++i) ValueTraits<SymMat3d>::set(I, i, setting.numbers[i]);
     constants_.set(properties::inertia, object, I);
   }
 
-  void take_joint_number(const PropertySetting& setting, const Property<double>& property) {
+  void take_joint_number(const scene_file::PropertySetting& setting, const Property<double>& property) {
     require_numbers(setting, 1);
     const bool signed_number = property.name == properties::joint_spring_reference.name;
     if (!signed_number && setting.numbers[0] < 0) {
       throw SetupError(fmt::format("'{}' is {}; it must be at least 0", property.name, setting.numbers[0]));
     }
-    for (const int joint : objects_meant(model_, setting.object, property.name)) {
+    for (const int joint : scene_file::objects_meant(model_, setting.object, property.name)) {
       constants_.set(property, joint, setting.numbers[0]);
     }
   }
 
-  void take_range(const PropertySetting& setting) {
+  void take_range(const scene_file::PropertySetting& setting) {
     require_numbers(setting, 2);
     const Vec3d range{setting.numbers[0], setting.numbers[1], 0};
     if (range.x > range.y) throw SetupError(fmt::format("the range from {} to {} is empty", range.x, range.y));
-    for (const int joint : objects_meant(model_, setting.object, setting.property)) {
+    for (const int joint : scene_file::objects_meant(model_, setting.object, setting.property)) {
       constants_.set(properties::joint_range, joint, range);
     }
   }
 
-  void take_servo(const PropertySetting& setting) {
+  void take_servo(const scene_file::PropertySetting& setting) {
     require_numbers(setting, 1);
     const std::size_t cut = setting.object.size() - std::min(setting.object.size(), servo_word.size() + 1);
     const std::string object = setting.object.substr(0, cut);
     int changed = 0;
-    for (const int joint : objects_meant(model_, object, servo_word)) {
+    for (const int joint : scene_file::objects_meant(model_, object, servo_word)) {
       const Servo* servo = constants_.find(properties::servo, joint);
       if (!servo) continue;
       constants_.set(properties::servo, joint, changed_servo(*servo, setting, name(joint)));
@@ -137,7 +137,7 @@ class Changes {
     }
   }
 
-  static Servo changed_servo(const Servo& servo, const PropertySetting& setting, const std::string& joint) {
+  static Servo changed_servo(const Servo& servo, const scene_file::PropertySetting& setting, const std::string& joint) {
     components::ServoDescription description(servo);
     toml::table table;
     table.insert(setting.property, setting.numbers[0]);
@@ -162,19 +162,21 @@ class Changes {
 
 }  // namespace
 
-bool is_constant(const PropertySetting& setting) {
+bool is_constant(const scene_file::PropertySetting& setting) {
   const auto& p = setting.property;
   return is_of_servo(setting) || joint_number(p) || p == properties::joint_range.name || p == properties::mass.name ||
          p == properties::center_of_mass.name || p == properties::inertia.name;
 }
 
-ModelPtr with_constants(const Model& model, const std::vector<PropertySetting>& settings,
+ModelPtr with_constants(const Model& model, const std::vector<scene_file::PropertySetting>& settings,
                         std::vector<std::string>& remarks) {
   Changes changes(model, remarks);
-  std::vector<PropertySetting> ordered = settings;
-  std::stable_partition(ordered.begin(), ordered.end(),
-                        [](const PropertySetting& setting) { return setting.property == properties::mass.name; });
-  for (const PropertySetting& setting : ordered) with_context(setting.where, [&] { changes.take(setting); });
+  std::vector<scene_file::PropertySetting> ordered = settings;
+  std::stable_partition(ordered.begin(), ordered.end(), [](const scene_file::PropertySetting& setting) {
+    return setting.property == properties::mass.name;
+  });
+  for (const scene_file::PropertySetting& setting : ordered)
+    with_context(setting.where, [&] { changes.take(setting); });
   return with_context(ordered.back().where, [&] { return std::make_shared<const Model>(changes.result()); });
 }
 

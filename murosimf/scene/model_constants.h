@@ -9,16 +9,16 @@
 #include <vector>
 
 #include "murosimf/model/model.h"
-#include "murosimf/scene/scene_spec.h"
+#include "murosimf/scene_file/scene_spec.h"
 
 namespace murosimf::scene {
 
 /// True if the setting means a constant, not a property that changes while a scene runs.
-[[nodiscard]] bool is_constant(const PropertySetting& setting);
+[[nodiscard]] bool is_constant(const scene_file::PropertySetting& setting);
 
 /// A copy of the model with other constants. Masses come first; the inertia goes with its mass, which `remarks` say.
 /// Throws SetupError that begins with the setting's place: for objects without that constant, and impossible numbers.
-[[nodiscard]] ModelPtr with_constants(const Model& model, const std::vector<PropertySetting>& settings,
+[[nodiscard]] ModelPtr with_constants(const Model& model, const std::vector<scene_file::PropertySetting>& settings,
                                       std::vector<std::string>& remarks);
 
 }  // namespace murosimf::scene

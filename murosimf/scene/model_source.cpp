@@ -14,9 +14,9 @@ namespace murosimf::scene {
 namespace {
 
 /// Settings of constants of the entity.
-std::vector<PropertySetting> constants_of(const SceneSpec& spec, const std::string& entity) {
-  std::vector<PropertySetting> settings;
-  for (const PropertySetting& setting : spec.settings) {
+std::vector<scene_file::PropertySetting> constants_of(const scene_file::SceneSpec& spec, const std::string& entity) {
+  std::vector<scene_file::PropertySetting> settings;
+  for (const scene_file::PropertySetting& setting : spec.settings) {
     const auto& names = setting.entities;
     const bool meant = std::find(names.begin(), names.end(), entity) != names.end();
     if (meant && is_constant(setting)) settings.push_back(setting);
@@ -25,7 +25,7 @@ std::vector<PropertySetting> constants_of(const SceneSpec& spec, const std::stri
 }
 
 /// All whom the first setting means, for remarks that are true of all of them.
-std::string owners_of(const std::vector<PropertySetting>& settings) {
+std::string owners_of(const std::vector<scene_file::PropertySetting>& settings) {
   return fmt::format("{}", fmt::join(settings[0].entities, ", "));
 }
 
@@ -44,10 +44,10 @@ const ModelSource::RobotKind& ModelSource::robot(const std::string& name, const 
 }
 
 ModelPtr ModelSource::changed_for(const std::string& entity, const ModelPtr& model) {
-  const std::vector<PropertySetting> settings = constants_of(spec_, entity);
+  const std::vector<scene_file::PropertySetting> settings = constants_of(spec_, entity);
   if (settings.empty()) return model;
   std::string key;
-  for (const PropertySetting& setting : settings) key += setting.where + "\n";
+  for (const scene_file::PropertySetting& setting : settings) key += setting.where + "\n";
   ModelPtr& known = with_constants_[{model, key}];
   if (known) return known;
   std::vector<std::string> remarks;

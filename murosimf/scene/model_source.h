@@ -8,14 +8,14 @@
 
 #include "murosimf/model/model.h"
 #include "murosimf/scene/remarks.h"
-#include "murosimf/scene/scene_spec.h"
+#include "murosimf/scene_file/scene_spec.h"
 #include "murosimf/sensors/sensor_spec.h"
 
 namespace murosimf::scene {
 
 class ModelSource {
  public:
-  ModelSource(const SceneSpec& spec, bool lenient, Remarks& remarks)
+  ModelSource(const scene_file::SceneSpec& spec, bool lenient, Remarks& remarks)
       : spec_(spec), lenient_(lenient), remarks_(remarks) {}
 
   /// A robot's model by name or file, with the sensors of its files. Throws SetupError: no such file, a mistake in it,
@@ -33,7 +33,7 @@ class ModelSource {
   void check_materials(const Model& model) const;
 
  private:
-  const SceneSpec& spec_;
+  const scene_file::SceneSpec& spec_;
   bool lenient_;
   Remarks& remarks_;
   std::map<std::string, RobotKind> robots_;                              // equal robots share one

@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/catalog/property_catalog.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/servo_law.h"
-#include "murosimf/scene/property_catalog.h"
-#include "murosimf/scene/registry.h"
-#include "murosimf/scene/setting_targets.h"
-#include "murosimf/scene/unused_settings.h"
+#include "murosimf/scene_file/setting_targets.h"
+#include "murosimf/scene_file/unused_settings.h"
 
 namespace murosimf::scene {
 namespace {
@@ -82,13 +82,13 @@ const SettableProperty* find_settable(std::string_view name) {
   return found == settable.end() ? nullptr : &*found;
 }
 
-const RobotSpec* find_spec(const SceneSpec& spec, std::string_view name) {
-  const auto found = std::ranges::find(spec.robots, name, &RobotSpec::name);
+const scene_file::RobotSpec* find_spec(const scene_file::SceneSpec& spec, std::string_view name) {
+  const auto found = std::ranges::find(spec.robots, name, &scene_file::RobotSpec::name);
   return found == spec.robots.end() ? nullptr : &*found;
 }
 
-bool changes_level_before(const SceneSpec& spec, const std::string& robot, double time) {
-  return std::ranges::any_of(spec.events, [&](const SceneEvent& event) {
+bool changes_level_before(const scene_file::SceneSpec& spec, const std::string& robot, double time) {
+  return std::ranges::any_of(spec.events, [&](const scene_file::SceneEvent& event) {
     const bool concerned = std::ranges::find(event.entities, robot) != event.entities.end();
     return concerned && event.key == "level" && event.time <= time;
   });
@@ -104,7 +104,8 @@ std::string called(const Entity& entity, int index) {
 }
 
 /// As setting it now would find it. False if there is no such property yet, but a level may bring it.
-bool can_be_set(Entity& entity, ObjectAccess object, int index, const PropertySetting& setting, bool level_changes) {
+bool can_be_set(Entity& entity, ObjectAccess object, int index, const scene_file::PropertySetting& setting,
+                bool level_changes) {
   const ColumnBase* column = entity.find(setting.property);
   if (!column && level_changes && is_variable(setting.property)) return false;
   if (!column && is_variable(setting.property)) {
@@ -151,7 +152,7 @@ void check_writers(const Simulation& simulation, const Entity& entity, int index
 }
 
 /// What a servo does with its supply; empty if it needs it.
-std::string why_no_motor(const Servo& servo, const RobotSpec& robot, std::string_view property) {
+std::string why_no_motor(const Servo& servo, const scene_file::RobotSpec& robot, std::string_view property) {
   if (motion::with_law(servo, robot.servo_law).law != "dc_motor") return "the law of this servo has no motor";
   if (property == "supply_voltage" && servo.voltage <= 0)
     return "this servo has no 'voltage' that it could differ from";
@@ -160,7 +161,7 @@ std::string why_no_motor(const Servo& servo, const RobotSpec& robot, std::string
 }
 
 /// Which of the two targets a joint has; empty if it is this one.
-std::string why_no_target(const Model& model, int joint, const std::vector<const LevelType*>& levels,
+std::string why_no_target(const Model& model, int joint, const std::vector<const catalog::LevelType*>& levels,
                           std::string_view property) {
   const Servo* servo = model.find(properties::servo, joint);
   const bool of_rate = servo && motion::follows_rate(*servo);
@@ -168,24 +169,27 @@ std::string why_no_target(const Model& model, int joint, const std::vector<const
     return fmt::format("this joint follows '{}'", of_rate ? "joint_velocity_target" : "joint_target");
   }
   if (model.find(properties::joint_coupling, joint)) return "this joint follows another one";
-  const auto needs_servo = [](const LevelType* level) { return has_word(level->options, "servo_law"); };
+  const auto needs_servo = [](const catalog::LevelType* level) {
+    return catalog::has_word(level->options, "servo_law");
+  };
   if (!servo && std::ranges::all_of(levels, needs_servo)) return "this joint has no servo and hangs free";
   return {};
 }
 
 /// It would move a base that is bolted to the world.
-bool moves_fixed_base(const RobotSpec& robot, const std::vector<const LevelType*>& levels, int index,
-                      std::string_view property) {
+bool moves_fixed_base(const scene_file::RobotSpec& robot, const std::vector<const catalog::LevelType*>& levels,
+                      int index, std::string_view property) {
   const bool moves = property == "linear_velocity" || property == "angular_velocity" || property == "applied_force";
-  return robot.fixed_base && index == 0 && moves &&
-         std::ranges::all_of(levels, [](const LevelType* level) { return has_word(level->options, "fixed_base"); });
+  return robot.fixed_base && index == 0 && moves && std::ranges::all_of(levels, [](const catalog::LevelType* level) {
+           return catalog::has_word(level->options, "fixed_base");
+         });
 }
 
-std::string why_it_does_not_act(const SceneSpec& spec, const RobotSpec& robot, const Entity& entity, int index,
-                                const SettableProperty& property, double time) {
-  const auto levels = levels_from(spec, robot, time);
-  const bool acts = !property.of_level || std::ranges::any_of(levels, [&](const LevelType* level) {
-    return has_word(level->inputs, property.name);
+std::string why_it_does_not_act(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot,
+                                const Entity& entity, int index, const SettableProperty& property, double time) {
+  const auto levels = scene_file::levels_from(spec, robot, time);
+  const bool acts = !property.of_level || std::ranges::any_of(levels, [&](const catalog::LevelType* level) {
+    return catalog::has_word(level->inputs, property.name);
   });
   if (!acts) return fmt::format("{} does not use '{}'", levels.front()->name, property.name);
   if (moves_fixed_base(robot, levels, index, property.name)) return "its base is fixed";
@@ -201,14 +205,14 @@ std::string why_it_does_not_act(const SceneSpec& spec, const RobotSpec& robot, c
   return {};
 }
 
-bool moves_height(const PropertySetting& setting, const Entity& entity) {
+bool moves_height(const scene_file::PropertySetting& setting, const Entity& entity) {
   const auto* place = entity.find(properties::position);
   return setting.property == "position" && place && setting.numbers[2] != place->values[0].z;
 }
 
 /// check_setting for one of the objects that are meant.
-std::string check_object(Simulation& simulation, const SceneSpec& spec, const PropertySetting& setting, Entity& entity,
-                         int index, double time) {
+std::string check_object(Simulation& simulation, const scene_file::SceneSpec& spec,
+                         const scene_file::PropertySetting& setting, Entity& entity, int index, double time) {
   const ObjectAccess object(entity, index);
   if (!can_be_set(entity, object, index, setting, changes_level_before(spec, entity.name(), time))) return {};
   const SettableProperty* property = find_settable(setting.property);
@@ -222,11 +226,12 @@ std::string check_object(Simulation& simulation, const SceneSpec& spec, const Pr
       throw SetupError(fmt::format("{}: '{}' {}", called(entity, index), setting.property, why));
     }
   }
-  const RobotSpec* robot = find_spec(spec, entity.name());
+  const scene_file::RobotSpec* robot = find_spec(spec, entity.name());
   if (!robot) return {};  // a ball is at one level, which has them all
   if (auto why = why_it_does_not_act(spec, *robot, entity, index, *property, time); !why.empty()) return why;
-  const auto levels = levels_from(spec, *robot, time);
-  if (!has_word(levels.front()->options, "position.z") && levels.size() == 1 && moves_height(setting, entity)) {
+  const auto levels = scene_file::levels_from(spec, *robot, time);
+  if (!catalog::has_word(levels.front()->options, "position.z") && levels.size() == 1 &&
+      moves_height(setting, entity)) {
     return fmt::format("{} does not use z of 'position'", levels.front()->name);
   }
   return {};
@@ -234,17 +239,17 @@ std::string check_object(Simulation& simulation, const SceneSpec& spec, const Pr
 
 }  // namespace
 
-std::string check_setting(Simulation& simulation, const SceneSpec& spec, const PropertySetting& setting,
-                          const std::string& name, double time) {
+std::string check_setting(Simulation& simulation, const scene_file::SceneSpec& spec,
+                          const scene_file::PropertySetting& setting, const std::string& name, double time) {
   Entity& entity = simulation.world().entity(name);
-  for (const int index : objects_meant(entity.model(), setting.object, setting.property)) {
+  for (const int index : scene_file::objects_meant(entity.model(), setting.object, setting.property)) {
     if (auto why = check_object(simulation, spec, setting, entity, index, time); !why.empty()) return why;
   }
   return {};
 }
 
-std::string check_command(const RobotSpec& robot, const Model& model, const Vec3d& command) {
-  const ControllerType& controller = find_entry(controllers(), "controller", robot.controller);
+std::string check_command(const scene_file::RobotSpec& robot, const Model& model, const Vec3d& command) {
+  const catalog::ControllerType& controller = find_entry(catalog::controllers(), "controller", robot.controller);
   if (!controller.attainable || is_zero(command)) return {};
   const Vec3d most = controller.attainable(model, command);
   if (norm(most - command) < 1e-9) return {};
@@ -254,15 +259,15 @@ std::string check_command(const RobotSpec& robot, const Model& model, const Vec3
       command.x, command.y, command.z, robot.controller, most.x, most.y, most.z);
 }
 
-std::string setting_path(const PropertySetting& setting, const Entity& entity) {
-  if (setting.object.empty() && is_of_joints(setting.property)) {
+std::string setting_path(const scene_file::PropertySetting& setting, const Entity& entity) {
+  if (setting.object.empty() && scene_file::is_of_joints(setting.property)) {
     return fmt::format("{}.{}", entity.name(), setting.property);
   }
   const std::string& object = setting.object.empty() ? entity.model().objects()[0].name : setting.object;
   return fmt::format("{}.{}.{}", entity.name(), object, setting.property);
 }
 
-std::string to_text(const PropertySetting& setting, const Entity& entity) {
+std::string to_text(const scene_file::PropertySetting& setting, const Entity& entity) {
   const std::string value = setting.numbers.size() == 1 ? fmt::format("{}", setting.numbers[0])
                                                         : fmt::format("[{}]", fmt::join(setting.numbers, ", "));
   return fmt::format("{} = {}", setting_path(setting, entity), value);

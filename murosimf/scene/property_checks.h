@@ -7,23 +7,24 @@
 #include <string>
 
 #include "murosimf/runtime/simulation.h"
-#include "murosimf/scene/scene_spec.h"
+#include "murosimf/scene_file/scene_spec.h"
 
 namespace murosimf::scene {
 
 /// Of one entity, after initialize(). `time` [s]: when it will be set. Throws SetupError if there is no such object or
 /// property, if the numbers are too many, too few or impossible, or if an algorithm would overwrite them. Returns what
 /// the user should know because it changes nothing, without the entity's name; empty if it acts.
-[[nodiscard]] std::string check_setting(Simulation& simulation, const SceneSpec& spec, const PropertySetting& setting,
-                                        const std::string& entity, double time);
+[[nodiscard]] std::string check_setting(Simulation& simulation, const scene_file::SceneSpec& spec,
+                                        const scene_file::PropertySetting& setting, const std::string& entity,
+                                        double time);
 
 /// What a controller makes of a walking velocity that is more than it can; empty if it follows it.
-[[nodiscard]] std::string check_command(const RobotSpec& robot, const Model& model, const Vec3d& command);
+[[nodiscard]] std::string check_command(const scene_file::RobotSpec& robot, const Model& model, const Vec3d& command);
 
 /// "walker.pelvis.applied_force"; "walker.joint_target" of all joints.
-[[nodiscard]] std::string setting_path(const PropertySetting& setting, const Entity& entity);
+[[nodiscard]] std::string setting_path(const scene_file::PropertySetting& setting, const Entity& entity);
 
 /// "walker.pelvis.applied_force = [0, 20, 0, 0, 0, 0]"
-[[nodiscard]] std::string to_text(const PropertySetting& setting, const Entity& entity);
+[[nodiscard]] std::string to_text(const scene_file::PropertySetting& setting, const Entity& entity);
 
 }  // namespace murosimf::scene

@@ -7,9 +7,9 @@
 namespace murosimf::scene {
 namespace {
 
-SceneSpec read(const std::filesystem::path& name, const SceneOptions& options) {
+scene_file::SceneSpec read(const std::filesystem::path& name, const SceneOptions& options) {
   const auto file = files::find_data_file(name.string(), "scenes", ".toml");
-  SceneSpec spec = read_scene(file, options.overrides, options.events, options.pushes);
+  scene_file::SceneSpec spec = scene_file::read_scene(file, options.overrides, options.events, options.pushes);
   if (options.seed) spec.seed = *options.seed;
   return spec;
 }

@@ -21,7 +21,7 @@ class Scene {
   Scene(const Scene&) = delete;  // the simulation calls back into its parts
   Scene& operator=(const Scene&) = delete;
 
-  [[nodiscard]] const SceneSpec& spec() const { return parts_.spec; }
+  [[nodiscard]] const scene_file::SceneSpec& spec() const { return parts_.spec; }
   [[nodiscard]] Simulation& simulation() { return *parts_.simulation; }
   [[nodiscard]] const Simulation& simulation() const { return *parts_.simulation; }
   /// Robots, ball and bodies, in the order of sensors' labels.

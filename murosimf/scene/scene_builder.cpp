@@ -2,62 +2,64 @@
 
 #include <algorithm>
 
+#include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/body_contact.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/motion/odometer.h"
-#include "murosimf/scene/field.h"
-#include "murosimf/scene/motion_file.h"
-#include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene/scene_entities.h"
 #include "murosimf/scene/scene_exchange.h"
 #include "murosimf/scene/scene_pushing.h"
 #include "murosimf/scene/scene_sensors.h"
 #include "murosimf/scene/scene_settings.h"
+#include "murosimf/scene_file/field.h"
+#include "murosimf/scene_file/level_options.h"
+#include "murosimf/scene_file/motion_file.h"
 
 namespace murosimf::scene {
 namespace {
 
-ControllerOptions controller_options(const SceneParts& parts, const RobotSpec& robot) {
-  const SceneSpec& spec = parts.spec;
-  ControllerOptions options;
+catalog::ControllerOptions controller_options(const SceneParts& parts, const scene_file::RobotSpec& robot) {
+  const scene_file::SceneSpec& spec = parts.spec;
+  catalog::ControllerOptions options;
   options.everybody = parts.moving_entities;
   options.command = robot.command;
-  const FieldSize& field = field_size(spec.field.size);
+  const scene_file::FieldSize& field = scene_file::field_size(spec.field.size);
   options.half_field = {0.5 * field.length, 0.5 * field.width, 0};
   options.start = {robot.position.x, robot.position.y, robot.heading};
-  options.markings = field_markings(field);
+  options.markings = scene_file::field_markings(field);
   options.seed = spec.seed;
-  for (const TeamSpec& team : spec.teams) {
+  for (const scene_file::TeamSpec& team : spec.teams) {
     if (team.name == robot.team) options.attacks = team.attacks;
   }
   if (!robot.motion.empty()) {
-    options.motion =
-        with_context(robot.where, [&] { return read_motion(find_motion(robot.motion, spec.file.parent_path())); });
+    options.motion = with_context(robot.where, [&] {
+      return scene_file::read_motion(scene_file::find_motion(robot.motion, spec.file.parent_path()));
+    });
   }
   return options;
 }
 
 void attach_controllers(SceneParts& parts) {
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
-    const RobotSpec& robot = parts.spec.robots[i];
-    const ControllerOptions options = controller_options(parts, robot);
-    const ControllerType& controller = find_entry(controllers(), "controller", robot.controller);
+    const scene_file::RobotSpec& robot = parts.spec.robots[i];
+    const catalog::ControllerOptions options = controller_options(parts, robot);
+    const catalog::ControllerType& controller = find_entry(catalog::controllers(), "controller", robot.controller);
     with_context(robot.where, [&] { controller.attach(*parts.simulation, *parts.robots[i], options); });
   }
 }
 
 /// Also for those whom no force moves: they may change their level.
 void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law) {
-  if (find_entry(levels(), "level", level).dynamic) entity.contact = law;
+  if (find_entry(catalog::levels(), "level", level).dynamic) entity.contact = law;
   parts.ground_contacts.push_back(
       &parts.simulation->attach<collision::GroundContact>("ground_contact", entity, parts.spec.rate, parts.field,
-                                                          find_entry(contacts(), "contact law", law).make(),
+                                                          find_entry(catalog::contacts(), "contact law", law).make(),
                                                           parts.spec.materials));
 }
 
 void attach_contact(SceneParts& parts) {
-  const SceneSpec& spec = parts.spec;
+  const scene_file::SceneSpec& spec = parts.spec;
   if (parts.ball) attach_ground_contact(parts, *parts.ball, parts.ball->level, spec.ball->contact);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
     attach_ground_contact(parts, *parts.robots[i], parts.robots[i]->level, spec.robots[i].contact);
@@ -68,8 +70,8 @@ void attach_contact(SceneParts& parts) {
                                                    collision::BodyContactOptions{.law = spec.body_contact});
 }
 
-void attach_level(SceneParts& parts, Entity& entity, const LevelOptions& options) {
-  const LevelType& level = find_entry(levels(), "level", entity.level);
+void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options) {
+  const catalog::LevelType& level = find_entry(catalog::levels(), "level", entity.level);
   parts.simulation->attach(entity.level, entity, parts.spec.rate,
                            [&](Setup& setup) { return level.make(setup, options); });
 }
@@ -77,9 +79,9 @@ void attach_level(SceneParts& parts, Entity& entity, const LevelOptions& options
 void attach_motion(SceneParts& parts) {
   if (parts.ball) attach_level(parts, *parts.ball, {});
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
-    const RobotSpec& robot = parts.spec.robots[i];
+    const scene_file::RobotSpec& robot = parts.spec.robots[i];
     warn_about_level(parts, robot);
-    with_context(robot.where, [&] { attach_level(parts, *parts.robots[i], level_options(robot)); });
+    with_context(robot.where, [&] { attach_level(parts, *parts.robots[i], scene_file::level_options(robot)); });
   }
   for (Entity* body : parts.bodies) {
     with_context(body_spec(parts.spec, *body)->where, [&] { attach_level(parts, *body, {}); });

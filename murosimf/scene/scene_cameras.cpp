@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include "murosimf/appearance/entity_appearance.h"
+#include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/model/error.h"
 #include "murosimf/render/renderer.h"
-#include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene_parts.h"
 
 namespace murosimf::scene {
 namespace {
 
-render::Light light_of(const LightSpec& spec) {
+render::Light light_of(const scene_file::LightSpec& spec) {
   render::Light light = find_entry(render::lights(), "light", spec.name).light;
   if (spec.toward) light.toward = *spec.toward;
   for (Color* color : {&light.lamp, &light.sky, &light.ground}) {
@@ -23,7 +23,7 @@ render::Light light_of(const LightSpec& spec) {
 
 }  // namespace
 
-std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const LightSpec& light) {
+std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const scene_file::LightSpec& light) {
   appearance::AppearanceLibrary library;
   auto renderer = std::make_unique<render::Renderer>(
       parts.simulation->world(), parts.moving_entities,

@@ -9,14 +9,17 @@ namespace murosimf::render {
 class Renderer;
 }
 
+namespace murosimf::scene_file {
+struct LightSpec;
+}
+
 namespace murosimf::scene {
 
-struct LightSpec;
 struct SceneParts;
 
 /// A renderer of the scene in this light. The scene must be initialized and outlive it. Throws SetupError if this machine
 /// or this build cannot draw.
-[[nodiscard]] std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const LightSpec& light);
+[[nodiscard]] std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const scene_file::LightSpec& light);
 
 /// Draws for the cameras of a scene, in its light. Made when the first of them asks.
 class CameraRenderer {

@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/property_checks.h"
-#include "murosimf/scene/registry.h"
-#include "murosimf/scene/setting_targets.h"
 #include "murosimf/scene/start_overlaps.h"
-#include "murosimf/scene/unused_settings.h"
+#include "murosimf/scene_file/setting_targets.h"
+#include "murosimf/scene_file/unused_settings.h"
 
 namespace murosimf::scene {
 namespace {
@@ -26,7 +26,7 @@ void add_materials(const Model& model, std::set<std::string>& names) {
   }
 }
 
-void check_no_contact(Remarks& remarks, const RobotSpec& robot, const Model& model) {
+void check_no_contact(Remarks& remarks, const scene_file::RobotSpec& robot, const Model& model) {
   const auto given = robot.given.find("no_contact");
   if (given == robot.given.end()) return;
   for (const auto& [a, b] : robot.collision.never) {
@@ -41,7 +41,7 @@ void check_no_contact(Remarks& remarks, const RobotSpec& robot, const Model& mod
   }
 }
 
-void check_property(SceneParts& parts, const PropertySetting& setting, double time) {
+void check_property(SceneParts& parts, const scene_file::PropertySetting& setting, double time) {
   for (const std::string& entity : setting.entities) {
     with_context(setting.where, [&] {
       if (const auto line = check_setting(*parts.simulation, parts.spec, setting, entity, time); !line.empty()) {
@@ -51,7 +51,7 @@ void check_property(SceneParts& parts, const PropertySetting& setting, double ti
     if (setting.property != properties::walk_command.name || setting.numbers.size() != 3) continue;
     const Vec3d command{setting.numbers[0], setting.numbers[1], setting.numbers[2]};
     for (std::size_t i = 0; i < parts.robots.size(); ++i) {
-      const RobotSpec& robot = parts.spec.robots[i];
+      const scene_file::RobotSpec& robot = parts.spec.robots[i];
       if (robot.name != entity) continue;
       const auto line = check_command(robot, parts.robots[i]->model(), command);
       if (!line.empty()) parts.remarks.warn(entity, fmt::format("{} ({})", line, setting.where));
@@ -59,8 +59,8 @@ void check_property(SceneParts& parts, const PropertySetting& setting, double ti
   }
 }
 
-void warn_about_steps(SceneParts& parts, const RobotSpec& robot, bool servos) {
-  const ContactLawType& law = find_entry(contacts(), "contact law", robot.contact);
+void warn_about_steps(SceneParts& parts, const scene_file::RobotSpec& robot, bool servos) {
+  const catalog::ContactLawType& law = find_entry(catalog::contacts(), "contact law", robot.contact);
   const double longest = servos ? law.longest_servo_step : law.longest_step;
   if (1 / parts.spec.rate <= longest * (1 + 1e-9)) return;
   parts.remarks.warn(robot.name,
@@ -68,7 +68,7 @@ void warn_about_steps(SceneParts& parts, const RobotSpec& robot, bool servos) {
                                  robot.contact, robot.level, 1e3 * longest, 1e3 / parts.spec.rate));
 }
 
-void warn_about_missing_servos(SceneParts& parts, const RobotSpec& robot) {
+void warn_about_missing_servos(SceneParts& parts, const scene_file::RobotSpec& robot) {
   const Model& model = parts.simulation->world().entity(robot.name).model();
   const auto joints = model.joints();
   const auto without =
@@ -81,16 +81,16 @@ void warn_about_missing_servos(SceneParts& parts, const RobotSpec& robot) {
 }  // namespace
 
 void warn_about_settings(SceneParts& parts) {
-  const SceneSpec& spec = parts.spec;
-  parts.remarks.warn(unused_keys(spec));
+  const scene_file::SceneSpec& spec = parts.spec;
+  parts.remarks.warn(scene_file::unused_keys(spec));
   std::set<std::string> materials;
   add_materials(parts.field->model(), materials);
   for (const Entity* moving_entity : parts.moving_entities) add_materials(moving_entity->model(), materials);
   const std::vector<std::string> used(materials.begin(), materials.end());
-  parts.remarks.warn(unused_pairs(spec, used));
-  if (auto line = unused_friction_direction(spec, used); !line.empty()) parts.remarks.warn(std::move(line));
+  parts.remarks.warn(scene_file::unused_pairs(spec, used));
+  if (auto line = scene_file::unused_friction_direction(spec, used); !line.empty()) parts.remarks.warn(std::move(line));
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
-    const RobotSpec& robot = spec.robots[i];
+    const scene_file::RobotSpec& robot = spec.robots[i];
     const Model& model = parts.robots[i]->model();
     check_no_contact(parts.remarks, robot, model);
     if (const auto line = check_command(robot, model, robot.command); !line.empty())
@@ -99,10 +99,10 @@ void warn_about_settings(SceneParts& parts) {
 }
 
 void check_properties(SceneParts& parts) {
-  for (const PropertySetting& setting : parts.spec.settings) {
+  for (const scene_file::PropertySetting& setting : parts.spec.settings) {
     if (!is_constant(setting)) check_property(parts, setting, 0);  // constants were checked with the model
   }
-  for (const SceneEvent& event : parts.spec.events) {
+  for (const scene_file::SceneEvent& event : parts.spec.events) {
     if (event.setting) check_property(parts, *event.setting, event.time);
   }
 }
@@ -110,10 +110,10 @@ void check_properties(SceneParts& parts) {
 void warn_about_start(SceneParts& parts) { parts.remarks.warn(start_overlaps(*parts.field, parts.moving_entities)); }
 
 void warn_about_static_bodies(SceneParts& parts) {
-  if (std::ranges::none_of(parts.spec.bodies, &BodySpec::is_static)) return;
+  if (std::ranges::none_of(parts.spec.bodies, &scene_file::BodySpec::is_static)) return;
   std::vector<std::string_view> walkers;
-  for (const RobotSpec& robot : parts.spec.robots) {
-    if (!find_entry(levels(), "level", robot.level).dynamic) walkers.emplace_back(robot.name);
+  for (const scene_file::RobotSpec& robot : parts.spec.robots) {
+    if (!find_entry(catalog::levels(), "level", robot.level).dynamic) walkers.emplace_back(robot.name);
   }
   if (walkers.empty()) return;
   parts.remarks.warn(fmt::format("{}", fmt::join(walkers, ", ")),
@@ -121,9 +121,9 @@ void warn_about_static_bodies(SceneParts& parts) {
                      "onto them");
 }
 
-void warn_about_level(SceneParts& parts, const RobotSpec& robot) {
+void warn_about_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   const bool servos = robot.level == "articulated_dynamics";
-  if (find_entry(levels(), "level", robot.level).dynamic) warn_about_steps(parts, robot, servos);
+  if (find_entry(catalog::levels(), "level", robot.level).dynamic) warn_about_steps(parts, robot, servos);
   if (servos) warn_about_missing_servos(parts, robot);
 }
 

@@ -20,6 +20,6 @@ void warn_about_start(SceneParts& parts);
 void warn_about_static_bodies(SceneParts& parts);
 
 /// What a user may have overlooked in a robot's level: steps too long for it, joints without servos.
-void warn_about_level(SceneParts& parts, const RobotSpec& robot);
+void warn_about_level(SceneParts& parts, const scene_file::RobotSpec& robot);
 
 }  // namespace murosimf::scene

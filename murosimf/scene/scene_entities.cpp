@@ -5,7 +5,7 @@
 
 #include "murosimf/math/random.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/scene/field.h"
+#include "murosimf/scene_file/field.h"
 
 namespace murosimf::scene {
 namespace {
@@ -13,12 +13,12 @@ namespace {
 /// Bodies that stand are part of it.
 void add_field(SceneParts& parts, const ModelSource& models) {
   std::vector<Chain> standing;
-  for (const BodySpec& body : parts.spec.bodies) {
-    if (body.is_static) standing.push_back(static_body(body));
+  for (const scene_file::BodySpec& body : parts.spec.bodies) {
+    if (body.is_static) standing.push_back(scene_file::static_body(body));
   }
-  const FieldSpec& field = parts.spec.field;
-  const ModelPtr model =
-      field_model(field_size(field.size), field.surface, field.friction_direction, field.goals, standing);
+  const scene_file::FieldSpec& field = parts.spec.field;
+  const ModelPtr model = scene_file::field_model(scene_file::field_size(field.size), field.surface,
+                                                 field.friction_direction, field.goals, standing);
   parts.field = &parts.simulation->world().add("field", model);
   models.check_materials(*model);
 }
@@ -26,7 +26,7 @@ void add_field(SceneParts& parts, const ModelSource& models) {
 void add_ball(SceneParts& parts, ModelSource& models) {
   EntityOptions options;
   options.position = parts.spec.ball->position;
-  const ModelPtr model = models.changed_for("ball", ball_model(parts.spec.ball->options));
+  const ModelPtr model = models.changed_for("ball", scene_file::ball_model(parts.spec.ball->options));
   models.check_materials(*model);
   options.color = model->find(properties::shapes, 0)->front().color;
   parts.ball = &parts.simulation->world().add("ball", model, options);
@@ -42,7 +42,7 @@ Mat3d random_tilt(const RandomStream& random, double largest) {
                   random.uniform(5, -largest, largest));
 }
 
-EntityOptions options_of(const SceneSpec& spec, const RobotSpec& robot) {
+EntityOptions options_of(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot) {
   EntityOptions options;
   const RandomStream random(spec.seed, robot.name + "/start");
   const double j = spec.jitter_position;
@@ -51,13 +51,13 @@ EntityOptions options_of(const SceneSpec& spec, const RobotSpec& robot) {
   options.attitude = random_tilt(random, spec.jitter_tilt) * rotation_y(robot.pitch) * rotation_x(robot.roll);
   options.collision = robot.collision;
   options.team = robot.team;
-  for (const TeamSpec& team : spec.teams) {
+  for (const scene_file::TeamSpec& team : spec.teams) {
     if (team.name == robot.team) options.color = team.color;
   }
   return options;
 }
 
-void add_robot(SceneParts& parts, ModelSource& models, const RobotSpec& robot) {
+void add_robot(SceneParts& parts, ModelSource& models, const scene_file::RobotSpec& robot) {
   const EntityOptions options = options_of(parts.spec, robot);
   const ModelPtr model = models.changed_for(robot.name, models.robot(robot.model, robot.where).model);
   Entity& entity =
@@ -68,13 +68,13 @@ void add_robot(SceneParts& parts, ModelSource& models, const RobotSpec& robot) {
   parts.moving_entities.push_back(&entity);
 }
 
-void add_body(SceneParts& parts, ModelSource& models, const BodySpec& body) {
+void add_body(SceneParts& parts, ModelSource& models, const scene_file::BodySpec& body) {
   EntityOptions options;
   options.position = body.position;
   options.heading = body.heading;
   options.attitude = rotation_y(body.pitch) * rotation_x(body.roll);
   options.color = body.color;
-  const ModelPtr own = body.shape ? body_model(body) : models.robot(body.model, body.where).model;
+  const ModelPtr own = body.shape ? scene_file::body_model(body) : models.robot(body.model, body.where).model;
   models.check_materials(*own);
   Entity& entity = parts.simulation->world().add(body.name, models.changed_for(body.name, own), options);
   entity.level = "simplified_dynamics";
@@ -88,8 +88,8 @@ void add_body(SceneParts& parts, ModelSource& models, const BodySpec& body) {
 void add_entities(SceneParts& parts, ModelSource& models) {
   add_field(parts, models);
   if (parts.spec.ball) add_ball(parts, models);
-  for (const RobotSpec& robot : parts.spec.robots) add_robot(parts, models, robot);
-  for (const BodySpec& body : parts.spec.bodies) {
+  for (const scene_file::RobotSpec& robot : parts.spec.robots) add_robot(parts, models, robot);
+  for (const scene_file::BodySpec& body : parts.spec.bodies) {
     if (!body.is_static) with_context(body.where, [&] { add_body(parts, models, body); });
   }
 }
@@ -97,7 +97,7 @@ void add_entities(SceneParts& parts, ModelSource& models) {
 void start_moving(SceneParts& parts) {
   if (parts.ball) parts.ball->base().set(properties::linear_velocity, parts.spec.ball->velocity);
   for (Entity* entity : parts.bodies) {
-    const BodySpec& body = *body_spec(parts.spec, *entity);
+    const scene_file::BodySpec& body = *body_spec(parts.spec, *entity);
     entity->base().set(properties::linear_velocity, body.velocity);
     entity->base().set(properties::angular_velocity, body.angular_velocity);
   }

@@ -4,24 +4,25 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/model_constants.h"
-#include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene/scene_sensors.h"
 #include "murosimf/scene/scene_settings.h"
-#include "murosimf/scene/setting_targets.h"
+#include "murosimf/scene_file/level_options.h"
+#include "murosimf/scene_file/setting_targets.h"
 
 namespace murosimf::scene {
 namespace {
 
 /// The level of the spec, instead of the robot's present one.
-void renew_level(SceneParts& parts, const RobotSpec& robot) {
+void renew_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   Entity& entity = parts.simulation->world().entity(robot.name);
-  const LevelType& level = find_entry(levels(), "level", robot.level);
-  const LevelOptions options = level_options(robot);
+  const catalog::LevelType& level = find_entry(catalog::levels(), "level", robot.level);
+  const catalog::LevelOptions options = scene_file::level_options(robot);
   std::string overload = motion::overload_message(entity);  // the level that goes takes it along
   parts.simulation->exchange(robot.level, entity, [&](Setup& setup) { return level.make(setup, options); });
   if (!overload.empty()) parts.remarks.warn(std::move(overload));
@@ -38,7 +39,7 @@ std::size_t number_of(const SceneParts& parts, std::string_view entity) {
   return static_cast<std::size_t>(found - parts.moving_entities.begin());
 }
 
-void apply(SceneParts& parts, const SceneEvent& event, const std::string& entity) {
+void apply(SceneParts& parts, const scene_file::SceneEvent& event, const std::string& entity) {
   with_context(event.where, [&] {
     if (event.setting) return apply(parts, *event.setting, entity);
     if (event.key == "level") return exchange_level(parts, entity, event.value);
@@ -48,29 +49,29 @@ void apply(SceneParts& parts, const SceneEvent& event, const std::string& entity
 }
 
 /// Throws SetupError for constants, and objects that the entity does not have.
-void check_setting_of(const SceneEvent& event, const Model& model) {
+void check_setting_of(const scene_file::SceneEvent& event, const Model& model) {
   with_context(event.where, [&] {
     if (is_constant(*event.setting)) {
       throw SetupError(fmt::format("'{}' is a constant of the model; set it before the run, by --set", event.key));
     }
-    (void)objects_meant(model, event.setting->object, event.setting->property);
+    (void)scene_file::objects_meant(model, event.setting->object, event.setting->property);
   });
 }
 
 }  // namespace
 
 void exchange_level(SceneParts& parts, std::string_view robot, std::string_view level) {
-  RobotSpec& spec = robot_spec(parts.spec, robot);
-  RobotSpec changed = spec;
-  changed.level = find_entry(levels(), "level", level).name;
+  scene_file::RobotSpec& spec = robot_spec(parts.spec, robot);
+  scene_file::RobotSpec changed = spec;
+  changed.level = find_entry(catalog::levels(), "level", level).name;
   renew_level(parts, changed);
   if (changed.level == spec.level) parts.simulation->record(fmt::format("{}: {}, as before", robot, level));
   spec = std::move(changed);
 }
 
 void exchange_servo_law(SceneParts& parts, std::string_view robot, std::string_view law) {
-  RobotSpec& spec = robot_spec(parts.spec, robot);
-  RobotSpec changed = spec;
+  scene_file::RobotSpec& spec = robot_spec(parts.spec, robot);
+  scene_file::RobotSpec changed = spec;
   changed.servo_law = find_entry(motion::servo_laws(), "servo law", law).name;
   if (spec.level == "articulated_dynamics") renew_level(parts, changed);
   parts.simulation->record(fmt::format("{}: servo law {}", robot, law));
@@ -78,7 +79,7 @@ void exchange_servo_law(SceneParts& parts, std::string_view robot, std::string_v
 }
 
 void exchange_contact(SceneParts& parts, std::string_view entity, std::string_view law) {
-  const ContactLawType& contact = find_entry(contacts(), "contact law", law);
+  const catalog::ContactLawType& contact = find_entry(catalog::contacts(), "contact law", law);
   const std::size_t number = number_of(parts, entity);
   Entity& changed = *parts.moving_entities[number];
   parts.ground_contacts[number]->exchange_law(contact.make());
@@ -89,14 +90,14 @@ void exchange_contact(SceneParts& parts, std::string_view entity, std::string_vi
     changed.contact = law;
     return;
   }
-  RobotSpec& robot = robot_spec(parts.spec, entity);
+  scene_file::RobotSpec& robot = robot_spec(parts.spec, entity);
   robot.contact = law;
-  if (find_entry(levels(), "level", robot.level).dynamic) changed.contact = law;
+  if (find_entry(catalog::levels(), "level", robot.level).dynamic) changed.contact = law;
   warn_about_level(parts, robot);
 }
 
 void schedule_events(SceneParts& parts) {
-  for (const SceneEvent& event : parts.spec.events) {
+  for (const scene_file::SceneEvent& event : parts.spec.events) {
     for (const std::string& entity : event.entities) {
       if (event.setting) check_setting_of(event, parts.simulation->world().entity(entity).model());
       // a call for everybody: one who refuses does not keep the others from changing

@@ -4,21 +4,21 @@
 
 namespace murosimf::scene {
 
-SceneParts::SceneParts(SceneSpec what, int threads)
+SceneParts::SceneParts(scene_file::SceneSpec what, int threads)
     : spec(std::move(what)), simulation(std::make_unique<Simulation>(threads)) {}
 
 SceneParts::~SceneParts() = default;
 
-const BodySpec* body_spec(const SceneSpec& spec, const Entity& entity) {
-  for (const BodySpec& body : spec.bodies) {
+const scene_file::BodySpec* body_spec(const scene_file::SceneSpec& spec, const Entity& entity) {
+  for (const scene_file::BodySpec& body : spec.bodies) {
     if (body.name == entity.name()) return &body;
   }
   return nullptr;
 }
 
-RobotSpec& robot_spec(SceneSpec& spec, std::string_view robot) {
+scene_file::RobotSpec& robot_spec(scene_file::SceneSpec& spec, std::string_view robot) {
   std::vector<std::string_view> names;
-  for (RobotSpec& known : spec.robots) {
+  for (scene_file::RobotSpec& known : spec.robots) {
     if (known.name == robot) return known;
     names.push_back(known.name);
   }

@@ -11,7 +11,7 @@
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/scene/remarks.h"
 #include "murosimf/scene/scene_cameras.h"
-#include "murosimf/scene/scene_spec.h"
+#include "murosimf/scene_file/scene_spec.h"
 #include "murosimf/sensors/sensor.h"
 
 namespace murosimf::collision {
@@ -22,12 +22,12 @@ namespace murosimf::scene {
 
 /// Stays where it is: the simulation calls back into it.
 struct SceneParts {
-  SceneParts(SceneSpec what, int threads);
+  SceneParts(scene_file::SceneSpec what, int threads);
   ~SceneParts();
   SceneParts(const SceneParts&) = delete;
   SceneParts& operator=(const SceneParts&) = delete;
 
-  SceneSpec spec;  ///< what the file says, with the levels and laws of now
+  scene_file::SceneSpec spec;  ///< what the file says, with the levels and laws of now
   std::unique_ptr<Simulation> simulation;
   Remarks remarks;
   std::map<std::string, int> times_set;  ///< how often each property was, by its path
@@ -43,9 +43,9 @@ struct SceneParts {
 };
 
 /// Null if the entity is no body of [[bodies]].
-[[nodiscard]] const BodySpec* body_spec(const SceneSpec& spec, const Entity& entity);
+[[nodiscard]] const scene_file::BodySpec* body_spec(const scene_file::SceneSpec& spec, const Entity& entity);
 
 /// Throws SetupError with the nearest name if there is no such robot.
-[[nodiscard]] RobotSpec& robot_spec(SceneSpec& spec, std::string_view robot);
+[[nodiscard]] scene_file::RobotSpec& robot_spec(scene_file::SceneSpec& spec, std::string_view robot);
 
 }  // namespace murosimf::scene

@@ -32,7 +32,7 @@ render::Path path_of(const SceneParts& parts, Entity& entity) {
   path.is_ball = &entity == parts.ball;
   path.number = appearance::jersey_number(entity.name());
   if (path.is_ball) path.size = parts.spec.ball->options.radius;
-  if (const BodySpec* body = body_spec(parts.spec, entity)) {  // as round things, too
+  if (const scene_file::BodySpec* body = body_spec(parts.spec, entity)) {  // as round things, too
     path.is_ball = true;
     if (body->shape) path.size = bounding_radius(*body->shape);
   }
@@ -50,7 +50,7 @@ void write_picture(const Scene& scene, const std::filesystem::path& file) {
   files::write_file(file, render::field_picture_png(*markings, paths, {.title = title}));
 }
 
-std::unique_ptr<render::Renderer> make_renderer(Scene& scene, const LightSpec& light) {
+std::unique_ptr<render::Renderer> make_renderer(Scene& scene, const scene_file::LightSpec& light) {
   return make_renderer(scene.parts(), light);
 }
 

@@ -18,6 +18,6 @@ void write_picture(const Scene& scene, const std::filesystem::path& file);
 
 /// A renderer for who looks from outside (murosimf render), in this light. The scene must be initialized and outlive it. Throws
 /// SetupError if this machine or this build cannot draw.
-[[nodiscard]] std::unique_ptr<render::Renderer> make_renderer(Scene& scene, const LightSpec& light);
+[[nodiscard]] std::unique_ptr<render::Renderer> make_renderer(Scene& scene, const scene_file::LightSpec& light);
 
 }  // namespace murosimf::scene

@@ -5,31 +5,31 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/motion/push.h"
-#include "murosimf/scene/registry.h"
-#include "murosimf/scene/setting_targets.h"
+#include "murosimf/scene_file/setting_targets.h"
 
 namespace murosimf::scene {
 namespace {
 
 std::string in_brackets(const Vec3d& v) { return fmt::format("({:g}, {:g}, {:g})", v.x, v.y, v.z); }
 
-std::string push_text(const std::string& whom, const PushSpec& push) {
+std::string push_text(const std::string& whom, const scene_file::PushSpec& push) {
   const std::string moment = norm(push.moment) > 0 ? fmt::format(", moment {} N m", in_brackets(push.moment)) : "";
   return fmt::format("push on {}: force {} N{}, until {:g} s", whom, in_brackets(push.force), moment, push.end);
 }
 
-int pushed_object(const Model& model, const PushSpec& push) {
-  const int object = objects_meant(model, push.object, "applied_force").front();
+int pushed_object(const Model& model, const scene_file::PushSpec& push) {
+  const int object = scene_file::objects_meant(model, push.object, "applied_force").front();
   const auto bodies = model.bodies();
   if (std::find(bodies.begin(), bodies.end(), object) != bodies.end()) return object;
   throw SetupError(fmt::format("'{}' has neither mass nor shape; push a body", model.objects()[object].name));
 }
 
 /// The level at which the robot will be then, as far as the scene says.
-std::string level_at(const SceneSpec& spec, const Entity& entity, double time) {
+std::string level_at(const scene_file::SceneSpec& spec, const Entity& entity, double time) {
   std::string level = entity.level;
-  for (const SceneEvent& event : spec.events) {
+  for (const scene_file::SceneEvent& event : spec.events) {
     const bool meant = std::find(event.entities.begin(), event.entities.end(), entity.name()) != event.entities.end();
     if (meant && !event.setting && event.key == "level" && event.time <= time) level = event.value;
   }
@@ -37,11 +37,11 @@ std::string level_at(const SceneSpec& spec, const Entity& entity, double time) {
 }
 
 /// Throws SetupError if its level ignores forces when the push begins.
-void check_feels(const SceneSpec& spec, const Entity& entity, const PushSpec& push) {
+void check_feels(const scene_file::SceneSpec& spec, const Entity& entity, const scene_file::PushSpec& push) {
   const std::string level = level_at(spec, entity, push.begin);
-  if (find_entry(levels(), "level", level).dynamic) return;
+  if (find_entry(catalog::levels(), "level", level).dynamic) return;
   std::vector<std::string_view> feeling;
-  for (const LevelType& other : levels()) {
+  for (const catalog::LevelType& other : catalog::levels()) {
     if (other.dynamic) feeling.push_back(other.name);
   }
   throw SetupError(fmt::format("'{}' is at {} then, which ignores forces; it feels them at {}", entity.name(), level,
@@ -52,7 +52,7 @@ void check_feels(const SceneSpec& spec, const Entity& entity, const PushSpec& pu
 
 void attach_pushes(SceneParts& parts) {
   std::map<Entity*, std::vector<motion::TimedPush>> all;
-  for (const PushSpec& push : parts.spec.pushes) {
+  for (const scene_file::PushSpec& push : parts.spec.pushes) {
     for (const std::string& name : push.entities)
       with_context(push.where, [&] {
         Entity* entity = parts.simulation->world().find(name);

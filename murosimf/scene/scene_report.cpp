@@ -70,15 +70,15 @@ RunReport make_report(const Scene& scene, Duration wall, const Lateness& latenes
 }
 
 std::string events_to_come(const Scene& scene) {
-  const SceneSpec& spec = scene.spec();
+  const scene_file::SceneSpec& spec = scene.spec();
   const Duration now = scene.simulation().now();
   if (now == Duration{}) return {};
   std::vector<std::pair<double, const std::string*>> late;  // [s], and where it is written
   const auto look_at = [&](double time, const std::string& where) {
     if (from_seconds(time) > now - scene.simulation().tick()) late.emplace_back(time, &where);
   };
-  for (const SceneEvent& event : spec.events) look_at(event.time, event.where);
-  for (const PushSpec& push : spec.pushes) look_at(push.begin, push.where);
+  for (const scene_file::SceneEvent& event : spec.events) look_at(event.time, event.where);
+  for (const scene_file::PushSpec& push : spec.pushes) look_at(push.begin, push.where);
   if (late.empty()) return {};
   const auto& [time, where] = *std::ranges::min_element(late, {}, [](const auto& one) { return one.first; });
   return fmt::format("the run ended at {:.3f} s: {} of {} {} did not come, the first at {:.3f} s ({})", seconds(now),

@@ -47,7 +47,8 @@ std::string fit_to_steps(sensors::SensorSpec& spec, double step_rate) {
   return remark;
 }
 
-std::vector<sensors::SensorSpec> sensors_of(SceneParts& parts, ModelSource& models, const RobotSpec& robot) {
+std::vector<sensors::SensorSpec> sensors_of(SceneParts& parts, ModelSource& models,
+                                            const scene_file::RobotSpec& robot) {
   std::vector<sensors::SensorSpec> specs;
   if (!robot.sensors.none) specs = models.robot(robot.model, robot.where).sensors;
   std::vector<SharedRemark> remarks;
@@ -58,8 +59,9 @@ std::vector<sensors::SensorSpec> sensors_of(SceneParts& parts, ModelSource& mode
 }
 
 /// "kinematic_walking: left_foot, right_foot: there are no ..."; empty if the level has all that the sensors show.
-std::string sensor_remarks(const SceneParts& parts, const RobotSpec& robot) {
-  const auto number = std::ranges::find(parts.spec.robots, robot.name, &RobotSpec::name) - parts.spec.robots.begin();
+std::string sensor_remarks(const SceneParts& parts, const scene_file::RobotSpec& robot) {
+  const auto number =
+      std::ranges::find(parts.spec.robots, robot.name, &scene_file::RobotSpec::name) - parts.spec.robots.begin();
   std::vector<SharedRemark> remarks;
   for (const sensors::Sensor* sensor : parts.sensors[static_cast<std::size_t>(number)]) {
     add_remark(sensor->remark(robot.level), sensor->reading().info->name, remarks);
@@ -88,7 +90,7 @@ void attach_sensors(SceneParts& parts, ModelSource& models) {
 
 void note_about_sensors(SceneParts& parts) {
   std::vector<SharedRemark> remarks;
-  for (const RobotSpec& robot : parts.spec.robots) {
+  for (const scene_file::RobotSpec& robot : parts.spec.robots) {
     const std::string text = sensor_remarks(parts, robot);
     add_remark(text, robot.name, remarks);
     (void)parts.remarks.is_new(robot.name, text);
@@ -96,7 +98,7 @@ void note_about_sensors(SceneParts& parts) {
   for (const SharedRemark& remark : remarks) parts.remarks.note(to_text(remark));
 }
 
-void note_about_sensors(SceneParts& parts, const RobotSpec& robot) {
+void note_about_sensors(SceneParts& parts, const scene_file::RobotSpec& robot) {
   const std::string text = sensor_remarks(parts, robot);
   if (!text.empty() && parts.remarks.is_new(robot.name, text)) parts.remarks.note(robot.name, text);
 }

@@ -13,6 +13,6 @@ void attach_sensors(SceneParts& parts, ModelSource& models);
 void note_about_sensors(SceneParts& parts);
 
 /// The same of one robot, unless it was said before.
-void note_about_sensors(SceneParts& parts, const RobotSpec& robot);
+void note_about_sensors(SceneParts& parts, const scene_file::RobotSpec& robot);
 
 }  // namespace murosimf::scene

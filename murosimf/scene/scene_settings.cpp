@@ -7,7 +7,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/property_checks.h"
-#include "murosimf/scene/setting_targets.h"
+#include "murosimf/scene_file/setting_targets.h"
 
 namespace murosimf::scene {
 namespace {
@@ -19,12 +19,12 @@ bool is_target(std::string_view property) {
 }
 
 /// Has a controller's next cycles looked at, which may write what was set.
-void watch(SceneParts& parts, const PropertySetting& setting, const std::string& entity) {
+void watch(SceneParts& parts, const scene_file::PropertySetting& setting, const std::string& entity) {
   const Entity& robot = parts.simulation->world().entity(entity);
   const auto writers = parts.simulation->writers_of(robot, setting.property);
   if (!is_target(setting.property) || writers.empty()) return;
   const std::string name = setting_path(setting, robot);
-  const auto objects = objects_meant(robot.model(), setting.object, setting.property);
+  const auto objects = scene_file::objects_meant(robot.model(), setting.object, setting.property);
   const int count = ++parts.times_set[name];
   parts.simulation->at(parts.simulation->now() + some_cycles, [&parts, setting, entity, objects, writers, name, count] {
     if (parts.times_set[name] != count) return;  // set anew meanwhile
@@ -40,10 +40,10 @@ void watch(SceneParts& parts, const PropertySetting& setting, const std::string&
 
 }  // namespace
 
-void apply(SceneParts& parts, const PropertySetting& setting, const std::string& entity) {
+void apply(SceneParts& parts, const scene_file::PropertySetting& setting, const std::string& entity) {
   with_context(setting.where, [&] {
     Entity& changed = parts.simulation->world().entity(entity);
-    for (const int object : objects_meant(changed.model(), setting.object, setting.property)) {
+    for (const int object : scene_file::objects_meant(changed.model(), setting.object, setting.property)) {
       ObjectAccess(changed, object).set(setting.property, setting.numbers);
     }
     parts.simulation->record(to_text(setting, changed));
@@ -52,7 +52,7 @@ void apply(SceneParts& parts, const PropertySetting& setting, const std::string&
 }
 
 void apply_settings(SceneParts& parts) {
-  for (const PropertySetting& setting : parts.spec.settings) {
+  for (const scene_file::PropertySetting& setting : parts.spec.settings) {
     for (const std::string& name : setting.entities) {
       if (is_constant(setting)) {  // done with the model
         parts.simulation->record(to_text(setting, parts.simulation->world().entity(name)));

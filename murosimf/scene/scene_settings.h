@@ -8,7 +8,7 @@
 namespace murosimf::scene {
 
 /// Sets the property of one entity. Warns later if a controller writes it, too. Throws SetupError.
-void apply(SceneParts& parts, const PropertySetting& setting, const std::string& entity);
+void apply(SceneParts& parts, const scene_file::PropertySetting& setting, const std::string& entity);
 
 /// Sets what the spec sets. After initialize().
 void apply_settings(SceneParts& parts);

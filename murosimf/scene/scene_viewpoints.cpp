@@ -58,7 +58,7 @@ Vec3d direction(double azimuth, double elevation) {
 }
 
 sensors::Perspective overview(const Scene& scene, int width, int height) {
-  const ViewSpec& spec = scene.spec().view;
+  const scene_file::ViewSpec& spec = scene.spec().view;
   const Vec3d toward = direction(spec.azimuth, spec.elevation);
   if (spec.width == 0) return around(field_corners(scene), {}, toward, width, height);
   const double distance = 0.5 * spec.width / std::tan(0.5 * fov);
@@ -76,7 +76,7 @@ sensors::Perspective behind(const Entity& moving_entity, int width, int height) 
 }  // namespace
 
 render::ParallelView parallel_view(const Scene& scene, int width, int height) {
-  const ViewSpec& spec = scene.spec().view;
+  const scene_file::ViewSpec& spec = scene.spec().view;
   const Mat3d axes = render::axes_from(spec.azimuth, spec.elevation);
   if (spec.width == 0) return render::view_of(field_corners(scene), axes, width, height);
   return {.center = spec.center, .axes = axes, .pixel = spec.width / width, .width = width, .height = height};
@@ -84,13 +84,13 @@ render::ParallelView parallel_view(const Scene& scene, int width, int height) {
 
 std::vector<std::string> viewpoint_names(const Scene& scene) {
   std::vector<std::string> names{"overview", "top", "side", "left", "right"};
-  for (const ViewpointSpec& eye : scene.spec().viewpoints) names.push_back(eye.name);
+  for (const scene_file::ViewpointSpec& eye : scene.spec().viewpoints) names.push_back(eye.name);
   for (const Entity* moving_entity : scene.moving_entities()) names.push_back(moving_entity->name());
   return names;
 }
 
 sensors::Perspective viewpoint_perspective(const Scene& scene, const std::string& name, int width, int height) {
-  for (const ViewpointSpec& eye : scene.spec().viewpoints) {
+  for (const scene_file::ViewpointSpec& eye : scene.spec().viewpoints) {
     if (eye.name != name) continue;
     return looking(eye.eye, eye.look_at, upwards_of(eye.eye - eye.look_at), eye.fov, width, height);
   }

@@ -12,7 +12,7 @@ namespace {
 /// kid21 with the controller, as scenes attach it.
 struct Walker {
   Walker() : robot(rig.add("robot", test::kid21())) {
-    find_entry(scene::controllers(), "controller", "new_name").attach(rig.simulation, robot, {});
+    find_entry(catalog::controllers(), "controller", "new_name").attach(rig.simulation, robot, {});
     rig.attach_motion(robot, {.level = "kinematic_walking"});
   }
   [[nodiscard]] Vec3d place() const { return robot.base().get(properties::position); }

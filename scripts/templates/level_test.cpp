@@ -11,7 +11,7 @@ namespace {
 /// kid21, moved by a level of this name.
 struct Robot {
   explicit Robot(const std::string& level) : entity(rig.add("robot", test::kid21())) {
-    const scene::LevelType& type = find_entry(scene::levels(), "level", level);
+    const catalog::LevelType& type = find_entry(catalog::levels(), "level", level);
     if (type.dynamic) rig.attach_ground(entity, {});
     rig.simulation.attach(level, entity, rig.rate, [&](Setup& setup) { return type.make(setup, {}); });
   }

@@ -28,7 +28,7 @@ TEST(MovingEntity, PushGoesThroughToTheGround) {
       Rig rig;
       rig.materials = MaterialTable::standard();
       Entity& box = rig.add("box", test::box_model({"plastic"}));
-      Entity& ball = rig.add("ball", scene::ball_model(), {.position = {0.02, 0.01, 0.1}});
+      Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = {0.02, 0.01, 0.1}});
       const test::Dynamics dynamics{.law = test::law_named(ground)};
       rig.attach_together({{&box, dynamics}, {&ball, dynamics}}, {.law = law});
       rig.run(2.5);

@@ -62,7 +62,7 @@ TEST(WalkEngine, StopsWhenTheCommandBecomesZero) {
 double chase(const Vec3d& start, double heading, const Vec3d& ball_place) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21(), {.position = start, .heading = heading, .team = "blue"});
-  Entity& ball = rig.add("ball", scene::ball_model(), {.position = ball_place});
+  Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = ball_place});
   const std::vector<Entity*> everybody{&robot, &ball};
   rig.simulation.attach<sensors::GroundTruth>("ground_truth", robot, 20, sensors::SensorSpec{.name = "ground_truth"},
                                               sensors::SensorSurroundings{.moving_entities = everybody});

@@ -16,7 +16,7 @@ using test::degree;
 using test::Rig;
 
 struct Walker {
-  explicit Walker(const EntityOptions& options = {}, const scene::LevelOptions& level = {}) {
+  explicit Walker(const EntityOptions& options = {}, const catalog::LevelOptions& level = {}) {
     robot = &rig.add("robot", std::make_shared<const Model>(fixtures::two_legged()), options);
     rig.attach_motion(*robot, {.level = "kinematic_walking", .options = level});
     rig.simulation.initialize();

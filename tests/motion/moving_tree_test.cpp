@@ -100,7 +100,7 @@ TEST_P(TreeLevel, BoltingTakesTheMotionOutOfTheBase) {
   Rig::launch(*flying.robot, {1, 2, 3}, {1, -2, 3});
   flying.rig.run(0.01);
   const Vec3d place = Rig::place(*flying.robot);
-  scene::LevelOptions options;
+  catalog::LevelOptions options;
   options.tree.fixed_base = true;
   flying.rig.exchange(*flying.robot, GetParam(), options);
   EXPECT_EQ(norm(flying.robot->base().get(properties::linear_velocity)), 0);

@@ -78,7 +78,7 @@ TEST(KinematicTakeOver, RemainderIsGoneAfterAWhile) {
 
 /// A limb that swings fast on a robot that flies.
 struct Flying {
-  explicit Flying(const std::string& level, const scene::LevelOptions& options = {}) {
+  explicit Flying(const std::string& level, const catalog::LevelOptions& options = {}) {
     rig.simulation.world().gravity = {};
     robot = &rig.add("robot", std::make_shared<const Model>(fixtures::two_legged()), {.position = {0, 0, 2}});
     rig.attach_dynamics(*robot, {.level = level, .on_ground = false, .options = options});

@@ -5,13 +5,13 @@
 /// accelerations are not used). Every 10 ms a row: position [m] and quaternion (w x y z) of the base, joint positions.
 #include <cstdio>
 
+#include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/runtime/simulation.h"
-#include "murosimf/scene/registry.h"
 #include "tests/oracle/state_file.h"
 
 namespace {
@@ -49,7 +49,7 @@ std::string fly(const ModelPtr& model, const oracle::StateFile& file, const orac
   Simulation simulation;
   Entity& robot = simulation.world().add("robot", model);
   simulation.attach<collision::GroundContact>("ground_contact", robot, rate, nullptr,
-                                              find_entry(scene::contacts(), "contact", "implicit_stick").make(),
+                                              find_entry(catalog::contacts(), "contact", "implicit_stick").make(),
                                               MaterialTable{});
   simulation.attach<motion::ArticulatedDynamics>("articulated_dynamics", robot, rate);
   set_targets(robot, file, state);

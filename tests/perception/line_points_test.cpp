@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/perception/planar.h"
-#include "murosimf/scene/field.h"
+#include "murosimf/scene_file/field.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 #include "tests/perception/vision_rig.h"
@@ -16,7 +16,7 @@ using test::looking_down;
 using test::picture_of;
 using test::plain_lens;
 
-const Markings field = scene::field_markings(scene::kid_size_2008);
+const Markings field = scene_file::field_markings(scene_file::kid_size_2008);
 
 TEST(GroundProjection, IsTheClosedFormOfAPinhole) {
   const imaging::Lens lens = plain_lens();

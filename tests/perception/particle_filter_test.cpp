@@ -7,14 +7,14 @@
 
 #include "murosimf/model/error.h"
 #include "murosimf/perception/dead_reckoning.h"
-#include "murosimf/scene/field.h"
+#include "murosimf/scene_file/field.h"
 #include "tests/fixtures.h"
 #include "tests/law.h"
 
 namespace murosimf::perception {
 namespace {
 
-const Markings field = scene::field_markings(scene::kid_size_2008);
+const Markings field = scene_file::field_markings(scene_file::kid_size_2008);
 
 TEST(LineDistanceField, IsAsFarAsTheNearestLine) {
   const LineDistanceField table(field);

@@ -14,7 +14,7 @@ INSTANTIATE_TEST_SUITE_P(Contact, Ball, at_every_level({"implicit_stick", "islan
 // Whatever the friction.
 TEST_P(Ball, RollsWithFiveSeventhsOfItsSpeed) {
   Rig rig(0.3);
-  Entity& ball = rig.add("ball", scene::ball_model({.material = ""}));
+  Entity& ball = rig.add("ball", scene_file::ball_model({.material = ""}));
   rig.materials.set("", "", {.friction = 0.3});
   rig.attach_dynamics(ball, dynamics(GetParam()));
   rig.run(0.5);
@@ -40,7 +40,7 @@ TEST_P(Ball, RollingResistanceBringsItToRest) {
   const double c = 0.03;
   Rig rig(0.8);
   rig.materials.set("", "", {.friction = 0.8, .rolling = c});
-  Entity& ball = rig.add("ball", scene::ball_model({.material = ""}));
+  Entity& ball = rig.add("ball", scene_file::ball_model({.material = ""}));
   rig.attach_dynamics(ball, dynamics(GetParam()));
   rig.run(0.5);
   const double radius = 0.05, v = 0.7;
@@ -62,7 +62,7 @@ double bounce(const LevelAndLaw& names, double restitution, double height) {
   Rig rig;
   rig.simulation.world().gravity = {};
   rig.materials.set("", "", {.restitution = restitution});
-  Entity& ball = rig.add("ball", scene::ball_model({.material = ""}), {.position = {0, 0, height}});
+  Entity& ball = rig.add("ball", scene_file::ball_model({.material = ""}), {.position = {0, 0, height}});
   rig.attach_dynamics(ball, dynamics(names));
   rig.simulation.initialize();
   Rig::launch(ball, {0, 0, -3});

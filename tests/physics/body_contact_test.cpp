@@ -26,7 +26,7 @@ struct Kick {
     const bool kinematic = level == "kinematic_walking";
     rig.simulation.world().gravity = {};
     robot = &rig.add("robot", kid21(), {.position = {0, 0, kinematic ? 0.0 : 1.0}});
-    ball = &rig.add("ball", scene::ball_model(), {.position = {0.25, 0.05, kinematic ? 0.05 : 1.05}});
+    ball = &rig.add("ball", scene_file::ball_model(), {.position = {0.25, 0.05, kinematic ? 0.05 : 1.05}});
     rig.simulation.attach<locomotion::WalkEngine>("walk_engine", *robot, 100, Vec3d{kinematic ? 0.2 : 0, 0, 0});
     rig.materials = MaterialTable::standard();
     rig.attach_together({{robot, {.level = level, .on_ground = false}}, {ball, {.on_ground = false}}}, {.law = law});
@@ -79,8 +79,8 @@ struct Billiards {
   explicit Billiards(BodyContactLaw law) {
     rig.simulation.world().gravity = {};
     rig.materials = MaterialTable::standard();
-    a = &rig.add("a", scene::ball_model());
-    b = &rig.add("b", scene::ball_model(), {.position = {0.3, 0.03, 0.02}});
+    a = &rig.add("a", scene_file::ball_model());
+    b = &rig.add("b", scene_file::ball_model(), {.position = {0.3, 0.03, 0.02}});
     rig.attach_together({{a, {.on_ground = false}}, {b, {.on_ground = false}}}, {.law = law});
     rig.simulation.initialize();
     Rig::launch(*b, {-2, 0, 0}, {5, 0, 10});
@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, Ledger,
 TEST(BodyContact, KinematicRobotPushesTheBall) {
   Rig rig;
   Entity& robot = rig.add("robot", kid21());
-  Entity& ball = rig.add("ball", scene::ball_model(), {.position = {0.4, 0.05, 0}});
+  Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = {0.4, 0.05, 0}});
   rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, 100, Vec3d{0.2, 0, 0});
   rig.materials = MaterialTable::standard();
   rig.attach_together({{&robot, {.level = "kinematic_walking"}}, {&ball, {}}});

@@ -14,7 +14,7 @@ namespace {
 struct Crash {
   Crash() : scene("car_crash") {
     scene.simulation().initialize();
-    for (const scene::RobotSpec& robot : scene.spec().robots)
+    for (const scene_file::RobotSpec& robot : scene.spec().robots)
       robots.push_back(&scene.simulation().world().entity(robot.name));
   }
   /// [J] kinetic, and potential above the ground.

@@ -5,7 +5,7 @@
 
 #include "murosimf/collision/queries.h"
 #include "murosimf/motion/motion_properties.h"
-#include "murosimf/scene/field.h"
+#include "murosimf/scene_file/field.h"
 #include "tests/physics/rig.h"
 
 namespace murosimf::test {
@@ -32,11 +32,11 @@ inline Vec3d linear_momentum(Entity& e) { return e.base().get(properties::total_
 struct Pitch : Rig {
   explicit Pitch(double rate_hz = 1000, int threads = 1) : Rig(0.8, 0, rate_hz, threads) {
     materials = MaterialTable::standard();
-    ground = &simulation.world().add("field", scene::field_model(size, "carpet"));
+    ground = &simulation.world().add("field", scene_file::field_model(size, "carpet"));
   }
   /// A box of the goal at x > 0.
-  [[nodiscard]] scene::GoalBox goal_box(std::string_view name) const {
-    for (const scene::GoalBox& box : scene::goal_boxes(size, 1)) {
+  [[nodiscard]] scene_file::GoalBox goal_box(std::string_view name) const {
+    for (const scene_file::GoalBox& box : scene_file::goal_boxes(size, 1)) {
       if (box.name == name) return box;
     }
     throw SetupError("no such box");
@@ -45,7 +45,7 @@ struct Pitch : Rig {
     return {ground, ground->model().object_index(name)};
   }
 
-  const scene::FieldSize& size = scene::kid_size_2008;
+  const scene_file::FieldSize& size = scene_file::kid_size_2008;
 };
 
 }  // namespace murosimf::test

@@ -9,7 +9,7 @@ namespace {
 /// Four robots, one of each level, and a ball fall onto each other in front of a goal, beside a walker.
 struct Heap {
   explicit Heap(const std::string& volume, int threads) : pitch(1000, threads) {
-    const scene::GoalBox post = pitch.goal_box("post_left");
+    const scene_file::GoalBox post = pitch.goal_box("post_left");
     std::vector<Rig::Together> all;
     const auto levels = all_levels();
     for (int i = 0; i < 4; ++i) {
@@ -24,7 +24,7 @@ struct Heap {
     }
     EntityOptions options{.position = {post.center.x - 0.2, post.center.y, 1.1}};
     options.collision.volume = volume;
-    all.push_back({&pitch.add("ball", scene::ball_model(), options), {}});
+    all.push_back({&pitch.add("ball", scene_file::ball_model(), options), {}});
     pitch.attach_together(all);
   }
   /// Also counts how many contacts of bodies there are.

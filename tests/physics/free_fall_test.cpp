@@ -28,7 +28,7 @@ void expect_fall(const std::string& level, const std::string& what, ModelPtr mod
                    Rig::velocity(body).z, -g, 1e-12, "m/s");
 }
 
-TEST_P(FreeFall, BallFollowsTheDiscreteFormula) { expect_fall(GetParam(), "a ball", scene::ball_model()); }
+TEST_P(FreeFall, BallFollowsTheDiscreteFormula) { expect_fall(GetParam(), "a ball", scene_file::ball_model()); }
 TEST_P(FreeFall, RobotFollowsTheDiscreteFormula) { expect_fall(GetParam(), "a robot", kid21()); }
 
 /// Distance [m] of the true center of mass from its start during 2 s of weightless limb swinging.

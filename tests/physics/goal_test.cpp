@@ -9,10 +9,10 @@ namespace murosimf::test {
 namespace {
 
 /// How deep [m] a ball is in any of the twelve boxes, from its middle alone.
-double depth_in_goals(const scene::FieldSize& size, const Vec3d& center, double radius) {
+double depth_in_goals(const scene_file::FieldSize& size, const Vec3d& center, double radius) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const double side : {1.0, -1.0}) {
-    for (const scene::GoalBox& part : scene::goal_boxes(size, side)) {
+    for (const scene_file::GoalBox& part : scene_file::goal_boxes(size, side)) {
       nearest = std::min(nearest, fixtures::outside(part.box, center - part.center));
     }
   }
@@ -22,7 +22,7 @@ double depth_in_goals(const scene::FieldSize& size, const Vec3d& center, double 
 struct Shot {
   Shot(const std::string& level, const Vec3d& from, const Vec3d& velocity, bool weightless = false) {
     if (weightless) pitch.simulation.world().gravity = {};
-    ball = &pitch.add("ball", scene::ball_model(), {.position = from});
+    ball = &pitch.add("ball", scene_file::ball_model(), {.position = from});
     pitch.attach_together({{ball, {.level = level}}});
     pitch.simulation.initialize();
     Rig::launch(*ball, velocity);
@@ -42,7 +42,7 @@ class Goal : public testing::TestWithParam<std::string> {};
 
 // Tolerance: as for the ground (ball_test.cpp), averaged over where in a step the ball touches.
 TEST_P(Goal, PostSendsABallBackWithItsRestitution) {
-  const scene::FieldSize& size = scene::kid_size_2008;
+  const scene_file::FieldSize& size = scene_file::kid_size_2008;
   const double v = 1, restitution = 0.5, y = (size.goal_width + size.post_width) / 2;
   const double stiffness = 0.1 * g / 0.4e-3;  // the ball's weight of 0.1 kg at 0.4 mm
   double kept = 0, deepest = 0;
@@ -65,7 +65,7 @@ TEST_P(Goal, PostSendsABallBackWithItsRestitution) {
 }
 
 TEST_P(Goal, HoldsABallThatRollsIn) {
-  const scene::FieldSize& size = scene::kid_size_2008;
+  const scene_file::FieldSize& size = scene_file::kid_size_2008;
   const double line = size.length / 2, rear = line + size.goal_depth - size.post_width;
   Shot shot(GetParam(), {line - 0.3, 0.2, 0}, {1, 0.3, 0});
   shot.fly(6);
@@ -86,7 +86,7 @@ class RobotAtPost : public testing::TestWithParam<std::string> {};
 
 TEST_P(RobotAtPost, DoesNotGetThrough) {
   Pitch pitch;
-  const scene::GoalBox post = pitch.goal_box("post_left");
+  const scene_file::GoalBox post = pitch.goal_box("post_left");
   Entity& robot = pitch.add("robot", kid21(), {.position = {post.center.x - 0.35, post.center.y, 0}});
   pitch.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz,
                                                   Vec3d{0.2, 0, 0});

@@ -17,7 +17,7 @@ struct Stack {
   Stack(const std::string& level, double rate_hz) : rig(0.8, 0, rate_hz) {
     rig.materials = MaterialTable::standard();
     box = &rig.add("box", box_model({"plastic"}));
-    ball = &rig.add("ball", scene::ball_model(), {.position = {0.02, 0.01, 0.1}});
+    ball = &rig.add("ball", scene_file::ball_model(), {.position = {0.02, 0.01, 0.1}});
     rig.attach_together({{box, {.level = level}}, {ball, {.level = level}}});
   }
   Rig rig;
@@ -63,7 +63,7 @@ TEST_P(Island, HoldsABallBetweenTwoBoxes) {
   rig.materials.set("ball", "plastic", {.friction = 0.8, .restitution = 0.2});
   Entity& left = rig.add("left", box_model({"plastic", 0.1}), {.position = {-0.21, 0, 0}});
   Entity& right = rig.add("right", box_model({"plastic", 0.1}), {.position = {0.21, 0, 0}});
-  Entity& ball = rig.add("ball", scene::ball_model(), {.position = {0, 0, 0.0}});
+  Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = {0, 0, 0.0}});
   rig.attach_together({{&left, {.level = level}}, {&right, {.level = level}}, {&ball, {.level = level}}});
   rig.simulation.initialize();
   const double push = 20;
@@ -109,7 +109,7 @@ law::Worst lean_on(const std::string& level, const std::string& law) {
   Rig rig(0.8, 3 * degree);
   rig.materials = MaterialTable::standard();
   Entity& box = rig.add("box", box_model({"plastic"}));
-  Entity& ball = rig.add("ball", scene::ball_model(), {.position = {-0.215, 0, 0}});
+  Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = {-0.215, 0, 0}});
   rig.attach_together({{&box, {.level = level, .law = law_named(law)}}, {&ball, {.level = level}}});
   law::Worst speed;
   bool touched = false;
@@ -211,7 +211,7 @@ TEST_P(TreeLevels, ABoltedBaseDoesNotGiveWay) {
   rig.materials = MaterialTable::standard();
   rig.materials.set("ball", "plastic", {.friction = 0.8, .restitution = 0.6});
   Entity& wall = rig.add("wall", box_model({"plastic"}));
-  Entity& ball = rig.add("ball", scene::ball_model(), {.position = {-0.4, 0, 0}});
+  Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = {-0.4, 0, 0}});
   rig.attach_together({{&wall, {.level = GetParam(), .on_ground = false, .tree = {.fixed_base = true}}},
                        {&ball, {.on_ground = false}}});
   rig.simulation.initialize();
@@ -231,7 +231,7 @@ struct BadNeighbor {
     rig.simulation.world().gravity = {};
     rig.materials = MaterialTable::standard();
     robot = &rig.add("robot", kid21(), {.position = {0, 0, 1}});
-    ball = &rig.add("ball", scene::ball_model(), {.position = {0.12, 0.05, 1.05}});
+    ball = &rig.add("ball", scene_file::ball_model(), {.position = {0.12, 0.05, 1.05}});
     rig.attach_together({{robot, {.level = level, .on_ground = false}}, {ball, {.on_ground = false}}});
     rig.simulation.initialize();
     ball->base().set(properties::applied_force, {{}, {-1, 0, 0}});

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/body_contact.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/locomotion/walk_engine.h"
@@ -20,8 +21,7 @@
 #include "murosimf/motion/odometer.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/runtime/simulation.h"
-#include "murosimf/scene/ball.h"
-#include "murosimf/scene/registry.h"
+#include "murosimf/scene_file/ball.h"
 
 namespace murosimf::test {
 
@@ -40,7 +40,7 @@ inline std::vector<std::string> dynamic_levels() {
 using LawPtr = std::shared_ptr<const collision::ContactLaw>;
 
 /// A contact law by its registered name.
-inline LawPtr law_named(const std::string& name) { return find_entry(scene::contacts(), "contact law", name).make(); }
+inline LawPtr law_named(const std::string& name) { return find_entry(catalog::contacts(), "contact law", name).make(); }
 
 /// Parameters of a test of a contact law: a level and a law, by name.
 using LevelAndLaw = std::tuple<std::string, std::string>;
@@ -55,7 +55,7 @@ struct Dynamics {
   std::string level = dynamic_levels().front();
   LawPtr law;
   bool on_ground = true;
-  scene::LevelOptions options;
+  catalog::LevelOptions options;
   motion::MovingTreeOptions tree;
 };
 
@@ -120,15 +120,15 @@ struct Rig {
     std::vector<Entity*> moving_entities;
     for (const auto& [entity, dynamics] : all) {
       moving_entities.push_back(entity);
-      if (find_entry(scene::levels(), "level", dynamics.level).dynamic) attach_ground(*entity, dynamics);
+      if (find_entry(catalog::levels(), "level", dynamics.level).dynamic) attach_ground(*entity, dynamics);
     }
     simulation.attach<collision::BodyContact>("body_contact", *ground, rate, moving_entities, materials, options);
     for (const auto& [entity, dynamics] : all) attach_level(*entity, dynamics);
   }
 
   /// Another level moves the entity from now on.
-  void exchange(Entity& entity, const std::string& level, const scene::LevelOptions& options = {}) {
-    const scene::LevelType& entry = find_entry(scene::levels(), "level", level);
+  void exchange(Entity& entity, const std::string& level, const catalog::LevelOptions& options = {}) {
+    const catalog::LevelType& entry = find_entry(catalog::levels(), "level", level);
     simulation.exchange(level, entity, [&](Setup& setup) { return entry.make(setup, options); });
   }
 
@@ -150,9 +150,9 @@ struct Rig {
 
  private:
   void attach_level(Entity& entity, const Dynamics& dynamics) {
-    scene::LevelOptions options = dynamics.options;
+    catalog::LevelOptions options = dynamics.options;
     options.tree = dynamics.tree;
-    const scene::LevelType& level = find_entry(scene::levels(), "level", dynamics.level);
+    const catalog::LevelType& level = find_entry(catalog::levels(), "level", dynamics.level);
     simulation.attach(dynamics.level, entity, rate, [&](Setup& setup) { return level.make(setup, options); });
   }
 };

@@ -67,7 +67,7 @@ TEST(Freezing, AFrozenBallPushesNobody) {
   Rig rig;
   rig.simulation.world().gravity = {};
   Entity& robot = rig.add("robot", kid21(), {.position = {0, 0, 1}});
-  Entity& ball = rig.add("ball", scene::ball_model(), {.position = {0.12, 0.05, 1.05}});
+  Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = {0.12, 0.05, 1.05}});
   rig.attach_together({{&robot, {.on_ground = false}}, {&ball, {.on_ground = false}}});
   rig.simulation.initialize();
   Rig::launch(ball, {-1, 0, 0});
@@ -86,7 +86,7 @@ TEST(Freezing, AFrozenBallPushesNobody) {
 // Users may throw a ball and carry a robot by name while the simulation runs.
 TEST(Access, TheBaseCanBeMovedByName) {
   Rig rig;
-  Entity& ball = rig.add("ball", scene::ball_model());
+  Entity& ball = rig.add("ball", scene_file::ball_model());
   Entity& walker = rig.add("walker", kid21(), {.position = {1, 0, 0}});
   rig.attach_dynamics(ball);
   rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", walker, 1000);
@@ -105,7 +105,7 @@ TEST(Access, TheBaseCanBeMovedByName) {
 // A body needs no contact algorithm to fall, and one without inertia is refused before it falls.
 TEST(Setup, MotionWithoutContact) {
   Rig rig;
-  Entity& ball = rig.add("ball", scene::ball_model(), {.position = {0, 0, 1}});
+  Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = {0, 0, 1}});
   rig.simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", ball, 1000);
   rig.run(0.1);
   EXPECT_FALSE(ball.frozen());
@@ -123,7 +123,7 @@ TEST(Setup, MotionWithoutContact) {
 // An algorithm whose constructor refuses leaves nothing behind.
 TEST(Setup, AFailedAttachLeavesNothingBehind) {
   Rig rig;
-  Entity& ball = rig.add("ball", scene::ball_model());
+  Entity& ball = rig.add("ball", scene_file::ball_model());
   EXPECT_THROW(rig.simulation.attach<motion::KinematicWalking>("kinematic_walking", ball, 1000), SetupError);
   rig.attach_dynamics(ball);
   rig.run(0.1);
@@ -132,7 +132,7 @@ TEST(Setup, AFailedAttachLeavesNothingBehind) {
 
 TEST(Freezing, BadForcesFreezeTheEntityThatFeelsThem) {
   Rig rig;
-  Entity& ball = rig.add("ball", scene::ball_model());
+  Entity& ball = rig.add("ball", scene_file::ball_model());
   rig.attach_dynamics(ball);
   rig.run(0.1);
   const double infinite = std::numeric_limits<double>::infinity();

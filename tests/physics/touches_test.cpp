@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/motion/motion_properties.h"
-#include "murosimf/scene/field.h"
+#include "murosimf/scene_file/field.h"
 #include "tests/law.h"
 #include "tests/physics/rig.h"
 
@@ -60,7 +60,7 @@ TEST_P(TouchLevels, AreSeenFromBothSides) {
   Rig rig;
   rig.materials = MaterialTable::standard();
   Entity& box = rig.add("box", box_model({"plastic"}));
-  Entity& ball = rig.add("ball", scene::ball_model(), {.position = {0.02, 0.01, 0.1}});
+  Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = {0.02, 0.01, 0.1}});
   rig.attach_together({{&box, {.level = GetParam()}}, {&ball, {.level = GetParam()}}});
   rig.run(2);
   const auto of_ball = touches_of(rig, ball), of_box = touches_of(rig, box);
@@ -88,10 +88,10 @@ INSTANTIATE_TEST_SUITE_P(Levels, TouchLevels, testing::ValuesIn(dynamic_levels()
 // The field's objects are told apart: the ground is "field", a post has its own name.
 TEST(Touches, NameTheGoalPostThatABallHits) {
   Rig rig;
-  const auto& size = scene::kid_size_2008;
-  Entity& field = rig.add("field", scene::field_model(size, "carpet"));
+  const auto& size = scene_file::kid_size_2008;
+  Entity& field = rig.add("field", scene_file::field_model(size, "carpet"));
   const double y = size.goal_width / 2 + size.post_width / 2;
-  Entity& ball = rig.add("ball", scene::ball_model(), {.position = {size.length / 2 - 0.06, y, 0}});
+  Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = {size.length / 2 - 0.06, y, 0}});
   rig.materials = MaterialTable::standard();
   rig.simulation.attach<collision::GroundContact>("ground_contact", ball, rig.rate, &field, law_named("implicit_stick"),
                                                   rig.materials);

@@ -8,7 +8,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/render/renderer.h"
-#include "murosimf/scene/field.h"
+#include "murosimf/scene_file/field.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::test {
@@ -41,7 +41,7 @@ struct DrawnWorld {
     return add(name, std::make_shared<const Model>(fixtures::ball_model(radius, 0.4)), place);
   }
   void add_field(bool goals = true) {
-    world.add("field", scene::field_model(scene::kid_size_2008, "carpet", {}, goals));
+    world.add("field", scene_file::field_model(scene_file::kid_size_2008, "carpet", {}, goals));
   }
 
   /// `view`: a sensors::Perspective or a render::ParallelView.

@@ -17,7 +17,7 @@ TEST(FieldPicture, IsWritten) { GTEST_SKIP() << "this build has no cairo"; }
 
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
-#include "murosimf/scene/field.h"
+#include "murosimf/scene_file/field.h"
 #include "tests/render/picture.h"
 #include "tests/temp_folder.h"
 
@@ -50,7 +50,7 @@ class FieldPicture : public testing::Test {
     return "";
   }
   fs::path folder_;
-  Markings markings_ = scene::field_markings(scene::kid_size_2008);
+  Markings markings_ = scene_file::field_markings(scene_file::kid_size_2008);
 };
 
 /// Big-endian number of an IHDR chunk, which begins at byte 16 of every PNG.

@@ -144,7 +144,7 @@ TEST(ModelConstants, DoNotChangeWhileAModelRuns) {
 // friction by --set
 
 PairSurface pair_of(const std::vector<std::string>& settings, const std::string& a, const std::string& b) {
-  return read_scene(constants_scene(), settings).materials.find({.material = a}, {.material = b});
+  return scene_file::read_scene(constants_scene(), settings).materials.find({.material = a}, {.material = b});
 }
 
 TEST(MaterialSettings, ReachAllPairsOneMaterialOrOnePair) {

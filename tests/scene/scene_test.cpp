@@ -48,8 +48,8 @@ std::string write_scene(const std::string& text) {
   return file;
 }
 
-SceneSpec spec_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  return read_scene(write_scene(text), overrides);
+scene_file::SceneSpec spec_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return scene_file::read_scene(write_scene(text), overrides);
 }
 
 /// The message of the SetupError that reading and building the scene throws; empty if it throws none.
@@ -77,7 +77,7 @@ std::string with(const std::string& from, const std::string& to) {
 }
 
 TEST(SceneSpec, ReadsWhatTheFileSays) {
-  const SceneSpec spec = spec_of(small_scene);
+  const scene_file::SceneSpec spec = spec_of(small_scene);
   EXPECT_EQ(spec.duration, 2);
   EXPECT_EQ(spec.seed, 3u);
   ASSERT_TRUE(spec.ball);
@@ -92,9 +92,10 @@ TEST(SceneSpec, ReadsWhatTheFileSays) {
 }
 
 TEST(SceneSpec, OverridesReachTheirTargets) {
-  const SceneSpec spec = spec_of(small_scene, {"duration=5", "blue.*.level=simplified_dynamics", "red1.contact=paper",
-                                               "field.surface=grass", "blue2.position=[0.1, 0.2]", "ball.mass=0.3",
-                                               "blue.1.heading_deg=0"});
+  const scene_file::SceneSpec spec =
+      spec_of(small_scene,
+              {"duration=5", "blue.*.level=simplified_dynamics", "red1.contact=paper", "field.surface=grass",
+               "blue2.position=[0.1, 0.2]", "ball.mass=0.3", "blue.1.heading_deg=0"});
   EXPECT_EQ(spec.duration, 5);
   EXPECT_EQ(spec.robots[0].level, "simplified_dynamics");
   EXPECT_EQ(spec.robots[0].heading, 0);
@@ -107,7 +108,7 @@ TEST(SceneSpec, OverridesReachTheirTargets) {
 }
 
 TEST(SceneSpec, TheGroundMayLean) {
-  const SceneSpec spec = spec_of(small_scene + R"([field]
+  const scene_file::SceneSpec spec = spec_of(small_scene + R"([field]
 surface = "grass"
 friction_direction = [0.0, -1.0]
 [[materials]]

@@ -10,9 +10,9 @@
 #include <map>
 #include <set>
 
+#include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/catalog/property_catalog.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/scene/property_catalog.h"
-#include "murosimf/scene/registry.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
 
@@ -121,7 +121,7 @@ void expect_nothing_ignored(const Subject& subject) {
 }
 
 TEST(Settings, ActOrAreRefusedOrWarnedAboutAtEveryLevel) {
-  for (const LevelType& level : levels()) {
+  for (const catalog::LevelType& level : catalog::levels()) {
     for (const char* controller : {"walk", "none"}) {
       expect_nothing_ignored({"kid21", std::string(level.name), controller, {"pelvis", "j_l_shin", "l_shin"}});
     }

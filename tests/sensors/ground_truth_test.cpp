@@ -23,7 +23,7 @@ class Observer final : public Algorithm {
 TEST(GroundTruth, ShowsWhereEverybodyIs) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21(), {.position = {1, 2, 0}, .heading = 0.5, .team = "blue"});
-  Entity& ball = rig.add("ball", scene::ball_model(), {.position = {0, 0, 1}});
+  Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = {0, 0, 1}});
   rig.simulation.attach<GroundTruth>("ground_truth", robot, 100, SensorSpec{.name = "ground_truth"},
                                      SensorSurroundings{.moving_entities = {&robot, &ball}});
   auto& observer = rig.simulation.attach<Observer>("observer", robot, 100);

@@ -1,0 +1,193 @@
+#include "murosimf/catalog/algorithm_catalog.h"
+
+#include <algorithm>
+#include <array>
+
+#include "murosimf/behavior/ball_chaser.h"
+#include "murosimf/behavior/localize.h"
+#include "murosimf/behavior/obstacle_course.h"
+#include "murosimf/collision/implicit_stick.h"
+#include "murosimf/collision/kelvin_voigt.h"
+#include "murosimf/collision/paper_law.h"
+#include "murosimf/locomotion/ankle_strategy.h"
+#include "murosimf/locomotion/drive.h"
+#include "murosimf/locomotion/keyframe_player.h"
+#include "murosimf/locomotion/trot.h"
+#include "murosimf/locomotion/walk_engine.h"
+#include "murosimf/motion/articulated_dynamics.h"
+#include "murosimf/motion/full_dynamics.h"
+#include "murosimf/motion/kinematic_walking.h"
+#include "murosimf/sensors/ground_truth.h"
+
+namespace murosimf::catalog {
+namespace {
+
+std::unique_ptr<MotionLevel> make_kinematic_walking(Setup& setup, const LevelOptions& options) {
+  return std::make_unique<motion::KinematicWalking>(setup, options.reference);
+}
+
+std::unique_ptr<MotionLevel> make_simplified_dynamics(Setup& setup, const LevelOptions& options) {
+  return std::make_unique<motion::SimplifiedDynamics>(
+      setup, motion::SimplifiedDynamicsOptions{.integrator = options.tree.integrator,
+                                               .base_rigid = options.base_rigid,
+                                               .reference = options.reference});
+}
+
+std::unique_ptr<MotionLevel> make_full_dynamics(Setup& setup, const LevelOptions& options) {
+  return std::make_unique<motion::FullDynamics>(setup, motion::FullDynamicsOptions{.reference = options.reference,
+                                                                                   .tree = options.tree});
+}
+
+std::unique_ptr<MotionLevel> make_articulated_dynamics(Setup& setup, const LevelOptions& options) {
+  return std::make_unique<motion::ArticulatedDynamics>(setup, options.tree, options.servo_law);
+}
+
+void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
+
+void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz, options.command);
+}
+
+void attach_balance(Simulation& simulation, Entity& robot, const ControllerOptions&) {
+  simulation.attach<locomotion::AnkleStrategy>("ankle_strategy", robot, locomotion::AnkleStrategy::rate_hz);
+}
+
+void attach_keyframes(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  if (!options.motion) throw SetupError("controller 'keyframes' needs a motion: motion = \"get_up_front\"");
+  simulation.attach<locomotion::KeyframePlayer>("keyframe_player", robot, locomotion::KeyframePlayer::rate_hz,
+                                                *options.motion);
+}
+
+void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
+  simulation.attach<locomotion::Drive>("drive", car, locomotion::Drive::rate_hz, options.command);
+}
+
+void attach_trot(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  simulation.attach<locomotion::Trot>("trot", robot, locomotion::Trot::rate_hz, options.command);
+}
+
+void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  using behavior::BallChaser;
+  const behavior::BallChaserOptions chaser{.goal = {options.attacks * options.half_field.x, 0, 0},
+                                           .half_field = options.half_field};
+  if (!sensors::find_reading(robot, "ground_truth")) {
+    const sensors::SensorSpec truth{.name = "ground_truth", .type = "ground_truth", .rate = BallChaser::rate_hz};
+    simulation.attach<sensors::GroundTruth>("ground_truth", robot, BallChaser::rate_hz, truth,
+                                            sensors::SensorSurroundings{.moving_entities = options.everybody});
+  }
+  simulation.attach<BallChaser>("ball_chaser", robot, BallChaser::rate_hz, chaser);
+  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
+}
+
+void attach_localize(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  const double x = 0.5 * options.half_field.x, y = 0.45 * options.half_field.y;
+  const behavior::LocalizeOptions localize{.markings = options.markings,
+                                           .start = options.start,
+                                           .way = {{0, -y, 0}, {x, 0, 0}, {0, y, 0}, {-x, 0, 0}},
+                                           .seed = options.seed};
+  simulation.attach<behavior::Localize>("localize", robot, behavior::Localize::rate_hz, localize);
+  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
+}
+
+void attach_obstacle_course(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  using behavior::ObstacleCourse;
+  const behavior::ObstacleCourseOptions course{.start = options.start,
+                                               .goal_x = options.attacks * options.half_field.x,
+                                               .half_width = options.half_field.y};
+  simulation.attach<ObstacleCourse>("obstacle_course", robot, ObstacleCourse::rate_hz, course);
+  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
+}
+
+Vec3d clipped_command(const Vec3d& v, const Vec3d& fastest) {
+  const auto clip = [](double x, double limit) { return std::clamp(x, -limit, limit); };
+  return {clip(v.x, fastest.x), clip(v.y, fastest.y), clip(v.z, fastest.z)};
+}
+
+Vec3d walks_at(const Model& model, const Vec3d& command) {
+  return clipped_command(command, locomotion::seeded_parameters(locomotion::find_legs(model)).fastest);
+}
+
+Vec3d trots_at(const Model& model, const Vec3d& command) {
+  return clipped_command(command, locomotion::seeded_trot(model, locomotion::find_four_legs(model)).fastest);
+}
+
+Vec3d drives_at(const Model& model, const Vec3d& command) {
+  const locomotion::Vehicle car = locomotion::find_vehicle(model);
+  if (std::abs(command.x) < 1e-3) return {command.x, 0, 0};  // a car does not turn on the spot
+  const double curvature = std::clamp(command.z / command.x, car.least_curvature, car.greatest_curvature);
+  return {command.x, 0, command.x * curvature};
+}
+
+template <class Law>
+std::shared_ptr<const collision::ContactLaw> make_law() {
+  return std::make_shared<Law>();
+}
+
+std::shared_ptr<const collision::ContactLaw> make_paper_multipoint() {
+  return std::make_shared<collision::PaperLaw>(collision::PaperLawOptions{.one_point_per_body = false});
+}
+
+// Keys: what stands in a scene file; "position.z" is the height in `position`.
+constexpr std::array level_entries{
+    LevelType{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
+              false, "joint_reference", "stance_pose stance_foot remaining_shift remaining_turn",
+              make_kinematic_walking},
+    LevelType{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)", true,
+              "joint_reference base_rigid integrator contact position.z roll_deg pitch_deg",
+              "applied_force linear_velocity angular_velocity base_quaternion", make_simplified_dynamics},
+    LevelType{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)", true,
+              "joint_reference fixed_base integrator contact position.z roll_deg pitch_deg",
+              "applied_force linear_velocity angular_velocity base_quaternion", make_full_dynamics},
+    LevelType{"articulated_dynamics", "servos make torque, the whole tree moves as it must", true,
+              "fixed_base integrator servo_law contact position.z roll_deg pitch_deg self_collision",
+              "applied_force linear_velocity angular_velocity base_quaternion "
+              "supply_voltage torque_enabled servo_temperature backlash_play backlash_side "
+              "rotor_rate",
+              make_articulated_dynamics},
+};
+
+constexpr std::array contact_entries{
+    ContactLawType{"implicit_stick", "compliant, implicit, with a tangential spring that sticks; the default",
+                   make_law<collision::ImplicitStick>, 0.01, 0.01},
+    ContactLawType{"island_gauss_seidel", "the same force, settled together with all contacts of what is touched",
+                   make_law<collision::IslandGaussSeidel>, 0.01, 0.01},
+    ContactLawType{"kelvin_voigt", "spring, damper and a tangential spring that sticks; explicit, for steps of 1 ms",
+                   make_law<collision::KelvinVoigt>, 0.002, 0.001},
+    ContactLawType{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)",
+                   make_law<collision::PaperLaw>, 0.002, 0.001},
+    ContactLawType{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint,
+                   0.002, 0.001},
+};
+
+constexpr std::array controller_entries{
+    ControllerType{"none", "joints stay where they are put", "posture", attach_none},
+    ControllerType{"walk", "walks with the velocity in walk_command", "command", attach_walk, walks_at},
+    ControllerType{"trot", "trots on four legs with the velocity in walk_command", "command", attach_trot, trots_at},
+    ControllerType{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", "", attach_balance},
+    ControllerType{"keyframes", "plays the key frames of a motion once", "motion", attach_keyframes},
+    ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
+                   drives_at},
+    ControllerType{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",
+                   attach_ball_chaser},
+    ControllerType{"localize", "walks a round on the field and finds out from its camera where it is", "",
+                   attach_localize},
+    ControllerType{"obstacle_course", "crosses the field without touching magenta poles that its camera sees", "",
+                   attach_obstacle_course},
+};
+
+}  // namespace
+
+bool has_word(std::string_view words, std::string_view word) {
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t end = std::min(words.find(' ', begin), words.size());
+    if (words.substr(begin, end - begin) == word) return true;
+    begin = end + 1;
+  }
+  return false;
+}
+
+std::span<const LevelType> levels() { return level_entries; }
+std::span<const ContactLawType> contacts() { return contact_entries; }
+std::span<const ControllerType> controllers() { return controller_entries; }
+
+}  // namespace murosimf::catalog

@@ -1,0 +1,29 @@
+#include "murosimf/scene_file/ball.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/properties.h"
+
+namespace murosimf::scene_file {
+
+ModelPtr ball_model(const BallOptions& options) {
+  const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
+  if (!positive(options.radius) || !positive(options.mass)) {
+    throw SetupError(
+        fmt::format("a ball of radius {} m and mass {} kg: both must be positive", options.radius, options.mass));
+  }
+  const double inertia = (options.hollow ? 2.0 / 3.0 : 2.0 / 5.0) * options.mass * options.radius * options.radius;
+  PlacedShape sphere;
+  sphere.shape = Sphere{options.radius};
+  sphere.surface.material = options.material;
+  sphere.color = {1.0, 0.45, 0.1};
+  return std::make_shared<const Model>("ball", Chain{}
+                                                   .base("ball")
+                                                   .with(properties::mass, options.mass)
+                                                   .with(properties::inertia, diagonal(inertia))
+                                                   .with(properties::shapes, Shapes{sphere}));
+}
+
+}  // namespace murosimf::scene_file

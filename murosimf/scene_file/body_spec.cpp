@@ -1,0 +1,45 @@
+#include "murosimf/scene_file/body_spec.h"
+
+#include <memory>
+
+#include "murosimf/collision/ground_points.h"
+#include "murosimf/description/mass_properties.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::scene_file {
+namespace {
+
+PlacedShape shape_of(const BodySpec& body) {
+  PlacedShape placed;
+  placed.shape = *body.shape;
+  placed.surface.material = body.material;
+  placed.color = body.color;
+  return placed;
+}
+
+}  // namespace
+
+Mat3d attitude_of(const BodySpec& body) {
+  return rotation_z(body.heading) * (rotation_y(body.pitch) * rotation_x(body.roll));
+}
+
+ModelPtr body_model(const BodySpec& body) {
+  return std::make_shared<const Model>(shape_name(*body.shape),
+                                       Chain{}
+                                           .base(body.name)
+                                           .with(properties::mass, body.mass)
+                                           .with(properties::inertia,
+                                                 body.mass * description::unit_inertia(*body.shape))
+                                           .with(properties::shapes, Shapes{shape_of(body)}));
+}
+
+Chain static_body(const BodySpec& body) {
+  const PlacedShape shape = shape_of(body);
+  const Mat3d R = attitude_of(body);
+  const double lowest = collision::lowest_point(collision::ground_shape(0, shape, 0), {}, R, {});
+  Chain chain;
+  chain.translation({body.position.x, body.position.y, body.position.z - lowest});
+  return chain.rotation(R, body.name).with(properties::shapes, {shape}).endpoint();
+}
+
+}  // namespace murosimf::scene_file

@@ -1,0 +1,39 @@
+/// body_spec.h - a body of a scene that is no robot: a box, a sphere, a ramp; what it is, and its model.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "murosimf/math/mat3.h"
+#include "murosimf/model/model.h"
+#include "murosimf/model/shape.h"
+
+namespace murosimf::scene_file {
+
+struct BodySpec {
+  std::string name;
+  std::string where;           ///< place in the scene file, for messages
+  std::optional<Shape> shape;  ///< empty: the body is a model
+  std::string model;           ///< name or file
+  double mass = 0;             ///< [kg] of a shape that moves
+  std::string material = "plastic";
+  Color color{0.62, 0.62, 0.66};
+  Vec3d position;              ///< [m] x and y of its middle (a model: of its base), z of its lowest point
+  double heading = 0;          ///< [rad] about the vertical, after the others
+  double roll = 0, pitch = 0;  ///< [rad] about its x, then its y
+  Vec3d velocity;              ///< [m/s] world, at the start
+  Vec3d angular_velocity;      ///< [rad/s] world, at the start
+  bool is_static = false;      ///< it stands there for good, like a goal
+  std::string contact = "implicit_stick";
+};
+
+/// How it is turned at the start: body axes to world axes.
+[[nodiscard]] Mat3d attitude_of(const BodySpec& body);
+
+/// One object, called after the body. For shapes that move.
+[[nodiscard]] ModelPtr body_model(const BodySpec& body);
+
+/// The same as a branch of the field's model.
+[[nodiscard]] Chain static_body(const BodySpec& body);
+
+}  // namespace murosimf::scene_file

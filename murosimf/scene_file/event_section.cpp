@@ -1,0 +1,130 @@
+#include "murosimf/scene_file/event_section.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/files/toml_reader.h"
+#include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/motion/servo_law.h"
+#include "murosimf/scene_file/assignment.h"
+#include "murosimf/scene_file/body_section.h"
+#include "murosimf/scene_file/overrides.h"
+#include "murosimf/scene_file/setting_targets.h"
+
+namespace murosimf::scene_file {
+namespace {
+
+void check_time(double time, const std::string& where) {
+  if (std::isfinite(time) && time >= 0 && time <= longest_duration) return;
+  throw SetupError(fmt::format("{}: the time must be a number of seconds, at least 0", where));
+}
+
+/// Only names that there are.
+void check_value(const SceneEvent& event) {
+  with_context(event.where, [&] {
+    if (event.key == "level") (void)find_entry(catalog::levels(), "level", event.value);
+    if (event.key == "contact") (void)find_entry(catalog::contacts(), "contact law", event.value);
+    if (event.key == "servo_law") (void)find_entry(motion::servo_laws(), "servo law", event.value);
+  });
+}
+
+std::vector<std::string> names_of(const std::vector<toml::table*>& robots) {
+  std::vector<std::string> names;
+  for (const toml::table* robot : robots) names.push_back(text_of(*robot, "name"));
+  return names;
+}
+
+SceneEvent read_event(toml::table& scene, double time, const std::string& text, const std::string& where) {
+  check_time(time, where);
+  const Assignment change = split_assignment(text, where);
+  auto [robots, used] = robots_of(scene, change.path);
+  std::vector<std::string> entities = names_of(robots);
+  if (entities.empty() && change.path[0] == "ball" && scene.contains("ball")) {
+    entities = {"ball"};
+    used = 1;
+  }
+  const auto bodies = bodies_called(scene, change.path[0]);
+  if (entities.empty() && !bodies.empty()) {
+    entities = names_of(bodies);
+    used = 1;
+    const bool property = change.path.size() > 2 || change.path.back() == "contact";
+    if (!property)
+      throw SetupError(
+          fmt::format("{}: a body has no '{}' that could change while it runs; "
+                      "its contact and its properties can",
+                      where, change.path.back()));
+  }
+  const std::size_t rest = change.path.size() - std::min(change.path.size(), used);
+  if (entities.empty() || rest == 0) {
+    const auto names = entity_names(scene);
+    throw SetupError(
+        fmt::format("{}: {}", where, unknown_name("entity", change.path[0], {names.begin(), names.end()})));
+  }
+  SceneEvent event{time, where, entities, change.path.back(), change.value, {}};
+  if (rest > 1 || is_of_joints(event.key)) {
+    event.setting = property_setting(change, used, entities);
+  } else {
+    check_key(change, event.key, exchangeable_keys());
+    if (event.key == "command") {
+      event.setting = property_setting(change, used, entities);
+      event.setting->property = properties::walk_command.name;
+    }
+    check_value(event);
+  }
+  return event;
+}
+
+void read_table(toml::table& scene, const toml::table& node, std::vector<SceneEvent>& events) {
+  const files::TomlTable table(node, {"time", "set"});
+  double time = -1;
+  table.read("time", time);
+  std::vector<std::string> texts;
+  const toml::node* set = table.find("set");
+  const toml::array* list = set ? set->as_array() : nullptr;
+  const auto take = [&](const toml::node& text) {
+    if (!text.is_string())
+      throw SetupError(fmt::format("{}: 'set' must be a text, or a list of texts", table.where("set")));
+    texts.push_back(*text.value<std::string>());
+  };
+  if (!set) throw SetupError(fmt::format("{}: 'set' of the event is missing", table.where()));
+  if (list) {
+    for (const toml::node& text : *list) take(text);
+  } else {
+    take(*set);
+  }
+  for (const std::string& text : texts) events.push_back(read_event(scene, time, text, table.where("set")));
+}
+
+SceneEvent read_option(toml::table& scene, const std::string& option) {
+  const std::string where = fmt::format("--at '{}'", option);
+  double time = 0;
+  const auto [end, error] = std::from_chars(option.data(), option.data() + option.size(), time);
+  if (error != std::errc{} || end == option.data() + option.size() || *end != ':') {
+    throw SetupError(
+        fmt::format("{}: write TIME:PATH=VALUE, for example '3.5:blue1.level=articulated_dynamics'", where));
+  }
+  return read_event(scene, time, std::string(end + 1, option.data() + option.size()), where);
+}
+
+}  // namespace
+
+const std::vector<std::string_view>& exchangeable_keys() {
+  static const std::vector<std::string_view> keys{"level", "contact", "servo_law", "command"};
+  return keys;
+}
+
+std::vector<SceneEvent> read_events(toml::table& scene, const std::vector<std::string>& at_options) {
+  std::vector<SceneEvent> events;
+  for (const toml::table* event : files::TomlTable(scene, scene_keys()).tables("events"))
+    read_table(scene, *event, events);
+  for (const std::string& option : at_options) events.push_back(read_option(scene, option));
+  std::stable_sort(events.begin(), events.end(),
+                   [](const SceneEvent& a, const SceneEvent& b) { return a.time < b.time; });
+  return events;
+}
+
+}  // namespace murosimf::scene_file

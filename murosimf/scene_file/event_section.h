@@ -1,0 +1,26 @@
+/// event_section.h - what a scene changes while it runs: its timeline, and --at.
+///
+///     [[events]]
+///     time = 3.0                                   # [s]
+///     set = "blue1.level = articulated_dynamics"   # or a list of such texts
+///
+/// Only for .cpp files: it brings toml++ in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "murosimf/scene_file/scene_spec.h"
+
+namespace murosimf::scene_file {
+
+/// Keys of a robot that can change while it runs.
+[[nodiscard]] const std::vector<std::string_view>& exchangeable_keys();
+
+/// The events of the file and of --at ("TIME:PATH=VALUE"), in the order of time; equal times in the order in which they
+/// stand, the file's first. Throws SetupError for unknown entities, keys and names of levels and laws.
+[[nodiscard]] std::vector<SceneEvent> read_events(toml::table& scene, const std::vector<std::string>& at_options);
+
+}  // namespace murosimf::scene_file

@@ -1,0 +1,97 @@
+/// field.h - soccer fields of the RoboCup Humanoid League: sizes by name, and the model of a field.
+///
+/// A field lies in the plane z = 0 with its middle at the origin: x along the touch lines, y along the goal lines.
+/// Lines belong to the areas that they bound, so lengths and widths reach to the outer edges of lines: a ball has
+/// crossed the goal line when |x| > length / 2 + its radius.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/model/model.h"
+#include "murosimf/model/shape.h"
+
+namespace murosimf::scene_file {
+
+/// All in meters.
+struct FieldSize {
+  std::string_view name;
+  double length = 0, width = 0;
+  double goal_width = 0;   ///< between the posts
+  double goal_height = 0;  ///< under the crossbar
+  double goal_depth = 0;   ///< from the goal line to the back of the rear bar
+  double goal_area_depth = 0, goal_area_width = 0;
+  double penalty_area_depth = 0, penalty_area_width = 0;  ///< 0: the field has none
+  double penalty_mark_distance = 0;                       ///< from the goal line
+  double center_circle_diameter = 0;                      ///< to the middle of its line
+  double border = 0;                                      ///< ground around the field
+  double line_width = 0.05;
+  double post_width = 0.1;
+  double mark_size = 0.2;  ///< length of the bars of the penalty and center marks; the rules leave it open
+};
+
+/// The field of the paper's time.
+/// Source: RoboCup Soccer Humanoid League, Rules and Setup for 2008, table 1, from memory: no copy was at hand. Length,
+///         width and goal width are sure. Goal depth, depth of the goal area and border agree with a team's file for
+///         the 6 m x 4 m field of 2009. Height of the goal, width of the goal area, penalty mark and center circle are
+///         unchecked; a height of 0.9 m is remembered from later years.
+inline constexpr FieldSize kid_size_2008{.name = "kid_size_2008",
+                                         .length = 6,
+                                         .width = 4,
+                                         .goal_width = 1.5,
+                                         .goal_height = 0.8,
+                                         .goal_depth = 0.5,
+                                         .goal_area_depth = 0.6,
+                                         .goal_area_width = 2.2,
+                                         .penalty_mark_distance = 1.8,
+                                         .center_circle_diameter = 1.2,
+                                         .border = 0.7};
+
+/// Source: RoboCup Humanoid League, Laws of the Game, law 1, table 1, column KidSize. The edition of 2023 was
+///         not at hand; those of 2021 (as in RobocupSoccerField.proto of Webots) and of 2025 (as quoted by users)
+///         give the same numbers. A penalty mark at 2.1 m is that of AdultSize. The height of the goal is that of
+///         RobocupGoal.proto (KidSize; AdultSize has 1.8 m).
+inline constexpr FieldSize kid_size_2023{.name = "kid_size_2023",
+                                         .length = 9,
+                                         .width = 6,
+                                         .goal_width = 2.6,
+                                         .goal_height = 1.2,
+                                         .goal_depth = 0.6,
+                                         .goal_area_depth = 1,
+                                         .goal_area_width = 3,
+                                         .penalty_area_depth = 2,
+                                         .penalty_area_width = 5,
+                                         .penalty_mark_distance = 1.5,
+                                         .center_circle_diameter = 1.5,
+                                         .border = 1};
+
+/// Names that field_size() knows.
+[[nodiscard]] std::vector<std::string_view> field_names();
+
+/// Throws SetupError with the nearest name.
+[[nodiscard]] const FieldSize& field_size(std::string_view name);
+
+/// What is painted on the field. A closed stroke repeats its first point; the first stroke is the outer line. Goals
+/// are the two strokes that reach beyond it; their posts stand on the goal line, outside `goal_width`.
+[[nodiscard]] Markings field_markings(const FieldSize& size);
+
+/// Boxes of a goal, for `side` 1 (the goal at x > 0) or -1: two posts, crossbar, two bars from the posts backwards and
+/// the rear bar, on the ground; all of post_width. Field frame. There is no net: a ball that flies over the bars goes on.
+/// Posts and bars of wood or plastic tube are square here: rules allow 8 to 12 cm of any section.
+struct GoalBox {
+  std::string_view name;
+  Box box;
+  Vec3d center;  ///< [m]
+};
+[[nodiscard]] std::vector<GoalBox> goal_boxes(const FieldSize& size, double side);
+
+/// A model named after the field. Its base, "field", is a plane of `ground_material` with the markings; `friction_direction`: where
+/// the pile of the ground leans (model/shape.h), in the field's axes. Each box of a goal is an object of its own, of
+/// plastic, with its frame in its middle: "goal_right_crossbar" belongs to the goal at x > 0, "goal_left_post_left" is
+/// the post at y > 0 of the goal at x < 0. `standing`: more that stands on the field. The goals are the 13 objects of the field in the paper (7.5).
+[[nodiscard]] ModelPtr field_model(const FieldSize& size, const std::string& ground_material,
+                                   const Vec3d& friction_direction = {}, bool goals = true,
+                                   const std::vector<Chain>& standing = {});
+
+}  // namespace murosimf::scene_file

@@ -1,0 +1,106 @@
+#include "murosimf/scene_file/material_section.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "murosimf/files/toml_reader.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::scene_file {
+namespace {
+
+struct PairNumber {
+  std::string_view name;
+  double PairSurface::*number;
+};
+constexpr std::array pair_numbers{PairNumber{"friction", &PairSurface::friction},
+                                  PairNumber{"rolling", &PairSurface::rolling},
+                                  PairNumber{"restitution", &PairSurface::restitution},
+                                  PairNumber{"stiffness", &PairSurface::stiffness},
+                                  PairNumber{"friction_anisotropy", &PairSurface::friction_anisotropy}};
+
+double PairSurface::*number_called(std::string_view name) {
+  for (const PairNumber& known : pair_numbers) {
+    if (known.name == name) return known.number;
+  }
+  throw SetupError(unknown_name("number of a pair of materials", name, pair_keys()));
+}
+
+double value_of(const Assignment& change) {
+  const toml::table parsed = change.parsed();
+  const auto numbers = files::numbers_of(*parsed.get("value"));
+  if (!numbers || numbers->size() != 1) throw SetupError("the value must be a number");
+  return numbers->front();
+}
+
+/// Names of materials that a pattern means.
+std::vector<std::string> materials_like(const MaterialTable& materials, const std::string& pattern) {
+  std::vector<std::string> found;
+  for (const std::string_view name : materials.names()) {
+    if (fnmatch(pattern.c_str(), std::string(name).c_str(), 0) == 0) found.emplace_back(name);
+  }
+  if (found.empty()) throw SetupError(unknown_name("material", pattern, materials.names()));
+  return found;
+}
+
+void change_pair(MaterialTable& materials, const std::string& a, const std::string& b, double PairSurface::*number,
+                 double value) {
+  PairSurface pair = materials.find({.material = a}, {.material = b});
+  pair.*number = value;
+  materials.set(a, b, pair);
+}
+
+void change_pairs(MaterialTable& materials, const MaterialChange& change) {
+  const auto others = materials_like(materials, change.b);
+  for (const std::string& a : materials_like(materials, change.a)) {
+    for (const std::string& b : others) change_pair(materials, a, b, change.number, change.value);
+  }
+}
+
+/// Friction between the ground and everything, also surfaces without a material.
+void change_ground(const FieldSpec& field, MaterialTable& materials) {
+  std::vector<std::string> others{""};
+  for (const std::string_view name : materials.names()) others.emplace_back(name);
+  for (const std::string& other : others) {
+    change_pair(materials, other, field.surface, &PairSurface::friction, *field.friction);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string_view> pair_keys() {
+  std::vector<std::string_view> names;
+  for (const PairNumber& known : pair_numbers) names.push_back(known.name);
+  return names;
+}
+
+bool take_material_change(const std::string& override_text, std::vector<MaterialChange>& changes) {
+  const std::string where = fmt::format("--set '{}'", override_text);
+  const Assignment assignment = split_assignment(override_text, where);
+  const auto& path = assignment.path;
+  if (path[0] != "materials" || path.size() == 1) return false;
+  with_context(where, [&] {
+    if (path.size() > 4) throw SetupError("write materials.NUMBER or materials.MATERIAL.MATERIAL.NUMBER");
+    MaterialChange change{where, "", "", number_called(path.back()), value_of(assignment)};
+    if (path.size() > 2) change.a = path[1];
+    if (path.size() > 2) change.b = path.size() == 4 ? path[2] : "*";
+    changes.push_back(std::move(change));
+  });
+  return true;
+}
+
+void apply_material_changes(const std::vector<MaterialChange>& changes, SceneSpec& spec) {
+  for (const MaterialChange& change : changes) {
+    if (change.a.empty()) with_context(change.where, [&] { spec.materials.set_all(change.number, change.value); });
+  }
+  if (spec.field.friction && spec.materials.knows(spec.field.surface)) change_ground(spec.field, spec.materials);
+  for (const MaterialChange& change : changes) {
+    if (!change.a.empty()) with_context(change.where, [&] { change_pairs(spec.materials, change); });
+  }
+}
+
+}  // namespace murosimf::scene_file

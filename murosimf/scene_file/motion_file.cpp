@@ -1,0 +1,87 @@
+#include "murosimf/scene_file/motion_file.h"
+
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "murosimf/files/data_path.h"
+#include "murosimf/files/toml_reader.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::scene_file {
+namespace {
+
+using locomotion::Channel;
+using locomotion::KeyframeMotion;
+
+Channel read_channel(const toml::node& node, std::set<std::string>& seen) {
+  if (!node.is_string() || node.as_string()->get().empty()) {
+    files::fail_at(node.source(), "a column is the name of a joint or of a foot's axis, or a list of names");
+  }
+  const std::string& text = node.as_string()->get();
+  Channel channel = text[0] == '-' ? Channel{text.substr(1), -1} : Channel{text, 1};
+  if (!seen.insert(channel.name).second) files::fail_at(node.source(), fmt::format("'{}' is set twice", channel.name));
+  return channel;
+}
+
+void read_columns(const files::TomlTable& table, KeyframeMotion& motion) {
+  const toml::node* node = table.find("columns");
+  const toml::array* columns = node ? node->as_array() : nullptr;
+  if (!columns || columns->empty()) {
+    throw SetupError(fmt::format("{}: 'columns' must list what the values of a key frame set", table.where("columns")));
+  }
+  std::set<std::string> seen;
+  for (const toml::node& column : *columns) {
+    auto& channels = motion.columns.emplace_back();
+    if (const toml::array* several = column.as_array()) {
+      for (const toml::node& one : *several) channels.push_back(read_channel(one, seen));
+    } else {
+      channels.push_back(read_channel(column, seen));
+    }
+  }
+}
+
+std::vector<double> read_values(const files::TomlTable& table, std::string_view key, std::size_t count) {
+  const toml::node* node = table.find(key);
+  const auto numbers = node && node->is_array() ? files::numbers_of(*node) : std::nullopt;
+  if (!numbers || numbers->size() != count) {
+    throw SetupError(fmt::format("{}: '{}' must be {} number{} in brackets, one per column", table.where(key), key,
+                                 count, count == 1 ? "" : "s"));
+  }
+  for (const double number : *numbers) {
+    if (!std::isfinite(number)) throw SetupError(fmt::format("{}: '{}' must be finite numbers", table.where(key), key));
+  }
+  return *numbers;
+}
+
+}  // namespace
+
+std::filesystem::path find_motion(std::string_view name, const std::filesystem::path& beside) {
+  // a scene may have the name of the motion that it shows: a bare name is looked for in folders `motions` only
+  const std::string place = name.ends_with(".toml") ? std::string(name) : fmt::format("motions/{}", name);
+  if (const auto file = files::look_for_data_file(place, "motions", ".toml", beside)) return *file;
+  const auto names = files::data_file_names("motions", ".toml");
+  throw SetupError(unknown_name("motion", name, {names.begin(), names.end()}));
+}
+
+KeyframeMotion read_motion(const std::filesystem::path& file) {
+  const toml::table document = files::parse_toml_file(file);
+  const files::TomlTable table(document, {"columns", "start", "frames"});
+  KeyframeMotion motion;
+  motion.name = file.stem().string();
+  read_columns(table, motion);
+  const std::size_t count = motion.columns.size();
+  motion.start = read_values(table, "start", count);
+  for (const toml::table* node : table.tables("frames")) {
+    const files::TomlTable frame(*node, {"duration", "values"});
+    double duration = 0;
+    frame.read("duration", duration);
+    if (!(duration > 0)) throw SetupError(fmt::format("{}: 'duration' must be positive", frame.where("duration")));
+    motion.frames.push_back({duration, read_values(frame, "values", count)});
+  }
+  if (motion.frames.empty()) throw SetupError(fmt::format("{}: the motion has no [[frames]]", table.where("frames")));
+  return motion;
+}
+
+}  // namespace murosimf::scene_file

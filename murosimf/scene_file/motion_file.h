@@ -1,0 +1,19 @@
+/// motion_file.h - reads key-frame motions (docs/scenes.md, "Motions").
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "murosimf/locomotion/keyframe_motion.h"
+
+namespace murosimf::scene_file {
+
+/// The file that `name` means: a file NAME.toml here or in `beside`, else the motion of that name in a folder `motions` here,
+/// in `beside` or among those that come with the program. Throws SetupError with the nearest name.
+[[nodiscard]] std::filesystem::path find_motion(std::string_view name, const std::filesystem::path& beside = {});
+
+/// Throws SetupError with file:line:column if the file is missing, is not TOML, or has a mistake: columns and values that do
+/// not match, a channel that is set twice, numbers that are not finite, durations that are not positive.
+[[nodiscard]] locomotion::KeyframeMotion read_motion(const std::filesystem::path& file);
+
+}  // namespace murosimf::scene_file

@@ -1,0 +1,132 @@
+#include "murosimf/scene_file/overrides.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+#include "murosimf/scene_file/assignment.h"
+#include "murosimf/scene_file/body_section.h"
+#include "murosimf/scene_file/setting_targets.h"
+
+namespace murosimf::scene_file {
+namespace {
+
+void assign(toml::table& table, const std::string& key, const Assignment& o) {
+  toml::table value = o.parsed();
+  table.insert_or_assign(key, std::move(*value.get("value")));
+}
+
+/// The table under a key, made if there is none.
+toml::table& table_in(toml::table& table, const std::string& key, const Assignment& o) {
+  if (!table.contains(key)) table.insert(key, toml::table{});
+  if (toml::table* inside = table[key].as_table()) return *inside;
+  throw SetupError(fmt::format("{}: '{}' is no table there, so nothing in it can be set", o.where, key));
+}
+
+/// sensors.NAME, sensors.NAME.KEY or sensors.NAME.OUTPUT.KEY, from part `begin` of the path on.
+void assign_sensor(toml::table& robot, const Assignment& o, std::size_t begin) {
+  if (o.path.size() - begin > 4) {
+    throw SetupError(fmt::format("{}: write sensors.NAME.KEY or sensors.NAME.OUTPUT.KEY", o.where));
+  }
+  toml::table* table = &robot;
+  for (std::size_t i = begin; i + 1 < o.path.size(); ++i) table = &table_in(*table, o.path[i], o);
+  assign(*table, o.path.back(), o);
+}
+
+/// Names of bodies that are entities: static ones are not.
+std::vector<std::string> moving_names(const std::vector<toml::table*>& bodies, const Assignment& o) {
+  std::vector<std::string> names;
+  for (const toml::table* body : bodies) {
+    if (!(*body)["static"].value_or(false)) names.push_back(text_of(*body, "name"));
+  }
+  if (names.empty())
+    throw SetupError(fmt::format("{}: '{}' stands there for good; only its keys change", o.where, o.path[0]));
+  return names;
+}
+
+[[noreturn]] void refuse_unknown(const toml::table& scene, const Assignment& o) {
+  const std::vector<std::string> names = entity_names(scene);
+  std::vector<std::string_view> candidates(names.begin(), names.end());
+  if (o.path.size() == 1) candidates = scene_keys();
+  throw SetupError(
+      fmt::format("{}: {}", o.where,
+                  unknown_name(o.path.size() == 1 ? "setting" : "entity or table", o.path[0], candidates)));
+}
+
+}  // namespace
+
+const std::vector<std::string_view>& scene_keys() {
+  static const std::vector<std::string_view> keys{"name",         "duration",  "seed",   "rate",     "gravity",
+                                                  "body_contact", "start",     "field",  "view",     "views",
+                                                  "light",        "ball",      "teams",  "defaults", "robots",
+                                                  "bodies",       "materials", "events", "pushes"};
+  return keys;
+}
+
+std::vector<std::string_view> table_keys(std::string_view table) {
+  if (table == "start") {
+    return {"jitter_position", "jitter_heading_deg", "jitter_tilt_deg", "jitter_posture_deg"};
+  }
+  if (table == "field") return {"size", "surface", "friction_direction", "goals", "friction"};
+  if (table == "view") return {"center", "width", "azimuth_deg", "elevation_deg"};
+  if (table == "light") return {"name", "toward", "brightness", "shadows", "samples"};
+  if (table == "ball") return {"position", "velocity", "radius", "mass", "hollow", "material", "contact"};
+  if (table == "defaults") {
+    auto keys = robot_keys();
+    std::erase(keys, "name");
+    return keys;
+  }
+  return {};
+}
+
+const std::vector<std::string_view>& robot_keys() {
+  static const std::vector<std::string_view> keys{"name",           "team",       "model",      "level",
+                                                  "contact",        "controller", "position",   "command",
+                                                  "heading_deg",    "roll_deg",   "pitch_deg",  "volume",
+                                                  "self_collision", "no_contact", "base_rigid", "joint_reference",
+                                                  "integrator",     "fixed_base", "servo_law",  "motion",
+                                                  "sensors"};
+  return keys;
+}
+
+void apply_override(toml::table& scene, const std::string& override_text, std::vector<PropertySetting>& settings) {
+  const Assignment o = split_assignment(override_text, fmt::format("--set '{}'", override_text));
+  const auto [robots, used] = robots_of(scene, o.path);
+  const std::size_t rest = o.path.size() - used;
+  const auto names = [&found = robots] {
+    std::vector<std::string> result;
+    for (const toml::table* robot : found) result.push_back(text_of(*robot, "name"));
+    return result;
+  };
+  if (!robots.empty() && rest == 1 && is_of_joints(o.path.back())) {
+    settings.push_back(property_setting(o, used, names()));
+  } else if (!robots.empty() && rest == 1) {
+    check_key(o, o.path.back(), robot_keys());
+    for (toml::table* robot : robots) assign(*robot, o.path.back(), o);
+  } else if (!robots.empty() && rest >= 2 && o.path[used] == "sensors") {
+    for (toml::table* robot : robots) assign_sensor(*robot, o, used);
+  } else if (!robots.empty() && rest >= 2) {
+    settings.push_back(property_setting(o, used, names()));
+  } else if (const auto bodies = bodies_called(scene, o.path[0]); !bodies.empty() && o.path.size() == 2) {
+    check_key(o, o.path[1], body_keys());
+    for (toml::table* body : bodies) assign(*body, o.path[1], o);
+  } else if (!bodies.empty() && o.path.size() >= 3) {
+    settings.push_back(property_setting(o, 1, moving_names(bodies, o)));
+  } else if (o.path.size() == 1) {
+    check_key(o, o.path[0], scene_keys());
+    assign(scene, o.path[0], o);
+  } else if (const auto keys = table_keys(o.path[0]); !keys.empty() && o.path.size() == 2) {
+    check_key(o, o.path[1], keys);
+    if (!scene.contains(o.path[0])) scene.insert(o.path[0], toml::table{});
+    if (toml::table* table = scene[o.path[0]].as_table()) assign(*table, o.path[1], o);
+  } else if (o.path.size() >= 3 && o.path[0] == "defaults" && o.path[1] == "sensors") {
+    assign_sensor(table_in(scene, "defaults", o), o, 1);
+  } else if (o.path.size() >= 3 && o.path[0] == "ball" && scene.contains("ball")) {
+    settings.push_back(property_setting(o, 1, {"ball"}));
+  } else {
+    refuse_unknown(scene, o);
+  }
+}
+
+}  // namespace murosimf::scene_file

@@ -1,0 +1,28 @@
+/// push_section.h - pushes on bodies for a while: --push and [[pushes]] of a scene file.
+///
+///     --push 'r1.torso=[60,0,0]@2..2.1'        force in N, world axes, at the body's center of mass, from 2 s to 2.1 s
+///     --push 'r1.torso={force=[60,0,0], moment=[0,5,0]}@2..2.1'      or six numbers: force, moment
+///
+///     [[pushes]]
+///     on = "r1.torso"
+///     force = [60, 0, 0]
+///     from = 2.0
+///     to = 2.1
+///
+/// Only for .cpp files: it brings toml++ in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "murosimf/scene_file/scene_spec.h"
+
+namespace murosimf::scene_file {
+
+/// Those of the file, then those of --push. Throws SetupError: for impossible forces and times, and for entities that
+/// there are not.
+[[nodiscard]] std::vector<PushSpec> read_pushes(toml::table& scene, const std::vector<std::string>& push_options);
+
+}  // namespace murosimf::scene_file

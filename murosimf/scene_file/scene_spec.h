@@ -1,0 +1,167 @@
+/// scene_spec.h - what a scene file says: plain data, checked one by one, before anything is built.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/collision/body_contact_law.h"
+#include "murosimf/components/sensor_table.h"
+#include "murosimf/math/scalar.h"
+#include "murosimf/math/vec3.h"
+#include "murosimf/model/entity.h"
+#include "murosimf/model/material.h"
+#include "murosimf/motion/integrator.h"
+#include "murosimf/scene_file/ball.h"
+#include "murosimf/scene_file/body_spec.h"
+
+namespace murosimf::scene_file {
+
+inline constexpr double longest_duration = 3e9;  ///< [s] a century; nanoseconds in 64 bits end after three
+
+struct FieldSpec {
+  std::string size = "kid_size_2008";
+  std::string surface = "carpet";
+  Vec3d friction_direction;  ///< [1] where its pile leans, in the ground; zero: nowhere
+  bool goals = true;
+  std::optional<double> friction;  ///< [1] between the ground and everything; empty: by the pairs of materials
+};
+
+struct BallSpec {
+  BallOptions options;
+  Vec3d position;  ///< [m] z: height of its lowest point
+  Vec3d velocity;  ///< [m/s]
+  std::string contact = "implicit_stick";
+};
+
+/// How pictures of the bodies look at the scene.
+struct ViewSpec {
+  Vec3d center{0, 0, 0.2};     ///< [m] in the middle of the picture, if `width` is given
+  double width = 0;            ///< [m] of the picture; 0: all of the field
+  double azimuth = -pi / 2.4;  ///< [rad] where the eye is, counterclockwise from x
+  double elevation = pi / 7;   ///< [rad] above the ground
+};
+
+/// What lights the scene for cameras (render/light.h).
+struct LightSpec {
+  std::string name = "hall";
+  std::optional<Vec3d> toward;  ///< to the lamp; without it as `name` has it
+  double brightness = 1;        ///< [1] of all light
+  bool shadows = false;
+  int samples = 1;  ///< to a pixel; edges are smooth with 4
+};
+
+/// A place from where people look at the scene: [views.NAME].
+struct ViewpointSpec {
+  std::string name;
+  Vec3d eye, look_at;   ///< [m]
+  double fov = pi / 3;  ///< [rad] from the left to the right border
+};
+
+struct TeamSpec {
+  std::string name;
+  Color color;
+  double attacks = 1;  ///< +1: the goal at positive x, -1: the other one
+};
+
+/// That a scene says something: where, and whether only its [defaults] do.
+struct GivenKey {
+  std::string where;
+  bool by_default = false;
+};
+
+struct RobotSpec {
+  std::string name;
+  std::string team;
+  std::string model;
+  std::string where;  ///< place in the scene file, for messages
+  std::string level = "kinematic_walking";
+  std::string contact = "implicit_stick";
+  std::string controller = "walk";
+  std::string servo_law;  ///< instead of what the model's servos say; empty: those
+  std::string motion;     ///< name or file, for the controller "keyframes"; empty for none
+  std::string joint_reference = "filter";
+  motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
+  bool base_rigid = false;
+  bool fixed_base = false;
+  Vec3d position;              ///< [m]
+  double heading = 0;          ///< [rad]
+  double roll = 0, pitch = 0;  ///< [rad] about the level robot's x, then its y; before the heading
+  Vec3d command;               ///< [m/s, m/s, rad/s]
+  CollisionOptions collision;
+  components::SensorChanges sensors;
+  std::map<std::string, GivenKey> given;  ///< its keys that somebody has set
+};
+
+/// A pair of [[materials]], for messages; its numbers stand in the table.
+struct GivenPair {
+  std::string a, b;
+  std::string where;
+};
+
+/// A property to set: --set 'blue1.pelvis.applied_force=[5,0,0,0,0,0]'.
+struct PropertySetting {
+  std::string where;
+  std::vector<std::string> entities;
+  std::string object, property;  ///< no object: the base
+  std::vector<double> numbers;
+};
+
+/// Something that changes while the scene runs: another level, law or command, or a property.
+struct SceneEvent {
+  double time = 0;  ///< [s]
+  std::string where;
+  std::vector<std::string> entities;
+  std::string key, value;  ///< of a robot; with `setting`, only for messages
+  std::optional<PropertySetting> setting;
+};
+
+/// A force for a while, at the center of mass of a body: --push.
+struct PushSpec {
+  std::string where;
+  std::vector<std::string> entities;
+  std::string object;         ///< empty: the base
+  Vec3d force;                ///< [N] world
+  Vec3d moment;               ///< [N m] world
+  double begin = 0, end = 0;  ///< [s]
+};
+
+struct SceneSpec {
+  std::filesystem::path file;
+  std::string name;
+  double duration = 10;  ///< [s]
+  std::uint64_t seed = 1;
+  double rate = usual_step_rate;  ///< [Hz] of motion and contact
+  Vec3d gravity{0, 0, -9.81};     ///< [m/s^2]
+  double jitter_position = 0;     ///< [m] start places vary by up to this, in x and y
+  double jitter_heading = 0;      ///< [rad]
+  double jitter_tilt = 0;         ///< [rad] about a random axis
+  double jitter_posture = 0;      ///< [rad] joint targets vary by up to this, within joint limits
+  collision::BodyContactLaw body_contact = collision::BodyContactLaw::island_gauss_seidel;
+  FieldSpec field;
+  ViewSpec view;
+  LightSpec light;
+  std::vector<ViewpointSpec> viewpoints;
+  std::optional<BallSpec> ball;
+  std::vector<TeamSpec> teams;
+  std::vector<RobotSpec> robots;
+  std::vector<BodySpec> bodies;
+  MaterialTable materials = MaterialTable::standard();
+  std::vector<GivenPair> material_pairs;  ///< those of `materials` that the scene sets
+  std::vector<PropertySetting> settings;
+  std::vector<SceneEvent> events;  ///< in the order of time
+  std::vector<PushSpec> pushes;
+};
+
+/// Reads a scene file (docs/scenes.md). `overrides` are PATH=VALUE as for --set: a key of the file ("duration=5",
+/// "field.surface=grass"), a key of robots ("blue1.level=...", "blue.*.level=..."), or a property
+/// ("blue1.pelvis.applied_force=[5,0,0,0,0,0]"). `at_options` are TIME:PATH=VALUE as for --at (event_section.h),
+/// `push_options` are as for --push (push_section.h). Throws SetupError with file:line:column.
+[[nodiscard]] SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {},
+                                   const std::vector<std::string>& at_options = {},
+                                   const std::vector<std::string>& push_options = {});
+
+}  // namespace murosimf::scene_file

@@ -1,0 +1,173 @@
+#include "murosimf/scene_file/unused_settings.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "murosimf/catalog/algorithm_catalog.h"
+
+namespace murosimf::scene_file {
+namespace {
+
+/// A key of a robot that only some levels or controllers use.
+struct UsedKey {
+  std::string_view key;   ///< as in the file
+  std::string_view word;  ///< as in the registry
+  enum { by_level, by_first_level, by_controller } use = by_level;
+  bool (*says)(const RobotSpec&) = nullptr;  ///< it asks for something; null: always
+};
+
+bool asks_for_height(const RobotSpec& robot) { return robot.position.z != 0; }
+bool asks_for_roll(const RobotSpec& robot) { return robot.roll != 0; }
+bool asks_for_pitch(const RobotSpec& robot) { return robot.pitch != 0; }
+bool asks_for_servo_law(const RobotSpec& robot) { return !robot.servo_law.empty(); }
+bool asks_for_motion(const RobotSpec& robot) { return !robot.motion.empty(); }
+bool asks_for_command(const RobotSpec& robot) { return !is_zero(robot.command); }
+
+constexpr std::array used_keys{
+    UsedKey{"contact", "contact"},
+    UsedKey{"integrator", "integrator"},
+    UsedKey{"joint_reference", "joint_reference"},
+    UsedKey{"servo_law", "servo_law", UsedKey::by_level, asks_for_servo_law},
+    UsedKey{"base_rigid", "base_rigid", UsedKey::by_level, [](const RobotSpec& r) { return r.base_rigid; }},
+    UsedKey{"fixed_base", "fixed_base", UsedKey::by_level, [](const RobotSpec& r) { return r.fixed_base; }},
+    UsedKey{"self_collision", "self_collision", UsedKey::by_level,
+            [](const RobotSpec& r) { return r.collision.self_collision; }},
+    UsedKey{"position", "position.z", UsedKey::by_first_level, asks_for_height},
+    UsedKey{"roll_deg", "roll_deg", UsedKey::by_first_level, asks_for_roll},
+    UsedKey{"pitch_deg", "pitch_deg", UsedKey::by_first_level, asks_for_pitch},
+    UsedKey{"command", "command", UsedKey::by_controller, asks_for_command},
+    UsedKey{"motion", "motion", UsedKey::by_controller, asks_for_motion},
+};
+
+bool is_for(const SceneEvent& event, const RobotSpec& robot) {
+  return std::ranges::find(event.entities, robot.name) != event.entities.end();
+}
+
+bool any_uses(const std::vector<const catalog::LevelType*>& levels, std::string_view word) {
+  return std::ranges::any_of(levels,
+                             [&](const catalog::LevelType* level) { return catalog::has_word(level->options, word); });
+}
+
+const catalog::LevelType& first_level(const RobotSpec& robot) {
+  return find_entry(catalog::levels(), "level", robot.level);
+}
+
+bool is_used(const SceneSpec& spec, const RobotSpec& robot, const UsedKey& key) {
+  if (key.use == UsedKey::by_level) return any_uses(levels_from(spec, robot, 0), key.word);
+  if (key.use == UsedKey::by_first_level) return catalog::has_word(first_level(robot).options, key.word);
+  return catalog::has_word(find_entry(catalog::controllers(), "controller", robot.controller).options, key.word);
+}
+
+std::string line_about(const RobotSpec& robot, const UsedKey& key) {
+  const std::string_view part = key.word == "position.z" ? "z of " : "";
+  const std::string who =
+      key.use == UsedKey::by_controller ? fmt::format("controller '{}'", robot.controller) : robot.level;
+  return fmt::format("{}: {} has no {}'{}'; it changes nothing", robot.name, who, part, key.key);
+}
+
+/// Of robots by name; of [defaults] once, and only if they help nobody.
+void add_keys(const SceneSpec& spec, const UsedKey& key, std::vector<std::string>& lines) {
+  std::vector<const RobotSpec*> by_default;
+  bool default_helps = false;
+  for (const RobotSpec& robot : spec.robots) {
+    const auto given = robot.given.find(std::string(key.key));
+    if (given == robot.given.end() || (key.says && !key.says(robot))) continue;
+    const bool used = is_used(spec, robot, key);
+    if (given->second.by_default) {
+      by_default.push_back(&robot);
+      default_helps = default_helps || used;
+    } else if (!used) {
+      lines.push_back(line_about(robot, key));
+    }
+  }
+  if (default_helps || by_default.empty()) return;
+  lines.push_back(fmt::format("defaults: no robot uses '{}' ({})", key.key, line_about(*by_default.front(), key)));
+}
+
+/// Laws that an event gives a robot whose levels have none from then on.
+void add_events(const SceneSpec& spec, std::vector<std::string>& lines) {
+  for (const SceneEvent& event : spec.events) {
+    if (event.key != "contact" && event.key != "servo_law") continue;
+    if (event.setting) continue;
+    for (const RobotSpec& robot : spec.robots) {
+      if (!is_for(event, robot)) continue;
+      const auto present = levels_from(spec, robot, event.time);
+      if (any_uses(present, event.key)) continue;
+      lines.push_back(fmt::format("{}: {} has no '{}' at {:.3f} s; it changes nothing ({})", robot.name,
+                                  present.front()->name, event.key, event.time, event.where));
+    }
+  }
+}
+
+void add_start(const SceneSpec& spec, std::vector<std::string>& lines) {
+  const auto nobody = [&](const auto& uses) { return std::ranges::none_of(spec.robots, uses); };
+  if (spec.jitter_tilt != 0 &&
+      nobody([](const auto& r) { return catalog::has_word(first_level(r).options, "roll_deg"); })) {
+    lines.emplace_back("start: no robot begins at a level that 'jitter_tilt_deg' could lean; it changes nothing");
+  }
+  const auto keeps_posture = [](const RobotSpec& robot) {
+    return catalog::has_word(find_entry(catalog::controllers(), "controller", robot.controller).options, "posture");
+  };
+  if (spec.jitter_posture != 0 && nobody(keeps_posture)) {
+    lines.emplace_back("start: controllers set the joints of all robots; 'jitter_posture_deg' changes nothing");
+  }
+}
+
+}  // namespace
+
+std::vector<const catalog::LevelType*> levels_from(const SceneSpec& spec, const RobotSpec& robot, double time) {
+  std::vector<const catalog::LevelType*> found{&first_level(robot)};
+  for (const SceneEvent& event : spec.events) {
+    if (event.key != "level" || event.setting || !is_for(event, robot)) continue;
+    if (event.time <= time && time > 0) found.clear();
+    found.push_back(&find_entry(catalog::levels(), "level", event.value));
+  }
+  return found;
+}
+
+std::vector<std::string> unused_keys(const SceneSpec& spec) {
+  std::vector<std::string> lines;
+  const bool bodies_stand = std::ranges::all_of(spec.bodies, &BodySpec::is_static);
+  if (spec.robots.empty() && !spec.ball && bodies_stand) {
+    lines.emplace_back("nothing moves in this scene: it has neither [[robots]] nor a [ball] nor [[bodies]] that move");
+  }
+  for (const UsedKey& key : used_keys) add_keys(spec, key, lines);
+  add_events(spec, lines);
+  add_start(spec, lines);
+  return lines;
+}
+
+std::vector<std::string> unused_pairs(const SceneSpec& spec, const std::vector<std::string>& used) {
+  const MaterialTable standard = MaterialTable::standard();
+  std::vector<std::string_view> known = standard.names();
+  known.insert(known.end(), used.begin(), used.end());
+  std::vector<std::string> lines;
+  for (const GivenPair& pair : spec.material_pairs) {
+    for (const std::string& name : std::set<std::string>{pair.a, pair.b}) {
+      if (std::ranges::find(used, name) != used.end()) continue;
+      if (std::ranges::find(known, name) == known.end()) {
+        throw SetupError(fmt::format("{}: {}", pair.where, unknown_name("material", name, known)));
+      }
+      lines.push_back(fmt::format("materials: nothing here is of '{}'; the pair of '{}' and '{}' changes nothing", name,
+                                  pair.a, pair.b));
+    }
+  }
+  return lines;
+}
+
+std::string unused_friction_direction(const SceneSpec& spec, const std::vector<std::string>& used) {
+  if (is_zero(spec.field.friction_direction)) return {};
+  Surface ground, body;
+  ground.material = spec.field.surface;
+  for (const std::string& name : used) {
+    body.material = name;
+    if (spec.materials.find(ground, body).friction_anisotropy > 0) return {};
+  }
+  return fmt::format("field: nothing here feels the pile of '{}'; 'friction_direction' changes nothing",
+                     spec.field.surface);
+}
+
+}  // namespace murosimf::scene_file

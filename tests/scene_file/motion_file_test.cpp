@@ -1,0 +1,105 @@
+// Files of key-frame motions: those that come with the program, and one clear line for every mistake.
+#include "murosimf/scene_file/motion_file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "murosimf/files/data_path.h"
+#include "murosimf/model/error.h"
+#include "murosimf/scene/scene.h"
+#include "tests/temp_folder.h"
+
+namespace murosimf::scene_file {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path write(const std::string& text) {
+  const fs::path file = fixtures::temp_folder() / ("motion_file_test." + std::to_string(::getpid()) + ".toml");
+  std::ofstream(file) << text;
+  return file;
+}
+
+std::string refusal(const std::string& text) {
+  const fs::path file = write(text);
+  std::string why;
+  try {
+    static_cast<void>(read_motion(file));
+  } catch (const SetupError& error) {
+    why = error.what();
+  }
+  fs::remove(file);
+  return why;
+}
+
+void expect_refusal(const std::string& text, const std::vector<std::string>& parts) {
+  const std::string why = refusal(text);
+  EXPECT_EQ(why.find('\n'), std::string::npos);
+  for (const std::string& part : parts) EXPECT_NE(why.find(part), std::string::npos) << text << " said: " << why;
+}
+
+TEST(MotionFile, ReadsColumnsSignsAndFrames) {
+  const fs::path file =
+      write("columns = [\"a\", [\"b\", \"-c\"]]\nstart = [1, 2]\n[[frames]]\nduration = 0.5\nvalues = [3, 4.5]\n");
+  const locomotion::KeyframeMotion motion = read_motion(file);
+  fs::remove(file);
+  ASSERT_EQ(motion.columns.size(), 2U);
+  EXPECT_EQ(motion.columns[1][1].name, "c");
+  EXPECT_EQ(motion.columns[1][0].sign, 1);
+  EXPECT_EQ(motion.columns[1][1].sign, -1);
+  EXPECT_EQ(motion.start, (std::vector<double>{1, 2}));
+  ASSERT_EQ(motion.frames.size(), 1U);
+  EXPECT_EQ(motion.frames[0].duration, 0.5);
+  EXPECT_EQ(motion.frames[0].values, (std::vector<double>{3, 4.5}));
+}
+
+TEST(MotionFile, SaysWhereAMistakeIs) {
+  const std::string head = "columns = [\"a\"]\nstart = [0]\n";
+  expect_refusal("", {"'columns'"});
+  expect_refusal("columns = []\n", {":1:11: 'columns' must list"});
+  expect_refusal("columns = [3]\n", {":1:12: a column is the name"});
+  expect_refusal("columns = [\"a\", \"-a\"]\n", {":1:17: 'a' is set twice"});
+  expect_refusal("columns = [\"a\"]\n", {"'start' must be 1 number in brackets"});
+  expect_refusal("columns = [\"a\", \"b\"]\nstart = [0]\n", {":2:9: 'start' must be 2 numbers"});
+  expect_refusal("columns = [\"a\"]\nstart = [nan]\n", {":2:9: 'start' must be finite"});
+  expect_refusal(head, {"no [[frames]]"});
+  expect_refusal(head + "[[frames]]\nvalues = [0]\n", {":3:1: 'duration' must be positive"});
+  expect_refusal(head + "[[frames]]\nduration = -1\nvalues = [0]\n", {":4:12: 'duration' must be positive"});
+  expect_refusal(head + "[[frames]]\nduration = nan\nvalues = [0]\n", {":4:12: 'duration' must be a finite number"});
+  expect_refusal(head + "[[frames]]\nduration = 1\nvalues = [inf]\n", {":5:10: 'values' must be finite"});
+  expect_refusal(head + "[[frames]]\nduration = 1\nvalue = [0]\n", {":5:1: unknown key 'value'", "'values'"});
+}
+
+TEST(MotionFile, UnknownMotionsNameTheNearest) {
+  try {
+    static_cast<void>(find_motion("kik"));
+    FAIL();
+  } catch (const SetupError& error) {
+    EXPECT_STREQ(error.what(), "unknown motion 'kik'; did you mean 'kick'?");
+  }
+}
+
+std::string robot(const std::string& keys) { return "[[robots]]\nname = \"r\"\nmodel = \"kid21\"\n" + keys; }
+
+TEST(MotionFile, EveryMotionOfTheProgramFitsItsRobot) {
+  const auto names = files::data_file_names("motions", ".toml");
+  EXPECT_GE(names.size(), 4U);
+  for (const std::string& name : names) {
+    const fs::path file = write(robot("controller = \"keyframes\"\nmotion = \"" + name + "\"\n"));
+    scene::Scene scene(file);
+    scene.simulation().run(from_seconds(0.1));
+    EXPECT_FALSE(scene.simulation().world().entity("r").frozen()) << name;
+    fs::remove(file);
+  }
+}
+
+TEST(MotionFile, AKeyframePlayerNeedsAMotion) {
+  const fs::path file = write(robot("controller = \"keyframes\"\n"));
+  EXPECT_THROW(scene::Scene{file}, SetupError);
+  fs::remove(file);
+}
+
+}  // namespace
+}  // namespace murosimf::scene_file
