@@ -1,6 +1,5 @@
 /// scene_cameras_test - cameras in scenes: what they cost nobody, what they show, and that looking changes nothing.
 #include <cmath>
-#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -11,7 +10,7 @@
 #include "murosimf/sensors/reading.h"
 #include "tests/law.h"
 #include "tests/render/drawn.h"
-#include "tests/temp_folder.h"
+#include "tests/scene/scene_file.h"
 
 namespace murosimf::scene {
 namespace {
@@ -21,13 +20,6 @@ using fixtures::error_of;
 using fixtures::says;
 using sensors::CameraFrame;
 using sensors::frames_of;
-
-std::string write_scene(const std::string& text) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fixtures::temp_folder().string() + "/" + "scene_cameras_" + info->name() + ".toml";
-  std::ofstream(file) << text;
-  return file;
-}
 
 /// Two robots that walk, with small cameras that draw all layers.
 std::string game(const std::string& camera = "") {

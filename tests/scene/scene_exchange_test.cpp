@@ -1,15 +1,13 @@
 // A scene that changes while it runs: its timeline, --at, refusals, and one clear line for every mistake.
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
 #include "tests/fixtures.h"
-#include "tests/temp_folder.h"
+#include "tests/scene/scene_file.h"
 
 namespace murosimf::scene {
 namespace {
@@ -35,13 +33,6 @@ controller = "walk"
 level = "articulated_dynamics"
 position = [-1.0, 1.0]
 )";
-
-std::string write_scene(const std::string& text) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fixtures::temp_folder().string() + "/" + "scene_exchange_" + info->name() + ".toml";
-  std::ofstream(file) << text;
-  return file;
-}
 
 std::vector<std::string> texts(const Scene& scene) {
   std::vector<std::string> all;

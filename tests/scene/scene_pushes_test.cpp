@@ -3,20 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
-#include "tests/temp_folder.h"
+#include "tests/scene/scene_file.h"
 
 namespace murosimf::scene {
 namespace {
 
 /// A box that floats, and a kinematic robot far away.
 std::string pushed_scene(const std::string& more = {}) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fixtures::temp_folder().string() + "/" + "pushes_" + info->name() + ".toml";
-  std::ofstream(file) << R"(gravity = [0, 0, 0]
+  return write_scene(R"(gravity = [0, 0, 0]
 [[bodies]]
 name = "box"
 shape = "box"
@@ -34,8 +31,7 @@ static = true
 name = "r"
 model = "kid21"
 position = [-2, 0]
-)" << more;
-  return file;
+)" + more);
 }
 
 std::string push_mistake(const std::string& push, const std::vector<std::string>& events = {}) {

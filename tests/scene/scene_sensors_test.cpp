@@ -7,6 +7,7 @@
 #include "murosimf/scene/scene.h"
 #include "murosimf/sensors/reading.h"
 #include "tests/fixtures.h"
+#include "tests/scene/scene_file.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::scene {
@@ -20,13 +21,6 @@ using sensors::Reading;
 
 const std::string start = "duration = 1.0\n[defaults]\nmodel = 'kid21'\ncontroller = 'walk'\n";
 const std::string two = "[[robots]]\nname = 'one'\n[[robots]]\nname = 'two'\nposition = [0, 1]\n";
-
-std::string write_scene(const std::string& text) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fixtures::temp_folder().string() + "/" + "scene_sensors_" + info->name() + ".toml";
-  std::ofstream(file) << text;
-  return file;
-}
 
 Entity& robot(Scene& scene, const std::string& name) { return scene.simulation().world().entity(name); }
 

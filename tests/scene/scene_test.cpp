@@ -4,12 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
-#include "tests/temp_folder.h"
+#include "tests/scene/scene_file.h"
 
 namespace murosimf::scene {
 namespace {
@@ -39,13 +38,6 @@ name = "red1"
 team = "red"
 position = [1.0, 0.0]
 )";
-
-std::string write_scene(const std::string& text) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fixtures::temp_folder().string() + "/" + "scene_" + info->name() + ".toml";
-  std::ofstream(file) << text;
-  return file;
-}
 
 SceneSpec spec_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
   return read_scene(write_scene(text), overrides);

@@ -1,14 +1,12 @@
 // What a scene sets and nothing uses is warned about by name; what cannot be is refused; what acts later is no mistake.
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <fstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "murosimf/scene/scene.h"
 #include "tests/fixtures.h"
+#include "tests/scene/scene_file.h"
 
 namespace murosimf::scene {
 namespace {
@@ -29,13 +27,6 @@ level = "articulated_dynamics"
 position = [1.0, 0.0]
 )";
 
-std::filesystem::path scene_file(const std::string& text) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fmt::format("{}unused_{}_{}.toml", testing::TempDir(), info->name(), getpid());
-  std::ofstream(file) << text;
-  return file;
-}
-
 struct What {
   std::vector<std::string> set = {}, at = {};
   std::string text = pair_scene;
@@ -43,7 +34,7 @@ struct What {
 
 /// All warnings, one per line, of a run of 20 ms.
 std::string warnings_of(const What& what) {
-  Scene scene(scene_file(what.text), {.overrides = what.set, .events = what.at});
+  Scene scene(write_scene(what.text), {.overrides = what.set, .events = what.at});
   scene.simulation().run(20ms);
   return fmt::format("{}", fmt::join(scene.report({}).warnings, "\n"));
 }
@@ -153,7 +144,7 @@ TEST(Mistakes, InEmptyNamesAndNumbersAreRefused) {
 }
 
 TEST(Seeds, AreExact) {
-  const Scene scene(scene_file(pair_scene), {.overrides = {"seed=9007199254740993"}});
+  const Scene scene(write_scene(pair_scene), {.overrides = {"seed=9007199254740993"}});
   EXPECT_EQ(scene.report({}).seed, 9007199254740993U);
 }
 
@@ -192,7 +183,7 @@ TEST(PropertySettings, OfServosNeedAServoThatUsesThem) {
 }
 
 TEST(PropertySettings, OfTargetsThatAControllerWritesAreNamed) {
-  Scene scene(scene_file(pair_scene),
+  Scene scene(write_scene(pair_scene),
               {.overrides = {"still.controller=walk", "still.j_l_shin.joint_target=0.4",
                              "real.j_l_shin.joint_target=0.4", "still.j_head.joint_target=0.1"}});
   scene.simulation().run(100ms);
@@ -220,9 +211,9 @@ TEST(EventsToCome, ThatTheRunDoesNotReachAreNamed) {
 }
 
 TEST(EventsOfTheReport, HaveEverySettingAndEveryEvent) {
-  Scene scene(scene_file(pair_scene), {.overrides = {"real.j_l_shin.joint_position=0.25"},
-                                       .events = {"0.01:real.pelvis.applied_force=[0, 0, 0, 5, 0, 0]",
-                                                  "0.01:real.level=articulated_dynamics", "0.01:real.contact=paper"}});
+  Scene scene(write_scene(pair_scene), {.overrides = {"real.j_l_shin.joint_position=0.25"},
+                                        .events = {"0.01:real.pelvis.applied_force=[0, 0, 0, 5, 0, 0]",
+                                                   "0.01:real.level=articulated_dynamics", "0.01:real.contact=paper"}});
   scene.simulation().run(20ms);
   std::vector<std::string> texts;
   for (const Event& event : scene.report({}).events) texts.push_back(event.text);
