@@ -7,6 +7,7 @@
 
 #include "apps/command_line.h"
 #include "apps/last_words.h"
+#include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/appearance/robot_picture.h"
 #include "murosimf/check/model_report.h"
@@ -35,7 +36,7 @@ void define(const Command& command, CheckOptions& options) {
   command.add("--picture", options.picture, "Write a PNG picture of the robot from four sides");
   command.add("--roles", options.roles,
               "Write the soles, frames and servos that were found or guessed (TOML), to be corrected");
-  command.add("--lenient", options.lenient, "Accept unknown elements, with a warning");
+  add_lenient(command, options.lenient);
 }
 
 /// The robot, or as much of it as can be read leniently; then `error` says what kept it from being read strictly.

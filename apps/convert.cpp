@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
+#include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/files/output_file.h"
@@ -31,7 +32,7 @@ void define(const Command& command, ConvertOptions& options) {
   command.add("--fit", options.fit,
               "Put a primitive of the same volume in the place of each mesh that collides: sphere, capsule, cylinder, "
               "box or best");
-  command.add("--lenient", options.lenient, "Accept unknown elements, with a warning");
+  add_lenient(command, options.lenient);
   command.add("--force", options.force, "Replace the file if it is there");
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "murosimf/locomotion/walk_engine.h"
 #include "murosimf/model/properties.h"
@@ -18,12 +19,12 @@ namespace {
 
 using namespace murosimf;
 
-std::string list(const std::vector<double>& numbers) { return fmt::format("[{}]", fmt::join(numbers, ", ")); }
+using nlohmann::ordered_json;
 
-std::string start_of(Entity& robot) {
+ordered_json start_of(Entity& robot) {
   const Vec3d r = robot.base().get(properties::position);
   const Quaterniond Q = robot.base().get(properties::base_quaternion);
-  return list({r.x, r.y, r.z, Q.w, Q.x, Q.y, Q.z});
+  return {r.x, r.y, r.z, Q.w, Q.x, Q.y, Q.z};
 }
 
 double duration_of(const std::string& text) {
@@ -40,20 +41,21 @@ void dump(double duration, const std::string& command) {
   Simulation& simulation = scene.simulation();
   Entity& robot = simulation.world().entity("walker");
   simulation.initialize();
-  const std::string start = start_of(robot);
+  const ordered_json start = start_of(robot);
   const auto& targets = robot.find(properties::joint_target)->values;
   const Duration cycle = from_seconds(1 / locomotion::WalkEngine::rate_hz);
 
-  std::vector<std::string> names, rows;
-  for (const int i : robot.model().joints()) names.push_back(fmt::format("\"{}\"", robot.model().objects()[i].name));
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> rows;
+  for (const int i : robot.model().joints()) names.push_back(robot.model().objects()[i].name);
   while (seconds(simulation.now()) < duration) {
     simulation.run(cycle);
     std::vector<double> row;
     for (const int i : robot.model().joints()) row.push_back(targets[i]);
-    rows.push_back(list(row));
+    rows.push_back(std::move(row));
   }
-  fmt::print("{{\"period\": {}, \"start\": {},\n\"joints\": [{}],\n\"targets\": [{}]}}\n", seconds(cycle), start,
-             fmt::join(names, ", "), fmt::join(rows, ",\n"));
+  const ordered_json walk{{"period", seconds(cycle)}, {"start", start}, {"joints", names}, {"targets", rows}};
+  fmt::print("{}\n", walk.dump());
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "murosimf/files/child_pipe.h"
+#include "murosimf/files/child_process.h"
 #include "murosimf/files/leftovers.h"
 #include "murosimf/imaging/image.h"
 

@@ -2,18 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
+#include <nlohmann/json.hpp>
 
-#include "murosimf/files/json_schema.h"
+#include "murosimf/files/json_document.h"
 #include "murosimf/locomotion/leg.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::check {
 namespace {
+
+using nlohmann::json;
 
 /// Name of the body that an object carries: the alias of a joint, else the object's own name.
 std::vector<std::string> body_names(const Model& model) {
@@ -152,39 +153,33 @@ std::string aligned(const std::vector<Line>& lines) {
   return text;
 }
 
-toml::array list(const std::vector<std::string>& words) {
-  toml::array result;
-  for (const std::string& word : words) result.push_back(word);
-  return result;
-}
-
-toml::array findings_array(const ModelReport& report) {
-  toml::array findings;
+json findings_array(const ModelReport& report) {
+  json findings = json::array();
   for (const Finding& finding : report.findings) {
-    findings.push_back(toml::table{{"severity", severity_name(finding.severity)},
-                                   {"where", finding.where},
-                                   {"what", finding.what},
-                                   {"advice", finding.advice}});
+    findings.push_back({{"severity", severity_name(finding.severity)},
+                        {"where", finding.where},
+                        {"what", finding.what},
+                        {"advice", finding.advice}});
   }
   return findings;
 }
 
-toml::array limbs_array(const ModelReport& report) {
-  toml::array limbs;
+json limbs_array(const ModelReport& report) {
+  json limbs = json::array();
   for (const LimbReport& limb : report.limbs) {
-    limbs.push_back(toml::table{{"joint", limb.joint}, {"mass_kg", limb.mass_kg}, {"joints", limb.joints}});
+    limbs.push_back({{"joint", limb.joint}, {"mass_kg", limb.mass_kg}, {"joints", limb.joints}});
   }
   return limbs;
 }
 
-toml::array legs_array(const ModelReport& report) {
-  toml::array legs;
+json legs_array(const ModelReport& report) {
+  json legs = json::array();
   for (const LegReport& leg : report.legs) {
-    legs.push_back(toml::table{{"sole", leg.sole},
-                               {"thigh_m", leg.thigh_m},
-                               {"shin_m", leg.shin_m},
-                               {"reach_m", leg.reach_m},
-                               {"closed_form", leg.closed_form}});
+    legs.push_back({{"sole", leg.sole},
+                    {"thigh_m", leg.thigh_m},
+                    {"shin_m", leg.shin_m},
+                    {"reach_m", leg.reach_m},
+                    {"closed_form", leg.closed_form}});
   }
   return legs;
 }
@@ -201,35 +196,35 @@ std::string sensor_text(const sensors::SensorSpec& sensor) {
 }
 
 /// Rate 0: every step.
-toml::array sensors_array(const ModelReport& report) {
-  toml::array sensors;
+json sensors_array(const ModelReport& report) {
+  json sensors = json::array();
   for (const sensors::SensorSpec& sensor : report.sensors) {
-    sensors.push_back(toml::table{{"name", sensor.name},
-                                  {"type", sensor.type},
-                                  {"frame", sensor.frame},
-                                  {"objects", list(sensor.objects)},
-                                  {"rate_hz", sensor.rate},
-                                  {"part", sensor.part}});
+    sensors.push_back({{"name", sensor.name},
+                       {"type", sensor.type},
+                       {"frame", sensor.frame},
+                       {"objects", sensor.objects},
+                       {"rate_hz", sensor.rate},
+                       {"part", sensor.part}});
   }
   return sensors;
 }
 
-toml::table row_table(const ReportRow& row) {
-  toml::table table{{"depth", row.depth}, {"mass_kg", row.mass_kg}};
-  if (!row.body.empty()) table.insert("body", row.body);
-  if (row.joint.empty()) return table;
-  table.insert("joint", row.joint);
-  table.insert("kind", row.kind);
-  table.insert("axis", toml::array{row.axis.x, row.axis.y, row.axis.z});
-  if (row.range) table.insert("range", toml::array{row.range->x, row.range->y});
+json row_object(const ReportRow& row) {
+  json object{{"depth", row.depth}, {"mass_kg", row.mass_kg}};
+  if (!row.body.empty()) object["body"] = row.body;
+  if (row.joint.empty()) return object;
+  object["joint"] = row.joint;
+  object["kind"] = row.kind;
+  object["axis"] = {row.axis.x, row.axis.y, row.axis.z};
+  if (row.range) object["range"] = {row.range->x, row.range->y};
   if (!row.servo.empty()) {
-    table.insert("servo", row.servo);
-    table.insert("servo_law", row.servo_law);
-    table.insert("stall_torque", row.stall_torque);
-    table.insert("torque_limit", row.torque_limit);
-    table.insert("no_load_speed", row.no_load_speed);
+    object["servo"] = row.servo;
+    object["servo_law"] = row.servo_law;
+    object["stall_torque"] = row.stall_torque;
+    object["torque_limit"] = row.torque_limit;
+    object["no_load_speed"] = row.no_load_speed;
   }
-  return table;
+  return object;
 }
 
 }  // namespace
@@ -270,23 +265,20 @@ std::string to_text(const ModelReport& report) {
 }
 
 std::string to_json(const ModelReport& report) {
-  toml::array tree;
-  for (const ReportRow& row : report.tree) tree.push_back(row_table(row));
-  const toml::table table{{"schema", files::json_schema("check")},
-                          {"name", report.name},
-                          {"total_mass_kg", report.total_mass_kg},
-                          {"joints", report.joints},
-                          {"bodies", report.bodies},
-                          {"objects", report.objects},
-                          {"soles", list(report.soles)},
-                          {"limbs", limbs_array(report)},
-                          {"legs", legs_array(report)},
-                          {"sensors", sensors_array(report)},
-                          {"findings", findings_array(report)},
-                          {"tree", tree}};
-  std::ostringstream stream;
-  stream << toml::json_formatter(table) << '\n';
-  return stream.str();
+  json tree = json::array();
+  for (const ReportRow& row : report.tree) tree.push_back(row_object(row));
+  return files::json_text({{"schema", files::json_schema("check")},
+                           {"name", report.name},
+                           {"total_mass_kg", report.total_mass_kg},
+                           {"joints", report.joints},
+                           {"bodies", report.bodies},
+                           {"objects", report.objects},
+                           {"soles", report.soles},
+                           {"limbs", limbs_array(report)},
+                           {"legs", legs_array(report)},
+                           {"sensors", sensors_array(report)},
+                           {"findings", findings_array(report)},
+                           {"tree", std::move(tree)}});
 }
 
 }  // namespace murosimf::check

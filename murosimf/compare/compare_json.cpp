@@ -1,95 +1,87 @@
 // The comparison as JSON.
 #include <cmath>
-#include <sstream>
 
-#include <fmt/format.h>
-#include <toml++/toml.h>
+#include <nlohmann/json.hpp>
 
 #include "murosimf/compare/compare_report.h"
-#include "murosimf/files/json_schema.h"
+#include "murosimf/files/json_document.h"
 
 namespace murosimf::compare {
 namespace {
 
-toml::array events_array(const Measures& measures) {
-  toml::array events;
+using nlohmann::json;
+
+json events_array(const Measures& measures) {
+  json events = json::array();
   for (const PostureEvent& event : measures.events) {
-    events.push_back(toml::table{{"time_s", event.time}, {"posture", event.down ? "down" : "up"}});
+    events.push_back({{"time_s", event.time}, {"posture", event.down ? "down" : "up"}});
   }
   return events;
 }
 
-toml::table deviations_table(const Deviations& deviations) {
-  toml::table table;
-  for (const ComparedQuantity& q : quantities()) table.insert(q.name, q.of(deviations));
-  if (!std::isnan(deviations.torque)) table.insert("torque", 100 * deviations.torque);
-  return table;
+json deviations_object(const Deviations& deviations) {
+  json object = json::object();
+  for (const ComparedQuantity& q : quantities()) object[q.name] = q.of(deviations);
+  if (!std::isnan(deviations.torque)) object["torque"] = 100 * deviations.torque;
+  return object;
 }
 
-toml::table entry_table(const Comparison& c, std::size_t i) {
+json entry_object(const Comparison& c, std::size_t i) {
   const CompareEntry& e = c.entries[i];
-  toml::table table{{"level", e.level}, {"contact", e.contact}, {"ran", e.ran()}, {"reference", i == c.reference}};
+  json object{{"level", e.level}, {"contact", e.contact}, {"ran", e.ran()}, {"reference", i == c.reference}};
   if (!e.ran()) {
-    table.insert("refusal", e.refusal);
-    return table;
+    object["refusal"] = e.refusal;
+    return object;
   }
   const Measures& m = e.measures;
   const double reference = c.entries[c.reference].cost;
-  if (e.cost > 0) table.insert("cost_us_per_s", e.cost);
-  if (e.cost > 0 && reference > 0) table.insert("cost_share", e.cost / reference);
-  table.insert("path_length_m", m.path_length);
-  table.insert("end_m", toml::array{m.end.x, m.end.y, m.end.z});
-  table.insert("slip_m", m.slip);
-  table.insert("torso_rate_rms_rad_s", m.rate);
-  table.insert("clearance_m", m.clearance);
-  table.insert("falls", m.falls);
-  table.insert("events", events_array(m));
-  if (!m.peak_joint.empty()) table.insert("peak_torque_Nm", m.peak_torque);
-  if (!m.peak_joint.empty()) table.insert("peak_joint", m.peak_joint);
-  if (e.level == "articulated_dynamics") table.insert("full_duty_share", e.record.full_duty);
-  if (!e.overload.empty()) table.insert("overload", e.overload);
-  if (!e.frozen.empty()) table.insert("frozen", e.frozen);
-  table.insert("deviations", deviations_table(e.deviations));
-  return table;
+  if (e.cost > 0) object["cost_us_per_s"] = e.cost;
+  if (e.cost > 0 && reference > 0) object["cost_share"] = e.cost / reference;
+  object["path_length_m"] = m.path_length;
+  object["end_m"] = {m.end.x, m.end.y, m.end.z};
+  object["slip_m"] = m.slip;
+  object["torso_rate_rms_rad_s"] = m.rate;
+  object["clearance_m"] = m.clearance;
+  object["falls"] = m.falls;
+  object["events"] = events_array(m);
+  if (!m.peak_joint.empty()) object["peak_torque_Nm"] = m.peak_torque;
+  if (!m.peak_joint.empty()) object["peak_joint"] = m.peak_joint;
+  if (e.level == "articulated_dynamics") object["full_duty_share"] = e.record.full_duty;
+  if (!e.overload.empty()) object["overload"] = e.overload;
+  if (!e.frozen.empty()) object["frozen"] = e.frozen;
+  object["deviations"] = deviations_object(e.deviations);
+  return object;
 }
 
-toml::table recommendation_table(const Comparison& c, const Recommendation& r) {
-  toml::array levels;
+json recommendation_object(const Comparison& c, const Recommendation& r) {
+  json levels = json::array();
   for (std::size_t i = 0; i < c.entries.size(); ++i) {
-    toml::array reasons;
-    for (const std::string& reason : r.verdicts[i].reasons) reasons.push_back(reason);
-    levels.push_back(toml::table{{"level", c.entries[i].level},
-                                 {"contact", c.entries[i].contact},
-                                 {"adequate", r.verdicts[i].adequate},
-                                 {"reasons", std::move(reasons)}});
+    levels.push_back({{"level", c.entries[i].level},
+                      {"contact", c.entries[i].contact},
+                      {"adequate", r.verdicts[i].adequate},
+                      {"reasons", r.verdicts[i].reasons}});
   }
-  return toml::table{{"sentence", r.sentence},
-                     {"level", r.level},
-                     {"contact", r.contact},
-                     {"levels", std::move(levels)}};
+  return {{"sentence", r.sentence}, {"level", r.level}, {"contact", r.contact}, {"levels", std::move(levels)}};
 }
 
 }  // namespace
 
 std::string to_json(const Comparison& c, const Recommendation& recommendation, const Thresholds& thresholds) {
-  toml::table limits;
-  for (std::size_t q = 0; q < thresholds.values.size(); ++q) limits.insert(quantities()[q].name, thresholds.values[q]);
-  limits.insert("fall_time", thresholds.fall_time);
-  toml::array entries;
-  for (std::size_t i = 0; i < c.entries.size(); ++i) entries.push_back(entry_table(c, i));
-  const toml::table root{{"schema", files::json_schema("compare")},
-                         {"scene", c.scene},
-                         {"entity", c.entity},
-                         {"duration_s", c.duration},
-                         {"seed", static_cast<std::int64_t>(c.seed)},
-                         {"timed_runs", c.repeat},
-                         {"stopped", c.stopped},
-                         {"entries", std::move(entries)},
-                         {"thresholds", std::move(limits)},
-                         {"recommendation", recommendation_table(c, recommendation)}};
-  std::stringstream stream;
-  stream << toml::json_formatter(root) << "\n";
-  return stream.str();
+  json limits;
+  for (std::size_t q = 0; q < thresholds.values.size(); ++q) limits[quantities()[q].name] = thresholds.values[q];
+  limits["fall_time"] = thresholds.fall_time;
+  json entries = json::array();
+  for (std::size_t i = 0; i < c.entries.size(); ++i) entries.push_back(entry_object(c, i));
+  return files::json_text({{"schema", files::json_schema("compare")},
+                           {"scene", c.scene},
+                           {"entity", c.entity},
+                           {"duration_s", c.duration},
+                           {"seed", c.seed},
+                           {"timed_runs", c.repeat},
+                           {"stopped", c.stopped},
+                           {"entries", std::move(entries)},
+                           {"thresholds", std::move(limits)},
+                           {"recommendation", recommendation_object(c, recommendation)}});
 }
 
 }  // namespace murosimf::compare

@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/files/data_path.h"
 #include "murosimf/imaging/lens.h"
 
 namespace murosimf::components {
@@ -36,9 +37,12 @@ struct CameraCalibration {
 [[nodiscard]] std::string camera_info_yaml(const CameraCalibration& info);
 
 /// The file that a name means: itself, beside `beside`, or one of lenses/ (files/data_path.h).
-[[nodiscard]] std::filesystem::path find_lens_file(std::string_view name, const std::filesystem::path& beside = {});
+[[nodiscard]] inline std::filesystem::path find_lens_file(std::string_view name,
+                                                          const std::filesystem::path& beside = {}) {
+  return files::find_data_file(name, "lenses", ".yaml", beside);
+}
 
 /// The names of what is in lenses/.
-[[nodiscard]] std::vector<std::string> lens_names();
+[[nodiscard]] inline std::vector<std::string> lens_names() { return files::data_file_names("lenses", ".yaml"); }
 
 }  // namespace murosimf::components

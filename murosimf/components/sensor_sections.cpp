@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/components/sensor_signal.h"
+#include "murosimf/components/sensor_keys.h"
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/components/servo_sections.h"
 #include "murosimf/model/find_entry.h"

@@ -7,10 +7,9 @@
 #include <fmt/format.h>
 
 #include "murosimf/components/camera_info.h"
-#include "murosimf/components/sensor_signal.h"
+#include "murosimf/components/sensor_keys.h"
 #include "murosimf/components/sensor_toml.h"
 #include "murosimf/components/sensor_types.h"
-#include "murosimf/components/sensor_values.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/find_entry.h"

@@ -1,9 +1,20 @@
-/// child_process.h - runs another program without a shell, with texts as its standard streams.
+/// child_process.h - other programs, started without a shell: run to their end with texts as their standard streams, or fed
+/// bytes while they run.
+///
+/// They are looked up in PATH. Each is in a process group of its own: a signal that a terminal sends to this program's
+/// group, as Ctrl-C does, does not reach it; who started it decides about its end.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
+
+#include <sys/types.h>
+
+#include "murosimf/files/file_pointer.h"
+#include "murosimf/files/leftovers.h"
 
 namespace murosimf::files {
 
@@ -12,10 +23,37 @@ struct ProcessResult {
   std::string output, errors;
 };
 
-/// Runs `arguments[0]`, looked up in PATH, with `input` as standard input, and waits for its end. Nothing if there is no such
-/// program. Throws SetupError if the system cannot start one. Streams are unnamed temporary files, so that neither side
-/// ever waits for the other.
+/// Runs `arguments[0]` with `input` as standard input, and waits for its end. Nothing if there is no such program. Throws
+/// SetupError if the system cannot start one. Streams are unnamed temporary files, so that neither side ever waits for
+/// the other.
 [[nodiscard]] std::optional<ProcessResult> run_process(const std::vector<std::string>& arguments,
                                                        const std::string& input);
+
+/// A program that is fed bytes while it runs.
+class ChildPipe {
+ public:
+  /// Starts `arguments[0]`. Throws SetupError with `advice` if there is no such program, and if the system cannot start
+  /// one.
+  ChildPipe(const std::vector<std::string>& arguments, const std::string& advice);
+  /// Ends the program if finish() was not called.
+  ~ChildPipe();
+  ChildPipe(const ChildPipe&) = delete;
+  ChildPipe& operator=(const ChildPipe&) = delete;
+
+  /// Waits until the program has taken all bytes. Throws SetupError with the last line of its errors if it has ended.
+  void write(std::span<const std::byte> bytes);
+  /// No more bytes: waits for the program's end. Throws SetupError if it was not content.
+  void finish();
+
+ private:
+  [[nodiscard]] int wait() noexcept;
+  [[noreturn]] void refuse();
+
+  std::string program_;
+  FilePtr errors_;
+  int socket_ = -1;
+  pid_t child_ = -1;
+  std::optional<Leftover> running_;
+};
 
 }  // namespace murosimf::files

@@ -6,7 +6,6 @@
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/error.h"
 #include "murosimf/sensors/reading.h"
-#include "murosimf/sensors/vec3_io.h"
 
 namespace murosimf::locomotion {
 namespace {

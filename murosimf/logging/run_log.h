@@ -30,7 +30,7 @@ class RunLog {
   RunLog(const RunLog&) = delete;  // the simulation calls back
   RunLog& operator=(const RunLog&) = delete;
 
-  /// What has been noted so far (log_series.h).
+  /// What has been noted so far (log_csv.h).
   [[nodiscard]] std::string csv() const;
   /// The same to a file, which is whole or not there at all. Throws SetupError.
   void write(const std::filesystem::path& file) const;

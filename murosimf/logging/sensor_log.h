@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/logging/log_series.h"
+#include "murosimf/logging/log_csv.h"
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/sensors/reading.h"

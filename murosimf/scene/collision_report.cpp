@@ -1,15 +1,16 @@
 #include "murosimf/scene/collision_report.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
+#include <nlohmann/json.hpp>
 
-#include "murosimf/files/json_schema.h"
+#include "murosimf/files/json_document.h"
 
 namespace murosimf::scene {
 namespace {
+
+using nlohmann::json;
 
 constexpr int bar_width = 50;
 
@@ -27,22 +28,20 @@ std::string histogram_text(const CollisionReport& report) {
   return text;
 }
 
-toml::table table_of(const CollisionReport& report) {
-  toml::array histogram;
-  for (const std::int64_t steps : report.histogram) histogram.push_back(steps);
-  return toml::table{{"scene", report.scene},
-                     {"robots", report.robots},
-                     {"steps", report.steps},
-                     {"naive_tests", report.naive_tests},
-                     {"mean_volume_tests", report.mean_volume_tests},
-                     {"mean_object_tests", report.mean_object_tests},
-                     {"mean_share", report.mean_share()},
-                     {"worst_share", report.worst_share},
-                     {"histogram", std::move(histogram)},
-                     {"mean_contacts", report.mean_contacts},
-                     {"pairs_us", report.pairs_us},
-                     {"ground_us", report.ground_us},
-                     {"step_us", report.step_us}};
+json object_of(const CollisionReport& report) {
+  return {{"scene", report.scene},
+          {"robots", report.robots},
+          {"steps", report.steps},
+          {"naive_tests", report.naive_tests},
+          {"mean_volume_tests", report.mean_volume_tests},
+          {"mean_object_tests", report.mean_object_tests},
+          {"mean_share", report.mean_share()},
+          {"worst_share", report.worst_share},
+          {"histogram", report.histogram},
+          {"mean_contacts", report.mean_contacts},
+          {"pairs_us", report.pairs_us},
+          {"ground_us", report.ground_us},
+          {"step_us", report.step_us}};
 }
 
 }  // namespace
@@ -62,12 +61,9 @@ std::string to_text(const std::vector<CollisionReport>& reports) {
 }
 
 std::string to_json(const std::vector<CollisionReport>& reports) {
-  toml::array scenes;
-  for (const CollisionReport& report : reports) scenes.push_back(table_of(report));
-  const toml::table root{{"schema", files::json_schema("bench")}, {"scenes", std::move(scenes)}};
-  std::stringstream stream;
-  stream << toml::json_formatter(root) << "\n";
-  return stream.str();
+  json scenes = json::array();
+  for (const CollisionReport& report : reports) scenes.push_back(object_of(report));
+  return files::json_text({{"schema", files::json_schema("bench")}, {"scenes", std::move(scenes)}});
 }
 
 }  // namespace murosimf::scene

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "murosimf/files/json_schema.h"
+#include "murosimf/files/json_document.h"
 
 namespace murosimf::scene {
 namespace {

@@ -52,7 +52,7 @@ struct RunReport {
 /// Tables with aligned columns: entities, algorithms, sums, events, notes, warnings. Of sensors only how many there are.
 [[nodiscard]] std::string to_text(const RunReport& report);
 
-/// One JSON object: schema (json_schema.h), simulated_s, wall_s, real_time_factor, threads, seed, state_hash (hexadecimal text),
+/// One JSON object: schema (json_document.h), simulated_s, wall_s, real_time_factor, threads, seed, state_hash (hexadecimal text),
 /// stopped (null, or {time_s, by, asked_s} if a signal ended the run early),
 /// entities [{name, model, level, contact, controller, team, position, distance_m, falls, frozen}],
 /// sensors {entity: {sensor: {type, time_s, samples, outputs: {name: {unit, labels, values}}}}} with null for what is no

@@ -8,7 +8,6 @@
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/sensors/numbers.h"
-#include "murosimf/sensors/vec3_io.h"
 
 namespace murosimf::sensors {
 namespace {

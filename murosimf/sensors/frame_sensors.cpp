@@ -1,7 +1,6 @@
 #include "murosimf/sensors/frame_sensors.h"
 
 #include "murosimf/model/properties.h"
-#include "murosimf/sensors/vec3_io.h"
 
 namespace murosimf::sensors {
 

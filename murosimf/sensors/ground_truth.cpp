@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "murosimf/model/properties.h"
-#include "murosimf/sensors/vec3_io.h"
 
 namespace murosimf::sensors {
 namespace {

@@ -4,8 +4,6 @@
 #include <limits>
 #include <numeric>
 
-#include "murosimf/sensors/vec3_io.h"
-
 namespace murosimf::sensors {
 namespace {
 

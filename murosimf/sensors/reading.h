@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/math/vec3.h"
 #include "murosimf/model/setup.h"
 
 namespace murosimf::sensors {
@@ -64,5 +65,16 @@ void append_hash(Hasher& hasher, const Reading& reading);
 [[nodiscard]] const Reading* find_reading(const Entity& entity, std::string_view sensor);
 /// Those of all sensors of an entity, in the order of their names.
 [[nodiscard]] std::vector<const Reading*> readings_of(const Entity& entity);
+
+/// Labels of a vector's numbers.
+inline std::vector<std::string> xyz() { return {"x", "y", "z"}; }
+
+inline void write(const Vec3d& v, std::span<double> values) noexcept {
+  values[0] = v.x;
+  values[1] = v.y;
+  values[2] = v.z;
+}
+
+inline Vec3d vector_of(std::span<const double> values) noexcept { return {values[0], values[1], values[2]}; }
 
 }  // namespace murosimf::sensors

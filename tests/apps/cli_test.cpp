@@ -77,9 +77,9 @@ TEST(Cli, ExaminesARobotThatHasAnError) {
                                "</worldbody></mujoco>\n");
   const Result strict = murosimf("check " + robot.string() + " --json -");
   EXPECT_EQ(strict.exit_code, 1);
-  EXPECT_NE(strict.output.find("\"severity\" : \"error\""), std::string::npos) << strict.output;
+  EXPECT_NE(strict.output.find("\"severity\": \"error\""), std::string::npos) << strict.output;
   EXPECT_NE(strict.output.find("odd.xml:2"), std::string::npos);
-  EXPECT_NE(strict.output.find("\"bodies\" : 1"), std::string::npos) << "what can be read is shown";
+  EXPECT_NE(strict.output.find("\"bodies\": 1"), std::string::npos) << "what can be read is shown";
   EXPECT_EQ(murosimf("check " + robot.string() + " --lenient").exit_code, 0);
 }
 
@@ -252,13 +252,13 @@ TEST(Cli, FitsAServoAndReplaysIt) {
   const Result fit = murosimf(command + " --threads 1 --json - --out " + servo.string());
   EXPECT_EQ(fit.exit_code, 0) << fit.errors;
   EXPECT_EQ(fit.errors, "") << "no progress where there is no terminal";
-  EXPECT_NE(fit.output.find("\"prior\" : \"xl330\""), std::string::npos) << fit.output;
+  EXPECT_NE(fit.output.find("\"prior\": \"xl330\""), std::string::npos) << fit.output;
   EXPECT_EQ(read_file(servo), read_file(again)) << "the same seed, the same file";
 
   const Result replay = murosimf("replay-servo " + log.string() + " --servo " + servo.string() + " --json -");
   EXPECT_EQ(replay.exit_code, 0) << replay.errors;
   const auto error_in = [](const std::string& json) {
-    const auto place = json.find("\"mean_error_rad\" : ");
+    const auto place = json.find("\"mean_error_rad\": ");
     return json.substr(place, json.find_first_of(",\n", place) - place);
   };
   EXPECT_EQ(error_in(replay.output), error_in(fit.output)) << "the file holds the servo that was fitted";

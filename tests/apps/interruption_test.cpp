@@ -179,7 +179,7 @@ TEST_F(Interruption, ComparisonsShowWhatHadEnded) {
   EXPECT_EQ(program.exit_code(), 130) << program.shown();
   expect_in(program.shown(), {"stopped by SIGINT"});
   expect_in(program.output(), {"full_dynamics", "nothing can be said: the comparison was stopped"});
-  expect_in(read_file(file("c.json")), {"\"stopped\" : true"});
+  expect_in(read_file(file("c.json")), {"\"stopped\": true"});
 }
 
 TEST_F(Interruption, ABenchmarkKeepsTheScenesItHasDone) {
@@ -216,7 +216,7 @@ TEST_F(Interruption, AFitWritesTheBestSoFar) {
   program.send(SIGINT);
   EXPECT_EQ(program.exit_code(), 130) << program.shown();
   expect_in(program.shown(), {"stopped by SIGINT; ", "s.toml' is the best so far"});
-  expect_in(read_file(file("f.json")), {"\"stopped\" : true"});
+  expect_in(read_file(file("f.json")), {"\"stopped\": true"});
   EXPECT_EQ(files(), (std::vector<std::string>{"f.json", "s.toml"}));
 }
 

@@ -61,8 +61,8 @@ TEST(ModelReport, ListsSensors) {
   const ModelReport report = make_report(arm(), {}, sensors);
   EXPECT_TRUE(contains(to_text(report), "sensor eye: laser on hand, 40 Hz\n"));
   EXPECT_TRUE(contains(to_text(report), "sensor knees: joint_position of a, b, every step, part steps\n"));
-  EXPECT_TRUE(contains(to_json(report), "\"rate_hz\" : 40.0"));
-  EXPECT_TRUE(contains(to_json(report), "\"part\" : \"steps\""));
+  EXPECT_TRUE(contains(to_json(report), "\"rate_hz\": 40.0"));
+  EXPECT_TRUE(contains(to_json(report), "\"part\": \"steps\""));
 }
 
 TEST(ModelReport, ShowsRangesInDegreesAndMetres) {
@@ -91,9 +91,9 @@ TEST(ModelReport, ShowsTheLimitsOfServos) {
   EXPECT_TRUE(contains(text, "mx106 dc_motor 8 N m, 5 rad/s, at most 3 N m\n")) << text;
   EXPECT_TRUE(contains(text, "position ideal_pd unlimited\n")) << text;
   const std::string json = to_json(make_report(model));
-  EXPECT_TRUE(contains(json, "\"servo_law\" : \"ideal_pd\"")) << json;
-  EXPECT_TRUE(contains(json, "\"torque_limit\" : 3.0")) << json;
-  EXPECT_TRUE(contains(json, "\"no_load_speed\" : 5.0")) << json;
+  EXPECT_TRUE(contains(json, "\"servo_law\": \"ideal_pd\"")) << json;
+  EXPECT_TRUE(contains(json, "\"torque_limit\": 3.0")) << json;
+  EXPECT_TRUE(contains(json, "\"no_load_speed\": 5.0")) << json;
 }
 
 TEST(ModelReport, ShowsFindingsLimbsAndLegs) {
@@ -109,11 +109,11 @@ TEST(ModelReport, ShowsFindingsLimbsAndLegs) {
 
 TEST(ModelReport, IsWrittenAsJson) {
   const std::string json = to_json(make_report(arm(), {make_finding(Severity::error, "say \"hello\"")}));
-  EXPECT_TRUE(contains(json, "\"name\" : \"arm\""));
-  EXPECT_TRUE(contains(json, "\"joints\" : 2"));
-  EXPECT_TRUE(contains(json, "\"total_mass_kg\" : 3.0"));
-  EXPECT_TRUE(contains(json, "\"kind\" : \"prismatic\""));
-  EXPECT_TRUE(contains(json, "\"severity\" : \"error\""));
+  EXPECT_TRUE(contains(json, "\"name\": \"arm\""));
+  EXPECT_TRUE(contains(json, "\"joints\": 2"));
+  EXPECT_TRUE(contains(json, "\"total_mass_kg\": 3.0"));
+  EXPECT_TRUE(contains(json, "\"kind\": \"prismatic\""));
+  EXPECT_TRUE(contains(json, "\"severity\": \"error\""));
   EXPECT_TRUE(contains(json, "say \\\"hello\\\""));
 }
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "murosimf/logging/log_csv.h"
 #include "murosimf/logging/log_plot.h"
-#include "murosimf/logging/log_series.h"
 #include "murosimf/model/error.h"
 #include "tests/fixtures.h"
 #include "tests/temp_folder.h"

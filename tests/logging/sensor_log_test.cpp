@@ -8,8 +8,8 @@
 
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/logging/log_catalog.h"
+#include "murosimf/logging/log_csv.h"
 #include "murosimf/logging/log_paths.h"
-#include "murosimf/logging/log_series.h"
 #include "murosimf/logging/run_log.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"

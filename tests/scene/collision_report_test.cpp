@@ -33,7 +33,7 @@ TEST(CollisionReport, DrawsTheHistogramUpToTheWorst) {
 
 TEST(CollisionReport, IsOneJsonObject) {
   const std::string json = to_json({report()});
-  for (const char* part : {"\"scenes\"", "\"naive_tests\" : 200", "\"mean_share\" : 0.1", "\"pairs_us\""}) {
+  for (const char* part : {"\"scenes\"", "\"naive_tests\": 200", "\"mean_share\": 0.1", "\"pairs_us\""}) {
     EXPECT_NE(json.find(part), std::string::npos) << part << " is not in " << json;
   }
 }

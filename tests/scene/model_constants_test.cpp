@@ -2,21 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
-#include "tests/temp_folder.h"
+#include "tests/written_scene.h"
 
 namespace murosimf::scene {
 namespace {
 
 std::string constants_scene() {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fixtures::temp_folder().string() + "/" + "constants_" + info->name() + ".toml";
-  std::ofstream(file) << R"([ball]
+  return fixtures::write_scene(R"([ball]
 [[teams]]
 name = "blue"
 [defaults]
@@ -32,8 +29,7 @@ team = "blue"
 [[robots]]
 name = "other"
 position = [1.0, 0.5]
-)";
-  return file;
+)");
 }
 
 std::string constants_mistake(const std::string& setting) {

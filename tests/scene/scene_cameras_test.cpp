@@ -1,6 +1,5 @@
 /// scene_cameras_test - cameras in scenes: what they cost nobody, what they show, and that looking changes nothing.
 #include <cmath>
-#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -12,7 +11,7 @@
 #include "murosimf/sensors/reading.h"
 #include "tests/law.h"
 #include "tests/render/drawn.h"
-#include "tests/temp_folder.h"
+#include "tests/written_scene.h"
 
 namespace murosimf::scene {
 namespace {
@@ -22,13 +21,6 @@ using fixtures::error_of;
 using fixtures::says;
 using sensors::CameraFrame;
 using sensors::frames_of;
-
-std::string write_scene(const std::string& text) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fixtures::temp_folder().string() + "/" + "scene_cameras_" + info->name() + ".toml";
-  std::ofstream(file) << text;
-  return file;
-}
 
 /// Two robots that walk, with small cameras that draw all layers.
 std::string game(const std::string& camera = "") {
@@ -46,7 +38,7 @@ const CameraFrame& frame(Scene& scene, const std::string& name) {
 
 TEST(SceneCameras, AScenesRobotsSee) {
   if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
-  Scene scene(write_scene(game()));
+  Scene scene(fixtures::write_scene(game()));
   scene.simulation().run(201ms);
   const CameraFrame& seen = frame(scene, "one");
   EXPECT_EQ(seen.number, 5u);
@@ -67,7 +59,7 @@ TEST(SceneCameras, FramesAndStatesDoNotDependOnThreads) {
   if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
   std::vector<std::uint64_t> frames, states;
   for (const int threads : {1, 2, 3}) {
-    Scene scene(write_scene(game("k1 = -0.2\nshot_noise = 0.02\nblur = 0.7\nreadout_time = 0.02\n")),
+    Scene scene(fixtures::write_scene(game("k1 = -0.2\nshot_noise = 0.02\nblur = 0.7\nreadout_time = 0.02\n")),
                 {.threads = threads});
     scene.simulation().run(300ms);
     std::uint64_t hash = 0;
@@ -77,7 +69,7 @@ TEST(SceneCameras, FramesAndStatesDoNotDependOnThreads) {
   }
   for (const SceneOptions& options :
        {SceneOptions{.cameras = false}, SceneOptions{.overrides = {"one.sensors.camera=false"}}}) {
-    Scene scene(write_scene(game()), options);
+    Scene scene(fixtures::write_scene(game()), options);
     scene.simulation().run(300ms);
     states.push_back(scene.simulation().state_hash());
   }
@@ -86,10 +78,10 @@ TEST(SceneCameras, FramesAndStatesDoNotDependOnThreads) {
 }
 
 TEST(SceneCameras, NobodyLooksNothingIsDrawn) {
-  Scene quiet(write_scene(game("always_on = false\n").replace(game().find("always_on = true\n"), 17, "")));
+  Scene quiet(fixtures::write_scene(game("always_on = false\n").replace(game().find("always_on = true\n"), 17, "")));
   quiet.simulation().run(100ms);
   EXPECT_EQ(frame(quiet, "one").number, 0u);
-  Scene off(write_scene(game()), {.cameras = false});
+  Scene off(fixtures::write_scene(game()), {.cameras = false});
   off.simulation().run(100ms);
   EXPECT_EQ(frame(off, "one").number, 0u);
   for (const std::string& note : make_report(off).notes) EXPECT_FALSE(says(note, {"drawn by"}));
@@ -103,7 +95,7 @@ TEST(SceneCameras, AStraightLineBendsAsTheLensSays) {
   };
   for (const Case& lens : {Case{"plumb_bob", "k1 = -0.3\nk2 = 0.08\np1 = 0.002\n"}, Case{"equidistant", "k1 = 0.05\n"},
                            Case{"ray_polynomial", "a1 = 1.0\na2 = 0.02\na3 = -0.15\n"}}) {
-    Scene scene(write_scene(
+    Scene scene(fixtures::write_scene(
         std::string(
             "[[robots]]\nname = 'one'\nmodel = 'kid21'\ncontroller = 'none'\nposition = [-1.2, 0.4]\n"
             "[robots.sensors.camera]\nalways_on = true\nlabels = true\nposition = [0.1, 0, 0.4]\nrpy_deg = [4, 20, 3]\n"
@@ -147,7 +139,7 @@ TEST(SceneCameras, AStraightLineBendsAsTheLensSays) {
 
 TEST(SceneCameras, WhatIsWrongIsNamedWithItsPlace) {
   const auto error = [](const std::string& camera) {
-    return error_of([&] { const Scene scene(write_scene(game(camera))); });
+    return error_of([&] { const Scene scene(fixtures::write_scene(game(camera))); });
   };
   EXPECT_TRUE(says(error("colour = true\n"), {".toml:14:", "colour", "color"}));
   EXPECT_TRUE(says(error("color = 1\n"), {".toml:14:", "color", "true or false"}));
@@ -156,15 +148,15 @@ TEST(SceneCameras, WhatIsWrongIsNamedWithItsPlace) {
   EXPECT_TRUE(says(error("calibration = 'nobody'\n"), {".toml:14:", "nobody"}));
   EXPECT_TRUE(says(error("mounting_error_deg = 3\n"), {".toml:14:", "mounting_error_deg"}));
   EXPECT_TRUE(
-      says(error_of([] { const Scene s(write_scene("[light]\nname = 'moon'\n" + game())); }), {".toml:2:", "moon"}));
+      says(error_of([] { const Scene s(fixtures::write_scene("[light]\nname = 'moon'\n" + game())); }), {".toml:2:", "moon"}));
   EXPECT_TRUE(
-      says(error_of([] { const Scene s(write_scene("[light]\ntoward = [0, 0, -1]\n" + game())); }), {"toward"}));
-  EXPECT_TRUE(says(error_of([] { const Scene s(write_scene("[views.a]\nlook_at = [0, 0, 0]\n" + game())); }), {"eye"}));
-  EXPECT_TRUE(says(error_of([] { const Scene s(write_scene("views.a = 3\n" + game())); }), {".toml:1:", "a"}));
+      says(error_of([] { const Scene s(fixtures::write_scene("[light]\ntoward = [0, 0, -1]\n" + game())); }), {"toward"}));
+  EXPECT_TRUE(says(error_of([] { const Scene s(fixtures::write_scene("[views.a]\nlook_at = [0, 0, 0]\n" + game())); }), {"eye"}));
+  EXPECT_TRUE(says(error_of([] { const Scene s(fixtures::write_scene("views.a = 3\n" + game())); }), {".toml:1:", "a"}));
 }
 
 TEST(SceneCameras, ACalibrationFileIsTheLensAndKeysBesideItWin) {
-  Scene scene(write_scene(game("calibration = 'nubots_frankie'\n")), {.cameras = false});
+  Scene scene(fixtures::write_scene(game("calibration = 'nubots_frankie'\n")), {.cameras = false});
   const imaging::LensSpec& lens = frame(scene, "one").info->lens.spec();
   EXPECT_EQ(lens.model, "equidistant");
   EXPECT_EQ(lens.width, 80) << "a key";
@@ -179,7 +171,7 @@ TEST(SceneCameras, ACalibrationFileIsTheLensAndKeysBesideItWin) {
 }
 
 TEST(SceneViewpoints, SeeTheWholeFieldAndKnowTheirNames) {
-  Scene scene(write_scene("[views.corner]\neye = [3, 2, 1]\nlook_at = [0, 0, 0]\n" + game()));
+  Scene scene(fixtures::write_scene("[views.corner]\neye = [3, 2, 1]\nlook_at = [0, 0, 0]\n" + game()));
   scene.simulation().initialize();
   for (const char* name : {"overview", "top", "side", "left", "right"}) {
     const sensors::Perspective view = viewpoint_perspective(scene, name, 640, 360);
@@ -199,7 +191,7 @@ TEST(SceneViewpoints, SeeTheWholeFieldAndKnowTheirNames) {
 }
 
 TEST(SceneViewpoints, ByParallelRaysIsWhatViewSays) {
-  Scene whole(write_scene(game()));
+  Scene whole(fixtures::write_scene(game()));
   const render::ParallelView all = parallel_view(whole, 640, 360);
   for (const Vec3d& corner : {Vec3d{3, 2, 0}, {-3, 2, 0}, {3, -2, 0}, {-3, -2, 0}}) {
     const Vec3d seen = transposed_times(all.axes, corner - all.center);
@@ -208,7 +200,7 @@ TEST(SceneViewpoints, ByParallelRaysIsWhatViewSays) {
   }
   EXPECT_NEAR(-all.axes.z.z, std::sin(whole.spec().view.elevation), 1e-12);
   EXPECT_LT(all.axes.y.z, 0) << "down is down";
-  Scene part(write_scene("[view]\ncenter = [1, 0.5, 0.2]\nwidth = 3.2\nazimuth_deg = 0\nelevation_deg = 0\n" + game()));
+  Scene part(fixtures::write_scene("[view]\ncenter = [1, 0.5, 0.2]\nwidth = 3.2\nazimuth_deg = 0\nelevation_deg = 0\n" + game()));
   const render::ParallelView near = parallel_view(part, 640, 360);
   EXPECT_NEAR(near.pixel, 0.005, 1e-12);
   EXPECT_EQ(near.center.y, 0.5);

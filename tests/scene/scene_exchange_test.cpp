@@ -1,8 +1,6 @@
 // A scene that changes while it runs: its timeline, --at, refusals, and one clear line for every mistake.
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
@@ -10,7 +8,7 @@
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
 #include "tests/fixtures.h"
-#include "tests/temp_folder.h"
+#include "tests/written_scene.h"
 
 namespace murosimf::scene {
 namespace {
@@ -37,13 +35,6 @@ level = "articulated_dynamics"
 position = [-1.0, 1.0]
 )";
 
-std::string write_scene(const std::string& text) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fixtures::temp_folder().string() + "/" + "scene_exchange_" + info->name() + ".toml";
-  std::ofstream(file) << text;
-  return file;
-}
-
 std::vector<std::string> texts(const Scene& scene) {
   std::vector<std::string> all;
   for (const Event& event : make_report(scene).events) all.push_back(event.text);
@@ -58,7 +49,7 @@ set = ["blue2.level = full_dynamics", "blue2.contact = kelvin_voigt"]
 time = 0.2
 set = "blue2.command = [0.1, 0, 0]"
 )";
-  Scene scene(write_scene(game + events),
+  Scene scene(fixtures::write_scene(game + events),
               {.events = {"0.5:ball.contact=paper", "0.7:blue2.pelvis.applied_force=[0,1,0,0,0,0]",
                           "0.6:blue2.servo_law=ideal_pd"}});
   Entity& robot = scene.simulation().world().entity("blue2");
@@ -81,7 +72,7 @@ set = "blue2.command = [0.1, 0, 0]"
 }
 
 TEST(Timeline, ARefusalIsAWarningAndTheOthersChange) {
-  Scene scene(write_scene(game + "[[robots]]\nname = 'blue3'\nlevel = 'simplified_dynamics'\npitch_deg = 90\n"
+  Scene scene(fixtures::write_scene(game + "[[robots]]\nname = 'blue3'\nlevel = 'simplified_dynamics'\npitch_deg = 90\n"
                                  "controller = 'none'\nposition = [1, -1]\n"),
               {.overrides = {"*.sensors=false"}, .events = {"0.1:blue*.level=kinematic_walking"}});
   scene.simulation().run(300ms);
@@ -94,7 +85,7 @@ TEST(Timeline, ARefusalIsAWarningAndTheOthersChange) {
 
 TEST(Timeline, RefusesMistakesBeforeTheRun) {
   const auto mistake = [](const std::string& option) {
-    return error_of([&] { Scene scene(write_scene(game), {.events = {option}}); });
+    return error_of([&] { Scene scene(fixtures::write_scene(game), {.events = {option}}); });
   };
   EXPECT_TRUE(says(mistake("1:blu1.level=full_dynamics"), {"--at", "unknown entity 'blu1'", "'blue1'"}));
   EXPECT_TRUE(says(mistake("1:blue1.level=full"), {"unknown level 'full'", "full_dynamics"}));
@@ -109,7 +100,7 @@ TEST(Timeline, RefusesMistakesBeforeTheRun) {
   EXPECT_TRUE(says(mistake("1:blue1.command=fast"), {"must be a number"}));
 
   const auto event = [](const std::string& text) {
-    return error_of([&] { Scene scene(write_scene(game + "[[events]]\n" + text)); });
+    return error_of([&] { Scene scene(fixtures::write_scene(game + "[[events]]\n" + text)); });
   };
   EXPECT_TRUE(says(event("set = 'blue1.level = full_dynamics'\n"), {".toml", "the time must be"}));
   EXPECT_TRUE(says(event("time = 1\n"), {".toml", "'set' of the event is missing"}));
@@ -123,7 +114,7 @@ TEST(SceneExchange, KeepsAGameGoingWithTheBallAtTheFoot) {
                                        "kinematic_walking",    "full_dynamics",       "simplified_dynamics",
                                        "articulated_dynamics", "full_dynamics",       "kinematic_walking",
                                        "articulated_dynamics", "simplified_dynamics", "kinematic_walking"};
-  Scene scene(write_scene(game));
+  Scene scene(fixtures::write_scene(game));
   World& world = scene.simulation().world();
   Entity &robot = world.entity("blue1"), &ball = world.entity("ball");
   const auto place = [](Entity& entity) { return entity.base().get(properties::position); };
@@ -148,7 +139,7 @@ TEST(SceneExchange, KeepsAGameGoingWithTheBallAtTheFoot) {
 
 TEST(SceneExchange, GivesTheSameHashForAnyNumberOfThreads) {
   const auto hash = [&](int threads) {
-    Scene scene(write_scene(game), {.threads = threads,
+    Scene scene(fixtures::write_scene(game), {.threads = threads,
                                     .events = {"0.3:blue1.level=articulated_dynamics", "0.6:blue*.level=full_dynamics",
                                                "0.9:blue1.level=kinematic_walking"}});
     scene.simulation().run(1200ms);
@@ -160,7 +151,7 @@ TEST(SceneExchange, GivesTheSameHashForAnyNumberOfThreads) {
 }
 
 TEST(SceneExchange, TakesWhatNobodyUsesAnyMoreAway) {
-  Scene scene(write_scene(game));
+  Scene scene(fixtures::write_scene(game));
   Entity& robot = scene.simulation().world().entity("blue2");
   scene.simulation().run(10ms);
   EXPECT_NE(robot.find(properties::joint_torque), nullptr);

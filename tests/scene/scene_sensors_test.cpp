@@ -8,6 +8,7 @@
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/sensors/reading.h"
 #include "tests/fixtures.h"
+#include "tests/written_scene.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::scene {
@@ -22,13 +23,6 @@ using sensors::Reading;
 const std::string start = "duration = 1.0\n[defaults]\nmodel = 'kid21'\ncontroller = 'walk'\n";
 const std::string two = "[[robots]]\nname = 'one'\n[[robots]]\nname = 'two'\nposition = [0, 1]\n";
 
-std::string write_scene(const std::string& text) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fixtures::temp_folder().string() + "/" + "scene_sensors_" + info->name() + ".toml";
-  std::ofstream(file) << text;
-  return file;
-}
-
 Entity& robot(Scene& scene, const std::string& name) { return scene.simulation().world().entity(name); }
 
 const Reading& reading(Scene& scene, const std::string& name, const std::string& sensor) {
@@ -40,7 +34,7 @@ const Reading& reading(Scene& scene, const std::string& name, const std::string&
 double rate_of(const Reading& reading) { return 1 / seconds(reading.info->period); }
 
 TEST(SceneSensors, RobotsCarryThoseOfTheirFiles) {
-  Scene scene(write_scene(start + two));
+  Scene scene(fixtures::write_scene(start + two));
   scene.simulation().run(100ms);
   for (const char* name : {"one", "two"}) {
     for (const char* sensor : {"imu", "encoders", "left_foot", "right_foot"}) {
@@ -53,7 +47,7 @@ TEST(SceneSensors, RobotsCarryThoseOfTheirFiles) {
 
 /// Mean of what an accelerometer on the torso of a kinematic walker feels in 20 s: in its axes, and in those of the world.
 std::pair<Vec3d, Vec3d> mean_felt(double rate) {
-  Scene scene(write_scene(start + "[[robots]]\nname = 'one'\ncommand = [0.2, 0, 0]\n[robots.sensors.felt]\n" +
+  Scene scene(fixtures::write_scene(start + "[[robots]]\nname = 'one'\ncommand = [0.2, 0, 0]\n[robots.sensors.felt]\n" +
                           "type = 'accelerometer'\nframe = 'torso'\nrate = " + std::to_string(rate) + "\n"));
   scene.simulation().run(2s);
   const Reading& felt = reading(scene, "one", "felt");
@@ -85,7 +79,7 @@ TEST(SceneSensors, AnAccelerometerOfAKinematicWalkerShowsGravityInTheMean) {
 }
 
 TEST(SceneSensors, ASceneAddsChangesAndRemoves) {
-  Scene scene(write_scene(
+  Scene scene(fixtures::write_scene(
       start +
       "[defaults.sensors.gyro]\ntype = 'gyroscope'\nrate = 250\n[[robots]]\nname = 'one'\n"
       "[robots.sensors]\nencoders = false\n[robots.sensors.imu]\nrate = 500\n[robots.sensors.gyro]\nrate = 125\n"
@@ -100,7 +94,7 @@ TEST(SceneSensors, ASceneAddsChangesAndRemoves) {
 }
 
 TEST(SceneSensors, SoDoesTheCommandLine) {
-  Scene scene(write_scene(start + two), {.overrides = {"*.sensors.imu.rate=100", "one.sensors.left_foot=false",
+  Scene scene(fixtures::write_scene(start + two), {.overrides = {"*.sensors.imu.rate=100", "one.sensors.left_foot=false",
                                                        "two.sensors=false", "one.sensors.imu.gyroscope.bias=0"}});
   EXPECT_EQ(rate_of(reading(scene, "one", "imu")), 100);
   EXPECT_FALSE(sensors::find_reading(robot(scene, "one"), "left_foot"));
@@ -108,13 +102,13 @@ TEST(SceneSensors, SoDoesTheCommandLine) {
 }
 
 TEST(SceneSensors, DefaultsMayChangeFromTheCommandLineToo) {
-  Scene scene(write_scene(start + two), {.overrides = {"defaults.sensors.imu.rate=125"}});
+  Scene scene(fixtures::write_scene(start + two), {.overrides = {"defaults.sensors.imu.rate=125"}});
   EXPECT_EQ(rate_of(reading(scene, "two", "imu")), 125);
 }
 
 TEST(SceneSensors, PartsMayStandBesideTheScene) {
   std::ofstream(fixtures::temp_folder().string() + "/" + "part_of_scene.toml") << "type = 'gyroscope'\nrate = 40\n";
-  Scene scene(write_scene(start + "[[robots]]\nname = 'one'\n[robots.sensors.x]\npart = 'part_of_scene'\n"));
+  Scene scene(fixtures::write_scene(start + "[[robots]]\nname = 'one'\n[robots.sensors.x]\npart = 'part_of_scene'\n"));
   EXPECT_EQ(rate_of(reading(scene, "one", "x")), 40);
 }
 
@@ -125,7 +119,7 @@ std::vector<double> noisy_values(Scene& scene) {
 
 TEST(SceneSensors, NoiseFollowsTheSeedAndNothingElse) {
   const auto values = [](const std::string& robots, SceneOptions options) {
-    Scene scene(write_scene(start + robots), options);
+    Scene scene(fixtures::write_scene(start + robots), options);
     return noisy_values(scene);
   };
   const auto alone = values("[[robots]]\nname = 'one'\n", {});
@@ -137,7 +131,7 @@ TEST(SceneSensors, NoiseFollowsTheSeedAndNothingElse) {
 
 TEST(SceneSensors, LookingChangesNoMotion) {
   const auto hash = [](const std::vector<std::string>& overrides) {
-    Scene scene(write_scene(start + two), {.overrides = overrides});
+    Scene scene(fixtures::write_scene(start + two), {.overrides = overrides});
     scene.simulation().run(300ms);
     return make_report(scene).state_hash;
   };
@@ -151,7 +145,7 @@ int count_lines(const Scene& scene, const std::string& part) {
 }
 
 TEST(SceneSensors, SayWhatALevelCannotShowOncePerLevel) {
-  Scene scene(write_scene(start + "[[robots]]\nname = 'one'\nlevel = 'full_dynamics'\n"));
+  Scene scene(fixtures::write_scene(start + "[[robots]]\nname = 'one'\nlevel = 'full_dynamics'\n"));
   EXPECT_EQ(count_lines(scene, "one: full_dynamics"), 0);
   scene.simulation().run(10ms);
   for (const char* level : {"kinematic_walking", "full_dynamics", "kinematic_walking"}) {
@@ -162,13 +156,13 @@ TEST(SceneSensors, SayWhatALevelCannotShowOncePerLevel) {
 }
 
 TEST(SceneSensors, SayOneThingOfSeveralRobotsInOneLine) {
-  Scene scene(write_scene(start + two));
+  Scene scene(fixtures::write_scene(start + two));
   EXPECT_EQ(count_lines(scene, "one, two: kinematic_walking: left_foot, right_foot: "), 1);
   EXPECT_EQ(count_lines(scene, "kinematic_walking"), 1);
 }
 
 TEST(SceneSensors, OfARobotFileFollowLongSteps) {
-  Scene scene(write_scene("rate = 250\n" + start + two), {.overrides = {"two.sensors=false"}});
+  Scene scene(fixtures::write_scene("rate = 250\n" + start + two), {.overrides = {"two.sensors=false"}});
   EXPECT_NEAR(rate_of(reading(scene, "one", "imu")), 125, 1e-9);
   EXPECT_NEAR(rate_of(reading(scene, "one", "encoders")), 1 / 0.012, 1e-9);
   EXPECT_EQ(count_lines(scene, "one: imu: samples at 125 Hz, not 200, because steps are 4 ms long"), 1);

@@ -5,12 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
-#include "tests/temp_folder.h"
+#include "tests/written_scene.h"
 
 namespace murosimf::scene {
 namespace {
@@ -41,21 +40,14 @@ team = "red"
 position = [1.0, 0.0]
 )";
 
-std::string write_scene(const std::string& text) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fixtures::temp_folder().string() + "/" + "scene_" + info->name() + ".toml";
-  std::ofstream(file) << text;
-  return file;
-}
-
 scene_file::SceneSpec spec_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  return scene_file::read_scene(write_scene(text), overrides);
+  return scene_file::read_scene(fixtures::write_scene(text), overrides);
 }
 
 /// The message of the SetupError that reading and building the scene throws; empty if it throws none.
 std::string mistake(const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {
-    Scene scene(write_scene(text), {.overrides = overrides});
+    Scene scene(fixtures::write_scene(text), {.overrides = overrides});
     scene.simulation().initialize();
   } catch (const SetupError& error) {
     return error.what();
@@ -123,7 +115,7 @@ friction_anisotropy = 0.25
 }
 
 TEST(Scene, OverridesSetPropertiesByName) {
-  Scene scene(write_scene(small_scene),
+  Scene scene(fixtures::write_scene(small_scene),
               {.overrides = {"blue2.pelvis.applied_force=[1,2,3,0,0,0]", "*.pelvis.walk_command=[0.1,0,0]"}});
   scene.simulation().initialize();
   World& world = scene.simulation().world();
@@ -132,13 +124,13 @@ TEST(Scene, OverridesSetPropertiesByName) {
 }
 
 TEST(Scene, EqualRobotsShareOneModel) {
-  Scene scene(write_scene(small_scene));
+  Scene scene(fixtures::write_scene(small_scene));
   const World& world = scene.simulation().world();
   EXPECT_EQ(world.entity("blue1").model_ptr(), world.entity("red1").model_ptr());
 }
 
 TEST(Scene, EveryValueIsReachableFromSimulationToProperty) {
-  Scene scene(write_scene(small_scene));
+  Scene scene(fixtures::write_scene(small_scene));
   scene.simulation().run(from_seconds(0.1));
   Entity& robot = scene.simulation().world().entity("blue1");
   EXPECT_EQ(robot.object("l_shin").get("joint_velocity").unit, "rad/s | m/s");
@@ -147,7 +139,7 @@ TEST(Scene, EveryValueIsReachableFromSimulationToProperty) {
 }
 
 TEST(Scene, ReportNamesEverybodyAndEveryAlgorithm) {
-  Scene scene(write_scene(small_scene));
+  Scene scene(fixtures::write_scene(small_scene));
   scene.simulation().run(from_seconds(0.5));
   const RunReport report = make_report(scene, from_seconds(0.25));
   ASSERT_EQ(report.entities.size(), 4u);
@@ -189,7 +181,7 @@ TEST(SceneMistakes, AreNamedWithTheirPlace) {
 TEST(SceneMistakes, ThatOnlyWeakenAResultAreWarnings) {
   const auto warned = [](std::vector<std::string> overrides, const std::string& text) {
     overrides.emplace_back("*.sensors=false");  // they have warnings of their own
-    Scene scene(write_scene(small_scene), {.overrides = overrides});
+    Scene scene(fixtures::write_scene(small_scene), {.overrides = overrides});
     const auto warnings = make_report(scene).warnings;
     return std::any_of(warnings.begin(), warnings.end(),
                        [&](const std::string& warning) { return warning.find(text) != std::string::npos; });

@@ -3,24 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include <fmt/format.h>
 
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
-#include "tests/temp_folder.h"
+#include "tests/written_scene.h"
 
 namespace murosimf::scene_file {
 namespace {
 
-std::string body_scene(const std::string& text) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fixtures::temp_folder().string() + "/" + "bodies_" + info->name() + ".toml";
-  std::ofstream(file) << "[field]\ngoals = false\n" << text;
-  return file;
-}
+std::string body_scene(const std::string& text) { return fixtures::write_scene("[field]\ngoals = false\n" + text); }
 
 std::string body_mistake(const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {

@@ -3,21 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
-#include "tests/temp_folder.h"
+#include "tests/written_scene.h"
 
 namespace murosimf::scene_file {
 namespace {
 
 /// A box that floats, and a kinematic robot far away.
 std::string pushed_scene(const std::string& more = {}) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fixtures::temp_folder().string() + "/" + "pushes_" + info->name() + ".toml";
-  std::ofstream(file) << R"(gravity = [0, 0, 0]
+  return fixtures::write_scene(R"(gravity = [0, 0, 0]
 [[bodies]]
 name = "box"
 shape = "box"
@@ -35,8 +32,7 @@ static = true
 name = "r"
 model = "kid21"
 position = [-2, 0]
-)" << more;
-  return file;
+)" + more);
 }
 
 std::string push_mistake(const std::string& push, const std::vector<std::string>& events = {}) {

@@ -1,8 +1,5 @@
 // What a scene sets and nothing uses is warned about by name; what cannot be is refused; what acts later is no mistake.
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <fstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +7,7 @@
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
 #include "tests/fixtures.h"
+#include "tests/written_scene.h"
 
 namespace murosimf::scene_file {
 namespace {
@@ -30,13 +28,6 @@ level = "articulated_dynamics"
 position = [1.0, 0.0]
 )";
 
-std::filesystem::path scene_file(const std::string& text) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string file = fmt::format("{}unused_{}_{}.toml", testing::TempDir(), info->name(), getpid());
-  std::ofstream(file) << text;
-  return file;
-}
-
 struct What {
   std::vector<std::string> set = {}, at = {};
   std::string text = pair_scene;
@@ -44,7 +35,7 @@ struct What {
 
 /// All warnings, one per line, of a run of 20 ms.
 std::string warnings_of(const What& what) {
-  scene::Scene scene(scene_file(what.text), {.overrides = what.set, .events = what.at});
+  scene::Scene scene(fixtures::write_scene(what.text), {.overrides = what.set, .events = what.at});
   scene.simulation().run(20ms);
   return fmt::format("{}", fmt::join(make_report(scene).warnings, "\n"));
 }
@@ -154,7 +145,7 @@ TEST(Mistakes, InEmptyNamesAndNumbersAreRefused) {
 }
 
 TEST(Seeds, AreExact) {
-  const scene::Scene scene(scene_file(pair_scene), {.overrides = {"seed=9007199254740993"}});
+  const scene::Scene scene(fixtures::write_scene(pair_scene), {.overrides = {"seed=9007199254740993"}});
   EXPECT_EQ(make_report(scene).seed, 9007199254740993U);
 }
 
@@ -193,7 +184,7 @@ TEST(PropertySettings, OfServosNeedAServoThatUsesThem) {
 }
 
 TEST(PropertySettings, OfTargetsThatAControllerWritesAreNamed) {
-  scene::Scene scene(scene_file(pair_scene),
+  scene::Scene scene(fixtures::write_scene(pair_scene),
                      {.overrides = {"still.controller=walk", "still.j_l_shin.joint_target=0.4",
                                     "real.j_l_shin.joint_target=0.4", "still.j_head.joint_target=0.1"}});
   scene.simulation().run(100ms);
@@ -221,7 +212,7 @@ TEST(EventsToCome, ThatTheRunDoesNotReachAreNamed) {
 }
 
 TEST(EventsOfTheReport, HaveEverySettingAndEveryEvent) {
-  scene::Scene scene(scene_file(pair_scene),
+  scene::Scene scene(fixtures::write_scene(pair_scene),
                      {.overrides = {"real.j_l_shin.joint_position=0.25"},
                       .events = {"0.01:real.pelvis.applied_force=[0, 0, 0, 5, 0, 0]",
                                  "0.01:real.level=articulated_dynamics", "0.01:real.contact=paper"}});

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "murosimf/formats/mesh/dae_geometry.h"
-#include "murosimf/formats/mesh/mesh_limits.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::formats::mesh {

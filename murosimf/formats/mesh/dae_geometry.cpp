@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/formats/mesh/mesh_limits.h"
-
 namespace murosimf::formats::mesh {
 namespace {
 

@@ -1,11 +1,12 @@
 #include "murosimf/formats/mesh/mesh_file.h"
 
+#include <cctype>
+
 #include <fmt/format.h>
 
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/formats/mesh/dae_file.h"
-#include "murosimf/formats/mesh/mesh_limits.h"
 #include "murosimf/formats/mesh/obj_file.h"
 #include "murosimf/formats/mesh/stl_file.h"
 #include "murosimf/model/error.h"
@@ -41,6 +42,17 @@ void tidy_parts(MeshFile& file) {
 }
 
 }  // namespace
+
+std::string too_many(std::size_t count) {
+  const std::string have = count > 0 ? std::to_string(count) : fmt::format("more than {}", most_triangles);
+  return fmt::format("the mesh has {} triangles, at most {} are read; simplify it", have, most_triangles);
+}
+
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
 
 MeshFile read_mesh_file(const std::filesystem::path& path) {
   MeshFile file = read_any(path);

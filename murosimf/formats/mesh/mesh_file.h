@@ -9,6 +9,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "murosimf/geometry/triangle_mesh.h"
@@ -17,6 +19,12 @@ namespace murosimf::formats::mesh {
 
 /// More is refused before it is read: such a mesh has nothing that a contact or an inertia could use.
 constexpr std::size_t most_triangles = 1'000'000;
+
+/// What the readers say of such a mesh; with the number of its triangles if that is known before they are read.
+[[nodiscard]] std::string too_many(std::size_t count = 0);
+
+/// In small letters: words and extensions count in any case.
+[[nodiscard]] std::string lower_case(std::string_view text);
 
 struct MeshFile {
   geometry::TriangleMesh mesh;          ///< everything; corners at the same place are one vertex

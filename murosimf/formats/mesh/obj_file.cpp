@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/text_lines.h"
-#include "murosimf/formats/mesh/mesh_limits.h"
 
 namespace murosimf::formats::mesh {
 namespace {

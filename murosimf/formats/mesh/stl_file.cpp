@@ -11,7 +11,6 @@
 
 #include "murosimf/files/text_lines.h"
 #include "murosimf/files/xml_element.h"
-#include "murosimf/formats/mesh/mesh_limits.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::formats::mesh {

@@ -1,14 +1,14 @@
 #include "murosimf/formats/mjcf/mjcf_geom_writer.h"
 
 #include <algorithm>
-#include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "murosimf/formats/mjcf/mjcf_place_writer.h"
+#include "murosimf/formats/mesh/mesh_file.h"
 #include "murosimf/math/quaternion.h"
 
 namespace murosimf::formats::mjcf {
@@ -20,8 +20,7 @@ constexpr double same_place = 1e-9;  // [m] rounding stays far below it
 
 bool is_mesh_file(const fs::path& file) {
   std::error_code none;
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = mesh::lower_case(file.extension().string());
   return (extension == ".stl" || extension == ".obj") && fs::is_regular_file(file, none);
 }
 
@@ -72,6 +71,14 @@ bool is_same_geom(const description::ShapeDescription& a, const description::Sha
 }
 
 }  // namespace
+
+void write_place(files::XmlText& xml, const Transformd& place) {
+  xml.vector_unless_zero("pos", place.position);
+  if (is_identity(place.orientation)) return;
+  const auto clean = [](double x) { return std::fabs(x) < 1e-15 ? 0.0 : x; };  // rounding of rotations
+  const Quaterniond q = from_matrix(place.orientation);
+  xml.numbers("quat", {clean(q.w), clean(q.x), clean(q.y), clean(q.z)});
+}
 
 MjcfGeomWriter::MjcfGeomWriter(const description::RobotDescription& description, const fs::path& folder,
                                files::XmlText& xml)

@@ -1,4 +1,4 @@
-/// mjcf_geom_writer.h - shapes and meshes of a description as geoms and assets of an MJCF file.
+/// mjcf_geom_writer.h - shapes and meshes of a description as geoms and assets of an MJCF file, and the place of any element.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +10,9 @@
 #include "murosimf/files/xml_text.h"
 
 namespace murosimf::formats::mjcf {
+
+/// Adds pos and quat to the open element, where they are not zero and no turn.
+void write_place(files::XmlText& xml, const Transformd& place);
 
 class MjcfGeomWriter {
  public:

@@ -9,7 +9,6 @@
 #include "murosimf/files/xml_text.h"
 #include "murosimf/formats/mjcf/mjcf_camera.h"
 #include "murosimf/formats/mjcf/mjcf_geom_writer.h"
-#include "murosimf/formats/mjcf/mjcf_place_writer.h"
 #include "murosimf/formats/mjcf/mjcf_sensor.h"
 
 namespace murosimf::formats::mjcf {

@@ -1,12 +1,10 @@
 #include "murosimf/formats/servo_log/fit_report.h"
 
-#include <sstream>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
+#include <nlohmann/json.hpp>
 
-#include "murosimf/files/json_schema.h"
+#include "murosimf/files/json_document.h"
 #include "murosimf/identification/bench_servo.h"
 #include "murosimf/identification/parameter.h"
 
@@ -14,6 +12,7 @@ namespace murosimf::formats::servo_log {
 namespace {
 
 using identification::FrictionModel;
+using nlohmann::json;
 
 constexpr double mrad = 1e3;
 
@@ -32,21 +31,15 @@ std::string mean_row(std::string_view of, double error) {
   return fmt::format("{:<50} {:>8.1f} mrad\n", of, mrad * error);
 }
 
-toml::array json_of(const std::vector<LogError>& logs) {
-  toml::array array;
+json json_of(const std::vector<LogError>& logs) {
+  json array = json::array();
   for (const LogError& log : logs) {
-    array.push_back(toml::table{{"name", log.log},
-                                {"trajectory", log.trajectory},
-                                {"firmware_gain", log.firmware_gain},
-                                {"error_rad", log.error}});
+    array.push_back({{"name", log.log},
+                     {"trajectory", log.trajectory},
+                     {"firmware_gain", log.firmware_gain},
+                     {"error_rad", log.error}});
   }
   return array;
-}
-
-std::string text_of(const toml::table& table) {
-  std::stringstream stream;
-  stream << toml::json_formatter(table) << "\n";
-  return stream.str();
 }
 
 multibody::BenchServo bench_of(const FittedServo& fitted) {
@@ -67,15 +60,14 @@ double mean_of_groups(const std::vector<UnseenGroup>& groups) {
   return mean_error(all);
 }
 
-void add_cross_validation(const FitReport& report, toml::table& root) {
+void add_cross_validation(const FitReport& report, json& root) {
   if (report.cross_validated.empty()) return;
-  toml::array groups;
+  json groups = json::array();
   for (const UnseenGroup& group : report.cross_validated) {
-    groups.push_back(
-        toml::table{{"unseen", group.name}, {"error_rad", mean_error(group.logs)}, {"logs", json_of(group.logs)}});
+    groups.push_back({{"unseen", group.name}, {"error_rad", mean_error(group.logs)}, {"logs", json_of(group.logs)}});
   }
-  root.insert("cross_validated", std::move(groups));
-  root.insert("mean_cross_validated_error_rad", mean_of_groups(report.cross_validated));
+  root["cross_validated"] = std::move(groups);
+  root["mean_cross_validated_error_rad"] = mean_of_groups(report.cross_validated);
 }
 
 }  // namespace
@@ -107,35 +99,33 @@ std::string to_text(const ReplayReport& report) {
 }
 
 std::string to_json(const FitReport& report) {
-  toml::array costs;
-  for (const double cost : report.costs) costs.push_back(cost);
-  toml::table values;
+  json values = json::object();
   for (const auto* parameter : identification::friction_model(report.servo.friction_model).parameters) {
-    values.insert(parameter->name, parameter->get(bench_of(report.servo)));
+    values[parameter->name] = parameter->get(bench_of(report.servo));
   }
-  toml::table root{{"schema", files::json_schema("fit-servo")},
-                   {"model", report.servo.friction_model},
-                   {"base", report.servo.base},
-                   {"prior", report.servo.prior},
-                   {"seed", static_cast<std::int64_t>(report.seed)},
-                   {"stopped", report.stopped},
-                   {"costs_rad", std::move(costs)},
-                   {"parameters", std::move(values)},
-                   {"mean_error_rad", mean_error(report.servo.fitted)},
-                   {"logs", json_of(report.servo.fitted)}};
+  json root{{"schema", files::json_schema("fit-servo")},
+            {"model", report.servo.friction_model},
+            {"base", report.servo.base},
+            {"prior", report.servo.prior},
+            {"seed", report.seed},
+            {"stopped", report.stopped},
+            {"costs_rad", report.costs},
+            {"parameters", std::move(values)},
+            {"mean_error_rad", mean_error(report.servo.fitted)},
+            {"logs", json_of(report.servo.fitted)}};
   if (!report.validated.empty()) {
-    root.insert("validated", json_of(report.validated));
-    root.insert("mean_validated_error_rad", mean_error(report.validated));
+    root["validated"] = json_of(report.validated);
+    root["mean_validated_error_rad"] = mean_error(report.validated);
   }
   add_cross_validation(report, root);
-  return text_of(root);
+  return files::json_text(std::move(root));
 }
 
 std::string to_json(const ReplayReport& report) {
-  return text_of(toml::table{{"schema", files::json_schema("replay-servo")},
-                             {"servo", report.servo},
-                             {"mean_error_rad", mean_error(report.logs)},
-                             {"logs", json_of(report.logs)}});
+  return files::json_text({{"schema", files::json_schema("replay-servo")},
+                           {"servo", report.servo},
+                           {"mean_error_rad", mean_error(report.logs)},
+                           {"logs", json_of(report.logs)}});
 }
 
 }  // namespace murosimf::formats::servo_log

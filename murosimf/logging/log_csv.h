@@ -1,4 +1,4 @@
-/// log_series.h - what was recorded during a run, and how it becomes a table of comma-separated values (CSV).
+/// log_csv.h - what was recorded during a run, and its table of comma-separated values (CSV).
 #pragma once
 
 #include <span>

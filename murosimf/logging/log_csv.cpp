@@ -1,4 +1,4 @@
-#include "murosimf/logging/log_series.h"
+#include "murosimf/logging/log_csv.h"
 
 #include <algorithm>
 #include <cmath>
