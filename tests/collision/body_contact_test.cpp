@@ -12,7 +12,6 @@ namespace murosimf::collision {
 namespace {
 
 using fixtures::difference;
-using test::PointMass;
 
 constexpr double dt = 1e-3;
 
@@ -22,7 +21,7 @@ struct Balls {
     field = &world.add("field", std::make_shared<const Model>("field", Chain{}.base("ground")));
     std::vector<Entity*> entities;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      balls.push_back(&world.add("ball" + std::to_string(i), test::ball(0.1, static_cast<double>(i + 1))));
+      balls.push_back(&world.add("ball" + std::to_string(i), ball(0.1, static_cast<double>(i + 1))));
       entities.push_back(balls[i]);
     }
     Setup setup(world, *field, access);

@@ -98,6 +98,20 @@ TEST(GroundFinder, MeetsWhatItComesToInSmallSteps) {
   EXPECT_NEAR(met, 2 - 0.4 - 0.1 - 0.02, 0.005);
 }
 
+// Many shapes on several static ones, in trees that have their own order: contacts come by feature, as the memory needs it.
+TEST(GroundFinder, ContactsComeInTheOrderOfTheirFeatures) {
+  Shapes beads, plates;
+  for (const double x : {0.5, -0.3, 0.1, -0.5, 0.3, -0.1, 0.7}) beads.push_back(placed(Sphere{0.05}, {x, 0, 0}));
+  for (const double x : {0.6, -0.6, 0.2, -0.2}) plates.push_back(placed(Box{{0.19, 0.2, 0.1}}, {x, 0, 0}));
+  const Entity necklace("necklace",
+                        std::make_shared<const Model>("necklace", Chain{}.base().with(properties::shapes, beads)));
+  const Entity path("path", std::make_shared<const Model>("path", Chain{}.base().with(properties::shapes, plates)));
+  GroundFinder finder(necklace, &path);
+  const auto points = find(finder, {0.02, 0, 0.149}).points;
+  ASSERT_EQ(points.size(), 7U);
+  for (std::size_t i = 1; i < 7; ++i) EXPECT_LT(points[i - 1].feature, points[i].feature);
+}
+
 TEST(GroundFinder, WithoutEnvironmentThereIsNothing) {
   const Entity ball = body(Sphere{0.1});
   GroundFinder finder(ball, nullptr);

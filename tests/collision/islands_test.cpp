@@ -8,13 +8,10 @@
 namespace murosimf::collision {
 namespace {
 
-using test::joint_of;
-using test::Movers;
-
 /// Seven balls far from each other.
 struct Seven : Movers {
   Seven() {
-    for (int i = 0; i < 7; ++i) add("ball_" + std::to_string(i), test::ball(0.1, 1 + i), {2.0 * i, 0, 0});
+    for (int i = 0; i < 7; ++i) add("ball_" + std::to_string(i), ball(0.1, 1 + i), {2.0 * i, 0, 0});
   }
   std::vector<int> find(const std::vector<std::pair<int, int>>& contacts) {
     set.points.clear();
@@ -83,7 +80,7 @@ TEST(IslandNumbers, ContactWithItselfIsAnIsland) {
 // Rule: a law may want an island for an entity that touches none; not for one that is frozen or stands.
 TEST(IslandNumbers, OfLawsThatWantThem) {
   Seven balls;
-  const test::Wish always(IslandUse::always), when_touching(IslandUse::when_touching), never(IslandUse::never);
+  const Wish always(IslandUse::always), when_touching(IslandUse::when_touching), never(IslandUse::never);
   balls.all[0].seam.law = &never;
   balls.all[1].seam.law = &when_touching;
   for (const int i : {2, 3, 4, 5}) balls.all[static_cast<std::size_t>(i)].seam.law = &always;

@@ -10,8 +10,6 @@ namespace {
 
 using fixtures::difference;
 using fixtures::placed;
-using test::joint_of;
-using test::Movers;
 
 /// Robots whose feet go from -0.08 to 0.08 m along y, none of which can be pushed; and a wall whose face is at y = -3.
 struct Walkers : Movers {

@@ -17,7 +17,7 @@
 #include "murosimf/multibody/kinematics.h"
 #include "tests/fixtures.h"
 
-namespace murosimf::collision::test {
+namespace murosimf::collision {
 
 /// A level that answers an island solver and does nothing.
 struct Answer final : ImpulseResponse {
@@ -142,4 +142,4 @@ inline PairContact joint_of(int a, int b) {
   return c;
 }
 
-}  // namespace murosimf::collision::test
+}  // namespace murosimf::collision

@@ -11,8 +11,6 @@ namespace {
 
 using fixtures::difference;
 using fixtures::placed;
-using test::ball;
-using test::Movers;
 
 /// Movers and who finds their contacts.
 struct Found : Movers {
@@ -93,6 +91,8 @@ TEST(PairFinder, NobodyNearNoContactAndOneTestOfVolumes) {
   found.find();
   EXPECT_EQ(found.set.points.size(), 1U);
   EXPECT_EQ(found.set.tests.objects, 1);
+  found.find();
+  EXPECT_EQ(found.set.tests.objects, 1) << "of this step";
 }
 
 // Rule: trees have a margin and are kept while nothing moves farther, and contacts are exact all the same.
@@ -122,6 +122,21 @@ TEST(PairFinder, ContactsComeInTheOrderOfTheList) {
   EXPECT_EQ(found.set.points[1].b, 2);
   EXPECT_LT(found.set.points[0].shapes, found.set.points[1].shapes);
   EXPECT_LT(difference(found.set.points[1].normal, {1, 0, 0}), 1e-12);
+}
+
+// Many shapes that touch, in a tree that has its own order: contacts come by shapes, as the memory needs it.
+TEST(PairFinder, ContactsComeInTheOrderOfShapes) {
+  Found found;
+  Shapes beads;
+  for (const double x : {0.5, -0.3, 0.1, -0.5, 0.3, -0.1, 0.7}) beads.push_back(placed(Sphere{0.05}, {x, 0, 0}));
+  found.add("beads",
+            std::make_shared<const Model>("beads",
+                                          Chain{}.base().with(properties::mass, 1.0).with(properties::shapes, beads)));
+  found.add("plate", box({1, 0.2, 0.1}, 5), {0, 0, -0.149});
+  found.find();
+  ASSERT_EQ(found.set.points.size(), 7U);
+  for (std::size_t i = 1; i < 7; ++i) EXPECT_LT(found.set.points[i - 1].shapes, found.set.points[i].shapes);
+  EXPECT_NEAR(found.set.points[3].point.x, -0.5, 1e-9);
 }
 
 // Rule: constants are those of the lighter of the two on a body, with the surfaces of both.
