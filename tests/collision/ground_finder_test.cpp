@@ -112,6 +112,24 @@ TEST(GroundFinder, ContactsComeInTheOrderOfTheirFeatures) {
   for (std::size_t i = 1; i < 7; ++i) EXPECT_LT(points[i - 1].feature, points[i].feature);
 }
 
+// A corner of two planes: each has features and a surface of its own.
+TEST(GroundFinder, PlanesAreToldApart) {
+  const Entity corner("corner", std::make_shared<const Model>(
+                                    "corner", Chain{}.base().with(properties::shapes,
+                                                                  Shapes{placed(Plane{}),
+                                                                         placed(Plane{}, {}, rotation_y(pi / 2))})));
+  const Entity ball = body(Sphere{0.1});
+  GroundFinder finder(ball, &corner);
+  const auto points = find(finder, {0.078, 0, 0.099}).points;
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_LT(points[0].feature, points[1].feature);
+  EXPECT_EQ(points[0].surface, 0U);
+  EXPECT_EQ(points[1].surface, 1U);
+  EXPECT_LT(difference(points[0].normal, {0, 0, 1}), 1e-12);
+  EXPECT_LT(difference(points[1].normal, {1, 0, 0}), 1e-12);
+  EXPECT_NEAR(points[1].depth, 0.002, 1e-12);
+}
+
 TEST(GroundFinder, WithoutEnvironmentThereIsNothing) {
   const Entity ball = body(Sphere{0.1});
   GroundFinder finder(ball, nullptr);

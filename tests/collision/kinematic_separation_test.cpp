@@ -45,8 +45,8 @@ TEST(KinematicSeparation, FeetAreComparedFromAbove) {
   for (const double overlap : {0.6e-3, 1.4e-3, 6e-3}) {
     for (const double height : {0.0, 0.05, -0.04}) {
       Walkers walkers;
-      walkers.walker({0, 0, 0.31});
-      walkers.walker({0.01, 0.16 - overlap, 0.31 + height});
+      walkers.walker({5, 0, 0.31});
+      walkers.walker({5.01, 0.16 - overlap, 0.31 + height});
       walkers.separate();
       const double half = std::min(0.5 * overlap, 1e-3);
       EXPECT_LT(difference(walkers.way(0), {0, -half, 0}), 1e-12) << overlap << " " << height;

@@ -91,6 +91,13 @@ TEST(CameraFrames, HashIsOfAllThatIsShown) {
   EXPECT_TRUE(changed([](CameraFrame& f) { f.labels(0, 0) = 9; }));
   EXPECT_TRUE(changed([](CameraFrame& f) { f.labels = imaging::LabelImage(1, 2, 6); }))
       << "as many pixels, but upright";
+  // sizes say which pixel belongs to which layer
+  CameraFrame wide, many;
+  wide.mosaic = imaging::GrayImage(2, 1, 0);
+  wide.depth = imaging::DepthImage(0, 1);
+  many.mosaic = imaging::GrayImage(1, 1, 0);
+  many.labels = imaging::LabelImage(1, 1, 0);
+  EXPECT_NE(hash_of(wide), hash_of(many));
   // colors are told apart although they are one number
   CameraFrame one = picture(), other = picture();
   one.color(0, 0) = {1, 0, 0};
