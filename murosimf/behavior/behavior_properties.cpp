@@ -5,10 +5,10 @@
 namespace murosimf::properties {
 namespace {
 
-constexpr std::array entries{variable(pose_estimate), variable(pose_spread), variable(next_waypoint)};
+constexpr std::array behavior_entries{variable(pose_estimate), variable(pose_spread), variable(next_waypoint)};
 
 }  // namespace
 
-std::span<const CatalogEntry> behavior_list() { return entries; }
+std::span<const CatalogEntry> behavior_list() { return behavior_entries; }
 
 }  // namespace murosimf::properties

@@ -5,13 +5,13 @@
 namespace murosimf::properties {
 namespace {
 
-constexpr std::array entries{constant(excluded_pairs),    constant(allowed_pairs),  variable(applied_force),
-                             variable(interaction_force), variable(external_force), variable(external_damping),
-                             variable(dynamic),           variable(stance_foot),    variable(separation),
-                             variable(absorbed_impulse)};
+constexpr std::array contact_entries{constant(excluded_pairs),    constant(allowed_pairs),  variable(applied_force),
+                                     variable(interaction_force), variable(external_force), variable(external_damping),
+                                     variable(dynamic),           variable(stance_foot),    variable(separation),
+                                     variable(absorbed_impulse)};
 
 }  // namespace
 
-std::span<const CatalogEntry> contact_list() { return entries; }
+std::span<const CatalogEntry> contact_list() { return contact_entries; }
 
 }  // namespace murosimf::properties

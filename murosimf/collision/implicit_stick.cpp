@@ -126,6 +126,7 @@ bool ImplicitStick::accept(std::span<ContactPoint> points, const ContactTerms& t
 
 void ImplicitStick::commit(std::span<ContactPoint> points, const ContactTerms& terms,
                            std::span<const Vec3d> next_velocity) const noexcept {
+  assert(next_velocity.size() == points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     ContactPoint& c = points[i];
     const ContactParameters& p = terms.parameters[c.surface];

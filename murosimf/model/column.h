@@ -32,11 +32,16 @@ class ColumnBase {
   [[nodiscard]] virtual double get(std::size_t row, std::size_t i) const = 0;
   virtual void set(std::size_t row, std::size_t i, double number) = 0;
   virtual void append_to(Hasher& hasher) const = 0;
+  /// How many of its numbers are NaN or infinite; 0 if the value is no row of numbers.
+  [[nodiscard]] virtual std::size_t not_finite() const = 0;
 
  private:
   PropertyInfo info_;
   std::type_index type_;
 };
+
+/// How many of `count` doubles, one behind the other in memory, are NaN or infinite.
+[[nodiscard]] std::size_t count_not_finite(const void* doubles, std::size_t count) noexcept;
 
 /// Debug builds start a column with NaN, so that what nobody writes is seen at once; release builds with zero.
 #ifdef NDEBUG
@@ -63,6 +68,14 @@ class Column final : public ColumnBase {
   }
   void append_to(Hasher& hasher) const override {
     for (const T& value : values) append_hash(hasher, value);
+  }
+
+  [[nodiscard]] std::size_t not_finite() const override {
+    if constexpr (NumericValue<T>) {
+      static_assert(sizeof(T) == ValueTraits<T>::numbers * sizeof(double));
+      return count_not_finite(values.data(), values.size() * ValueTraits<T>::numbers);
+    }
+    return 0;
   }
 
   void restart() override {

@@ -1,5 +1,7 @@
 #include "murosimf/model/column_store.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
@@ -8,7 +10,13 @@ namespace murosimf {
 
 ColumnBase* ColumnStore::find(std::string_view property) const {
   const auto found = columns_.find(property);
-  return found == columns_.end() ? nullptr : found->second.get();
+  if (found == columns_.end()) return nullptr;
+  assert(may_read(*found->second) && "a column that the algorithm has not declared");
+  return found->second.get();
+}
+
+bool ColumnStore::has(const ColumnBase* column) const {
+  return std::ranges::any_of(columns_, [&](const auto& item) { return item.second.get() == column; });
 }
 
 void ColumnStore::drop(const ColumnBase* column) {

@@ -1,11 +1,13 @@
 /// column_store.h - the columns of one entity, by the names of their properties.
 #pragma once
 
+#include <cassert>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "murosimf/model/access_guard.h"
 #include "murosimf/model/column.h"
 
 namespace murosimf {
@@ -23,6 +25,8 @@ class ColumnStore {
   template <class T>
   [[nodiscard]] const Column<T>* find(const Property<T>& property) const;
   [[nodiscard]] ColumnBase* find(std::string_view property) const;
+
+  [[nodiscard]] bool has(const ColumnBase* column) const;
 
   /// In the order of their names: pairs of name and column.
   [[nodiscard]] auto begin() const { return columns_.begin(); }
@@ -61,6 +65,7 @@ Column<T>& ColumnStore::column(const Property<T>& property) {
     found->second = std::make_unique<Column<T>>(own, rows);
   }
   if (found->second->type() != typeid(T)) refuse_type(property);
+  assert(may_write(*found->second) && "a column that the algorithm has not declared as written");
   return static_cast<Column<T>&>(*found->second);
 }
 

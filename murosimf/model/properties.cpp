@@ -7,31 +7,31 @@
 namespace murosimf::properties {
 namespace {
 
-constexpr std::array entries{constant(mass),
-                             constant(center_of_mass),
-                             constant(inertia),
-                             constant(shapes),
-                             constant(visuals),
-                             constant(joint_range),
-                             constant(servo),
-                             constant(sole),
-                             constant(markings),
-                             variable(position),
-                             variable(orientation),
-                             variable(linear_velocity),
-                             variable(angular_velocity),
-                             variable(joint_position),
-                             variable(joint_velocity),
-                             variable(joint_target),
-                             variable(joint_velocity_target),
-                             variable(joint_torque),
-                             variable(motor_torque),
-                             variable(supply_voltage),
-                             variable(torque_enabled),
-                             variable(servo_temperature)};
+constexpr std::array core_entries{constant(mass),
+                                  constant(center_of_mass),
+                                  constant(inertia),
+                                  constant(shapes),
+                                  constant(visuals),
+                                  constant(joint_range),
+                                  constant(servo),
+                                  constant(sole),
+                                  constant(markings),
+                                  variable(position),
+                                  variable(orientation),
+                                  variable(linear_velocity),
+                                  variable(angular_velocity),
+                                  variable(joint_position),
+                                  variable(joint_velocity),
+                                  variable(joint_target),
+                                  variable(joint_velocity_target),
+                                  variable(joint_torque),
+                                  variable(motor_torque),
+                                  variable(supply_voltage),
+                                  variable(torque_enabled),
+                                  variable(servo_temperature)};
 
 }  // namespace
 
-std::span<const CatalogEntry> core_list() { return entries; }
+std::span<const CatalogEntry> core_list() { return core_entries; }
 
 }  // namespace murosimf::properties

@@ -1,8 +1,11 @@
 #include "murosimf/multibody/frictional_joints.h"
 
+#include <cassert>
+
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/articulated_parts.h"
 #include "murosimf/multibody/joint_friction.h"
+#include "murosimf/multibody/span_sizes.h"
 
 namespace murosimf::multibody {
 namespace {
@@ -53,6 +56,7 @@ template <class S>
 template <class S>
 void sweep_with_friction(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies,
                          std::span<FrictionalJoint<S>> joints, Loads loads, double dt) noexcept {
+  assert(one_row_per_link(tree, links, bodies, joints));
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     ArticulatedLink<S>& body = bodies[l];
     ArticulatedLink<S>& parent = bodies[tree.links[l].parent];
@@ -73,6 +77,7 @@ void sweep_with_friction(const Tree& tree, std::span<const LinkMotion<S>> links,
 template <class S>
 S accelerate_with_friction(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies,
                            std::span<FrictionalJoint<S>> joints, const Twist<S>& base) noexcept {
+  assert(one_row_per_link(tree, links, bodies, joints));
   bodies[0].acceleration = base;
   S wrong = 0.0;
   for (std::size_t l = 1; l < links.size(); ++l) {

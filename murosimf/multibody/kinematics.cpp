@@ -4,6 +4,7 @@
 
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/joint_axis.h"
+#include "murosimf/multibody/span_sizes.h"
 
 namespace murosimf::multibody {
 namespace {
@@ -46,7 +47,7 @@ void place_fixed(const FixedObject& fixed, const Vec3<S>& r_link, const Mat3<S>&
 
 template <class S>
 void poses(const Tree& tree, std::span<const S> q, std::span<Vec3<S>> r, std::span<Mat3<S>> R) noexcept {
-  assert(q.size() == tree.link_of.size() && r.size() == q.size() && R.size() == q.size());
+  assert(one_row_per_object(tree, q, r, R));
   for (std::size_t l = 1; l < tree.links.size(); ++l) {
     const Link& link = tree.links[l];
     const int p = tree.links[link.parent].object;
@@ -61,6 +62,7 @@ void poses(const Tree& tree, std::span<const S> q, std::span<Vec3<S>> r, std::sp
 template <class S>
 Transform<S> pose_in_base(const Tree& tree, std::span<const int> path, const FixedObject& object,
                           std::span<const S> q) noexcept {
+  assert(one_row_per_object(tree, q));
   Transform<S> link_pose;
   for (const int l : path) {
     Transform<S> next;
@@ -76,6 +78,7 @@ Transform<S> pose_in_base(const Tree& tree, std::span<const int> path, const Fix
 template <class S>
 Twist<S> twist_against_base(const Tree& tree, std::span<const int> path, const Vec3<S>& at, std::span<const S> qd,
                             std::span<const Vec3<S>> r, std::span<const Mat3<S>> R) noexcept {
+  assert(one_row_per_object(tree, qd, r, R));
   Twist<S> twist;
   for (const int l : path) {
     const Link& link = tree.links[l];
@@ -93,6 +96,7 @@ Twist<S> twist_against_base(const Tree& tree, std::span<const int> path, const V
 template <class S>
 void velocities(const Tree& tree, std::span<const S> qd, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R,
                 std::span<Vec3<S>> v, std::span<Vec3<S>> w) noexcept {
+  assert(one_row_per_object(tree, qd, r, R, v, w));
   for (std::size_t l = 1; l < tree.links.size(); ++l) {
     const Link& link = tree.links[l];
     const int i = link.object;

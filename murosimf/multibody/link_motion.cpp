@@ -4,6 +4,7 @@
 
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/joint_axis.h"
+#include "murosimf/multibody/span_sizes.h"
 
 namespace murosimf::multibody {
 namespace {
@@ -63,7 +64,7 @@ template <class S>
 template <class S>
 void link_motions(const Tree& tree, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R, const Vec3<S>& w,
                   std::span<const S> qd, std::span<LinkMotion<S>> links) noexcept {
-  assert(links.size() == tree.links.size());
+  assert(one_row_per_link(tree, links) && one_row_per_object(tree, r, R, qd));
   links[0].axis = links[0].bias = {};
   links[0].velocity = {w, {}};
   add_mass(tree.links[0], Vec3<S>{}, R[0], links[0]);

@@ -1,12 +1,16 @@
 #include "murosimf/multibody/mass.h"
 
+#include <cassert>
+
 #include "murosimf/math/pack.h"
+#include "murosimf/multibody/span_sizes.h"
 
 namespace murosimf::multibody {
 
 template <class S>
 CommonBody<S> common_body(const Tree& tree, std::span<const Vec3<S>> r, std::span<const Mat3<S>> R,
                           std::span<const Vec3<S>> v, std::span<const Vec3<S>> w) noexcept {
+  assert(one_row_per_object(tree, r, R, v, w));
   // moments of mass about the base first: one pass, then moved to the common center
   CommonBody<S> body;
   body.mass = tree.mass;

@@ -5,12 +5,20 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/access_guard.h"
+
 namespace murosimf {
 namespace {
 
 using WallClock = std::chrono::steady_clock;
 
 constexpr std::int64_t all_timed = 64, timed_every = 8;  // calls
+
+#ifdef NDEBUG
+constexpr bool checked = false;
+#else
+constexpr bool checked = true;
+#endif
 
 }  // namespace
 
@@ -55,12 +63,14 @@ MotionLevel& Simulation::exchange(std::string name, Entity& entity, const Maker<
     put_in_place_of(*present, next);
   } catch (const SetupError& error) {
     drop_columns_of(*next);
+    if (initialized_) restart_checks();
     throw SetupError(
         fmt::format("'{}' stays at {}: no {}: {}", entity.name(), (*present)->name, next->name, error.what()));
   }
   // `next` is now what was there before
   restart_columns_of(*next);
   drop_columns_of(*next);
+  if (initialized_) restart_checks();
   entity.level = name;
   if (name != next->name) record(fmt::format("{}: {} -> {}", entity.name(), next->name, name));
   next->algorithm.reset();
@@ -167,12 +177,29 @@ void Simulation::step() {
   initialize();
   make_timed_calls();
   take_over_frozen();
-  for (const Wave& wave : plan_.due(ticks_)) {
-    pool_.for_each(wave.size(), [&](std::size_t i) { execute(*tasks_[wave[i]]); });
-  }
+  for (const Wave& wave : plan_.due(ticks_)) run_wave(wave);
+  if constexpr (checked) checks_.after_tick();
   now_ += plan_.tick();
   ++ticks_;
   take_over_frozen();
+}
+
+void Simulation::run_wave(const Wave& wave) {
+  if constexpr (checked) checks_.before_wave(*world_, ticks_);
+  pool_.for_each(wave.size(), [&](std::size_t i) { execute(*tasks_[wave[i]]); });
+  if constexpr (checked) {
+    std::vector<const AccessSet*> access;
+    for (const std::size_t task : wave) access.push_back(&tasks_[task]->access);
+    checks_.after_wave(access);
+  }
+}
+
+void Simulation::restart_checks() {
+  if constexpr (checked) {
+    std::vector<const AccessSet*> access;
+    for (const auto& task : tasks_) access.push_back(&task->access);
+    checks_.restart(*world_, access);
+  }
 }
 
 void Simulation::initialize() {
@@ -182,6 +209,7 @@ void Simulation::initialize() {
   for (const auto& task : tasks_) murosimf::with_context(full_name(*task), [&] { task->algorithm->initialize(); });
   initialized_ = true;
   for (const auto& call : after_initialize_) call();
+  restart_checks();
 }
 
 void Simulation::check_and_plan() {
@@ -215,6 +243,9 @@ std::string Simulation::full_name(const Task& task) { return fmt::format("{} of 
 
 void Simulation::execute(Task& task) noexcept {
   if (task.frozen) return;
+#ifndef NDEBUG
+  const AccessGuard guard(task.access);
+#endif
   const Instant instant{now_, task.period};
   const std::int64_t call = task.calls++;
   if (call >= all_timed && call % timed_every != 0) return task.algorithm->step(instant);

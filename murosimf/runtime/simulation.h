@@ -29,6 +29,7 @@
 #include "murosimf/model/world.h"
 #include "murosimf/runtime/clock.h"
 #include "murosimf/runtime/plan.h"
+#include "murosimf/runtime/step_checks.h"
 #include "murosimf/runtime/thread_pool.h"
 
 namespace murosimf {
@@ -145,6 +146,8 @@ class Simulation {
   void drop_columns_of(const Task& task);
   void restart_columns_of(const Task& task);
   void check_and_plan();
+  void restart_checks();
+  void run_wave(const Wave& wave);
   void make_timed_calls();
   void execute(Task& task) noexcept;
   void take_over_frozen();
@@ -155,6 +158,7 @@ class Simulation {
   std::vector<TimedCall> timed_calls_;          // those to come, the next one first
   std::vector<Event> events_;
   Plan plan_;
+  StepChecks checks_;  // used in debug builds only
   ThreadPool pool_;
   Duration now_{};
   std::int64_t ticks_ = 0;

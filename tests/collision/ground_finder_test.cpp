@@ -98,6 +98,38 @@ TEST(GroundFinder, MeetsWhatItComesToInSmallSteps) {
   EXPECT_NEAR(met, 2 - 0.4 - 0.1 - 0.02, 0.005);
 }
 
+// Many shapes on several static ones, in trees that have their own order: contacts come by feature, as the memory needs it.
+TEST(GroundFinder, ContactsComeInTheOrderOfTheirFeatures) {
+  Shapes beads, plates;
+  for (const double x : {0.5, -0.3, 0.1, -0.5, 0.3, -0.1, 0.7}) beads.push_back(placed(Sphere{0.05}, {x, 0, 0}));
+  for (const double x : {0.6, -0.6, 0.2, -0.2}) plates.push_back(placed(Box{{0.19, 0.2, 0.1}}, {x, 0, 0}));
+  const Entity necklace("necklace",
+                        std::make_shared<const Model>("necklace", Chain{}.base().with(properties::shapes, beads)));
+  const Entity path("path", std::make_shared<const Model>("path", Chain{}.base().with(properties::shapes, plates)));
+  GroundFinder finder(necklace, &path);
+  const auto points = find(finder, {0.02, 0, 0.149}).points;
+  ASSERT_EQ(points.size(), 7U);
+  for (std::size_t i = 1; i < 7; ++i) EXPECT_LT(points[i - 1].feature, points[i].feature);
+}
+
+// A corner of two planes: each has features and a surface of its own.
+TEST(GroundFinder, PlanesAreToldApart) {
+  const Entity corner("corner", std::make_shared<const Model>(
+                                    "corner", Chain{}.base().with(properties::shapes,
+                                                                  Shapes{placed(Plane{}),
+                                                                         placed(Plane{}, {}, rotation_y(pi / 2))})));
+  const Entity ball = body(Sphere{0.1});
+  GroundFinder finder(ball, &corner);
+  const auto points = find(finder, {0.078, 0, 0.099}).points;
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_LT(points[0].feature, points[1].feature);
+  EXPECT_EQ(points[0].surface, 0U);
+  EXPECT_EQ(points[1].surface, 1U);
+  EXPECT_LT(difference(points[0].normal, {0, 0, 1}), 1e-12);
+  EXPECT_LT(difference(points[1].normal, {1, 0, 0}), 1e-12);
+  EXPECT_NEAR(points[1].depth, 0.002, 1e-12);
+}
+
 TEST(GroundFinder, WithoutEnvironmentThereIsNothing) {
   const Entity ball = body(Sphere{0.1});
   GroundFinder finder(ball, nullptr);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/collision/movers.h"
 #include "tests/fixtures.h"
 #include "tests/physics/rig.h"
 
@@ -43,6 +44,49 @@ TEST(MovingEntity, PushGoesThroughToTheGround) {
       EXPECT_NEAR(felt, 4.3 * g, 2e-3 * weight) << "ground and ball together carry the box alone";
     }
   }
+}
+
+// What was pushed in a step is not pushed in the next one: of its own body, and of the loads only where no ground begins them anew.
+TEST(MovingEntity, APushLastsForOneStep) {
+  for (const bool on_ground : {false, true}) {
+    Movers movers;
+    MovingEntity& robot = movers.add("robot", std::make_shared<const Model>(fixtures::two_legged()), {0.5, -0.3, 1});
+    const Wish law(IslandUse::never);
+    if (on_ground) robot.seam.law = &law;
+    const int foot = robot.model().object_index("left_foot"), knee = robot.model().object_index("left_knee");
+    robot.external_force[knee] = {{1, 2, 3}, {4, 5, 6}};
+    const Vec3d arm{0.1, 0.2, 0.3}, force{3, -1, 2};
+    robot.push(foot, robot.r[foot] + arm, force, 1e-3);
+    robot.push(foot, robot.r[foot] + arm, force, 1e-3);
+    robot.damp(foot, robot.r[foot], diagonal(7.0));
+    for (const auto& felt : {robot.interaction_force, robot.external_force}) {
+      EXPECT_LT(fixtures::difference(felt[foot].f, 2 * force), 1e-12);
+      EXPECT_LT(fixtures::difference(felt[foot].n, 2 * cross(arm, force)), 1e-12);
+    }
+    EXPECT_EQ(norm(robot.contacts.rest_force[foot].f), on_ground ? 2 * norm(force) : 0);
+    EXPECT_EQ(robot.contacts.rest_damping.size(), on_ground ? 1U : 0U);
+    robot.start_step();
+    EXPECT_EQ(norm(robot.interaction_force[foot].f), 0);
+    EXPECT_EQ(norm(robot.external_force[foot].f) > 0, on_ground) << "the ground begins it anew";
+    EXPECT_EQ(robot.external_damping[foot].M.xx > 0, on_ground);
+    EXPECT_EQ(robot.external_force[knee].f.x, 4) << "nobody has pushed there";
+    robot.external_force[foot].f = {1, 0, 0};
+    robot.start_step();
+    EXPECT_EQ(robot.external_force[foot].f.x, 1);
+  }
+}
+
+// Rule: where a shape is, is worked out once in a step.
+TEST(MovingEntity, PosesAreThoseOfTheFirstAsking) {
+  Movers movers;
+  MovingEntity& mover = movers.add("ball", ball(0.1, 1, {}, {0.02, 0, 0}), {1, 2, 3});
+  mover.start_step();
+  EXPECT_LT(fixtures::difference(mover.pose(0).position, {1.02, 2, 3}), 1e-12);
+  Movers::place(mover, {4, 5, 6}, rotation_z(pi / 2));
+  EXPECT_LT(fixtures::difference(mover.pose(0).position, {1.02, 2, 3}), 1e-12);
+  mover.start_step();
+  EXPECT_LT(fixtures::difference(mover.pose(0).position, {4, 5.02, 6}), 1e-12);
+  EXPECT_LT(fixtures::difference(mover.sphere(0).center, {4, 5.02, 6}), 1e-12);
 }
 
 /// Two robots at kinematic_walking beside each other, whose feet overlap by `overlap` [m] along y.

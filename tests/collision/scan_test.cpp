@@ -77,6 +77,7 @@ TEST(Scan, RaysGoCounterclockwiseFromTheFirstToTheLast) {
   EXPECT_LT(norm(fan.ray(2, at).direction - Vec3d{-1, 0, 0}), 1e-15);
   EXPECT_LT(norm(fan.ray(4, at).direction - Vec3d{0, -1, 0}), 1e-15);
   EXPECT_EQ(norm(fan.ray(4, at).origin - at.position), 0);
+  EXPECT_LT(norm(Fan(2, 0, pi / 2).ray(1, at).direction - Vec3d{0, 1, 0}), 1e-15) << "of two the second is the last";
 }
 
 }  // namespace

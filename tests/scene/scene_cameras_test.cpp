@@ -147,12 +147,14 @@ TEST(SceneCameras, WhatIsWrongIsNamedWithItsPlace) {
   EXPECT_TRUE(says(error("lens = 'plumbob'\n"), {"plumbob", "plumb_bob"}));
   EXPECT_TRUE(says(error("calibration = 'nobody'\n"), {".toml:14:", "nobody"}));
   EXPECT_TRUE(says(error("mounting_error_deg = 3\n"), {".toml:14:", "mounting_error_deg"}));
+  EXPECT_TRUE(says(error_of([] { const Scene s(fixtures::write_scene("[light]\nname = 'moon'\n" + game())); }),
+                   {".toml:2:", "moon"}));
+  EXPECT_TRUE(says(error_of([] { const Scene s(fixtures::write_scene("[light]\ntoward = [0, 0, -1]\n" + game())); }),
+                   {"toward"}));
+  EXPECT_TRUE(says(error_of([] { const Scene s(fixtures::write_scene("[views.a]\nlook_at = [0, 0, 0]\n" + game())); }),
+                   {"eye"}));
   EXPECT_TRUE(
-      says(error_of([] { const Scene s(fixtures::write_scene("[light]\nname = 'moon'\n" + game())); }), {".toml:2:", "moon"}));
-  EXPECT_TRUE(
-      says(error_of([] { const Scene s(fixtures::write_scene("[light]\ntoward = [0, 0, -1]\n" + game())); }), {"toward"}));
-  EXPECT_TRUE(says(error_of([] { const Scene s(fixtures::write_scene("[views.a]\nlook_at = [0, 0, 0]\n" + game())); }), {"eye"}));
-  EXPECT_TRUE(says(error_of([] { const Scene s(fixtures::write_scene("views.a = 3\n" + game())); }), {".toml:1:", "a"}));
+      says(error_of([] { const Scene s(fixtures::write_scene("views.a = 3\n" + game())); }), {".toml:1:", "a"}));
 }
 
 TEST(SceneCameras, ACalibrationFileIsTheLensAndKeysBesideItWin) {
@@ -200,7 +202,8 @@ TEST(SceneViewpoints, ByParallelRaysIsWhatViewSays) {
   }
   EXPECT_NEAR(-all.axes.z.z, std::sin(whole.spec().view.elevation), 1e-12);
   EXPECT_LT(all.axes.y.z, 0) << "down is down";
-  Scene part(fixtures::write_scene("[view]\ncenter = [1, 0.5, 0.2]\nwidth = 3.2\nazimuth_deg = 0\nelevation_deg = 0\n" + game()));
+  Scene part(fixtures::write_scene("[view]\ncenter = [1, 0.5, 0.2]\nwidth = 3.2\nazimuth_deg = 0\nelevation_deg = 0\n" +
+                                   game()));
   const render::ParallelView near = parallel_view(part, 640, 360);
   EXPECT_NEAR(near.pixel, 0.005, 1e-12);
   EXPECT_EQ(near.center.y, 0.5);

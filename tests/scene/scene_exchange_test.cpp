@@ -73,7 +73,7 @@ set = "blue2.command = [0.1, 0, 0]"
 
 TEST(Timeline, ARefusalIsAWarningAndTheOthersChange) {
   Scene scene(fixtures::write_scene(game + "[[robots]]\nname = 'blue3'\nlevel = 'simplified_dynamics'\npitch_deg = 90\n"
-                                 "controller = 'none'\nposition = [1, -1]\n"),
+                                           "controller = 'none'\nposition = [1, -1]\n"),
               {.overrides = {"*.sensors=false"}, .events = {"0.1:blue*.level=kinematic_walking"}});
   scene.simulation().run(300ms);
   EXPECT_EQ(scene.simulation().world().entity("blue3").level, "simplified_dynamics");
@@ -139,9 +139,10 @@ TEST(SceneExchange, KeepsAGameGoingWithTheBallAtTheFoot) {
 
 TEST(SceneExchange, GivesTheSameHashForAnyNumberOfThreads) {
   const auto hash = [&](int threads) {
-    Scene scene(fixtures::write_scene(game), {.threads = threads,
-                                    .events = {"0.3:blue1.level=articulated_dynamics", "0.6:blue*.level=full_dynamics",
-                                               "0.9:blue1.level=kinematic_walking"}});
+    Scene scene(fixtures::write_scene(game),
+                {.threads = threads,
+                 .events = {"0.3:blue1.level=articulated_dynamics", "0.6:blue*.level=full_dynamics",
+                            "0.9:blue1.level=kinematic_walking"}});
     scene.simulation().run(1200ms);
     return scene.simulation().state_hash();
   };

@@ -8,8 +8,8 @@
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/sensors/reading.h"
 #include "tests/fixtures.h"
-#include "tests/written_scene.h"
 #include "tests/temp_folder.h"
+#include "tests/written_scene.h"
 
 namespace murosimf::scene {
 namespace {
@@ -48,7 +48,7 @@ TEST(SceneSensors, RobotsCarryThoseOfTheirFiles) {
 /// Mean of what an accelerometer on the torso of a kinematic walker feels in 20 s: in its axes, and in those of the world.
 std::pair<Vec3d, Vec3d> mean_felt(double rate) {
   Scene scene(fixtures::write_scene(start + "[[robots]]\nname = 'one'\ncommand = [0.2, 0, 0]\n[robots.sensors.felt]\n" +
-                          "type = 'accelerometer'\nframe = 'torso'\nrate = " + std::to_string(rate) + "\n"));
+                                    "type = 'accelerometer'\nframe = 'torso'\nrate = " + std::to_string(rate) + "\n"));
   scene.simulation().run(2s);
   const Reading& felt = reading(scene, "one", "felt");
   const ObjectAccess torso = robot(scene, "one").object("torso");
@@ -94,8 +94,9 @@ TEST(SceneSensors, ASceneAddsChangesAndRemoves) {
 }
 
 TEST(SceneSensors, SoDoesTheCommandLine) {
-  Scene scene(fixtures::write_scene(start + two), {.overrides = {"*.sensors.imu.rate=100", "one.sensors.left_foot=false",
-                                                       "two.sensors=false", "one.sensors.imu.gyroscope.bias=0"}});
+  Scene scene(fixtures::write_scene(start + two),
+              {.overrides = {"*.sensors.imu.rate=100", "one.sensors.left_foot=false", "two.sensors=false",
+                             "one.sensors.imu.gyroscope.bias=0"}});
   EXPECT_EQ(rate_of(reading(scene, "one", "imu")), 100);
   EXPECT_FALSE(sensors::find_reading(robot(scene, "one"), "left_foot"));
   EXPECT_TRUE(sensors::find_reading(robot(scene, "one"), "right_foot"));

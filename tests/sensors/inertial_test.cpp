@@ -78,6 +78,17 @@ TEST(Accelerometer, BeforeTheFirstSampleItShowsRest) {
   EXPECT_NEAR(rig.reading().output("orientation")[0], std::cos(0.15), 1e-12);
 }
 
+// Back at the instant 0 nothing is left of the window: a body that no longer speeds up shows nothing.
+TEST(Accelerometer, ForgetsWhatWasBeforeItsStart) {
+  const auto motion = [](double t) { return test::BodyMotion{.velocity = {std::min(t, 0.055), 0, 0}}; };
+  test::SensorRig<Accelerometer> rig(motion, {.name = "a", .rate = 100});
+  rig.run_until(0.056);
+  rig.sensor.initialize();
+  rig.run_until(0.060);
+  ASSERT_EQ(rig.reading().samples, 1U);
+  EXPECT_NEAR(vector_of(rig.reading(), "accelerometer").x, 0, 1e-9);
+}
+
 // A velocity that goes up in stairs, as that of a walker whose controller has a period of 10 ms: what a sample sees must not
 // depend on where in the period it is taken.
 TEST(Accelerometer, SamplesAddUpToTheChangeOfVelocity) {

@@ -1,6 +1,7 @@
 /// puppet.h - a body that moves as a function of time says: the truth for tests of sensors.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
@@ -21,7 +22,7 @@ struct BodyMotion {
 
 using MotionOfTime = std::function<BodyMotion(double)>;
 
-/// Moves a model that is all of one link.
+/// Moves a model that is all of one link; rows of others stay at the world's origin.
 class Puppet final : public Algorithm {
  public:
   Puppet(Setup& setup, MotionOfTime motion)
@@ -30,7 +31,13 @@ class Puppet final : public Algorithm {
         v_(setup.write(properties::linear_velocity)),
         w_(setup.write(properties::angular_velocity)),
         R_(setup.write(properties::orientation)) {}
-  void initialize() override { show(0); }
+  void initialize() override {
+    std::ranges::fill(r_, Vec3d{});
+    std::ranges::fill(v_, Vec3d{});
+    std::ranges::fill(w_, Vec3d{});
+    std::ranges::fill(R_, Mat3d{});
+    show(0);
+  }
   void step(const Instant& instant) noexcept override { show(seconds(instant.now + instant.period)); }
 
  private:

@@ -1,6 +1,8 @@
 // What all sensors share: instants of samples, delay, names, and noise that nobody else changes.
 #include "murosimf/sensors/sensor.h"
 
+#include <cmath>
+
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/sensors/frame_sensors.h"
 #include "tests/fixtures.h"
@@ -37,6 +39,13 @@ TEST(Sensor, ADelayedSampleKeepsTheInstantAtWhichItWasTaken) {
   EXPECT_NEAR(clock.reading().values[0], 0.030, 1e-15);
   clock.run_until(0.064);
   EXPECT_EQ(clock.reading().time, from_seconds(0.030));
+}
+
+// A ramp behind a first-order low-pass comes late by h / (2 tan(pi f h)), with h of the executions and not of the samples.
+TEST(Sensor, ALowPassWorksInEveryExecution) {
+  Clock clock(clockwork, {.name = "clock", .rate = 100, .signals = {{"", {.low_pass = 20}}}});
+  clock.run_until(0.5);
+  EXPECT_NEAR(clock.reading().values[0], 0.5 - 1e-3 / (2 * std::tan(pi * 20 * 1e-3)), 1e-9);
 }
 
 TEST(Sensor, IsFoundByName) {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/formats/mesh/mesh_file.h"
+
 namespace murosimf::formats::mesh {
 namespace {
 

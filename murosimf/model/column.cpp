@@ -1,0 +1,18 @@
+#include "murosimf/model/column.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace murosimf {
+
+std::size_t count_not_finite(const void* doubles, std::size_t count) noexcept {
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    double number = 0;
+    std::memcpy(&number, static_cast<const unsigned char*>(doubles) + i * sizeof(double), sizeof(double));
+    if (!std::isfinite(number)) ++found;
+  }
+  return found;
+}
+
+}  // namespace murosimf
