@@ -61,7 +61,7 @@ struct ControllerType {
   Vec3d (*attainable)(const Model&, const Vec3d& command) = nullptr;  ///< [m/s, m/s, rad/s] what it makes of a command
 };
 
-/// True if `word` is among the words of a list in the registry.
+/// True if `word` is among the words of a list in the catalog.
 [[nodiscard]] bool has_word(std::string_view words, std::string_view word);
 
 [[nodiscard]] std::span<const LevelType> levels();

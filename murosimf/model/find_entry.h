@@ -1,4 +1,4 @@
-/// find_entry.h - looking an entry of a registry up by its name.
+/// find_entry.h - looking an entry of a list up by its name.
 #pragma once
 
 #include <span>

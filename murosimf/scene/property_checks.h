@@ -1,7 +1,7 @@
 /// property_checks.h - whether a property that a user sets can be set there, and acts.
 ///
 /// A property that algorithms write in every step is set in vain, unless they begin the step with what they find: that is
-/// their state. Those are listed in property_checks.cpp; what the levels have of their own stands in registry.cpp.
+/// their state. Those are listed in property_checks.cpp; what the levels have of their own stands in catalog/algorithm_catalog.cpp.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ namespace {
 /// A key of a robot that only some levels or controllers use.
 struct UsedKey {
   std::string_view key;   ///< as in the file
-  std::string_view word;  ///< as in the registry
+  std::string_view word;  ///< as in the catalog
   enum { by_level, by_first_level, by_controller } use = by_level;
   bool (*says)(const RobotSpec&) = nullptr;  ///< it asks for something; null: always
 };

@@ -17,7 +17,7 @@ class ViewSource;  // view_source.h
 
 struct SensorSpec {
   std::string name{};                           ///< unique on the robot
-  std::string type{};                           ///< name in the registry: "imu"
+  std::string type{};                           ///< name in components/sensor_types.h: "imu"
   std::string where{};                          ///< place in the file, for messages
   std::string frame{};                          ///< object of the model that it is mounted on; empty: the base
   Vec3d position{};                             ///< [m] of the sensor in that frame
