@@ -1,4 +1,4 @@
-// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, materials and properties.
+// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, materials, properties and keys of scene files.
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
@@ -15,6 +15,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/servo_law.h"
+#include "murosimf/scene_file/key_list.h"
 
 namespace murosimf::app {
 namespace {
@@ -65,14 +66,30 @@ std::string materials_text() {
   return text;
 }
 
+std::string section_text(const scene_file::SectionInfo& section) {
+  std::string text = section.header.empty() ? "" : fmt::format("\n{}\n", section.header);
+  if (!section.like.empty()) return text + fmt::format("those of {}, but 'name': for all of them\n", section.like);
+  for (const scene_file::KeyInfo& key : section.keys) {
+    text += fmt::format("{:<20} {:<10} {:<20} {}\n", key.name, key.unit, key.fallback, key.meaning);
+  }
+  return text;
+}
+
+/// Of a scene file, section by section.
+std::string keys_text() {
+  std::string text = fmt::format("{:<20} {:<10} {:<20} {}\n", "key", "unit", "default", "meaning");
+  for (const scene_file::SectionInfo& section : scene_file::sections()) text += section_text(section);
+  return text;
+}
+
 struct ListOptions {
   std::string what;
 };
 
 void define(const Command& command, ListOptions& options) {
-  const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",   "integrators",
-                                       "servo_laws", "controllers", "sensors",       "parts",     "lenses",
-                                       "materials",  "scenes",      "models",        "properties"};
+  const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",    "integrators",
+                                       "servo_laws", "controllers", "sensors",       "parts",      "lenses",
+                                       "materials",  "scenes",      "models",        "properties", "keys"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
 }
 
@@ -99,6 +116,7 @@ int list(const ListOptions& options) {
   if (what == "models") text = file_names("models", ".xml");
   if (what == "materials") text = materials_text();
   if (what == "properties") text = properties_text();
+  if (what == "keys") text = keys_text();
   write_standard_output(text);
   return 0;
 }

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "murosimf/math/pack.h"
-#include "murosimf/multibody/joint_friction.h"
+#include "murosimf/multibody/gear_friction.h"
 #include "murosimf/multibody/servo_pendulum.h"
 
 namespace murosimf::benchmarks {

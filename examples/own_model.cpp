@@ -3,7 +3,7 @@
 
 #include <murosimf/collision/contact_properties.h>
 #include <murosimf/collision/ground_contact.h>
-#include <murosimf/collision/implicit_stick.h>
+#include <murosimf/collision/implicit_stick_law.h>
 #include <murosimf/motion/simplified_dynamics.h>
 #include <murosimf/runtime/simulation.h>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "murosimf/collision/contact_force.h"
+#include "murosimf/collision/contact_law_parts.h"
 
 namespace murosimf::collision {
 namespace {

@@ -2,7 +2,7 @@
 ///
 /// * island_gauss_seidel (default): all contacts of touching entities are settled together (body_contact.h).
 /// * carry: either body is implicit in its own acceleration alone. With b = b_n n n^T + b_t (1 - n n^T), B = h b and
-///   f0 the force at the present velocity (implicit_stick.h), A feels f0 - B a_A and B feels -f0 - B a_B. Together that
+///   f0 the force at the present velocity (implicit_stick_law.h), A feels f0 - B a_A and B feels -f0 - B a_B. Together that
 ///   should be nothing, but is e = -B (a_A + a_B); half of it is taken back from either one in the next step, so
 ///   momentum comes late but is not lost. For steps up to 2 ms.
 /// * kelvin_voigt: explicit spring and damper, and viscous friction up to the cone:

@@ -1,7 +1,7 @@
 /// island_solver.h - all contacts of a few entities at once: projected Gauss-Seidel on velocities after the step.
 ///
 /// Unknown are the impulses lambda = h f of the contact points. With v the velocity after the step, linear in the
-/// impulses (impulse_response.h: v = v_free + y . z, z = sum y lambda), a compliant contact as in implicit_stick.h demands
+/// impulses (impulse_response.h: v = v_free + y . z, z = sum y lambda), a compliant contact as in implicit_stick_law.h demands
 ///
 ///     normal:   v_n + R_n lambda_n = k delta / b_n,  lambda_n >= 0         R = 1 / (h b),  b_n = d + theta h k
 ///     tangent:  v_t + R_t lambda_t = -kt s / b_t,  |lambda_t| <= mu lambda_n              b_t = ct + h kt

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "murosimf/collision/contact_force.h"
+#include "murosimf/collision/contact_law_parts.h"
 
 namespace murosimf::collision {
 namespace {

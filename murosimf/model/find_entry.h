@@ -9,15 +9,21 @@
 
 namespace murosimf {
 
+/// Names of all entries, in their order.
+template <class Entry>
+[[nodiscard]] std::vector<std::string_view> entry_names(std::span<const Entry> entries) {
+  std::vector<std::string_view> names;
+  for (const Entry& entry : entries) names.push_back(entry.name);
+  return names;
+}
+
 /// The entry with this name, or SetupError with the nearest name. `kind` ("level") is for the message.
 template <class Entry>
 [[nodiscard]] const Entry& find_entry(std::span<const Entry> entries, std::string_view kind, std::string_view name) {
-  std::vector<std::string_view> names;
   for (const Entry& entry : entries) {
     if (entry.name == name) return entry;
-    names.push_back(entry.name);
   }
-  throw SetupError(unknown_name(kind, name, names));
+  throw SetupError(unknown_name(kind, name, entry_names(entries)));
 }
 
 }  // namespace murosimf

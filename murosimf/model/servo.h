@@ -9,7 +9,7 @@
 
 namespace murosimf {
 
-/// The largest torque that a gear's friction can muster: a budget (multibody/joint_friction.h has the equation and its
+/// The largest torque that a gear's friction can muster: a budget (multibody/gear_friction.h has the equation and its
 /// source). The numbers without unit are shares of a load. All zero: none.
 struct GearFriction {
   double coulomb = 0;                  ///< [N m] K_c

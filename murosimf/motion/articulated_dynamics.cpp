@@ -8,7 +8,7 @@
 
 #include "murosimf/motion/coulomb_damping.h"
 #include "murosimf/motion/motion_properties.h"
-#include "murosimf/multibody/joint_friction.h"
+#include "murosimf/multibody/gear_friction.h"
 
 namespace murosimf::motion {
 namespace {

@@ -2,7 +2,7 @@
 ///
 /// Forward dynamics by the articulated-body algorithm (multibody/articulated_body.h); servos, stops and contacts
 /// enter linearly implicit, as inertia of the joint or of the body. Joints: qd += h qdd, q += h qd.
-/// Friction of joints sticks (multibody/frictional_joints.h): which joint sticks and which slides is settled together with the contacts of the
+/// Friction of joints sticks (multibody/friction_solver.h): which joint sticks and which slides is settled together with the contacts of the
 /// step. In an island of touching robots the step before decides. rk4 has it as a damper, which lets loaded joints creep
 /// (motion/coulomb_damping.h). Coupled joints are held together after every pass (coupling_forces.h).
 /// Source: paper, outlook (7); Featherstone 2008, ch. 7.
@@ -13,7 +13,7 @@
 #include "murosimf/motion/joint_drives.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/multibody/articulated_body.h"
-#include "murosimf/multibody/frictional_joints.h"
+#include "murosimf/multibody/friction_solver.h"
 
 namespace murosimf::motion {
 

@@ -6,7 +6,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/torque_watch.h"
-#include "murosimf/multibody/joint_friction.h"
+#include "murosimf/multibody/gear_friction.h"
 
 namespace murosimf::motion {
 

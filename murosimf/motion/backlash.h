@@ -7,7 +7,7 @@
 ///     by the torque J_a (w_m - qd)/h: inelastic. A side can only push: when it would have to pull it lets go.
 ///   * between: the joint has nothing of the servo, and the motor side turns by itself,
 ///         D = J_a + A,   p = D w_m + h tau,   w_m+ = sign(p) max(0, |p| - h F)/D,   x += h (w_m+ - qd+)
-///     with the motor's torque tau - A w_m' and the budget F without load (joint_friction.h). The encoder sits at the output.
+///     with the motor's torque tau - A w_m' and the budget F without load (gear_friction.h). The encoder sits at the output.
 ///
 /// Source: the project's own; rigid contact with one side at a time, as a two-mass system with an infinitely stiff gear.
 #pragma once

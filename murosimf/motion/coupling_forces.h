@@ -22,7 +22,7 @@
 #include "murosimf/motion/mimic_joints.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/multibody/articulated_body.h"
-#include "murosimf/multibody/frictional_joints.h"
+#include "murosimf/multibody/friction_solver.h"
 
 namespace murosimf::motion {
 

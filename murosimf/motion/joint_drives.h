@@ -3,7 +3,7 @@
 ///
 /// A joint without servo is free. Torques are linearly implicit in the joint's acceleration of this step, tau = torque -
 /// inertia qdd: implicit Euler of the linearized drive. With h = 0 the answer is the plain torque of this instant. Dry
-/// friction is a budget that the level spends (multibody/frictional_joints.h).
+/// friction is a budget that the level spends (multibody/friction_solver.h).
 /// Springs are the exception: implicit Euler would brake what swings, like a damper of h k. They are average
 /// acceleration,
 ///

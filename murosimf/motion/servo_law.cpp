@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/multibody/joint_friction.h"
+#include "murosimf/multibody/gear_friction.h"
 
 namespace murosimf::motion {
 namespace {

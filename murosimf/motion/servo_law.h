@@ -14,7 +14,7 @@
 ///
 /// Both know positions in the encoder's steps and have the dead band; both make exactly no torque while that is switched
 /// off.
-/// Friction of the gear is not in it: joint_drives.h, multibody/frictional_joints.h.
+/// Friction of the gear is not in it: joint_drives.h, multibody/friction_solver.h.
 /// Source: textbook permanent-magnet DC motor (stall = k_t V/R, stall/no_load = k_t^2/R); order of the two limits as
 /// firmware has it: it can only move the duty.
 #pragma once

@@ -1,7 +1,7 @@
 #include "murosimf/multibody/servo_pendulum.h"
 
 #include "murosimf/math/pack.h"
-#include "murosimf/multibody/joint_friction.h"
+#include "murosimf/multibody/gear_friction.h"
 
 namespace murosimf::multibody {
 namespace {

@@ -14,7 +14,7 @@
 ///     w+ = sign(p) max(0, |p| - h F)/D,                    q+ = q + h w+
 ///
 /// with tau_m0 the motor's torque at the present angle without back-EMF, and F the budget of dry friction
-/// (joint_friction.h). A stop is exact: w+ = 0, without creep. First order in h.
+/// (gear_friction.h). A stop is exact: w+ = 0, without creep. First order in h.
 ///
 /// Source: textbook permanent-magnet DC motor; pendulum, controller and order of limits as on the bench of
 /// Duclusaud et al., ICRA 2025 (github.com/Rhoban/bam).

@@ -26,7 +26,7 @@ void add_field(SceneParts& parts, const ModelSource& models) {
 void add_ball(SceneParts& parts, ModelSource& models) {
   EntityOptions options;
   options.position = parts.spec.ball->position;
-  const ModelPtr model = models.changed_for("ball", scene_file::ball_model(parts.spec.ball->options));
+  const ModelPtr model = models.changed_for("ball", scene_file::ball_model(*parts.spec.ball));
   models.check_materials(*model);
   options.color = model->find(properties::shapes, 0)->front().color;
   parts.ball = &parts.simulation->world().add("ball", model, options);

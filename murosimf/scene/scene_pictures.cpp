@@ -31,7 +31,7 @@ render::Path path_of(const SceneParts& parts, Entity& entity) {
   path.heading = heading(entity.base().get(properties::orientation));
   path.is_ball = &entity == parts.ball;
   path.number = appearance::jersey_number(entity.name());
-  if (path.is_ball) path.size = parts.spec.ball->options.radius;
+  if (path.is_ball) path.size = parts.spec.ball->radius;
   if (const scene_file::BodySpec* body = body_spec(parts.spec, entity)) {  // as round things, too
     path.is_ball = true;
     if (body->shape) path.size = bounding_radius(*body->shape);

@@ -136,4 +136,15 @@ PropertySetting property_setting(const Assignment& assignment, std::size_t begin
   return {assignment.where, std::move(entities), assignment.object(begin), assignment.path.back(), *numbers};
 }
 
+std::vector<toml::table*> bodies_called(toml::table& scene, const std::string& pattern) {
+  std::vector<toml::table*> found;
+  toml::array* all = scene["bodies"].as_array();
+  for (std::size_t i = 0; all && i < all->size(); ++i) {
+    toml::table* body = (*all)[i].as_table();
+    const std::string name = body ? (*body)["name"].value_or(std::string{}) : std::string{};
+    if (!name.empty() && matches(pattern, name)) found.push_back(body);
+  }
+  return found;
+}
+
 }  // namespace murosimf::scene_file

@@ -36,6 +36,9 @@ struct Assignment {
 [[nodiscard]] std::pair<std::vector<toml::table*>, std::size_t> robots_of(toml::table& scene,
                                                                           const std::vector<std::string>& path);
 
+/// Tables of the bodies whose names match, with * and ?.
+[[nodiscard]] std::vector<toml::table*> bodies_called(toml::table& scene, const std::string& pattern);
+
 /// The text under a key; empty if there is none.
 [[nodiscard]] std::string text_of(const toml::table& table, std::string_view key);
 

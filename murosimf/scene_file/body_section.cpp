@@ -1,7 +1,4 @@
-#include "murosimf/scene_file/body_section.h"
-
-#include <fnmatch.h>
-
+// [[bodies]] of a scene file: boxes, spheres, ramps and steps, one line each.
 #include <algorithm>
 #include <cmath>
 
@@ -11,38 +8,35 @@
 #include "murosimf/description/mass_properties.h"
 #include "murosimf/files/toml_color.h"
 #include "murosimf/model/error.h"
+#include "murosimf/scene_file/all_sections.h"
+#include "murosimf/scene_file/section_readers.h"
 
 namespace murosimf::scene_file {
 namespace {
 
-constexpr double farthest_body = 1e4;  // [m]
-constexpr double largest_body = 1e3;   // [m]
-
-void body_must(bool condition, const files::TomlTable& table, std::string_view key, std::string_view message) {
-  if (!condition) throw SetupError(fmt::format("{}: '{}' {}", table.where(key), key, message));
-}
+constexpr double largest_body = 1e3;  // [m]
 
 double read_length(const files::TomlTable& table, std::string_view key, std::string_view meaning) {
   double length = 0;
-  body_must(table.find(key) != nullptr, table, key, fmt::format("is missing: {}", meaning));
+  require(table.find(key) != nullptr, table, key, fmt::format("is missing: {}", meaning));
   table.read(key, length);
-  body_must(length > 0 && length <= largest_body, table, key, "must be above 0, and no more than 1000 m");
+  require(length > 0 && length <= largest_body, table, key, "must be above 0, and no more than 1000 m");
   return length;
 }
 
 Box read_box(const files::TomlTable& table) {
   Vec3d size;
-  body_must(table.find("size") != nullptr, table, "size", "is missing: lengths of the box's edges, [x, y, z] in m");
+  require(table.find("size") != nullptr, table, "size", "is missing: lengths of the box's edges, [x, y, z] in m");
   table.read("size", size);
-  body_must(size.x > 0 && size.y > 0 && size.z > 0, table, "size", "must be three numbers above 0: [x, y, z] in m");
-  body_must(norm(size) <= largest_body, table, "size", "is more than 1000 m");
+  require(size.x > 0 && size.y > 0 && size.z > 0, table, "size", "must be three numbers above 0: [x, y, z] in m");
+  require(norm(size) <= largest_body, table, "size", "is more than 1000 m");
   return {0.5 * size};
 }
 
 /// Keys that belong to other shapes are mistakes.
 void refuse_keys(const files::TomlTable& table, std::string_view shape, std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys) {
-    body_must(table.find(key) == nullptr, table, key, fmt::format("is nothing that a {} has", shape));
+    require(table.find(key) == nullptr, table, key, fmt::format("is nothing that a {} has", shape));
   }
 }
 
@@ -55,7 +49,7 @@ Shape read_round_shape(const files::TomlTable& table, const std::string& name) {
   }
   const double length = read_length(table, "length", "along its axis, from end to end, in m");
   if (name == "cylinder") return Cylinder{radius, 0.5 * length};
-  body_must(length > 2 * radius, table, "length", "of a capsule must be more than twice its radius");
+  require(length > 2 * radius, table, "length", "of a capsule must be more than twice its radius");
   return Capsule{radius, 0.5 * length - radius};
 }
 
@@ -73,69 +67,38 @@ Shape read_shape(const files::TomlTable& table) {
 
 void read_mass(const files::TomlTable& table, BodySpec& body) {
   double density = 0;
-  table.read("mass", body.mass);
   table.read("density", density);
   const bool has_mass = table.find("mass") != nullptr, has_density = table.find("density") != nullptr;
-  body_must(has_mass != has_density, table, has_density ? "density" : "mass",
-            has_mass ? "and 'mass' say the same; keep one" : "is missing: in kg, or 'density' in kg/m^3");
+  require(has_mass != has_density, table, has_density ? "density" : "mass",
+          has_mass ? "and 'mass' say the same; keep one" : "is missing: in kg, or 'density' in kg/m^3");
   if (has_density) body.mass = density * description::volume(*body.shape);
-  body_must(body.mass > 0, table, has_density ? "density" : "mass", "must be positive");
-}
-
-double read_degrees(const files::TomlTable& table, std::string_view key) {
-  double degrees = 0;
-  table.read(key, degrees);
-  body_must(std::abs(degrees) <= 3600, table, key, "must be between -3600 and 3600");
-  return degrees * pi / 180;
-}
-
-void read_place(const files::TomlTable& table, BodySpec& body) {
-  table.read("position", body.position);
-  body_must(norm(body.position) <= farthest_body, table, "position", "is further than 10 km away");
-  body.heading = read_degrees(table, "heading_deg");
-  body.roll = read_degrees(table, "roll_deg");
-  body.pitch = read_degrees(table, "pitch_deg");
-}
-
-/// What only bodies have that move.
-void read_motion_of(const files::TomlTable& table, BodySpec& body) {
-  table.read("velocity", body.velocity);
-  table.read("angular_velocity", body.angular_velocity);
-  table.read("contact", body.contact);
-  with_context(table.where("contact"), [&] { return &find_entry(catalog::contacts(), "contact law", body.contact); });
+  require(body.mass > 0, table, has_density ? "density" : "mass", "must be positive");
 }
 
 void read_kind(const files::TomlTable& table, BodySpec& body) {
-  table.read("model", body.model);
-  body_must(body.model.empty() != (table.find("shape") == nullptr), table, "shape",
-            body.model.empty() ? "is missing: box, sphere, cylinder or capsule; or 'model'"
-                               : "and 'model' say the same; keep one");
+  require(body.model.empty() != (table.find("shape") == nullptr), table, "shape",
+          body.model.empty() ? "is missing: box, sphere, cylinder or capsule; or 'model'"
+                             : "and 'model' say the same; keep one");
   if (body.model.empty()) {
     body.shape = read_shape(table);
-    table.read("material", body.material);
-    body_must(!body.material.empty(), table, "material", "is empty");
     return;
   }
   refuse_keys(table, "body with a model", {"size", "radius", "length", "mass", "density", "material"});
-  body_must(!body.is_static, table, "model", "cannot be static; use a shape");
+  require(!body.is_static, table, "model", "cannot be static; use a shape");
 }
 
 BodySpec read_body(const toml::table& node) {
-  const files::TomlTable table(node, body_keys());
+  const files::TomlTable table(node, body_section().names());
   BodySpec body;
   body.where = table.where();
-  table.read("name", body.name);
-  body_must(!body.name.empty(), table, "name", "of the body is missing");
-  table.read("static", body.is_static);
+  body_section().read(table, body);
+  require(!body.name.empty(), table, "name", "of the body is missing");
   read_kind(table, body);
-  body.color = files::read_color(table, body.color);
-  read_place(table, body);
   if (body.is_static) {
     refuse_keys(table, "static body", {"mass", "density", "velocity", "angular_velocity", "contact"});
     return body;
   }
   if (body.shape) read_mass(table, body);
-  read_motion_of(table, body);
   return body;
 }
 
@@ -147,12 +110,39 @@ bool is_taken(const SceneSpec& spec, const std::string& name) {
 
 }  // namespace
 
-const std::vector<std::string_view>& body_keys() {
-  static const std::vector<std::string_view> keys{
-      "name",        "shape",    "size",      "radius",   "length",           "mass",  "density",  "position",
-      "heading_deg", "roll_deg", "pitch_deg", "velocity", "angular_velocity", "color", "material", "static",
-      "contact",     "model"};
-  return keys;
+const Section<BodySpec>& body_section() {
+  using Turn = Angle<BodySpec>;
+  const Bounds turns = between(-3600, 3600);
+  static const Section<BodySpec> section(
+      "[[bodies]]",
+      {{"name", &BodySpec::name, "", "of the entity", {}, "(needed)"},
+       {"shape", {}, "", "box, sphere, cylinder, capsule", {}, "(or model)"},
+       {"size", {}, "m", "of a box: lengths of its edges, [x, y, z]"},
+       {"radius", {}, "m", "of a sphere, cylinder, capsule"},
+       {"length", {}, "m", "of a cylinder, capsule: from end to end, along z"},
+       {"mass", &BodySpec::mass, "kg", "the inertia is that of the homogeneous shape", {}, "(or density)"},
+       {"density", {}, "kg/m^3", "instead of the mass"},
+       {"model", &BodySpec::model, "", "a robot file, instead of shape, mass and material"},
+       {"material", &BodySpec::material, "", "of its surface"},
+       {"color",
+        [](const files::TomlTable& table, std::string_view, BodySpec& body) {
+          body.color = files::read_color(table, body.color);
+        },
+        "",
+        "red, green, blue from 0 to 1",
+        {},
+        "gray"},
+       {"static", &BodySpec::is_static, "", "it stands there for good, without mass, velocity and contact law"},
+       {"position", &BodySpec::position, "m", "x and y of its middle, z of its lowest point", up_to(farthest_place)},
+       {"heading_deg", Turn{&BodySpec::heading}, "deg", "about the vertical", turns},
+       {"roll_deg", Turn{&BodySpec::roll}, "deg", "about x, before the heading", turns},
+       {"pitch_deg", Turn{&BodySpec::pitch}, "deg", "about y, before roll and heading; below 0 raises the +x end",
+        turns},
+       {"velocity", &BodySpec::velocity, "m/s", "world, at the start"},
+       {"angular_velocity", &BodySpec::angular_velocity, "rad/s", "world, at the start"},
+       {"contact", Choice<BodySpec>{&BodySpec::contact, "contact law", [] { return entry_names(catalog::contacts()); }},
+        "", "with the ground: murosimf list contacts"}});
+  return section;
 }
 
 void read_bodies(const files::TomlTable& scene, SceneSpec& spec) {
@@ -163,17 +153,6 @@ void read_bodies(const files::TomlTable& scene, SceneSpec& spec) {
     }
     spec.bodies.push_back(std::move(body));
   }
-}
-
-std::vector<toml::table*> bodies_called(toml::table& scene, const std::string& pattern) {
-  std::vector<toml::table*> found;
-  toml::array* all = scene["bodies"].as_array();
-  for (std::size_t i = 0; all && i < all->size(); ++i) {
-    toml::table* body = (*all)[i].as_table();
-    const std::string name = body ? (*body)["name"].value_or(std::string{}) : std::string{};
-    if (!name.empty() && fnmatch(pattern.c_str(), name.c_str(), 0) == 0) found.push_back(body);
-  }
-  return found;
 }
 
 }  // namespace murosimf::scene_file

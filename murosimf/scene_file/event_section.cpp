@@ -10,8 +10,8 @@
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/motion/servo_law.h"
+#include "murosimf/scene_file/all_sections.h"
 #include "murosimf/scene_file/assignment.h"
-#include "murosimf/scene_file/body_section.h"
 #include "murosimf/scene_file/overrides.h"
 #include "murosimf/scene_file/setting_targets.h"
 
@@ -78,25 +78,27 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
   return event;
 }
 
-void read_table(toml::table& scene, const toml::table& node, std::vector<SceneEvent>& events) {
-  const files::TomlTable table(node, {"time", "set"});
-  double time = -1;
-  table.read("time", time);
-  std::vector<std::string> texts;
-  const toml::node* set = table.find("set");
-  const toml::array* list = set ? set->as_array() : nullptr;
+void read_changes(const files::TomlTable& table, std::string_view key, EventTable& event) {
+  const toml::node& set = *table.find(key);
   const auto take = [&](const toml::node& text) {
     if (!text.is_string())
-      throw SetupError(fmt::format("{}: 'set' must be a text, or a list of texts", table.where("set")));
-    texts.push_back(*text.value<std::string>());
+      throw SetupError(fmt::format("{}: '{}' must be a text, or a list of texts", table.where(key), key));
+    event.changes.push_back(*text.value<std::string>());
   };
-  if (!set) throw SetupError(fmt::format("{}: 'set' of the event is missing", table.where()));
-  if (list) {
+  if (const toml::array* list = set.as_array()) {
     for (const toml::node& text : *list) take(text);
   } else {
-    take(*set);
+    take(set);
   }
-  for (const std::string& text : texts) events.push_back(read_event(scene, time, text, table.where("set")));
+}
+
+void read_table(toml::table& scene, const toml::table& node, std::vector<SceneEvent>& events) {
+  const files::TomlTable table(node, event_section().names());
+  if (!table.find("set")) throw SetupError(fmt::format("{}: 'set' of the event is missing", table.where()));
+  EventTable event;
+  event_section().read(table, event);
+  for (const std::string& change : event.changes)
+    events.push_back(read_event(scene, event.time, change, table.where("set")));
 }
 
 SceneEvent read_option(toml::table& scene, const std::string& option) {
@@ -112,6 +114,13 @@ SceneEvent read_option(toml::table& scene, const std::string& option) {
 
 }  // namespace
 
+const Section<EventTable>& event_section() {
+  static const Section<EventTable> section(
+      "[[events]]", {{"time", &EventTable::time, "s", "when it happens", {}, "(needed)"},
+                     {"set", read_changes, "", "PATH = VALUE, or a list of them: what changes then", {}, "(needed)"}});
+  return section;
+}
+
 const std::vector<std::string_view>& exchangeable_keys() {
   static const std::vector<std::string_view> keys{"level", "contact", "servo_law", "command"};
   return keys;
@@ -119,7 +128,7 @@ const std::vector<std::string_view>& exchangeable_keys() {
 
 std::vector<SceneEvent> read_events(toml::table& scene, const std::vector<std::string>& at_options) {
   std::vector<SceneEvent> events;
-  for (const toml::table* event : files::TomlTable(scene, scene_keys()).tables("events"))
+  for (const toml::table* event : files::TomlTable(scene, scene_section().names()).tables("events"))
     read_table(scene, *event, events);
   for (const std::string& option : at_options) events.push_back(read_option(scene, option));
   std::stable_sort(events.begin(), events.end(),

@@ -3,29 +3,21 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/model/error.h"
+#include "murosimf/scene_file/all_sections.h"
+#include "murosimf/scene_file/section_readers.h"
 
 namespace murosimf::scene_file {
 namespace {
 
-struct PairNumber {
-  std::string_view name;
-  double PairSurface::*number;
-};
-constexpr std::array pair_numbers{PairNumber{"friction", &PairSurface::friction},
-                                  PairNumber{"rolling", &PairSurface::rolling},
-                                  PairNumber{"restitution", &PairSurface::restitution},
-                                  PairNumber{"stiffness", &PairSurface::stiffness},
-                                  PairNumber{"friction_anisotropy", &PairSurface::friction_anisotropy}};
-
 double PairSurface::*number_called(std::string_view name) {
-  for (const PairNumber& known : pair_numbers) {
-    if (known.name == name) return known.number;
+  for (const Key<PairSurface>& key : material_section().keys()) {
+    const auto* number = std::get_if<double PairSurface::*>(&key.target);
+    if (number && key.name == name) return *number;
   }
   throw SetupError(unknown_name("number of a pair of materials", name, pair_keys()));
 }
@@ -70,12 +62,52 @@ void change_ground(const FieldSpec& field, MaterialTable& materials) {
   }
 }
 
+void check_pair(const GivenPair& pair, const std::vector<GivenPair>& earlier) {
+  if (pair.a.empty() || pair.b.empty()) throw SetupError(pair.where + ": 'pair' has an empty name");
+  for (const GivenPair& other : earlier) {
+    if ((other.a != pair.a || other.b != pair.b) && (other.a != pair.b || other.b != pair.a)) continue;
+    throw SetupError(fmt::format("{}: the pair of '{}' and '{}' is set twice, first at {}", pair.where, pair.a, pair.b,
+                                 other.where));
+  }
+}
+
+GivenPair read_pair(const files::TomlTable& table, const toml::node* node) {
+  const toml::array* names = node ? node->as_array() : nullptr;
+  const bool pair_of_texts = names && names->size() == 2 && (*names)[0].is_string() && (*names)[1].is_string();
+  require(pair_of_texts, table, "pair", "must be two material names");
+  return {**(*names)[0].as_string(), **(*names)[1].as_string(), table.where("pair")};
+}
+
 }  // namespace
 
+const Section<PairSurface>& material_section() {
+  static const Section<PairSurface> section(
+      "[[materials]]", {{"pair", {}, "", "two names of materials", {}, "(needed)"},
+                        {"friction", &PairSurface::friction, "", "Coulomb coefficient"},
+                        {"rolling", &PairSurface::rolling, "", "resistance: moment = rolling * radius * normal force"},
+                        {"restitution", &PairSurface::restitution, "", "speed that round bodies keep when they bounce"},
+                        {"stiffness", &PairSurface::stiffness, "N/m", "of a contact point; 0: by weight"},
+                        {"friction_anisotropy", &PairSurface::friction_anisotropy, "",
+                         "g from 0 to below 1: friction (1 - g) along the pile of the ground, (1 + g) against it"}});
+  return section;
+}
+
 std::vector<std::string_view> pair_keys() {
-  std::vector<std::string_view> names;
-  for (const PairNumber& known : pair_numbers) names.push_back(known.name);
+  std::vector<std::string_view> names = material_section().names();
+  std::erase(names, "pair");
   return names;
+}
+
+void read_materials(const files::TomlTable& scene, SceneSpec& spec) {
+  for (const toml::table* node : scene.tables("materials")) {
+    const files::TomlTable table(*node, material_section().names());
+    const GivenPair given = read_pair(table, node->get("pair"));
+    check_pair(given, spec.material_pairs);
+    spec.material_pairs.push_back(given);
+    PairSurface pair;
+    material_section().read(table, pair);
+    with_context(table.where(), [&] { spec.materials.set(given.a, given.b, pair); });
+  }
 }
 
 bool take_material_change(const std::string& override_text, std::vector<MaterialChange>& changes) {

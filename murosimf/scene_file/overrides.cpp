@@ -6,7 +6,7 @@
 
 #include "murosimf/model/error.h"
 #include "murosimf/scene_file/assignment.h"
-#include "murosimf/scene_file/body_section.h"
+#include "murosimf/scene_file/key_list.h"
 #include "murosimf/scene_file/setting_targets.h"
 
 namespace murosimf::scene_file {
@@ -15,6 +15,16 @@ namespace {
 void assign(toml::table& table, const std::string& key, const Assignment& o) {
   toml::table value = o.parsed();
   table.insert_or_assign(key, std::move(*value.get("value")));
+}
+
+/// Of a section that there is.
+std::vector<std::string_view> keys_of(std::string_view section) { return names_of(*find_section(section)); }
+
+/// The same of sections that stand only once in a file; empty if there is none of that name.
+std::vector<std::string_view> keys_of_one(std::string_view name) {
+  const SectionInfo* section = find_section(name);
+  const bool once = section && section->header == fmt::format("[{}]", name);
+  return once ? names_of(*section) : std::vector<std::string_view>{};
 }
 
 /// The table under a key, made if there is none.
@@ -48,47 +58,13 @@ std::vector<std::string> moving_names(const std::vector<toml::table*>& bodies, c
 [[noreturn]] void refuse_unknown(const toml::table& scene, const Assignment& o) {
   const std::vector<std::string> names = entity_names(scene);
   std::vector<std::string_view> candidates(names.begin(), names.end());
-  if (o.path.size() == 1) candidates = scene_keys();
+  if (o.path.size() == 1) candidates = keys_of("");
   throw SetupError(
       fmt::format("{}: {}", o.where,
                   unknown_name(o.path.size() == 1 ? "setting" : "entity or table", o.path[0], candidates)));
 }
 
 }  // namespace
-
-const std::vector<std::string_view>& scene_keys() {
-  static const std::vector<std::string_view> keys{"name",         "duration",  "seed",   "rate",     "gravity",
-                                                  "body_contact", "start",     "field",  "view",     "views",
-                                                  "light",        "ball",      "teams",  "defaults", "robots",
-                                                  "bodies",       "materials", "events", "pushes"};
-  return keys;
-}
-
-std::vector<std::string_view> table_keys(std::string_view table) {
-  if (table == "start") {
-    return {"jitter_position", "jitter_heading_deg", "jitter_tilt_deg", "jitter_posture_deg"};
-  }
-  if (table == "field") return {"size", "surface", "friction_direction", "goals", "friction"};
-  if (table == "view") return {"center", "width", "azimuth_deg", "elevation_deg"};
-  if (table == "light") return {"name", "toward", "brightness", "shadows", "samples"};
-  if (table == "ball") return {"position", "velocity", "radius", "mass", "hollow", "material", "contact"};
-  if (table == "defaults") {
-    auto keys = robot_keys();
-    std::erase(keys, "name");
-    return keys;
-  }
-  return {};
-}
-
-const std::vector<std::string_view>& robot_keys() {
-  static const std::vector<std::string_view> keys{"name",           "team",       "model",      "level",
-                                                  "contact",        "controller", "position",   "command",
-                                                  "heading_deg",    "roll_deg",   "pitch_deg",  "volume",
-                                                  "self_collision", "no_contact", "base_rigid", "joint_reference",
-                                                  "integrator",     "fixed_base", "servo_law",  "motion",
-                                                  "sensors"};
-  return keys;
-}
 
 void apply_override(toml::table& scene, const std::string& override_text, std::vector<PropertySetting>& settings) {
   const Assignment o = split_assignment(override_text, fmt::format("--set '{}'", override_text));
@@ -102,21 +78,21 @@ void apply_override(toml::table& scene, const std::string& override_text, std::v
   if (!robots.empty() && rest == 1 && is_of_joints(o.path.back())) {
     settings.push_back(property_setting(o, used, names()));
   } else if (!robots.empty() && rest == 1) {
-    check_key(o, o.path.back(), robot_keys());
+    check_key(o, o.path.back(), keys_of("robots"));
     for (toml::table* robot : robots) assign(*robot, o.path.back(), o);
   } else if (!robots.empty() && rest >= 2 && o.path[used] == "sensors") {
     for (toml::table* robot : robots) assign_sensor(*robot, o, used);
   } else if (!robots.empty() && rest >= 2) {
     settings.push_back(property_setting(o, used, names()));
   } else if (const auto bodies = bodies_called(scene, o.path[0]); !bodies.empty() && o.path.size() == 2) {
-    check_key(o, o.path[1], body_keys());
+    check_key(o, o.path[1], keys_of("bodies"));
     for (toml::table* body : bodies) assign(*body, o.path[1], o);
   } else if (!bodies.empty() && o.path.size() >= 3) {
     settings.push_back(property_setting(o, 1, moving_names(bodies, o)));
   } else if (o.path.size() == 1) {
-    check_key(o, o.path[0], scene_keys());
+    check_key(o, o.path[0], keys_of(""));
     assign(scene, o.path[0], o);
-  } else if (const auto keys = table_keys(o.path[0]); !keys.empty() && o.path.size() == 2) {
+  } else if (const auto keys = keys_of_one(o.path[0]); !keys.empty() && o.path.size() == 2) {
     check_key(o, o.path[1], keys);
     if (!scene.contains(o.path[0])) scene.insert(o.path[0], toml::table{});
     if (toml::table* table = scene[o.path[0]].as_table()) assign(*table, o.path[1], o);

@@ -8,8 +8,8 @@
 
 #include "murosimf/files/toml_reader.h"
 #include "murosimf/model/error.h"
+#include "murosimf/scene_file/all_sections.h"
 #include "murosimf/scene_file/assignment.h"
-#include "murosimf/scene_file/body_section.h"
 #include "murosimf/scene_file/overrides.h"
 
 namespace murosimf::scene_file {
@@ -75,14 +75,11 @@ PushSpec read_push_option(toml::table& scene, const std::string& option) {
 }
 
 PushSpec read_push_table(toml::table& scene, const toml::table& node) {
-  const files::TomlTable table(node, {"on", "force", "moment", "from", "to"});
+  const files::TomlTable table(node, push_section().names());
   PushSpec push{.where = table.where()};
+  push_section().read(table, push);
   std::string on;
   table.read("on", on);
-  table.read("force", push.force);
-  table.read("moment", push.moment);
-  table.read("from", push.begin);
-  table.read("to", push.end);
   for (const std::string_view key : {"on", "from", "to"}) {
     if (!table.find(key)) throw SetupError(fmt::format("{}: '{}' of the push is missing", push.where, key));
   }
@@ -95,9 +92,19 @@ PushSpec read_push_table(toml::table& scene, const toml::table& node) {
 
 }  // namespace
 
+const Section<PushSpec>& push_section() {
+  static const Section<PushSpec> section("[[pushes]]",
+                                         {{"on", {}, "", "ENTITY or ENTITY.BODY, with * and ?", {}, "(needed)"},
+                                          {"force", &PushSpec::force, "N", "world, at the center of mass of the body"},
+                                          {"moment", &PushSpec::moment, "N m", "world"},
+                                          {"from", &PushSpec::begin, "s", "its first instant", {}, "(needed)"},
+                                          {"to", &PushSpec::end, "s", "its end", {}, "(needed)"}});
+  return section;
+}
+
 std::vector<PushSpec> read_pushes(toml::table& scene, const std::vector<std::string>& push_options) {
   std::vector<PushSpec> pushes;
-  for (const toml::table* node : files::TomlTable(scene, scene_keys()).tables("pushes")) {
+  for (const toml::table* node : files::TomlTable(scene, scene_section().names()).tables("pushes")) {
     pushes.push_back(read_push_table(scene, *node));
   }
   for (const std::string& option : push_options) pushes.push_back(read_push_option(scene, option));

@@ -30,8 +30,7 @@ struct FieldSpec {
   std::optional<double> friction;  ///< [1] between the ground and everything; empty: by the pairs of materials
 };
 
-struct BallSpec {
-  BallOptions options;
+struct BallSpec : BallOptions {
   Vec3d position;  ///< [m] z: height of its lowest point
   Vec3d velocity;  ///< [m/s]
   std::string contact = "implicit_stick";

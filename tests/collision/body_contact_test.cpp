@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "murosimf/collision/contact_force.h"
-#include "murosimf/collision/implicit_stick.h"
-#include "murosimf/collision/kelvin_voigt.h"
+#include "murosimf/collision/contact_law_parts.h"
+#include "murosimf/collision/implicit_stick_law.h"
+#include "murosimf/collision/kelvin_voigt_law.h"
 #include "tests/collision/movers.h"
 
 namespace murosimf::collision {

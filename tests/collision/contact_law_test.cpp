@@ -5,8 +5,8 @@
 
 #include <memory>
 
-#include "murosimf/collision/implicit_stick.h"
-#include "murosimf/collision/kelvin_voigt.h"
+#include "murosimf/collision/implicit_stick_law.h"
+#include "murosimf/collision/kelvin_voigt_law.h"
 #include "murosimf/collision/paper_law.h"
 #include "tests/collision/law_fixtures.h"
 

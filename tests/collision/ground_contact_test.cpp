@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/contact_parameters.h"
-#include "murosimf/collision/implicit_stick.h"
-#include "murosimf/collision/kelvin_voigt.h"
+#include "murosimf/collision/implicit_stick_law.h"
+#include "murosimf/collision/kelvin_voigt_law.h"
 #include "tests/collision/movers.h"
 
 namespace murosimf::collision {

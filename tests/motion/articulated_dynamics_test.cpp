@@ -7,7 +7,7 @@
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/collision/impulse_response.h"
 #include "murosimf/motion/motion_properties.h"
-#include "murosimf/multibody/joint_friction.h"
+#include "murosimf/multibody/gear_friction.h"
 #include "tests/fixtures.h"
 #include "tests/physics/bolted.h"
 #include "tests/physics/rig.h"

@@ -3,8 +3,8 @@
 
 #include "murosimf/model/model.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/multibody/frictional_joints.h"
-#include "murosimf/multibody/joint_friction.h"
+#include "murosimf/multibody/friction_solver.h"
+#include "murosimf/multibody/gear_friction.h"
 #include "murosimf/multibody/kinematics.h"
 #include "tests/fixtures.h"
 

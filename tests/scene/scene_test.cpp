@@ -95,7 +95,7 @@ TEST(SceneSpec, OverridesReachTheirTargets) {
   EXPECT_EQ(spec.robots[1].position.y, 0.2);
   EXPECT_EQ(spec.robots[2].level, "kinematic_walking");
   EXPECT_EQ(spec.robots[2].contact, "paper");
-  EXPECT_EQ(spec.ball->options.mass, 0.3);
+  EXPECT_EQ(spec.ball->mass, 0.3);
   EXPECT_EQ(spec.field.surface, "grass");
 }
 
@@ -216,9 +216,9 @@ TEST(SceneMistakes, InOverridesNameTheOverride) {
   expect_mistake(set("blue1.controller=ball_chser"), {"did you mean 'ball_chaser'?"});
   expect_mistake(set("blue2.integrator=rk"), {"--set 'blue2.integrator=rk'", "did you mean 'rk4'?"});
   expect_mistake(set("body_contact=carr"), {"--set 'body_contact=carr'", "did you mean 'carry'?"});
-  expect_mistake(set("red1.heading_deg=1e300"), {"--set 'red1.heading_deg=1e300'", "between -3600 and 3600"});
-  expect_mistake(set("red1.position=[1e9,0]"), {"'position' is further than 10 km away"});
-  expect_mistake(set("start.jitter_heading_deg=1e300"), {"is more than a turn"});
+  expect_mistake(set("red1.heading_deg=1e300"), {"--set 'red1.heading_deg=1e300'", "from -3600 to 3600"});
+  expect_mistake(set("red1.position=[1e9,0]"), {"'position' is more than 10000 m"});
+  expect_mistake(set("start.jitter_heading_deg=1e300"), {"must be from 0 to 360"});
   expect_mistake(set("blue1.fork_1.position=[0,0,0]"), {"object 'fork_1'", "cannot be set", "follows 'pelvis'"});
   expect_mistake(set("level"), {"write PATH=VALUE"});
   expect_mistake(set("blue1..level=x"), {"empty part"});

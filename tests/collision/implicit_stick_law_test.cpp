@@ -1,4 +1,4 @@
-#include "murosimf/collision/implicit_stick.h"
+#include "murosimf/collision/implicit_stick_law.h"
 
 #include <gtest/gtest.h>
 

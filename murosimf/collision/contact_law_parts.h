@@ -1,4 +1,4 @@
-/// contact_force.h - parts of the contact force that several laws share.
+/// contact_law_parts.h - parts of the contact force that several laws share.
 #pragma once
 
 #include <algorithm>

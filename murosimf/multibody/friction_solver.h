@@ -1,6 +1,6 @@
-/// frictional_joints.h - the articulated-body algorithm with joints that friction holds or brakes.
+/// friction_solver.h - the articulated-body algorithm with joints that friction holds or brakes.
 ///
-/// Friction of a joint is a budget F (joint_friction.h, plus the joint's own Coulomb friction): it takes what is needed to stop the
+/// Friction of a joint is a budget F (gear_friction.h, plus the joint's own Coulomb friction): it takes what is needed to stop the
 /// joint within the step, at most F. With the notation of articulated_body.h, and the torque tau and inertia A of
 /// everything else that acts in the joint,
 ///

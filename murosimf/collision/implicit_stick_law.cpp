@@ -1,9 +1,9 @@
-#include "murosimf/collision/implicit_stick.h"
+#include "murosimf/collision/implicit_stick_law.h"
 
 #include <algorithm>
 #include <cassert>
 
-#include "murosimf/collision/contact_force.h"
+#include "murosimf/collision/contact_law_parts.h"
 
 namespace murosimf::collision {
 namespace {

@@ -1,8 +1,8 @@
-#include "murosimf/collision/kelvin_voigt.h"
+#include "murosimf/collision/kelvin_voigt_law.h"
 
 #include <cassert>
 
-#include "murosimf/collision/contact_force.h"
+#include "murosimf/collision/contact_law_parts.h"
 
 namespace murosimf::collision {
 namespace {

@@ -1,4 +1,4 @@
-#include "murosimf/multibody/joint_friction.h"
+#include "murosimf/multibody/gear_friction.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-/// joint_friction.h - the largest torque that the dry friction of a servo's gear can muster.
+/// gear_friction.h - the largest torque that the dry friction of a servo's gear can muster.
 ///
 /// A budget, not a force: friction takes what is needed to stop the joint within the step, at most this. Sticking,
 /// breaking away and sliding follow from that one rule. With tau_m the motor's torque and tau_e all that the joint feels

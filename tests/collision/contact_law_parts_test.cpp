@@ -1,4 +1,4 @@
-#include "murosimf/collision/contact_force.h"
+#include "murosimf/collision/contact_law_parts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Joints with dry friction: eight robots in lanes stick as one does, bit for bit.
-#include "murosimf/multibody/frictional_joints.h"
+#include "murosimf/multibody/friction_solver.h"
 
 #include <gtest/gtest.h>
 

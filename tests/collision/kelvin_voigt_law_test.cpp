@@ -1,4 +1,4 @@
-#include "murosimf/collision/kelvin_voigt.h"
+#include "murosimf/collision/kelvin_voigt_law.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-/// implicit_stick.h - the default law: compliant contact, implicit in the velocity after the step, with a
+/// implicit_stick_law.h - the default law: compliant contact, implicit in the velocity after the step, with a
 /// tangential spring that really sticks.
 ///
 /// With depth delta, unit normal n (out of the ground), point velocity v, spring displacement s and v+ after the step:
@@ -10,7 +10,7 @@
 ///
 /// so that f = f0 - B a with b_n = d + theta dt k, b_t = ct + dt kt. A robot on a slope does not creep, and steps up
 /// to 10 ms are stable. mu may depend on the direction of sliding, and a round body also feels a rolling resistance
-/// (contact_force.h).
+/// (contact_law_parts.h).
 /// Source: measured with the project's prototype; elastoplastic friction as in Dupont, Hayward, Armstrong,
 /// Altpeter, IEEE Trans. Automatic Control 47(5), 2002, with a rigid-plastic cone.
 /// theta = 0 keeps a ball's bounce; theta = 1 damps stiff feet.

@@ -1,4 +1,4 @@
-/// kelvin_voigt.h - the textbook law: spring and damper, with a tangential spring that sticks; explicit.
+/// kelvin_voigt_law.h - the textbook law: spring and damper, with a tangential spring that sticks; explicit.
 ///
 /// With depth delta, unit normal n (out of the ground), point velocity v and spring displacement s at the beginning of
 /// the step, and v+ after it:
@@ -8,7 +8,7 @@
 ///     f_t = mu f_n times the unit vector of that            slip
 ///     after the step: s = -(f_t + ct v_t) / kt (slip: return to the cone), then s += dt v_t+ (both)
 ///
-/// A round body also feels a rolling resistance (contact_force.h). external_damping stays zero.
+/// A round body also feels a rolling resistance (contact_law_parts.h). external_damping stays zero.
 /// Source:  Kelvin-Voigt element with the frictional spring of Cundall and Strack, "A discrete numerical model for
 ///          granular assemblies", Geotechnique 29(1), 1979.
 /// Differs: s is a displacement that is carried along, not the distance from an anchor: that would make a rolling ball

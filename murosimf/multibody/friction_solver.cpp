@@ -1,10 +1,10 @@
-#include "murosimf/multibody/frictional_joints.h"
+#include "murosimf/multibody/friction_solver.h"
 
 #include <cassert>
 
 #include "murosimf/math/pack.h"
 #include "murosimf/multibody/articulated_parts.h"
-#include "murosimf/multibody/joint_friction.h"
+#include "murosimf/multibody/gear_friction.h"
 #include "murosimf/multibody/span_sizes.h"
 
 namespace murosimf::multibody {

@@ -1,0 +1,34 @@
+/// all_sections.h - the sections of a scene file (section.h), each in the source that reads it.
+///
+/// Only for .cpp files: it brings toml++ in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "murosimf/scene_file/scene_spec.h"
+#include "murosimf/scene_file/section.h"
+
+namespace murosimf::scene_file {
+
+/// [[events]] as it stands in the file.
+struct EventTable {
+  double time = -1;                  ///< [s]
+  std::vector<std::string> changes;  ///< "PATH = VALUE"
+};
+
+[[nodiscard]] const Section<SceneSpec>& scene_section();  ///< the keys before all sections
+[[nodiscard]] const Section<SceneSpec>& start_section();
+[[nodiscard]] const Section<FieldSpec>& field_section();
+[[nodiscard]] const Section<ViewSpec>& view_section();
+[[nodiscard]] const Section<ViewpointSpec>& viewpoint_section();
+[[nodiscard]] const Section<LightSpec>& light_section();
+[[nodiscard]] const Section<BallSpec>& ball_section();
+[[nodiscard]] const Section<TeamSpec>& team_section();
+[[nodiscard]] const Section<RobotSpec>& robot_section();
+[[nodiscard]] const Section<BodySpec>& body_section();
+[[nodiscard]] const Section<PushSpec>& push_section();
+[[nodiscard]] const Section<EventTable>& event_section();
+[[nodiscard]] const Section<PairSurface>& material_section();
+
+}  // namespace murosimf::scene_file

@@ -1,0 +1,26 @@
+// [ball] of a scene file.
+#include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/scene_file/all_sections.h"
+#include "murosimf/scene_file/section_readers.h"
+
+namespace murosimf::scene_file {
+
+const Section<BallSpec>& ball_section() {
+  static const Section<BallSpec> section(
+      "[ball]",
+      {{"position", &BallSpec::position, "m", "z: height of its lowest point", up_to(farthest_place)},
+       {"velocity", &BallSpec::velocity, "m/s", "at the start"},
+       {"radius", &BallSpec::radius, "m", "of the sphere", positive},
+       {"mass", &BallSpec::mass, "kg", "of all of it", positive},
+       {"hollow", &BallSpec::hollow, "", "inertia of a shell, 2/3 m r^2, instead of 2/5 m r^2"},
+       {"material", &BallSpec::material, "", "of its surface"},
+       {"contact", Choice<BallSpec>{&BallSpec::contact, "contact law", [] { return entry_names(catalog::contacts()); }},
+        "", "murosimf list contacts"}});
+  return section;
+}
+
+void read_ball(const files::TomlTable& scene, SceneSpec& spec) {
+  if (const toml::table* node = scene.table("ball")) ball_section().read(*node, spec.ball.emplace());
+}
+
+}  // namespace murosimf::scene_file

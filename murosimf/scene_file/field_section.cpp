@@ -1,0 +1,34 @@
+// [field] of a scene file.
+#include "murosimf/model/error.h"
+#include "murosimf/scene_file/all_sections.h"
+#include "murosimf/scene_file/field.h"
+#include "murosimf/scene_file/section_readers.h"
+
+namespace murosimf::scene_file {
+
+const Section<FieldSpec>& field_section() {
+  static const Section<FieldSpec> section("[field]",
+                                          {{"size", Choice<FieldSpec>{&FieldSpec::size, "field", field_names}, "",
+                                            "lines and goals by the rules of a year"},
+                                           {"surface", &FieldSpec::surface, "", "material of the ground"},
+                                           {"friction_direction",
+                                            &FieldSpec::friction_direction,
+                                            "",
+                                            "[x, y]: where the pile of the ground leans",
+                                            {},
+                                            "nowhere"},
+                                           {"goals", &FieldSpec::goals, "", "false: none stand there"},
+                                           {"friction", &FieldSpec::friction, "", "between the ground and everything",
+                                            not_negative, "by materials"}});
+  return section;
+}
+
+void read_field(const files::TomlTable& scene, SceneSpec& spec) {
+  const toml::table* node = scene.table("field");
+  if (!node) return;
+  field_section().read(*node, spec.field);
+  require(spec.field.friction_direction.z == 0, files::TomlTable(*node, field_section().names()), "friction_direction",
+          "lies in the ground: [x, y]");
+}
+
+}  // namespace murosimf::scene_file
