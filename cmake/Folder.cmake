@@ -1,6 +1,7 @@
 # With MUROSIMF_UNITY several sources of a folder are compiled as one: half of compiling is reading the same headers again.
 # Left alone are sources whose names in anonymous namespaces others of their folder have, too, or that define macros.
-set(murosimf_folders_alone geometry)
+# MUROSIMF_FOLDERS_ALONE has more of them.
+set(murosimf_folders_alone geometry ${MUROSIMF_FOLDERS_ALONE})
 set_source_files_properties(behavior/localize.cpp components/sensor_keys.cpp components/sensor_toml.cpp
   components/servo_description.cpp files/data_path.cpp formats/mesh/obj_file.cpp formats/urdf/urdf_joint.cpp
   locomotion/gait_clock.cpp motion/joint_stop.cpp robot/role_inference.cpp render/image_png.cpp render/opengl/gl_drawing.cpp
