@@ -158,8 +158,7 @@ TEST(Compound, EnclosesItsShapes) {
           for (std::size_t n = static_cast<std::size_t>(i); n < samples[k].size(); n += 1250) {
             const Vec3d p = at.position + at.orientation * samples[k][n];
             const double out =
-                std::visit([&](const auto& tree) { return geometry::fixtures::outside(tree.volume(0), p); },
-                           compound.tree());
+                std::visit([&](const auto& tree) { return fixtures::outside(tree.volume(0), p); }, compound.tree());
             worst = std::fmax(worst, out);
             worst_reach = std::fmax(worst_reach, norm(p - robot.r[0]) - compound.reach());
           }

@@ -16,7 +16,7 @@ using PairsFound = std::set<std::pair<int, int>>;
 
 /// Shapes in random places of one object each, and poses of the objects.
 struct Cloud {
-  Cloud(Dice& dice, int count) : shapes(murosimf::fixtures::shapes_of_all_kinds()) {
+  Cloud(Dice& dice, int count) : shapes(fixtures::shapes_of_all_kinds()) {
     for (int i = 0; i < count; ++i) {
       parts.push_back({i, &shapes[static_cast<std::size_t>(i) % shapes.size()], {dice.vector(0.1), dice.turn()}});
       spheres.push_back({dice.vector(0.5), 0.2});
@@ -120,7 +120,7 @@ TEST(BoundingTree, NodesHoldTheirShapes) {
               }
               const int leaf = tree.leaf_of(below[k]);
               const TreePart& part = cloud.parts[static_cast<std::size_t>(leaf)];
-              for (const Vec3d& p : murosimf::fixtures::surface_samples(*part.shape)) {
+              for (const Vec3d& p : fixtures::surface_samples(*part.shape)) {
                 const Vec3d in_object = part.at.position + part.at.orientation * p;
                 worst =
                     std::fmax(worst, fixtures::outside(tree.volume(node), cloud.r[leaf] + cloud.R[leaf] * in_object));
@@ -166,8 +166,8 @@ TEST(BoundingTree, CountsTests) {
 }
 
 TEST(BoundingTree, UnknownVolumeNamesTheNearest) {
-  EXPECT_TRUE(murosimf::fixtures::says(murosimf::fixtures::error_of([] { (void)make_tree("spere", {}, {}); }),
-                                       {"bounding volume", "'spere'", "'sphere'"}));
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([] { (void)make_tree("spere", {}, {}); }),
+                             {"bounding volume", "'spere'", "'sphere'"}));
 }
 
 // Rule: n leaves, n - 1 inner nodes, parents first, every node but the root the child of one.

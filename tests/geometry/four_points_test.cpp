@@ -8,7 +8,7 @@
 namespace murosimf::geometry {
 namespace {
 
-using murosimf::fixtures::Dice;
+using fixtures::Dice;
 
 /// A regular polygon of radius 1 in the plane across a direction, turned by `phase` [rad].
 Manifold polygon(int sides, const Mat3d& R, double phase) {

@@ -6,17 +6,16 @@
 #include "murosimf/geometry/volume_overlap.h"
 #include "tests/fixtures.h"
 
-namespace murosimf::geometry::fixtures {
+namespace murosimf::fixtures {
 
-using murosimf::fixtures::Dice;
-
+using geometry::Aabb, geometry::BoundingCapsule, geometry::BoundingSphere, geometry::Obb;
 using Volumes = std::tuple<BoundingSphere, Aabb, Obb, BoundingCapsule>;
 
 /// How far [m] a point is outside a volume, negative inside.
 inline double outside(const BoundingSphere& v, const Vec3d& p) { return norm(p - v.center) - v.radius; }
-inline double outside(const Aabb& v, const Vec3d& p) { return murosimf::fixtures::outside(Box{v.half}, p - v.center); }
+inline double outside(const Aabb& v, const Vec3d& p) { return outside(Box{v.half}, p - v.center); }
 inline double outside(const Obb& v, const Vec3d& p) {
-  return murosimf::fixtures::outside(Box{v.half}, transposed_times(v.axes, p - v.center));
+  return outside(Box{v.half}, transposed_times(v.axes, p - v.center));
 }
 inline double outside(const BoundingCapsule& v, const Vec3d& p) {
   const double half = norm(v.half_axis);
@@ -55,7 +54,7 @@ inline Vec3d point_in(const Obb& v, Dice& dice) {
   const double x = part(v.half.x), y = part(v.half.y);
   return v.center + v.axes * Vec3d{x, y, part(v.half.z)};
 }
-inline Vec3d point_in(const Aabb& v, Dice& dice) { return point_in(detail::as_obb(v), dice); }
+inline Vec3d point_in(const Aabb& v, Dice& dice) { return point_in(geometry::detail::as_obb(v), dice); }
 inline Vec3d point_in(const BoundingCapsule& v, Dice& dice) {
   const Vec3d on_axis = v.middle + std::clamp(dice.uniform(-1.5, 1.5), -1.0, 1.0) * v.half_axis;
   return point_in(BoundingSphere{on_axis, v.radius}, dice);
@@ -82,7 +81,7 @@ inline Vec3d nearest(const Obb& v, const Vec3d& p) {
   return v.center + v.axes * Vec3d{std::clamp(q.x, -v.half.x, v.half.x), std::clamp(q.y, -v.half.y, v.half.y),
                                    std::clamp(q.z, -v.half.z, v.half.z)};
 }
-inline Vec3d nearest(const Aabb& v, const Vec3d& p) { return nearest(detail::as_obb(v), p); }
+inline Vec3d nearest(const Aabb& v, const Vec3d& p) { return nearest(geometry::detail::as_obb(v), p); }
 inline Vec3d nearest(const BoundingCapsule& v, const Vec3d& p) {
   const double square = dot(v.half_axis, v.half_axis);
   const double t = square > 0 ? std::clamp(dot(p - v.middle, v.half_axis) / square, -1.0, 1.0) : 0;
@@ -116,4 +115,4 @@ void for_all_kinds(const F& f) {
   std::apply([&](const auto&... v) { (f(v), ...); }, Volumes{});
 }
 
-}  // namespace murosimf::geometry::fixtures
+}  // namespace murosimf::fixtures

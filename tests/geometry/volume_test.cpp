@@ -23,7 +23,7 @@ Shape tetrahedron() {
 }
 
 std::vector<Shape> finite_shapes() {
-  std::vector<Shape> shapes = murosimf::fixtures::shapes_of_all_kinds();
+  std::vector<Shape> shapes = fixtures::shapes_of_all_kinds();
   shapes.push_back(Cylinder{0.2, 0.01});
   shapes.push_back(Ellipsoid{{0.3, 0.1, 0.2}});
   shapes.push_back(Capsule{0.1, 0});
@@ -35,7 +35,7 @@ std::vector<Shape> finite_shapes() {
 TEST(Volume, BoundsEncloseShapes) {
   Dice dice("bounds");
   for (const Shape& shape : finite_shapes()) {
-    const std::vector<Vec3d> samples = murosimf::fixtures::surface_samples(shape);
+    const std::vector<Vec3d> samples = fixtures::surface_samples(shape);
     for (int i = 0; i < 3; ++i) {
       const Transformd local{dice.vector(1), dice.turn()}, body{dice.vector(1), dice.turn()};
       fixtures::for_all_kinds([&]<class V>(const V&) {
@@ -56,7 +56,7 @@ template <class V>
 double slack(const Shape& shape, const Transformd& at) {
   const V v = fit<V>(shape, at);
   double nearest = 1e300;
-  for (const Vec3d& p : murosimf::fixtures::surface_samples(shape)) {
+  for (const Vec3d& p : fixtures::surface_samples(shape)) {
     nearest = std::fmin(nearest, -fixtures::outside(v, at.position + at.orientation * p));
   }
   return nearest;
