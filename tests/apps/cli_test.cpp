@@ -234,7 +234,7 @@ std::string servo_log(const std::string& trajectory = "step", const std::string&
   std::ostringstream text;
   text << "{\"mass\": 0.49, \"length\": 0.1, \"kp\": 400, \"motor\": \"" << motor << "\", \"trajectory\": \""
        << trajectory << "\", \"entries\": [";
-  for (int i = 0; i <= 200; ++i) {
+  for (int i = 0; i <= 100; ++i) {
     const double t = 0.005 * i, position = t < 0.2 ? 0.0 : 0.35 * (1 - 1 / (1 + 60 * (t - 0.2) * (t - 0.2)));
     text << (i ? ",\n" : "\n") << "{\"timestamp\": " << t << ", \"position\": " << position
          << ", \"speed\": 0, \"input_volts\": 7.3, \"goal_position\": " << (t < 0.2 ? 0.0 : 0.6)

@@ -108,6 +108,7 @@ struct Verdicts {
   const char *scene, *entity;
   std::vector<bool> adequate;  // kinematic, simplified, full, articulated
 };
+void PrintTo(const Verdicts& of, std::ostream* out) { *out << of.scene; }
 
 class Experiments : public testing::TestWithParam<Verdicts> {};
 
