@@ -94,6 +94,16 @@ TEST(LinkMotionOfOne, InertiaIsAboutTheBasesOrigin) {
   EXPECT_NEAR(found.second.yz, -m * c.y * c.z, 1e-15);
 }
 
+// The moment of momentum of a body that turns about each axis of the world, from its own axes and back.
+TEST(LinkMotionOfOne, InertiaTurnsWithTheBody) {
+  const Mat3d R = rotation_z(0.7) * rotation_x(-0.4) * rotation_y(1.1);
+  const OneJoint turned(with_mass(Chain{}.base("wall").rotation(R).revolute("joint", {0, 0, 1})), 0, 0, {});
+  for (const Vec3d& w : {Vec3d{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+    const Vec3d own = transpose(R) * w;
+    EXPECT_LT(difference(turned.links[1].inertia.second * w, R * Vec3d{Ixx * own.x, Iyy * own.y, Izz * own.z}), 1e-15);
+  }
+}
+
 // Links without mass have none, whatever stood there before.
 TEST(LinkMotionOfOne, WithoutMassThereIsNoForce) {
   OneJoint joint(Chain{}.base("wall").revolute("joint", {0, 0, 1}), 0.3, 2, {1, 2, 3});
