@@ -81,8 +81,7 @@ MotorCurrent::MotorCurrent(Setup& setup, const SensorSpec& spec, const SensorSur
       joint_torque_(setup.observe(properties::joint_torque)) {
   for (Joint& joint : joints_) {
     const Servo* servo = servo_of(setup.model(), joint.object);
-    const bool motor = servo && servo->voltage > 0 && servo->no_load_speed > 0;
-    joint.factor = motor ? servo->no_load_speed / servo->voltage : 0;
+    joint.factor = servo && servo->voltage > 0 ? servo->no_load_speed / servo->voltage : 0;
   }
 }
 

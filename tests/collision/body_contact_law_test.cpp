@@ -6,6 +6,7 @@
 #include "murosimf/collision/body_pairs.h"
 #include "murosimf/collision/contact_parameters.h"
 #include "murosimf/collision/touches.h"
+#include "tests/collision/movers.h"
 #include "tests/fixtures.h"
 #include "tests/physics/mechanics.h"
 #include "tests/physics/rig.h"
@@ -16,7 +17,7 @@ namespace {
 using fixtures::difference;
 using test::Rig;
 
-ModelPtr ball(double radius, double mass, double friction) {
+ModelPtr rough_ball(double radius, double mass, double friction) {
   PlacedShape sphere;
   sphere.shape = Sphere{radius};
   sphere.surface = {"", friction};
@@ -34,8 +35,8 @@ struct Meeting {
                    const std::string& level = "simplified_dynamics") {
     rig.simulation.world().gravity = {};
     const Vec3d n{0.48, 0.6, 0.64};
-    small = &rig.add("small", ball(0.05, 0.3, 0.4), {.position = (0.05 + 0.12 - 1e-3) * n + Vec3d{0, 0, 3}});
-    big = &rig.add("big", ball(0.12, 2.0, 0.6), {.position = {0, 0, 3.07}});
+    small = &rig.add("small", rough_ball(0.05, 0.3, 0.4), {.position = (0.05 + 0.12 - 1e-3) * n + Vec3d{0, 0, 3}});
+    big = &rig.add("big", rough_ball(0.12, 2.0, 0.6), {.position = {0, 0, 3.07}});
     rig.attach_together({{small, {.level = level, .on_ground = false}}, {big, {.level = level, .on_ground = false}}},
                         {.law = law});
     rig.simulation.initialize();
@@ -146,6 +147,31 @@ TEST_P(PairLawByName, MeetingLosesEnergy) {
   for (Entity* entity : {meeting.small, meeting.big}) after += test::kinetic_energy(*entity);
   EXPECT_LT(after, before);
   EXPECT_GT(after, 0.2 * before);
+}
+
+// Rule: friction that is just as large as the cone allows sticks; numbers are powers of two, so that nothing is rounded.
+TEST(PairLawCarry, SticksOnTheEdgeOfItsCone) {
+  ContactParameters p;
+  p.stiffness = 8192;
+  p.tangent_stiffness = 4096;
+  p.tangent_damping = 3;
+  p.friction = 0.5;
+  for (const double beyond : {0.0, 1e-6}) {
+    Movers movers;
+    movers.add("light", ball(0.1, 1));
+    movers.add("heavy", ball(0.1, 2), {0, 0, -0.199});
+    PairContact c = joint_of(0, 1);
+    c.normal = {0, 0, 1};
+    c.depth = 0x1p-10;                     // 8 N
+    c.stretch = {0, 0x1p-10 + beyond, 0};  // 4 N
+    movers.set.points = {c};
+    movers.set.parameters = {p};
+    push_by_carry(movers.all, movers.set, 1e-3);
+    const PairContact& after = movers.set.points[0];
+    EXPECT_LT(difference(after.force, {0, -4, 8}), 1e-12) << beyond;
+    EXPECT_EQ(after.state, beyond > 0 ? ContactState::slip : ContactState::stick);
+    EXPECT_EQ(after.tangent_damping, beyond > 0 ? 0 : 3 + 1e-3 * 4096);
+  }
 }
 
 TEST(Touches, AreSeenFromBothSides) {

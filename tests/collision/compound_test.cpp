@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <gtest/gtest.h>
 #include <set>
 
 #include "murosimf/collision/ground_points.h"
-#include "murosimf/collision/robot_tree.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/robot/robot_reader.h"
@@ -22,102 +20,6 @@ using fixtures::placed;
 const Model& kid21() {
   static const ModelPtr model = robot::read_robot(files::find_data_file("kid21", "models", ".xml")).model;
   return *model;
-}
-
-Chain limb(const std::string& name, const Vec3d& at, const Vec3d& along) {
-  return Chain{}
-      .translation(at, name + "_upper")
-      .with(properties::shapes, {placed(Sphere{0.03})})
-      .revolute(name + "_joint", {0, 1, 0})
-      .translation(along, name + "_lower")
-      .with(properties::shapes, {placed(Sphere{0.03})});
-}
-
-/// The robot of the paper's Fig. 5: a body, two arms and two legs with one joint each, a head with a camera.
-Model robot_of_figure_5() {
-  const Chain head = Chain{}
-                         .translation({0, 0, 0.3}, "head")
-                         .with(properties::shapes, {placed(Sphere{0.06})})
-                         .translation({0.05, 0, 0}, "camera")
-                         .endpoint();
-  return Model("figure_5", Chain{}
-                               .base("body")
-                               .with(properties::shapes, {placed(Box{{0.05, 0.08, 0.1}})})
-                               .fork(limb("left_arm", {0, 0.2, 0.15}, {0, 0, -0.2}),
-                                     limb("right_arm", {0, -0.2, 0.15}, {0, 0, -0.2}),
-                                     limb("left_leg", {0, 0.06, -0.15}, {0, 0, -0.2}),
-                                     limb("right_leg", {0, -0.06, -0.15}, {0, 0, -0.2}), head));
-}
-
-/// The leaves below every inner node of a tree, by the names of their objects.
-std::set<std::set<std::string>> groups(const Model& model) {
-  const auto shapes = colliding_shapes(model);
-  const geometry::TreeLayout layout = robot_tree(model, shapes);
-  const int inner = static_cast<int>(layout.children.size());
-  std::set<std::set<std::string>> result;
-  const std::function<std::set<std::string>(int)> below = [&](int node) -> std::set<std::string> {
-    if (node >= inner) return {model.objects()[static_cast<std::size_t>(shapes[node - inner].object)].name};
-    std::set<std::string> both;
-    for (const int child : layout.children[node]) both.merge(below(child));
-    result.insert(both);
-    return both;
-  };
-  if (layout.leaves > 0) below(0);
-  return result;
-}
-
-// Rule (paper 5.1, Fig. 5): ten bodies make nineteen nodes; the camera and the joints are gone; each limb is a node of
-// its own and the body a leaf.
-TEST(RobotTree, OfThePapersFigure5) {
-  const Model model = robot_of_figure_5();
-  const auto shapes = colliding_shapes(model);
-  EXPECT_EQ(shapes.size(), 10u);
-  EXPECT_EQ(robot_tree(model, shapes).children.size(), 9u);
-  const auto found = groups(model);
-  EXPECT_EQ(found.size(), 9u);
-  for (const std::string limb : {"left_arm", "right_arm", "left_leg", "right_leg"}) {
-    EXPECT_TRUE(found.count({limb + "_upper", limb + "_lower"})) << limb;
-  }
-  // by radii: legs 0.19 m, body and arm 0.24 m; body and head would be 0.25 m, arm and head 0.26 m
-  EXPECT_TRUE(found.count({"left_leg_upper", "left_leg_lower", "right_leg_upper", "right_leg_lower"}));
-  EXPECT_TRUE(found.count({"body", "left_arm_upper", "left_arm_lower"}));
-}
-
-TEST(RobotTree, OfABallIsOneLeaf) {
-  const Model ball = fixtures::ball_model(0.1, 0.4);
-  const auto layout = robot_tree(ball, colliding_shapes(ball));
-  EXPECT_EQ(layout.leaves, 1);
-  EXPECT_TRUE(layout.children.empty());
-}
-
-TEST(RobotTree, OfAModelWithoutShapesIsEmpty) {
-  const Model model("bare", Chain{}.base().with(properties::mass, 1.0));
-  EXPECT_EQ(robot_tree(model, colliding_shapes(model)).leaves, 0);
-  Compound compound(model);
-  compound.refit(std::vector<Vec3d>(1), std::vector<Mat3d>(1));
-  EXPECT_EQ(compound.reach(), 0);
-}
-
-// Rule: the shapes of one body stay together, in a tree of their own.
-TEST(RobotTree, KeepsShapesOfOneBodyTogether) {
-  Chain chain;
-  chain.base("body").with(properties::shapes,
-                          {placed(Sphere{0.1}), placed(Sphere{0.1}, {1, 0, 0}), placed(Sphere{0.1}, {2, 0, 0})});
-  chain.translation({1, 0, 0.01}, "near").with(properties::shapes, {placed(Sphere{0.1})});
-  const auto found = groups(Model("brush", chain));
-  EXPECT_EQ(found, (std::set<std::set<std::string>>{{"body"}, {"body", "near"}}));
-}
-
-// Rule: no tree is deeper than traversals can go: a snake of 300 links is split like a field.
-TEST(RobotTree, OfALongSnakeIsShallow) {
-  Chain chain;
-  chain.base().with(properties::shapes, {placed(Sphere{0.1})});
-  for (int i = 0; i < 300; ++i) {
-    chain.translation({0.2, 0, 0}).revolute("j" + std::to_string(i), {0, 1, 0});
-    chain.with(properties::shapes, {placed(Sphere{0.1})});
-  }
-  const Model snake("snake", chain);
-  EXPECT_LE(robot_tree(snake, colliding_shapes(snake)).depth(), 9);
 }
 
 /// A robot in a random posture somewhere.
@@ -262,6 +164,12 @@ TEST(Compound, HasTheShapesThatTouchTheGround) {
   const Compound compound(kid21());
   ASSERT_EQ(compound.shapes().size(), ground.size());
   for (std::size_t i = 0; i < ground.size(); ++i) EXPECT_EQ(compound.shapes()[i].object, ground[i].object);
+}
+
+TEST(Compound, OfAModelWithoutShapesReachesNowhere) {
+  Compound compound(Model("bare", Chain{}.base().with(properties::mass, 1.0)));
+  compound.refit(std::vector<Vec3d>(1), std::vector<Mat3d>(1));
+  EXPECT_EQ(compound.reach(), 0);
 }
 
 TEST(Compound, UnknownVolumeNamesTheNearest) {

@@ -60,7 +60,7 @@ TEST(ContactLoads, SumOfPoints) {
              1e-12, "N m");
 }
 
-// Rule: the law's memory is part of the state: feature, state and stretch of every point enter the hash.
+// Rule: the law's memory is part of the state: all that a point remembers (contact_point.h, recall) enters the hash.
 TEST(ContactLoads, MemoryEntersTheStateHash) {
   const auto hash = [](const ContactSet& set) {
     Hasher hasher;
@@ -76,11 +76,30 @@ TEST(ContactLoads, MemoryEntersTheStateHash) {
   other.points[0].state = ContactState::slip;
   EXPECT_NE(hash(set), hash(other));
   other = set;
+  other.points[0].last_normal_force = 1e-300;
+  EXPECT_NE(hash(set), hash(other));
+  other = set;
+  other.points[0].slip_direction.z = 1;
+  EXPECT_NE(hash(set), hash(other));
+  other = set;
   other.points[0].feature = 1;
   EXPECT_NE(hash(set), hash(other));
   other = set;
   other.points.push_back(set.points[0]);
   EXPECT_NE(hash(set), hash(other));
+}
+
+// Two entities one after the other: a point of the first is not one of the second.
+TEST(ContactLoads, HashKnowsWhosePointsTheyAre) {
+  ContactSet one, none;
+  one.points.resize(1);
+  const auto hash = [](const ContactSet& first, const ContactSet& second) {
+    Hasher hasher;
+    append_hash(hasher, first);
+    append_hash(hasher, second);
+    return hasher.value();
+  };
+  EXPECT_NE(hash(one, none), hash(none, one));
 }
 
 }  // namespace

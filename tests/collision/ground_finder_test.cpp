@@ -130,6 +130,15 @@ TEST(GroundFinder, PlanesAreToldApart) {
   EXPECT_NEAR(points[1].depth, 0.002, 1e-12);
 }
 
+// Memory for the points is taken once: as many as there are when everything is under all planes. A box has eight.
+TEST(GroundFinder, KnowsHowManyPointsThereMayBe) {
+  const Entity box = body(Box{{0.05, 0.04, 0.03}});
+  GroundFinder finder(box, &pedestal());
+  EXPECT_EQ(finder.most_on_planes(), 8U);
+  EXPECT_EQ(find(finder, {0, 0, -1}).points.size(), 8U);
+  EXPECT_EQ(GroundFinder(box, nullptr).most_on_planes(), 0U);
+}
+
 TEST(GroundFinder, WithoutEnvironmentThereIsNothing) {
   const Entity ball = body(Sphere{0.1});
   GroundFinder finder(ball, nullptr);

@@ -190,6 +190,14 @@ TEST(GroundPoints, FeaturesAreStable) {
   }
 }
 
+// Rule: a point that is exactly on the ground does not press on it; the shape counts as tested.
+TEST(GroundPoints, JustTouchingIsNoContact) {
+  const GroundShape g = collision::ground_shape(0, fixtures::placed(Box{{0.25, 0.5, 0.125}}), 0);
+  std::vector<ContactPoint> found;
+  EXPECT_TRUE(find_ground_contacts(g, {0, 0, 0.125}, {}, GroundPlane{}, found));
+  EXPECT_TRUE(found.empty());
+}
+
 // Rule: contacts are appended; what was found before stays.
 TEST(GroundPoints, Appends) {
   const GroundShape g = collision::ground_shape(0, fixtures::placed(Sphere{0.1}), 0);

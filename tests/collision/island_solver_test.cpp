@@ -196,5 +196,55 @@ TEST(IslandSolver, GrainMakesFrictionDependOnTheDirection) {
   }
 }
 
+// A block of 2 kg at rest on a springy floor, pushed askew: the forces of the step before hold it, so that one sweep
+// moves nothing.
+TEST(IslandSolver, StartsFromTheStepBefore) {
+  const ContactParameters p = parameters();
+  const Vec3d push{3, -5, -20};  // [N]
+  Point body(2.0, (dt / 2.0) * push);
+  ContactPoint point = touching({0, 0, 1}, 20 / p.stiffness);
+  point.stretch = (1 / p.tangent_stiffness) * Vec3d{push.x, push.y, 0};
+  point.last_normal_force = 20;
+  IslandSolver solver;
+  solver.start(dt);
+  solver.add(point, p, {solver.add(body), 0, {}}, {});
+  EXPECT_EQ(solver.sweep(50), 1);
+  solver.finish();
+  EXPECT_LT(difference(point.force, -push), 1e-6);
+  EXPECT_LT(norm(body.velocity), 1e-9);
+}
+
+// What was solved before leaves nothing behind.
+TEST(IslandSolver, BeginsAnewInEveryStep) {
+  const ContactParameters p = parameters();
+  const auto solve = [&](IslandSolver& solver, double mass) {
+    Point body(mass, {0.1, 0.3, -0.05});
+    ContactPoint point = touching({0, 0, 1}, 2e-3);
+    solver.start(dt);
+    solver.add(point, p, {solver.add(body), 0, {}}, {});
+    solver.sweep(200);
+    solver.finish();
+    return body.velocity;
+  };
+  IslandSolver used, fresh;
+  (void)solve(used, 0.7);
+  const Vec3d again = solve(used, 2.0);
+  EXPECT_EQ(difference(again, solve(fresh, 2.0)), 0);
+}
+
+// Rule: a spring without a damper counts as damped with 1e-6 N s/m, so little that only great speeds show it.
+TEST(IslandSolver, SpringWithoutADamperHasNextToNone) {
+  ContactParameters p = parameters();
+  p.damping = p.theta = 0;
+  Point body(2.0, {0, 0, 1e3});
+  ContactPoint point = touching({0, 0, 1}, 2e-3);
+  IslandSolver solver;
+  solver.start(dt);
+  solver.add(point, p, {solver.add(body), 0, {}}, {});
+  solver.sweep(50);
+  solver.finish();
+  EXPECT_NEAR(point.force.z, p.stiffness * 2e-3 - 1e-6 * body.velocity.z, 1e-7);
+}
+
 }  // namespace
 }  // namespace murosimf::collision

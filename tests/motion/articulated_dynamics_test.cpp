@@ -299,5 +299,31 @@ TEST(ExplicitSteps, TakeChangesOfUsers) {
   }
 }
 
+// Rule: the load that friction expects is state, in a column. Runge-Kutta meets it in the first of its stages, whose weight
+// is 1/6: there friction is larger by a share of 0.3 of 2 N m.
+TEST(ArticulatedRungeKutta, FrictionExpectsTheLoadOfTheColumn) {
+  constexpr double inertia = 0.01 + 0.5 * 0.1 * 0.1;
+  const auto rate_after = [](double load) {
+    Chain chain = Chain{}.base("wall").with(properties::mass, 1.0).with(properties::inertia, diagonal(0.1));
+    chain.revolute("joint", {0, 1, 0})
+        .with(properties::mass, 0.5)
+        .with(properties::center_of_mass, {0.1, 0, 0})
+        .with(properties::inertia, diagonal(0.01))
+        .with(properties::servo,
+              {.law = "ideal_pd", .position_gain = 5, .friction = {.coulomb = 0.02, .external_load = 0.3}});
+    Simulation simulation;
+    Entity& robot = simulation.world().add("arm", std::make_shared<const Model>("arm", chain));
+    simulation.attach<ArticulatedDynamics>("articulated_dynamics", robot, 1000,
+                                           MovingTreeOptions{.integrator = Integrator::rk4, .fixed_base = true});
+    simulation.initialize();
+    robot.object("joint").set(properties::joint_velocity, 2);
+    robot.object("joint").set(properties::joint_load, load);
+    simulation.step();
+    return robot.object("joint").get(properties::joint_velocity);
+  };
+  const double expected = 1e-3 / 6 * 0.3 * 2 / inertia;
+  EXPECT_NEAR(rate_after(0) - rate_after(2), expected, 0.02 * expected);
+}
+
 }  // namespace
 }  // namespace murosimf::motion

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/motion/coulomb_damping.h"
-#include "murosimf/motion/integrator.h"
 #include "murosimf/motion/sanity.h"
 #include "tests/fixtures.h"
 #include "tests/motion/part.h"
@@ -110,22 +109,6 @@ TEST(Sanity, LimitsAreThoseOfTheMessage) {
   EXPECT_FALSE(is_sane(Twistd{{0, 0, 1.1e7}, {}}, 1e-3));
   EXPECT_FALSE(is_sane(Twistd{{}, {0, -1.1e6, 0}}, 1e-3));
   EXPECT_FALSE(is_sane(Twistd{{}, {0, std::nan(""), 0}}, 1e-3));
-}
-
-// y' = A y with eigenvalues -0.4 +- 3i: the error falls with the fourth power of the step.
-TEST(RungeKutta4, IsOfFourthOrder) {
-  const auto error = [](int steps) {
-    std::vector<double> y{1, 0};
-    RungeKutta4 method;
-    for (int i = 0; i < steps; ++i) {
-      method.step(y, 1.0 / steps, [](const std::vector<double>& x, std::vector<double>& dx) {
-        dx = {-0.4 * x[0] - 3 * x[1], 3 * x[0] - 0.4 * x[1]};
-      });
-    }
-    return std::hypot(y[0] - std::exp(-0.4) * std::cos(3), y[1] - std::exp(-0.4) * std::sin(3));
-  };
-  EXPECT_LT(error(20), 2e-5);
-  EXPECT_NEAR(std::log2(error(20) / error(40)), 4, 0.1);
 }
 
 TEST(CoulombDamping, IsTheFrictionAgainstTheMotion) {

@@ -105,5 +105,32 @@ TEST(FullDynamicsTorque, PushesAreCarriedByTheJoints) {
   EXPECT_NEAR(hand.torque("leader") - before, -0.2, 1e-9) << "a force at the hinge has no arm";
 }
 
+TEST(FullDynamicsTorque, IsZeroBeforeTheFirstStep) {
+  Hand hand(true);
+  EXPECT_EQ(hand.torque("leader"), 0);
+  EXPECT_EQ(hand.torque("follower"), 0);
+}
+
+// Rule: who takes over begins a cycle of the linear reference from where the joint is, also if the target is an old one.
+TEST(FullDynamicsTakeOver, BeginsANewCycle) {
+  Simulation simulation;
+  Chain hand = Chain{}.base("palm").with(properties::mass, 1.5).with(properties::inertia, diagonal(0.01));
+  hand.fork(finger("leader", 0.1, true), finger("other", -0.1, true));
+  Entity& robot = simulation.world().add("hand", std::make_shared<const Model>("hand", hand));
+  const FullDynamicsOptions options{.reference = {.kind = ReferenceKind::linear, .control_period = 0.01},
+                                    .tree = {.fixed_base = true}};
+  auto& level = simulation.attach<FullDynamics>("full_dynamics", robot, 1000, options);
+  simulation.initialize();
+  auto joint = robot.object("leader");
+  joint.set(properties::joint_target, 0.4);
+  for (int i = 0; i < 20; ++i) simulation.step();
+  EXPECT_EQ(joint.get(properties::joint_position), 0.4);
+  joint.set(properties::joint_position, 0.1);
+  level.take_over({});
+  simulation.step();
+  EXPECT_NEAR(joint.get(properties::joint_velocity), (0.4 - 0.1) / 0.01, 1e-9);
+  EXPECT_NEAR(joint.get(properties::joint_position), 0.1 + 0.3 / 10, 1e-12);
+}
+
 }  // namespace
 }  // namespace murosimf::motion

@@ -1,4 +1,4 @@
-// Numbers of passive joints and of stops, against arithmetic on an unsymmetric arm.
+// Numbers of stops, against arithmetic on an unsymmetric arm.
 #include "murosimf/motion/joint_stop.h"
 
 #include <gtest/gtest.h>
@@ -7,10 +7,6 @@
 
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
-#include "murosimf/motion/passive_joint.h"
-#include "murosimf/motion/velocity_joints.h"
-#include "tests/fixtures.h"
-#include "tests/motion/part.h"
 
 namespace murosimf::motion {
 namespace {
@@ -78,75 +74,6 @@ TEST(JointStopNumbers, LightLinksHaveTheStopOfTheWeight) {
   EXPECT_NEAR(joint_stop(model, 1, -infinity, 1).stiffness, 0.1 * 3.001 * g / bend, 1e-9);
   EXPECT_EQ(joint_stop(model, 1, -infinity, infinity).stiffness, 0) << "no end at all";
   EXPECT_GT(joint_stop(model, 1, -1, infinity).stiffness, 0);
-}
-
-TEST(PassiveJoint, IsADamperAndASpring) {
-  const Model model("robot", Chain{}
-                                 .base("base")
-                                 .revolute("joint", {0, 1, 0})
-                                 .with(properties::joint_damping, 0.3)
-                                 .with(properties::joint_stiffness, 4.0)
-                                 .with(properties::joint_spring_reference, -0.2)
-                                 .revolute("bare", {0, 1, 0}));
-  const PassiveJoint joint = passive_joint(model, 1);
-  EXPECT_EQ(joint.damping, 0.3);
-  EXPECT_EQ(joint.stiffness, 4);
-  EXPECT_EQ(joint.rest, -0.2);
-  EXPECT_NEAR(joint.torque(0.5, -2), 0.6 - 4 * 0.7, 1e-15);
-  EXPECT_EQ(passive_joint(model, 2).torque(3, 3), 0);
-}
-
-TEST(PassiveJoint, RefusesASpringAboutNoPlace) {
-  const Model model("robot", Chain{}
-                                 .base("base")
-                                 .revolute("joint", {0, 1, 0})
-                                 .with(properties::joint_stiffness, 1.0)
-                                 .with(properties::joint_spring_reference, std::nan("")));
-  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { (void)passive_joint(model, 1); }), {"'joint'", "a spring of 1"}));
-}
-
-Chain wheels() {
-  const Servo wheel{.law = "ideal_pd", .velocity_gain = 0.5};
-  return Chain{}
-      .base("base")
-      .revolute("arm", {0, 1, 0})
-      .revolute("wheel", {0, 1, 0})
-      .with(properties::servo, wheel)
-      .revolute("winch", {0, 1, 0})
-      .with(properties::servo, wheel)
-      .with(properties::joint_range, {-9, 9, 0})
-      .prismatic("rail", {0, 1, 0})
-      .with(properties::servo, wheel);
-}
-
-TEST(VelocityJoints, AreThoseThatFollowARate) {
-  test::Alone<VelocityJoints> robot(wheels());
-  const VelocityJoints& turning = *robot.part;
-  EXPECT_EQ(turning.others(), (std::vector{robot.index("arm")}));
-  EXPECT_EQ(turning.joints(), (std::vector{robot.index("wheel"), robot.index("winch"), robot.index("rail")}));
-  EXPECT_FALSE(turning.contains(robot.index("arm")));
-  EXPECT_TRUE(turning.contains(robot.index("rail")));
-  robot.object("winch").set(properties::joint_velocity_target, 3);
-  EXPECT_EQ(turning.target(robot.index("winch")), 3);
-  EXPECT_EQ(turning.target(robot.index("wheel")), 0);
-}
-
-// Only hinges without ends lose whole turns, and only beyond half of one.
-TEST(VelocityJoints, WrapTakesWholeTurnsOutOfEndlessHinges) {
-  test::Alone<VelocityJoints> robot(wheels());
-  std::vector<double> q(static_cast<std::size_t>(robot.entity.model().size()), 4.0);
-  robot.part->wrap(q);
-  for (const char* name : {"arm", "winch", "rail"}) EXPECT_EQ(q[robot.index(name)], 4) << name;
-  double& wheel = q[robot.index("wheel")];
-  EXPECT_NEAR(wheel, 4 - 2 * pi, 1e-15);
-  for (const double angle : {3.14, -3.14}) {
-    wheel = angle;
-    robot.part->wrap(q);
-    EXPECT_EQ(wheel, angle);
-  }
-  wheel = -20;
-  robot.part->wrap(q);
-  EXPECT_NEAR(wheel, -20 + 6 * pi, 1e-14);
 }
 
 }  // namespace

@@ -46,6 +46,18 @@ TEST(KinematicStance, StartsOnItsSolesAboveItsPlace) {
   EXPECT_EQ(walker.robot->base().get(properties::dynamic), 0);
 }
 
+TEST(KinematicStance, StartsInThePostureOfItsTargets) {
+  Rig rig;
+  Entity& robot = rig.add("robot", std::make_shared<const Model>(fixtures::two_legged()));
+  rig.attach_motion(robot, {.level = "kinematic_walking"});
+  for (const char* knee : {"left_knee", "right_knee"}) robot.object(knee).set(properties::joint_target, 0.8);
+  rig.simulation.initialize();
+  for (const char* knee : {"left_knee", "right_knee"}) {
+    EXPECT_EQ(robot.object(knee).get(properties::joint_position), 0.8);
+    EXPECT_EQ(robot.object(knee).get(properties::joint_velocity), 0);
+  }
+}
+
 // The standing sole does not move; everything else does, as the velocities say: one step of the joints at a time.
 TEST(KinematicStance, StandingSoleRestsAndVelocitiesAreThoseOfThePlaces) {
   Walker walker({.heading = 0.8});

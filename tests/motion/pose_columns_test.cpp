@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/motion/motion_properties.h"
 #include "tests/fixtures.h"
 #include "tests/motion/part.h"
 
@@ -71,6 +72,16 @@ TEST(PlaceAtStart, HeadingIsThatOfTheFirstSole) {
   place_at_start(placed.columns, placed.entity);
   const int sole = placed.entity.model().having(properties::sole).front();
   EXPECT_LT(difference(placed.columns.R[sole], rotation_z(0.6)), 1e-14) << "flat, and turned by the heading";
+}
+
+// What it remembers is state: it stands in columns, so that a copy of them goes on alike.
+TEST(PoseColumns, RemembersTheBaseInItsColumns) {
+  Placed placed({});
+  placed.columns.r[0] = {1, 2, 3};
+  placed.columns.v[0] = {4, 5, 6};
+  placed.columns.remember_base();
+  EXPECT_EQ(difference(placed.entity.base().get(properties::written_position), {1, 2, 3}), 0);
+  EXPECT_EQ(difference(placed.entity.base().get(properties::written_velocity), {4, 5, 6}), 0);
 }
 
 TEST(PoseColumns, TakesWhatUsersChangedOnce) {

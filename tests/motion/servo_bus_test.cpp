@@ -63,6 +63,7 @@ TEST(ServoBus, MotorsKnowTheTargetsOfTheStart) {
   bus.part->start();
   for (const char* name : {"late", "odd", "rare", "both", "free"}) EXPECT_EQ(bus.knows(name), 0.3) << name;
   EXPECT_EQ(bus.knows("wheel"), 7);
+  for (const char* name : {"rare", "both"}) EXPECT_EQ(bus.object(name).get(properties::sent_target), 0.3) << name;
   EXPECT_DOUBLE_EQ(bus.knows("follower"), 0.2 - 1.5 * 0.3);
 }
 

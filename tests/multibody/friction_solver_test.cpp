@@ -6,6 +6,7 @@
 #include "murosimf/math/pack.h"
 #include "murosimf/model/model.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/multibody/inverse_dynamics.h"
 #include "murosimf/multibody/kinematics.h"
 #include "murosimf/multibody/servo_motor.h"
 #include "tests/fixtures.h"
@@ -148,6 +149,104 @@ TEST_P(Lanes, StickAsRobotsAloneDo) {
                      .level = "multibody kernels, " + GetParam().name,
                      .source = "what sticks does not move"},
                     moved, 0, "rad");
+}
+
+/// A random tree with torques at its joints, whose base moves as given, with or without friction.
+struct Random {
+  explicit Random(std::uint64_t seed)
+      : model(fixtures::random_model(seed)),
+        tree(model.tree()),
+        dice("friction of trees", seed),
+        state(fixtures::random_state(model, dice)),
+        links(tree.links.size()),
+        bodies(links.size()),
+        joints(links.size()),
+        base{dice.vector(3), dice.vector(10)} {
+    poses<double>(tree, state.q, state.r, state.R);
+    link_motions<double>(tree, state.r, state.R, state.w[0], state.qd, links);
+    clear_loads<double>(bodies);
+    for (std::size_t l = 1; l < links.size(); ++l) {
+      bodies[l].torque = joints[l].torque = dice.uniform(-5, 5);
+      bodies[l].added_inertia = joints[l].inertia = dice.uniform(0.001, 0.02);
+      joints[l].rate = state.qd[tree.links[l].object];
+    }
+  }
+  double with_friction(Loads loads) {
+    sweep_with_friction<double>(tree, links, bodies, joints, loads, h);
+    return accelerate_with_friction<double>(tree, links, bodies, joints, base);
+  }
+  Model model;
+  const Tree& tree;
+  fixtures::Dice dice;
+  State<double> state;
+  std::vector<LinkMotion<double>> links;
+  std::vector<ArticulatedLink<double>> bodies;
+  std::vector<FrictionalJoint<double>> joints;
+  Twistd base;
+};
+
+// Without friction nothing is left of it, in whatever pass. Tolerance: rounding of accelerations up to 1e4 rad/s^2.
+TEST(FrictionSolver, WithoutFrictionItIsTheArticulatedBodyAlgorithm) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random plain(seed);
+    sweep_to_base<double>(plain.tree, plain.links, plain.bodies);
+    accelerate<double>(plain.tree, plain.links, plain.bodies, plain.base);
+    for (const Loads loads : {Loads::of_last_pass, Loads::of_repeated_pass, Loads::of_last_step}) {
+      Random tree(seed);
+      EXPECT_EQ(tree.with_friction(loads), 0);
+      for (std::size_t l = 1; l < tree.links.size(); ++l) {
+        const double expected = plain.bodies[l].joint_acceleration;
+        EXPECT_NEAR(tree.bodies[l].joint_acceleration, expected, 1e-9 * (1 + std::abs(expected))) << seed << ' ' << l;
+      }
+      EXPECT_LT(fixtures::difference(tree.bodies[0].force.f, plain.bodies[0].force.f), 1e-8) << seed;
+      EXPECT_LT(fixtures::difference(tree.bodies[0].force.n, plain.bodies[0].force.n), 1e-8) << seed;
+    }
+  }
+}
+
+// Joints that nothing can move stop within the step, each from its own rate, and pass on what their links weigh.
+TEST(FrictionSolver, StuckJointsStopWithinTheStep) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random tree(seed);
+    for (std::size_t l = 1; l < tree.links.size(); ++l) tree.joints[l].coulomb = 1e9;
+    EXPECT_EQ(tree.with_friction(Loads::of_last_pass), 0);
+    std::vector<double> qdd(tree.links.size());
+    for (std::size_t l = 1; l < tree.links.size(); ++l) {
+      qdd[l] = -tree.joints[l].rate / h;
+      EXPECT_NEAR(tree.bodies[l].joint_acceleration, qdd[l], 1e-9 * (1 + std::abs(qdd[l]))) << seed << ' ' << l;
+      EXPECT_EQ(tree.joints[l].direction, 0);
+    }
+    std::vector<Twistd> working(tree.links.size());
+    const Wrenchd bias = base_bias<double>(tree.tree, tree.links, qdd, working);
+    const double scale = 1 + norm(bias.f) + norm(bias.n);
+    EXPECT_LT(fixtures::difference(tree.bodies[0].force.f, bias.f), 1e-9 * scale) << seed;
+    EXPECT_LT(fixtures::difference(tree.bodies[0].force.n, bias.n), 1e-9 * scale) << seed;
+  }
+}
+
+// A joint alone that slides slower than 1 mrad/s at the end of the step feels a damper of F over that rate.
+TEST(FrictionSolver, SlowSlidingIsDamped) {
+  const Model model("wheel", Chain{}
+                                 .base("wall")
+                                 .revolute("axle", {0, 1, 0})
+                                 .with(properties::mass, 3.0)
+                                 .with(properties::inertia, diagonal(0.02)));
+  constexpr double F = 0.2, D = 0.02;
+  for (const double end : {0.2e-3, -0.9e-3, 1.1e-3, -5e-3}) {  // [rad/s] where plain friction would leave it
+    State<double> state(model.size());
+    state.R[0] = Mat3d{};
+    std::vector<LinkMotion<double>> links(2);
+    std::vector<ArticulatedLink<double>> bodies(2);
+    std::vector<FrictionalJoint<double>> joints(2);
+    poses<double>(model.tree(), state.q, state.r, state.R);
+    link_motions<double>(model.tree(), state.r, state.R, state.w[0], state.qd, links);
+    joints[1].coulomb = F;
+    joints[1].torque = std::copysign(F, end) + D * end / h;
+    sweep_with_friction<double>(model.tree(), links, bodies, joints, Loads::of_last_step, h);
+    (void)accelerate_with_friction<double>(model.tree(), links, bodies, joints, {});
+    const double damping = F / std::max(std::abs(end), 1e-3);
+    EXPECT_NEAR(h * bodies[1].joint_acceleration, h * joints[1].torque / (D + h * damping), 1e-12) << end;
+  }
 }
 
 }  // namespace

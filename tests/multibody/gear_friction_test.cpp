@@ -85,6 +85,22 @@ TEST(JointFriction, FallsWithTheRate) {
   }
 }
 
+// Rule: from |w/v_s|^alpha = 20 on nothing is left, be it found by the power or by a shortcut; before, it is exp(-20).
+TEST(JointFriction, IsGoneFromTwentyOn) {
+  for (const double alpha : {0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 8.0}) {
+    const GearFriction k{.stribeck = 0.2, .stribeck_rate = 0.5, .stribeck_exponent = alpha};
+    const auto left_at = [&](double x) { return dry_friction(k, 0.5 * std::pow(x, 1 / alpha), 0.0, 0.0); };
+    EXPECT_NEAR(left_at(19.999), 0.2 * std::exp(-19.999), 1e-14) << alpha;
+    for (const double x : {20.001, 20.5, 21.5, 50.0}) EXPECT_EQ(left_at(x), 0) << alpha << ' ' << x;
+  }
+}
+
+// Rule: a rate below which a gear counts as sticking, 0.01 rad/s, is the least that v_s may be.
+TEST(JointFriction, HasALeastStribeckRate) {
+  const GearFriction k{.stribeck = 0.2, .stribeck_rate = 1e-4, .stribeck_exponent = 1};
+  EXPECT_NEAR(dry_friction(k, 0.01, 0.0, 0.0), 0.2 / std::exp(1.0), 1e-15);
+}
+
 // Rule: without v_s nothing is more at rest.
 TEST(JointFriction, WithoutARateHasNoStribeckPart) {
   EXPECT_EQ(dry_friction(GearFriction{.coulomb = 0.1, .stribeck = 0.2}, 0.0, 0.0, 0.0), 0.1);

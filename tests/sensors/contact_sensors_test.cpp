@@ -102,6 +102,27 @@ TEST(ForceTorque, IsTakenAtItsPlaceInItsAxes) {
             0.01 * weight.z);
 }
 
+// A shoe of heel (1 kg) and toe (2 kg), one link: what both feel, with its moment about the heel.
+TEST(ForceTorque, IsThatOfAllBodiesOfItsLink) {
+  test::Rig rig;
+  const auto part = [](Chain& chain, double mass) {
+    chain.with(properties::mass, mass)
+        .with(properties::inertia, diagonal(0.002 * mass))
+        .with(properties::shapes, Shapes{fixtures::placed(Box{{0.05, 0.04, 0.03}})});
+  };
+  Chain chain = Chain{}.base("heel");
+  part(chain, 1);
+  chain.translation({0.4, 0, 0}, "toe");
+  part(chain, 2);
+  Entity& shoe = rig.add("shoe", std::make_shared<const Model>("shoe", chain));
+  auto& sensor = components::attach_sensor(rig.simulation, shoe, {.name = "f", .type = "force_torque"}, {}, rig.rate);
+  rig.attach_dynamics(shoe);
+  rig.run(1);
+  const auto f = sensor.reading().output("force"), n = sensor.reading().output("torque");
+  EXPECT_NEAR(f[2], 3 * test::g, 0.01 * 3 * test::g);
+  EXPECT_NEAR(n[1], -0.4 * 2 * test::g, 0.01 * 3 * test::g);
+}
+
 TEST(ForceTorque, DoesNotFeelAUsersPush) {
   test::Rig rig;
   Entity& box = rig.add("box", test::box_model(), {.position = {0, 0, 5}});

@@ -155,6 +155,23 @@ TEST(Detector, WallsHideToo) {
   EXPECT_TRUE(sees(reading, "ball"));
 }
 
+// Somebody walks through the line of sight, and on.
+TEST(Detector, WhatMovesHidesWhereItIsNow) {
+  RangeRig rig;
+  Entity& robot = rig.add_box("robot");
+  Entity& other = rig.add_box("other");
+  Entity& ball = rig.add_ball("ball", 0.05);
+  const Reading& reading = rig.attach(robot, test::sensor("detector"));
+  rig.begin();
+  RangeRig::put(robot, {0, 0, 1});
+  RangeRig::put(ball, {4, 0, 1});
+  for (const double aside : {1.0, 0.5, 0.0, -0.5, -1.0}) {
+    RangeRig::put(other, {2, aside, 1});
+    rig.simulation.step();
+    EXPECT_EQ(sees(reading, "ball"), aside != 0) << aside;
+  }
+}
+
 /// Errors of many looks at a ball that hangs still.
 struct Statistics {
   Statistics(const std::map<std::string, double>& numbers, int looks) {

@@ -123,6 +123,35 @@ TEST(MotorCurrent, IsThatOfTheTorqueThatHoldsALoad) {
   EXPECT_EQ(voltage.reading().values[0], 11);
 }
 
+/// Does nothing but let the test write torques.
+struct Torques final : Algorithm {
+  explicit Torques(Setup& setup) : torque(setup.write(properties::joint_torque)) {}
+  void initialize() override { std::ranges::fill(torque, 3.0); }
+  void step(const Instant&) noexcept override {}
+  std::span<double> torque;
+};
+
+// Rule: where there is no motor, or one whose data do not say its constant, no current flows, whatever the joint bears.
+TEST(MotorCurrent, IsThatOfMotorsOnly) {
+  Simulation simulation;
+  Chain chain = Chain{}.base("base").with(properties::mass, 1.0);
+  const auto joint = [&](const std::string& name, const std::optional<Servo>& servo) {
+    chain.revolute(name, {0, 1, 0}).with(properties::mass, 1.0).with(properties::inertia, diagonal(0.1));
+    if (servo) chain.with(properties::servo, *servo);
+  };
+  joint("motor", Servo{.voltage = 12, .stall_torque = 10, .no_load_speed = 6});
+  joint("hinge", {});
+  joint("weak", Servo{.voltage = 0, .stall_torque = 10, .no_load_speed = 6});
+  joint("stuck", Servo{.voltage = 12, .stall_torque = 10, .no_load_speed = 0});
+  Entity& robot = simulation.world().add("robot", std::make_shared<const Model>("arm", chain));
+  auto& sensor = simulation.attach<MotorCurrent>("current", robot, 1000, SensorSpec{.name = "i"}, SensorSurroundings{});
+  simulation.attach<Torques>("torques", robot, 1000);
+  simulation.initialize();
+  simulation.step();
+  const std::vector<double>& current = sensor.reading().values;
+  EXPECT_EQ(current, (std::vector<double>{3 * 6 / 12.0, 0, 0, 0}));
+}
+
 TEST(ServoSensors, NothingStaleIsLeftByALevelThatWent) {
   Standing standing("articulated_dynamics");
   standing.rig.run(1);

@@ -41,6 +41,22 @@ TEST(Sensor, ADelayedSampleKeepsTheInstantAtWhichItWasTaken) {
   EXPECT_EQ(clock.reading().time, from_seconds(0.030));
 }
 
+TEST(Sensor, InitializeForgetsWhatWas) {
+  Clock clock(clockwork, {.name = "clock", .rate = 100, .delay = 0.025});
+  clock.run_until(0.055);
+  EXPECT_EQ(clock.reading().samples, 4u);
+  clock.sensor.initialize();
+  EXPECT_EQ(clock.reading().samples, 0u);
+  EXPECT_EQ(clock.reading().time, Duration{});
+  for (const double value : clock.reading().values) EXPECT_EQ(value, 0);
+}
+
+TEST(Sensor, SamplesFitIntoItsExecutions) {
+  EXPECT_EQ(fixtures::error_of([] { Clock(clockwork, {.name = "clock", .rate = 300}); }),
+            "sensor 'clock' with 300 Hz does not fit into executions at 1000 Hz");
+  EXPECT_EQ(fixtures::error_of([] { Clock(clockwork, {.name = "clock", .rate = 250}); }), "no error");
+}
+
 // A ramp behind a first-order low-pass comes late by h / (2 tan(pi f h)), with h of the executions and not of the samples.
 TEST(Sensor, ALowPassWorksInEveryExecution) {
   Clock clock(clockwork, {.name = "clock", .rate = 100, .signals = {{"", {.low_pass = 20}}}});

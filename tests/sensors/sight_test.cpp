@@ -34,6 +34,22 @@ TEST(Sight, AWallHidesThePointsBehindIt) {
   EXPECT_EQ(share_of_ball(-0.11), 0);
 }
 
+// What has no shape is a point. Behind it stands a wall, which does not count; in front of it, another one does.
+TEST(Sight, OnlyWhatStandsBetweenHides) {
+  for (const double place : {3.0, 1.0}) {
+    RangeRig rig;
+    rig.add_walls({placed(Box{{0.01, 1, 5}}, {place, 0, 0})});
+    Entity& mark = rig.add_moving_entity(
+        "mark", std::make_shared<const Model>(
+                    "mark", Chain{}.base().with(properties::mass, 1.0).with(properties::inertia, diagonal(1.0))));
+    rig.begin();
+    RangeRig::put(mark, {2, 0.3, 1});
+    collision::QueryScene scene(rig.simulation.world());
+    const Seen body{&mark, mark.find(properties::position)->values, mark.find(properties::orientation)->values, {}};
+    EXPECT_EQ(share_in_sight(scene, {0, 0, 1}, nullptr, body), place > 2 ? 1 : 0);
+  }
+}
+
 // Law: nothing but other bodies hides a point, whatever the robot's posture and wherever it is seen from.
 TEST(Sight, ARobotInTheOpenIsSeenWhole) {
   fixtures::Dice dice("in the open");

@@ -51,6 +51,7 @@ TEST(Signal, ConvertsToTheCodesOfItsBits) {
   EXPECT_EQ(converted(spec, 7.8), 7);
   EXPECT_EQ(converted(spec, 100), 7);
   EXPECT_EQ(converted(spec, -100), -8);
+  EXPECT_EQ(converted({.lowest = -8, .highest = 8, .bits = 1}, 100), 0) << "one bit: -8 or 0";
 }
 
 // A sine through the filter: the amplitude of a first-order low-pass, 1/sqrt(2) at its frequency.

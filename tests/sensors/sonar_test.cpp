@@ -36,6 +36,48 @@ TEST(Sonar, ShowsTheNearestThingInItsCone) {
   EXPECT_EQ(range_of_ball(15 * degree + 1.01 * half_ball), infinity);
 }
 
+// Each ray by itself: a ball of 5 mm in its way, in the direction that sonar.h says.
+TEST(Sonar, RaysWindAboutTheAxisAsSunflowersDo) {
+  constexpr int rays = 9;
+  constexpr double fov = 60 * degree, golden_angle = 2.399963229728653;
+  RangeRig rig;
+  Entity& robot = rig.add_box("robot");
+  Entity& ball = rig.add_ball("ball", 0.005);
+  const Reading& reading = rig.attach(robot, test::sensor("sonar", {{"rays", rays}, {"fov", fov}}));
+  rig.begin();
+  const Mat3d turn = rotation_z(1) * rotation_y(0.4);
+  RangeRig::put(robot, {0, 0, 9}, turn);
+  for (int k = 0; k < rays; ++k) {
+    const double a = std::acos(1 - (1 - std::cos(fov / 2)) * k / (rays - 1));
+    for (const double beside : {0.0, 0.5}) {
+      RangeRig::put(ball,
+                    Vec3d{0, 0, 9} + turn * rotation_x(golden_angle * k + beside) * rotation_z(a) * Vec3d{2, 0, 0});
+      rig.simulation.step();
+      if (beside > 0 && k > 0) {
+        EXPECT_EQ(reading.values[0], infinity) << k;
+      } else {
+        EXPECT_NEAR(reading.values[0], 1.995, 1e-6) << k;
+      }
+    }
+  }
+}
+
+TEST(Sonar, DefaultsAreThoseOfItsHeader) {
+  const auto range = [](const std::map<std::string, double>& numbers) {
+    RangeRig rig;
+    rig.add_walls({placed(Box{{0.1, 20, 20}})});
+    Entity& robot = rig.add_box("robot");
+    const Reading& reading = rig.attach(robot, test::sensor("sonar", numbers));
+    rig.begin();
+    RangeRig::put(robot, {-2.1, 0, 1}, rotation_z(0.3) * rotation_y(-0.7));
+    rig.simulation.step();
+    return reading.values[0];
+  };
+  EXPECT_EQ(range({}), range({{"rays", 61}, {"fov", 15 * degree}, {"range_min", 0.02}, {"range_max", 4}}));
+  EXPECT_NE(range({}), range({{"rays", 60}}));
+  EXPECT_NE(range({}), range({{"fov", 14.99 * degree}}));
+}
+
 // A wall that stands askew: the nearest ray is the one at the edge of the cone that leans towards it.
 TEST(Sonar, FindsTheNearSideOfASkewWall) {
   RangeRig rig;
