@@ -9,8 +9,8 @@
 
 namespace murosimf {
 
-/// The largest torque that a gear's friction can muster: a budget (multibody/gear_friction.h has the equation and its
-/// source). The numbers without unit are shares of a load. All zero: none.
+/// The largest torque that a gear's friction can muster: a budget. The equation and its source stand in
+/// multibody/gear_friction.h. The numbers without unit are shares of a load. All zero: none.
 struct GearFriction {
   double coulomb = 0;                  ///< [N m] K_c
   double viscous = 0;                  ///< [N m s/rad] K_v
