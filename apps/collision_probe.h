@@ -23,6 +23,7 @@ class CollisionProbe final : public Algorithm {
   /// `setup` is that of the environment.
   CollisionProbe(Setup& setup, const std::vector<Entity*>& moving_entities, const MaterialTable& materials);
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void step(const Instant& instant) noexcept override;
 
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }

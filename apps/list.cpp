@@ -1,4 +1,6 @@
-// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, materials, properties and keys of scene files.
+// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, materials, properties, keys of scene files; the order of a tick.
+#include <array>
+
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
@@ -15,6 +17,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/servo_law.h"
+#include "murosimf/scene/scene.h"
 #include "murosimf/scene_file/key_list.h"
 
 namespace murosimf::app {
@@ -82,20 +85,46 @@ std::string keys_text() {
   return text;
 }
 
+std::string_view phase_name(Phase phase) {
+  constexpr std::array<std::string_view, 5> names{"sense", "control", "contact", "motion", "observe"};
+  return names[static_cast<std::size_t>(phase)];
+}
+
+/// The order of a tick of a scene: lines of algorithms of one name, with their entities.
+std::string plan_text(const std::string& file) {
+  scene::Scene scene(file, {.cameras = false});
+  std::string text = fmt::format("{:<5} {:<8} {:<22} {:>6}  {}", "wave", "phase", "algorithm", "rate", "entities");
+  std::string previous;
+  for (const PlannedAlgorithm& one : scene.simulation().order_of_tick()) {
+    const std::string line = fmt::format("\n{:<5} {:<8} {:<22} {:>6.4g} ", one.wave + 1, phase_name(one.phase), one.name, one.rate_hz);
+    if (line != previous) text += line;
+    text += " " + one.entity;
+    previous = line;
+  }
+  return text + "\n";
+}
+
 struct ListOptions {
   std::string what;
+  std::string scene;
 };
 
 void define(const Command& command, ListOptions& options) {
   const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",    "integrators",
                                        "servo_laws", "controllers", "sensors",       "parts",      "lenses",
-                                       "materials",  "scenes",      "models",        "properties", "keys"};
+                                       "materials",  "scenes",      "models",        "properties", "keys",
+                                       "plan"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
+  command.add("scene", options.scene, "of 'plan': whose algorithms, in the order of a tick");
 }
 
 int list(const ListOptions& options) {
   const std::string& what = options.what;
+  if ((what == "plan") == options.scene.empty())
+    throw SetupError(what == "plan" ? "list plan: name a scene, for example 'murosimf list plan walk'"
+                                    : fmt::format("list {}: only 'plan' is of a scene", what));
   std::string text;
+  if (what == "plan") text = plan_text(options.scene);
   if (what == "levels") text = names_and_meanings(catalog::levels());
   if (what == "contacts") text = names_and_meanings(catalog::contacts());
   if (what == "body_contacts") text = names_and_meanings(collision::body_contact_laws());

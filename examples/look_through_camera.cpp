@@ -29,6 +29,7 @@ class BallFinder final : public Algorithm {
         axes_(sensors::read_output(setup, "camera.orientation")),
         ball_(setup.of(ball).read(properties::position)) {}
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void step(const Instant&) noexcept override {
     if (frame_.number == last_) return;  // no new frame
     last_ = frame_.number;

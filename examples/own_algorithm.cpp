@@ -21,6 +21,7 @@ class NodWatcher final : public Algorithm {
         orientation_(setup.read(properties::orientation)),  // taking a span declares the access
         largest_(setup.write(largest_nod)[0]) {}
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void initialize() override { largest_ = 0; }
   void step(const Instant&) noexcept override {
     largest_ = std::max(largest_, std::abs(std::asin(orientation_[head_].x.z)));

@@ -22,6 +22,7 @@ class BallChaser final : public Algorithm {
  public:
   explicit BallChaser(Setup& setup, const BallChaserOptions& options);
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

@@ -48,6 +48,7 @@ class Localize final : public Algorithm {
   /// Throws SetupError if the robot has no such camera, or not the sensors that camera_pose.h needs.
   Localize(Setup& setup, const LocalizeOptions& options);
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

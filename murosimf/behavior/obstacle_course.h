@@ -52,6 +52,7 @@ class ObstacleCourse final : public Algorithm {
   /// Throws SetupError if the robot has no such camera, or not the sensors that camera_pose.h needs.
   ObstacleCourse(Setup& setup, const ObstacleCourseOptions& options);
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

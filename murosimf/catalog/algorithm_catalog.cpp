@@ -130,15 +130,15 @@ std::shared_ptr<const collision::ContactLaw> make_paper_multipoint() {
 // Keys: what stands in a scene file; "position.z" is the height in `position`.
 constexpr std::array level_entries{
     LevelType{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
-              false, "joint_reference", "stance_pose stance_foot remaining_shift remaining_turn",
+              motion::KinematicWalking::has, "joint_reference", "stance_pose stance_foot remaining_shift remaining_turn",
               make_kinematic_walking},
-    LevelType{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)", true,
+    LevelType{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)", motion::SimplifiedDynamics::has,
               "joint_reference base_rigid integrator contact position.z roll_deg pitch_deg",
               "applied_force linear_velocity angular_velocity base_quaternion", make_simplified_dynamics},
-    LevelType{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)", true,
+    LevelType{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)", motion::FullDynamics::has,
               "joint_reference fixed_base integrator contact position.z roll_deg pitch_deg",
               "applied_force linear_velocity angular_velocity base_quaternion", make_full_dynamics},
-    LevelType{"articulated_dynamics", "servos make torque, the whole tree moves as it must", true,
+    LevelType{"articulated_dynamics", "servos make torque, the whole tree moves as it must", motion::ArticulatedDynamics::has,
               "fixed_base integrator servo_law contact position.z roll_deg pitch_deg self_collision",
               "applied_force linear_velocity angular_velocity base_quaternion "
               "supply_voltage torque_enabled servo_temperature backlash_play backlash_side "

@@ -29,7 +29,7 @@ struct LevelOptions {
 
 struct LevelType {
   std::string_view name, meaning;
-  bool dynamic;              ///< forces move it: it needs contact with the ground
+  LevelTraits traits;
   std::string_view options;  ///< keys of a robot that it uses, besides those that all levels use
   std::string_view inputs;   ///< properties that may be set and act at this level, besides those that do at all levels
   std::unique_ptr<MotionLevel> (*make)(Setup&, const LevelOptions&);

@@ -36,6 +36,7 @@ class BodyContact final : public Algorithm {
   BodyContact(Setup& setup, const std::vector<Entity*>& moving_entities, const MaterialTable& materials,
               const BodyContactOptions& options = {});
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::contact; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

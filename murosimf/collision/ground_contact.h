@@ -27,6 +27,7 @@ class GroundContact final : public Algorithm {
   GroundContact(Setup& setup, const Entity* environment, std::shared_ptr<const ContactLaw> law,
                 const MaterialTable& materials);
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::contact; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

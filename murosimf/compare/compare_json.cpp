@@ -46,7 +46,7 @@ json entry_object(const Comparison& c, std::size_t i) {
   object["events"] = events_array(m);
   if (!m.peak_joint.empty()) object["peak_torque_Nm"] = m.peak_torque;
   if (!m.peak_joint.empty()) object["peak_joint"] = m.peak_joint;
-  if (e.level == "articulated_dynamics") object["full_duty_share"] = e.record.full_duty;
+  if (e.traits.servos) object["full_duty_share"] = e.record.full_duty;
   if (!e.overload.empty()) object["overload"] = e.overload;
   if (!e.frozen.empty()) object["frozen"] = e.frozen;
   object["deviations"] = deviations_object(e.deviations);

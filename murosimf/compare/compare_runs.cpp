@@ -66,9 +66,10 @@ std::vector<CompareEntry> entries_for(const CompareOptions& options, const scene
     for (const std::string& law : laws) {
       CompareEntry entry;
       entry.level = name;
-      if (level.dynamic) entry.contact = law;
+      entry.traits = level.traits;
+      if (level.traits.dynamic) entry.contact = law;
       entries.push_back(std::move(entry));
-      if (!level.dynamic) break;  // it has no contact: one run is enough
+      if (!level.traits.dynamic) break;  // it has no contact: one run is enough
     }
   }
   return entries;
@@ -100,7 +101,7 @@ void observe(const CompareOptions& options, double duration, CompareEntry& entry
   const auto scene = build(options, entry);
   Simulation& simulation = scene->simulation();
   Entity& robot = simulation.world().entity(options.entity);
-  const bool servos = entry.level == "articulated_dynamics";
+  const bool servos = entry.traits.servos;
   if (servos && !robot.model().joints().empty() && !has_servos(robot.model())) {
     throw SetupError(fmt::format("model '{}' has no servos", robot.model().name()));
   }

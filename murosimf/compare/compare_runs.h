@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "murosimf/compare/compare_metrics.h"
+#include "murosimf/model/motion_level.h"
 
 namespace murosimf::compare {
 
@@ -29,6 +30,7 @@ struct CompareOptions {
 /// One level under one contact law.
 struct CompareEntry {
   std::string level;
+  LevelTraits traits;    ///< of the level
   std::string contact;   ///< empty at levels without contact
   std::string refusal;   ///< why it did not run; empty: it ran
   bool stopped = false;  ///< it did not run to its end because somebody asked for that

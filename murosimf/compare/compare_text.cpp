@@ -25,7 +25,7 @@ std::string falls(const Measures& m) {
 
 std::string servos(const CompareEntry& e) {
   if (!e.frozen.empty()) return "frozen";
-  if (e.level == "articulated_dynamics") return fmt::format("{:.0f} % full", 100 * e.record.full_duty);
+  if (e.traits.servos) return fmt::format("{:.0f} % full", 100 * e.record.full_duty);
   return e.overload.empty() ? "-" : "too weak";
 }
 

@@ -43,6 +43,7 @@ class AnkleStrategy final : public Algorithm {
   /// Throws SetupError if the robot has no sensor "imu" with gyroscope and accelerometer, or no two legs.
   explicit AnkleStrategy(Setup& setup, const AnkleStrategyOptions& options = {});
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

@@ -29,6 +29,7 @@ class Drive final : public Algorithm {
   /// wheel (vehicle.h).
   explicit Drive(Setup& setup, const Vec3d& command = {}, const DriveOptions& options = {});
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

@@ -22,6 +22,7 @@ class KeyframePlayer final : public Algorithm {
   /// as leg.h describes them.
   KeyframePlayer(Setup& setup, const KeyframeMotion& motion);
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

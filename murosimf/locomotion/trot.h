@@ -53,6 +53,7 @@ class Trot final : public Algorithm {
   explicit Trot(Setup& setup, const Vec3d& command = {});
   Trot(Setup& setup, const Vec3d& command, const TrotParameters& parameters);
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

@@ -19,6 +19,7 @@ class WalkEngine final : public Algorithm {
   explicit WalkEngine(Setup& setup, const Vec3d& command = {});
   WalkEngine(Setup& setup, const Vec3d& command, const WalkParameters& parameters);
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

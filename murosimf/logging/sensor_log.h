@@ -28,6 +28,7 @@ class SensorLog final : public Algorithm {
   /// Throws SetupError if the entity has no such sensor.
   SensorLog(Setup& setup, const std::vector<LoggedSensor>& logged);
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

@@ -4,6 +4,8 @@
 /// `Setup&` first and obtains spans from it; that is all the wiring there is (docs/add_an_algorithm.md).
 #pragma once
 
+#include <cstdint>
+
 #include "murosimf/model/time.h"
 
 namespace murosimf {
@@ -14,11 +16,23 @@ struct Instant {
   Duration period{};  ///< time until this algorithm's next step
 };
 
+/// The parts of a tick, in their order. Algorithms that conflict run by phase, those of one phase in the order in which they
+/// were attached.
+enum class Phase : std::uint8_t {
+  sense,    ///< sensors see what the last tick left
+  control,  ///< controllers read sensors and write targets; pushes
+  contact,  ///< what touches what, and the forces of it
+  motion,   ///< levels of detail move their entities
+  observe,  ///< recorders read what has come of it
+};
+
 class Algorithm {
  public:
   virtual ~Algorithm() = default;
 
-  /// Gives the columns that it writes their first values. Called once, in the order of attaching, before any step.
+  [[nodiscard]] virtual Phase phase() const noexcept = 0;
+
+  /// Gives the columns that it writes their first values. Called once before any step, by phase and in the order of attaching.
   virtual void initialize() {}
 
   /// One step. Never throws: numbers that go bad freeze their entity instead.

@@ -19,8 +19,17 @@ struct Momentum {
   Vec3d angular;  ///< [N m s] about the common center of mass
 };
 
+/// What a level has. Who must know asks for this, never for the level's name: there may be more levels than those here.
+struct LevelTraits {
+  bool dynamic = false;       ///< forces move the entity: gravity, contacts, pushes
+  bool joint_torque = false;  ///< it works out the torques of driven joints
+  bool servos = false;        ///< servo models drive the joints: they draw current, get warm and are stiff to step
+};
+
 class MotionLevel : public Algorithm {
  public:
+  [[nodiscard]] Phase phase() const noexcept final { return Phase::motion; }
+  [[nodiscard]] virtual LevelTraits traits() const = 0;
   /// Why the level cannot go on from what the columns say, without the entity's name; empty if it can. Changes nothing.
   [[nodiscard]] virtual std::string refusal() const { return {}; }
   /// Its last call: lets go of the entity. Returns the momentum that its equations have kept.

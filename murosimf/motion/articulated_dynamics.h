@@ -19,10 +19,13 @@ namespace murosimf::motion {
 
 class ArticulatedDynamics final : public MotionLevel, private collision::ImpulseResponse {
  public:
+  static constexpr LevelTraits has{.dynamic = true, .joint_torque = true, .servos = true};
+
   /// Throws SetupError if the model has no mass, a servo is impossible, or a joint moves no inertia at all.
   /// `servo_law`: of all servos, instead of their own (empty: their own).
   explicit ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options = {}, const std::string& servo_law = {});
 
+  [[nodiscard]] LevelTraits traits() const override { return has; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
   [[nodiscard]] Momentum hand_over() noexcept override { return tree_.hand_over(); }

@@ -27,9 +27,12 @@ struct FullDynamicsOptions {
 
 class FullDynamics final : public MotionLevel, private collision::ImpulseResponse {
  public:
+  static constexpr LevelTraits has{.dynamic = true, .joint_torque = true};
+
   /// Throws SetupError if the model has no mass.
   explicit FullDynamics(Setup& setup, const FullDynamicsOptions& options = {});
 
+  [[nodiscard]] LevelTraits traits() const override { return has; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
   [[nodiscard]] Momentum hand_over() noexcept override { return tree_.hand_over(); }

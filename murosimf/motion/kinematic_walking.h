@@ -34,9 +34,12 @@ namespace murosimf::motion {
 
 class KinematicWalking final : public MotionLevel {
  public:
+  static constexpr LevelTraits has{};
+
   /// Throws SetupError if the model does not have exactly two soles.
   explicit KinematicWalking(Setup& setup, const JointReferenceOptions& reference = {});
 
+  [[nodiscard]] LevelTraits traits() const override { return has; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
   [[nodiscard]] std::string refusal() const override;

@@ -45,6 +45,7 @@ class MotionRecorder final : public Algorithm {
  public:
   explicit MotionRecorder(Setup& setup, const MotionRecorderOptions& options = {});
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

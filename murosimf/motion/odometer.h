@@ -15,6 +15,7 @@ class Odometer final : public Algorithm {
  public:
   explicit Odometer(Setup& setup);
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

@@ -24,6 +24,7 @@ class Push final : public Algorithm {
   /// To be attached before the contact with the ground, at the same rate.
   Push(Setup& setup, std::vector<TimedPush> pushes);
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

@@ -38,9 +38,12 @@ struct SimplifiedDynamicsOptions {
 
 class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseResponse {
  public:
+  static constexpr LevelTraits has{.dynamic = true};
+
   /// Throws SetupError if the model has no mass.
   explicit SimplifiedDynamics(Setup& setup, const SimplifiedDynamicsOptions& options = {});
 
+  [[nodiscard]] LevelTraits traits() const override { return has; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
   [[nodiscard]] Momentum hand_over() noexcept override;

@@ -18,6 +18,7 @@ class PathRecorder final : public Algorithm {
   /// Records every entity in `entities`; `setup` may be any entity's.
   PathRecorder(Setup& setup, const std::vector<Entity*>& entities);
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

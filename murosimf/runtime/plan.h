@@ -1,6 +1,6 @@
 /// plan.h - which algorithms run together: waves from declared access.
 ///
-/// Walk the due algorithms in the order in which they were attached; put each into the first wave after every earlier
+/// Walk the due algorithms in their order, by phase and then as they were attached; put each into the first wave after every earlier
 /// one that it conflicts with. The same for one thread and for many.
 #pragma once
 
@@ -17,14 +17,14 @@ namespace murosimf {
 /// Indices of algorithms that may run in parallel.
 using Wave = std::vector<std::size_t>;
 
-/// Waves of the due algorithms, given by index in the order of attaching.
+/// Waves of the due algorithms, given by index in their order.
 [[nodiscard]] std::vector<Wave> make_waves(std::span<const std::size_t> due, std::span<const AccessSet* const> access);
 
 /// The waves of every tick of a simulation.
 class Plan {
  public:
   Plan() = default;
-  /// One access set and one period per algorithm, in the order of attaching. Throws SetupError if the periods have no
+  /// One access set and one period per algorithm, in their order. Throws SetupError if the periods have no
   /// common tick of at least 10 microseconds; `names` are for the message.
   Plan(std::vector<const AccessSet*> access, std::span<const Duration> periods, std::span<const std::string> names);
 

@@ -46,8 +46,27 @@ Algorithm& Simulation::attach(std::string name, Entity& entity, double rate_hz, 
         fmt::format("'{}' cannot move '{}', which another level moves already", task->name, entity.name()));
   }
   if (task->level) entity.level = task->name;
-  tasks_.push_back(std::move(task));  // last: a constructor that throws leaves nothing behind
-  return *tasks_.back()->algorithm;
+  Algorithm& algorithm = *task->algorithm;
+  add_in_order(std::move(task));  // last: a constructor that throws leaves nothing behind
+  return algorithm;
+}
+
+void Simulation::add_in_order(std::unique_ptr<Task> task) {
+  const auto later = [&](Phase phase, const auto& other) { return phase < other->algorithm->phase(); };
+  tasks_.insert(std::upper_bound(tasks_.begin(), tasks_.end(), task->algorithm->phase(), later), std::move(task));
+}
+
+std::vector<PlannedAlgorithm> Simulation::order_of_tick() {
+  initialize();
+  std::vector<PlannedAlgorithm> order;
+  const std::vector<Wave>& waves = plan_.due(0);
+  for (std::size_t i = 0; i < waves.size(); ++i) {
+    for (const std::size_t number : waves[i]) {
+      const Task& task = *tasks_[number];
+      order.push_back({i, task.algorithm->phase(), task.name, task.entity->name(), 1 / seconds(task.period)});
+    }
+  }
+  return order;
 }
 
 MotionLevel& Simulation::exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make) {
@@ -133,6 +152,13 @@ void Simulation::restart_columns_of(const Task& task) {
 auto Simulation::task_of_level(const Entity& entity) -> std::vector<std::unique_ptr<Task>>::iterator {
   return std::find_if(tasks_.begin(), tasks_.end(),
                       [&](const auto& task) { return task->level && task->entity == &entity; });
+}
+
+const MotionLevel* Simulation::level_of(const Entity& entity) const {
+  for (const auto& task : tasks_) {
+    if (task->level && task->entity == &entity) return task->level;
+  }
+  return nullptr;
 }
 
 void Simulation::at(Duration time, std::function<void()> call) {

@@ -43,6 +43,14 @@ struct AlgorithmStatistics {
       0;  ///< mean; after the first 64 calls from every eighth: taking the time of all would slow them down
 };
 
+/// An algorithm's place in the order of a tick.
+struct PlannedAlgorithm {
+  std::size_t wave = 0;  ///< those of one wave run at the same time
+  Phase phase{};
+  std::string name, entity;
+  double rate_hz = 0;
+};
+
 /// Something that happened once: a level was exchanged, or refused.
 struct Event {
   Duration time{};
@@ -61,8 +69,8 @@ class Simulation {
   [[nodiscard]] const World& world() const { return *world_; }
 
   /// Adds an algorithm: constructs an A with (Setup&, arguments...) for `entity` and executes it `rate_hz` times per
-  /// simulated second. `name` is what reports and messages call it. Order matters: algorithms that conflict run in
-  /// the order of attaching. Throws SetupError if the rate is not positive and finite, or after the first step.
+  /// simulated second. `name` is what reports and messages call it. Algorithms that conflict run by phase, then
+  /// in the order of attaching. Throws SetupError if the rate is not positive and finite, or after the first step.
   template <class A, class... Arguments>
   A& attach(std::string name, Entity& entity, double rate_hz, Arguments&&... arguments) {
     const auto make = [&](Setup& setup) { return std::make_unique<A>(setup, std::forward<Arguments>(arguments)...); };
@@ -81,6 +89,9 @@ class Simulation {
     return static_cast<L&>(exchange(std::move(name), entity, Maker<MotionLevel>(make)));
   }
   MotionLevel& exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make);
+
+  /// The level that moves `entity` now; null if there is none.
+  [[nodiscard]] const MotionLevel* level_of(const Entity& entity) const;
 
   /// Has `call` done between two steps, when simulated time has come to `time` (at once if it has passed). A SetupError
   /// that it throws becomes a warning; the run goes on.
@@ -110,7 +121,9 @@ class Simulation {
   [[nodiscard]] int threads() const { return pool_.threads(); }
   [[nodiscard]] std::uint64_t state_hash() const { return world_->state_hash(); }
 
-  /// One row per name and rate, in the order of attaching.
+  /// The order of a tick in which every algorithm is due: by waves, then by phase and order of attaching. Initializes.
+  [[nodiscard]] std::vector<PlannedAlgorithm> order_of_tick();
+  /// One row per name and rate, in the order of the tick.
   [[nodiscard]] std::vector<AlgorithmStatistics> statistics() const;
   /// Names of the algorithms that write a property of an entity while stepping; empty: nobody does.
   [[nodiscard]] std::vector<std::string> writers_of(const Entity& entity, std::string_view property) const;
@@ -140,6 +153,7 @@ class Simulation {
 
   [[nodiscard]] std::unique_ptr<Task> new_task(std::string name, const Entity& entity, double rate_hz) const;
   [[nodiscard]] static std::string full_name(const Task& task);
+  void add_in_order(std::unique_ptr<Task> task);
   [[nodiscard]] std::vector<std::unique_ptr<Task>>::iterator task_of_level(const Entity& entity);
   void construct_level(Task& task, Entity& entity, const Maker<MotionLevel>& make);
   void put_in_place_of(std::unique_ptr<Task>& present, std::unique_ptr<Task>& next);
@@ -153,7 +167,7 @@ class Simulation {
   void take_over_frozen();
 
   std::unique_ptr<World> world_;  // outlives the tasks, which point into it
-  std::vector<std::unique_ptr<Task>> tasks_;
+  std::vector<std::unique_ptr<Task>> tasks_;    // by phase, then by order of attaching
   std::vector<std::unique_ptr<Task>> retired_;  // exchanged; without algorithm, for the statistics
   std::vector<TimedCall> timed_calls_;          // those to come, the next one first
   std::vector<Event> events_;

@@ -51,7 +51,7 @@ void attach_controllers(SceneParts& parts) {
 
 /// Also for those whom no force moves: they may change their level.
 void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law) {
-  if (find_entry(catalog::levels(), "level", level).dynamic) entity.contact = law;
+  if (find_entry(catalog::levels(), "level", level).traits.dynamic) entity.contact = law;
   parts.ground_contacts.push_back(
       &parts.simulation->attach<collision::GroundContact>("ground_contact", entity, parts.spec.rate, parts.field,
                                                           find_entry(catalog::contacts(), "contact law", law).make(),

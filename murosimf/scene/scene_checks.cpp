@@ -113,7 +113,7 @@ void warn_about_static_bodies(SceneParts& parts) {
   if (std::ranges::none_of(parts.spec.bodies, &scene_file::BodySpec::is_static)) return;
   std::vector<std::string_view> walkers;
   for (const scene_file::RobotSpec& robot : parts.spec.robots) {
-    if (!find_entry(catalog::levels(), "level", robot.level).dynamic) walkers.emplace_back(robot.name);
+    if (!find_entry(catalog::levels(), "level", robot.level).traits.dynamic) walkers.emplace_back(robot.name);
   }
   if (walkers.empty()) return;
   parts.remarks.warn(fmt::format("{}", fmt::join(walkers, ", ")),
@@ -122,9 +122,9 @@ void warn_about_static_bodies(SceneParts& parts) {
 }
 
 void warn_about_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
-  const bool servos = robot.level == "articulated_dynamics";
-  if (find_entry(catalog::levels(), "level", robot.level).dynamic) warn_about_steps(parts, robot, servos);
-  if (servos) warn_about_missing_servos(parts, robot);
+  const LevelTraits level = find_entry(catalog::levels(), "level", robot.level).traits;
+  if (level.dynamic) warn_about_steps(parts, robot, level.servos);
+  if (level.servos) warn_about_missing_servos(parts, robot);
 }
 
 }  // namespace murosimf::scene

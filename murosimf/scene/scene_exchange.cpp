@@ -26,7 +26,7 @@ void renew_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   std::string overload = motion::overload_message(entity);  // the level that goes takes it along
   parts.simulation->exchange(robot.level, entity, [&](Setup& setup) { return level.make(setup, options); });
   if (!overload.empty()) parts.remarks.warn(std::move(overload));
-  entity.contact = level.dynamic ? robot.contact : "";
+  entity.contact = level.traits.dynamic ? robot.contact : "";
   warn_about_level(parts, robot);
   note_about_sensors(parts, robot);
 }
@@ -73,7 +73,7 @@ void exchange_servo_law(SceneParts& parts, std::string_view robot, std::string_v
   scene_file::RobotSpec& spec = robot_spec(parts.spec, robot);
   scene_file::RobotSpec changed = spec;
   changed.servo_law = find_entry(motion::servo_laws(), "servo law", law).name;
-  if (spec.level == "articulated_dynamics") renew_level(parts, changed);
+  if (find_entry(catalog::levels(), "level", spec.level).traits.servos) renew_level(parts, changed);
   parts.simulation->record(fmt::format("{}: servo law {}", robot, law));
   spec = std::move(changed);
 }
@@ -92,7 +92,7 @@ void exchange_contact(SceneParts& parts, std::string_view entity, std::string_vi
   }
   scene_file::RobotSpec& robot = robot_spec(parts.spec, entity);
   robot.contact = law;
-  if (find_entry(catalog::levels(), "level", robot.level).dynamic) changed.contact = law;
+  if (find_entry(catalog::levels(), "level", robot.level).traits.dynamic) changed.contact = law;
   warn_about_level(parts, robot);
 }
 

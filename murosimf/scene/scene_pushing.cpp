@@ -39,10 +39,10 @@ std::string level_at(const scene_file::SceneSpec& spec, const Entity& entity, do
 /// Throws SetupError if its level ignores forces when the push begins.
 void check_feels(const scene_file::SceneSpec& spec, const Entity& entity, const scene_file::PushSpec& push) {
   const std::string level = level_at(spec, entity, push.begin);
-  if (find_entry(catalog::levels(), "level", level).dynamic) return;
+  if (find_entry(catalog::levels(), "level", level).traits.dynamic) return;
   std::vector<std::string_view> feeling;
   for (const catalog::LevelType& other : catalog::levels()) {
-    if (other.dynamic) feeling.push_back(other.name);
+    if (other.traits.dynamic) feeling.push_back(other.name);
   }
   throw SetupError(fmt::format("'{}' is at {} then, which ignores forces; it feels them at {}", entity.name(), level,
                                fmt::join(feeling, ", ")));

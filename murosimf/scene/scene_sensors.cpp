@@ -62,9 +62,10 @@ std::vector<sensors::SensorSpec> sensors_of(SceneParts& parts, ModelSource& mode
 std::string sensor_remarks(const SceneParts& parts, const scene_file::RobotSpec& robot) {
   const auto number =
       std::ranges::find(parts.spec.robots, robot.name, &scene_file::RobotSpec::name) - parts.spec.robots.begin();
+  const LevelTraits level = parts.simulation->level_of(*parts.robots[static_cast<std::size_t>(number)])->traits();
   std::vector<SharedRemark> remarks;
   for (const sensors::Sensor* sensor : parts.sensors[static_cast<std::size_t>(number)]) {
-    add_remark(sensor->remark(robot.level), sensor->reading().info->name, remarks);
+    add_remark(sensor->remark(level), sensor->reading().info->name, remarks);
   }
   std::string text;
   for (const SharedRemark& remark : remarks) text += (text.empty() ? "" : "; ") + to_text(remark);

@@ -109,7 +109,7 @@ Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
   frame_.wanted = spec_.always_on;
 }
 
-std::string Camera::remark(std::string_view) const { return shared_fold_remark(frame_.info->lens); }
+std::string Camera::remark(const LevelTraits&) const { return shared_fold_remark(frame_.info->lens); }
 
 void Camera::start() {
   frame_.time = Duration{};

@@ -38,7 +38,7 @@ class Camera final : public Sensor {
   /// Throws SetupError that names the number that is impossible.
   Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
 
-  [[nodiscard]] std::string remark(std::string_view level) const override;
+  [[nodiscard]] std::string remark(const LevelTraits& level) const override;
 
  private:
   struct Picture {

@@ -69,8 +69,8 @@ ContactSensor::ContactSensor(Setup& setup, const SensorSpec& spec, const SensorS
       load_(setup, spec),
       threshold_(checked_positive(spec, "threshold", standard_threshold)) {}
 
-std::string ContactSensor::remark(std::string_view level) const {
-  if (level != "kinematic_walking") return {};
+std::string ContactSensor::remark(const LevelTraits& level) const {
+  if (level.dynamic) return {};
   return "there are no contact forces: it reports the whole weight on the foot that stands";
 }
 

@@ -17,8 +17,6 @@ Output with_joint_names(Output output, const Model& model, const std::vector<int
 
 const Servo* servo_of(const Model& model, int joint) { return model.find(properties::servo, joint); }
 
-bool has_torque(std::string_view level) { return level == "articulated_dynamics" || level == "full_dynamics"; }
-
 }  // namespace
 
 std::vector<int> sensed_joints(const Model& model, const SensorSpec& spec) {
@@ -70,8 +68,8 @@ void ServoSensor::convert(std::span<double> values, std::span<const double> colu
 JointTorque::JointTorque(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
     : ServoSensor(setup, spec, surroundings, {"torque", "N m", {}}), torque_(setup.observe(properties::joint_torque)) {}
 
-std::string JointTorque::remark(std::string_view level) const {
-  if (has_torque(level)) return {};
+std::string JointTorque::remark(const LevelTraits& level) const {
+  if (level.joint_torque) return {};
   return "torques of joints are not known: it reports 0";
 }
 
@@ -90,11 +88,11 @@ void MotorCurrent::measure(std::span<double> values) noexcept {
   ServoSensor::convert(values, motor_known ? motor_torque_ : joint_torque_);
 }
 
-std::string MotorCurrent::remark(std::string_view level) const {
-  if (level == "full_dynamics") {
+std::string MotorCurrent::remark(const LevelTraits& level) const {
+  if (level.joint_torque && !level.servos) {
     return "joints move without servos: it reports the current for the torque that that would take";
   }
-  if (has_torque(level)) return {};
+  if (level.joint_torque) return {};
   return "torques of joints are not known: it reports 0";
 }
 
@@ -115,9 +113,9 @@ MotorTemperature::MotorTemperature(Setup& setup, const SensorSpec& spec, const S
   }
 }
 
-std::string MotorTemperature::remark(std::string_view level) const {
-  if (level == "articulated_dynamics") return {};
-  return "servos get warm at articulated_dynamics only: it reports the temperature of the air";
+std::string MotorTemperature::remark(const LevelTraits& level) const {
+  if (level.servos) return {};
+  return "servos get warm only at a level that has them: it reports the temperature of the air";
 }
 
 }  // namespace murosimf::sensors

@@ -66,7 +66,7 @@ void Sensor::make_signals(const SensorSpec& spec, std::uint64_t seed, const std:
   }
 }
 
-std::string Sensor::remark(std::string_view) const { return {}; }
+std::string Sensor::remark(const LevelTraits&) const { return {}; }
 
 void Sensor::initialize() {
   reading_.time = Duration{};

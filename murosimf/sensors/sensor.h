@@ -11,9 +11,8 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
-#include "murosimf/model/algorithm.h"
+#include "murosimf/model/motion_level.h"
 #include "murosimf/sensors/reading.h"
 #include "murosimf/sensors/sensor_spec.h"
 #include "murosimf/sensors/signal.h"
@@ -28,11 +27,12 @@ enum class Watch {
 
 class Sensor : public Algorithm {
  public:
+  [[nodiscard]] Phase phase() const noexcept final { return Phase::sense; }
   void initialize() final;
   void step(const Instant& instant) noexcept final;
 
   /// What it reports at a level of detail that has nothing for it, and why: one sentence about "it"; empty if all is there.
-  [[nodiscard]] virtual std::string remark(std::string_view level) const;
+  [[nodiscard]] virtual std::string remark(const LevelTraits& level) const;
   [[nodiscard]] const Reading& reading() const { return reading_; }
 
  protected:

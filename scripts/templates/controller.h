@@ -19,6 +19,7 @@ class NewName final : public Algorithm {
  public:
   explicit NewName(Setup& setup, const NewNameOptions& options = {});
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
 

@@ -13,7 +13,7 @@ NewName::NewName(Setup& setup, const JointReferenceOptions& reference)
 void NewName::initialize() {
   reference_.initialize(columns_);
   place_at_start(columns_, entity_);
-  dynamic_ = 0;  // 1 if contact forces move the base: then the catalog says `true`, and step() adds external_force
+  dynamic_ = 0;  // 1 if contact forces move the base: then `has` says so, and step() adds external_force
   move_links();
 }
 

@@ -18,8 +18,11 @@ namespace murosimf::motion {
 
 class NewName final : public MotionLevel {
  public:
+  static constexpr LevelTraits has{};  // .dynamic = true if contact forces move it
+
   explicit NewName(Setup& setup, const JointReferenceOptions& reference = {});
 
+  [[nodiscard]] LevelTraits traits() const override { return has; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
   [[nodiscard]] Momentum hand_over() noexcept override { return columns_.momentum(); }

@@ -12,7 +12,7 @@ namespace {
 struct Robot {
   explicit Robot(const std::string& level) : entity(rig.add("robot", test::kid21())) {
     const catalog::LevelType& type = find_entry(catalog::levels(), "level", level);
-    if (type.dynamic) rig.attach_ground(entity, {});
+    if (type.traits.dynamic) rig.attach_ground(entity, {});
     rig.simulation.attach(level, entity, rig.rate, [&](Setup& setup) { return type.make(setup, {}); });
   }
   [[nodiscard]] Vec3d place() const { return entity.base().get(properties::position); }

@@ -60,6 +60,10 @@ TEST(Cli, ListsNames) {
     EXPECT_NE(laws.find(std::string(law) + " "), std::string::npos) << law;
   EXPECT_NE(murosimf("list sensors").output.find("ground_truth"), std::string::npos);
   EXPECT_NE(murosimf("list parts").output.find("mpu6050\n"), std::string::npos);
+  const std::string plan = murosimf("list plan three_on_three").output;
+  const auto sense = plan.find("sense    imu"), contact = plan.find("contact  ground_contact");
+  EXPECT_LT(sense, contact) << plan;
+  EXPECT_LT(contact, plan.find("motion   simplified_dynamics")) << plan;
   EXPECT_NE(murosimf("list properties").output.find("joint_position"), std::string::npos);
 }
 
@@ -136,6 +140,9 @@ TEST(CliMistakes, InTheCommandLine) {
   expect_mistake("run walk --threads 0", {"--threads"});
   expect_mistake("run walk --seed -1", {"--seed"});
   expect_mistake("list robots", {"robots"});
+  expect_mistake("list plan", {"name a scene"});
+  expect_mistake("list plan three_on_thre", {"three_on_three"});
+  expect_mistake("list levels walk", {"only 'plan' is of a scene"});
   expect_mistake("run walk --duration -1", {"--duration -1"});
   expect_mistake("run walk --duration nan", {"--duration nan"});
   expect_mistake("run walk --duration 1e300", {"--duration"});

@@ -52,6 +52,7 @@ class Stage final : public Algorithm {
         torque_(setup.write(properties::joint_torque)),
         q_(setup.write(properties::joint_position)),
         contacts_(setup.write(collision::contacts)[0]) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override { show(0); }
   void step(const Instant& instant) noexcept override { show(seconds(instant.now + instant.period)); }
 

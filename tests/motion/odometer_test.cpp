@@ -24,6 +24,7 @@ class Carrier final : public Algorithm {
  public:
   Carrier(Setup& setup, std::function<Transformd(double)> path)
       : path_(std::move(path)), r_(setup.write(properties::position)), R_(setup.write(properties::orientation)) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::motion; }
   void initialize() override { show(0); }
   void step(const Instant& instant) noexcept override { show(seconds(instant.now + instant.period)); }
 

@@ -17,6 +17,7 @@ class Holder final : public Algorithm {
   template <class... Arguments>
   explicit Holder(Setup& setup, const Arguments&... arguments) : columns(setup), part(setup, arguments...) {}
   /// At rest at the origin; in debug builds columns begin as NaN.
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override {
     std::ranges::fill(columns.r, Vec3d{});
     std::ranges::fill(columns.R, Mat3d{});

@@ -17,6 +17,7 @@ class ArmSwinger final : public Algorithm {
  public:
   ArmSwinger(Setup& setup, double amplitude)
       : model_(setup.model()), amplitude_(amplitude), target_(setup.write(properties::joint_target)) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override {
     std::fill(target_.begin(), target_.end(), 0.0);
     const auto legs = locomotion::find_legs(model_);

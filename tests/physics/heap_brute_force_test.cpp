@@ -19,6 +19,7 @@ class Judge final : public Algorithm {
       : moving_entities_(make_moving_entities(setup, entities)),
         finder_(moving_entities_, MaterialTable::standard(), 9.81, 0.001) {}
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void step(const Instant&) noexcept override {
     for (collision::MovingEntity& moving_entity : moving_entities_) moving_entity.start_step();
     finder_.find(moving_entities_, set_);

@@ -17,6 +17,7 @@ class LimbSwinger final : public Algorithm {
   explicit LimbSwinger(Setup& setup, bool conical = false)
       : model_(setup.model()), conical_(conical), target_(setup.write(properties::joint_target)) {}
 
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override { std::fill(target_.begin(), target_.end(), 0.0); }
   void step(const Instant& instant) noexcept override {
     const double phase = 2 * pi * seconds(instant.now);

@@ -120,7 +120,7 @@ struct Rig {
     std::vector<Entity*> moving_entities;
     for (const auto& [entity, dynamics] : all) {
       moving_entities.push_back(entity);
-      if (find_entry(catalog::levels(), "level", dynamics.level).dynamic) attach_ground(*entity, dynamics);
+      if (find_entry(catalog::levels(), "level", dynamics.level).traits.dynamic) attach_ground(*entity, dynamics);
     }
     simulation.attach<collision::BodyContact>("body_contact", *ground, rate, moving_entities, materials, options);
     for (const auto& [entity, dynamics] : all) attach_level(*entity, dynamics);

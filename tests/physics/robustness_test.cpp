@@ -15,6 +15,7 @@ namespace {
 class Saboteur final : public Algorithm {
  public:
   explicit Saboteur(Setup& setup) : target_(setup.write(properties::joint_target)) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override { std::fill(target_.begin(), target_.end(), 0.0); }
   void step(const Instant& instant) noexcept override {
     if (instant.now >= from_seconds(0.5)) target_[3] = std::numeric_limits<double>::quiet_NaN();

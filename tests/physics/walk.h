@@ -18,6 +18,7 @@ class Pusher final : public Algorithm {
  public:
   /// `rms` [N] along x and along y.
   Pusher(Setup& setup, double rms) : size_(std::sqrt(3) * rms), push_(setup.write(properties::applied_force)) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override { std::fill(push_.begin(), push_.end(), Wrenchd{}); }
   void step(const Instant&) noexcept override {
     push_[0].f = {stream_.uniform(2 * count_, -size_, size_), stream_.uniform(2 * count_ + 1, -size_, size_), 0};

@@ -22,6 +22,7 @@ class MovingEntity : public MotionLevel {
  public:
   MovingEntity(Setup& setup, double speed, std::string refused = {})
       : place_(setup.write(place)[0]), speed_(speed), refused_(std::move(refused)) {}
+  [[nodiscard]] LevelTraits traits() const override { return {}; }
   void initialize() override { place_ = 0; }
   void step(const Instant& instant) noexcept override { place_ += speed_ * seconds(instant.period); }
   [[nodiscard]] std::string refusal() const override { return refused_; }
@@ -51,6 +52,7 @@ class Worker final : public MovingEntity {
 class Watch final : public Algorithm {
  public:
   Watch(Setup& setup, const Property<double>& what) : what_(setup.read(what)[0]) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void step(const Instant&) noexcept override { seen.push_back(what_); }
   std::vector<double> seen;
 
@@ -106,6 +108,7 @@ TEST(Exchange, RemovesColumnsThatNobodyUses) {
 class Observer final : public Algorithm {
  public:
   explicit Observer(Setup& setup) : effort_(setup.observe(effort)) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void step(const Instant&) noexcept override { seen.push_back(effort_[0]); }
   std::vector<double> seen;
 

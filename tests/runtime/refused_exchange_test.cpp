@@ -12,6 +12,7 @@ namespace {
 class Glide final : public MotionLevel {
  public:
   Glide(Setup& setup, bool refuses) : refuses_(refuses), place_(setup.write(properties::position)[0]) {}
+  [[nodiscard]] LevelTraits traits() const override { return {}; }
   void initialize() override {
     place_ = {};
     speed_ = {0.5, -2, 1};

@@ -1,6 +1,7 @@
 // The scheduler with small algorithms: rates, order, checks at the first step, statistics.
 #include "murosimf/runtime/simulation.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "murosimf/model/properties.h"
@@ -16,6 +17,7 @@ constexpr Property<double> counter{{"counter", "1", "-", "calls so far", Scope::
 class Count final : public Algorithm {
  public:
   explicit Count(Setup& setup) : counter_(setup.write(counter)[0]) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override { counter_ = 0; }
   void step(const Instant& instant) noexcept override {
     counter_ += 1;
@@ -30,6 +32,7 @@ class Count final : public Algorithm {
 class Look final : public Algorithm {
  public:
   explicit Look(Setup& setup) : counter_(setup.read(counter)[0]) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void step(const Instant&) noexcept override { seen.push_back(counter_); }
   std::vector<double> seen;
 
@@ -53,6 +56,47 @@ TEST(Simulation, ExecutesEveryAlgorithmAtItsRate) {
   EXPECT_EQ(fast.last.period, Duration(1ms));
   EXPECT_EQ(slow.last.now, Duration(75ms));
   EXPECT_EQ(slow.last.period, Duration(25ms));
+}
+
+/// Writes its mark behind those of the others.
+class Mark final : public Algorithm {
+ public:
+  Mark(Setup& setup, Phase phase, int mark) : phase_(phase), mark_(mark), counter_(setup.write(counter)[0]) {}
+  [[nodiscard]] Phase phase() const noexcept override { return phase_; }
+  void initialize() override { counter_ = 0; }
+  void step(const Instant&) noexcept override { counter_ = 10 * counter_ + mark_; }
+
+ private:
+  Phase phase_;
+  int mark_;
+  double& counter_;
+};
+
+TEST(Simulation, ConflictsRunByPhaseThenInTheOrderOfAttaching) {
+  Simulation simulation;
+  Entity& a = simulation.world().add("a", dot());
+  const auto attach = [&](Phase phase, int mark) {
+    simulation.attach<Mark>(fmt::format("mark{}", mark), a, 1000, phase, mark);
+  };
+  attach(Phase::observe, 8);
+  attach(Phase::contact, 4);
+  attach(Phase::sense, 1);
+  attach(Phase::motion, 7);
+  attach(Phase::control, 3);
+  attach(Phase::contact, 5);
+  attach(Phase::sense, 2);
+  attach(Phase::contact, 6);
+  simulation.step();
+  EXPECT_EQ(a.base().get(counter), 12345678);
+  const auto order = simulation.order_of_tick();
+  ASSERT_EQ(order.size(), 8U);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    EXPECT_EQ(order[i].wave, i) << "all write one number";
+    EXPECT_EQ(order[i].name, fmt::format("mark{}", i + 1));
+  }
+  EXPECT_EQ(order[5].phase, Phase::contact);
+  EXPECT_EQ(order[5].entity, "a");
+  EXPECT_EQ(order[5].rate_hz, 1000);
 }
 
 TEST(Simulation, ConflictsRunInTheOrderOfAttaching) {
@@ -112,6 +156,7 @@ TEST(Simulation, StatisticsCountCallsByNameAndRate) {
 class SlowAtFirst final : public Algorithm {
  public:
   explicit SlowAtFirst(Setup& setup) : counter_(setup.write(counter)[0]) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override { counter_ = 0; }
   void step(const Instant&) noexcept override {
     const auto start = std::chrono::steady_clock::now();
@@ -154,6 +199,7 @@ TEST(Simulation, RunsEndEarlyWhenAsked) {
 class Tell final : public Algorithm {
  public:
   explicit Tell(Setup& setup) : position_(setup.write(properties::position)) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override { position_[0] = {}; }
   void step(const Instant& instant) noexcept override { position_[0].x = seconds(instant.now + instant.period); }
 

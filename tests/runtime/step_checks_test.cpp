@@ -26,6 +26,7 @@ class Suspect final : public Algorithm {
   using Act = std::function<void(Entity&, double& counter)>;
 
   Suspect(Setup& setup, Act act) : entity_(setup.entity()), counter_(setup.write(counter)[0]), act_(std::move(act)) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override { counter_ = 0; }
   void step(const Instant&) noexcept override {
     counter_ += 1;
@@ -41,6 +42,7 @@ class Suspect final : public Algorithm {
 class Bystander final : public Algorithm {
  public:
   explicit Bystander(Setup& setup) : other_(setup.write(other)[0]) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override { other_ = 0; }
   void step(const Instant&) noexcept override {}
 

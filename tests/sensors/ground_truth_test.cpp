@@ -13,6 +13,7 @@ namespace {
 class Observer final : public Algorithm {
  public:
   explicit Observer(Setup& setup) : sightings_(setup) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void step(const Instant&) noexcept override { seen = sightings_.look(); }
   std::vector<Sighting> seen;
 

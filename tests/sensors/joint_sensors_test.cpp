@@ -126,6 +126,7 @@ TEST(MotorCurrent, IsThatOfTheTorqueThatHoldsALoad) {
 /// Does nothing but let the test write torques.
 struct Torques final : Algorithm {
   explicit Torques(Setup& setup) : torque(setup.write(properties::joint_torque)) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::motion; }
   void initialize() override { std::ranges::fill(torque, 3.0); }
   void step(const Instant&) noexcept override {}
   std::span<double> torque;
@@ -169,8 +170,8 @@ TEST(ServoSensors, SayWhatTheyReportWhereThereIsNoTorque) {
   Standing standing("kinematic_walking", {});
   auto& sensor = components::attach_sensor(standing.rig.simulation, standing.robot,
                                            {.name = "t", .type = "joint_torque"}, {}, 1000);
-  EXPECT_EQ(sensor.remark("kinematic_walking"), "torques of joints are not known: it reports 0");
-  EXPECT_EQ(sensor.remark("articulated_dynamics"), "");
+  EXPECT_EQ(sensor.remark({}), "torques of joints are not known: it reports 0");
+  EXPECT_EQ(sensor.remark({.dynamic = true, .joint_torque = true, .servos = true}), "");
 }
 
 }  // namespace

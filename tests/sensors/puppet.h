@@ -31,6 +31,7 @@ class Puppet final : public Algorithm {
         v_(setup.write(properties::linear_velocity)),
         w_(setup.write(properties::angular_velocity)),
         R_(setup.write(properties::orientation)) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::motion; }
   void initialize() override {
     std::ranges::fill(r_, Vec3d{});
     std::ranges::fill(v_, Vec3d{});

@@ -78,6 +78,7 @@ TEST(Sensor, IsFoundByName) {
 class Reader final : public Algorithm {
  public:
   Reader(Setup& setup, const std::string& path) : numbers_(read_output(setup, path)) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void step(const Instant&) noexcept override { seen.push_back(numbers_[0]); }
   std::vector<double> seen;
 
