@@ -7,7 +7,6 @@
 #include "apps/standard_output.h"
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/catalog/property_catalog.h"
-#include "murosimf/collision/body_contact_law.h"
 #include "murosimf/components/camera_info.h"
 #include "murosimf/components/sensor_table.h"
 #include "murosimf/components/sensor_types.h"
@@ -96,7 +95,8 @@ std::string plan_text(const std::string& file) {
   std::string text = fmt::format("{:<5} {:<8} {:<22} {:>6}  {}", "wave", "phase", "algorithm", "rate", "entities");
   std::string previous;
   for (const PlannedAlgorithm& one : scene.simulation().order_of_tick()) {
-    const std::string line = fmt::format("\n{:<5} {:<8} {:<22} {:>6.4g} ", one.wave + 1, phase_name(one.phase), one.name, one.rate_hz);
+    const std::string line =
+        fmt::format("\n{:<5} {:<8} {:<22} {:>6.4g} ", one.wave + 1, phase_name(one.phase), one.name, one.rate_hz);
     if (line != previous) text += line;
     text += " " + one.entity;
     previous = line;
@@ -110,10 +110,10 @@ struct ListOptions {
 };
 
 void define(const Command& command, ListOptions& options) {
-  const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",    "integrators",
-                                       "servo_laws", "controllers", "sensors",       "parts",      "lenses",
-                                       "materials",  "scenes",      "models",        "properties", "keys",
-                                       "plan"};
+  const std::vector<std::string> kinds{"levels",      "contacts",   "body_contacts", "volumes",
+                                       "integrators", "servo_laws", "controllers",   "sensors",
+                                       "parts",       "lenses",     "materials",     "scenes",
+                                       "models",      "properties", "keys",          "plan"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
   command.add("scene", options.scene, "of 'plan': whose algorithms, in the order of a tick");
 }
@@ -127,7 +127,7 @@ int list(const ListOptions& options) {
   if (what == "plan") text = plan_text(options.scene);
   if (what == "levels") text = names_and_meanings(catalog::levels());
   if (what == "contacts") text = names_and_meanings(catalog::contacts());
-  if (what == "body_contacts") text = names_and_meanings(collision::body_contact_laws());
+  if (what == "body_contacts") text = names_and_meanings(catalog::body_contacts());
   if (what == "volumes") {
     for (const auto& name : geometry::volume_names()) text += fmt::format("{}\n", name);
   }

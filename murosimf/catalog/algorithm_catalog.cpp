@@ -6,6 +6,9 @@
 #include "murosimf/behavior/ball_chaser.h"
 #include "murosimf/behavior/localize.h"
 #include "murosimf/behavior/obstacle_course.h"
+#include "murosimf/collision/body_carry_law.h"
+#include "murosimf/collision/body_island_law.h"
+#include "murosimf/collision/body_kelvin_voigt_law.h"
 #include "murosimf/collision/implicit_stick_law.h"
 #include "murosimf/collision/kelvin_voigt_law.h"
 #include "murosimf/collision/paper_law.h"
@@ -130,15 +133,17 @@ std::shared_ptr<const collision::ContactLaw> make_paper_multipoint() {
 // Keys: what stands in a scene file; "position.z" is the height in `position`.
 constexpr std::array level_entries{
     LevelType{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
-              motion::KinematicWalking::has, "joint_reference", "stance_pose stance_foot remaining_shift remaining_turn",
-              make_kinematic_walking},
-    LevelType{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)", motion::SimplifiedDynamics::has,
+              motion::KinematicWalking::has, "joint_reference",
+              "stance_pose stance_foot remaining_shift remaining_turn", make_kinematic_walking},
+    LevelType{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)",
+              motion::SimplifiedDynamics::has,
               "joint_reference base_rigid integrator contact position.z roll_deg pitch_deg",
               "applied_force linear_velocity angular_velocity base_quaternion", make_simplified_dynamics},
-    LevelType{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)", motion::FullDynamics::has,
-              "joint_reference fixed_base integrator contact position.z roll_deg pitch_deg",
+    LevelType{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)",
+              motion::FullDynamics::has, "joint_reference fixed_base integrator contact position.z roll_deg pitch_deg",
               "applied_force linear_velocity angular_velocity base_quaternion", make_full_dynamics},
-    LevelType{"articulated_dynamics", "servos make torque, the whole tree moves as it must", motion::ArticulatedDynamics::has,
+    LevelType{"articulated_dynamics", "servos make torque, the whole tree moves as it must",
+              motion::ArticulatedDynamics::has,
               "fixed_base integrator servo_law contact position.z roll_deg pitch_deg self_collision",
               "applied_force linear_velocity angular_velocity base_quaternion "
               "supply_voltage torque_enabled servo_temperature backlash_play backlash_side "
@@ -157,6 +162,20 @@ constexpr std::array contact_entries{
                    make_law<collision::PaperLaw>, 0.002, 0.001},
     ContactLawType{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint,
                    0.002, 0.001},
+};
+
+template <class Law>
+std::unique_ptr<collision::BodyContactLaw> make_body_law() {
+  return std::make_unique<Law>();
+}
+
+constexpr std::array body_contact_entries{
+    BodyContactLawType{"island_gauss_seidel", "all contacts of touching entities settled together; the default",
+                       make_body_law<collision::BodyIslandLaw>},
+    BodyContactLawType{"carry", "either body implicit by itself, the difference given back later; up to 2 ms",
+                       make_body_law<collision::BodyCarryLaw>},
+    BodyContactLawType{"kelvin_voigt", "explicit spring, damper and viscous friction; 1 ms",
+                       make_body_law<collision::BodyKelvinVoigtLaw>},
 };
 
 constexpr std::array controller_entries{
@@ -188,6 +207,7 @@ bool has_word(std::string_view words, std::string_view word) {
 
 std::span<const LevelType> levels() { return level_entries; }
 std::span<const ContactLawType> contacts() { return contact_entries; }
+std::span<const BodyContactLawType> body_contacts() { return body_contact_entries; }
 std::span<const ControllerType> controllers() { return controller_entries; }
 
 }  // namespace murosimf::catalog

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/collision/body_contact_law.h"
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/locomotion/keyframe_motion.h"
 #include "murosimf/model/find_entry.h"
@@ -42,6 +43,12 @@ struct ContactLawType {
   double longest_servo_step;  ///< [s] the same at articulated_dynamics
 };
 
+/// Law between moving bodies.
+struct BodyContactLawType {
+  std::string_view name, meaning;
+  std::unique_ptr<collision::BodyContactLaw> (*make)();
+};
+
 /// What a controller may want to know about its robot's place in the scene.
 struct ControllerOptions {
   std::vector<Entity*> everybody;  ///< robots and ball
@@ -66,6 +73,7 @@ struct ControllerType {
 
 [[nodiscard]] std::span<const LevelType> levels();
 [[nodiscard]] std::span<const ContactLawType> contacts();
+[[nodiscard]] std::span<const BodyContactLawType> body_contacts();
 [[nodiscard]] std::span<const ControllerType> controllers();
 
 }  // namespace murosimf::catalog

@@ -65,9 +65,9 @@ void attach_contact(SceneParts& parts) {
     attach_ground_contact(parts, *parts.robots[i], parts.robots[i]->level, spec.robots[i].contact);
   }
   for (Entity* body : parts.bodies) attach_ground_contact(parts, *body, body->level, body->contact);
-  parts.simulation->attach<collision::BodyContact>("body_contact", *parts.field, spec.rate, parts.moving_entities,
-                                                   spec.materials,
-                                                   collision::BodyContactOptions{.law = spec.body_contact});
+  parts.simulation->attach<collision::BodyContact>(
+      "body_contact", *parts.field, spec.rate, parts.moving_entities, spec.materials,
+      find_entry(catalog::body_contacts(), "law of contact between bodies", spec.body_contact).make());
 }
 
 void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/model/find_entry.h"
 #include "murosimf/model/time.h"
 #include "murosimf/scene_file/all_sections.h"
@@ -21,14 +22,6 @@ void read_gravity(const files::TomlTable& scene, std::string_view key, SceneSpec
   scene.read(key, spec.gravity);
 }
 
-void read_body_contact(const files::TomlTable& scene, std::string_view key, SceneSpec& spec) {
-  std::string name;
-  scene.read(key, name);
-  spec.body_contact = with_context(scene.where(key), [&] {
-    return find_entry(collision::body_contact_laws(), "law of contact between bodies", name).law;
-  });
-}
-
 }  // namespace
 
 const Section<SceneSpec>& scene_section() {
@@ -39,11 +32,9 @@ const Section<SceneSpec>& scene_section() {
            {"rate", &SceneSpec::rate, "Hz", "of steps: motion and contact", between(slowest_rate, fastest_rate)},
            {"gravity", read_gravity, "m/s^2", "in the world", {}, "[0, 0, -9.81]"},
            {"body_contact",
-            read_body_contact,
-            "",
-            "how moving bodies push each other: murosimf list body_contacts",
-            {},
-            "island_gauss_seidel"},
+            Choice<SceneSpec>{&SceneSpec::body_contact, "law of contact between bodies",
+                              [] { return entry_names(catalog::body_contacts()); }},
+            "", "how moving bodies push each other: murosimf list body_contacts"},
            {"start", {}, "", "see [start]"},
            {"field", {}, "", "see [field]"},
            {"view", {}, "", "see [view]"},

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/collision/body_contact_law.h"
 #include "murosimf/components/sensor_table.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/math/vec3.h"
 #include "murosimf/model/entity.h"
 #include "murosimf/model/material.h"
+#include "murosimf/model/time.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/scene_file/ball.h"
 #include "murosimf/scene_file/body_spec.h"
@@ -139,7 +139,7 @@ struct SceneSpec {
   double jitter_heading = 0;      ///< [rad]
   double jitter_tilt = 0;         ///< [rad] about a random axis
   double jitter_posture = 0;      ///< [rad] joint targets vary by up to this, within joint limits
-  collision::BodyContactLaw body_contact = collision::BodyContactLaw::island_gauss_seidel;
+  std::string body_contact = "island_gauss_seidel";
   FieldSpec field;
   ViewSpec view;
   LightSpec light;

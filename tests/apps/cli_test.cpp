@@ -141,7 +141,7 @@ TEST(CliMistakes, InTheCommandLine) {
   expect_mistake("run walk --seed -1", {"--seed"});
   expect_mistake("list robots", {"robots"});
   expect_mistake("list plan", {"name a scene"});
-  expect_mistake("list plan three_on_thre", {"three_on_three"});
+  expect_mistake("list plan three_on_thre", {"three_on_thre.toml", "among the scenes"});
   expect_mistake("list levels walk", {"only 'plan' is of a scene"});
   expect_mistake("run walk --duration -1", {"--duration -1"});
   expect_mistake("run walk --duration nan", {"--duration nan"});

@@ -23,15 +23,15 @@ Vec3d ground_force(Entity& entity) {
 
 // A ball lies on a box that stands under a law of its own: the ground carries both, whatever law is between them.
 TEST(MovingEntity, PushGoesThroughToTheGround) {
-  for (const BodyContactLaw law : {BodyContactLaw::kelvin_voigt, BodyContactLaw::carry}) {
+  for (const std::string law : {"kelvin_voigt", "carry"}) {
     for (const std::string ground : {"implicit_stick", "kelvin_voigt"}) {
-      if (law == BodyContactLaw::carry && ground == "kelvin_voigt") continue;  // damping that this one cannot answer
+      if (law == "carry" && ground == "kelvin_voigt") continue;  // damping that this one cannot answer
       Rig rig;
       rig.materials = MaterialTable::standard();
       Entity& box = rig.add("box", test::box_model({"plastic"}));
       Entity& ball = rig.add("ball", scene_file::ball_model(), {.position = {0.02, 0.01, 0.1}});
       const test::Dynamics dynamics{.law = test::law_named(ground)};
-      rig.attach_together({{&box, dynamics}, {&ball, dynamics}}, {.law = law});
+      rig.attach_together({{&box, dynamics}, {&ball, dynamics}}, law);
       rig.run(2.5);
       double sum = 0, felt = 0;
       for (int i = 0; i < 500; ++i) {
@@ -131,7 +131,8 @@ TEST(GroundContactExchange, MemoryStaysBetweenLawsThatShareIt) {
     Entity& box = rig.add("box", test::box_model());
     auto& contact = rig.simulation.attach<GroundContact>("ground_contact", box, 1000, rig.ground,
                                                          test::law_named(first), rig.materials);
-    rig.simulation.attach<BodyContact>("body_contact", *rig.ground, 1000, std::vector<Entity*>{&box}, rig.materials);
+    rig.simulation.attach<BodyContact>("body_contact", *rig.ground, 1000, std::vector<Entity*>{&box}, rig.materials,
+                                       test::body_law_named("island_gauss_seidel"));
     rig.simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", box, 1000);
     rig.run(0.5);
     EXPECT_EQ(box.find(contacts)->values[0].points.size(), 4U);

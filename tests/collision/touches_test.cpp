@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/collision/body_pairs.h"
+#include "tests/collision/meeting.h"
 #include "tests/fixtures.h"
 
 namespace murosimf::collision {
@@ -101,6 +102,25 @@ TEST(TouchList, OfWhoTouchesNobodyIsEmpty) {
   EXPECT_TRUE(touches(listed.world, *listed.field).empty());
   listed.blue->freeze("test");
   EXPECT_TRUE(touches(listed.world, *listed.blue).empty());
+}
+
+TEST(Touches, AreSeenFromBothSides) {
+  Meeting meeting("kelvin_voigt");
+  meeting.rig.simulation.step();
+  const auto small = touches(meeting.rig.simulation.world(), *meeting.small);
+  const auto big = touches(meeting.rig.simulation.world(), *meeting.big);
+  ASSERT_EQ(small.size(), 1U);
+  ASSERT_EQ(big.size(), 1U);
+  EXPECT_EQ(small[0].other, meeting.big);
+  EXPECT_EQ(big[0].other, meeting.small);
+  EXPECT_EQ(big[0].entity, meeting.big);
+  EXPECT_LT(difference(small[0].normal, {0.48, 0.6, 0.64}), 1e-12);
+  EXPECT_LT(difference(small[0].normal + big[0].normal, {}), 1e-15);
+  EXPECT_LT(difference(small[0].force + big[0].force, {}), 1e-15);
+  EXPECT_GT(dot(small[0].force, small[0].normal), 1);
+  EXPECT_EQ(small[0].depth, big[0].depth);
+  meeting.small->freeze("test");
+  EXPECT_TRUE(touches(meeting.rig.simulation.world(), *meeting.small).empty());
 }
 
 }  // namespace

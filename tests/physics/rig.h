@@ -42,6 +42,17 @@ using LawPtr = std::shared_ptr<const collision::ContactLaw>;
 /// A contact law by its registered name.
 inline LawPtr law_named(const std::string& name) { return find_entry(catalog::contacts(), "contact law", name).make(); }
 
+/// A law of contact between bodies by its registered name.
+inline std::unique_ptr<collision::BodyContactLaw> body_law_named(const std::string& name) {
+  return find_entry(catalog::body_contacts(), "law of contact between bodies", name).make();
+}
+/// All of them.
+inline std::vector<std::string> body_laws() {
+  std::vector<std::string> names;
+  for (const auto& entry : catalog::body_contacts()) names.emplace_back(entry.name);
+  return names;
+}
+
 /// Parameters of a test of a contact law: a level and a law, by name.
 using LevelAndLaw = std::tuple<std::string, std::string>;
 
@@ -95,8 +106,8 @@ struct Rig {
   void attach_dynamics(Entity& entity, const Dynamics& dynamics = {}) {
     attach_ground(entity, dynamics);
     if (dynamics.law && dynamics.law->island_use() == collision::IslandUse::always) {
-      simulation.attach<collision::BodyContact>("body_contact", *ground, rate, std::vector<Entity*>{&entity},
-                                                materials);
+      simulation.attach<collision::BodyContact>("body_contact", *ground, rate, std::vector<Entity*>{&entity}, materials,
+                                                body_law_named("island_gauss_seidel"));
     }
     attach_level(entity, dynamics);
   }
@@ -116,13 +127,14 @@ struct Rig {
     Entity* entity;
     Dynamics dynamics;
   };
-  void attach_together(const std::vector<Together>& all, const collision::BodyContactOptions& options = {}) {
+  void attach_together(const std::vector<Together>& all, const std::string& body_law = "island_gauss_seidel") {
     std::vector<Entity*> moving_entities;
     for (const auto& [entity, dynamics] : all) {
       moving_entities.push_back(entity);
       if (find_entry(catalog::levels(), "level", dynamics.level).traits.dynamic) attach_ground(*entity, dynamics);
     }
-    simulation.attach<collision::BodyContact>("body_contact", *ground, rate, moving_entities, materials, options);
+    simulation.attach<collision::BodyContact>("body_contact", *ground, rate, moving_entities, materials,
+                                              body_law_named(body_law));
     for (const auto& [entity, dynamics] : all) attach_level(*entity, dynamics);
   }
 

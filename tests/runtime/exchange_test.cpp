@@ -51,13 +51,15 @@ class Worker final : public MovingEntity {
 
 class Watch final : public Algorithm {
  public:
-  Watch(Setup& setup, const Property<double>& what) : what_(setup.read(what)[0]) {}
-  [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
+  Watch(Setup& setup, const Property<double>& what, Phase phase = Phase::observe)
+      : what_(setup.read(what)[0]), phase_(phase) {}
+  [[nodiscard]] Phase phase() const noexcept override { return phase_; }
   void step(const Instant&) noexcept override { seen.push_back(what_); }
   std::vector<double> seen;
 
  private:
   const double& what_;
+  Phase phase_;
 };
 
 struct World1 {
@@ -68,7 +70,7 @@ struct World1 {
 
 TEST(Exchange, TakesTheSamePlaceInTheOrder) {
   World1 w;
-  auto& before = w.simulation.attach<Watch>("before", w.robot, 1000, place);
+  auto& before = w.simulation.attach<Watch>("before", w.robot, 1000, place, Phase::control);
   w.simulation.attach<MovingEntity>("slow", w.robot, 1000, 1.0);
   auto& after = w.simulation.attach<Watch>("after", w.robot, 1000, place);
   w.simulation.run(2ms);

@@ -1,20 +1,9 @@
-#include "murosimf/collision/body_contact_law.h"
-
-#include <algorithm>
-#include <array>
+#include "murosimf/collision/body_carry_law.h"
 
 #include "murosimf/collision/contact_law_parts.h"
 
 namespace murosimf::collision {
 namespace {
-
-constexpr std::array entries{
-    PairLawEntry{"island_gauss_seidel", "all contacts of touching entities settled together; the default",
-                 BodyContactLaw::island_gauss_seidel},
-    PairLawEntry{"carry", "either body implicit by itself, the difference given back later; up to 2 ms",
-                 BodyContactLaw::carry},
-    PairLawEntry{"kelvin_voigt", "explicit spring, damper and viscous friction; 1 ms", BodyContactLaw::kelvin_voigt},
-};
 
 /// b_n n n^T + b_t (1 - n n^T).
 SymMat3d damping_of(const PairContact& c) {
@@ -66,9 +55,7 @@ void take_back(std::vector<MovingEntity>& moving_entities, const PairContact& ol
 
 }  // namespace
 
-std::span<const PairLawEntry> body_contact_laws() { return entries; }
-
-void push_by_carry(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept {
+void BodyCarryLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept {
   for (const PairContact& old : set.previous) {
     if (old.state != ContactState::open) take_back(moving_entities, old, dt);
   }
@@ -85,18 +72,6 @@ void push_by_carry(std::vector<MovingEntity>& moving_entities, PairSet& set, dou
       b.damp(c.object_b, c.point, damping_of(c));
     }
   }
-}
-
-void push_by_kelvin_voigt(std::vector<MovingEntity>& moving_entities, PairContact& c, const ContactParameters& p,
-                          double dt) noexcept {
-  const double v_n = dot(c.velocity, c.normal);
-  const Vec3d v_t = c.velocity - v_n * c.normal;
-  const double slide = norm(v_t);
-  const double f_n = spring_force(p, c.depth, v_n);
-  c.force = f_n * c.normal;
-  if (slide > 0) c.force -= (std::min(p.friction * f_n, p.tangent_damping * slide) / slide) * v_t;
-  moving_entities[c.a].push(c.object, c.point, c.force, dt);
-  moving_entities[c.b].push(c.object_b, c.point, -c.force, dt);
 }
 
 }  // namespace murosimf::collision
