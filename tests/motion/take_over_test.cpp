@@ -66,6 +66,8 @@ TEST(KinematicTakeOver, VelocityIsThatOfTheFadingRemainder) {
 TEST(KinematicTakeOver, RemainderIsGoneAfterAWhile) {
   Pinned pinned;
   const Base start = base_of(*pinned.robot);
+  const Vec3d shift = pinned.robot->base().get(properties::remaining_shift);
+  const Vec3d turn = pinned.robot->base().get(properties::remaining_turn);
   pinned.rig.run(0.1);
   const Base later = base_of(*pinned.robot);
   pinned.rig.run(3);
@@ -74,6 +76,22 @@ TEST(KinematicTakeOver, RemainderIsGoneAfterAWhile) {
   EXPECT_LT(norm(end.v), 1e-8);
   EXPECT_NEAR(end.R.z.z, 1, 1e-12);
   EXPECT_NEAR(end.r.z, 0.31, 1e-9) << "it stands on its soles";
+  EXPECT_LT(difference(shift, start.r - end.r), 1e-9) << "what was to fade stood in the column";
+  EXPECT_LT(difference(turn, rotation_vector(from_matrix(start.R * transpose(end.R)))), 1e-9);
+}
+
+// The center of mass of a walker has no column of its own that this level could find its velocity in.
+TEST(SimplifiedTakeOver, GoesOnWithTheMomentumOfAWalker) {
+  Pinned pinned;
+  pinned.robot->object("left_hip_pitch").set(properties::joint_target, 0.8);
+  pinned.rig.run(0.02);
+  Vec3d v;  // [m/s] of the center of mass
+  for (const auto& body : test::moving_bodies(*pinned.robot)) {
+    v += body.mass / pinned.robot->model().tree().mass * body.velocity;
+  }
+  EXPECT_GT(norm(v), 0.05);
+  pinned.rig.exchange(*pinned.robot, "simplified_dynamics");
+  EXPECT_LT(difference(Rig::velocity(*pinned.robot), v), 1e-12);
 }
 
 /// A limb that swings fast on a robot that flies.
