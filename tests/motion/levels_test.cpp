@@ -1,6 +1,7 @@
 // What levels refuse before the first step: one clear line each; and that they start whatever they write.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "murosimf/collision/contact.h"
@@ -97,6 +98,26 @@ TEST(Levels, RefuseInATakeOverWhatTheyRefuseAtTheStart) {
     EXPECT_TRUE(says(fixtures::error_of([&] { rig.exchange(robot, level, options); }),
                      {"'rk4' needs the joint reference 'filter'"}));
   }
+}
+
+/// Whether a level starts without dampings although some stood in the column; nothing else writes them here.
+template <class Level>
+bool forgets_dampings() {
+  Simulation simulation;
+  Entity& robot = simulation.world().add("robot", std::make_shared<const Model>(fixtures::two_legged()));
+  simulation.attach<Level>("level", robot, 1000);
+  Sym6d old;
+  old.M = diagonal(5.0);
+  auto& dampings = robot.column(properties::external_damping).values;
+  std::ranges::fill(dampings, old);
+  simulation.initialize();
+  return std::ranges::all_of(dampings, [](const Sym6d& damping) { return is_zero(damping); });
+}
+
+TEST(Levels, StartWithoutLoads) {
+  EXPECT_TRUE(forgets_dampings<SimplifiedDynamics>());
+  EXPECT_TRUE(forgets_dampings<FullDynamics>());
+  EXPECT_TRUE(forgets_dampings<ArticulatedDynamics>());
 }
 
 // Rule: what a level writes, it starts, whatever stands in the columns before; inputs have start values of their own. Not all
