@@ -15,7 +15,7 @@ JointReference::JointReference(Setup& setup, const JointReferenceOptions& option
       coupled_(setup.model()),
       target_(setup.input(properties::joint_target, 0.0)),
       leader_(target_.size()),
-      ratio_(target_.size(), 1.0) {
+      ratio_(target_.size()) {
   std::iota(leader_.begin(), leader_.end(), 0);
   for (const auto& pair : coupled_.pairs()) {
     leader_[pair.follower] = pair.leader;

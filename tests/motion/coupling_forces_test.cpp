@@ -64,6 +64,23 @@ TEST(CouplingForces, RestOnTheirSpring) {
   }
 }
 
+// The leader's dry gear holds both although its servo wants elsewhere: motor and gear together carry the weights.
+TEST(CouplingForces, RestOnTheFrictionOfTheLeader) {
+  Servo dry = servo(6);
+  dry.friction.coulomb = 4;
+  Bolted robot(Chain{}
+                   .base("palm")
+                   .with(properties::mass, 2.2)
+                   .with(properties::inertia, diagonal(0.01))
+                   .fork(finger("leader", 0.1).with(properties::servo, dry),
+                         finger("follower", -0.1).with(properties::joint_coupling, {"leader", -1.5, 0.2})));
+  robot.joint("leader").set(properties::joint_target, 0.05);
+  robot.rig.run(2);
+  EXPECT_EQ(robot.joint("leader").get(properties::joint_velocity), 0);
+  EXPECT_NEAR(robot.joint("leader").get(properties::joint_torque),
+              -weight(q(robot, "leader")) + 1.5 * weight(q(robot, "follower")), 1e-5);
+}
+
 TEST(CouplingForces, FollowersOwnServoMakesItStiffer) {
   Bolted robot(hand(3, 6, {-1.5}, 9));
   robot.rig.run(4);

@@ -32,7 +32,7 @@ Chain finger(const char* name, double side, bool servo) {
 }
 
 struct Hand {
-  explicit Hand(bool coupled, bool both_servos = false) {
+  explicit Hand(bool coupled, bool both_servos = false, Integrator integrator = Integrator::semi_implicit_euler) {
     Chain follower = finger("follower", -0.1, both_servos);
     if (coupled) follower.with(properties::joint_coupling, {"leader", -1.5, 0.2});
     robot = &rig.add("robot", std::make_shared<const Model>("hand", Chain{}
@@ -40,7 +40,10 @@ struct Hand {
                                                                         .with(properties::mass, 1.5)
                                                                         .with(properties::inertia, diagonal(0.01))
                                                                         .fork(finger("leader", 0.1, true), follower)));
-    rig.attach_dynamics(*robot, {.level = "full_dynamics", .on_ground = false, .tree = {.fixed_base = true}});
+    rig.attach_dynamics(*robot, {.level = "full_dynamics",
+                                 .law = test::law_named("kelvin_voigt"),
+                                 .on_ground = false,
+                                 .tree = {.integrator = integrator, .fixed_base = true}});
     rig.simulation.initialize();
   }
   struct State {
@@ -81,6 +84,17 @@ TEST(FullDynamicsTorque, IsWhatInertiaWeightAndDamperTake) {
       }
     }
   }
+}
+
+// The filter wants qdd = w^2 (target - q) - 2 w qd, w = 120 rad/s, at the first of the four stages.
+TEST(FullDynamicsTorque, OfARungeKuttaStepIsThatOfItsBeginning) {
+  Hand hand(false, false, Integrator::rk4);
+  auto leader = hand.robot->object("leader");
+  leader.set(properties::joint_target, 0.4);
+  leader.set(properties::joint_velocity, 2);
+  hand.rig.simulation.step();
+  const double qdd = 120 * 120 * 0.4 - 2 * 120 * 2;
+  EXPECT_NEAR(hand.torque("leader"), (J + m * l * l + rotor) * qdd - m * g * l + 0.05 * 2, 1e-9);
 }
 
 // The weight of a finger that is level takes 0.59 N m; its servo has 0.3.

@@ -87,6 +87,21 @@ TEST(JointDrives, GearThatIsOnlyViscousHasNoBudget) {
   EXPECT_EQ(answer.all.inertia, 0) << "the plain torque of this instant";
 }
 
+TEST(JointDrives, AnyDryNumberOfAGearMakesABudget) {
+  for (double GearFriction::*number :
+       {&GearFriction::coulomb, &GearFriction::stribeck, &GearFriction::motor_load, &GearFriction::external_load,
+        &GearFriction::stribeck_motor_load, &GearFriction::stribeck_external_load, &GearFriction::quadratic_motor_load,
+        &GearFriction::quadratic_external_load}) {
+    Servo servo{.law = "ideal_pd", .position_gain = 2};
+    servo.friction.*number = 0.01;
+    test::Alone<JointDrives> drives(Chain{}.base("base").revolute("joint", {0, 1, 0}).with(properties::servo, servo));
+    drives.part->take_over(drives.holder.columns.qd);
+    const auto* gear = drives.part->drive(drives.index("joint"), 0, 0, h).gear;
+    ASSERT_NE(gear, nullptr);
+    EXPECT_EQ(gear->*number, 0.01);
+  }
+}
+
 // Beyond an end: -k (q + h qd - end) - d qd with the inertia h d + h^2 k.
 TEST(JointDrives, StopIsASpringAndADamperOfTheEndOfTheStep) {
   Drives drives;

@@ -76,10 +76,12 @@ TEST(JointReferenceEnds, StartsAtItsTargetsWithinTheRange) {
   reference.want("free", 0.7);
   reference.want("follower", 0.7);
   reference.qd("free") = 4;
+  reference.qd("wheel") = -3;
   reference.part->initialize(reference.columns);
   EXPECT_EQ(reference.q("limited"), -0.3);
   EXPECT_EQ(reference.q("free"), 0.7);
   EXPECT_EQ(reference.qd("free"), 0);
+  EXPECT_EQ(reference.qd("wheel"), 0);
   EXPECT_DOUBLE_EQ(reference.q("follower"), 0.1 - 2 * 0.7);
 }
 

@@ -1,5 +1,8 @@
-// What levels refuse before the first step: one clear line each.
+// What levels refuse before the first step: one clear line each; and that they start whatever they write.
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
 
 #include "murosimf/collision/contact.h"
 #include "murosimf/motion/articulated_dynamics.h"
@@ -8,6 +11,7 @@
 #include "murosimf/motion/simplified_dynamics.h"
 #include "murosimf/runtime/simulation.h"
 #include "tests/fixtures.h"
+#include "tests/physics/rig.h"
 
 namespace murosimf::motion {
 namespace {
@@ -79,6 +83,65 @@ TEST(Levels, RefuseAnEmptyRange) {
              Model("odd", Chain{}.base().revolute("hinge", {0, 1, 0}).with(properties::joint_range, {1, -1, 0}));
            }),
            {"joint 'hinge'", "range from 1 to -1 is empty"}));
+}
+
+TEST(Levels, RefuseInATakeOverWhatTheyRefuseAtTheStart) {
+  test::Rig rig;
+  Entity& robot = rig.add("robot", std::make_shared<const Model>(fixtures::two_legged()), {.position = {0, 0, 2}});
+  rig.attach_dynamics(robot,
+                      {.level = "articulated_dynamics", .law = test::law_named("kelvin_voigt"), .on_ground = false});
+  rig.simulation.step();
+  catalog::LevelOptions options;
+  options.reference.kind = ReferenceKind::linear;
+  options.tree.integrator = Integrator::rk4;
+  for (const std::string level : {"simplified_dynamics", "full_dynamics"}) {
+    EXPECT_TRUE(says(fixtures::error_of([&] { rig.exchange(robot, level, options); }),
+                     {"'rk4' needs the joint reference 'filter'"}));
+  }
+}
+
+/// Whether a level starts without dampings although some stood in the column; nothing else writes them here.
+template <class Level>
+bool forgets_dampings() {
+  Simulation simulation;
+  Entity& robot = simulation.world().add("robot", std::make_shared<const Model>(fixtures::two_legged()));
+  simulation.attach<Level>("level", robot, 1000);
+  Sym6d old;
+  old.M = diagonal(5.0);
+  auto& dampings = robot.column(properties::external_damping).values;
+  std::ranges::fill(dampings, old);
+  simulation.initialize();
+  return std::ranges::all_of(dampings, [](const Sym6d& damping) { return is_zero(damping); });
+}
+
+TEST(Levels, StartWithoutLoads) {
+  EXPECT_TRUE(forgets_dampings<SimplifiedDynamics>());
+  EXPECT_TRUE(forgets_dampings<FullDynamics>());
+  EXPECT_TRUE(forgets_dampings<ArticulatedDynamics>());
+}
+
+// Rule: what a level writes, it starts, whatever stands in the columns before; inputs have start values of their own. Not all
+// objects have a place or are joints, and not all levels remember the base.
+TEST(Levels, StartWhatTheyWrite) {
+  const std::set<std::string> of_some{"position", "orientation", "joint_position", "written_position",
+                                      "written_velocity"};
+  for (const std::string& level : test::all_levels()) {
+    test::Rig rig;
+    Entity& robot = rig.add("robot", test::kid21());
+    rig.attach_motion(robot, {.level = level});
+    for (const auto& [name, column] : robot.columns()) {
+      for (std::size_t row = 0; row < column->rows(); ++row) {
+        for (std::size_t i = 0; i < column->numbers(); ++i) column->set(row, i, std::nan(""));
+      }
+      column->restart();
+    }
+    rig.simulation.initialize();
+    for (const auto& [name, column] : robot.columns()) {
+      if (!of_some.contains(name)) {
+        EXPECT_EQ(column->not_finite(), 0U) << level << ": " << name;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -37,11 +37,11 @@ TEST_P(TreeLevel, PushesInFlightGiveTheirImpulse) {
   flying.robot->object("left_knee").set(properties::joint_velocity, 3);
   flying.rig.simulation.step();
   const Vec3d force{0.7, -1.1, 2}, moment{0.2, 0.1, -0.3};
-  flying.robot->object("right_knee").set(properties::applied_force, Wrenchd{moment, force});
+  flying.robot->object("right_foot").set(properties::applied_force, Wrenchd{moment, force});
   const double m = flying.robot->model().tree().mass;
   for (int i = 0; i < 100; ++i) {
     const Wrenchd before = test::momentum(*flying.robot);
-    const Vec3d arm = flying.robot->object("right_knee").get(properties::position) -
+    const Vec3d arm = flying.robot->object("right_foot").get(properties::position) -
                       flying.robot->base().get(properties::common_center_of_mass);
     const Vec3d center = flying.robot->base().get(properties::common_center_of_mass);
     flying.rig.simulation.step();
@@ -76,6 +76,29 @@ TEST_P(TreeLevel, CommonMassIsThatOfAllBodies) {
   EXPECT_LT(difference(base.get(properties::common_center_of_mass), center), 1e-12);
   EXPECT_LT(difference(base.get(properties::common_center_of_mass_velocity), (1 / mass) * momentum), 1e-12);
   EXPECT_LT(difference(base.get(properties::common_inertia), inertia), 1e-12);
+}
+
+// Two boxes fly against each other: an island solves those steps, Runge-Kutta all others, which know nothing of them.
+TEST_P(TreeLevel, FliesOnAfterATouch) {
+  Rig rig;
+  rig.simulation.world().gravity = {};
+  Entity& fast = rig.add("fast", test::box_model(), {.position = {0, 0, 5}});
+  Entity& slow = rig.add("slow", test::box_model(), {.position = {0.4, 0.05, 5}});
+  const test::Dynamics dynamics{.level = GetParam(),
+                                .law = test::law_named("kelvin_voigt"),
+                                .on_ground = false,
+                                .tree = {.integrator = Integrator::rk4}};
+  rig.attach_together({{&fast, dynamics}, {&slow, dynamics}});
+  rig.simulation.initialize();
+  Rig::launch(fast, {1, 0, 0});
+  rig.run(0.5);
+  EXPECT_GT(Rig::velocity(slow).x, 0.3) << "they have touched";
+  for (Entity* box : {&fast, &slow}) {
+    const Vec3d before = Rig::place(*box), v = Rig::velocity(*box);
+    rig.run(0.1);
+    EXPECT_LT(difference(Rig::velocity(*box), v), 1e-9);
+    EXPECT_LT(difference(Rig::place(*box), before + 0.1 * v), 1e-9);
+  }
 }
 
 TEST_P(TreeLevel, BoltedBaseStaysWhateverIsSet) {

@@ -101,6 +101,8 @@ TEST(Odometer, UprightIsTheAttitudeAtTheStart) {
   const Mat3d odd = rotation_x(80 * degree) * rotation_z(0.7);
   Carried robot = leaning({0, 50, 70}, odd);
   robot.run_until(1.9);
+  const Vec3d up = robot.robot->base().get(properties::up_at_start);
+  EXPECT_LT(norm(odd * up - Vec3d{0, 0, 1}), 1e-12) << "remembered in a column";
   EXPECT_EQ(robot.falls(), 0);
   robot.run_until(2.9);
   EXPECT_EQ(robot.falls(), 1);

@@ -72,6 +72,7 @@ TEST(PlaceAtStart, HeadingIsThatOfTheFirstSole) {
   place_at_start(placed.columns, placed.entity);
   const int sole = placed.entity.model().having(properties::sole).front();
   EXPECT_LT(difference(placed.columns.R[sole], rotation_z(0.6)), 1e-14) << "flat, and turned by the heading";
+  EXPECT_LT(difference(to_matrix(placed.columns.Q[0]), placed.columns.R[0]), 1e-14);
 }
 
 // What it remembers is state: it stands in columns, so that a copy of them goes on alike.

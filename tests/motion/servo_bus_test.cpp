@@ -65,6 +65,10 @@ TEST(ServoBus, MotorsKnowTheTargetsOfTheStart) {
   EXPECT_EQ(bus.knows("wheel"), 7);
   for (const char* name : {"rare", "both"}) EXPECT_EQ(bus.object(name).get(properties::sent_target), 0.3) << name;
   EXPECT_DOUBLE_EQ(bus.knows("follower"), 0.2 - 1.5 * 0.3);
+  for (const char* name : {"late", "free"}) {  // no target of theirs is held
+    EXPECT_EQ(bus.object(name).get(properties::sent_target), 0);
+    EXPECT_EQ(bus.object(name).get(properties::sent_target_age), 0);
+  }
 }
 
 // Rule: a target is known command_delay after the step that sends it; without delay in that step itself.

@@ -66,6 +66,8 @@ TEST(KinematicTakeOver, VelocityIsThatOfTheFadingRemainder) {
 TEST(KinematicTakeOver, RemainderIsGoneAfterAWhile) {
   Pinned pinned;
   const Base start = base_of(*pinned.robot);
+  const Vec3d shift = pinned.robot->base().get(properties::remaining_shift);
+  const Vec3d turn = pinned.robot->base().get(properties::remaining_turn);
   pinned.rig.run(0.1);
   const Base later = base_of(*pinned.robot);
   pinned.rig.run(3);
@@ -74,6 +76,8 @@ TEST(KinematicTakeOver, RemainderIsGoneAfterAWhile) {
   EXPECT_LT(norm(end.v), 1e-8);
   EXPECT_NEAR(end.R.z.z, 1, 1e-12);
   EXPECT_NEAR(end.r.z, 0.31, 1e-9) << "it stands on its soles";
+  EXPECT_LT(difference(shift, start.r - end.r), 1e-9) << "what was to fade stood in the column";
+  EXPECT_LT(difference(turn, rotation_vector(from_matrix(start.R * transpose(end.R)))), 1e-9);
 }
 
 /// A limb that swings fast on a robot that flies.
@@ -97,6 +101,16 @@ struct Flying {
   Rig rig;
   Entity* robot = nullptr;
 };
+
+// Only the base knows yet what a user has just set; the momentum counts it for the whole robot.
+TEST(SimplifiedTakeOver, GoesOnWithTheVelocityThatAUserHasJustSet) {
+  Flying flying("full_dynamics");
+  flying.rig.simulation.step();
+  flying.robot->base().set(properties::linear_velocity, {1, -2, 0.5});
+  flying.rig.exchange(*flying.robot, "simplified_dynamics");
+  EXPECT_LT(difference(Rig::velocity(*flying.robot), {1, -2, 0.5}), 1e-12);
+  EXPECT_LT(difference(flying.center_velocity(), {1, -2, 0.5}), 1e-12);
+}
 
 TEST(SimplifiedTakeOver, BodiesMoveSoThatTheCenterDoes) {
   Flying flying("articulated_dynamics");

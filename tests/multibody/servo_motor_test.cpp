@@ -40,6 +40,8 @@ TEST(ServoMotor, NumbersFollowFromTheDataSheet) {
   EXPECT_EQ(motor.torque_constant, 1.5);
   EXPECT_EQ(motor.resistance, 3);
   EXPECT_EQ(motor.heat.heat_capacity, 40);
+  limited.torque_limit = 0.3;
+  EXPECT_EQ(ServoMotor(limited).torque_limit, 0.3) << "a small limit is one too";
   EXPECT_TRUE(std::isinf(ServoMotor(servo()).torque_limit)) << "no limit";
   EXPECT_EQ(ServoMotor(servo()).warm_limit, 6) << "then heat takes of what it has at rest";
 }
