@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include "apps/progress.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
+#include "murosimf/files/input_file.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/logging/run_log.h"
 #include "murosimf/scene/scene.h"
@@ -23,16 +25,17 @@ namespace {
 
 struct RunOptions {
   SceneArguments scene;
-  std::optional<double> duration;  ///< [s]
-  std::string speed = "max";       ///< "max", or simulated seconds per wall second
-  std::string json;                ///< file, "-" for standard output
-  std::string picture;             ///< PNG file
-  std::string pictures;            ///< folder for a sequence of PNG files
-  double picture_every = 0.5;      ///< [s] of simulated time
-  std::vector<std::string> log;    ///< what is recorded (logging/log_paths.h)
-  std::string out;                 ///< CSV file for that
-  double log_rate = 100;           ///< [Hz] of properties in it
-  bool no_cameras = false;         ///< nothing is drawn for cameras
+  std::optional<double> duration;      ///< [s]
+  std::string speed = "max";           ///< "max", or simulated seconds per wall second
+  std::string json;                    ///< file, "-" for standard output
+  std::string picture;                 ///< PNG file
+  std::string pictures;                ///< folder for a sequence of PNG files
+  double picture_every = 0.5;          ///< [s] of simulated time
+  std::vector<std::string> log;        ///< what is recorded (logging/log_paths.h)
+  std::string out;                     ///< CSV file for that
+  double log_rate = 100;               ///< [Hz] of properties in it
+  bool no_cameras = false;             ///< nothing is drawn for cameras
+  std::string load_state, save_state;  ///< files
 };
 
 void define(const Command& command, RunOptions& options) {
@@ -52,6 +55,8 @@ void define(const Command& command, RunOptions& options) {
   const Option out = command.add("--out", options.out, "Write them to this file (CSV)").needs(log);
   log.one_at_a_time().needs(out);
   command.add("--log-rate", options.log_rate, "How often properties are recorded, in Hz").needs(log).shows_default();
+  command.add("--load-state", options.load_state, "Go on from a state of this scene that --save-state has written");
+  command.add("--save-state", options.save_state, "Write the state at the end to this file");
   command.add("--no-cameras", options.no_cameras, "Draw nothing for cameras: they have no frames then");
 }
 
@@ -88,6 +93,16 @@ class RunProgress {
   double end_;  // [s]
 };
 
+void load(scene::Scene& scene, const std::string& file) {
+  const std::string bytes = files::read_input_file(file, files::most_state_bytes);
+  with_context(file, [&] { scene.load(std::as_bytes(std::span(bytes))); });
+}
+
+void save(scene::Scene& scene, const std::string& file) {
+  const std::vector<std::byte> bytes = scene.save();
+  files::write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 int run(const RunOptions& options) {
   end_gently();
   Clock clock(speed_of(options.speed));
@@ -96,6 +111,7 @@ int run(const RunOptions& options) {
   check_json_file(options.json);
   if (!options.picture.empty()) files::check_writable(options.picture);
   if (!options.out.empty()) files::check_writable(options.out);
+  if (!options.save_state.empty()) files::check_writable(options.save_state);
   std::optional<PictureSequence> pictures;
   if (!options.pictures.empty()) pictures.emplace(options.pictures, options.picture_every);
 
@@ -111,6 +127,7 @@ int run(const RunOptions& options) {
                 logging::RunLogOptions{.step_rate = scene.spec().rate, .property_rate = options.log_rate});
   }
   simulation.initialize();
+  if (!options.load_state.empty()) load(scene, options.load_state);
   if (pictures) pictures->show(scene);
 
   Duration wall{};  // without that for pictures
@@ -132,6 +149,7 @@ int run(const RunOptions& options) {
   if (simulation.now() < duration) report.stopped = {signal_name(), options.duration.value_or(scene.spec().duration)};
 
   if (log) log->write(options.out);
+  if (!options.save_state.empty()) save(scene, options.save_state);
   if (!options.picture.empty()) write_picture(scene, options.picture);
   write_result(options.json, scene::to_text(report), scene::to_json(report));
   return report.stopped ? exit_code() : 0;

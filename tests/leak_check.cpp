@@ -3,6 +3,4 @@
 #include <dlfcn.h>
 
 /// Asked by the sanitizer before it looks (sanitizer/lsan_interface.h). Mesa comes with the first picture.
-extern "C" int __lsan_is_turned_off() {
-  return dlopen("libEGL_mesa.so.0", RTLD_LAZY | RTLD_NOLOAD) != nullptr ? 1 : 0;
-}
+extern "C" int __lsan_is_turned_off() { return dlopen("libEGL_mesa.so.0", RTLD_LAZY | RTLD_NOLOAD) != nullptr ? 1 : 0; }

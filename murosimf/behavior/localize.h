@@ -27,6 +27,7 @@ struct Particles {
   std::uint64_t frame = 0;                    ///< number of the last picture
 };
 void append_hash(Hasher& hasher, const Particles& particles);
+inline void state(StateArchive& archive, Particles& p) { archive(p.all, p.points, p.heading, p.frame); }
 
 inline constexpr Property<Particles> possible_poses{
     {"possible_poses", "-", "field", "poses that a robot that localizes itself takes for possible", Scope::sensor}};

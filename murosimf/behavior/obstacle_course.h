@@ -28,6 +28,9 @@ struct Course {
   std::uint64_t frame = 0;            ///< number of the last picture
 };
 void append_hash(Hasher& hasher, const Course& course);
+inline void state(StateArchive& archive, Course& course) {
+  archive(course.obstacles, course.way, course.heading, course.frame);
+}
 
 inline constexpr Property<Course> planned_course{
     {"planned_course", "-", "field", "obstacles that a robot has seen, and its way between them", Scope::sensor}};

@@ -41,6 +41,10 @@ void BodyContact::initialize() {
   }
 }
 
+void BodyContact::state(StateArchive& archive) {
+  for (MovingEntity& moving_entity : moving_entities_) archive(moving_entity);
+}
+
 void BodyContact::step(const Instant& instant) noexcept {
   const double dt = seconds(instant.period);
   for (MovingEntity& moving_entity : moving_entities_) moving_entity.start_step();

@@ -29,6 +29,7 @@ class BodyContact final : public Algorithm {
   [[nodiscard]] Phase phase() const noexcept override { return Phase::contact; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
+  void state(StateArchive& archive) override;
 
  private:
   std::unique_ptr<BodyContactLaw> law_;

@@ -28,6 +28,7 @@ struct PairSet {
 };
 
 void append_hash(Hasher& hasher, const PairSet& set);
+void state(StateArchive& archive, PairSet& set);
 
 inline constexpr Property<PairSet> pair_contacts{
     {"pair_contacts", "-", "world", "points where moving bodies touch each other", Scope::base}};

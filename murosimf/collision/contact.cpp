@@ -10,6 +10,11 @@ void append_hash(Hasher& hasher, const ContactSet& set) {
   for (const ContactPoint& point : set.points) append_hash(hasher, point);
 }
 
+void state(StateArchive& archive, ContactSet& set) {
+  archive(set.points, set.environment, set.environment_objects, set.tests, set.solved, set.island_stands,
+          set.rest_force, set.rest_damping, set.loaded);
+}
+
 namespace {
 
 /// b_n n n^T + b_t (1 - n n^T - d d^T).

@@ -14,6 +14,7 @@
 #include "murosimf/collision/contact_point.h"
 #include "murosimf/math/spatial.h"
 #include "murosimf/model/property.h"
+#include "murosimf/model/state_archive.h"
 #include "murosimf/model/value.h"
 
 namespace murosimf::collision {
@@ -40,6 +41,7 @@ struct ContactSet {
 };
 
 void append_hash(Hasher& hasher, const ContactSet& set);
+void state(StateArchive& archive, ContactSet& set);
 
 /// Contacts of an entity with static geometry. Contact detection writes it, motion takes the law's decisions in it.
 inline constexpr Property<ContactSet> contacts{

@@ -6,6 +6,7 @@
 
 #include "murosimf/collision/contact_point.h"
 #include "murosimf/model/property.h"
+#include "murosimf/model/state_archive.h"
 
 namespace murosimf::collision {
 
@@ -21,6 +22,7 @@ struct ContactSeam {
 
 /// No state: whoever attaches the algorithms again makes it again.
 inline void append_hash(Hasher&, const ContactSeam&) {}
+inline void state(StateArchive&, ContactSeam&) {}
 
 /// One for each entity. Written by contact with the ground, contact between bodies and levels.
 inline constexpr Property<ContactSeam> contact_seam{

@@ -32,6 +32,9 @@ struct MovingEntity {
   /// Velocity [m/s] of the point of a body at `arm` [m] from its origin; world axes.
   [[nodiscard]] Vec3d velocity_at(int object, const Vec3d& arm) const { return v[object] + cross(w[object], arm); }
 
+  /// What was pushed in the last step; all else is worked out anew.
+  void state(StateArchive& archive) { archive(pushed_); }
+
   /// Takes away what `push` has left of the step before; poses are new.
   void start_step() noexcept;
   /// A force [N] at a point [m] of a body, world frame; what cannot be pushed adds its impulse to the ledger.

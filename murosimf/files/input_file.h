@@ -15,6 +15,7 @@ constexpr std::uintmax_t most_yaml_bytes = 1'000'000;       ///< calibrations
 constexpr std::uintmax_t most_xml_bytes = 256'000'000;      ///< robots, meshes (COLLADA)
 constexpr std::uintmax_t most_record_bytes = 256'000'000;   ///< recordings of servos
 constexpr std::uintmax_t most_mesh_bytes = 512'000'000;     ///< STL, OBJ
+constexpr std::uintmax_t most_state_bytes = 1'000'000'000;  ///< states of simulations
 constexpr std::uintmax_t most_table_bytes = 1'000'000'000;  ///< numbers over time (CSV)
 
 /// The size of the file [byte]. Throws SetupError, one line that begins with the file's name: there is no such file, it is

@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "murosimf/model/state_archive.h"
+
 namespace murosimf::imaging {
 
 template <class Pixel>
@@ -30,6 +32,8 @@ class Image {
   /// All, row by row from the top.
   [[nodiscard]] std::span<Pixel> pixels() { return pixels_; }
   [[nodiscard]] std::span<const Pixel> pixels() const { return pixels_; }
+
+  void state(StateArchive& archive) { archive(width_, height_, pixels_); }
 
  private:
   [[nodiscard]] std::size_t index(int u, int v) const { return static_cast<std::size_t>(v) * width_ + u; }

@@ -10,6 +10,8 @@
 
 namespace murosimf {
 
+class StateArchive;
+
 /// The moment at which an algorithm is executed.
 struct Instant {
   Duration now{};     ///< simulated time at the beginning of the step
@@ -34,6 +36,10 @@ class Algorithm {
 
   /// Gives the columns that it writes their first values. Called once before any step, by phase and in the order of attaching.
   virtual void initialize() {}
+
+  /// Saves or loads what it remembers from step to step besides columns (state_archive.h); nothing, if all is in columns. Called
+  /// between two steps.
+  virtual void state(StateArchive&) {}
 
   /// One step. Never throws: numbers that go bad freeze their entity instead.
   virtual void step(const Instant& instant) noexcept = 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "murosimf/model/property.h"
+#include "murosimf/model/state_archive.h"
 #include "murosimf/model/value.h"
 
 namespace murosimf {
@@ -32,6 +33,8 @@ class ColumnBase {
   [[nodiscard]] virtual double get(std::size_t row, std::size_t i) const = 0;
   virtual void set(std::size_t row, std::size_t i, double number) = 0;
   virtual void append_to(Hasher& hasher) const = 0;
+  /// Saves or loads all rows. Throws SetupError.
+  virtual void state(StateArchive& archive) = 0;
   /// How many of its numbers are NaN or infinite; 0 if the value is no row of numbers.
   [[nodiscard]] virtual std::size_t not_finite() const = 0;
 
@@ -69,6 +72,7 @@ class Column final : public ColumnBase {
   void append_to(Hasher& hasher) const override {
     for (const T& value : values) append_hash(hasher, value);
   }
+  void state(StateArchive& archive) override { archive.elements(std::span(values)); }
 
   [[nodiscard]] std::size_t not_finite() const override {
     if constexpr (NumericValue<T>) {

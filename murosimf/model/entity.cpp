@@ -32,6 +32,8 @@ ObjectAccess Entity::object(std::string_view name) {
   return {*this, *found};
 }
 
+void Entity::state(StateArchive& archive) { archive(frozen_reason_, level, contact, controller); }
+
 void Entity::freeze(std::string reason) noexcept {
   if (!frozen_reason_) frozen_reason_ = std::move(reason);
 }

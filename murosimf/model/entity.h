@@ -51,6 +51,9 @@ class Entity {
   [[nodiscard]] bool frozen() const { return frozen_reason_.has_value(); }
   [[nodiscard]] const std::optional<std::string>& frozen_reason() const { return frozen_reason_; }
 
+  /// Saves or loads what is in no column.
+  void state(StateArchive& archive);
+
   /// What levels of detail and laws move this entity, for reports. Set by whoever attaches them.
   std::string level, contact, controller;
 

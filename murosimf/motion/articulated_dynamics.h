@@ -26,6 +26,7 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   explicit ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options = {}, const std::string& servo_law = {});
 
   [[nodiscard]] LevelTraits traits() const override { return has; }
+  void state(StateArchive& archive) override { archive(tree_); }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
   [[nodiscard]] Momentum hand_over() noexcept override { return tree_.hand_over(); }

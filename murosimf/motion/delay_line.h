@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "murosimf/model/property.h"
+#include "murosimf/model/state_archive.h"
 #include "murosimf/model/value.h"
 
 namespace murosimf::motion {
@@ -23,6 +24,7 @@ class DelayLine {
     next_ = (next_ + 1) % values_.size();
     return value;
   }
+  void state(StateArchive& archive) { archive(values_, next_); }
   friend void append_hash(Hasher& hasher, const DelayLine& line) {
     for (std::size_t i = 0; i < line.values_.size(); ++i) {
       hasher.add(line.values_[(line.next_ + i) % line.values_.size()]);

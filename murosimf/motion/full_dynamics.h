@@ -33,6 +33,7 @@ class FullDynamics final : public MotionLevel, private collision::ImpulseRespons
   explicit FullDynamics(Setup& setup, const FullDynamicsOptions& options = {});
 
   [[nodiscard]] LevelTraits traits() const override { return has; }
+  void state(StateArchive& archive) override { archive(tree_); }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
   [[nodiscard]] Momentum hand_over() noexcept override { return tree_.hand_over(); }

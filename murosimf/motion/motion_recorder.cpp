@@ -59,6 +59,11 @@ void MotionRecorder::find_servos(const Model& model) {
 
 void MotionRecorder::initialize() { take_sample({}); }
 
+void MotionRecorder::state(StateArchive& archive) {
+  archive(record_.samples, record_.torques, record_.full_duty);
+  archive(grips_[0], grips_[1], torque_sum_, steps_, full_steps_, slip_);
+}
+
 void MotionRecorder::step(const Instant& instant) noexcept {
   ++steps_;
   watch_servos();

@@ -48,6 +48,7 @@ class MotionRecorder final : public Algorithm {
   [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
+  void state(StateArchive& archive) override;
 
   [[nodiscard]] const MotionRecord& record() const { return record_; }
 

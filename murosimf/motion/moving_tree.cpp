@@ -62,6 +62,14 @@ Momentum MovingTree::hand_over() noexcept {
   return momentum();
 }
 
+void MovingTree::state(StateArchive& archive) {
+  bool changed = entity_.revision() != seen_revision_;
+  archive(changed);
+  if (!archive.loads()) return;
+  update_links();
+  seen_revision_ = changed ? entity_.revision() - 1 : entity_.revision();
+}
+
 void MovingTree::take_changes() noexcept {
   if (entity_.revision() == seen_revision_) return;
   seen_revision_ = entity_.revision();

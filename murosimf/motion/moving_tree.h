@@ -51,6 +51,8 @@ class MovingTree {
   void take_over(const Momentum& momentum);
   /// Lets go of the contacts.
   [[nodiscard]] Momentum hand_over() noexcept;
+  /// Columns have all of it but whether changes are still to be taken over; the rest is worked out again.
+  void state(StateArchive& archive);
   /// To be called first in a step: takes over what users have changed since the last one.
   void take_changes() noexcept;
 

@@ -32,6 +32,10 @@ Push::Push(Setup& setup, std::vector<TimedPush> pushes)
 
 void Push::initialize() { std::fill(applied_force_.begin(), applied_force_.end(), Wrenchd{}); }
 
+void Push::state(StateArchive& archive) {
+  for (Pushed& pushed : pushed_) archive(pushed.own, pushed.written);
+}
+
 Wrenchd Push::sum_for(const Pushed& pushed, const Instant& instant) const noexcept {
   Wrenchd sum;
   for (const TimedPush& push : pushes_) {

@@ -27,6 +27,7 @@ class Push final : public Algorithm {
   [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
+  void state(StateArchive& archive) override;
 
  private:
   struct Pushed {

@@ -18,6 +18,11 @@ void PathRecorder::initialize() {
   record();
 }
 
+void PathRecorder::state(StateArchive& archive) {
+  for (Path& path : paths_) archive(path.points);
+  archive(calls_, every_);
+}
+
 void PathRecorder::step(const Instant&) noexcept {
   if (++calls_ % every_ == 0) record();
 }

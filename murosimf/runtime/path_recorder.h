@@ -21,6 +21,7 @@ class PathRecorder final : public Algorithm {
   [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void initialize() override;
   void step(const Instant& instant) noexcept override;
+  void state(StateArchive& archive) override;
 
   struct Path {
     Entity* entity = nullptr;

@@ -69,7 +69,7 @@ std::vector<PlannedAlgorithm> Simulation::order_of_tick() {
   return order;
 }
 
-MotionLevel& Simulation::exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make) {
+MotionLevel& Simulation::exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make, LevelStart start) {
   const auto present = task_of_level(entity);
   if (present == tasks_.end()) {
     throw SetupError(fmt::format("'{}' has no level that could be exchanged", entity.name()));
@@ -77,9 +77,10 @@ MotionLevel& Simulation::exchange(std::string name, Entity& entity, const Maker<
   auto next = new_task(name, entity, 1 / seconds((*present)->period));
   next->period = (*present)->period;  // without rounding
   try {
-    if (entity.frozen()) throw SetupError(fmt::format("it was frozen ({})", *entity.frozen_reason()));
-    construct_level(*next, entity, make);
-    put_in_place_of(*present, next);
+    if (entity.frozen() && start == LevelStart::in_motion)
+      throw SetupError(fmt::format("it was frozen ({})", *entity.frozen_reason()));
+    construct_level(*next, entity, make, start);
+    put_in_place_of(*present, next, start);
   } catch (const SetupError& error) {
     drop_columns_of(*next);
     if (initialized_) restart_checks();
@@ -98,7 +99,7 @@ MotionLevel& Simulation::exchange(std::string name, Entity& entity, const Maker<
 }
 
 /// Leaves `task` without algorithm if that refuses.
-void Simulation::construct_level(Task& task, Entity& entity, const Maker<MotionLevel>& make) {
+void Simulation::construct_level(Task& task, Entity& entity, const Maker<MotionLevel>& make, LevelStart start) {
   world_->thaw_columns();
   Setup setup(*world_, entity, task.access, task.period);
   try {
@@ -111,18 +112,19 @@ void Simulation::construct_level(Task& task, Entity& entity, const Maker<MotionL
   }
   if (!initialized_) return;
   world_->freeze_columns();
+  if (start == LevelStart::anew) return;
   if (const std::string why = task.level->refusal(); !why.empty()) throw SetupError(why);
 }
 
 /// Swaps the two, and has the motion handed over; on an error everything is as before.
-void Simulation::put_in_place_of(std::unique_ptr<Task>& present, std::unique_ptr<Task>& next) {
+void Simulation::put_in_place_of(std::unique_ptr<Task>& present, std::unique_ptr<Task>& next, LevelStart start) {
   std::swap(present, next);
   if (!initialized_) return;
   std::optional<Momentum> momentum;
   try {
     check_and_plan();
     momentum = next->level->hand_over();
-    present->level->take_over(*momentum);
+    start == LevelStart::anew ? present->level->initialize() : present->level->take_over(*momentum);
   } catch (const SetupError&) {
     std::swap(present, next);
     check_and_plan();
@@ -162,20 +164,33 @@ const MotionLevel* Simulation::level_of(const Entity& entity) const {
 }
 
 void Simulation::at(Duration time, std::function<void()> call) {
+  auto& calls = initialized_ ? timed_calls_ : schedule_;
   const auto later = [&](const TimedCall& other) { return other.time > time; };
-  const auto place = std::find_if(timed_calls_.begin(), timed_calls_.end(), later);
-  timed_calls_.insert(place, {time, std::move(call)});
+  calls.insert(std::find_if(calls.begin(), calls.end(), later), {time, std::move(call)});
 }
 
 void Simulation::make_timed_calls() {
-  while (!timed_calls_.empty() && timed_calls_.front().time <= now_) {
-    const auto call = std::move(timed_calls_.front().call);
-    timed_calls_.erase(timed_calls_.begin());  // first: the call may add others
-    try {
-      call();
-    } catch (const SetupError& error) {
-      warnings_.push_back(fmt::format("at {:.3f} s: {}", seconds(now_), error.what()));
+  const auto due = [&](const std::vector<TimedCall>& calls, std::size_t next) {
+    return next < calls.size() && calls[next].time <= now_;
+  };
+  for (;;) {
+    const bool scheduled = due(schedule_, scheduled_done_), other = due(timed_calls_, 0);
+    if (!scheduled && !other) return;
+    if (scheduled && !(other && timed_calls_[0].time < schedule_[scheduled_done_].time)) {
+      make(schedule_[scheduled_done_++]);
+    } else {
+      const TimedCall call = std::move(timed_calls_.front());
+      timed_calls_.erase(timed_calls_.begin());  // first: the call may add others
+      make(call);
     }
+  }
+}
+
+void Simulation::make(const TimedCall& timed) {
+  try {
+    timed.call();
+  } catch (const SetupError& error) {
+    warnings_.push_back(fmt::format("at {:.3f} s: {}", seconds(now_), error.what()));
   }
 }
 

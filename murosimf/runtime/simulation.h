@@ -16,9 +16,11 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,6 +51,12 @@ struct PlannedAlgorithm {
   Phase phase{};
   std::string name, entity;
   double rate_hz = 0;
+};
+
+/// How a level that takes the place of another one begins.
+enum class LevelStart {
+  in_motion,  ///< goes on from the present state; refuses if it cannot
+  anew,       ///< as at the beginning of a run: a state will be loaded before the next step
 };
 
 /// Something that happened once: a level was exchanged, or refused.
@@ -88,13 +96,17 @@ class Simulation {
     const auto make = [&](Setup& setup) { return std::make_unique<L>(setup, std::forward<Arguments>(arguments)...); };
     return static_cast<L&>(exchange(std::move(name), entity, Maker<MotionLevel>(make)));
   }
-  MotionLevel& exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make);
+  MotionLevel& exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make) {
+    return exchange(std::move(name), entity, make, LevelStart::in_motion);
+  }
+  MotionLevel& exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make, LevelStart start);
 
   /// The level that moves `entity` now; null if there is none.
   [[nodiscard]] const MotionLevel* level_of(const Entity& entity) const;
 
   /// Has `call` done between two steps, when simulated time has come to `time` (at once if it has passed). A SetupError
-  /// that it throws becomes a warning; the run goes on.
+  /// that it throws becomes a warning; the run goes on. Those asked for before initialize() are the simulation's schedule: it
+  /// is part of the state how far that has come. Later ones are their caller's, whom a state that is loaded does not concern.
   void at(Duration time, std::function<void()> call);
 
   /// Has `call` done at the end of initialize(), when all columns exist and have their first values.
@@ -120,6 +132,14 @@ class Simulation {
   [[nodiscard]] Duration tick() const { return plan_.tick(); }
   [[nodiscard]] int threads() const { return pool_.threads(); }
   [[nodiscard]] std::uint64_t state_hash() const { return world_->state_hash(); }
+
+  /// Everything that decides how it goes on, between two steps: all columns, sensors' memory and readings, pictures on their way,
+  /// time, schedule, events and warnings so far. Initializes.
+  [[nodiscard]] std::vector<std::byte> save();
+  /// Goes on from there, bit for bit: the next steps and readings are those that followed save(), there and in every simulation
+  /// that was built alike, on machines of one byte order. Throws SetupError that says what does not fit, and is as before then:
+  /// another version of the library, damaged bytes, other entities, columns or algorithms. Initializes.
+  void load(std::span<const std::byte> bytes);
 
   /// The order of a tick in which every algorithm is due: by waves, then by phase and order of attaching. Initializes.
   [[nodiscard]] std::vector<PlannedAlgorithm> order_of_tick();
@@ -155,21 +175,28 @@ class Simulation {
   [[nodiscard]] static std::string full_name(const Task& task);
   void add_in_order(std::unique_ptr<Task> task);
   [[nodiscard]] std::vector<std::unique_ptr<Task>>::iterator task_of_level(const Entity& entity);
-  void construct_level(Task& task, Entity& entity, const Maker<MotionLevel>& make);
-  void put_in_place_of(std::unique_ptr<Task>& present, std::unique_ptr<Task>& next);
+  void construct_level(Task& task, Entity& entity, const Maker<MotionLevel>& make, LevelStart start);
+  void put_in_place_of(std::unique_ptr<Task>& present, std::unique_ptr<Task>& next, LevelStart start);
   void drop_columns_of(const Task& task);
   void restart_columns_of(const Task& task);
   void check_and_plan();
   void restart_checks();
   void run_wave(const Wave& wave);
   void make_timed_calls();
+  void make(const TimedCall& call);
+  void load_sections(std::span<const std::byte> bytes);
+  template <class Visit>
+  void visit_sections(const Visit& visit);
+  void state(StateArchive& archive);
   void execute(Task& task) noexcept;
   void take_over_frozen();
 
-  std::unique_ptr<World> world_;  // outlives the tasks, which point into it
+  std::unique_ptr<World> world_;                // outlives the tasks, which point into it
   std::vector<std::unique_ptr<Task>> tasks_;    // by phase, then by order of attaching
   std::vector<std::unique_ptr<Task>> retired_;  // exchanged; without algorithm, for the statistics
-  std::vector<TimedCall> timed_calls_;          // those to come, the next one first
+  std::vector<TimedCall> schedule_;             // asked for before initialize(), the earliest first
+  std::size_t scheduled_done_ = 0;              // of them
+  std::vector<TimedCall> timed_calls_;          // those to come that were asked for later, the next one first
   std::vector<Event> events_;
   Plan plan_;
   StepChecks checks_;  // used in debug builds only

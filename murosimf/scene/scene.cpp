@@ -3,6 +3,7 @@
 #include "murosimf/files/data_path.h"
 #include "murosimf/scene/scene_builder.h"
 #include "murosimf/scene/scene_exchange.h"
+#include "murosimf/scene/scene_state.h"
 
 namespace murosimf::scene {
 namespace {
@@ -32,5 +33,8 @@ void Scene::exchange_contact(std::string_view entity, std::string_view law) {
 void Scene::exchange_servo_law(std::string_view robot, std::string_view law) {
   scene::exchange_servo_law(parts_, robot, law);
 }
+
+std::vector<std::byte> Scene::save() { return save_state(parts_); }
+void Scene::load(std::span<const std::byte> bytes) { load_state(parts_, bytes); }
 
 }  // namespace murosimf::scene

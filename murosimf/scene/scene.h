@@ -5,7 +5,9 @@
 ///     fmt::print("{}", to_text(make_report(scene, {})));  // scene_report.h
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +35,12 @@ class Scene {
   void exchange_contact(std::string_view entity, std::string_view law);
   /// Of all servos of a robot at articulated_dynamics; the others remember it.
   void exchange_servo_law(std::string_view robot, std::string_view law);
+
+  /// The state of the simulation (Simulation::save), and at which levels and laws entities are.
+  [[nodiscard]] std::vector<std::byte> save();
+  /// Goes on from there, also in another process: in a scene of the same file and options. Throws SetupError and changes nothing if
+  /// the state is of another one.
+  void load(std::span<const std::byte> bytes);
 
   /// For what reports and draws (scene_report.h, scene_pictures.h).
   [[nodiscard]] SceneParts& parts() { return parts_; }

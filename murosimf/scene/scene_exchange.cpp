@@ -96,6 +96,35 @@ void exchange_contact(SceneParts& parts, std::string_view entity, std::string_vi
   warn_about_level(parts, robot);
 }
 
+Algorithms algorithms_of(const SceneParts& parts, const Entity& entity) {
+  const auto& robots = parts.spec.robots;
+  const auto robot = std::ranges::find(robots, entity.name(), &scene_file::RobotSpec::name);
+  if (robot == robots.end()) return {.contact = entity.contact};
+  return {robot->level, robot->servo_law, robot->contact};
+}
+
+void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithms) {
+  const Algorithms present = algorithms_of(parts, entity);
+  if (algorithms.contact != present.contact) {
+    const catalog::ContactLawType& law = find_entry(catalog::contacts(), "contact law", algorithms.contact);
+    parts.ground_contacts[number_of(parts, entity.name())]->exchange_law(law.make());
+    if (&entity == parts.ball) parts.spec.ball->contact = algorithms.contact;
+  }
+  if (present.level.empty()) return;
+  scene_file::RobotSpec& robot = robot_spec(parts.spec, entity.name());
+  scene_file::RobotSpec changed = robot;
+  changed.contact = algorithms.contact;
+  changed.level = find_entry(catalog::levels(), "level", algorithms.level).name;
+  changed.servo_law = algorithms.servo_law;
+  if (changed.level != robot.level || changed.servo_law != robot.servo_law) {
+    const catalog::LevelType& level = find_entry(catalog::levels(), "level", changed.level);
+    const catalog::LevelOptions options = scene_file::level_options(changed);
+    const auto make = [&](Setup& setup) { return level.make(setup, options); };
+    parts.simulation->exchange(changed.level, entity, make, LevelStart::anew);
+  }
+  robot = std::move(changed);
+}
+
 void schedule_events(SceneParts& parts) {
   for (const scene_file::SceneEvent& event : parts.spec.events) {
     for (const std::string& entity : event.entities) {

@@ -144,6 +144,13 @@ void Camera::taken(std::uint64_t sample) noexcept {
   if (spec_.layers.color) develop(sample, picture.view.color, picture.mosaic);
 }
 
+/// Pictures on the way; all else is worked out for each of them.
+void Camera::memory(StateArchive& archive) {
+  for (Picture& picture : on_the_way_) {
+    archive(picture.view.color, picture.view.depth, picture.view.labels, picture.mosaic);
+  }
+}
+
 /// Images come back empty from the frame the first time.
 template <class Pixel>
 void Camera::fit(bool wanted, imaging::Image<Pixel>& image) const {

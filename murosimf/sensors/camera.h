@@ -57,6 +57,7 @@ class Camera final : public Sensor {
 
   void measure(std::span<double> values) noexcept override;
   void start() override;
+  void memory(StateArchive& archive) override;
   void taken(std::uint64_t sample) noexcept override;
   void arrived(std::uint64_t sample) noexcept override;
 

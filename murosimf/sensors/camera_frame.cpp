@@ -44,6 +44,10 @@ void append_hash(Hasher& hasher, const CameraFrame& frame) {
   add_pixels(hasher, frame.labels, [&](std::uint16_t p) { hasher.add(static_cast<std::uint64_t>(p)); });
 }
 
+void state(StateArchive& archive, CameraFrame& frame) {
+  archive(frame.time, frame.number, frame.color, frame.mosaic, frame.depth, frame.labels);
+}
+
 std::uint64_t hash_of(const CameraFrame& frame) {
   Hasher hasher;
   append_hash(hasher, frame);

@@ -43,6 +43,7 @@ struct CameraFrame {
 };
 
 void append_hash(Hasher& hasher, const CameraFrame& frame);
+void state(StateArchive& archive, CameraFrame& frame);
 /// Of its instant and all pixels. Equal on one machine for any number of threads; other drivers draw other pixels.
 [[nodiscard]] std::uint64_t hash_of(const CameraFrame& frame);
 

@@ -59,6 +59,7 @@ class Detector final : public Sensor {
   [[nodiscard]] Polar with_errors(const Target& target, Polar place) const noexcept;
   void measure(std::span<double> values) noexcept override;
   void start() noexcept override { looks_ = 0; }
+  void memory(StateArchive& archive) override { archive(looks_); }
 
   const Entity& robot_;
   Mounting mounting_;

@@ -35,6 +35,12 @@ SpecificForce::SpecificForce(Setup& setup, const SensorSpec& spec, Duration wind
       period_(seconds(setup.period())),
       window_(static_cast<std::size_t>(std::max<Duration::rep>(1, window / setup.period()))) {}
 
+void SpecificForce::state(StateArchive& archive) {
+  archive(last_velocity_, last_orientation_);
+  archive.elements(std::span(window_));
+  archive(sum_, calls_);
+}
+
 /// Over the step that has just ended.
 Vec3d SpecificForce::of_step() noexcept {
   const Mat3d R = mounting_.orientation();

@@ -49,6 +49,8 @@ class SpecificForce {
   [[nodiscard]] bool ready() const noexcept { return calls_ > 1; }
   [[nodiscard]] Vec3d at_rest() const noexcept { return transpose(mounting_.orientation()) * -gravity_; }
 
+  void state(StateArchive& archive);
+
  private:
   [[nodiscard]] Vec3d of_step() noexcept;
   void put_in(const Vec3d& force) noexcept;
@@ -70,6 +72,7 @@ class Accelerometer final : public Sensor {
  private:
   void measure(std::span<double> values) noexcept override;
   void start() noexcept override { force_.start(); }
+  void memory(StateArchive& archive) override { archive(force_); }
   [[nodiscard]] bool ready() const noexcept override { return force_.ready(); }
   void expect(std::span<double> values) const noexcept override;
 
@@ -96,6 +99,7 @@ class Imu final : public Sensor {
   void measure(std::span<double> values) noexcept override;
   void present(std::span<double> values) noexcept override;
   void start() noexcept override { force_.start(); }
+  void memory(StateArchive& archive) override { archive(force_); }
   [[nodiscard]] bool ready() const noexcept override { return force_.ready(); }
   void expect(std::span<double> values) const noexcept override;
 

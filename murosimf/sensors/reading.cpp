@@ -48,6 +48,11 @@ void append_hash(Hasher& hasher, const Reading& reading) {
   for (const double value : reading.values) hasher.add(value);
 }
 
+void state(StateArchive& archive, Reading& reading) {
+  archive(reading.time, reading.samples);
+  archive.elements(std::span(reading.values));
+}
+
 std::uint64_t hash_of(const Reading& reading) {
   Hasher hasher;
   append_hash(hasher, reading);

@@ -48,6 +48,7 @@ struct Reading {
 };
 
 void append_hash(Hasher& hasher, const Reading& reading);
+void state(StateArchive& archive, Reading& reading);
 
 /// Hash of the present sample: its instant and numbers.
 [[nodiscard]] std::uint64_t hash_of(const Reading& reading);

@@ -87,6 +87,14 @@ void Sensor::step(const Instant& instant) noexcept {
   deliver(instant);
 }
 
+void Sensor::state(StateArchive& archive) {
+  archive.elements(std::span(signals_));
+  archive.elements(std::span(values_));
+  archive.elements(std::span(on_the_way_));
+  archive(taken_, delivered_);
+  memory(archive);
+}
+
 /// From values with their errors to what a user sees.
 void Sensor::show(std::span<double> values) noexcept {
   for_outputs(*reading_.info, values, [&](std::size_t i, std::span<double> numbers) { signals_[i].convert(numbers); });

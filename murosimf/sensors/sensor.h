@@ -13,6 +13,7 @@
 #include <string>
 
 #include "murosimf/model/motion_level.h"
+#include "murosimf/model/state_archive.h"
 #include "murosimf/sensors/reading.h"
 #include "murosimf/sensors/sensor_spec.h"
 #include "murosimf/sensors/signal.h"
@@ -30,6 +31,7 @@ class Sensor : public Algorithm {
   [[nodiscard]] Phase phase() const noexcept final { return Phase::sense; }
   void initialize() final;
   void step(const Instant& instant) noexcept final;
+  void state(StateArchive& archive) final;
 
   /// What it reports at a level of detail that has nothing for it, and why: one sentence about "it"; empty if all is there.
   [[nodiscard]] virtual std::string remark(const LevelTraits& level) const;
@@ -54,6 +56,9 @@ class Sensor : public Algorithm {
   /// How many samples were taken before this one.
   [[nodiscard]] std::uint64_t samples_taken() const { return taken_; }
 
+  /// Saves or loads what it remembers besides what all sensors do.
+  virtual void memory(StateArchive&) {}
+
   // For sensors whose samples are more than numbers: sample number `sample` (from 0) was taken just now; it arrives.
   virtual void taken(std::uint64_t /*sample*/) noexcept {}
   virtual void arrived(std::uint64_t /*sample*/) noexcept {}
@@ -64,6 +69,7 @@ class Sensor : public Algorithm {
   struct Sample {
     Duration time{};
     std::vector<double> values;
+    void state(StateArchive& archive) { archive(time, values); }
   };
   void make_signals(const SensorSpec& spec, std::uint64_t seed, const std::string& robot, const SignalPeriods& periods);
   void take_sample(const Instant& instant) noexcept;

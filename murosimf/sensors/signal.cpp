@@ -78,6 +78,12 @@ double Signal::filtered(Number& number, double value) const noexcept {
   return number.filter_output;
 }
 
+/// Errors that are constant come out of the seed.
+void Signal::state(StateArchive& archive) {
+  for (Number& number : numbers_) archive(number.wander, number.drift, number.filter_input, number.filter_output);
+  archive(executions_, samples_);
+}
+
 void Signal::disturb(std::span<double> values) noexcept {
   const std::size_t count = numbers_.size();
   std::array<double, 3> other{};

@@ -29,6 +29,7 @@
 #include <vector>
 
 #include "murosimf/math/random.h"
+#include "murosimf/model/state_archive.h"
 #include "murosimf/sensors/signal_spec.h"
 
 namespace murosimf::sensors {
@@ -52,6 +53,7 @@ class Signal {
   void disturb(std::span<double> values) noexcept;
   /// At the instant of a sample: noise, saturation, conversion.
   void convert(std::span<double> values) noexcept;
+  void state(StateArchive& archive);
 
  private:
   struct Number {

@@ -1,0 +1,109 @@
+/// state_archive.h - the state of a simulation as bytes: one description of what belongs to it, for saving and for loading.
+///
+///     void Odometer::state(StateArchive& archive) { archive(distance_, falls_); }
+///
+/// What belongs to the state of a class is said by its member `state(StateArchive&)`, or by a function `state(StateArchive&, T&)`
+/// in its namespace; bytes of plain data without pointers are taken as they are. So a state is for one version of the library
+/// and for machines of one byte order.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace murosimf {
+
+class StateArchive {
+ public:
+  /// Saves to the end of `bytes`, which stay the caller's.
+  explicit StateArchive(std::vector<std::byte>& bytes) : saved_(&bytes) {}
+  /// Loads from `bytes`, which must outlive it.
+  explicit StateArchive(std::span<const std::byte> bytes) : left_(bytes) {}
+
+  [[nodiscard]] bool loads() const { return !saved_; }
+  /// Not loaded yet.
+  [[nodiscard]] std::size_t left() const { return left_.size(); }
+
+  /// Saves the values or loads them, one after the other. Throws SetupError if the bytes end before that.
+  template <class... T>
+  void operator()(T&... values) {
+    (one(values), ...);
+  }
+  /// As many as there are: throws SetupError if others were saved. They stay where they are.
+  template <class T>
+  void elements(std::span<T> values) {
+    check_count(values.size());
+    all(values);
+  }
+
+ private:
+  template <class T>
+  void one(T& value);
+  template <class T>
+  void one(std::vector<T>& values);
+  template <class T>
+  void one(std::optional<T>& value);
+  template <class A, class B>
+  void one(std::pair<A, B>& values) {
+    (*this)(values.first, values.second);
+  }
+  void one(std::string& text);
+  template <class T>
+  void all(std::span<T> values);
+  /// The number of elements, each of at least `size` bytes, that are saved or come next.
+  [[nodiscard]] std::size_t count(std::size_t number, std::size_t size);
+  void check_count(std::size_t number);
+  void raw(std::span<std::byte> bytes);
+
+  std::vector<std::byte>* saved_ = nullptr;  // null: it loads
+  std::span<const std::byte> left_;
+};
+
+// ---- definitions ----
+
+template <class T>
+inline constexpr bool is_plain = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>;
+
+template <class T>
+void StateArchive::one(T& value) {
+  if constexpr (requires { value.state(*this); }) {
+    value.state(*this);
+  } else if constexpr (requires { state(*this, value); }) {
+    state(*this, value);
+  } else {
+    static_assert(is_plain<T>, "say what belongs to its state");
+    raw(std::as_writable_bytes(std::span(&value, 1)));
+  }
+}
+
+template <class T>
+void StateArchive::one(std::vector<T>& values) {
+  values.resize(count(values.size(), is_plain<T> ? sizeof(T) : 1));
+  all(std::span(values));
+}
+
+template <class T>
+void StateArchive::one(std::optional<T>& value) {
+  bool there = value.has_value();
+  one(there);
+  if (!there) return value.reset();
+  if (!value) value.emplace();
+  one(*value);
+}
+
+template <class T>
+void StateArchive::all(std::span<T> values) {
+  constexpr bool described = requires(T & value, StateArchive & archive) { value.state(archive); }
+  || requires(T & value, StateArchive & archive) { state(archive, value); };
+  if constexpr (is_plain<T> && !described) {
+    raw(std::as_writable_bytes(values));
+  } else {
+    for (T& value : values) one(value);
+  }
+}
+
+}  // namespace murosimf

@@ -1,0 +1,45 @@
+#include "murosimf/scene/scene_state.h"
+
+#include "murosimf/scene/scene_exchange.h"
+
+namespace murosimf::scene {
+namespace {
+
+/// What is in force for each of the entities that move, in their order.
+std::vector<Algorithms> algorithms_in_force(const SceneParts& parts) {
+  std::vector<Algorithms> all;
+  for (const Entity* entity : parts.moving_entities) all.push_back(algorithms_of(parts, *entity));
+  return all;
+}
+
+void load(SceneParts& parts, std::span<const std::byte> bytes) {
+  StateArchive archive(bytes);
+  std::vector<Algorithms> algorithms = algorithms_in_force(parts);
+  with_context("state of the scene's moving entities", [&] { archive.elements(std::span(algorithms)); });
+  for (std::size_t i = 0; i < algorithms.size(); ++i) put_in_force(parts, *parts.moving_entities[i], algorithms[i]);
+  parts.simulation->load(bytes.last(archive.left()));
+}
+
+}  // namespace
+
+std::vector<std::byte> save_state(SceneParts& parts) {
+  std::vector<std::byte> bytes;
+  StateArchive archive(bytes);
+  std::vector<Algorithms> algorithms = algorithms_in_force(parts);
+  archive(algorithms);
+  const std::vector<std::byte> simulation = parts.simulation->save();
+  bytes.insert(bytes.end(), simulation.begin(), simulation.end());
+  return bytes;
+}
+
+void load_state(SceneParts& parts, std::span<const std::byte> bytes) {
+  const std::vector<std::byte> before = save_state(parts);
+  try {
+    load(parts, bytes);
+  } catch (const SetupError&) {
+    load(parts, before);
+    throw;
+  }
+}
+
+}  // namespace murosimf::scene

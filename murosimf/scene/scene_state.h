@@ -1,0 +1,17 @@
+/// scene_state.h - the state of a scene as bytes: its simulation's, and the levels and laws that events may have exchanged.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "murosimf/scene/scene_parts.h"
+
+namespace murosimf::scene {
+
+[[nodiscard]] std::vector<std::byte> save_state(SceneParts& parts);
+
+/// Throws SetupError, and changes nothing, if it is no state of such a scene.
+void load_state(SceneParts& parts, std::span<const std::byte> bytes);
+
+}  // namespace murosimf::scene

@@ -1,0 +1,37 @@
+// States of runs as files: one process saves, another one goes on.
+#include <fstream>
+
+#include "tests/apps/program.h"
+
+namespace murosimf::test {
+namespace {
+
+std::string hash_of(const Result& result) {
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const auto place = result.output.find("state hash ");
+  return place == std::string::npos ? "none: " + result.output : result.output.substr(place + 11, 16);
+}
+
+TEST(StateFiles, AnotherProcessGoesOnBitForBit) {
+  const std::string file = scratch("state.bin").string();
+  for (const std::string scene : {"three_on_three --no-cameras", "nudge"}) {
+    const std::string whole = hash_of(murosimf("run " + scene + " --duration 1.3"));
+    hash_of(murosimf("run " + scene + " --duration 0.9 --save-state " + file));
+    EXPECT_EQ(hash_of(murosimf("run " + scene + " --duration 1.3 --load-state " + file)), whole) << scene;
+  }
+}
+
+TEST(StateFiles, MistakesAreOneLine) {
+  const std::string file = scratch("state.bin").string();
+  hash_of(murosimf("run walk --duration 0.01 --save-state " + file));
+  expect_mistake("run nudge --load-state " + file, {file, "has 1 values, not"});
+  expect_mistake("run walk --load-state /nowhere/state.bin", {"/nowhere/state.bin"});
+  expect_mistake("run walk --load-state /dev/zero", {"/dev/zero"});
+  expect_mistake("run walk --save-state /nowhere/state.bin", {"/nowhere/state.bin"});
+  fs::resize_file(file, fs::file_size(file) - 1);
+  expect_mistake("run walk --load-state " + file, {file, "damaged"});
+  expect_mistake("run walk --load-state " + write("text", "not a state at all, but long enough").string(), {"text"});
+}
+
+}  // namespace
+}  // namespace murosimf::test

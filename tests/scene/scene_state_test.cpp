@@ -1,0 +1,188 @@
+// A state that is loaded goes on as the one that was saved: the same bits in all columns, readings and pictures.
+#include "murosimf/scene/scene_state.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "murosimf/model/properties.h"
+#include "murosimf/scene/scene.h"
+#include "tests/fixtures.h"
+#include "tests/render/drawn.h"
+#include "tests/written_scene.h"
+
+namespace murosimf::scene {
+namespace {
+
+using namespace std::chrono_literals;
+using fixtures::error_of;
+using fixtures::says;
+
+/// Hashes of everything that anybody can see, by name.
+std::map<std::string, std::uint64_t> hashes_of(const Scene& scene) {
+  std::map<std::string, std::uint64_t> hashes{{"all", scene.simulation().state_hash()}};
+  for (const auto& entity : scene.simulation().world().entities()) {
+    for (const auto& [name, column] : entity->columns()) {
+      Hasher hasher;
+      column->append_to(hasher);
+      hashes[entity->name() + " " + name] = hasher.value();
+    }
+  }
+  return hashes;
+}
+
+/// After each of a few further steps, which show what was forgotten, and at the end.
+std::vector<std::map<std::string, std::uint64_t>> go_on(Scene& scene, Duration duration) {
+  std::vector<std::map<std::string, std::uint64_t>> hashes{hashes_of(scene)};
+  for (int i = 0; i < 3; ++i) {
+    scene.simulation().step();
+    hashes.push_back(hashes_of(scene));
+  }
+  scene.simulation().run(duration);
+  hashes.push_back(hashes_of(scene));
+  return hashes;
+}
+
+/// What differs first: the step and names.
+std::string difference(const std::vector<std::map<std::string, std::uint64_t>>& one,
+                       const std::vector<std::map<std::string, std::uint64_t>>& other) {
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    std::string names;
+    for (const auto& [name, hash] : one[i]) {
+      if (!other[i].contains(name) || other[i].at(name) != hash) names += ", " + name;
+    }
+    if (one[i].size() != other[i].size()) names += ", other columns";
+    if (!names.empty()) return std::to_string(i) + names;
+  }
+  return "";
+}
+
+SceneOptions options() { return {.cameras = test::no_drawing().empty()}; }
+
+void expect_repeats(const std::string& file, Duration before, Duration after, const SceneOptions& how = options()) {
+  Scene scene(file, how);
+  scene.simulation().run(before);
+  const auto before_saving = hashes_of(scene);
+  const std::vector<std::byte> saved = scene.save();
+  EXPECT_EQ(hashes_of(scene), before_saving) << "saving changed something";
+  const auto hashes = go_on(scene, after);
+  scene.load(saved);
+  EXPECT_TRUE(scene.save() == saved);
+  EXPECT_EQ(difference(hashes, go_on(scene, after)), "") << "in the same scene";
+  Scene other(file, how);
+  other.load(saved);
+  EXPECT_EQ(difference(hashes, go_on(other, after)), "") << "in another one";
+}
+
+std::vector<std::string> all_scenes() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(MUROSIMF_SOURCE_DIR) + "/scenes")) {
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+class SceneState : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneState, testing::ValuesIn(all_scenes()),
+                         [](const auto& test) { return test.param; });
+
+TEST_P(SceneState, RepeatsBitForBit) { expect_repeats(GetParam(), 263ms, 150ms); }
+
+/// One robot that walks at a level into a ball, with all that sensors remember: noise, walks, filters, delays.
+std::string game(const std::string& level, const std::string& more = "") {
+  return "seed = 7\n" + more + R"(
+[ball]
+position = [0.16, -0.03]
+[defaults]
+model = "kid21"
+controller = "walk"
+command = [0.2, 0, 0.1]
+[defaults.sensors.imu]
+delay = 0.013
+[defaults.sensors.imu.gyroscope]
+noise_density = 1e-3
+bias_random_walk = 1e-3
+low_pass = 40
+[[robots]]
+name = "one"
+level = ")" +
+         level + "\"\n[[robots]]\nname = \"two\"\nposition = [0.3, 0.05]\nheading_deg = 180\n";
+}
+
+class SceneStateOfLevel : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Levels, SceneStateOfLevel,
+                         testing::Values("kinematic_walking", "simplified_dynamics", "full_dynamics",
+                                         "articulated_dynamics"),
+                         [](const auto& test) { return test.param; });
+
+TEST_P(SceneStateOfLevel, RemembersSensorsAndLawsBetweenBodies) {
+  for (const std::string law : {"island_gauss_seidel", "carry", "kelvin_voigt"}) {
+    expect_repeats(fixtures::write_scene(game(GetParam(), "body_contact = '" + law + "'\n")), 433ms, 150ms);
+  }
+}
+
+// The level that a state was saved at is not that of the scene that it is loaded into, nor the one before loading.
+TEST_P(SceneStateOfLevel, BringsItsLevelAndLaws) {
+  for (const std::string other : {"kinematic_walking", "articulated_dynamics"}) {
+    const std::string file = fixtures::write_scene(
+        game(GetParam()) + "[[events]]\ntime = 0.1\nset = ['one.level = " + other +
+        "', 'one.contact = kelvin_voigt']\n" + "[[events]]\ntime = 0.4\nset = 'one.level = full_dynamics'\n");
+    for (const Duration before : {50ms, 230ms, 430ms}) expect_repeats(file, before, 300ms);
+  }
+}
+
+TEST(SceneStates, RemembersWhoWasFrozen) {
+  Scene scene(fixtures::write_scene(game("simplified_dynamics")));
+  scene.simulation().run(50ms);
+  const auto healthy = scene.save();
+  scene.simulation().world().entity("one").freeze("a test");
+  scene.simulation().run(20ms);
+  const auto frozen = scene.save();
+  const auto hashes = go_on(scene, 50ms);
+  const auto warnings = scene.simulation().warnings();
+  scene.load(healthy);
+  EXPECT_FALSE(scene.simulation().world().entity("one").frozen());
+  EXPECT_TRUE(scene.simulation().warnings().empty());
+  const Vec3d before = scene.simulation().world().entity("one").base().get(properties::position);
+  scene.simulation().run(50ms);
+  EXPECT_GT(norm(scene.simulation().world().entity("one").base().get(properties::position) - before), 0);
+  scene.load(frozen);
+  EXPECT_EQ(difference(hashes, go_on(scene, 50ms)), "");
+  EXPECT_EQ(scene.simulation().warnings(), warnings);
+}
+
+// Whatever is wrong, one line says it, and the scene goes on as if nobody had tried.
+TEST(SceneStates, RefusesWhatIsNoneOfItsOwn) {
+  const std::string file = fixtures::write_scene(game("simplified_dynamics"));
+  Scene scene(file);
+  scene.simulation().run(100ms);
+  const auto saved = scene.save();
+  const auto refused = [&](const std::vector<std::byte>& bytes, std::initializer_list<std::string_view> words) {
+    const std::string said = error_of([&] { scene.load(bytes); });
+    EXPECT_TRUE(says(said, words)) << said;
+    EXPECT_TRUE(scene.save() == saved) << said;
+  };
+  refused({}, {"ends too early"});
+  refused(std::vector<std::byte>(300, std::byte{0x7f}), {"state of the scene's moving entities"});
+  auto bytes = saved;
+  bytes.pop_back();
+  refused(bytes, {"damaged"});
+  bytes = saved;
+  bytes[bytes.size() / 2] ^= std::byte{1};
+  refused(bytes, {"damaged"});
+  const auto refused_of = [&](const std::string& text, std::initializer_list<std::string_view> words) {
+    Scene other(fixtures::write_scene(text));
+    refused(other.save(), words);
+  };
+  refused_of(game("simplified_dynamics") + "[[robots]]\nname = 'three'\nposition = [2, 1]\n", {"has 4 values, not 3"});
+  refused_of(game("simplified_dynamics") + "[[events]]\ntime = 1\nset = 'one.level = full_dynamics'\n",
+             {"calls at given times"});
+  refused_of(game("simplified_dynamics", "rate = 500\n[defaults.sensors.eye]\ntype = 'sonar'\nrange = 2\n"),
+             {"sensor.eye", "built otherwise"});
+}
+
+}  // namespace
+}  // namespace murosimf::scene
