@@ -35,7 +35,10 @@ RunLog::RunLog(Simulation& simulation, const std::vector<std::string>& patterns,
   for (const LoggedNumber& number : logged) {
     if (number.sensor.empty()) add_property(number);
   }
-  if (!properties_.empty()) simulation_.at(Duration{}, [this] { note_properties(); });
+  // later than the simulation's schedule is made: a state that is loaded knows nothing of the log
+  if (!properties_.empty()) {
+    simulation_.after_initialize([this] { simulation_.at(Duration{}, [this] { note_properties(); }); });
+  }
 }
 
 void RunLog::attach_sensor_logs(const std::vector<LoggedNumber>& logged, double rate) {
@@ -69,8 +72,11 @@ void RunLog::note_properties() {
     one.series.times.push_back(simulation_.now());
     for (const std::size_t number : one.numbers) one.series.values.push_back(quantity.numbers[number]);
   }
-  ++notes_;
-  simulation_.at(from_seconds(static_cast<double>(notes_) / property_rate_), [this] { note_properties(); });
+  Duration next{};
+  do {
+    next = from_seconds(static_cast<double>(++notes_) / property_rate_);
+  } while (next <= simulation_.now());  // after a state was loaded there is more than one
+  simulation_.at(next, [this] { note_properties(); });
 }
 
 std::string RunLog::csv() const {

@@ -1,7 +1,6 @@
-// Bytes of a state: a line that says so, the hash of all that follows, then sections, each with its name and the number of its
-// bytes. Sections have names so that one can say what does not fit.
+// Bytes of a state: a line that says so, the hash of all that follows, then sections, each with its name, whether it may be
+// missing, and the number of its bytes. Sections have names so that one can say what does not fit.
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -31,6 +30,7 @@ std::uint64_t hash_of(std::span<const std::byte> bytes) {
 
 struct Section {
   std::string name;
+  bool optional = false;  // of somebody who only looks on: a run may go on with others
   std::span<const std::byte> bytes;
 };
 
@@ -49,7 +49,7 @@ std::vector<Section> sections_of(std::span<const std::byte> bytes) {
     StateArchive archive(rest);
     std::uint64_t size = 0;
     sections.emplace_back();
-    archive(sections.back().name, size);
+    archive(sections.back().name, sections.back().optional, size);
     rest = rest.last(archive.left());
     if (size > rest.size()) throw SetupError("the state ends too early");
     sections.back().bytes = rest.first(size);
@@ -58,23 +58,20 @@ std::vector<Section> sections_of(std::span<const std::byte> bytes) {
   return sections;
 }
 
-/// The first one of a list that another one lacks; null if it has all.
-const std::string* missing(const std::vector<std::string>& names, const std::vector<std::string>& others) {
-  const auto found =
-      std::ranges::find_if(names, [&](const std::string& name) { return std::ranges::count(others, name) == 0; });
-  return found == names.end() ? nullptr : &*found;
+bool has(const std::vector<Section>& sections, const std::string& name) {
+  return std::ranges::find(sections, name, &Section::name) != sections.end();
 }
 
-/// Throws SetupError if the state and the simulation have not the same sections in the same order.
-void check_names(const std::vector<std::string>& saved, const std::vector<std::string>& own) {
-  if (saved == own) return;
-  if (const std::string* name = missing(saved, own)) {
-    throw SetupError(fmt::format("the state has {}, this simulation has not: it was built otherwise", *name));
+/// Throws SetupError if the simulation or the state has what the other one needs and has not.
+void check_names(const std::vector<Section>& saved, const std::vector<Section>& own) {
+  for (const Section& section : saved) {
+    if (section.optional || has(own, section.name)) continue;
+    throw SetupError(fmt::format("the state has {}, this simulation has not: it was built otherwise", section.name));
   }
-  if (const std::string* name = missing(own, saved)) {
-    throw SetupError(fmt::format("this simulation has {}, the state has not: it was built otherwise", *name));
+  for (const Section& section : own) {
+    if (section.optional || has(saved, section.name)) continue;
+    throw SetupError(fmt::format("this simulation has {}, the state has not: it was built otherwise", section.name));
   }
-  throw SetupError("the state has its parts in another order: this simulation was built otherwise");
 }
 
 }  // namespace
@@ -94,32 +91,34 @@ void Simulation::state(StateArchive& archive) {
   }
 }
 
-/// Calls visit(name, part) for every part of the state, always in the same order; entities come before what hangs on them.
+/// Calls visit(name, optional, part) for every part of the state, always in the same order; entities come before what hangs on
+/// them.
 template <class Visit>
 void Simulation::visit_sections(const Visit& visit) {
   for (const auto& entity : world_->entities()) {
-    visit(fmt::format("entity '{}'", entity->name()), *entity);
+    visit(fmt::format("entity '{}'", entity->name()), false, *entity);
     for (const auto& [name, column] : entity->columns()) {
       if (column->info().scope == Scope::wiring) continue;
-      visit(fmt::format("property '{}' of '{}'", name, entity->name()), *column);
+      visit(fmt::format("property '{}' of '{}'", name, entity->name()), false, *column);
     }
   }
   for (const auto& task : tasks_) {
-    visit(fmt::format("algorithm '{}' of '{}'", task->name, task->entity->name()), *task->algorithm);
+    const bool looks_on = task->algorithm->phase() == Phase::observe;
+    visit(fmt::format("algorithm '{}' of '{}'", task->name, task->entity->name()), looks_on, *task->algorithm);
   }
-  visit(std::string("the simulation"), *this);
+  visit(std::string("the simulation"), false, *this);
 }
 
 std::vector<std::byte> Simulation::save() {
   initialize();
   std::vector<std::byte> bytes(begin_of_sections), part;
-  visit_sections([&](std::string name, auto& what) {
+  visit_sections([&](std::string name, bool optional, auto& what) {
     part.clear();
     StateArchive content(part);
     what.state(content);
     auto size = static_cast<std::uint64_t>(part.size());
     StateArchive archive(bytes);
-    archive(name, size);
+    archive(name, optional, size);
     bytes.insert(bytes.end(), part.begin(), part.end());
   });
   const std::uint64_t hash = hash_of(std::span(bytes).subspan(begin_of_sections));
@@ -140,18 +139,22 @@ void Simulation::load(std::span<const std::byte> bytes) {
 
 void Simulation::load_sections(std::span<const std::byte> bytes) {
   const std::vector<Section> sections = sections_of(bytes);
-  std::vector<std::string> saved, own;
-  for (const Section& section : sections) saved.push_back(section.name);
-  visit_sections([&](std::string name, auto&) { own.push_back(std::move(name)); });
-  check_names(saved, own);
-  auto section = sections.begin();
-  visit_sections([&](const std::string& name, auto& what) {
+  std::vector<Section> own;
+  visit_sections([&](std::string name, bool optional, auto&) { own.push_back({std::move(name), optional, {}}); });
+  check_names(sections, own);
+  auto next = sections.begin();  // of one name there may be several, in the same order
+  visit_sections([&](const std::string& name, bool optional, auto& what) {
+    const auto section = std::find_if(next, sections.end(), [&](const Section& one) { return one.name == name; });
+    if (section == sections.end()) {
+      if (optional) return;
+      throw SetupError(fmt::format("the state has {} elsewhere: this simulation was built otherwise", name));
+    }
     with_context("state of " + name, [&] {
       StateArchive archive(section->bytes);
       what.state(archive);
       if (archive.left() > 0) throw SetupError(fmt::format("{} bytes are left over", archive.left()));
     });
-    ++section;
+    next = section + 1;
   });
   restart_checks();
 }

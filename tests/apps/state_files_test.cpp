@@ -21,6 +21,20 @@ TEST(StateFiles, AnotherProcessGoesOnBitForBit) {
   }
 }
 
+// Who only looks on is no part of a state.
+TEST(StateFiles, ALogMayBeginWhereTheStateIs) {
+  const std::string file = scratch("state.bin").string(), log = scratch("log.csv").string();
+  const std::string scene = "run three_on_three --no-cameras --duration ";
+  hash_of(murosimf(scene + "0.25 --save-state " + file));
+  const std::string plain = hash_of(murosimf(scene + "0.5 --load-state " + file));
+  const std::string logging = " --log ball.ball.position --log-rate 10 --out " + log;
+  EXPECT_EQ(hash_of(murosimf(scene + "0.5 --load-state " + file + logging)), plain);
+  std::stringstream lines(read_file(log));
+  std::vector<std::string> times;
+  for (std::string line; std::getline(lines, line);) times.push_back(line.substr(0, line.find(',')));
+  EXPECT_EQ(times, (std::vector<std::string>{times.front(), "0.25", "0.3", "0.4"}));
+}
+
 TEST(StateFiles, MistakesAreOneLine) {
   const std::string file = scratch("state.bin").string();
   hash_of(murosimf("run walk --duration 0.01 --save-state " + file));
