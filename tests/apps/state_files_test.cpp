@@ -38,7 +38,7 @@ TEST(StateFiles, ALogMayBeginWhereTheStateIs) {
 TEST(StateFiles, MistakesAreOneLine) {
   const std::string file = scratch("state.bin").string();
   hash_of(murosimf("run walk --duration 0.01 --save-state " + file));
-  expect_mistake("run nudge --load-state " + file, {file, "has 1 values, not"});
+  expect_mistake("run nudge --load-state " + file, {file, "entity 'walker'"});
   expect_mistake("run walk --load-state /nowhere/state.bin", {"/nowhere/state.bin"});
   expect_mistake("run walk --load-state /dev/zero", {"/dev/zero"});
   expect_mistake("run walk --save-state /nowhere/state.bin", {"/nowhere/state.bin"});
