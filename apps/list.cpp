@@ -1,4 +1,5 @@
 // `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, materials, properties, keys of scene files; the order of a tick.
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -89,19 +90,36 @@ std::string_view phase_name(Phase phase) {
   return names[static_cast<std::size_t>(phase)];
 }
 
-/// The order of a tick of a scene: lines of algorithms of one name, with their entities.
+/// One line of a plan: algorithms of one wave, name and rate, with their entities.
+struct PlanLine {
+  std::string what;
+  std::vector<std::pair<std::string, int>> entities;  ///< and how many algorithms each of them has there
+};
+
+/// Entities of a line; those that have several such algorithms with their number.
+std::string entities_of(const PlanLine& line) {
+  std::string text;
+  for (const auto& [entity, count] : line.entities) {
+    text += " " + entity + (count > 1 ? fmt::format(" ({})", count) : "");
+  }
+  return text;
+}
+
+/// The order of a tick of a scene.
 std::string plan_text(const std::string& file) {
   scene::Scene scene(file, {.cameras = false});
-  std::string text = fmt::format("{:<5} {:<8} {:<22} {:>6}  {}", "wave", "phase", "algorithm", "rate", "entities");
-  std::string previous;
+  std::vector<PlanLine> lines;
   for (const PlannedAlgorithm& one : scene.simulation().order_of_tick()) {
-    const std::string line =
-        fmt::format("\n{:<5} {:<8} {:<22} {:>6.4g} ", one.wave + 1, phase_name(one.phase), one.name, one.rate_hz);
-    if (line != previous) text += line;
-    text += " " + one.entity;
-    previous = line;
+    const std::string what =
+        fmt::format("{:<5} {:<8} {:<22} {:>6.4g} ", one.wave + 1, phase_name(one.phase), one.name, one.rate_hz);
+    auto line = std::ranges::find(lines, what, &PlanLine::what);
+    if (line == lines.end()) line = lines.insert(line, {what, {}});
+    if (line->entities.empty() || line->entities.back().first != one.entity) line->entities.emplace_back(one.entity, 0);
+    ++line->entities.back().second;
   }
-  return text + "\n";
+  std::string text = fmt::format("{:<5} {:<8} {:<22} {:>6}  {}\n", "wave", "phase", "algorithm", "rate", "entities");
+  for (const PlanLine& line : lines) text += line.what + entities_of(line) + "\n";
+  return text;
 }
 
 struct ListOptions {
