@@ -16,14 +16,14 @@ void StateArchive::one(std::string& text) {
 
 std::size_t StateArchive::count(std::size_t number, std::size_t size) {
   auto saved = static_cast<std::uint64_t>(number);
-  raw(std::as_writable_bytes(std::span(&saved, 1)));
+  one(saved);
   if (loads() && saved > left_.size() / size) throw SetupError("it ends too early");
   return static_cast<std::size_t>(saved);
 }
 
 void StateArchive::check_count(std::size_t number) {
   auto saved = static_cast<std::uint64_t>(number);
-  raw(std::as_writable_bytes(std::span(&saved, 1)));
+  one(saved);
   if (saved != number) throw SetupError(fmt::format("it has {} values, not {}", saved, number));
 }
 

@@ -96,10 +96,8 @@ class Simulation {
     const auto make = [&](Setup& setup) { return std::make_unique<L>(setup, std::forward<Arguments>(arguments)...); };
     return static_cast<L&>(exchange(std::move(name), entity, Maker<MotionLevel>(make)));
   }
-  MotionLevel& exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make) {
-    return exchange(std::move(name), entity, make, LevelStart::in_motion);
-  }
-  MotionLevel& exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make, LevelStart start);
+  MotionLevel& exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make,
+                        LevelStart start = LevelStart::in_motion);
 
   /// The level that moves `entity` now; null if there is none.
   [[nodiscard]] const MotionLevel* level_of(const Entity& entity) const;
@@ -137,8 +135,9 @@ class Simulation {
   /// time, schedule, events and warnings so far. Initializes.
   [[nodiscard]] std::vector<std::byte> save();
   /// Goes on from there, bit for bit: the next steps and readings are those that followed save(), there and in every simulation
-  /// that was built alike, on machines of one byte order. Throws SetupError that says what does not fit, and is as before then:
-  /// another version of the library, damaged bytes, other entities, columns or algorithms. Initializes.
+  /// that was built alike, on machines of one byte order; algorithms that only observe may be others. Throws SetupError that
+  /// says what does not fit, and is as before then: another version of the library, damaged bytes, other entities, columns or
+  /// algorithms. Initializes.
   void load(std::span<const std::byte> bytes);
 
   /// The order of a tick in which every algorithm is due: by waves, then by phase and order of attaching. Initializes.
