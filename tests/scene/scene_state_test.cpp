@@ -134,6 +134,27 @@ TEST_P(SceneStateOfLevel, BringsItsLevelAndLaws) {
   }
 }
 
+// Much is remembered for one step only, like what a foot that lifts off was loaded with: every step of a pace is tried.
+TEST_P(SceneStateOfLevel, CanBeOfAnyStep) {
+  const std::string file = fixtures::write_scene(game(GetParam()));
+  Scene scene(file, options()), other(file, options());
+  scene.simulation().run(300ms);
+  for (int i = 0; i < 300; ++i) {
+    other.load(scene.save());
+    scene.simulation().step();
+    other.simulation().step();
+    ASSERT_EQ(difference({hashes_of(scene)}, {hashes_of(other)}), "") << i;
+  }
+}
+
+TEST(SceneStates, RemembersPicturesOnTheirWay) {
+  if (!test::no_drawing().empty()) GTEST_SKIP() << test::no_drawing();
+  expect_repeats(fixtures::write_scene(game("simplified_dynamics",
+                                            "[defaults.sensors.camera]\nwidth = 40\nheight = 30\nrate = 20\ndelay = "
+                                            "0.07\nalways_on = true\n")),
+                 213ms, 40ms);  // one of two has arrived by then, and shows
+}
+
 TEST(SceneStates, RemembersWhoWasFrozen) {
   Scene scene(fixtures::write_scene(game("simplified_dynamics")));
   scene.simulation().run(50ms);
