@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/entity.h"
+#include "murosimf/model/properties.h"
 
 namespace murosimf {
 
@@ -32,8 +33,25 @@ std::size_t ObjectAccess::row(const ColumnBase& column) const {
   return 0;
 }
 
+/// Of a structural object; empty where its row or a constant of the model has the value.
+std::vector<double> ObjectAccess::structural_numbers(std::string_view property) const {
+  const auto numbers = [&]<class T>(const Property<T>& wanted) {
+    std::vector<double> all;
+    if (property != wanted.name) return all;
+    const auto value = structural_value(model(), columns(), wanted, object_);
+    for (std::size_t i = 0; value && i < ValueTraits<T>::numbers; ++i) all.push_back(ValueTraits<T>::get(*value, i));
+    return all;
+  };
+  for (const auto& wanted : {properties::position, properties::linear_velocity, properties::angular_velocity}) {
+    if (auto all = numbers(wanted); !all.empty()) return all;
+  }
+  return numbers(properties::orientation);
+}
+
 Quantity ObjectAccess::get(std::string_view property) const {
-  update_structural(model(), columns(), object_);
+  if (auto numbers = structural_numbers(property); !numbers.empty()) {
+    return {std::move(numbers), columns().find(property)->info().unit};
+  }
   if (const ColumnBase* column = columns().find(property); column && column->numbers() > 0) {
     Quantity quantity{{}, column->info().unit};
     for (std::size_t i = 0; i < column->numbers(); ++i) quantity.numbers.push_back(column->get(row(*column), i));

@@ -45,6 +45,7 @@ class ObjectAccess {
   [[nodiscard]] const Model& model() const;
   [[nodiscard]] ColumnStore& columns() const;
   [[nodiscard]] std::size_t row(const ColumnBase& column) const;
+  [[nodiscard]] std::vector<double> structural_numbers(std::string_view property) const;
   [[nodiscard]] std::string where() const;
   [[noreturn]] void refuse_unused(const PropertyInfo& info) const;
   void count_change();  ///< after every set
@@ -57,7 +58,7 @@ class ObjectAccess {
 
 template <class T>
 T ObjectAccess::get(const Property<T>& property) const {
-  update_structural(model(), columns(), object_);
+  if (const auto value = structural_value(model(), columns(), property, object_)) return *value;
   if (const auto* column = columns().find(property)) return column->values[row(*column)];
   if (const T* constant = model().find(property, object_)) return *constant;
   refuse_unused(property);

@@ -1,18 +1,39 @@
 #include "murosimf/model/state_hash.h"
 
 #include "murosimf/model/entity.h"
+#include "murosimf/model/properties.h"
 #include "murosimf/model/structural_objects.h"
 
 namespace murosimf {
+namespace {
+
+/// With the rows of structural objects, if the column is that of a `property`.
+template <class T>
+bool append_if(Hasher& hasher, const Entity& entity, const ColumnBase& column, const Property<T>& property) {
+  if (column.info().name != property.name) return false;
+  for (const T& value : all_rows(entity.model(), entity.columns(), property)) append_hash(hasher, value);
+  return true;
+}
+
+void append_rows(Hasher& hasher, const Entity& entity, const ColumnBase& column) {
+  if (append_if(hasher, entity, column, properties::position) ||
+      append_if(hasher, entity, column, properties::orientation) ||
+      append_if(hasher, entity, column, properties::linear_velocity) ||
+      append_if(hasher, entity, column, properties::angular_velocity)) {
+    return;
+  }
+  column.append_to(hasher);
+}
+
+}  // namespace
 
 void append_state(Hasher& hasher, const Entity& entity) {
   hasher.add(std::string_view(entity.name()));
   hasher.add(std::uint64_t{entity.frozen() ? 1u : 0u});
-  for (int i = 0; i < entity.model().size(); ++i) update_structural(entity.model(), entity.columns(), i);
   for (const auto& [name, column] : entity.columns()) {
     if (!is_state(column->info().scope)) continue;
     hasher.add(std::string_view(name));
-    column->append_to(hasher);
+    append_rows(hasher, entity, *column);
   }
 }
 
