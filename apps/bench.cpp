@@ -108,7 +108,7 @@ scene::SceneOptions scene_options(const Case& measured) {
 }
 
 void run_to(Simulation& simulation, double time, BenchProgress& progress) {
-  Clock as_fast_as_possible;
+  Pacer as_fast_as_possible;
   simulation.run(std::max(Duration{}, from_seconds(time) - simulation.now()), as_fast_as_possible,
                  [&](Duration now) { progress.show(now); });
 }

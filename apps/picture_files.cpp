@@ -20,7 +20,7 @@ class PacedScene {
       : simulation_(simulation), begin_(seconds(simulation.now())), end_(seconds(end)) {}
   void run_to(Duration time) {
     const Duration tick = simulation_.tick(), away = time - simulation_.now();
-    Clock as_fast_as_possible;
+    Pacer as_fast_as_possible;
     if (2 * away >= tick) {
       simulation_.run((away + tick / 2) / tick * tick, as_fast_as_possible, [this](Duration now) { show(now); });
     }

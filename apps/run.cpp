@@ -16,6 +16,7 @@
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/logging/run_log.h"
+#include "murosimf/runtime/clock.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_pictures.h"
 #include "murosimf/scene/scene_report.h"

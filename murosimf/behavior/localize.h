@@ -51,6 +51,7 @@ class Localize final : public Algorithm {
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
+  void reseed(std::uint64_t seed) override { filter_.reseed(seed); }
   void step(const Instant& instant) noexcept override;
 
   static constexpr double rate_hz = 20;

@@ -27,6 +27,8 @@ class ImageNoise {
   /// `stream` tells cameras apart. Throws SetupError if a number is not 0 to 1.
   ImageNoise(const ImageNoiseSpec& spec, const RandomStream& stream);
 
+  /// Noise of another seed.
+  void reseed(std::uint64_t seed) noexcept { stream_.reseed(seed); }
   void apply(ColorImage& picture, std::uint64_t number) const noexcept;
 
  private:

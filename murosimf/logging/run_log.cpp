@@ -37,7 +37,7 @@ RunLog::RunLog(Simulation& simulation, const std::vector<std::string>& patterns,
   }
   // later than the simulation's schedule is made: a state that is loaded knows nothing of the log
   if (!properties_.empty()) {
-    simulation_.after_initialize([this] { simulation_.at(Duration{}, [this] { note_properties(); }); });
+    simulation_.after_start([this] { simulation_.at(Duration{}, [this] { note_properties(); }); });
   }
 }
 

@@ -19,6 +19,9 @@ class RandomStream {
   /// `name` tells streams of one seed apart, for example "blue1/start".
   RandomStream(std::uint64_t seed, std::string_view name) noexcept;
 
+  /// From now on the stream of this name that `seed` has.
+  void reseed(std::uint64_t seed) noexcept { seed_ = seed; }
+
   /// The n-th number, uniform in [0, 1).
   [[nodiscard]] double uniform(std::uint64_t n) const noexcept;
   /// The n-th number, uniform in [low, high).

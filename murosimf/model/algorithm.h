@@ -34,8 +34,13 @@ class Algorithm {
 
   [[nodiscard]] virtual Phase phase() const noexcept = 0;
 
-  /// Gives the columns that it writes their first values. Called once before any step, by phase and in the order of attaching.
+  /// Gives the columns that it writes their first values. Called before the first step, and at every reset when all that it
+  /// remembers is as its constructor left it; by phase and in the order of attaching.
   virtual void initialize() {}
+
+  /// From now on has the random numbers that `seed` would have given to its constructor. Called between two steps, before
+  /// initialize() or a state is loaded.
+  virtual void reseed(std::uint64_t) {}
 
   /// Saves or loads what it remembers from step to step besides columns (state_archive.h); nothing, if all is in columns. Called
   /// between two steps.

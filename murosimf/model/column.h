@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <string>
 #include <typeindex>
 #include <vector>
 
@@ -16,7 +17,9 @@ namespace murosimf {
 /// What people and protocols need: a column without its type. Never used inside a loop.
 class ColumnBase {
  public:
-  ColumnBase(PropertyInfo info, std::type_index type) : info_(info), type_(type) {}
+  ColumnBase(const PropertyInfo& info, std::type_index type) : name_(info.name), info_(info), type_(type) {
+    info_.name = name_;  // one that was put together for the call may end with it
+  }
   virtual ~ColumnBase() = default;
   ColumnBase(const ColumnBase&) = delete;
   ColumnBase& operator=(const ColumnBase&) = delete;
@@ -35,10 +38,23 @@ class ColumnBase {
   virtual void append_to(Hasher& hasher) const = 0;
   /// Saves or loads all rows. Throws SetupError.
   virtual void state(StateArchive& archive) = 0;
+  /// Where its numbers stand; `data` is null if the value is no row of numbers. Rows follow each other `stride` doubles apart.
+  struct Memory {
+    double* data = nullptr;
+    std::size_t rows = 0, stride = 0;
+    ValueLayout layout{};
+  };
+  [[nodiscard]] virtual Memory memory() = 0;
+  /// As it was when it was new.
+  virtual void renew() = 0;
+  /// From now on go_back() gives it the present values; before, those of restart(), or of a new one.
+  virtual void keep() = 0;
+  virtual void go_back() = 0;
   /// How many of its numbers are NaN or infinite; 0 if the value is no row of numbers.
   [[nodiscard]] virtual std::size_t not_finite() const = 0;
 
  private:
+  std::string name_;
   PropertyInfo info_;
   std::type_index type_;
 };
@@ -56,9 +72,7 @@ inline constexpr bool fill_with_nan = true;
 template <class T>
 class Column final : public ColumnBase {
  public:
-  Column(const Property<T>& property, std::size_t rows) : ColumnBase(property, typeid(T)), values(rows) {
-    if constexpr (NumericValue<T>) fill(fill_with_nan ? std::numeric_limits<double>::quiet_NaN() : 0.0);
-  }
+  Column(const Property<T>& property, std::size_t rows) : ColumnBase(property, typeid(T)), values(rows) { fill(); }
 
   [[nodiscard]] std::size_t numbers() const override { return ValueTraits<T>::numbers; }
   [[nodiscard]] std::size_t rows() const override { return values.size(); }
@@ -82,6 +96,30 @@ class Column final : public ColumnBase {
     return 0;
   }
 
+  [[nodiscard]] Memory memory() override {
+    if constexpr (NumericValue<T>) {
+      static_assert(std::is_standard_layout_v<T> && sizeof(T) == ValueTraits<T>::numbers * sizeof(double));
+      return {reinterpret_cast<double*>(values.data()), values.size(), ValueTraits<T>::numbers, ValueTraits<T>::layout};
+    }
+    return {};
+  }
+
+  void renew() override {
+    start.reset();
+    kept_.clear();
+    fill();
+  }
+
+  void keep() override { kept_ = values; }
+  void go_back() override {
+    if (!kept_.empty()) {
+      values = kept_;
+    } else {
+      fill();
+      restart();
+    }
+  }
+
   void restart() override {
     if (start) std::fill(values.begin(), values.end(), *start);
   }
@@ -90,11 +128,16 @@ class Column final : public ColumnBase {
   std::optional<T> start;  ///< where it is somebody's input
 
  private:
-  void fill(double number) {
-    for (T& value : values) {
+  void fill() {
+    T value{};
+    if constexpr (NumericValue<T>) {
+      constexpr double number = fill_with_nan ? std::numeric_limits<double>::quiet_NaN() : 0.0;
       for (std::size_t i = 0; i < ValueTraits<T>::numbers; ++i) ValueTraits<T>::set(value, i, number);
     }
+    std::fill(values.begin(), values.end(), value);
   }
+
+  std::vector<T> kept_;
 };
 
 }  // namespace murosimf

@@ -19,8 +19,30 @@ bool ColumnStore::has(const ColumnBase* column) const {
   return std::ranges::any_of(columns_, [&](const auto& item) { return item.second.get() == column; });
 }
 
+std::shared_ptr<ColumnBase> ColumnStore::share(std::string_view property) const {
+  const auto found = columns_.find(property);
+  return found == columns_.end() ? nullptr : found->second;
+}
+
 void ColumnStore::drop(const ColumnBase* column) {
-  std::erase_if(columns_, [&](const auto& item) { return item.second.get() == column; });
+  std::erase_if(dropped_, [](const auto& one) { return one.expired(); });
+  std::erase_if(columns_, [&](const auto& item) {
+    if (item.second.get() != column) return false;
+    if (item.second.use_count() > 1) dropped_.push_back(item.second);
+    return true;
+  });
+}
+
+/// One that was shared when it was dropped, and still is; as new. Null if there is none.
+std::shared_ptr<ColumnBase> ColumnStore::dropped(const PropertyInfo& info, std::type_index type) {
+  for (const auto& one : dropped_) {
+    auto column = one.lock();
+    if (!column || column->info().name != info.name || column->type() != type) continue;
+    column->renew();
+    std::erase_if(dropped_, [&](const auto& other) { return other.lock() == column; });
+    return column;
+  }
+  return nullptr;
 }
 
 void ColumnStore::refuse_new(const PropertyInfo& info) const {

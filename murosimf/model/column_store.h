@@ -26,6 +26,9 @@ class ColumnStore {
   [[nodiscard]] const Column<T>* find(const Property<T>& property) const;
   [[nodiscard]] ColumnBase* find(std::string_view property) const;
 
+  /// Kept as long as anybody has it, also if it is dropped here. Null if there is none.
+  [[nodiscard]] std::shared_ptr<ColumnBase> share(std::string_view property) const;
+
   [[nodiscard]] bool has(const ColumnBase* column) const;
 
   /// In the order of their names: pairs of name and column.
@@ -35,20 +38,25 @@ class ColumnStore {
   [[nodiscard]] bool empty() const { return columns_.empty(); }
 
   /// From now on no column can be added; spans stay valid for good.
-  void freeze() { frozen_ = true; }
+  void freeze() { frozen_ = live_ = true; }
   /// Columns can be added again, as before freeze().
   void thaw() { frozen_ = false; }
-  /// Removes a column, of which nobody may have spans any more. Does nothing if it is not one of these.
+  /// Whether they were frozen once: the values are those of a run.
+  [[nodiscard]] bool live() const { return live_; }
+  /// Removes a column, of which nobody may have spans any more. Does nothing if it is not one of these. One that is shared is
+  /// the same again, with new values, when somebody asks for its property again.
   void drop(const ColumnBase* column);
 
  private:
+  [[nodiscard]] std::shared_ptr<ColumnBase> dropped(const PropertyInfo& info, std::type_index type);
   [[noreturn]] void refuse_new(const PropertyInfo& info) const;
   [[noreturn]] void refuse_type(const PropertyInfo& info) const;
 
   std::string owner_;
   std::size_t objects_;
-  std::map<std::string, std::unique_ptr<ColumnBase>, std::less<>> columns_;
-  bool frozen_ = false;
+  std::map<std::string, std::shared_ptr<ColumnBase>, std::less<>> columns_;
+  std::vector<std::weak_ptr<ColumnBase>> dropped_;  // those that were shared then
+  bool frozen_ = false, live_ = false;
 };
 
 // ---- definitions ----
@@ -59,10 +67,9 @@ Column<T>& ColumnStore::column(const Property<T>& property) {
   if (found == columns_.end()) {
     if (frozen_) refuse_new(property);
     const std::size_t rows = property.scope == Scope::object ? objects_ : 1;
-    found = columns_.emplace(std::string(property.name), nullptr).first;
-    Property<T> own = property;
-    own.name = found->first;  // a name that was put together for the call may end with it
-    found->second = std::make_unique<Column<T>>(own, rows);
+    auto created = dropped(property, typeid(T));
+    if (!created) created = std::make_shared<Column<T>>(property, rows);
+    found = columns_.emplace(std::string(property.name), std::move(created)).first;
   }
   if (found->second->type() != typeid(T)) refuse_type(property);
   assert(may_write(*found->second) && "a column that the algorithm has not declared as written");

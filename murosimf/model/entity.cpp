@@ -19,10 +19,21 @@ Entity::Entity(std::string name, ModelPtr model, EntityOptions options)
   if (name_.empty() || !std::all_of(name_.begin(), name_.end(), allowed)) {
     throw SetupError(fmt::format("entity name '{}': use letters, digits, '_' and '-'", name_));
   }
+  check_place();
+}
+
+void Entity::check_place() const {
   const Vec3d& p = options_.position;
   if (!std::isfinite(p.x + p.y + p.z + options_.heading)) {
     throw SetupError(fmt::format("entity '{}': position and heading must be finite numbers", name_));
   }
+}
+
+void Entity::place(const Vec3d& position, double heading, const Mat3d& attitude) {
+  options_.position = position;
+  options_.heading = heading;
+  options_.attitude = attitude;
+  check_place();
 }
 
 ObjectAccess Entity::object(std::string_view name) {
@@ -31,6 +42,20 @@ ObjectAccess Entity::object(std::string_view name) {
     throw SetupError(fmt::format("entity '{}': {}", name_, unknown_name("object", name, model_->object_names())));
   return {*this, *found};
 }
+
+std::shared_ptr<ColumnBase> Entity::numbers_of(std::string_view property) const {
+  auto column = columns_.share(property);
+  if (column && column->numbers() > 0) return column;
+  std::vector<std::string_view> names;
+  for (const auto& [name, other] : columns_) {
+    if (other->numbers() > 0) names.push_back(name);
+  }
+  throw SetupError(fmt::format("entity '{}': {}", name_, unknown_name("property", property, names)));
+}
+
+ColumnView Entity::view(std::string_view property) { return ColumnView(numbers_of(property)); }
+
+ConstColumnView Entity::view(std::string_view property) const { return ConstColumnView(numbers_of(property)); }
 
 void Entity::state(StateArchive& archive) { archive(frozen_reason_, level, contact, controller); }
 

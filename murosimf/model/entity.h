@@ -1,13 +1,13 @@
 /// entity.h - one robot, ball or environment in a simulation: a name, a model, and columns of variable properties.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "murosimf/model/column_store.h"
+#include "murosimf/model/column_view.h"
 #include "murosimf/model/entity_options.h"
 #include "murosimf/model/model.h"
 #include "murosimf/model/object_access.h"
@@ -24,6 +24,9 @@ class Entity {
   [[nodiscard]] const ModelPtr& model_ptr() const { return model_; }
   [[nodiscard]] const EntityOptions& options() const { return options_; }
 
+  /// Where its level puts it at the next start; checked as by the constructor.
+  void place(const Vec3d& position, double heading, const Mat3d& attitude);
+
   [[nodiscard]] ColumnStore& columns() { return columns_; }
   [[nodiscard]] const ColumnStore& columns() const { return columns_; }
   /// As of its columns (column_store.h).
@@ -38,9 +41,9 @@ class Entity {
   }
   [[nodiscard]] ColumnBase* find(std::string_view property) const { return columns_.find(property); }
 
-  /// Counts the properties that were set by name; levels that keep working memory look whether it is still right.
-  [[nodiscard]] std::uint64_t revision() const { return revision_; }
-  void count_change() { ++revision_; }
+  /// All rows of a property at once. Throws SetupError if nobody uses it, or if it is no row of numbers.
+  [[nodiscard]] ColumnView view(std::string_view property);
+  [[nodiscard]] ConstColumnView view(std::string_view property) const;
 
   [[nodiscard]] ObjectAccess object(std::string_view name);
   /// The first object; it carries the properties that the whole entity has once.
@@ -48,6 +51,8 @@ class Entity {
 
   /// Takes an entity whose numbers went bad out of the simulation; it stays where it is. Called while stepping.
   void freeze(std::string reason) noexcept;
+  /// For a new start.
+  void unfreeze() { frozen_reason_.reset(); }
   [[nodiscard]] bool frozen() const { return frozen_reason_.has_value(); }
   [[nodiscard]] const std::optional<std::string>& frozen_reason() const { return frozen_reason_; }
 
@@ -58,11 +63,13 @@ class Entity {
   std::string level, contact, controller;
 
  private:
+  void check_place() const;
+  [[nodiscard]] std::shared_ptr<ColumnBase> numbers_of(std::string_view property) const;
+
   std::string name_;
   ModelPtr model_;
   EntityOptions options_;
   ColumnStore columns_;
-  std::uint64_t revision_ = 0;
   std::optional<std::string> frozen_reason_;
 };
 

@@ -14,8 +14,6 @@ const Model& ObjectAccess::model() const { return entity_->model(); }
 
 ColumnStore& ObjectAccess::columns() const { return entity_->columns(); }
 
-void ObjectAccess::count_change() { entity_->count_change(); }
-
 void ObjectAccess::refuse_unused(const PropertyInfo& info) const {
   throw SetupError(fmt::format("{} has no '{}': no attached algorithm uses it", where(), info.name));
 }
@@ -87,7 +85,6 @@ void ObjectAccess::set(std::string_view property, std::span<const double> number
   assert(may_write(*column) && "a column that the algorithm has not declared as written");
   const std::size_t target = row(*column);
   for (std::size_t i = 0; i < numbers.size(); ++i) column->set(target, i, numbers[i]);
-  count_change();
 }
 
 std::vector<std::string_view> ObjectAccess::properties() const {

@@ -48,7 +48,6 @@ class ObjectAccess {
   [[nodiscard]] std::vector<double> structural_numbers(std::string_view property) const;
   [[nodiscard]] std::string where() const;
   [[noreturn]] void refuse_unused(const PropertyInfo& info) const;
-  void count_change();  ///< after every set
 
   Entity* entity_;
   int object_;
@@ -69,7 +68,6 @@ void ObjectAccess::set(const Property<T>& property, const std::type_identity_t<T
   if (!columns().find(property)) refuse_unused(property);
   auto& column = columns().column(property);
   column.values[row(column)] = value;
-  count_change();
 }
 
 }  // namespace murosimf

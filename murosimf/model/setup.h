@@ -35,10 +35,11 @@ class Setup {
   /// stands until somebody does, and again when a level that did is exchanged.
   template <class T>
   [[nodiscard]] std::span<const T> input(const Property<T>& property, const std::type_identity_t<T>& value) {
+    const bool has_values = entity_->columns().live() && entity_->find(property);
     Column<T>& column = take(property, AccessMode::input);
     if (!column.start) {
       column.start = value;
-      column.restart();
+      if (!has_values) column.restart();
     }
     return column.values;
   }

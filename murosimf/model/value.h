@@ -4,6 +4,8 @@
 /// numbers keeps `numbers = 0` and offers `void append_hash(Hasher&, const T&)` in its namespace.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstring>
 
 #include "murosimf/math/hash.h"
@@ -11,6 +13,14 @@
 #include "murosimf/math/spatial.h"
 
 namespace murosimf {
+
+/// Where the numbers of one value stand in memory: number (i, j), row by row as users see them, at first + i strides[0] + j
+/// strides[1], all in doubles. A value with one index has shape[1] = 1.
+struct ValueLayout {
+  std::array<std::size_t, 2> shape{1, 1};
+  std::array<std::ptrdiff_t, 2> strides{0, 0};
+  std::ptrdiff_t first = 0;
+};
 
 template <class T>
 struct ValueTraits {
@@ -22,6 +32,7 @@ template <class T>
 struct OfDoubles {
   static_assert(sizeof(T) % sizeof(double) == 0);
   static constexpr std::size_t numbers = sizeof(T) / sizeof(double);
+  static constexpr ValueLayout layout{{numbers, 1}, {1, 0}, 0};
 
   static double get(const T& value, std::size_t i) {
     double number = 0;
@@ -45,6 +56,7 @@ template <> struct ValueTraits<Sym6d>       : OfDoubles<Sym6d> {};        ///< J
 /// Users write and read the force first, then the moment, as in MuJoCo; in memory it is n, f.
 template <>
 struct ValueTraits<Wrenchd> : OfDoubles<Wrenchd> {
+  static constexpr ValueLayout layout{{2, 3}, {-3, 1}, 3};
   static double get(const Wrenchd& force, std::size_t i) { return OfDoubles::get(force, (i + 3) % 6); }
   static void set(Wrenchd& force, std::size_t i, double number) { OfDoubles::set(force, (i + 3) % 6, number); }
 };
@@ -52,6 +64,7 @@ struct ValueTraits<Wrenchd> : OfDoubles<Wrenchd> {
 /// Rotations are shown row by row, as users write them.
 template <>
 struct ValueTraits<Mat3d> : OfDoubles<Mat3d> {
+  static constexpr ValueLayout layout{{3, 3}, {1, 3}, 0};
   static double get(const Mat3d& m, std::size_t i) { return OfDoubles::get(m, 3 * (i % 3) + i / 3); }
   static void set(Mat3d& m, std::size_t i, double number) { OfDoubles::set(m, 3 * (i % 3) + i / 3, number); }
 };

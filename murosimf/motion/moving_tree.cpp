@@ -25,7 +25,8 @@ MovingTree::MovingTree(Setup& setup, const MovingTreeOptions& options, std::stri
       center_velocity_(setup.write(properties::common_center_of_mass_velocity)[0]),
       common_inertia_(setup.write(properties::common_inertia)[0]),
       total_mass_(setup.write(properties::total_mass)[0]),
-      dynamic_(setup.write(properties::dynamic)[0]) {
+      dynamic_(setup.write(properties::dynamic)[0]),
+      written_(columns) {
   if (!(setup.model().tree().mass > 0)) {
     throw SetupError(fmt::format("model '{}' has no mass; {} needs it", setup.model().name(), level));
   }
@@ -49,7 +50,6 @@ void MovingTree::check_inertia() const {
 
 void MovingTree::take_over(const Momentum& momentum) {
   contacts.check(options_.integrator, period_);
-  seen_revision_ = entity_.revision();
   if (options_.fixed_base) columns.v[0] = columns.w[0] = {};
   refresh();
   check_inertia();
@@ -63,16 +63,15 @@ Momentum MovingTree::hand_over() noexcept {
 }
 
 void MovingTree::state(StateArchive& archive) {
-  bool changed = entity_.revision() != seen_revision_;
+  bool changed = written_.differs(columns);
   archive(changed);
   if (!archive.loads()) return;
   update_links();
-  seen_revision_ = changed ? entity_.revision() - 1 : entity_.revision();
+  changed ? written_.forget() : written_.remember(columns);
 }
 
 void MovingTree::take_changes() noexcept {
-  if (entity_.revision() == seen_revision_) return;
-  seen_revision_ = entity_.revision();
+  if (!written_.differs(columns)) return;
   columns.R[0] = to_matrix(columns.Q[0]);
   if (options_.fixed_base) columns.v[0] = columns.w[0] = {};
   refresh();
@@ -82,6 +81,7 @@ void MovingTree::refresh() noexcept {
   columns.update_poses();
   columns.update_velocities();
   update_links();
+  written_.remember(columns);
 }
 
 void MovingTree::update_links() noexcept {

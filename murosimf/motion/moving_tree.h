@@ -18,7 +18,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -30,6 +29,7 @@
 #include "murosimf/motion/integrator.h"
 #include "murosimf/motion/pose_columns.h"
 #include "murosimf/motion/sanity.h"
+#include "murosimf/motion/written_state.h"
 #include "murosimf/multibody/link_motion.h"
 
 namespace murosimf::motion {
@@ -53,7 +53,7 @@ class MovingTree {
   [[nodiscard]] Momentum hand_over() noexcept;
   /// Columns have all of it but whether changes are still to be taken over; the rest is worked out again.
   void state(StateArchive& archive);
-  /// To be called first in a step: takes over what users have changed since the last one.
+  /// To be called first in a step: takes over what others have changed since the last one (written_state.h).
   void take_changes() noexcept;
 
   /// Calls add(link, force, damping) for every body that feels anything: Wrenchd [N m, N] at a' = 0 and Sym6d h D, both
@@ -128,8 +128,8 @@ class MovingTree {
   double& dynamic_;
   RungeKutta4 runge_kutta_;
   std::vector<double> start_row_;
-  std::vector<double> row_;          // the state while Runge-Kutta works on it
-  std::uint64_t seen_revision_ = 0;  // of the entity, when the links were last worked out
+  std::vector<double> row_;  // the state while Runge-Kutta works on it
+  WrittenState written_;     // when poses, velocities and links were last worked out
   Sym6d base_inertia_;
   std::optional<Cholesky6<double>> factor_;      // of it, for responses
   std::optional<CenterMotion> wanted_momentum_;  // after the present step, in flight

@@ -43,6 +43,10 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, std::uint64
       logs_(static_cast<std::size_t>(options.particles)),
       drawn_(static_cast<std::size_t>(options.particles)) {}
 
+void ParticleFilter::reseed(std::uint64_t seed) noexcept {
+  for (RandomStream* stream : {&scatter_, &motion_, &draw_}) stream->reseed(seed);
+}
+
 std::vector<Particle> ParticleFilter::scatter(const Vec3d& start) const {
   const std::size_t count = logs_.size();
   std::vector<Particle> particles(count);

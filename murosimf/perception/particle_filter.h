@@ -57,6 +57,8 @@ class ParticleFilter {
   /// all random numbers; those of a step are addressed by its number, so that each step needs another one.
   ParticleFilter(const ParticleFilterOptions& options, std::uint64_t seed, const std::string& name);
 
+  /// Random numbers of another seed.
+  void reseed(std::uint64_t seed) noexcept;
   /// Particles around `start`.
   [[nodiscard]] std::vector<Particle> scatter(const Vec3d& start) const;
   /// `step_pose`: the robot's motion in its own frame (dead_reckoning.h), in a time `dt` [s].

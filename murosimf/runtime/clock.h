@@ -1,11 +1,10 @@
-/// clock.h - how simulated time follows the wall clock: in real time, slower, faster, or as fast as possible.
+/// clock.h - pacer: how simulated time follows the wall clock: in real time, slower, faster, or as fast as possible.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 
-#include "murosimf/model/time.h"
+#include "murosimf/runtime/pacer.h"
 
 namespace murosimf {
 
@@ -17,9 +16,6 @@ class WallTime {
   virtual void sleep_until(Duration time) = 0;
 };
 
-/// Whether to end early. Called often, by the thread that runs the simulation.
-using StopRequest = std::function<bool()>;
-
 /// How late a simulation was, in wall time.
 struct Lateness {
   std::int64_t late_steps = 0;  ///< steps that ended more than the tolerance behind schedule
@@ -27,18 +23,20 @@ struct Lateness {
   Duration worst{};             ///< largest overrun
 };
 
-class Clock {
+class Clock final : public Pacer {
  public:
   /// `speed`: simulated seconds per wall second (1: real time); nothing: as fast as possible. Throws SetupError if it
   /// is not positive and finite.
   explicit Clock(std::optional<double> speed = std::nullopt, std::unique_ptr<WallTime> wall = nullptr);
 
   /// The schedule begins now: simulated time `simulated` is due at once.
-  void start(Duration simulated);
+  void start(Duration simulated) override;
 
   /// Returns when `simulated` is due. Does not wait if the simulation is late; after more than 100 ms of delay the
   /// schedule is moved instead of being caught up with in a rush. Returns within 20 ms of wall time once `stop` says true.
   void wait_until(Duration simulated, const StopRequest& stop = {});
+
+  void after_step(Duration simulated, const StopRequest& stop) override { wait_until(simulated, stop); }
 
   [[nodiscard]] const Lateness& lateness() const { return lateness_; }
 

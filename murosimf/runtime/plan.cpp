@@ -74,7 +74,8 @@ std::vector<Wave> make_waves(std::span<const std::size_t> due, std::span<const A
   return waves;
 }
 
-Plan::Plan(std::vector<const AccessSet*> access, std::span<const Duration> periods, std::span<const std::string> names)
+Plan::Plan(std::vector<const AccessSet*> access, std::span<const Duration> periods, std::span<const std::string> names,
+           Duration now)
     : access_(std::move(access)) {
   std::int64_t tick = 0;
   for (std::size_t i = 0; i < periods.size(); ++i) {
@@ -87,7 +88,7 @@ Plan::Plan(std::vector<const AccessSet*> access, std::span<const Duration> perio
     }
     tick = common;
   }
-  if (tick > 0) tick_ = Duration(tick);
+  if (tick > 0) tick_ = Duration(std::gcd(tick, static_cast<std::int64_t>(now.count())));
 
   std::map<Duration, std::vector<std::size_t>> by_period;
   for (std::size_t i = 0; i < periods.size(); ++i) by_period[periods[i]].push_back(i);

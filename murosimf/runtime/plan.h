@@ -25,10 +25,11 @@ class Plan {
  public:
   Plan() = default;
   /// One access set and one period per algorithm, in their order. Throws SetupError if the periods have no
-  /// common tick of at least 10 microseconds; `names` are for the message.
-  Plan(std::vector<const AccessSet*> access, std::span<const Duration> periods, std::span<const std::string> names);
+  /// common tick of at least 10 microseconds; `names` are for the message. `now`: where the simulation is, a multiple of the tick too.
+  Plan(std::vector<const AccessSet*> access, std::span<const Duration> periods, std::span<const std::string> names,
+       Duration now = {});
 
-  /// Greatest common divisor of all periods: one step of the simulation.
+  /// Greatest common divisor of all periods, and of the time at which it was planned: one step of the simulation.
   [[nodiscard]] Duration tick() const { return tick_; }
 
   /// Waves that are due at tick number `n`. An algorithm with period p is due at 0, p, 2p, ...

@@ -35,22 +35,6 @@ std::vector<std::string> Simulation::writers_of(const Entity& entity, std::strin
   return names;
 }
 
-Algorithm& Simulation::attach(std::string name, Entity& entity, double rate_hz, const Maker<Algorithm>& make) {
-  if (initialized_) throw SetupError(fmt::format("'{}' is attached after the first step", name));
-  auto task = new_task(std::move(name), entity, rate_hz);
-  Setup setup(*world_, entity, task->access, task->period);
-  task->algorithm = make(setup);
-  task->level = dynamic_cast<MotionLevel*>(task->algorithm.get());
-  if (task->level && task_of_level(entity) != tasks_.end()) {
-    throw SetupError(
-        fmt::format("'{}' cannot move '{}', which another level moves already", task->name, entity.name()));
-  }
-  if (task->level) entity.level = task->name;
-  Algorithm& algorithm = *task->algorithm;
-  add_in_order(std::move(task));  // last: a constructor that throws leaves nothing behind
-  return algorithm;
-}
-
 void Simulation::add_in_order(std::unique_ptr<Task> task) {
   const auto later = [&](Phase phase, const auto& other) { return phase < other->algorithm->phase(); };
   tasks_.insert(std::upper_bound(tasks_.begin(), tasks_.end(), task->algorithm->phase(), later), std::move(task));
@@ -67,88 +51,6 @@ std::vector<PlannedAlgorithm> Simulation::order_of_tick() {
     }
   }
   return order;
-}
-
-MotionLevel& Simulation::exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make, LevelStart start) {
-  const auto present = task_of_level(entity);
-  if (present == tasks_.end()) {
-    throw SetupError(fmt::format("'{}' has no level that could be exchanged", entity.name()));
-  }
-  auto next = new_task(name, entity, 1 / seconds((*present)->period));
-  next->period = (*present)->period;  // without rounding
-  try {
-    if (entity.frozen() && start == LevelStart::in_motion)
-      throw SetupError(fmt::format("it was frozen ({})", *entity.frozen_reason()));
-    construct_level(*next, entity, make, start);
-    put_in_place_of(*present, next, start);
-  } catch (const SetupError& error) {
-    drop_columns_of(*next);
-    if (initialized_) restart_checks();
-    throw SetupError(
-        fmt::format("'{}' stays at {}: no {}: {}", entity.name(), (*present)->name, next->name, error.what()));
-  }
-  // `next` is now what was there before
-  restart_columns_of(*next);
-  drop_columns_of(*next);
-  if (initialized_) restart_checks();
-  entity.level = name;
-  if (name != next->name) record(fmt::format("{}: {} -> {}", entity.name(), next->name, name));
-  next->algorithm.reset();
-  retired_.push_back(std::move(next));
-  return *(*present)->level;
-}
-
-/// Leaves `task` without algorithm if that refuses.
-void Simulation::construct_level(Task& task, Entity& entity, const Maker<MotionLevel>& make, LevelStart start) {
-  world_->thaw_columns();
-  Setup setup(*world_, entity, task.access, task.period);
-  try {
-    auto level = make(setup);
-    task.level = level.get();
-    task.algorithm = std::move(level);
-  } catch (const SetupError&) {
-    if (initialized_) world_->freeze_columns();
-    throw;
-  }
-  if (!initialized_) return;
-  world_->freeze_columns();
-  if (start == LevelStart::anew) return;
-  if (const std::string why = task.level->refusal(); !why.empty()) throw SetupError(why);
-}
-
-/// Swaps the two, and has the motion handed over; on an error everything is as before.
-void Simulation::put_in_place_of(std::unique_ptr<Task>& present, std::unique_ptr<Task>& next, LevelStart start) {
-  std::swap(present, next);
-  if (!initialized_) return;
-  std::optional<Momentum> momentum;
-  try {
-    check_and_plan();
-    momentum = next->level->hand_over();
-    start == LevelStart::anew ? present->level->initialize() : present->level->take_over(*momentum);
-  } catch (const SetupError&) {
-    std::swap(present, next);
-    check_and_plan();
-    if (momentum) present->level->take_over(*momentum);
-    throw;
-  }
-}
-
-/// Columns that only this task has used.
-void Simulation::drop_columns_of(const Task& task) {
-  for (const Access& access : task.access.all()) {
-    const auto uses = [&](const auto& other) { return other.get() != &task && other->access.touches(access.column); };
-    if (std::any_of(tasks_.begin(), tasks_.end(), uses)) continue;
-    for (const auto& entity : world_->entities()) entity->columns().drop(access.column);
-  }
-}
-
-/// Columns that this task has written and nobody writes now.
-void Simulation::restart_columns_of(const Task& task) {
-  for (const Access& access : task.access.all()) {
-    if (access.mode != AccessMode::write) continue;
-    const auto writes = [&](const auto& other) { return other.get() != &task && other->access.writes(access.column); };
-    if (std::none_of(tasks_.begin(), tasks_.end(), writes)) access.entity->find(access.column->info().name)->restart();
-  }
 }
 
 auto Simulation::task_of_level(const Entity& entity) -> std::vector<std::unique_ptr<Task>>::iterator {
@@ -194,14 +96,16 @@ void Simulation::make(const TimedCall& timed) {
   }
 }
 
-void Simulation::run(Duration duration, Clock& clock, const std::function<void(Duration)>& progress) {
+void Simulation::run(Duration duration, Pacer& pacer, const std::function<void(Duration)>& progress) {
   if (duration < Duration{}) throw SetupError(fmt::format("duration {} s is negative", seconds(duration)));
   initialize();
-  clock.start(now_);
+  pacer.start(now_);
   auto next_report = WallClock::now();
   for (const Duration end = now_ + duration; now_ < end && !stopped();) {
+    pacer.before_step(now_, stop_);
+    if (stopped()) return;
     step();
-    clock.wait_until(now_, stop_);
+    pacer.after_step(now_, stop_);
     if (progress && (ticks_ % 64 == 0 || now_ >= end) && (WallClock::now() >= next_report || now_ >= end)) {
       progress(now_);
       next_report = WallClock::now() + std::chrono::milliseconds(100);
@@ -210,19 +114,21 @@ void Simulation::run(Duration duration, Clock& clock, const std::function<void(D
 }
 
 void Simulation::run(Duration duration) {
-  Clock as_fast_as_possible;
+  Pacer as_fast_as_possible;
   run(duration, as_fast_as_possible);
 }
 
 void Simulation::step() {
   initialize();
   make_timed_calls();
+  queue_.carry_out(now_);
   take_over_frozen();
   for (const Wave& wave : plan_.due(ticks_)) run_wave(wave);
   if constexpr (checked) checks_.after_tick();
   now_ += plan_.tick();
   ++ticks_;
   take_over_frozen();
+  poses_.publish(*world_, now_, ticks_);
 }
 
 void Simulation::run_wave(const Wave& wave) {
@@ -243,16 +149,6 @@ void Simulation::restart_checks() {
   }
 }
 
-void Simulation::initialize() {
-  if (initialized_) return;
-  check_and_plan();
-  world_->freeze_columns();
-  for (const auto& task : tasks_) murosimf::with_context(full_name(*task), [&] { task->algorithm->initialize(); });
-  initialized_ = true;
-  for (const auto& call : after_initialize_) call();
-  restart_checks();
-}
-
 void Simulation::check_and_plan() {
   std::vector<NamedAccess> named;
   std::vector<const AccessSet*> access;
@@ -265,7 +161,15 @@ void Simulation::check_and_plan() {
     names.push_back(task->name);
   }
   check_every_read_is_written(named);
-  plan_ = Plan(std::move(access), periods, names);
+  plan_ = Plan(std::move(access), periods, names, now_);
+  ticks_ = now_ / plan_.tick();
+  planned_at_ = now_;
+}
+
+/// After time has jumped: the plan is that of a simulation which has come here without changes on the way.
+void Simulation::align_plan() {
+  if (planned_at_ != Duration{} || now_ % plan_.tick() != Duration{}) return check_and_plan();
+  ticks_ = now_ / plan_.tick();
 }
 
 std::unique_ptr<Simulation::Task> Simulation::new_task(std::string name, const Entity& entity, double rate_hz) const {

@@ -29,8 +29,10 @@
 #include "murosimf/model/motion_level.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/model/world.h"
-#include "murosimf/runtime/clock.h"
+#include "murosimf/runtime/command_queue.h"
+#include "murosimf/runtime/pacer.h"
 #include "murosimf/runtime/plan.h"
+#include "murosimf/runtime/pose_feed.h"
 #include "murosimf/runtime/step_checks.h"
 #include "murosimf/runtime/thread_pool.h"
 
@@ -78,7 +80,9 @@ class Simulation {
 
   /// Adds an algorithm: constructs an A with (Setup&, arguments...) for `entity` and executes it `rate_hz` times per
   /// simulated second. `name` is what reports and messages call it. Algorithms that conflict run by phase, then
-  /// in the order of attaching. Throws SetupError if the rate is not positive and finite, or after the first step.
+  /// in the order of attaching. In a running simulation, between two steps, it is initialized at once and is due from the next step
+  /// on. Throws SetupError, and leaves everything as it was, if the rate is not positive and finite or does not fit to the others,
+  /// if the constructor or initialize() throws, or if nobody writes what it reads.
   template <class A, class... Arguments>
   A& attach(std::string name, Entity& entity, double rate_hz, Arguments&&... arguments) {
     const auto make = [&](Setup& setup) { return std::make_unique<A>(setup, std::forward<Arguments>(arguments)...); };
@@ -86,6 +90,10 @@ class Simulation {
   }
   /// The same for an algorithm that make(setup) constructs.
   Algorithm& attach(std::string name, Entity& entity, double rate_hz, const Maker<Algorithm>& make);
+
+  /// Takes an algorithm out and destroys it, between two steps; columns that nobody uses any more are removed (views keep theirs,
+  /// column_view.h). Throws SetupError, and changes nothing, if it is a level, or if somebody reads what nobody else writes.
+  void detach(const Algorithm& algorithm);
 
   /// Has another level move `entity` from now on, at the same rate and in the same place of the order: constructs an L
   /// with (Setup&, arguments...), which takes over the motion as it is (model/motion_level.h). Columns that nobody uses
@@ -107,20 +115,39 @@ class Simulation {
   /// is part of the state how far that has come. Later ones are their caller's, whom a state that is loaded does not concern.
   void at(Duration time, std::function<void()> call);
 
-  /// Has `call` done at the end of initialize(), when all columns exist and have their first values.
-  void after_initialize(std::function<void()> call) { after_initialize_.push_back(std::move(call)); }
+  /// Has `call` done at every start, by initialize() and by reset(): before algorithms give columns their first values (it may
+  /// place entities and set inputs), or after that (it may set properties).
+  void before_start(std::function<void()> call) { before_start_.push_back(std::move(call)); }
+  void after_start(std::function<void()> call) { after_start_.push_back(std::move(call)); }
+
+  /// Back to the time 0, without building anything: as after initialize(), bit for bit. Levels and laws are those of now;
+  /// calls that were asked for after initialize() are forgotten. Throws SetupError if an algorithm cannot start.
+  void reset();
+  /// Has all algorithms draw their random numbers from another seed from now on; readings and columns stay as they are.
+  void reseed(std::uint64_t seed);
 
   /// Checks, freezes, initializes and plans. Called by the first step; call it yourself to set properties before.
   void initialize();
 
-  /// Advances by at least `duration` (whole ticks), paced by `clock`. `progress`, if given, is called about ten times
+  /// Advances by at least `duration` (whole ticks), paced by `pacer`: a Clock, a LockStep. `progress`, if given, is called about ten times
   /// per wall second with the present simulated time. Throws SetupError if the duration is negative. Ends early, between
   /// two ticks, if stopped().
-  void run(Duration duration, Clock& clock, const std::function<void(Duration)>& progress = {});
+  void run(Duration duration, Pacer& pacer, const std::function<void(Duration)>& progress = {});
   /// As fast as possible.
   void run(Duration duration);
   /// One tick.
   void step();
+
+  /// From any thread: has `call` done at the beginning of the next step, after the calls of that time. All who ask are served in
+  /// the order in which they asked; `text` says what is to be done, so that commands() tells how to repeat the run. The future
+  /// has what the call threw. What `check` refuses, if there is one, is no command.
+  std::future<void> post(std::string text, std::function<void()> call, std::function<void()> check = {}) {
+    return queue_.post(std::move(text), std::move(call), std::move(check));
+  }
+  [[nodiscard]] const std::vector<Command>& commands() const { return queue_.history(); }
+
+  /// Copies of poses for other threads.
+  [[nodiscard]] PoseFeed& poses() { return poses_; }
 
   /// Has run() end early once `stop` says true; asked before every tick and while a clock waits. step() does not ask.
   void stop_if(StopRequest stop) { stop_ = std::move(stop); }
@@ -164,6 +191,7 @@ class Simulation {
     std::int64_t calls = 0;
     std::int64_t timed_calls = 0;  ///< that `time` stands for
     Duration time{};
+    std::vector<std::byte> first_memory;  ///< the algorithm's own state before it has first been initialized
   };
   struct TimedCall {
     Duration time{};
@@ -174,18 +202,25 @@ class Simulation {
   [[nodiscard]] static std::string full_name(const Task& task);
   void add_in_order(std::unique_ptr<Task> task);
   [[nodiscard]] std::vector<std::unique_ptr<Task>>::iterator task_of_level(const Entity& entity);
+  void construct(Task& task, Entity& entity, const Maker<Algorithm>& make);
+  void start_late(const Task& task);
   void construct_level(Task& task, Entity& entity, const Maker<MotionLevel>& make, LevelStart start);
   void put_in_place_of(std::unique_ptr<Task>& present, std::unique_ptr<Task>& next, LevelStart start);
   void drop_columns_of(const Task& task);
   void restart_columns_of(const Task& task);
   void check_and_plan();
+  void align_plan();
   void restart_checks();
   void run_wave(const Wave& wave);
   void make_timed_calls();
   void make(const TimedCall& call);
+  void start();
   void load_sections(std::span<const std::byte> bytes);
   template <class Visit>
-  void visit_sections(const Visit& visit);
+  void visit_parts(const Visit& visit);
+  void keep_start();
+  void go_back_to_start();
+  static void keep_memory(Task& task);
   void state(StateArchive& archive);
   void execute(Task& task) noexcept;
   void take_over_frozen();
@@ -197,14 +232,18 @@ class Simulation {
   std::size_t scheduled_done_ = 0;              // of them
   std::vector<TimedCall> timed_calls_;          // those to come that were asked for later, the next one first
   std::vector<Event> events_;
+  CommandQueue queue_;
+  PoseFeed poses_;
   Plan plan_;
+  Duration planned_at_{};
   StepChecks checks_;  // used in debug builds only
   ThreadPool pool_;
   Duration now_{};
   std::int64_t ticks_ = 0;
   bool initialized_ = false;
   StopRequest stop_;
-  std::vector<std::function<void()>> after_initialize_;
+  std::vector<std::function<void()>> before_start_, after_start_;
+  std::size_t events_before_start_ = 0;
   std::vector<std::string> warnings_;
   std::size_t frozen_reported_ = 0;
 };

@@ -58,6 +58,17 @@ std::vector<Section> sections_of(std::span<const std::byte> bytes) {
   return sections;
 }
 
+/// What a part of the state is called.
+struct PartName {
+  std::string_view kind, name, entity;
+};
+
+std::string to_text(const PartName& part) {
+  if (part.entity.empty()) return std::string(part.kind);
+  if (part.name.empty()) return fmt::format("{} '{}'", part.kind, part.entity);
+  return fmt::format("{} '{}' of '{}'", part.kind, part.name, part.entity);
+}
+
 bool has(const std::vector<Section>& sections, const std::string& name) {
   return std::ranges::find(sections, name, &Section::name) != sections.end();
 }
@@ -85,8 +96,9 @@ void Simulation::state(StateArchive& archive) {
   if (scheduled != schedule_.size()) {
     throw SetupError(fmt::format("it has {} calls at given times, not {}", scheduled, schedule_.size()));
   }
-  archive(scheduled_done_, now_, ticks_, events_, warnings_, frozen_reported_);
+  archive(scheduled_done_, now_, events_, warnings_, frozen_reported_);
   if (archive.loads()) {
+    align_plan();
     for (const auto& task : tasks_) task->frozen = task->entity->frozen();
   }
 }
@@ -94,25 +106,26 @@ void Simulation::state(StateArchive& archive) {
 /// Calls visit(name, optional, part) for every part of the state, always in the same order; entities come before what hangs on
 /// them.
 template <class Visit>
-void Simulation::visit_sections(const Visit& visit) {
+void Simulation::visit_parts(const Visit& visit) {
   for (const auto& entity : world_->entities()) {
-    visit(fmt::format("entity '{}'", entity->name()), false, *entity);
+    visit(PartName{"entity", {}, entity->name()}, false, *entity);
     for (const auto& [name, column] : entity->columns()) {
       if (column->info().scope == Scope::wiring) continue;
-      visit(fmt::format("property '{}' of '{}'", name, entity->name()), false, *column);
+      visit(PartName{"property", name, entity->name()}, false, *column);
     }
   }
   for (const auto& task : tasks_) {
     const bool looks_on = task->algorithm->phase() == Phase::observe;
-    visit(fmt::format("algorithm '{}' of '{}'", task->name, task->entity->name()), looks_on, *task->algorithm);
+    visit(PartName{"algorithm", task->name, task->entity->name()}, looks_on, *task->algorithm);
   }
-  visit(std::string("the simulation"), false, *this);
+  visit(PartName{"the simulation", {}, {}}, false, *this);
 }
 
 std::vector<std::byte> Simulation::save() {
   initialize();
   std::vector<std::byte> bytes(begin_of_sections), part;
-  visit_sections([&](std::string name, bool optional, auto& what) {
+  visit_parts([&](const PartName& part_name, bool optional, auto& what) {
+    std::string name = to_text(part_name);
     part.clear();
     StateArchive content(part);
     what.state(content);
@@ -140,10 +153,11 @@ void Simulation::load(std::span<const std::byte> bytes) {
 void Simulation::load_sections(std::span<const std::byte> bytes) {
   const std::vector<Section> sections = sections_of(bytes);
   std::vector<Section> own;
-  visit_sections([&](std::string name, bool optional, auto&) { own.push_back({std::move(name), optional, {}}); });
+  visit_parts([&](const PartName& name, bool optional, auto&) { own.push_back({to_text(name), optional, {}}); });
   check_names(sections, own);
   auto next = sections.begin();  // of one name there may be several, in the same order
-  visit_sections([&](const std::string& name, bool optional, auto& what) {
+  visit_parts([&](const PartName& part, bool optional, auto& what) {
+    const std::string name = to_text(part);
     const auto section = std::find_if(next, sections.end(), [&](const Section& one) { return one.name == name; });
     if (section == sections.end()) {
       if (optional) return;

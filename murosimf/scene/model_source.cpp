@@ -7,7 +7,6 @@
 #include "murosimf/files/data_path.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/robot/robot_reader.h"
 #include "murosimf/scene/model_constants.h"
 
 namespace murosimf::scene {
@@ -31,16 +30,16 @@ std::string owners_of(const std::vector<scene_file::PropertySetting>& settings) 
 
 }  // namespace
 
-const ModelSource::RobotKind& ModelSource::robot(const std::string& name, const std::string& where) {
-  RobotKind& known = robots_[name];
-  if (known.model) return known;
+const RobotKind& ModelSource::robot(const std::string& name, const std::string& where) {
+  std::shared_ptr<const RobotKind>& known = robots_[name];
+  if (known) return *known;
   const auto file =
       with_context(where, [&] { return files::find_data_file(name, "models", ".xml", spec_.file.parent_path()); });
-  robot::RobotFile result = robot::read_robot(file, {.lenient = lenient_});
-  remarks_.warn(result.warnings);
-  check_materials(*result.model);
-  known = {result.model, std::move(result.sensors)};
-  return known;
+  auto kind = assets_.robot(file, lenient_);
+  remarks_.warn(kind->warnings);
+  check_materials(*kind->model);
+  known = std::move(kind);
+  return *known;
 }
 
 ModelPtr ModelSource::changed_for(const std::string& entity, const ModelPtr& model) {

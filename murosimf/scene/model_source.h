@@ -4,26 +4,21 @@
 #include <map>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "murosimf/model/model.h"
+#include "murosimf/scene/assets.h"
 #include "murosimf/scene/remarks.h"
 #include "murosimf/scene_file/scene_spec.h"
-#include "murosimf/sensors/sensor_spec.h"
 
 namespace murosimf::scene {
 
 class ModelSource {
  public:
-  ModelSource(const scene_file::SceneSpec& spec, bool lenient, Remarks& remarks)
-      : spec_(spec), lenient_(lenient), remarks_(remarks) {}
+  ModelSource(const scene_file::SceneSpec& spec, Assets& assets, bool lenient, Remarks& remarks)
+      : spec_(spec), assets_(assets), lenient_(lenient), remarks_(remarks) {}
 
   /// A robot's model by name or file, with the sensors of its files. Throws SetupError: no such file, a mistake in it,
   /// an unknown material.
-  struct RobotKind {
-    ModelPtr model;
-    std::vector<sensors::SensorSpec> sensors;
-  };
   [[nodiscard]] const RobotKind& robot(const std::string& name, const std::string& where);
 
   /// The model, or a copy with the constants that the scene changes for this entity.
@@ -34,9 +29,10 @@ class ModelSource {
 
  private:
   const scene_file::SceneSpec& spec_;
+  Assets& assets_;
   bool lenient_;
   Remarks& remarks_;
-  std::map<std::string, RobotKind> robots_;                              // equal robots share one
+  std::map<std::string, std::shared_ptr<const RobotKind>> robots_;       // those that fit to the scene
   std::map<std::pair<ModelPtr, std::string>, ModelPtr> with_constants_;  // equal changes share one, too
 };
 

@@ -1,24 +1,33 @@
 #include "murosimf/scene/scene.h"
 
+#include <fmt/format.h>
+
 #include "murosimf/files/data_path.h"
 #include "murosimf/scene/scene_builder.h"
 #include "murosimf/scene/scene_exchange.h"
+#include "murosimf/scene/scene_start.h"
 #include "murosimf/scene/scene_state.h"
+#include "murosimf/scene_file/scene_change.h"
 
 namespace murosimf::scene {
 namespace {
 
 scene_file::SceneSpec read(const std::filesystem::path& name, const SceneOptions& options) {
   const auto file = files::find_data_file(name.string(), "scenes", ".toml");
-  scene_file::SceneSpec spec = scene_file::read_scene(file, options.overrides, options.events, options.pushes);
+  return scene_file::read_scene(file, options.overrides, options.events, options.pushes);
+}
+
+scene_file::SceneSpec with_seed(scene_file::SceneSpec spec, const SceneOptions& options) {
   if (options.seed) spec.seed = *options.seed;
   return spec;
 }
 
 }  // namespace
 
-Scene::Scene(const std::filesystem::path& name, const SceneOptions& options)
-    : parts_(read(name, options), options.threads) {
+Scene::Scene(const std::filesystem::path& name, const SceneOptions& options) : Scene(read(name, options), options) {}
+
+Scene::Scene(scene_file::SceneSpec spec, const SceneOptions& options)
+    : parts_(with_seed(std::move(spec), options), options.threads) {
   build(parts_, options);
 }
 
@@ -34,7 +43,23 @@ void Scene::exchange_servo_law(std::string_view robot, std::string_view law) {
   scene::exchange_servo_law(parts_, robot, law);
 }
 
+std::future<void> Scene::post(std::string change) {
+  const auto event = [this, change] { return scene_file::read_change(parts_.spec, change); };
+  return parts_.simulation->post(
+      change, [this, event] { apply_change(parts_, event()); }, [this, event] { check_change(parts_, event()); });
+}
+
+void Scene::reset(std::optional<std::uint64_t> seed) { scene::reset(parts_, seed); }
+
 std::vector<std::byte> Scene::save() { return save_state(parts_); }
 void Scene::load(std::span<const std::byte> bytes) { load_state(parts_, bytes); }
+
+std::vector<std::string> events_of_commands(const std::vector<Command>& commands) {
+  std::vector<std::string> events;
+  for (const Command& command : commands) {
+    events.push_back(fmt::format("{:.9f}:{}", seconds(command.time), command.text));
+  }
+  return events;
+}
 
 }  // namespace murosimf::scene

@@ -6,8 +6,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <future>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +24,9 @@ class Scene {
  public:
   /// `name`: a file, or the name of a scene that comes with the program. Throws SetupError.
   explicit Scene(const std::filesystem::path& name, const SceneOptions& options = {});
+  /// What a program has put together, or read before (scene_file/scene_spec.h); of the options, overrides, events and pushes
+  /// concern files only. Throws SetupError.
+  explicit Scene(scene_file::SceneSpec spec, const SceneOptions& options = {});
   Scene(const Scene&) = delete;  // the simulation calls back into its parts
   Scene& operator=(const Scene&) = delete;
 
@@ -36,6 +43,15 @@ class Scene {
   /// Of all servos of a robot at articulated_dynamics; the others remember it.
   void exchange_servo_law(std::string_view robot, std::string_view law);
 
+  /// From any thread: changes a level, law, command or property at the beginning of the next step, by PATH = VALUE as in the scene's
+  /// events ("blue1.level = full_dynamics"). The future says when it was done, and throws SetupError if it could not be. What was done
+  /// stands in simulation().commands(), by which events_of_commands() repeats the run.
+  std::future<void> post(std::string change);
+
+  /// Back to the beginning without building anything: the same run, readings included, as of a new scene with these options and,
+  /// if given, this seed. Throws SetupError if the scene cannot start.
+  void reset(std::optional<std::uint64_t> seed = {});
+
   /// The state of the simulation (Simulation::save), and at which levels and laws entities are.
   [[nodiscard]] std::vector<std::byte> save();
   /// Goes on from there, also in another process: in a scene of the same file and options. Throws SetupError and changes nothing if
@@ -49,5 +65,8 @@ class Scene {
  private:
   SceneParts parts_;
 };
+
+/// The commands of a run as SceneOptions::events of one that repeats it.
+[[nodiscard]] std::vector<std::string> events_of_commands(const std::vector<Command>& commands);
 
 }  // namespace murosimf::scene

@@ -6,12 +6,13 @@
 #include "murosimf/collision/body_contact.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/motion/odometer.h"
+#include "murosimf/scene/contact_marks.h"
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene/scene_entities.h"
 #include "murosimf/scene/scene_exchange.h"
 #include "murosimf/scene/scene_pushing.h"
 #include "murosimf/scene/scene_sensors.h"
-#include "murosimf/scene/scene_settings.h"
+#include "murosimf/scene/scene_start.h"
 #include "murosimf/scene_file/field.h"
 #include "murosimf/scene_file/level_options.h"
 #include "murosimf/scene_file/motion_file.h"
@@ -104,7 +105,8 @@ void build(SceneParts& parts, const SceneOptions& options) {
   simulation.world().gravity = parts.spec.gravity;
   simulation.stop_if(options.stop);
   if (options.cameras) parts.cameras = std::make_unique<CameraRenderer>(parts);
-  ModelSource models(parts.spec, options.lenient, parts.remarks);
+  const std::shared_ptr<Assets> assets = options.assets ? options.assets : std::make_shared<Assets>();
+  ModelSource models(parts.spec, *assets, options.lenient, parts.remarks);
   add_entities(parts, models);
   attach_sensors(parts, models);
   attach_controllers(parts);
@@ -114,15 +116,11 @@ void build(SceneParts& parts, const SceneOptions& options) {
   note_about_sensors(parts);
   warn_about_static_bodies(parts);
   attach_observers(parts, options.paths);
-  scatter_postures(parts);
+  simulation.poses().contacts_from(add_contact_marks);
   warn_about_settings(parts);
-  simulation.after_initialize([&parts] {
-    check_properties(parts);
-    start_moving(parts);
-    apply_settings(parts);
-    warn_about_start(parts);
-  });
+  begin_at_every_start(parts);
   schedule_events(parts);
+  parts.at_start.algorithms = algorithms_in_force(parts);
 }
 
 }  // namespace murosimf::scene

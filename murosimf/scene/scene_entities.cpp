@@ -1,9 +1,5 @@
 #include "murosimf/scene/scene_entities.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "murosimf/math/random.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene_file/field.h"
 
@@ -35,20 +31,9 @@ void add_ball(SceneParts& parts, ModelSource& models) {
   parts.moving_entities.push_back(parts.ball);
 }
 
-/// A turn about any axis, by up to `largest` [rad].
-Mat3d random_tilt(const RandomStream& random, double largest) {
-  const double z = random.uniform(3, -1, 1), longitude = random.uniform(4, -pi, pi), across = std::sqrt(1 - z * z);
-  return rotation(Vec3d{across * std::cos(longitude), across * std::sin(longitude), z},
-                  random.uniform(5, -largest, largest));
-}
-
 EntityOptions options_of(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot) {
   EntityOptions options;
-  const RandomStream random(spec.seed, robot.name + "/start");
-  const double j = spec.jitter_position;
-  options.position = robot.position + Vec3d{random.uniform(0, -j, j), random.uniform(1, -j, j), 0};
-  options.heading = robot.heading + random.uniform(2, -spec.jitter_heading, spec.jitter_heading);
-  options.attitude = random_tilt(random, spec.jitter_tilt) * rotation_y(robot.pitch) * rotation_x(robot.roll);
+  options.position = robot.position;
   options.collision = robot.collision;
   options.team = robot.team;
   for (const scene_file::TeamSpec& team : spec.teams) {
@@ -91,29 +76,6 @@ void add_entities(SceneParts& parts, ModelSource& models) {
   for (const scene_file::RobotSpec& robot : parts.spec.robots) add_robot(parts, models, robot);
   for (const scene_file::BodySpec& body : parts.spec.bodies) {
     if (!body.is_static) with_context(body.where, [&] { add_body(parts, models, body); });
-  }
-}
-
-void start_moving(SceneParts& parts) {
-  if (parts.ball) parts.ball->base().set(properties::linear_velocity, parts.spec.ball->velocity);
-  for (Entity* entity : parts.bodies) {
-    const scene_file::BodySpec& body = *body_spec(parts.spec, *entity);
-    entity->base().set(properties::linear_velocity, body.velocity);
-    entity->base().set(properties::angular_velocity, body.angular_velocity);
-  }
-}
-
-void scatter_postures(SceneParts& parts) {
-  const double largest = parts.spec.jitter_posture;
-  if (largest == 0) return;
-  for (Entity* robot : parts.robots) {
-    const RandomStream random(parts.spec.seed, robot->name() + "/posture");
-    auto& targets = robot->column(properties::joint_target).values;
-    for (const int joint : robot->model().joints()) {
-      const Vec3d* range = robot->model().find(properties::joint_range, joint);
-      const double angle = random.uniform(static_cast<std::uint64_t>(joint), -largest, largest);
-      targets[joint] = range ? std::clamp(angle, range->x, range->y) : angle;
-    }
   }
 }
 

@@ -1,6 +1,7 @@
 #include "murosimf/scene/scene_exchange.h"
 
 #include <algorithm>
+#include <exception>
 
 #include <fmt/format.h>
 
@@ -58,6 +59,13 @@ void check_setting_of(const scene_file::SceneEvent& event, const Model& model) {
   });
 }
 
+Algorithms algorithms_of(const SceneParts& parts, const Entity& entity) {
+  const auto& robots = parts.spec.robots;
+  const auto robot = std::ranges::find(robots, entity.name(), &scene_file::RobotSpec::name);
+  if (robot == robots.end()) return {.contact = entity.contact};
+  return {robot->level, robot->servo_law, robot->contact};
+}
+
 }  // namespace
 
 void exchange_level(SceneParts& parts, std::string_view robot, std::string_view level) {
@@ -96,11 +104,10 @@ void exchange_contact(SceneParts& parts, std::string_view entity, std::string_vi
   warn_about_level(parts, robot);
 }
 
-Algorithms algorithms_of(const SceneParts& parts, const Entity& entity) {
-  const auto& robots = parts.spec.robots;
-  const auto robot = std::ranges::find(robots, entity.name(), &scene_file::RobotSpec::name);
-  if (robot == robots.end()) return {.contact = entity.contact};
-  return {robot->level, robot->servo_law, robot->contact};
+std::vector<Algorithms> algorithms_in_force(const SceneParts& parts) {
+  std::vector<Algorithms> all;
+  for (const Entity* entity : parts.moving_entities) all.push_back(algorithms_of(parts, *entity));
+  return all;
 }
 
 void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithms) {
@@ -110,6 +117,7 @@ void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithm
     parts.ground_contacts[number_of(parts, entity.name())]->exchange_law(law.make());
     if (&entity == parts.ball) parts.spec.ball->contact = algorithms.contact;
   }
+  entity.contact = algorithms.contact;
   if (present.level.empty()) return;
   scene_file::RobotSpec& robot = robot_spec(parts.spec, entity.name());
   scene_file::RobotSpec changed = robot;
@@ -122,13 +130,33 @@ void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithm
     const auto make = [&](Setup& setup) { return level.make(setup, options); };
     parts.simulation->exchange(changed.level, entity, make, LevelStart::anew);
   }
+  if (!find_entry(catalog::levels(), "level", changed.level).traits.dynamic) entity.contact.clear();
   robot = std::move(changed);
+}
+
+void check_change(const SceneParts& parts, const scene_file::SceneEvent& change) {
+  if (!change.setting) return;
+  for (const std::string& entity : change.entities) {
+    check_setting_of(change, parts.simulation->world().entity(entity).model());
+  }
+}
+
+void apply_change(SceneParts& parts, const scene_file::SceneEvent& change) {
+  std::exception_ptr first;
+  for (const std::string& entity : change.entities) {
+    try {
+      apply(parts, change, entity);
+    } catch (const SetupError&) {
+      if (!first) first = std::current_exception();
+    }
+  }
+  if (first) std::rethrow_exception(first);
 }
 
 void schedule_events(SceneParts& parts) {
   for (const scene_file::SceneEvent& event : parts.spec.events) {
+    check_change(parts, event);
     for (const std::string& entity : event.entities) {
-      if (event.setting) check_setting_of(event, parts.simulation->world().entity(entity).model());
       // a call for everybody: one who refuses does not keep the others from changing
       parts.simulation->at(from_seconds(event.time), [&parts, &event, &entity] { apply(parts, event, entity); });
     }

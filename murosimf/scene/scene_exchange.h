@@ -18,16 +18,17 @@ void exchange_contact(SceneParts& parts, std::string_view entity, std::string_vi
 /// Of all servos of a robot at articulated_dynamics; the others remember it.
 void exchange_servo_law(SceneParts& parts, std::string_view robot, std::string_view law);
 
-/// Levels and laws of a robot, or the law of ball and bodies.
-struct Algorithms {
-  std::string level, servo_law;  ///< empty: no robot
-  std::string contact;
-  friend bool operator==(const Algorithms&, const Algorithms&) = default;
-  void state(StateArchive& archive) { archive(level, servo_law, contact); }
-};
-[[nodiscard]] Algorithms algorithms_of(const SceneParts& parts, const Entity& entity);
-/// For a state that will be loaded before the next step: levels begin anew, and nothing is an event.
+/// What is in force for each of the entities that move, in their order.
+[[nodiscard]] std::vector<Algorithms> algorithms_in_force(const SceneParts& parts);
+/// For a state that will be loaded, or a reset, before the next step: levels begin anew, and nothing is an event.
 void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithms);
+
+/// Throws SetupError if nobody can ever do what an event says: constants, objects that there are none of.
+void check_change(const SceneParts& parts, const scene_file::SceneEvent& change);
+
+/// Does now what an event says, to all whom it means: who refuses does not keep the others from changing. Throws SetupError, the
+/// first one, when all are done.
+void apply_change(SceneParts& parts, const scene_file::SceneEvent& change);
 
 /// Has the simulation do the events of the spec when their time comes. Throws SetupError for those that nobody can do.
 void schedule_events(SceneParts& parts);

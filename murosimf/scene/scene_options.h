@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "murosimf/runtime/simulation.h"
 
 namespace murosimf::scene {
+
+class Assets;  // assets.h
 
 struct SceneOptions {
   int threads = 1;
@@ -19,6 +22,7 @@ struct SceneOptions {
   bool lenient = false;                ///< accept unknown elements in model files
   bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames
   bool paths = false;                  ///< remember where everybody has been, for write_picture
+  std::shared_ptr<Assets> assets{};    ///< that it shares with other scenes; null: its own
   StopRequest stop{};                  ///< ends runs of the simulation early (Simulation::stop_if)
 };
 

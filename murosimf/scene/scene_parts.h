@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,20 @@ class GroundContact;
 }
 
 namespace murosimf::scene {
+
+/// Levels and laws of a robot, or the law of ball and bodies.
+struct Algorithms {
+  std::string level, servo_law;  ///< empty: no robot
+  std::string contact;
+  friend bool operator==(const Algorithms&, const Algorithms&) = default;
+  void state(StateArchive& archive) { archive(level, servo_law, contact); }
+};
+
+/// What a reset goes back to.
+struct StartOfScene {
+  std::vector<Algorithms> algorithms;  ///< by moving entity
+  std::optional<Remarks> remarks;      ///< of building
+};
 
 /// Stays where it is: the simulation calls back into it.
 struct SceneParts {
@@ -39,7 +54,8 @@ struct SceneParts {
   std::vector<Entity*> moving_entities;                      ///< robots, ball and bodies
   std::vector<collision::GroundContact*> ground_contacts;    ///< by moving entity
   const PathRecorder* recorder = nullptr;                    ///< null: nobody asked for paths
-  std::unique_ptr<CameraRenderer> cameras;                   ///< null: nothing is drawn for them
+  StartOfScene at_start;
+  std::unique_ptr<CameraRenderer> cameras;  ///< null: nothing is drawn for them
 };
 
 /// Null if the entity is no body of [[bodies]].

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "murosimf/runtime/clock.h"
 #include "murosimf/scene/run_report.h"
 #include "murosimf/scene/scene.h"
 

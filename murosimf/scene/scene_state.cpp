@@ -5,18 +5,15 @@
 namespace murosimf::scene {
 namespace {
 
-/// What is in force for each of the entities that move, in their order.
-std::vector<Algorithms> algorithms_in_force(const SceneParts& parts) {
-  std::vector<Algorithms> all;
-  for (const Entity* entity : parts.moving_entities) all.push_back(algorithms_of(parts, *entity));
-  return all;
-}
-
 void load(SceneParts& parts, std::span<const std::byte> bytes) {
   StateArchive archive(bytes);
+  std::uint64_t seed = parts.spec.seed;
+  archive(seed);
   std::vector<Algorithms> algorithms = algorithms_in_force(parts);
   with_context("state of the scene's moving entities", [&] { archive.elements(std::span(algorithms)); });
   for (std::size_t i = 0; i < algorithms.size(); ++i) put_in_force(parts, *parts.moving_entities[i], algorithms[i]);
+  if (seed != parts.spec.seed) parts.simulation->reseed(seed);
+  parts.spec.seed = seed;
   parts.simulation->load(bytes.last(archive.left()));
 }
 
@@ -25,6 +22,7 @@ void load(SceneParts& parts, std::span<const std::byte> bytes) {
 std::vector<std::byte> save_state(SceneParts& parts) {
   std::vector<std::byte> bytes;
   StateArchive archive(bytes);
+  archive(parts.spec.seed);
   std::vector<Algorithms> algorithms = algorithms_in_force(parts);
   archive(algorithms);
   const std::vector<std::byte> simulation = parts.simulation->save();

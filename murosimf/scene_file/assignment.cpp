@@ -75,6 +75,8 @@ Assignment split_assignment(std::string_view text, std::string where) {
 std::string text_of(const toml::table& table, std::string_view key) { return table[key].value_or(std::string{}); }
 
 std::pair<std::vector<toml::table*>, std::size_t> robots_of(toml::table& scene, const std::vector<std::string>& path) {
+  const toml::table* defaults = scene["defaults"].as_table();
+  const std::string usual_team = defaults ? text_of(*defaults, "team") : "";
   const std::vector<toml::table*> robots = all_robots(scene);
   std::vector<toml::table*> found;
   std::copy_if(robots.begin(), robots.end(), std::back_inserter(found),
@@ -82,7 +84,7 @@ std::pair<std::vector<toml::table*>, std::size_t> robots_of(toml::table& scene, 
   if (!found.empty() || path.size() < 2) return {found, 1};
   std::copy_if(robots.begin(), robots.end(), std::back_inserter(found), [&](const toml::table* r) {
     const std::string name = text_of(*r, "name");
-    const std::string team = text_of(*r, "team");
+    const std::string team = r->contains("team") ? text_of(*r, "team") : usual_team;
     return matches(path[0], team) && (matches(path[1], name) || team + path[1] == name);
   });
   return {found, 2};

@@ -38,6 +38,8 @@ std::vector<std::string> names_of(const std::vector<toml::table*>& robots) {
   return names;
 }
 
+}  // namespace
+
 SceneEvent read_event(toml::table& scene, double time, const std::string& text, const std::string& where) {
   check_time(time, where);
   const Assignment change = split_assignment(text, where);
@@ -77,6 +79,8 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
   }
   return event;
 }
+
+namespace {
 
 void read_changes(const files::TomlTable& table, std::string_view key, EventTable& event) {
   const toml::node& set = *table.find(key);

@@ -19,6 +19,10 @@ namespace murosimf::scene_file {
 /// Keys of a robot that can change while it runs.
 [[nodiscard]] const std::vector<std::string_view>& exchangeable_keys();
 
+/// A change PATH = VALUE at a time [s]; `where` is for messages. Of the tables of the scene, names and teams are looked at. Throws
+/// SetupError for unknown entities, keys and names of levels and laws.
+[[nodiscard]] SceneEvent read_event(toml::table& scene, double time, const std::string& text, const std::string& where);
+
 /// The events of the file and of --at ("TIME:PATH=VALUE"), in the order of time; equal times in the order in which they
 /// stand, the file's first. Throws SetupError for unknown entities, keys and names of levels and laws.
 [[nodiscard]] std::vector<SceneEvent> read_events(toml::table& scene, const std::vector<std::string>& at_options);

@@ -28,25 +28,29 @@ LensKey key_of(const imaging::LensSpec& lens, double resolution) {
   return {lens.model, lens.width, lens.height, {lens.fx, lens.fy, lens.cx, lens.cy, resolution}, lens.coefficients};
 }
 
-/// Looking for folds turns the lens round for thousands of pixels: once for equal lenses.
-std::string shared_fold_remark(const imaging::Lens& lens) {
+/// What make() returns, once for equal lenses as long as somebody uses it.
+template <class T, class Make>
+std::shared_ptr<const T> shared(const LensKey& key, const Make& make) {
   static std::mutex mutex;
-  static std::map<LensKey, std::string> known;
+  static std::map<LensKey, std::weak_ptr<const T>> known;
   const std::scoped_lock lock(mutex);
-  const auto [place, is_new] = known.try_emplace(key_of(lens.spec(), 1));
-  if (is_new) place->second = lens.fold_remark();
-  return place->second;
+  if (auto found = known.find(key); found != known.end()) {
+    if (auto there = found->second.lock()) return there;
+  }
+  std::erase_if(known, [](const auto& item) { return item.second.expired(); });
+  auto made = std::make_shared<const T>(make());
+  known[key] = made;
+  return made;
 }
 
-/// Equal lenses share one map while somebody uses it.
+/// Looking for folds turns the lens round for thousands of pixels.
+std::shared_ptr<const std::string> shared_fold_remark(const imaging::LensSpec& lens) {
+  return shared<std::string>(key_of(lens, 1), [&] { return imaging::Lens(lens).fold_remark(); });
+}
+
 std::shared_ptr<const imaging::LensMap> shared_map(const imaging::LensSpec& lens, double resolution) {
-  static std::mutex mutex;
-  static std::map<LensKey, std::weak_ptr<const imaging::LensMap>> known;
-  const std::scoped_lock lock(mutex);
-  const LensKey key = key_of(lens, resolution);
-  auto map = known[key].lock();
-  if (!map) known[key] = map = std::make_shared<const imaging::LensMap>(imaging::Lens(lens), resolution);
-  return map;
+  return shared<imaging::LensMap>(key_of(lens, resolution),
+                                  [&] { return imaging::LensMap(imaging::Lens(lens), resolution); });
 }
 
 CameraInfo info_of(const SensorSpec& spec, const CameraSpec& camera, const Mounting& mounting, Duration period,
@@ -103,13 +107,14 @@ Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
       frame_(write_frame(setup, info_of(spec, spec_, mounting_, reading().info->period, surroundings.moving_entities))),
       noise_({spec_.shot_noise, spec_.read_noise},
              RandomStream(surroundings.seed, setup.entity().name() + "/" + spec.name + "/pixels")),
-      on_the_way_(most_on_the_way()) {
+      on_the_way_(most_on_the_way()),
+      fold_remark_(shared_fold_remark(frame_.info->lens.spec())) {
   read_motion_of_all(setup, surroundings);
   if (!spec_.mosaic.empty()) pattern_ = with_context("mosaic", [&] { return imaging::bayer_pattern(spec_.mosaic); });
   frame_.wanted = spec_.always_on;
 }
 
-std::string Camera::remark(const LevelTraits&) const { return shared_fold_remark(frame_.info->lens); }
+std::string Camera::remark(const LevelTraits&) const { return *fold_remark_; }
 
 void Camera::start() {
   frame_.time = Duration{};

@@ -58,6 +58,7 @@ class Camera final : public Sensor {
   void measure(std::span<double> values) noexcept override;
   void start() override;
   void memory(StateArchive& archive) override;
+  void draw_anew(std::uint64_t seed) override { noise_.reseed(seed); }
   void taken(std::uint64_t sample) noexcept override;
   void arrived(std::uint64_t sample) noexcept override;
 
@@ -83,6 +84,7 @@ class Camera final : public Sensor {
   std::optional<imaging::GaussianBlur> blur_;
   std::optional<imaging::Exposure> exposure_;
   std::vector<Picture> on_the_way_;
+  std::shared_ptr<const std::string> fold_remark_;  // empty: the lens is fine
   imaging::ColorImage colors_behind_;  // a mosaic's; memory that pictures take turns in
 };
 

@@ -33,6 +33,11 @@ std::vector<Output> detections(const std::vector<Entity*>& entities) {
   return outputs;
 }
 
+/// Beginning of the names of its random numbers.
+std::string stream_name(const Setup& setup, const SensorSpec& spec) {
+  return fmt::format("{}/{}/", setup.entity().name(), spec.name);
+}
+
 Seen seen(Setup other) {
   return {&other.entity(), other.read(properties::position), other.read(properties::orientation),
           collision::colliding_shapes(other.model())};
@@ -55,16 +60,30 @@ Detector::Detector(Setup& setup, const SensorSpec& spec, const SensorSurrounding
       robot_(setup.entity()),
       mounting_(setup, spec),
       numbers_(spec),
+      offsets_(surroundings.seed, stream_name(setup, spec) + "offset"),
+      largest_offset_(checked_number(spec, "offset", 0)),
       scene_(world_queries(setup, surroundings)) {
-  const std::string name = fmt::format("{}/{}/", setup.entity().name(), spec.name);
+  const std::string name = stream_name(setup, spec);
   for (Entity* entity : looked_at(setup, spec, surroundings)) {
     targets_.push_back({seen(setup.of(*entity)),
                         {surroundings.seed, name + entity->name() + "/errors"},
                         {surroundings.seed, name + entity->name() + "/misses"}});
   }
-  const double most = checked_number(spec, "offset", 0);
-  const RandomStream offsets(surroundings.seed, name + "offset");
-  offset_ = {offsets.uniform(0, -most, most), offsets.uniform(1, -most, most), offsets.uniform(2, -most, most)};
+  draw_offset();
+}
+
+void Detector::draw_offset() noexcept {
+  const auto number = [&](std::uint64_t n) { return offsets_.uniform(n, -largest_offset_, largest_offset_); };
+  offset_ = {number(0), number(1), number(2)};
+}
+
+void Detector::draw_anew(std::uint64_t seed) {
+  offsets_.reseed(seed);
+  draw_offset();
+  for (Target& target : targets_) {
+    target.errors.reseed(seed);
+    target.misses.reseed(seed);
+  }
 }
 
 Detector::Polar Detector::polar(const Vec3d& place) noexcept {

@@ -60,12 +60,16 @@ class Detector final : public Sensor {
   void measure(std::span<double> values) noexcept override;
   void start() noexcept override { looks_ = 0; }
   void memory(StateArchive& archive) override { archive(looks_); }
+  void draw_anew(std::uint64_t seed) override;
+  void draw_offset() noexcept;
 
   const Entity& robot_;
   Mounting mounting_;
   Numbers numbers_;
   std::vector<Target> targets_;
-  Vec3d offset_;  // [m] axes of the sensor
+  RandomStream offsets_;
+  double largest_offset_;  // [m] of each component
+  Vec3d offset_;           // [m] axes of the sensor
   collision::QueryScene scene_;
   std::uint64_t looks_ = 0;
 };

@@ -95,6 +95,11 @@ void Sensor::state(StateArchive& archive) {
   memory(archive);
 }
 
+void Sensor::reseed(std::uint64_t seed) {
+  for (Signal& signal : signals_) signal.reseed(seed);
+  draw_anew(seed);
+}
+
 /// From values with their errors to what a user sees.
 void Sensor::show(std::span<double> values) noexcept {
   for_outputs(*reading_.info, values, [&](std::size_t i, std::span<double> numbers) { signals_[i].convert(numbers); });

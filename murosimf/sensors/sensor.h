@@ -32,6 +32,7 @@ class Sensor : public Algorithm {
   void initialize() final;
   void step(const Instant& instant) noexcept final;
   void state(StateArchive& archive) final;
+  void reseed(std::uint64_t seed) final;
 
   /// What it reports at a level of detail that has nothing for it, and why: one sentence about "it"; empty if all is there.
   [[nodiscard]] virtual std::string remark(const LevelTraits& level) const;
@@ -56,6 +57,8 @@ class Sensor : public Algorithm {
   /// How many samples were taken before this one.
   [[nodiscard]] std::uint64_t samples_taken() const { return taken_; }
 
+  /// Random numbers of another seed, besides those of the signals.
+  virtual void draw_anew(std::uint64_t /*seed*/) {}
   /// Saves or loads what it remembers besides what all sensors do.
   virtual void memory(StateArchive&) {}
 

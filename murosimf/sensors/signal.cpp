@@ -50,14 +50,23 @@ Signal::Signal(const SignalSpec& spec, std::uint64_t seed, const std::vector<std
   step_ = spec.bits > 0 ? std::ldexp(spec.highest - spec.lowest, -spec.bits) : spec.resolution;
   highest_ = spec.bits > 0 ? spec.highest - step_ : spec.highest;
   for (const std::string& name : names) {
-    const RandomStream constants(seed, name + "/constants");
-    Number number{{seed, name + "/noise"}, {seed, name + "/sample"}};
-    number.scale = 1 + spec.scale_error * constants.normal(0);
-    number.bias = spec.bias * constants.normal(1);
-    number.cross_one = spec.misalignment * constants.normal(2);
-    number.cross_two = spec.misalignment * constants.normal(3);
-    number.first_wander = white_ / std::sqrt(1 - memory_ * memory_) * constants.normal(4);
-    numbers_.push_back(number);
+    numbers_.push_back({{seed, name + "/constants"}, {seed, name + "/noise"}, {seed, name + "/sample"}});
+    draw_constants(numbers_.back());
+  }
+}
+
+void Signal::draw_constants(Number& number) const noexcept {
+  number.scale = 1 + spec_.scale_error * number.constants.normal(0);
+  number.bias = spec_.bias * number.constants.normal(1);
+  number.cross_one = spec_.misalignment * number.constants.normal(2);
+  number.cross_two = spec_.misalignment * number.constants.normal(3);
+  number.first_wander = white_ / std::sqrt(1 - memory_ * memory_) * number.constants.normal(4);
+}
+
+void Signal::reseed(std::uint64_t seed) noexcept {
+  for (Number& number : numbers_) {
+    for (RandomStream* stream : {&number.constants, &number.noise, &number.sample}) stream->reseed(seed);
+    draw_constants(number);
   }
 }
 

@@ -47,6 +47,8 @@ class Signal {
   Signal(const SignalSpec& spec, std::uint64_t seed, const std::vector<std::string>& names,
          const SignalPeriods& periods);
 
+  /// Constant errors and noise of another seed.
+  void reseed(std::uint64_t seed) noexcept;
   /// Back to the instant 0.
   void start() noexcept;
   /// To be called in every execution that has a true value: constant errors and filter, in place.
@@ -57,13 +59,14 @@ class Signal {
 
  private:
   struct Number {
-    RandomStream noise, sample;
+    RandomStream constants, noise, sample;
     double scale = 1, bias = 0;                  // [1], [unit]
     double cross_one = 0, cross_two = 0;         // [1] of the next axis and the one after it
     double first_wander = 0;                     // [unit] w_0, of the deviation that w has in the long run
     double wander = 0, drift = 0;                // [unit] w_j, b_j
     double filter_input = 0, filter_output = 0;  // [unit] of the step before
   };
+  void draw_constants(Number& number) const noexcept;
   [[nodiscard]] double filtered(Number& number, double value) const noexcept;
   [[nodiscard]] double next_noise(Number& number) const noexcept;
 

@@ -274,6 +274,14 @@ TEST(EntityTest, StateHashIgnoresTheOrderOfColumns) {
   EXPECT_EQ(a.state_hash(), b.state_hash());
 }
 
+/// Pose and velocity of objects that only shape the model follow from others.
+bool is_worked_out(const Entity& entity, const ColumnBase& column, std::size_t row) {
+  const auto& name = column.info().name;
+  return entity.model().objects()[static_cast<int>(row)].structural &&
+         (name == position.name || name == orientation.name || name == linear_velocity.name ||
+          name == angular_velocity.name);
+}
+
 // Rule: the last bit of any number of any column changes the hash; so do a value that is no row of numbers, one more
 // column, and freezing. Undoing a change brings the old hash back.
 TEST(EntityTest, StateHashSeesEveryBit) {
@@ -284,6 +292,7 @@ TEST(EntityTest, StateHashSeesEveryBit) {
     for (const auto& [name, column] : entity->columns()) {
       for (std::size_t row = 0; row < column->rows(); ++row) {
         for (std::size_t i = 0; i < column->numbers(); ++i) {
+          if (is_worked_out(*entity, *column, row)) continue;
           const double number = column->get(row, i);
           column->set(row, i, std::nextafter(number, 1e9));
           EXPECT_NE(world.state_hash(), before) << entity->name() << ' ' << name << ' ' << row << ' ' << i;

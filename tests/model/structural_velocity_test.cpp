@@ -3,6 +3,7 @@
 
 #include "murosimf/model/entity.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/model/state_hash.h"
 #include "tests/fixtures.h"
 
 namespace murosimf {
@@ -32,6 +33,18 @@ TEST(StructuralObjects, MoveAsPointsOfTheirLink) {
   EXPECT_LT(fixtures::difference(hand.get(properties::orientation), R * rotation_x(0.4)), 1e-15);
   EXPECT_LT(fixtures::difference(hand.get(properties::linear_velocity), v + cross(w, arm)), 1e-15);
   EXPECT_LT(fixtures::difference(hand.get(properties::angular_velocity), w), 1e-15);
+  // by name the same, and nobody has written anything: others may read at the same time
+  const Vec3d place = hand.get(properties::position);
+  EXPECT_EQ(hand.get("position").numbers, (std::vector<double>{place.x, place.y, place.z}));
+  EXPECT_EQ(hand.get("orientation").numbers.size(), 9u);
+  EXPECT_EQ(hand.get("position").unit, "m");
+  const int row = entity.model().object_index("hand");
+  Hasher hasher, again;
+  append_state(hasher, entity);
+  EXPECT_NE(fixtures::difference(entity.column(properties::position).values[static_cast<std::size_t>(row)], place), 0);
+  entity.column(properties::position).values[static_cast<std::size_t>(row)] = {7, 8, 9};
+  append_state(again, entity);
+  EXPECT_EQ(hasher.value(), again.value()) << "its rows hold nothing";
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+/// command_queue.h - what other threads want changed, done between two steps in the order in which they asked.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "murosimf/model/time.h"
+
+namespace murosimf {
+
+/// A command that was carried out: with these a run can be repeated.
+struct Command {
+  Duration time{};   ///< at the beginning of the step from then on
+  std::string text;  ///< what was to be done, in words that its sender understands
+};
+
+class CommandQueue {
+ public:
+  /// From any thread. The future is ready when `call` was made, and has what it threw. `check`, if there is one, comes before it: if
+  /// that throws, there was no command.
+  std::future<void> post(std::string text, std::function<void()> call, std::function<void()> check = {});
+
+  /// Makes all calls that were posted before, in their order; the thread that runs the simulation. Costs a look if there are none.
+  void carry_out(Duration now) {
+    if (waiting_.load(std::memory_order_acquire)) carry_out_all(now);
+  }
+
+  /// Those that were carried out, also if they threw: they may have done a part.
+  [[nodiscard]] const std::vector<Command>& history() const { return history_; }
+  void forget_history() { history_.clear(); }
+
+ private:
+  struct Posted {
+    std::string text;
+    std::function<void()> call, check;
+    std::promise<void> done;
+  };
+  void carry_out_all(Duration now);
+
+  std::mutex mutex_;
+  std::vector<Posted> posted_;
+  std::atomic<bool> waiting_{false};
+  std::vector<Command> history_;
+};
+
+}  // namespace murosimf

@@ -1,0 +1,70 @@
+/// pose_feed.h - hands copies of the poses from the simulation to readers in other threads; neither waits for the other.
+///
+///     auto reader = simulation.poses().subscribe({.period = 20ms, .contacts = true});     // in any thread, at any time
+///     if (const PoseFrame* frame = reader->latest()) draw(*frame);                         // in one thread
+///
+/// Every reader has three frames: one that it looks at, one that is written, and the last complete one, which change places.
+/// Nothing is copied, and a tick costs one look, while nobody has subscribed.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "murosimf/runtime/pose_frame.h"
+
+namespace murosimf {
+
+struct PoseRequest {
+  Duration period{};      ///< of simulated time between two frames at least; 0: one after every step
+  bool contacts = false;  ///< also where things touch
+};
+
+/// One who looks on. Gone when nobody holds it any more.
+class PoseReader {
+ public:
+  explicit PoseReader(const PoseRequest& request) : request_(request) {}
+
+  /// The newest frame since the last call, which stays as it is until the next call; null if there is no newer one. One thread.
+  [[nodiscard]] const PoseFrame* latest() noexcept;
+
+ private:
+  friend class PoseFeed;
+  [[nodiscard]] bool wants(Duration now) const noexcept;
+  void publish() noexcept;  ///< the written frame becomes the last complete one
+
+  static constexpr unsigned is_new = 4;  // beside the number of the frame
+
+  PoseRequest request_;
+  std::array<PoseFrame, 3> frames_;
+  unsigned written_ = 0, read_ = 1;    // of the simulation's thread, of the reader's
+  std::atomic<unsigned> complete_{2};  // of nobody
+  bool any_ = false;                   // of the simulation's thread
+  Duration last_{};
+};
+
+class PoseFeed {
+ public:
+  /// From any thread, at any time.
+  [[nodiscard]] std::shared_ptr<PoseReader> subscribe(const PoseRequest& request = {});
+
+  /// Where frames get their contacts from; none: they have none.
+  void contacts_from(ContactSource source) { contacts_ = std::move(source); }
+
+  /// The simulation's thread, between two steps.
+  void publish(const World& world, Duration now, std::int64_t tick) {
+    if (anybody_.load(std::memory_order_relaxed)) publish_to_all(world, now, tick);
+  }
+
+ private:
+  void publish_to_all(const World& world, Duration now, std::int64_t tick);
+
+  std::mutex mutex_;  // of the list
+  std::vector<std::weak_ptr<PoseReader>> readers_;
+  std::atomic<bool> anybody_{false};
+  ContactSource contacts_;
+};
+
+}  // namespace murosimf

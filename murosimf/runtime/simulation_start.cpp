@@ -1,0 +1,74 @@
+// How a simulation gets to the time 0: the first time, and again. Columns and algorithms go back to what they were before the first
+// start, and then do what they did there.
+#include "murosimf/model/error.h"
+#include "murosimf/runtime/simulation.h"
+
+namespace murosimf {
+
+void Simulation::initialize() {
+  if (initialized_) return;
+  check_and_plan();
+  world_->freeze_columns();
+  keep_start();
+  start();
+}
+
+void Simulation::start() {
+  for (const auto& call : before_start_) call();
+  for (const auto& task : tasks_) murosimf::with_context(full_name(*task), [&] { task->algorithm->initialize(); });
+  initialized_ = true;
+  for (const auto& call : after_start_) call();
+  restart_checks();
+  poses_.publish(*world_, now_, ticks_);
+}
+
+void Simulation::reset() {
+  if (!initialized_) return initialize();
+  go_back_to_start();
+  start();
+}
+
+/// What start() begins with.
+void Simulation::keep_start() {
+  for (const auto& entity : world_->entities()) {
+    for (const auto& [name, column] : entity->columns()) column->keep();
+  }
+  for (const auto& task : tasks_) keep_memory(*task);
+  events_before_start_ = events_.size();
+}
+
+void Simulation::keep_memory(Task& task) {
+  task.first_memory.clear();
+  StateArchive archive(task.first_memory);
+  task.algorithm->state(archive);
+}
+
+void Simulation::go_back_to_start() {
+  for (const auto& entity : world_->entities()) {
+    entity->unfreeze();
+    for (const auto& [name, column] : entity->columns()) {
+      if (column->info().scope != Scope::wiring) column->go_back();
+    }
+  }
+  for (const auto& task : tasks_) {
+    StateArchive archive(std::span<const std::byte>(task->first_memory));
+    task->algorithm->state(archive);
+    task->frozen = false;
+    task->calls = task->timed_calls = 0;
+    task->time = {};
+  }
+  retired_.clear();
+  timed_calls_.clear();
+  warnings_.clear();
+  queue_.forget_history();
+  events_.resize(events_before_start_);
+  scheduled_done_ = frozen_reported_ = 0;
+  now_ = {};
+  align_plan();
+}
+
+void Simulation::reseed(std::uint64_t seed) {
+  for (const auto& task : tasks_) task->algorithm->reseed(seed);
+}
+
+}  // namespace murosimf

@@ -1,0 +1,17 @@
+#include "murosimf/scene/assets.h"
+
+#include "murosimf/robot/robot_reader.h"
+
+namespace murosimf::scene {
+
+std::shared_ptr<const RobotKind> Assets::robot(const std::filesystem::path& file, bool lenient) {
+  const std::lock_guard lock(mutex_);
+  std::shared_ptr<const RobotKind>& known = robots_[{std::filesystem::absolute(file), lenient}];
+  if (known) return known;
+  robot::RobotFile read = robot::read_robot(file, {.lenient = lenient});
+  known = std::make_shared<const RobotKind>(
+      RobotKind{std::move(read.model), std::move(read.sensors), std::move(read.warnings)});
+  return known;
+}
+
+}  // namespace murosimf::scene

@@ -1,0 +1,40 @@
+/// assets.h - what scenes of one process share, so that the next scene costs little: robots that were read from their files.
+///
+///     auto assets = std::make_shared<scene::Assets>();
+///     for (int i = 0; i < 1000; ++i) worlds.push_back(std::make_unique<scene::Scene>("walk", {.assets = assets}));
+///
+/// Any number of threads may build scenes with the same assets. Files are read once: what changes on the disk later is seen by new
+/// Assets only.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "murosimf/model/model.h"
+#include "murosimf/sensors/sensor_spec.h"
+
+namespace murosimf::scene {
+
+/// A robot as its files say.
+struct RobotKind {
+  ModelPtr model;
+  std::vector<sensors::SensorSpec> sensors;
+  std::vector<std::string> warnings;  ///< of reading
+};
+
+class Assets {
+ public:
+  /// `lenient`: unknown elements are warnings. Throws SetupError: no such file, a mistake in it; nothing is kept then.
+  [[nodiscard]] std::shared_ptr<const RobotKind> robot(const std::filesystem::path& file, bool lenient);
+
+ private:
+  std::mutex mutex_;
+  std::map<std::pair<std::filesystem::path, bool>, std::shared_ptr<const RobotKind>> robots_;
+};
+
+}  // namespace murosimf::scene

@@ -1,0 +1,90 @@
+#include "murosimf/scene/scene_start.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "murosimf/math/random.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/scene/scene_checks.h"
+#include "murosimf/scene/scene_exchange.h"
+#include "murosimf/scene/scene_settings.h"
+
+namespace murosimf::scene {
+namespace {
+
+/// A turn about any axis, by up to `largest` [rad].
+Mat3d random_tilt(const RandomStream& random, double largest) {
+  const double z = random.uniform(3, -1, 1), longitude = random.uniform(4, -pi, pi), across = std::sqrt(1 - z * z);
+  return rotation(Vec3d{across * std::cos(longitude), across * std::sin(longitude), z},
+                  random.uniform(5, -largest, largest));
+}
+
+void place_robots(SceneParts& parts) {
+  const scene_file::SceneSpec& spec = parts.spec;
+  const double j = spec.jitter_position;
+  for (std::size_t i = 0; i < parts.robots.size(); ++i) {
+    const scene_file::RobotSpec& robot = spec.robots[i];
+    const RandomStream random(spec.seed, robot.name + "/start");
+    parts.robots[i]->place(robot.position + Vec3d{random.uniform(0, -j, j), random.uniform(1, -j, j), 0},
+                           robot.heading + random.uniform(2, -spec.jitter_heading, spec.jitter_heading),
+                           random_tilt(random, spec.jitter_tilt) * rotation_y(robot.pitch) * rotation_x(robot.roll));
+  }
+}
+
+/// Gives ball and bodies the velocities with which they begin.
+void start_moving(SceneParts& parts) {
+  if (parts.ball) parts.ball->base().set(properties::linear_velocity, parts.spec.ball->velocity);
+  for (Entity* entity : parts.bodies) {
+    const scene_file::BodySpec& body = *body_spec(parts.spec, *entity);
+    entity->base().set(properties::linear_velocity, body.velocity);
+    entity->base().set(properties::angular_velocity, body.angular_velocity);
+  }
+}
+
+/// Turns joint targets away from zero, by up to jitter_posture; controllers that set them are stronger.
+void scatter_postures(SceneParts& parts) {
+  const double largest = parts.spec.jitter_posture;
+  if (largest == 0) return;
+  for (Entity* robot : parts.robots) {
+    const RandomStream random(parts.spec.seed, robot->name() + "/posture");
+    auto& targets = robot->column(properties::joint_target).values;
+    for (const int joint : robot->model().joints()) {
+      const Vec3d* range = robot->model().find(properties::joint_range, joint);
+      const double angle = random.uniform(static_cast<std::uint64_t>(joint), -largest, largest);
+      targets[joint] = range ? std::clamp(angle, range->x, range->y) : angle;
+    }
+  }
+}
+
+}  // namespace
+
+void begin_at_every_start(SceneParts& parts) {
+  parts.simulation->before_start([&parts] {
+    place_robots(parts);
+    scatter_postures(parts);
+  });
+  parts.simulation->after_start([&parts] {
+    if (!parts.at_start.remarks)
+      parts.at_start.remarks = parts.remarks;  // also whatever a first picture tells of the machine
+    check_properties(parts);
+    start_moving(parts);
+    apply_settings(parts);
+    warn_about_start(parts);
+  });
+}
+
+void reset(SceneParts& parts, std::optional<std::uint64_t> seed) {
+  parts.simulation->initialize();  // what is wrong with the scene is wrong before anything changes
+  for (std::size_t i = 0; i < parts.moving_entities.size(); ++i) {
+    put_in_force(parts, *parts.moving_entities[i], parts.at_start.algorithms[i]);
+  }
+  parts.remarks = *parts.at_start.remarks;
+  parts.times_set.clear();
+  if (seed) {
+    parts.spec.seed = *seed;
+    parts.simulation->reseed(*seed);
+  }
+  parts.simulation->reset();
+}
+
+}  // namespace murosimf::scene

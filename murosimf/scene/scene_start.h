@@ -1,0 +1,17 @@
+/// scene_start.h - how a scene begins, every time: places, postures and velocities, as its file and its seed say.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "murosimf/scene/scene_parts.h"
+
+namespace murosimf::scene {
+
+/// Has the simulation do all of it at every start.
+void begin_at_every_start(SceneParts& parts);
+
+/// Back to the beginning, with the levels and laws of then; with another seed, if one is given. Throws SetupError.
+void reset(SceneParts& parts, std::optional<std::uint64_t> seed);
+
+}  // namespace murosimf::scene
