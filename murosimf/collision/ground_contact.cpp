@@ -7,6 +7,11 @@
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
+namespace {
+
+constexpr std::size_t usual_points = 32;  // two feet and both hands; memory for more is taken when they come
+
+}  // namespace
 
 GroundContact::GroundContact(Setup& setup, const Entity* environment, std::shared_ptr<const ContactLaw> law,
                              const MaterialTable& materials)
@@ -36,11 +41,12 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
 
 void GroundContact::initialize() {
   seam_ = ContactSeam{.law = law_.get(), .terms = terms_};
-  set_ = ContactSet{};
+  const ContactSet none;
+  set_ = none;  // a copy: it keeps its memory for the next start
   set_.environment = environment_;
   set_.environment_objects = environment_objects_;
   set_.rest_force.resize(static_cast<std::size_t>(model_.size()));
-  const std::size_t most = finder_.most_on_planes();
+  const std::size_t most = std::min(finder_.most_on_planes(), usual_points);
   set_.points.reserve(most);
   previous_.reserve(most);
   set_.loaded.reserve(most);

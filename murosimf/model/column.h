@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <string>
@@ -110,7 +111,10 @@ class Column final : public ColumnBase {
     fill();
   }
 
-  void keep() override { kept_ = values; }
+  void keep() override {
+    kept_.clear();
+    if (!is_as_new()) kept_ = values;
+  }
   void go_back() override {
     if (!kept_.empty()) {
       values = kept_;
@@ -128,13 +132,23 @@ class Column final : public ColumnBase {
   std::optional<T> start;  ///< where it is somebody's input
 
  private:
-  void fill() {
+  [[nodiscard]] static T fresh() {
     T value{};
     if constexpr (NumericValue<T>) {
       constexpr double number = fill_with_nan ? std::numeric_limits<double>::quiet_NaN() : 0.0;
       for (std::size_t i = 0; i < ValueTraits<T>::numbers; ++i) ValueTraits<T>::set(value, i, number);
     }
-    std::fill(values.begin(), values.end(), value);
+    return value;
+  }
+  void fill() { std::fill(values.begin(), values.end(), fresh()); }
+  /// Nobody has to keep that. False if the value is no row of numbers, which cannot be compared.
+  [[nodiscard]] bool is_as_new() const {
+    if constexpr (NumericValue<T>) {
+      const T usual = start.value_or(fresh());
+      return std::all_of(values.begin(), values.end(),
+                         [&](const T& value) { return std::memcmp(&value, &usual, sizeof(T)) == 0; });
+    }
+    return false;
   }
 
   std::vector<T> kept_;

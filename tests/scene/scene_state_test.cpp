@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/assets.h"
 #include "murosimf/scene/scene.h"
 #include "tests/fixtures.h"
 #include "tests/render/drawn.h"
@@ -86,9 +87,12 @@ TEST_P(SceneStateOfLevel, BringsItsLevelAndLaws) {
 // Much is remembered for one step only, like what a foot that lifts off was loaded with: every step of a pace is tried.
 TEST_P(SceneStateOfLevel, CanBeOfAnyStep) {
   const std::string file = fixtures::write_scene(game(GetParam()));
-  Scene scene(file, options()), other(file, options());
+  SceneOptions sharing = options();
+  sharing.assets = std::make_shared<Assets>();
+  Scene scene(file, sharing);
   scene.simulation().run(300ms);
   for (int i = 0; i < 300; ++i) {
+    Scene other(scene.spec(), sharing);  // a new one: what it does not load, it does not have
     other.load(scene.save());
     scene.simulation().step();
     other.simulation().step();

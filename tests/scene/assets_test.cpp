@@ -1,0 +1,82 @@
+// Scenes share what was read; nobody notices but the clock.
+#include "murosimf/scene/assets.h"
+
+#include <fstream>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "murosimf/model/error.h"
+#include "murosimf/scene/scene.h"
+#include "tests/fixtures.h"
+#include "tests/scene/scene_hashes.h"
+#include "tests/written_scene.h"
+
+namespace murosimf::scene {
+namespace {
+
+using namespace std::chrono_literals;
+
+const char* const walker = "[defaults]\nmodel = 'kid21'\ncontroller = 'walk'\n[[robots]]\nname = 'one'\n";
+
+TEST(Assets, ScenesHaveTheSameModel) {
+  const std::string file = fixtures::write_scene(walker);
+  const auto assets = std::make_shared<Assets>();
+  const Scene a(file, {.assets = assets}), b(file, {.assets = assets}), alone(file);
+  const auto model = [](const Scene& scene) { return scene.simulation().world().entity("one").model_ptr(); };
+  EXPECT_EQ(model(a), model(b));
+  EXPECT_NE(model(a), model(alone));
+}
+
+TEST(Assets, ChangedConstantsStayWithTheirScene) {
+  const std::string file = fixtures::write_scene(walker);
+  const auto assets = std::make_shared<Assets>();
+  const Scene changed(file, {.overrides = {"one.pelvis.mass=3"}, .assets = assets}), usual(file, {.assets = assets});
+  const auto mass = [](const Scene& scene) { return scene.simulation().world().entity("one").model().tree().mass; };
+  const Scene alone(file);
+  EXPECT_EQ(mass(usual), mass(alone));
+  EXPECT_NE(mass(changed), mass(usual));
+}
+
+TEST(Assets, AScenePutTogetherInMemoryIsThatOfItsFile) {
+  const std::string file = fixtures::write_scene(walker);
+  const auto assets = std::make_shared<Assets>();
+  Scene of_file(file, {.cameras = false, .assets = assets}),
+      of_memory(of_file.spec(), {.cameras = false, .assets = assets});
+  for (Scene* scene : {&of_file, &of_memory}) scene->simulation().initialize();
+  EXPECT_EQ(difference(go_on(of_file, 100ms), go_on(of_memory, 100ms)), "");
+  scene_file::SceneSpec spec = of_file.spec();
+  spec.robots[0].position = {1, 2, 0};
+  Scene moved(spec, {.cameras = false, .assets = assets});
+  moved.simulation().initialize();
+  EXPECT_NEAR(moved.simulation().world().entity("one").options().position.y, 2, 1e-12);
+}
+
+TEST(Assets, WhatCannotBeReadIsTriedAgain) {
+  Assets assets;
+  const auto file = fixtures::temp_folder() / "broken_asset.xml";
+  std::ofstream(file) << "<mujoco";
+  EXPECT_THROW((void)assets.robot(file, false), SetupError);
+  std::ofstream(file)
+      << "<mujoco><worldbody><body><freejoint/><geom type='sphere' size='0.1' mass='1'/></body></worldbody></mujoco>";
+  EXPECT_EQ(assets.robot(file, false)->model->bodies().size(), 1u);
+}
+
+TEST(Assets, ManyThreadsBuildWithTheSame) {
+  const std::string file = fixtures::write_scene(walker);
+  const auto assets = std::make_shared<Assets>();
+  std::vector<std::uint64_t> hashes(4);
+  std::vector<std::thread> threads;
+  for (std::uint64_t& hash : hashes) {
+    threads.emplace_back([&] {
+      Scene scene(file, {.cameras = false, .assets = assets});
+      scene.simulation().run(50ms);
+      hash = scene.simulation().state_hash();
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, hashes[0]);
+}
+
+}  // namespace
+}  // namespace murosimf::scene
