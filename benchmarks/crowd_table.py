@@ -6,8 +6,9 @@
     benchmarks/crowd_table.py --program OLD --program NEW                         both in turns, for a comparison
 
 Robots (kid21, without cameras) walk at two levels. "apart": in rows of twenty, 1 m apart, all the same way. "groups": each
-four of them towards their middle, so that they push each other all the time; groups are 2 m apart. "eyes": as apart, at
-kinematic_walking, and each robot has a laser, a sonar and a detector that looks at all others, ten samples per second.
+four of them towards their middle, so that they push each other all the time; groups are 2 m apart. "rays": as apart, at
+kinematic_walking, and each robot has a laser (1081 rays) and a sonar, ten samples per second. "eyes": the same with a detector
+instead, which looks at all others: what it is asked for grows with the square of the robots.
 A step is 1 ms long; its time is that of the report of a run, divided by the number of steps: the least of several runs.
 """
 
@@ -26,9 +27,10 @@ CASES = [  # arrangement, level, duration [s]
     ("apart", "simplified_dynamics", 0.5),
     ("groups", "kinematic_walking", 0.5),
     ("groups", "simplified_dynamics", 0.5),
+    ("rays", "kinematic_walking", 0.2),
     ("eyes", "kinematic_walking", 0.2),
 ]
-EYES = """  [robots.sensors.laser]
+RAYS = """  [robots.sensors.laser]
   type = "laser"
   frame = "head"
   rate = 10
@@ -36,11 +38,13 @@ EYES = """  [robots.sensors.laser]
   type = "sonar"
   frame = "torso"
   rate = 10
-  [robots.sensors.detector]
+"""
+EYES = """  [robots.sensors.detector]
   type = "detector"
   frame = "head"
   rate = 10
 """
+SENSORS = {"rays": RAYS, "eyes": EYES}
 
 
 def place(arrangement, i):
@@ -61,8 +65,7 @@ def scene(arrangement, level, robots):
         text += (f'[[robots]]\nname = "r{i}"\nmodel = "kid21"\nlevel = "{level}"\ncontroller = "walk"\n'
                  f'command = [0.1, 0, 0]\nposition = [{x}, {y}]\nheading_deg = {heading}\n')
         text += "[robots.sensors]\ncamera = false\n"
-        if arrangement == "eyes":
-            text += EYES
+        text += SENSORS.get(arrangement, "")
     return text
 
 
@@ -109,7 +112,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--program", required=True, action="append")
     parser.add_argument("--repetitions", type=int, default=5)
-    parser.add_argument("--only", choices=["apart", "groups", "eyes"], help="one arrangement")
+    parser.add_argument("--only", choices=["apart", "groups", "rays", "eyes"], help="one arrangement")
     parser.add_argument("--out", type=pathlib.Path, help="JSON file to write")
     options = parser.parse_args()
     print(f"{'us per step':29} " + " ".join(f"{count:>10}" for count in COUNTS) + f" {'200 to 20':>10}")

@@ -17,18 +17,12 @@ constexpr std::size_t most_samples = 64;  // to find out how far centers are spr
 
 double component(const Vec3d& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
-/// False for what is not a number, too.
-bool bounded(const BoundingSphere& sphere) {
-  const Vec3d c = componentwise_abs(sphere.center);
-  return c.x + c.y + c.z + abs(sphere.radius) < enormous;
-}
-
 /// How far [m] the middle half of some centers reaches.
 double spread(std::span<const BoundingSphere> spheres, int axis, std::vector<double>& centers) {
   centers.clear();
   const std::size_t stride = 1 + spheres.size() / most_samples;
   for (std::size_t i = 0; i < spheres.size(); i += stride) {
-    if (bounded(spheres[i])) centers.push_back(component(spheres[i].center, axis));
+    if (is_bounded(spheres[i])) centers.push_back(component(spheres[i].center, axis));
   }
   if (centers.empty()) return 0;
   std::sort(centers.begin(), centers.end());
@@ -42,6 +36,11 @@ int widest_axis(std::span<const BoundingSphere> spheres, std::vector<double>& ce
 }
 
 }  // namespace
+
+bool is_bounded(const BoundingSphere& sphere) {
+  const Vec3d c = componentwise_abs(sphere.center);
+  return c.x + c.y + c.z + abs(sphere.radius) < enormous;
+}
 
 const std::vector<SweepAndPrune::Pair>& SweepAndPrune::find(std::span<const BoundingSphere> spheres) {
   found_.clear();
@@ -59,7 +58,7 @@ void SweepAndPrune::sort_intervals(std::span<const BoundingSphere> spheres) {
   before_.swap(unbounded_);
   unbounded_.clear();
   for (int i = 0; i < static_cast<int>(spheres.size()); ++i) {
-    if (!bounded(spheres[i])) unbounded_.push_back(i);
+    if (!is_bounded(spheres[i])) unbounded_.push_back(i);
   }
   const bool same = axis == axis_ && spheres.size() == count_ && unbounded_ == before_;
   axis_ = axis;
@@ -74,7 +73,7 @@ void SweepAndPrune::sort_intervals(std::span<const BoundingSphere> spheres) {
   }
   intervals_.clear();
   for (int i = 0; i < static_cast<int>(spheres.size()); ++i) {
-    if (bounded(spheres[i])) intervals_.push_back(interval(spheres[i], i));
+    if (is_bounded(spheres[i])) intervals_.push_back(interval(spheres[i], i));
   }
   std::sort(intervals_.begin(), intervals_.end(), earlier);
 }
@@ -101,7 +100,7 @@ void SweepAndPrune::sweep(std::span<const BoundingSphere> spheres) {
 void SweepAndPrune::test_unbounded(std::span<const BoundingSphere> spheres) {
   for (const int one : unbounded_) {
     for (int other = 0; other < static_cast<int>(spheres.size()); ++other) {
-      if (other == one || (other < one && !bounded(spheres[other]))) continue;  // each pair once
+      if (other == one || (other < one && !is_bounded(spheres[other]))) continue;  // each pair once
       ++tests_;
       if (overlap(spheres[one], spheres[other])) found_.push_back(std::minmax(one, other));
     }

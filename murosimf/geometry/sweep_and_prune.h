@@ -16,6 +16,9 @@
 
 namespace murosimf::geometry {
 
+/// False for spheres of infinite or enormous size or place, and for those that are not made of numbers.
+[[nodiscard]] bool is_bounded(const BoundingSphere& sphere);
+
 class SweepAndPrune {
  public:
   /// Two spheres by their numbers, the smaller one first.

@@ -20,7 +20,7 @@ double share_of_ball(double edge) {
   RangeRig::put(ball, {4, 0, 1});
   collision::QueryScene scene(rig.simulation.world());
   const Seen body{&ball, ball.find(properties::position)->values, ball.find(properties::orientation)->values,
-                  collision::colliding_shapes(ball.model())};
+                  scene.shapes(ball)};
   return share_in_sight(scene, {0, 0, 1}, nullptr, body);
 }
 
@@ -58,7 +58,7 @@ TEST(Sight, ARobotInTheOpenIsSeenWhole) {
   rig.begin();
   collision::QueryScene scene(rig.simulation.world());
   const Seen body{&robot, robot.find(properties::position)->values, robot.find(properties::orientation)->values,
-                  collision::colliding_shapes(robot.model())};
+                  scene.shapes(robot)};
   ASSERT_GT(body.shapes.size(), 10u);
   for (int i = 0; i < 50; ++i) {
     const Vec3d away = dice.uniform(0.5, 5) * dice.unit();
