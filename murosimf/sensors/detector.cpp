@@ -74,8 +74,7 @@ bool Detector::sees(const Target& target, const Polar& place, collision::QuerySc
   if (place.distance < numbers_.range.min || place.distance > numbers_.range.max) return false;
   if (abs(place.azimuth) > numbers_.half_azimuth || abs(place.elevation) > numbers_.half_elevation) return false;
   if (numbers_.misses > 0 && target.misses.uniform(looks_) < numbers_.misses) return false;
-  const double share = share_in_sight(scene, mounting_.position(), &robot_, target.seen);
-  return share > 0 && share >= numbers_.visible_share;
+  return is_in_sight(scene, mounting_.position(), &robot_, target.seen, numbers_.visible_share);
 }
 
 Detector::Polar Detector::with_errors(const Target& target, Polar place) const noexcept {

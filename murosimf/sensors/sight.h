@@ -24,4 +24,8 @@ struct Seen {
 [[nodiscard]] double share_in_sight(collision::QueryScene& scene, const Vec3d& eye, const Entity* without,
                                     const Seen& body) noexcept;
 
+/// True if that part is more than 0 and at least `share` [1]; looks at no more points than it takes to know.
+[[nodiscard]] bool is_in_sight(collision::QueryScene& scene, const Vec3d& eye, const Entity* without, const Seen& body,
+                               double share) noexcept;
+
 }  // namespace murosimf::sensors
