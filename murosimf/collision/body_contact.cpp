@@ -49,7 +49,7 @@ void BodyContact::step(const Instant& instant) noexcept {
   const double dt = seconds(instant.period);
   for (MovingEntity& moving_entity : moving_entities_) moving_entity.start_step();
   finder_.find(moving_entities_, set_);
-  kinematic_separation(moving_entities_, environment_, set_);
+  kinematic_separation(moving_entities_, environment_, finder_.within_reach(), set_);
   law_->push(moving_entities_, set_, dt);
 }
 

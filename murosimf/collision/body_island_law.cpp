@@ -1,5 +1,7 @@
 #include "murosimf/collision/body_island_law.h"
 
+#include <span>
+
 #include "murosimf/collision/body_kelvin_voigt_law.h"
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/model/properties.h"
@@ -7,7 +9,7 @@
 namespace murosimf::collision {
 namespace {
 
-// of moving entities that are no members of the island at hand
+// of moving entities that are members of no island
 constexpr int outside = -1;
 constexpr int insane = -2;  // it belongs to the island, but its numbers have gone bad
 
@@ -21,43 +23,41 @@ void BodyIslandLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& se
     // levels that cannot answer an island solver
     if (islands_.of(c) < 0) push_by_kelvin_voigt(moving_entities, c, set.parameters[c.surface], dt);
   }
+  member_.assign(moving_entities.size(), outside);
   for (int island = 0; island < islands_.count(); ++island) solve(island, moving_entities, set, dt);
 }
 
 void BodyIslandLaw::solve(int island, std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept {
-  member_.assign(moving_entities.size(), outside);
+  const std::span<const int> members = islands_.members(island), contacts = islands_.contacts(island);
   solver_.start(dt);
   bool stands = false;
-  for (std::size_t i = 0; i < moving_entities.size(); ++i) {
-    if (islands_.of(static_cast<int>(i)) != island) continue;
+  for (const int i : members) {
     member_[i] = start_member(moving_entities[i], dt);
     stands |= !moving_entities[i].contacts.points.empty();
   }
-  for (std::size_t i = 0; i < moving_entities.size(); ++i) {
+  for (const int i : members) {
     ContactSet& ground = moving_entities[i].contacts;
     const ContactSeam& seam = moving_entities[i].seam;
     if (member_[i] < 0 || !ground_becomes_rows(seam)) continue;
     for (ContactPoint& c : ground.points) {
-      solver_.add(c, seam.terms.parameters[c.surface], side(static_cast<int>(i), c.object, c.velocity), {});
+      solver_.add(c, seam.terms.parameters[c.surface], side(i, c.object, c.velocity), {});
     }
   }
-  const auto is_row = [&](const PairContact& c) {
-    return islands_.of(c) == island && member_[c.a] != insane && member_[c.b] != insane;
-  };
-  for (PairContact& c : set.points) {
+  const auto is_row = [&](const PairContact& c) { return member_[c.a] != insane && member_[c.b] != insane; };
+  for (const int i : contacts) {
+    PairContact& c = set.points[i];
     if (!is_row(c)) continue;
     solver_.add(c, set.parameters[c.surface], side(c.a, c.object, c.velocity_a), side(c.b, c.object_b, c.velocity_b));
   }
   solver_.sweep(sweeps_);
   solver_.finish();
-  for (const PairContact& c : set.points) {
+  for (const int i : contacts) {
+    const PairContact& c = set.points[i];
     if (!is_row(c)) continue;
     moving_entities[c.a].push(c.object, c.point, c.force, dt);
     moving_entities[c.b].push(c.object_b, c.point, -c.force, dt);
   }
-  for (std::size_t i = 0; i < moving_entities.size(); ++i) {
-    if (member_[i] != outside) finish_member(moving_entities[i], stands);
-  }
+  for (const int i : members) finish_member(moving_entities[i], stands);
 }
 
 /// The free pass: pushes of users, explicit laws, and rolling resistance, which is no row.

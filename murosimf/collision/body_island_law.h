@@ -31,7 +31,7 @@ class BodyIslandLaw final : public BodyContactLaw {
   int sweeps_;
   Islands islands_;
   IslandSolver solver_;
-  std::vector<int> member_;           // by moving entity: its number in the solver, or below 0
+  std::vector<int> member_;           // by moving entity: its number in the solver of its island, or below 0
   std::vector<Vec3d> next_velocity_;  // [m/s] of the points of one member after the step
 };
 

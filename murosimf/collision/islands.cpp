@@ -7,6 +7,19 @@
 
 namespace murosimf::collision {
 
+template <class IslandOf>
+void Islands::Rows::sort(int things, int islands, const IslandOf& island_of) {
+  end_.assign(static_cast<std::size_t>(islands) + 2, 0);
+  for (int i = 0; i < things; ++i) {
+    if (island_of(i) >= 0) ++end_[island_of(i) + 2];
+  }
+  std::partial_sum(end_.begin(), end_.end(), end_.begin());
+  things_.resize(static_cast<std::size_t>(end_.back()));
+  for (int i = 0; i < things; ++i) {
+    if (island_of(i) >= 0) things_[end_[island_of(i) + 1]++] = i;
+  }
+}
+
 int Islands::root(int moving_entity) {
   while (parent_[moving_entity] != moving_entity)
     moving_entity = parent_[moving_entity] = parent_[parent_[moving_entity]];
@@ -42,6 +55,8 @@ void Islands::find(const std::vector<MovingEntity>& moving_entities, const PairS
     if (number < 0) number = count_++;
     number_[i] = number;
   }
+  members_.sort(static_cast<int>(size), count_, [&](int i) { return number_[i]; });
+  contacts_.sort(static_cast<int>(set.points.size()), count_, [&](int i) { return of(set.points[i]); });
 }
 
 }  // namespace murosimf::collision

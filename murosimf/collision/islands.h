@@ -1,6 +1,7 @@
 /// islands.h - which entities touch each other, directly or through others, and so must be solved together.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "murosimf/collision/moving_entity.h"
@@ -17,14 +18,33 @@ class Islands {
   [[nodiscard]] int of(int moving_entity) const { return number_[moving_entity]; }
   /// Of a contact: that of its side that can be pushed.
   [[nodiscard]] int of(const PairContact& c) const { return number_[c.a] >= 0 ? number_[c.a] : number_[c.b]; }
+  /// Its moving entities, rising.
+  [[nodiscard]] std::span<const int> members(int island) const { return members_.row(island); }
+  /// Its contacts, as indices of set.points, rising.
+  [[nodiscard]] std::span<const int> contacts(int island) const { return contacts_.row(island); }
 
  private:
+  /// Things that belong to islands, one row for each island.
+  class Rows {
+   public:
+    /// Thing i belongs to island island_of(i) of `islands`; to none, if that is below 0.
+    template <class IslandOf>
+    void sort(int things, int islands, const IslandOf& island_of);
+    [[nodiscard]] std::span<const int> row(int island) const {
+      return {things_.data() + end_[island], things_.data() + end_[island + 1]};
+    }
+
+   private:
+    std::vector<int> things_;
+    std::vector<int> end_;  // of the row before
+  };
   [[nodiscard]] int root(int moving_entity);
 
   std::vector<int> parent_;
   std::vector<int> number_;
   std::vector<bool> wanted_;
   int count_ = 0;
+  Rows members_, contacts_;
 };
 
 }  // namespace murosimf::collision

@@ -66,17 +66,18 @@ void leave(MovingEntity& moving_entity, const StaticCompound& environment, TestC
 }  // namespace
 
 void kinematic_separation(std::vector<MovingEntity>& moving_entities, const StaticCompound& environment,
-                          PairSet& set) noexcept {
-  const auto stands_fast = [](const MovingEntity& moving_entity) {
-    return !moving_entity.can_be_pushed() && !moving_entity.entity->frozen();
+                          std::span<const std::pair<int, int>> within_reach, PairSet& set) noexcept {
+  const auto stands_fast = [&](int i) {
+    return !moving_entities[i].can_be_pushed() && !moving_entities[i].entity->frozen();
   };
   for (MovingEntity& moving_entity : moving_entities) moving_entity.separation[0] = {};
   auto contact = set.blocked.begin();  // they come in the order of these loops
+  auto pair = within_reach.begin();
   for (int a = 0; a < static_cast<int>(moving_entities.size()); ++a) {
-    if (!stands_fast(moving_entities[a])) continue;
-    for (int b = a + 1; b < static_cast<int>(moving_entities.size()); ++b) {
-      if (!stands_fast(moving_entities[b]) || !overlap(moving_entities[a].reach(), moving_entities[b].reach()))
-        continue;
+    const bool fast = stands_fast(a);
+    for (; pair != within_reach.end() && pair->first == a; ++pair) {
+      const int b = pair->second;
+      if (!fast || !stands_fast(b)) continue;
       Deepest deepest;
       see_feet(moving_entities[a], moving_entities[b], deepest, set.tests);
       for (; contact != set.blocked.end() && contact->a == a && contact->b == b; ++contact) {
@@ -85,7 +86,7 @@ void kinematic_separation(std::vector<MovingEntity>& moving_entities, const Stat
       moving_entities[a].separation[0] += deepest.way_out(0.5);
       moving_entities[b].separation[0] -= deepest.way_out(0.5);
     }
-    leave(moving_entities[a], environment, set.tests);
+    if (fast) leave(moving_entities[a], environment, set.tests);
   }
 }
 

@@ -6,6 +6,8 @@
 /// from above: no walker steps on another one's.
 #pragma once
 
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "murosimf/collision/moving_entity.h"
@@ -14,7 +16,8 @@
 namespace murosimf::collision {
 
 /// Renews the `separation` of all moving entities, by set.blocked and the environment; counts its tests in set.tests.
+/// `within_reach`: entities whose spheres of reach meet, sorted (PairFinder::within_reach).
 void kinematic_separation(std::vector<MovingEntity>& moving_entities, const StaticCompound& environment,
-                          PairSet& set) noexcept;
+                          std::span<const std::pair<int, int>> within_reach, PairSet& set) noexcept;
 
 }  // namespace murosimf::collision

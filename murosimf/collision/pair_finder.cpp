@@ -44,8 +44,7 @@ void remember(PairSet& set) {
 }  // namespace
 
 PairFinder::PairFinder(const std::vector<MovingEntity>& moving_entities, const MaterialTable& materials, double gravity,
-                       double dt)
-    : neighbors_(moving_entities.size() * moving_entities.size()) {
+                       double dt) {
   for (const MovingEntity& moving_entity : moving_entities) {
     auto& kinds = kinds_of_shapes_.emplace_back();
     for (const CollidingShape& shape : moving_entity.compound.shapes())
@@ -73,16 +72,15 @@ void PairFinder::find(std::vector<MovingEntity>& moving_entities, PairSet& set) 
   set.points.clear();
   set.blocked.clear();
   set.tests = {};
-  const int count = static_cast<int>(moving_entities.size());
   reach_.clear();
   for (const MovingEntity& moving_entity : moving_entities) reach_.push_back(moving_entity.reach());
-  for (int a = 0; a < count; ++a) {
-    if (moving_entities[a].entity->frozen()) continue;
-    if (moving_entities[a].limbs_can_touch()) find_between(moving_entities, a, a, set);
-    for (int b = a + 1; b < count; ++b) {
-      ++set.tests.volumes;
-      if (overlap(reach_[a], reach_[b]) && !moving_entities[b].entity->frozen())
-        find_between(moving_entities, a, b, set);
+  auto pair = sweep_.find(reach_).begin();
+  set.tests.volumes += sweep_.tests();
+  for (int a = 0; a < static_cast<int>(moving_entities.size()); ++a) {
+    const bool out = moving_entities[a].entity->frozen();
+    if (!out && moving_entities[a].limbs_can_touch()) find_between(moving_entities, a, a, set);
+    for (; pair != sweep_.pairs().end() && pair->first == a; ++pair) {
+      if (!out && !moving_entities[pair->second].entity->frozen()) find_between(moving_entities, a, pair->second, set);
     }
   }
   remember(set);
@@ -92,7 +90,7 @@ void PairFinder::find_between(std::vector<MovingEntity>& moving_entities, int a,
   MovingEntity &first = moving_entities[a], &second = moving_entities[b];
   first.refit();
   second.refit();
-  Neighbors& near = neighbors_[static_cast<std::size_t>(a) * moving_entities.size() + static_cast<std::size_t>(b)];
+  Neighbors& near = neighbors_[number_of(a, b, 0, 0)];
   if (near.fits_a != first.fits() || near.fits_b != second.fits()) {
     near.fits_a = first.fits();
     near.fits_b = second.fits();

@@ -1,16 +1,20 @@
 /// pair_finder.h - which bodies of moving entities touch, with the memory that their contacts had in the step before.
 ///
-/// Entities whose spheres of reach meet have their trees refitted and descended (compound.h), unless both have moved by
-/// less than the trees' margin since the last time; shapes whose volumes overlap get the exact test (geometry/collide.h).
+/// Whose spheres of reach meet is found by sorting (geometry/sweep_and_prune.h). These have their trees refitted and
+/// descended (compound.h), unless both have moved by less than the trees' margin since the last time; shapes whose volumes
+/// overlap get the exact test (geometry/collide.h).
 /// Kinds of shapes (model/shape.h) are compared within one entity only: a robot's file knows nothing of other robots.
 /// Contacts take the constants of the lighter entity.
 #pragma once
 
+#include <cstdint>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "murosimf/collision/moving_entity.h"
 #include "murosimf/geometry/collide.h"
+#include "murosimf/geometry/sweep_and_prune.h"
 #include "murosimf/model/material.h"
 
 namespace murosimf::collision {
@@ -25,6 +29,8 @@ class PairFinder {
   [[nodiscard]] const std::vector<ContactParameters>& parameters() const { return parameters_; }
   /// Renews set.points and set.blocked; points of the step before go to set.previous.
   void find(std::vector<MovingEntity>& moving_entities, PairSet& set) noexcept;
+  /// Entities whose spheres of reach met in the last find(), sorted; a < b.
+  [[nodiscard]] const std::vector<std::pair<int, int>>& within_reach() const { return sweep_.pairs(); }
 
  private:
   /// One surface of one model: contacts between the same two kinds have the same constants.
@@ -45,10 +51,11 @@ class PairFinder {
                     geometry::Manifold& manifold, PairSet& set) const noexcept;
 
   std::vector<Kind> kinds_;
-  std::vector<std::vector<std::size_t>> kinds_of_shapes_;  // by moving entity and shape
-  std::vector<ContactParameters> parameters_;              // of kinds i and j at i * kinds + j
-  std::vector<Neighbors> neighbors_;                       // of entities a and b at a * entities + b
-  std::vector<geometry::BoundingSphere> reach_;            // of each entity; working memory
+  std::vector<std::vector<std::size_t>> kinds_of_shapes_;   // by moving entity and shape
+  std::vector<ContactParameters> parameters_;               // of kinds i and j at i * kinds + j
+  std::unordered_map<std::uint64_t, Neighbors> neighbors_;  // of entities that were ever near, by number_of(a, b, 0, 0)
+  std::vector<geometry::BoundingSphere> reach_;             // of each entity; working memory
+  geometry::SweepAndPrune sweep_;
 };
 
 }  // namespace murosimf::collision

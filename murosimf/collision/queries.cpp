@@ -17,7 +17,6 @@ QueryScene::Member::Member(const Entity& of, const std::string& volume)
     rest_r.push_back(pose.position);
     rest_R.push_back(pose.orientation);
   }
-  refresh();
 }
 
 void QueryScene::Member::refresh() noexcept {
@@ -26,12 +25,15 @@ void QueryScene::Member::refresh() noexcept {
   const bool moves = position && orientation;
   r = moves ? std::span<const Vec3d>(position->values) : rest_r;
   R = moves ? std::span<const Mat3d>(orientation->values) : rest_R;
-  stale = true;
+  stale.store(true, std::memory_order_relaxed);
 }
 
 const Compound& QueryScene::Member::fresh() {
-  if (stale) compound.refit(r, R);
-  stale = false;
+  if (stale.load(std::memory_order_acquire)) {
+    const std::scoped_lock lock(refitting);
+    if (stale.load(std::memory_order_relaxed)) compound.refit(r, R);
+    stale.store(false, std::memory_order_release);
+  }
   return compound;
 }
 
@@ -41,17 +43,28 @@ Transformd QueryScene::Member::pose(const CollidingShape& shape) const {
 
 QueryScene::QueryScene(const World& world, const std::string& volume) {
   members_.reserve(world.entities().size());
-  for (const auto& entity : world.entities()) members_.emplace_back(*entity, volume);
-  refresh();
+  for (const auto& entity : world.entities()) members_.push_back(std::make_unique<Member>(*entity, volume));
 }
 
-void QueryScene::refresh() noexcept {
-  for (Member& member : members_) member.refresh();
+/// The first who asks after a refresh looks where everybody is.
+void QueryScene::update() noexcept {
+  if (!stale_.load(std::memory_order_acquire)) return;
+  const std::scoped_lock lock(updating_);
+  if (!stale_.load(std::memory_order_relaxed)) return;
+  std::vector<geometry::BoundingSphere> reach;
+  std::vector<bool> always;
+  for (const auto& member : members_) {
+    member->refresh();
+    reach.push_back(member->reach());
+    always.push_back(!member->planes.empty());
+  }
+  near_.build(reach, always);
+  stale_.store(false, std::memory_order_release);
 }
 
-QueryScene::Member& QueryScene::member(const Entity* entity) {
-  for (Member& member : members_) {
-    if (member.entity == entity) return member;
+QueryScene::Member& QueryScene::member(const Entity* entity) const {
+  for (const auto& member : members_) {
+    if (member->entity == entity) return *member;
   }
   throw SetupError("entity " + (entity ? "'" + entity->name() + "'" : std::string("(none)")) +
                    " is not in the query scene: make the scene after all entities are added");
@@ -60,8 +73,9 @@ QueryScene::Member& QueryScene::member(const Entity* entity) {
 /// Calls found(hit) for shapes that the ray enters within `range`, which the callee may shorten.
 template <class Found>
 void QueryScene::for_ray(const Ray& ray, const RayLimits& limits, double& range, const Found& found) {
-  for (Member& member : members_) {
-    if (member.entity == limits.without) continue;
+  const auto reached = [&](const geometry::BoundingSphere& sphere) { return geometry::ray_enters(sphere, ray, range); };
+  for_members(reached, [&](Member& member) {
+    if (member.entity == limits.without) return;
     const auto test = [&](const CollidingShape& shape) {
       const auto entry = geometry::meet(ray, shape.placed.shape, member.pose(shape));
       if (!entry || !(entry->distance <= range)) return;
@@ -72,14 +86,14 @@ void QueryScene::for_ray(const Ray& ray, const RayLimits& limits, double& range,
                    entry->normal});
     };
     for (const CollidingShape& plane : member.planes) test(plane);
-    if (!geometry::ray_enters(member.reach(), ray, range)) continue;
+    if (!reached(member.reach())) return;
     const auto wanted = [&](const auto& volume) { return geometry::ray_enters(volume, ray, range); };
     const auto visit = [&](int leaf) {
       test(member.compound.shapes()[leaf]);
       return true;
     };
     std::visit([&](const auto& tree) { geometry::for_leaves(tree, wanted, visit); }, member.fresh().tree());
-  }
+  });
 }
 
 std::optional<RayHit> QueryScene::cast(const Ray& ray, const RayLimits& limits) {
@@ -106,7 +120,8 @@ std::vector<BodyRef> QueryScene::overlapping(const Shape& shape, const Transform
   const bool endless = std::holds_alternative<Plane>(shape);
   const auto around = endless ? geometry::BoundingSphere{at.position, std::numeric_limits<double>::infinity()}
                               : geometry::fit<geometry::BoundingSphere>(shape, at);
-  for (Member& member : members_) {
+  const auto near = [&](const geometry::BoundingSphere& sphere) { return overlap(around, sphere); };
+  for_members(near, [&](Member& member) {
     std::vector<int> objects;
     const auto test = [&](const CollidingShape& other) {
       geometry::Manifold found;
@@ -114,7 +129,7 @@ std::vector<BodyRef> QueryScene::overlapping(const Shape& shape, const Transform
       return true;
     };
     for (const CollidingShape& plane : member.planes) test(plane);
-    if (overlap(around, member.reach())) {
+    if (near(member.reach())) {
       const auto wanted = [&](const auto& volume) { return overlap(around, volume); };
       const auto visit = [&](int leaf) { return test(member.compound.shapes()[leaf]); };
       std::visit([&](const auto& tree) { geometry::for_leaves(tree, wanted, visit); }, member.fresh().tree());
@@ -122,7 +137,7 @@ std::vector<BodyRef> QueryScene::overlapping(const Shape& shape, const Transform
     std::sort(objects.begin(), objects.end());
     objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
     for (const int object : objects) bodies.push_back({member.entity, object});
-  }
+  });
   return bodies;
 }
 
@@ -159,6 +174,7 @@ struct QueryScene::NearestSearch {
 };
 
 std::optional<Separation> QueryScene::distance(const BodyRef& a, const BodyRef& b) {
+  update();
   Member &first = member(a.entity), &second = member(b.entity);
   NearestSearch search{a, b, first, second, std::numeric_limits<double>::infinity(), {}};
   search.see_planes();

@@ -1,17 +1,24 @@
 /// queries.h - questions about where bodies are: rays, distances and overlaps, for users and sensors.
 ///
+/// Entities are found by a tree of their spheres of reach (entity_tree.h), then the trees of those that a question comes
+/// near are worked out, once after each refresh, whoever asks first. Several threads may ask at the same time.
+///
 ///     QueryScene scene(world);
 ///     scene.refresh();  // after every step
 ///     if (const auto hit = scene.cast({eye, forward}, {.without = &robot})) ...
 #pragma once
 
+#include <atomic>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "murosimf/collision/compound.h"
+#include "murosimf/collision/entity_tree.h"
 #include "murosimf/geometry/distance.h"
 #include "murosimf/model/world.h"
 
@@ -54,8 +61,14 @@ class QueryScene {
   /// Of the entities that the world has now; it must outlive the scene. Throws SetupError if there is no such volume.
   explicit QueryScene(const World& world, const std::string& volume = "sphere");
 
-  /// To be called after something has moved; the work is done when a question comes near an entity.
-  void refresh() noexcept;
+  /// To be called after something has moved, while nobody asks; the work is done when a question comes near an entity.
+  void refresh() noexcept { stale_.store(true, std::memory_order_release); }
+
+  /// Shapes of an entity that collide, without planes; in the order of colliding_shapes(). Throws SetupError if it is not
+  /// in the scene.
+  [[nodiscard]] std::span<const CollidingShape> shapes(const Entity& entity) const {
+    return member(&entity).compound.shapes();
+  }
 
   /// The first shape on a ray.
   [[nodiscard]] std::optional<RayHit> cast(const geometry::Ray& ray, const RayLimits& limits = {});
@@ -74,7 +87,7 @@ class QueryScene {
   struct Member {
     Member(const Entity& of, const std::string& volume);
     void refresh() noexcept;
-    /// The compound, refitted if it must be.
+    /// The compound, refitted by the first who asks.
     const Compound& fresh();
     [[nodiscard]] geometry::BoundingSphere reach() const { return {r[0], compound.reach()}; }
     [[nodiscard]] Transformd pose(const CollidingShape& shape) const;
@@ -86,16 +99,34 @@ class QueryScene {
     std::vector<Mat3d> rest_R;
     std::span<const Vec3d> r;
     std::span<const Mat3d> R;
-    bool stale = true;
+    std::atomic<bool> stale = true;
+    std::mutex refitting;
   };
 
-  [[nodiscard]] Member& member(const Entity* entity);
+  [[nodiscard]] Member& member(const Entity* entity) const;
+  void update() noexcept;
+  /// Calls visit(member), in their order, for those whose sphere of reach is wanted, and a few more (EntityTree::find).
+  template <class Wanted, class Visit>
+  void for_members(const Wanted& wanted, const Visit& visit);
   template <class Found>
   void for_ray(const geometry::Ray& ray, const RayLimits& limits, double& range, const Found& found);
   struct NearestSearch;
   struct FanCast;
 
-  std::vector<Member> members_;
+  std::vector<std::unique_ptr<Member>> members_;
+  EntityTree near_;  // members by their places
+  std::atomic<bool> stale_ = true;
+  std::mutex updating_;
 };
+
+// ---- definitions ----
+
+template <class Wanted, class Visit>
+void QueryScene::for_members(const Wanted& wanted, const Visit& visit) {
+  thread_local std::vector<int> near;
+  update();
+  near_.find(wanted, near);
+  for (const int i : near) visit(*members_[i]);
+}
 
 }  // namespace murosimf::collision

@@ -88,11 +88,12 @@ void QueryScene::cast(const Fan& fan, const Transformd& at, const RayLimits& lim
                       std::span<double> distances) noexcept {
   std::fill(distances.begin(), distances.end(), std::numeric_limits<double>::infinity());
   const FanCast cast{fan, at, limits.range, distances};
-  for (Member& member : members_) {
+  const auto wanted = [&](const geometry::BoundingSphere& sphere) { return cast.wants(sphere); };
+  for_members(wanted, [&](Member& member) {
     if (member.entity != limits.without) cast.see(member);
-  }
-  for (const Member& member : members_) {  // last: what is nearer spares the rays
-    if (member.entity != limits.without) cast.see_planes(member);
+  });
+  for (const auto& member : members_) {  // last: what is nearer spares the rays
+    if (member->entity != limits.without) cast.see_planes(*member);
   }
 }
 

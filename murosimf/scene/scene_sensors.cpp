@@ -6,6 +6,7 @@
 
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/model/error.h"
+#include "murosimf/sensors/world_queries.h"
 
 namespace murosimf::scene {
 namespace {
@@ -75,9 +76,16 @@ std::string sensor_remarks(const SceneParts& parts, const scene_file::RobotSpec&
 }  // namespace
 
 void attach_sensors(SceneParts& parts, ModelSource& models) {
-  const sensors::SensorSurroundings surroundings{parts.spec.seed, parts.moving_entities, [&parts] {
-                                                   return parts.cameras ? parts.cameras->view_source() : nullptr;
-                                                 }};
+  const auto view_source = [&parts] { return parts.cameras ? parts.cameras->view_source() : nullptr; };
+  sensors::WorldQueries* queries = nullptr;
+  const auto shared_queries = [&]() -> sensors::WorldQueries& {
+    if (!queries) {
+      queries = &parts.simulation->attach<sensors::WorldQueries>("world_queries", *parts.field, parts.spec.rate,
+                                                                 parts.moving_entities);
+    }
+    return *queries;
+  };
+  const sensors::SensorSurroundings surroundings{parts.spec.seed, parts.moving_entities, view_source, shared_queries};
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
     std::vector<const sensors::Sensor*>& attached = parts.sensors.emplace_back();
     about(parts.spec.robots[i].name, [&] {

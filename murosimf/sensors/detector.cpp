@@ -8,7 +8,6 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/sensors/ground_truth.h"
-#include "murosimf/sensors/world_queries.h"
 
 namespace murosimf::sensors {
 namespace {
@@ -38,9 +37,9 @@ std::string stream_name(const Setup& setup, const SensorSpec& spec) {
   return fmt::format("{}/{}/", setup.entity().name(), spec.name);
 }
 
-Seen seen(Setup other) {
+Seen seen(Setup other, const collision::QueryScene& scene) {
   return {&other.entity(), other.read(properties::position), other.read(properties::orientation),
-          collision::colliding_shapes(other.model())};
+          scene.shapes(other.entity())};
 }
 
 }  // namespace
@@ -62,10 +61,10 @@ Detector::Detector(Setup& setup, const SensorSpec& spec, const SensorSurrounding
       numbers_(spec),
       offsets_(surroundings.seed, stream_name(setup, spec) + "offset"),
       largest_offset_(checked_number(spec, "offset", 0)),
-      scene_(world_queries(setup, surroundings)) {
+      view_(setup, surroundings) {
   const std::string name = stream_name(setup, spec);
   for (Entity* entity : looked_at(setup, spec, surroundings)) {
-    targets_.push_back({seen(setup.of(*entity)),
+    targets_.push_back({seen(setup.of(*entity), view_.scene()),
                         {surroundings.seed, name + entity->name() + "/errors"},
                         {surroundings.seed, name + entity->name() + "/misses"}});
   }
@@ -90,12 +89,11 @@ Detector::Polar Detector::polar(const Vec3d& place) noexcept {
   return {norm(place), std::atan2(place.y, place.x), std::atan2(place.z, std::hypot(place.x, place.y))};
 }
 
-bool Detector::sees(const Target& target, const Polar& place) noexcept {
+bool Detector::sees(const Target& target, const Polar& place, collision::QueryScene& scene) const noexcept {
   if (place.distance < numbers_.range.min || place.distance > numbers_.range.max) return false;
   if (abs(place.azimuth) > numbers_.half_azimuth || abs(place.elevation) > numbers_.half_elevation) return false;
   if (numbers_.misses > 0 && target.misses.uniform(looks_) < numbers_.misses) return false;
-  const double share = share_in_sight(scene_, mounting_.position(), &robot_, target.seen);
-  return share > 0 && share >= numbers_.visible_share;
+  return is_in_sight(scene, mounting_.position(), &robot_, target.seen, numbers_.visible_share);
 }
 
 Detector::Polar Detector::with_errors(const Target& target, Polar place) const noexcept {
@@ -111,15 +109,15 @@ Detector::Polar Detector::with_errors(const Target& target, Polar place) const n
 }
 
 void Detector::measure(std::span<double> values) noexcept {
-  scene_.refresh();
+  collision::QueryScene& scene = view_.now();
   const Vec3d eye = mounting_.position();
   const Mat3d axes = mounting_.orientation();
   double* value = values.data();
   for (const Target& target : targets_) {
     const Vec3d place = transposed_times(axes, target.seen.r[0] - eye);
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-    const Polar shown =
-        sees(target, polar(place)) ? with_errors(target, polar(place + offset_)) : Polar{nothing, nothing, nothing};
+    const Polar shown = sees(target, polar(place), scene) ? with_errors(target, polar(place + offset_))
+                                                          : Polar{nothing, nothing, nothing};
     *value++ = shown.distance;
     *value++ = shown.azimuth;
     *value++ = shown.elevation;

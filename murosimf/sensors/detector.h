@@ -26,6 +26,7 @@
 #include "murosimf/sensors/numbers.h"
 #include "murosimf/sensors/sensor.h"
 #include "murosimf/sensors/sight.h"
+#include "murosimf/sensors/world_queries.h"
 
 namespace murosimf::sensors {
 
@@ -55,7 +56,7 @@ class Detector final : public Sensor {
   };
 
   [[nodiscard]] static Polar polar(const Vec3d& place) noexcept;
-  [[nodiscard]] bool sees(const Target& target, const Polar& place) noexcept;
+  [[nodiscard]] bool sees(const Target& target, const Polar& place, collision::QueryScene& scene) const noexcept;
   [[nodiscard]] Polar with_errors(const Target& target, Polar place) const noexcept;
   void measure(std::span<double> values) noexcept override;
   void start() noexcept override { looks_ = 0; }
@@ -70,7 +71,7 @@ class Detector final : public Sensor {
   RandomStream offsets_;
   double largest_offset_;  // [m] of each component
   Vec3d offset_;           // [m] axes of the sensor
-  collision::QueryScene scene_;
+  WorldView view_;
   std::uint64_t looks_ = 0;
 };
 

@@ -8,12 +8,11 @@ Laser::Laser(Setup& setup, const SensorSpec& spec, const SensorSurroundings& sur
       mounting_(setup, spec),
       range_(laser_range(spec)),
       fan_(laser_sector(spec).fan()),
-      scene_(world_queries(setup, surroundings)) {}
+      view_(setup, surroundings) {}
 
 void Laser::measure(std::span<double> values) noexcept {
-  scene_.refresh();
   const Transformd here{mounting_.position(), mounting_.orientation()};
-  scene_.cast(fan_, here, {.range = range_.max, .without = &robot_}, values);
+  view_.now().cast(fan_, here, {.range = range_.max, .without = &robot_}, values);
   present(values);
 }
 

@@ -34,7 +34,7 @@ class Laser final : public Sensor {
   Mounting mounting_;
   Range range_;
   collision::Fan fan_;
-  collision::QueryScene scene_;
+  WorldView view_;
 };
 
 }  // namespace murosimf::sensors

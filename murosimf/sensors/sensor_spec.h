@@ -13,7 +13,8 @@
 
 namespace murosimf::sensors {
 
-class ViewSource;  // view_source.h
+class ViewSource;    // view_source.h
+class WorldQueries;  // world_queries.h
 
 struct SensorSpec {
   std::string name{};                           ///< unique on the robot
@@ -51,6 +52,8 @@ struct SensorSurroundings {
   /// Who draws; asked when something that needs pictures starts. Null, or none: there are no pictures, which whoever
   /// gives this has said already.
   std::function<ViewSource*()> view_source{};
+  /// What all sensors with rays ask; asked for when one is made. Null: each of them works it out for itself.
+  std::function<WorldQueries&()> queries{};
 };
 
 }  // namespace murosimf::sensors

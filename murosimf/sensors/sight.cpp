@@ -33,22 +33,47 @@ Vec3d outline_point(const Seen& body, const Vec3d& across) noexcept {
   return best;
 }
 
-}  // namespace
-
-double share_in_sight(collision::QueryScene& scene, const Vec3d& eye, const Entity* without,
-                      const Seen& body) noexcept {
+/// Calls see(whether it is free, number of points) for each of the points until it returns false.
+template <class See>
+void for_points(collision::QueryScene& scene, const Vec3d& eye, const Entity* without, const Seen& body,
+                const See& see) noexcept {
   const Vec3d way = body.r[0] - eye;
   const Vec3d beside = abs(way.z) < 0.9 * norm(way) ? cross(way, Vec3d{0, 0, 1}) : cross(way, Vec3d{1, 0, 0});
   const double length = norm(beside);
-  int free = is_free(scene, eye, without, body, body.r[0]) ? 1 : 0;
-  if (body.shapes.empty() || length == 0) return free;
+  const int points = body.shapes.empty() || length == 0 ? 1 : 1 + outline_points;
+  if (!see(is_free(scene, eye, without, body, body.r[0]), points) || points == 1) return;
   const Vec3d u = (1 / length) * beside, v = (1 / norm(way)) * cross(u, way);
   for (int i = 0; i < outline_points; ++i) {
     const double angle = 2 * pi * i / outline_points;
     const Vec3d point = outline_point(body, std::cos(angle) * u + std::sin(angle) * v);
-    if (is_free(scene, eye, without, body, point)) ++free;
+    if (!see(is_free(scene, eye, without, body, point), points)) return;
   }
-  return free / (1.0 + outline_points);
+}
+
+}  // namespace
+
+double share_in_sight(collision::QueryScene& scene, const Vec3d& eye, const Entity* without,
+                      const Seen& body) noexcept {
+  int free = 0;
+  double share = 0;
+  for_points(scene, eye, without, body, [&](bool is_free, double points) {
+    free += is_free ? 1 : 0;
+    share = free / points;
+    return true;
+  });
+  return share;
+}
+
+bool is_in_sight(collision::QueryScene& scene, const Vec3d& eye, const Entity* without, const Seen& body,
+                 double share) noexcept {
+  int free = 0, hidden = 0;
+  bool seen = false;
+  for_points(scene, eye, without, body, [&](bool is_free, double points) {
+    ++(is_free ? free : hidden);
+    seen = free > 0 && free / points >= share;
+    return !seen && (points - hidden) / points >= share;
+  });
+  return seen;
 }
 
 }  // namespace murosimf::sensors

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "murosimf/collision/queries.h"
 
@@ -16,13 +15,17 @@ namespace murosimf::sensors {
 /// A body that is looked at.
 struct Seen {
   const Entity* entity = nullptr;
-  std::span<const Vec3d> r;                       ///< [m] of its objects, world frame
-  std::span<const Mat3d> R;                       ///< their axes to world axes
-  std::vector<collision::CollidingShape> shapes;  ///< none: it has no outline
+  std::span<const Vec3d> r;                           ///< [m] of its objects, world frame
+  std::span<const Mat3d> R;                           ///< their axes to world axes
+  std::span<const collision::CollidingShape> shapes;  ///< none: it has no outline
 };
 
 /// The part [1] of the nine points that are free from the place `eye` [m], world frame; `without`: who is transparent.
 [[nodiscard]] double share_in_sight(collision::QueryScene& scene, const Vec3d& eye, const Entity* without,
                                     const Seen& body) noexcept;
+
+/// True if that part is more than 0 and at least `share` [1]; looks at no more points than it takes to know.
+[[nodiscard]] bool is_in_sight(collision::QueryScene& scene, const Vec3d& eye, const Entity* without, const Seen& body,
+                               double share) noexcept;
 
 }  // namespace murosimf::sensors

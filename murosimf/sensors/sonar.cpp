@@ -27,16 +27,16 @@ NearestOfRays::NearestOfRays(Setup& setup, const SensorSpec& spec, const SensorS
       mounting_(setup, spec),
       range_(checked_range(spec, usual)),
       directions_(std::move(directions)),
-      scene_(world_queries(setup, surroundings)) {}
+      view_(setup, surroundings) {}
 
 void NearestOfRays::measure(std::span<double> values) noexcept {
-  scene_.refresh();
+  collision::QueryScene& scene = view_.now();
   const Mat3d axes = mounting_.orientation();
   const Vec3d here = mounting_.position();
   bool found = false;
   double nearest = range_.max;
   for (const Vec3d& direction : directions_) {
-    const auto hit = scene_.cast({here, axes * direction}, {.range = nearest, .without = &robot_});
+    const auto hit = scene.cast({here, axes * direction}, {.range = nearest, .without = &robot_});
     if (!hit) continue;
     found = true;
     nearest = hit->distance;

@@ -42,7 +42,7 @@ class NearestOfRays : public Sensor {
   Mounting mounting_;
   Range range_;
   std::vector<Vec3d> directions_;
-  collision::QueryScene scene_;
+  WorldView view_;
 };
 
 class Sonar final : public NearestOfRays {

@@ -1,15 +1,68 @@
 /// world_queries.h - what sensors with rays see: everything that collides, with the poses of this instant.
+///
+/// All sensors of a simulation ask the same scenes (collision/queries.h), one for each kind of bounding volume, so an entity's
+/// tree is worked out once in a tick however many look at it. Their algorithm declares a write of `query_turn` and the
+/// sensors a read: so it comes in a wave before theirs, and questions of one wave may be asked by several threads.
 #pragma once
 
+#include <map>
+#include <memory>
+#include <string>
+
 #include "murosimf/collision/queries.h"
+#include "murosimf/model/algorithm.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/sensors/sensor_spec.h"
 
 namespace murosimf::sensors {
 
-/// Reads the poses of all moving entities. Volumes are of the kind that the robot's own collisions use. The scene is to be
-/// refreshed before questions are asked.
-[[nodiscard]] collision::QueryScene world_queries(Setup& setup, const SensorSurroundings& surroundings);
+/// Stands for the scenes that are shared; there is nothing in it, and so no state.
+struct QueryTurn {};
+inline void append_hash(Hasher&, const QueryTurn&) {}
+inline void state(StateArchive&, QueryTurn&) {}
+
+/// Of the environment. Whoever reads it asks after the shared scenes have been refreshed.
+inline constexpr Property<QueryTurn> query_turn{
+    {"query_turn", "-", "-", "questions of sensors may be asked of the poses of this tick", Scope::wiring}};
+
+/// Algorithm: the scenes that sensors share. To be attached before them, to an entity that never moves, at the rate of the
+/// simulation's steps.
+class WorldQueries final : public Algorithm {
+ public:
+  /// After all entities are added; reads the poses of `moving_entities`.
+  WorldQueries(Setup& setup, const std::vector<Entity*>& moving_entities);
+
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::sense; }
+  void initialize() override { refresh(); }
+  void step(const Instant&) noexcept override { refresh(); }
+
+  /// The scene with volumes of this kind, made when it is first asked for: while setting up only. The algorithm of `setup`
+  /// may ask it questions in its steps. Throws SetupError if there is no such volume.
+  [[nodiscard]] collision::QueryScene& scene(const Setup& setup, const std::string& volume);
+
+ private:
+  void refresh() noexcept;
+
+  const World& world_;
+  Entity& environment_;
+  std::map<std::string, std::unique_ptr<collision::QueryScene>> scenes_;  // by volume
+};
+
+/// What one sensor sees: a scene that it shares, or one of its own where nobody shares any.
+class WorldView {
+ public:
+  /// Reads the poses of all moving entities. Volumes are of the kind that the robot's own collisions use.
+  WorldView(Setup& setup, const SensorSurroundings& surroundings);
+
+  /// The scene, for questions in this step.
+  [[nodiscard]] collision::QueryScene& now() noexcept;
+  /// The same while setting up: who is there.
+  [[nodiscard]] const collision::QueryScene& scene() const { return *scene_; }
+
+ private:
+  std::unique_ptr<collision::QueryScene> own_;
+  collision::QueryScene* scene_;
+};
 
 /// Declares that poses and velocities of all moving entities are read: what whoever draws them needs (view_source.h).
 void read_motion_of_all(Setup& setup, const SensorSurroundings& surroundings);

@@ -45,6 +45,21 @@ TEST(IslandNumbers, ChainsAreOneIsland) {
   EXPECT_EQ(balls.find({{0, 6}, {5, 6}, {4, 5}, {3, 4}, {2, 3}, {1, 2}}), (Numbers{0, 0, 0, 0, 0, 0, 0}));
 }
 
+// Rule: members and contacts of an island, in their order; a contact belongs to the island of its side that can be pushed.
+TEST(IslandNumbers, MembersAndContactsAreListed) {
+  Seven balls;
+  Movers::stand_fast(balls.all[3]);
+  EXPECT_EQ(balls.find({{4, 6}, {3, 5}, {2, 4}, {1, 5}, {3, 4}}), (Numbers{-1, 0, 1, -1, 1, 0, 1}));
+  const auto list = [](std::span<const int> row) { return Numbers(row.begin(), row.end()); };
+  EXPECT_EQ(list(balls.islands.members(0)), (Numbers{1, 5}));
+  EXPECT_EQ(list(balls.islands.members(1)), (Numbers{2, 4, 6}));
+  EXPECT_EQ(list(balls.islands.contacts(0)), (Numbers{1, 3}));
+  EXPECT_EQ(list(balls.islands.contacts(1)), (Numbers{0, 2, 4}));
+  EXPECT_EQ(balls.find({{0, 3}}), (Numbers{0, -1, -1, -1, -1, -1, -1}));
+  EXPECT_EQ(list(balls.islands.members(0)), (Numbers{0}));
+  EXPECT_EQ(list(balls.islands.contacts(0)), (Numbers{0}));
+}
+
 // Nothing of the step before stays.
 TEST(IslandNumbers, BeginAnewInEveryStep) {
   Seven balls;

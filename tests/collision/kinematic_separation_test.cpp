@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/geometry/sweep_and_prune.h"
 #include "tests/collision/movers.h"
 
 namespace murosimf::collision {
@@ -28,7 +29,9 @@ struct Walkers : Movers {
   }
   void separate() {
     start_step();
-    kinematic_separation(all, StaticCompound(field), set);
+    std::vector<geometry::BoundingSphere> reach;
+    for (const MovingEntity& mover : all) reach.push_back(mover.reach());
+    kinematic_separation(all, StaticCompound(field), geometry::SweepAndPrune().find(reach), set);
   }
   void block(int a, int b, const Vec3d& normal, double depth) {
     PairContact c = joint_of(a, b);

@@ -124,6 +124,34 @@ TEST(PairFinder, ContactsComeInTheOrderOfTheList) {
   EXPECT_LT(difference(found.set.points[1].normal, {1, 0, 0}), 1e-12);
 }
 
+// Rule: however many there are and however they move, pairs are those that testing all with all finds, and few more are tested.
+TEST(PairFinder, CrowdIsComparedWithNeighborsOnly) {
+  fixtures::Dice dice("crowd");
+  Found found;
+  for (int i = 0; i < 60; ++i) {
+    found.add("ball" + std::to_string(i), ball(0.05 + 0.002 * i, 1), {0.3 * (i * 17 % 60), dice.uniform(0, 0.8), 0});
+  }
+  found.all[31].entity->freeze("test");
+  std::size_t contacts = 0;
+  for (int step = 0; step < 50; ++step) {
+    for (MovingEntity& one : found.all) Movers::place(one, one.r[0] + dice.vector(0.05));
+    if (step == 20) Movers::place(found.all[7], {std::nan(""), 0, 0});
+    found.find();
+    std::vector<std::pair<int, int>> expected, touching;
+    for (int a = 0; a < 60; ++a) {
+      for (int b = a + 1; b < 60; ++b) {
+        const bool met = overlap(found.all[a].sphere(0), found.all[b].sphere(0));
+        if (met && a != 31 && b != 31) expected.emplace_back(a, b);
+      }
+    }
+    for (const PairContact& c : found.set.points) touching.emplace_back(c.a, c.b);
+    ASSERT_EQ(touching, expected) << step;
+    contacts += touching.size();
+    EXPECT_LT(found.set.tests.volumes, 600) << "not 1770";
+  }
+  EXPECT_GT(contacts, 200U);
+}
+
 // Many shapes that touch, in a tree that has its own order: contacts come by shapes, as the memory needs it.
 TEST(PairFinder, ContactsComeInTheOrderOfShapes) {
   Found found;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <thread>
 
 #include "murosimf/geometry/collide.h"
 #include "tests/collision/pitch.h"
@@ -138,6 +139,56 @@ TEST(Queries, DistancesAgreeWithBruteForce) {
   }
   EXPECT_GT(overlapping, 20);
   EXPECT_GT(apart, 20);
+}
+
+// Law: of a crowd, with some who are nowhere, the same as a walk over all of it; also if several threads ask at once.
+TEST(Queries, CrowdsAgreeWithBruteForce) {
+  Dice dice("crowd");
+  World world;
+  const auto ball = std::make_shared<const Model>(fixtures::ball_model(0.1, 1));
+  std::vector<Vec3d*> places;
+  for (int i = 0; i < 80; ++i) {
+    Entity& entity = world.add("ball" + std::to_string(i), ball);
+    places.push_back(&entity.column(properties::position).values[0]);
+    entity.column(properties::orientation).values[0] = {};
+  }
+  QueryScene scene(world);
+  std::size_t found = 0;
+  for (int i = 0; i < 100; ++i) {
+    for (Vec3d* place : places) *place = dice.vector(0.6);
+    places[11]->y = std::nan("");
+    places[12]->x = std::numeric_limits<double>::infinity();
+    scene.refresh();
+    std::vector<Ray> rays;
+    for (int k = 0; k < 8; ++k) rays.push_back({dice.vector(0.6), dice.unit()});
+    std::vector<std::vector<RayHit>> hits(rays.size());
+    std::vector<std::thread> askers;
+    for (std::size_t k = 0; k < rays.size(); k += 2) {
+      askers.emplace_back([&, k] {
+        for (const std::size_t ray : {k, k + 1}) hits[ray] = scene.cast_all(rays[ray], {.range = 2});
+      });
+    }
+    for (std::thread& asker : askers) asker.join();
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      std::vector<double> expected;
+      for (const Vec3d* place : places) {
+        const auto met = geometry::meet(rays[k], Sphere{0.1}, {*place, {}});
+        if (met && met->distance <= 2) expected.push_back(met->distance);
+      }
+      std::sort(expected.begin(), expected.end());
+      ASSERT_EQ(hits[k].size(), expected.size());
+      for (std::size_t h = 0; h < expected.size(); ++h) EXPECT_EQ(hits[k][h].distance, expected[h]);
+      found += expected.size();
+    }
+  }
+  EXPECT_GT(found, 500U);
+}
+
+TEST(Queries, ShapesAreThoseThatCollide) {
+  Pitch pitch;
+  QueryScene scene(pitch.world);
+  EXPECT_EQ(scene.shapes(*pitch.world.find("red")).size(), colliding_shapes(pitch.world.find("red")->model()).size());
+  EXPECT_EQ(scene.shapes(*pitch.world.find("field")).size(), 1U) << "the wall";
 }
 
 // Rule: after a refresh, bodies are where they are now.

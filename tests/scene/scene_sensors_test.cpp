@@ -145,6 +145,36 @@ int count_lines(const Scene& scene, const std::string& part) {
   return lines;
 }
 
+// Rule: all sensors with rays share one algorithm that comes in a wave before them; without such sensors there is none.
+TEST(SceneSensors, SensorsWithRaysAskOneScene) {
+  const std::string eyes =
+      "[robots.sensors]\nscan={type='laser', rays=30}\nsound={type='sonar'}\nsight={type='detector'}\n";
+  const auto robot_with = [&](const std::string& name, double y) {
+    return "[[robots]]\nname = '" + name + "'\nposition = [0, " + std::to_string(y) + "]\nheading_deg = -90\n" + eyes;
+  };
+  const std::string text = start + robot_with("one", 0) + robot_with("two", 1.5);
+  Scene scene(fixtures::write_scene(text));
+  std::size_t shared = 0, wave = 0, askers = 0;
+  for (const PlannedAlgorithm& one : scene.simulation().order_of_tick()) {
+    if (one.name == "world_queries") {
+      ++shared;
+      wave = one.wave;
+      EXPECT_EQ(one.entity, "field");
+    }
+    if (one.name == "laser" || one.name == "sonar" || one.name == "detector") {
+      ++askers;
+      EXPECT_GT(one.wave, wave) << one.name;
+    }
+  }
+  EXPECT_EQ(shared, 1U);
+  EXPECT_EQ(askers, 6U);
+  scene.simulation().run(50ms);
+  EXPECT_NEAR(reading(scene, "two", "sight").output("one")[0], 1.5, 0.02);
+
+  Scene blind(fixtures::write_scene(start + two));
+  for (const PlannedAlgorithm& one : blind.simulation().order_of_tick()) EXPECT_NE(one.name, "world_queries");
+}
+
 TEST(SceneSensors, SayWhatALevelCannotShowOncePerLevel) {
   Scene scene(fixtures::write_scene(start + "[[robots]]\nname = 'one'\nlevel = 'full_dynamics'\n"));
   EXPECT_EQ(count_lines(scene, "one: full_dynamics"), 0);

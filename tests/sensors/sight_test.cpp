@@ -12,6 +12,7 @@ using fixtures::placed;
 using test::RangeRig;
 
 /// A ball of 10 cm at x = 4, behind a wall that covers y > edge [m] in the view from the origin.
+/// Checks on the way that is_in_sight says the same.
 double share_of_ball(double edge) {
   RangeRig rig;
   rig.add_walls({placed(Box{{0.01, 1, 5}}, {2, 1 + edge / 2, 0})});
@@ -20,8 +21,12 @@ double share_of_ball(double edge) {
   RangeRig::put(ball, {4, 0, 1});
   collision::QueryScene scene(rig.simulation.world());
   const Seen body{&ball, ball.find(properties::position)->values, ball.find(properties::orientation)->values,
-                  collision::colliding_shapes(ball.model())};
-  return share_in_sight(scene, {0, 0, 1}, nullptr, body);
+                  scene.shapes(ball)};
+  const double share = share_in_sight(scene, {0, 0, 1}, nullptr, body);
+  for (const double wanted : {0.0, 1 / 9.0, 0.25, 3 / 9.0, 0.5, 6 / 9.0, 0.8, 8 / 9.0, 1.0}) {
+    EXPECT_EQ(is_in_sight(scene, {0, 0, 1}, nullptr, body, wanted), share > 0 && share >= wanted) << edge << wanted;
+  }
+  return share;
 }
 
 // The points are at y = 0, 0.0566 m and 0.08 m to both sides, as seen from the origin.
@@ -47,6 +52,9 @@ TEST(Sight, OnlyWhatStandsBetweenHides) {
     collision::QueryScene scene(rig.simulation.world());
     const Seen body{&mark, mark.find(properties::position)->values, mark.find(properties::orientation)->values, {}};
     EXPECT_EQ(share_in_sight(scene, {0, 0, 1}, nullptr, body), place > 2 ? 1 : 0);
+    for (const double wanted : {0.0, 0.5, 1.0}) {
+      EXPECT_EQ(is_in_sight(scene, {0, 0, 1}, nullptr, body, wanted), place > 2) << wanted;
+    }
   }
 }
 
@@ -58,7 +66,7 @@ TEST(Sight, ARobotInTheOpenIsSeenWhole) {
   rig.begin();
   collision::QueryScene scene(rig.simulation.world());
   const Seen body{&robot, robot.find(properties::position)->values, robot.find(properties::orientation)->values,
-                  collision::colliding_shapes(robot.model())};
+                  scene.shapes(robot)};
   ASSERT_GT(body.shapes.size(), 10u);
   for (int i = 0; i < 50; ++i) {
     const Vec3d away = dice.uniform(0.5, 5) * dice.unit();

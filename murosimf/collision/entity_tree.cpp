@@ -1,0 +1,38 @@
+#include "murosimf/collision/entity_tree.h"
+
+#include "murosimf/geometry/sweep_and_prune.h"
+
+namespace murosimf::collision {
+
+using geometry::BoundingSphere;
+
+namespace {
+
+/// Slightly bigger, so that spheres around several hold each of them after rounding, too.
+BoundingSphere with_slack(const BoundingSphere& sphere) {
+  return {sphere.center, sphere.radius + 1e-6 + 1e-9 * (norm(sphere.center) + sphere.radius)};
+}
+
+}  // namespace
+
+void EntityTree::build(std::span<const BoundingSphere> reach, const std::vector<bool>& always) {
+  std::vector<BoundingSphere> spheres;
+  std::vector<Vec3d> centers;
+  entities_.clear();
+  always_.clear();
+  for (int i = 0; i < static_cast<int>(reach.size()); ++i) {
+    if (always[i] || !geometry::is_bounded(reach[i])) {
+      always_.push_back(i);
+      continue;
+    }
+    entities_.push_back(i);
+    spheres.push_back(with_slack(reach[i]));
+    centers.push_back(reach[i].center);
+  }
+  std::vector<geometry::BoundingTree<BoundingSphere>::Leaf> leaves;
+  for (int i = 0; i < static_cast<int>(spheres.size()); ++i) leaves.push_back({i, {{}, spheres[i].radius}});
+  tree_ = {std::move(leaves), geometry::split_top_down(spheres)};
+  tree_.refit(centers, std::vector<Mat3d>(centers.size()));
+}
+
+}  // namespace murosimf::collision
