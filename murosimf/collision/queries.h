@@ -70,7 +70,7 @@ class QueryScene {
     return member(&entity).compound.shapes();
   }
 
-  /// The first shape on a ray.
+  /// The first shape on a ray; at the same distance, of the entity that was added first.
   [[nodiscard]] std::optional<RayHit> cast(const geometry::Ray& ray, const RayLimits& limits = {});
   /// The same for each ray of a fan (collision/scan.h) whose frame is `at`: its distance [m], infinite where nothing is
   /// within the range. As many distances as the fan has rays.

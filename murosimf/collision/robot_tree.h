@@ -10,10 +10,10 @@ namespace murosimf::collision {
 
 /// Objects without shapes become empty nodes; of these, those without children go and those with one give way to it.
 /// Bodies with children move down to the leaves, beside their children, and nodes with more than two children get empty
-/// nodes in between: always the two that fit into the smallest sphere while all joints are at zero (the paper leaves
-/// the order open). Forks have no place of their own: their branches count as children of what stands before them. A
-/// body of several shapes is split top-down in its leaf's place. A robot that would be deeper than
-/// TreeLayout::most_depth (a long snake) is split top-down as a whole.
+/// nodes in between: always the two that fit into the smallest sphere while all joints are at zero, of equal ones those
+/// that the model names first (the paper leaves the order open). Forks have no place of their own: their branches count
+/// as children of what stands before them. A body of several shapes is split top-down in its leaf's place. A robot that
+/// would be deeper than TreeLayout::most_depth (a long snake) is split top-down as a whole.
 [[nodiscard]] geometry::TreeLayout robot_tree(const Model& model, std::span<const CollidingShape> shapes);
 
 /// Spheres about the shapes with all joints at zero, in the base's frame.

@@ -61,8 +61,6 @@ void KinematicWalking::initialize() {
   remaining_shift_ = remaining_turn_ = {};
   stand_on(lower_foot());
   pin();
-  set_base_twist();
-  columns_.update_velocities();
   columns_.remember_base();
 }
 

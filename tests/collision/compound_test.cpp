@@ -172,6 +172,21 @@ TEST(Compound, OfAModelWithoutShapesReachesNowhere) {
   EXPECT_EQ(compound.reach(), 0);
 }
 
+// Rule: one shape of a kind of its own is enough that kinds must be asked for, wherever it stands in the list.
+TEST(Compound, KnowsWhetherAllShapesTouchEachOther) {
+  const auto all_touch = [](std::size_t unusual, std::uint32_t type, std::uint32_t affinity) {
+    Shapes shapes(3, placed(Sphere{0.1}));
+    shapes[unusual].contact_type = type;
+    shapes[unusual].contact_affinity = affinity;
+    return Compound(Model("three", Chain{}.base().with(properties::shapes, shapes))).all_touch();
+  };
+  for (const std::size_t i : {0U, 1U, 2U}) {
+    EXPECT_TRUE(all_touch(i, 1, 1));
+    EXPECT_FALSE(all_touch(i, 2, 1));
+    EXPECT_FALSE(all_touch(i, 1, 0));
+  }
+}
+
 TEST(Compound, UnknownVolumeNamesTheNearest) {
   EXPECT_TRUE(fixtures::says(fixtures::error_of([] { Compound(kid21(), {"capsul", true}); }), {"'capsule'"}));
 }

@@ -258,6 +258,40 @@ TEST(GroundContact, LawsAreExchanged) {
   EXPECT_EQ(standing.set().points[0].normal_damping, 0) << "it is explicit";
 }
 
+// Rule: a simulation that begins again knows nothing of the one before.
+TEST(GroundContact, BeginsAgainWithNothing) {
+  Standing standing;
+  standing.lift(-1e-3);
+  standing.step();
+  ContactSet& set = standing.set();
+  set.rest_damping.push_back({0, Sym6d{}});
+  set.solved = set.island_stands = true;
+  set.rest_force[0].f.x = 7;
+  ASSERT_FALSE(set.points.empty());
+  standing.contact->initialize();
+  EXPECT_TRUE(set.points.empty());
+  EXPECT_TRUE(set.loaded.empty());
+  EXPECT_TRUE(set.rest_damping.empty());
+  EXPECT_FALSE(set.solved || set.island_stands);
+  EXPECT_EQ(set.tests.volumes, 0);
+  EXPECT_EQ(norm(set.rest_force[0].f), 0);
+}
+
+// Also if its points are gone already, with the memory of another law.
+TEST(GroundContact, TakesItsHandsOffAfterAnExchange) {
+  Standing standing;
+  standing.lift(-1e-3);
+  standing.step();
+  const int left = standing.body("left");
+  ASSERT_GT(standing.force()[left].f.z, 0);
+  standing.contact->exchange_law(std::make_shared<KelvinVoigt>());
+  standing.entity->column(properties::dynamic).values[0] = 0;
+  standing.step();
+  EXPECT_EQ(norm(standing.force()[left].f), 0);
+  EXPECT_EQ(standing.damping()[left].M.zz, 0);
+  EXPECT_TRUE(standing.set().loaded.empty());
+}
+
 TEST(GroundContact, OfNothingIsFreeFlight) {
   World world;
   AccessSet access;

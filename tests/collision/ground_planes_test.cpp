@@ -38,5 +38,12 @@ TEST(GroundPlanes, NoGrain) {
   EXPECT_EQ(norm(plane_of({}, {0, 0, 1}).friction_direction), 0);
 }
 
+// Rule: it counts if a billionth of its length lies in the plane.
+TEST(GroundPlanes, SlightestGrain) {
+  EXPECT_LT(difference(plane_of({}, {0, -1.5e-9, 1}).friction_direction, {0, -1, 0}), 1e-15);
+  EXPECT_EQ(norm(plane_of({}, {0, -0.75e-9, 1}).friction_direction), 0);
+  EXPECT_LT(difference(plane_of({}, {0, -3e-9, 2}).friction_direction, {0, -1, 0}), 1e-15);
+}
+
 }  // namespace
 }  // namespace murosimf::collision

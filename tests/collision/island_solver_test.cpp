@@ -180,6 +180,23 @@ TEST(IslandSolver, PointThatPartsHasNoForce) {
   EXPECT_LT(difference(body.velocity, {0.2, 0, 5}), 1e-12);
 }
 
+// Rule: whether it sticks is about the present step, not about the one before.
+TEST(IslandSolver, PointThatSlidOrWasOpenSticksAgain) {
+  for (const ContactState before : {ContactState::slip, ContactState::open}) {
+    Point body(2.0, {0.003, -0.001, -0.05});
+    ContactPoint point = touching({0, 0, 1}, 2e-3);
+    point.state = before;
+    const ContactParameters p = parameters();
+    IslandSolver solver;
+    solver.start(dt);
+    solver.add(point, p, {solver.add(body), 0, {}}, {});
+    solver.sweep(200);
+    solver.finish();
+    EXPECT_EQ(point.state, ContactState::stick);
+    EXPECT_LT(difference(point.stretch, dt * Vec3d{body.velocity.x, body.velocity.y, 0}), 1e-12);
+  }
+}
+
 TEST(IslandSolver, GrainMakesFrictionDependOnTheDirection) {
   ContactParameters p = parameters();
   p.friction_direction = {0.2, 0, 0};

@@ -222,5 +222,28 @@ TEST(Queries, BodiesWithoutShapesHaveNoDistance) {
   EXPECT_FALSE(scene.distance({pitch.world.find("ghost")}, {pitch.world.find("ball")}));
 }
 
+// Rule: of shapes at the same distance a ray hits the one whose entity was added first, which also leads the list of all.
+TEST(Queries, OfEqualDistancesTheEntityAddedFirstCounts) {
+  World world;
+  const auto box =
+      std::make_shared<const Model>("box", Chain{}.base("box").with(properties::shapes,
+                                                                    Shapes{fixtures::placed(Box{{0.1, 0.2, 0.3}})}));
+  for (const char* name : {"one", "two", "three"}) {
+    Entity& entity = world.add(name, box);
+    entity.column(properties::position).values[0] = {1, 2, 3};
+    entity.column(properties::orientation).values[0] = {};
+  }
+  QueryScene scene(world);
+  const Ray ray{{-4, 2.03, 2.96}, {1, 0, 0}};
+  const auto all = scene.cast_all(ray);
+  ASSERT_EQ(all.size(), 3U);
+  ASSERT_EQ(all[0].distance, all[2].distance);
+  const auto first = scene.cast(ray);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->body.entity, world.find("one"));
+  EXPECT_EQ(all[0].body.entity, world.find("one"));
+  EXPECT_EQ(scene.cast(ray, {.without = world.find("one")})->body.entity, world.find("two"));
+}
+
 }  // namespace
 }  // namespace murosimf::collision

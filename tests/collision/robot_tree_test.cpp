@@ -144,5 +144,18 @@ TEST(RobotTree, SpheresAreThoseOfThePostureAtRest) {
   EXPECT_EQ(spheres[1].radius, 0.02);
 }
 
+// Rule: of pairs that fit into equal spheres, those are joined that the model names first; the body comes before what
+// hangs on it. Balls in a row, 0.5 m apart.
+TEST(RobotTree, OfEqualPairsTheFirstAreJoined) {
+  const auto arm = [](const std::string& name, double x) {
+    return Chain{}.translation({x, 0, 0}, name).with(properties::shapes, {placed(Sphere{0.125})});
+  };
+  Chain bare, body;
+  bare.base().fork(arm("a", -0.5), arm("b", 0), arm("c", 0.5));
+  EXPECT_EQ(groups(Model("bare", bare)), (std::set<std::set<std::string>>{{"a", "b"}, {"a", "b", "c"}}));
+  body.base("body").with(properties::shapes, {placed(Sphere{0.125})}).fork(arm("a", 0.5), arm("b", 1));
+  EXPECT_EQ(groups(Model("body", body)), (std::set<std::set<std::string>>{{"body", "a"}, {"body", "a", "b"}}));
+}
+
 }  // namespace
 }  // namespace murosimf::collision

@@ -1,4 +1,4 @@
-// Levels as island solvers see them: what impulses at a body do, against the same impulses as forces; and explicit steps.
+// Levels as island solvers see them: what impulses at a body do, against the same impulses as forces; explicit friction.
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/collision/contact_seam.h"
 
@@ -252,51 +252,6 @@ TEST(ExplicitFriction, DependsOnTheLoad) {
   const double weight = m * test::g * l * std::cos(q);
   EXPECT_NEAR(joint.get(properties::joint_velocity) - before, 1e-3 * (1 - 0.3) * weight / J, 1e-4 * weight / J * 1e-1);
   EXPECT_NEAR(joint.get(properties::joint_load), weight, 0.02 * weight);
-}
-
-// A box on a slope of 10 degrees sticks, with the springs of its contacts as memory, however its steps are made.
-TEST(ExplicitSteps, StandOnASlope) {
-  for (const std::string& level : test::dynamic_levels()) {
-    Vec3d rest[2];
-    for (const Integrator integrator : {Integrator::rk4, Integrator::semi_implicit_euler}) {
-      Rig rig(0.8, 10 * test::degree);
-      Entity& box = rig.add("box", test::box_model());
-      rig.attach_dynamics(box,
-                          {.level = level, .law = test::law_named("kelvin_voigt"), .tree = {.integrator = integrator}});
-      rig.run(1);
-      const Vec3d before = Rig::place(box);
-      rig.run(1);
-      rest[integrator == Integrator::rk4 ? 0 : 1] = Rig::place(box);
-      EXPECT_LT(difference(Rig::place(box), before), 1e-5) << level;
-      Vec3d force;
-      for (const auto& c : box.find(collision::contacts)->values[0].points) force += c.force;
-      EXPECT_LT(difference(force, -4.3 * rig.simulation.world().gravity), 0.05) << level;
-    }
-    EXPECT_LT(difference(rest[0], rest[1]), 1e-4) << level;
-  }
-}
-
-// Rule: what users change acts in the next step, with every integrator.
-TEST(ExplicitSteps, TakeChangesOfUsers) {
-  for (const std::string level : {"full_dynamics", "articulated_dynamics"}) {
-    for (const Integrator integrator : {Integrator::rk4, Integrator::semi_implicit_euler}) {
-      Rig rig;
-      rig.simulation.world().gravity = {};
-      Entity& robot = rig.add("robot", std::make_shared<const Model>(fixtures::two_legged()), {.position = {0, 0, 5}});
-      rig.attach_dynamics(robot, {.level = level,
-                                  .law = test::law_named("kelvin_voigt"),
-                                  .on_ground = false,
-                                  .tree = {.integrator = integrator}});
-      rig.run(0.01);
-      const Mat3d turn = to_matrix(exponential(Vec3d{0.5, 0.2, -1}));
-      robot.base().set(properties::base_quaternion, from_matrix(turn));
-      robot.base().set(properties::linear_velocity, {1, 2, 3});
-      const Vec3d before = Rig::place(robot);
-      rig.simulation.step();
-      EXPECT_LT(difference(robot.base().get(properties::orientation), turn), 1e-6) << level;
-      EXPECT_LT(difference(Rig::place(robot), before + 1e-3 * Vec3d{1, 2, 3}), 1e-6) << level;
-    }
-  }
 }
 
 // Rule: the load that friction expects is state, in a column. Runge-Kutta meets it in the first of its stages, whose weight

@@ -142,5 +142,24 @@ TEST(Backlash, LetsGoWhenItWouldHaveToPull) {
   EXPECT_FALSE(after(1.1, 1, 1.1)) << "the motor cannot even speed its rotor up so fast";
 }
 
+// Rule: while it turns alone it bears nothing: a share of the load of the output is no part of its friction.
+TEST(Backlash, FrictionOfTheMotorSideAloneKnowsNoLoad) {
+  struct Loaded : test::Alone<Backlash> {
+    Loaded()
+        : Alone(Chain{}
+                    .base("base")
+                    .revolute("loose", {0, 1, 0})
+                    .with(properties::servo, {.law = "ideal_pd",
+                                              .position_gain = 5,
+                                              .rotor_inertia = rotor,
+                                              .friction = {.coulomb = 0.3, .external_load = 0.4},
+                                              .backlash = 0.02})) {}
+  } gear;
+  const int loose = gear.index("loose");
+  gear.part->start(std::vector<double>(static_cast<std::size_t>(gear.entity.model().size()), 2.0));
+  gear.part->turn(loose, {}, 0, h);
+  EXPECT_NEAR(gear.part->rate(loose), 2 - h * 0.3 / rotor, 1e-14);
+}
+
 }  // namespace
 }  // namespace murosimf::motion

@@ -111,6 +111,30 @@ TEST(CouplingForces, SeveralPullAtOneLeader) {
   EXPECT_NEAR(robot.joint("leader").get(properties::joint_torque), -all, 1e-3);
 }
 
+// Law: at the end of every step lambda = -k (e + (h + d/k) e'), e of the beginning and e' of the end, for all springs
+// together. Thrown out of rest, with followers of other ratios.
+TEST(CouplingForces, AllObeyTheirSpringsInTheSameStep) {
+  const std::vector<double> ratios{-1.5, 0.7, 2};
+  Bolted robot(hand(4, 30, ratios));
+  robot.joint("leader").set(properties::joint_velocity, 0.4);
+  robot.joint("follower0").set(properties::joint_velocity, -0.7);
+  robot.joint("follower2").set(properties::joint_velocity, 0.3);
+  for (int i = 0; i < 5; ++i) {
+    std::vector<double> e, expected;
+    for (std::size_t k = 0; k < ratios.size(); ++k)
+      e.push_back(q(robot, "follower" + std::to_string(k)) - 0.2 - ratios[k] * q(robot, "leader"));
+    robot.rig.simulation.step();
+    for (std::size_t k = 0; k < ratios.size(); ++k) {
+      const std::string name = "follower" + std::to_string(k);
+      const double rate = robot.joint(name).get(properties::joint_velocity) -
+                          ratios[k] * robot.joint("leader").get(properties::joint_velocity);
+      const double stiffness = 30 / std::abs(ratios[k]) / 0.2e-3;  // [N m/rad]
+      EXPECT_NEAR(lambda(robot, name), -stiffness * (e[k] + (1e-3 + 0.5e-3) * rate), 1e-6) << name << " " << i;
+      EXPECT_GT(std::abs(lambda(robot, name)), 0.01) << name;
+    }
+  }
+}
+
 // A slider that follows a hinge: k = T / 0.02 mm with the robot's weight for T.
 TEST(CouplingForces, SlidersAreStifferThanTheWeight) {
   Chain slide = Chain{}

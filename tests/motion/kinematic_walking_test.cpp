@@ -129,6 +129,23 @@ TEST(KinematicStance, WhoeverMovesTheBaseMovesTheStandingFoot) {
   EXPECT_LT(difference(walker.place("left_foot"), foot + Vec3d{0.201, -0.102, 0}), 1e-12);
 }
 
+// Whatever freezes it: nothing that stands in the columns moves any more.
+TEST(KinematicStance, WhatIsFrozenRests) {
+  for (const bool far : {false, true}) {
+    Walker walker;
+    lift_right(walker);
+    walker.rig.run(0.05);
+    ASSERT_GT(norm(walker.robot->base().get(properties::linear_velocity)), 5e-3);
+    if (far) walker.robot->base().set(properties::position, {9e5, 9e5, 0});
+    if (!far) walker.want("left_knee", std::nan(""));
+    walker.rig.simulation.step();
+    ASSERT_TRUE(walker.robot->frozen());
+    for (const Vec3d& v : walker.robot->column(properties::linear_velocity).values) EXPECT_EQ(norm(v), 0) << far;
+    for (const Vec3d& w : walker.robot->column(properties::angular_velocity).values) EXPECT_EQ(norm(w), 0) << far;
+    for (const double rate : walker.robot->column(properties::joint_velocity).values) EXPECT_EQ(rate, 0) << far;
+  }
+}
+
 TEST(KinematicStance, TargetsThatAreNoNumbersFreezeIt) {
   Walker walker;
   walker.want("left_knee", std::nan(""));
@@ -140,6 +157,37 @@ TEST(KinematicStance, TargetsThatAreNoNumbersFreezeIt) {
   far.robot->base().set(properties::position, {9e5, 9e5, 0});
   far.rig.simulation.step();
   EXPECT_TRUE(far.robot->frozen());
+}
+
+// Rule: a robot that is taken over stands on its lower foot where that is, and comes down to its pinned pose from where it was.
+TEST(KinematicTakeOver, StandsOnTheLowerFootWhereItIs) {
+  for (const bool left_up : {true, false}) {
+    Rig rig;
+    rig.simulation.world().gravity = {};
+    Entity& robot = rig.add("robot", std::make_shared<const Model>(fixtures::two_legged()),
+                            {.position = {3, -4, 0.003}, .heading = 0.7});
+    rig.attach_dynamics(robot, {.on_ground = false});
+    const std::string side = left_up ? "left" : "right", lower = left_up ? "right_foot" : "left_foot";
+    robot.object(side + "_hip_pitch").set(properties::joint_target, -0.2);
+    robot.object(side + "_knee").set(properties::joint_target, 0.4);
+    robot.object(side + "_ankle").set(properties::joint_target, -0.2);
+    rig.simulation.initialize();
+    const Vec3d foot = robot.object(lower).get(properties::position), place = Rig::place(robot);
+    ASSERT_NEAR(foot.z, 0.003, 1e-9);
+    robot.base().set(properties::linear_velocity, {0.1, 0.2, -0.3});
+    robot.base().set(properties::angular_velocity, {0.3, -0.2, 0.1});
+    for (const char* knee : {"left_knee", "right_knee"}) robot.object(knee).set(properties::joint_velocity, 0.5);
+    rig.exchange(robot, "kinematic_walking");
+    EXPECT_EQ(robot.base().get(properties::stance_foot), left_up ? 1 : 0);
+    EXPECT_LT(difference(robot.base().get(properties::stance_pose), {foot.x, foot.y, 0.7}), 1e-9);
+    EXPECT_LT(difference(robot.base().get(properties::remaining_shift), {0, 0, 0.003}), 1e-9);
+    EXPECT_LT(difference(Rig::place(robot), place), 1e-9) << "no jump";
+    EXPECT_LT(difference(robot.object(lower).get(properties::linear_velocity), {0, 0, -0.003 / 0.1}), 1e-9)
+        << "it fades in 0.1 s, however base and joints have moved";
+    EXPECT_LT(norm(robot.object(lower).get(properties::angular_velocity)), 1e-9);
+    rig.run(2);
+    EXPECT_LT(difference(robot.object(lower).get(properties::position), {foot.x, foot.y, 0}), 1e-6);
+  }
 }
 
 /// What it says to a robot that leans by `lean` [degree] about a slanted axis, `height` [m] above the plane.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "murosimf/collision/contact.h"
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/motion/full_dynamics.h"
 #include "murosimf/motion/motion_properties.h"
@@ -97,6 +98,22 @@ TEST(Levels, RefuseInATakeOverWhatTheyRefuseAtTheStart) {
   for (const std::string level : {"simplified_dynamics", "full_dynamics"}) {
     EXPECT_TRUE(says(fixtures::error_of([&] { rig.exchange(robot, level, options); }),
                      {"'rk4' needs the joint reference 'filter'"}));
+  }
+}
+
+TEST(Levels, RefuseStepsOfStagesWhereRatesJump) {
+  catalog::LevelOptions options;
+  options.reference.kind = ReferenceKind::linear;
+  for (const std::string level : {"simplified_dynamics", "full_dynamics"}) {
+    test::Rig rig;
+    Entity& robot = rig.add("robot", std::make_shared<const Model>(fixtures::two_legged()), {.position = {0, 0, 2}});
+    rig.attach_dynamics(robot, {.level = level,
+                                .law = test::law_named("kelvin_voigt"),
+                                .on_ground = false,
+                                .options = options,
+                                .tree = {.integrator = Integrator::rk4}});
+    EXPECT_TRUE(
+        says(fixtures::error_of([&] { rig.simulation.initialize(); }), {"'rk4' needs the joint reference 'filter'"}));
   }
 }
 

@@ -157,5 +157,31 @@ TEST_P(TreeLevel, NumbersThatHaveGoneBadFreezeIt) {
   }
 }
 
+// Rule: a state keeps in mind whether a user's change still waits for its step, whatever users change after it was loaded.
+TEST_P(TreeLevel, StateKnowsWhetherAChangeWaits) {
+  for (const int waiting : {0, 1, 2}) {
+    for (const int later : {0, 1, 2}) {
+      Flying first(GetParam()), second(GetParam());
+      const auto turn = [](Flying& flying, double angle) {
+        flying.robot->base().set(properties::base_quaternion, exponential(Vec3d{angle, -0.3, 0.2}));
+      };
+      first.rig.run(0.01);
+      for (int i = 0; i < waiting; ++i) turn(first, 0.5 + 0.1 * i);
+      const auto state = first.rig.simulation.save();
+      second.rig.simulation.load(state);
+      for (Flying* flying : {&first, &second}) {
+        for (int i = 0; i < later; ++i) turn(*flying, -0.5 - 0.1 * i);
+        flying->rig.simulation.step();
+      }
+      EXPECT_EQ(first.rig.simulation.state_hash(), second.rig.simulation.state_hash()) << waiting << " " << later;
+      if (waiting + later == 0) continue;
+      const double angle = later > 0 ? -0.4 - 0.1 * later : 0.4 + 0.1 * waiting;
+      EXPECT_LT(difference(second.robot->base().get(properties::orientation),
+                           to_matrix(exponential(Vec3d{angle, -0.3, 0.2}))),
+                0.01);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace murosimf::motion

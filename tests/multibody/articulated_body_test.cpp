@@ -31,7 +31,7 @@ struct Case {
     link_motions<double>(tree, state.r, state.R, state.w[0], state.qd, links);
     for (auto& body : bodies) {  // nothing of the step before counts
       body.force = {{9, 9, 9}, {9, 9, 9}};
-      body.inertia.J = diagonal(9.0);
+      body.inertia = {{9, 9, 9, 9, 9, 9}, {{9, 9, 9}, {9, 9, 9}, {9, 9, 9}}, {9, 9, 9, 9, 9, 9}};
       body.loaded = true;
     }
     clear_loads<double>(bodies);

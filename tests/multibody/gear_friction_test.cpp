@@ -75,6 +75,24 @@ TEST(JointFriction, FollowsTheTransmittedLoad) {
   EXPECT_DOUBLE_EQ(dry_friction(k, 1.0, 0.5, 0.5), 0.01);
 }
 
+// Law: each part that the Stribeck curve multiplies counts by itself, also where all others are 0. At |w| = v_s, tau_m and
+// tau_e against each other, either of them the larger one.
+TEST(JointFriction, EveryRisingPartCountsAlone) {
+  const GearFriction base{.coulomb = 0.01, .stribeck_rate = 0.5, .stribeck_exponent = 2};
+  for (const auto part :
+       {&GearFriction::stribeck, &GearFriction::stribeck_motor_load, &GearFriction::stribeck_external_load,
+        &GearFriction::quadratic_motor_load, &GearFriction::quadratic_external_load}) {
+    GearFriction k = base;
+    k.*part = 0.2;
+    double most = 0;
+    for (const auto& [m, e] : {std::pair{0.3, -0.7}, {-0.7, 0.3}}) {
+      EXPECT_NEAR(dry_friction(k, -0.5, m, e), by_the_book(k, -0.5, m, e), 1e-12);
+      most = std::max(most, dry_friction(k, -0.5, m, e));
+    }
+    EXPECT_GT(most, 0.012);
+  }
+}
+
 // Law: the Stribeck part is whole at rest, 1/e of itself at v_s, gone at many times v_s.
 TEST(JointFriction, FallsWithTheRate) {
   for (const double alpha : {0.5, 1.0, 2.0, 8.0}) {

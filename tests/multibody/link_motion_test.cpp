@@ -81,6 +81,31 @@ TEST(LinkMotionOfOne, SwingBesideTheOrigin) {
   EXPECT_LT(difference(composite_inertia(all).first, m * center), 1e-12);
 }
 
+// Rule: rows are filled, whatever stood there; the base has no axis, and no acceleration by itself.
+TEST(LinkMotionOfOne, RowsForgetWhatTheyHeld) {
+  OneJoint slider(with_mass(Chain{}.base("table").prismatic("slider", {1, 0, 0})), 0.4, 0.9, {0, 0, 3});
+  const std::vector<LinkMotion<double>> fresh = slider.links;
+  for (auto& link : slider.links) {
+    link.axis = link.velocity = link.bias = {{9, 9, 9}, {9, 9, 9}};
+    link.inertia.mass = 9;
+    link.bias_force = {{9, 9, 9}, {9, 9, 9}};
+  }
+  const fixtures::State<double>& state = slider.state;
+  link_motions<double>(slider.model.tree(), state.r, state.R, Vec3d{0, 0, 3}, state.qd, slider.links);
+  EXPECT_EQ(norm(slider.links[0].axis.w) + norm(slider.links[0].axis.v), 0);
+  EXPECT_EQ(norm(slider.links[0].bias.w) + norm(slider.links[0].bias.v), 0);
+  for (const std::size_t l : {0U, 1U}) {
+    const LinkMotion<double>&again = slider.links[l], &first = fresh[l];
+    EXPECT_EQ(difference(again.axis.w, first.axis.w) + difference(again.axis.v, first.axis.v), 0) << l;
+    EXPECT_EQ(difference(again.velocity.w, first.velocity.w) + difference(again.velocity.v, first.velocity.v), 0) << l;
+    EXPECT_EQ(difference(again.bias.w, first.bias.w) + difference(again.bias.v, first.bias.v), 0) << l;
+    EXPECT_EQ(difference(again.bias_force.f, first.bias_force.f) + difference(again.bias_force.n, first.bias_force.n),
+              0)
+        << l;
+    EXPECT_EQ(again.inertia.mass, first.inertia.mass) << l;
+  }
+}
+
 // By the parallel axis theorem, turned by a right angle about z: x and y of the body's own inertia change places.
 TEST(LinkMotionOfOne, InertiaIsAboutTheBasesOrigin) {
   const Vec3d c{0.3, -0.2, 0.1};

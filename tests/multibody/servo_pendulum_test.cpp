@@ -166,6 +166,26 @@ TEST(ServoPendulum, HangsWhereTheOffsetSays) {
   EXPECT_NEAR(state.position, -0.03, 1e-9);
 }
 
+// Law: D w+ = p, one step of 10 ms; D has the gain while no limit holds the duty, and nothing of the motor while its bridge
+// is open. The goal is 0.3 rad away, and 3 rad: there 1.151/rad * 3 rad is above the duty of 1.
+TEST(ServoPendulum, OneStepIsLinearlyImplicit) {
+  const double J = bench.inertia + motor.rotor_inertia, h = 0.01, V = 6.5, w = 1.7, q = 0.4, K = 0.004;
+  const double per_volt = motor.torque_constant / motor.resistance, brake = per_volt * motor.torque_constant;
+  const double external = -bench.weight * std::sin(q);
+  const auto rate_after = [&](double ahead, double enabled) {
+    BenchState<double> state{.position = q, .rate = w};
+    advance(with({.viscous = K}), bench, {.goal = q + ahead, .voltage = V, .enabled = enabled}, h, state);
+    EXPECT_NEAR(state.position, q + h * state.rate, 1e-15);
+    return state.rate;
+  };
+  const double held = J + h * (brake + K);
+  EXPECT_NEAR(rate_after(0.3, 1),
+              (J * w + h * (per_volt * bench.gain * 0.3 * V + external)) / (held + h * h * per_volt * V * bench.gain),
+              1e-12);
+  EXPECT_NEAR(rate_after(3, 1), (J * w + h * (per_volt * V + external)) / held, 1e-12);
+  EXPECT_NEAR(rate_after(0.3, 0), (J * w + h * external) / (J + h * K), 1e-12);
+}
+
 /// Where the full model is after 0.2 s of pulling up.
 double after(double h) {
   BenchState<double> state;

@@ -98,6 +98,11 @@ TEST(CameraFrames, HashIsOfAllThatIsShown) {
   many.mosaic = imaging::GrayImage(1, 1, 0);
   many.labels = imaging::LabelImage(1, 1, 0);
   EXPECT_NE(hash_of(wide), hash_of(many));
+  CameraFrame high, two;
+  high.mosaic = imaging::GrayImage(1, 2, 1);
+  two.mosaic = imaging::GrayImage(1, 1, 1);
+  two.depth = imaging::DepthImage(1, 1, 0.0F);
+  EXPECT_NE(hash_of(high), hash_of(two)) << "the same numbers, but of another layer";
   // colors are told apart although they are one number
   CameraFrame one = picture(), other = picture();
   one.color(0, 0) = {1, 0, 0};

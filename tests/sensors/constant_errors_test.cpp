@@ -57,6 +57,25 @@ TEST(SignalErrors, MisalignmentIsLinearInTheOtherAxes) {
   }
 }
 
+// Over many sensors: each axis is turned towards either of its neighbors by numbers of the deviation `misalignment`.
+TEST(SignalErrors, MisalignmentHasItsDeviation) {
+  constexpr int count = 4000;
+  for (std::size_t j = 0; j < 3; ++j) {
+    std::array<double, 3> squares{};
+    for (int k = 0; k < count; ++k) {
+      Signal signal({.misalignment = 0.02}, 1,
+                    {fmt::format("robot/{}/x", k), fmt::format("robot/{}/y", k), fmt::format("robot/{}/z", k)}, {});
+      std::array<double, 3> values{};
+      values[j] = 5;
+      signal.disturb(values);
+      for (std::size_t i = 0; i < 3; ++i) squares[i] += (values[i] - (i == j ? 5 : 0)) * (values[i] - (i == j ? 5 : 0));
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(std::sqrt(squares[i] / count), i == j ? 0 : 5 * 0.02, 0.005) << i << " of " << j;
+    }
+  }
+}
+
 // Noise behind a low-pass is stationary from its first sample on: (1 - a) N / sqrt(T) / sqrt(1 - a^2).
 TEST(SignalErrors, NoiseBehindALowPassIsStationaryFromTheFirstSample) {
   const double T = 0.002, N = 0.5, corner = 10, a = std::exp(-2 * pi * corner * T);

@@ -146,6 +146,9 @@ TEST(DepthLaser, AsksForRowsThatCoverItsFan) {
   EXPECT_EQ(Looked({{"rays", 5}, {"fov", 1}}).asked.rows[0].width, 256);
   EXPECT_EQ(Looked({{"rays", 2000}, {"fov", 1}}).asked.rows[0].width, 8192);
   EXPECT_EQ(Looked({{"rays", 1}, {"fov", 0}}).asked.rows.size(), 1U);
+  EXPECT_EQ(Looked({{"rays", 9}, {"fov", 79.9 * pi / 180}}).asked.rows.size(), 1U);
+  EXPECT_EQ(Looked({{"rays", 9}, {"fov", 80.1 * pi / 180}}).asked.rows.size(), 2U);
+  EXPECT_EQ(Looked({{"rays", 9}, {"fov", 160.1 * pi / 180}}).asked.rows.size(), 3U);
 }
 
 // Each ray finds the wall of its row: at 2 / cos of the angle between them.

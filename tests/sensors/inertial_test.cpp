@@ -109,6 +109,21 @@ TEST(Accelerometer, SamplesAddUpToTheChangeOfVelocity) {
   }
 }
 
+// Law: every sample is the change of velocity over its period, without gravity, also where the force is another in each step.
+TEST(Accelerometer, EverySampleIsTheMeanOverItsPeriod) {
+  const auto velocity = [](double t) { return Vec3d{std::sin(40 * t), 3 * t * t, std::cos(17 * t)}; };
+  const auto shaken = [&](double t) { return test::BodyMotion{.velocity = velocity(t)}; };
+  for (const double rate : {100.0, 250.0, 500.0}) {
+    test::SensorRig<Accelerometer> rig(shaken, {.name = "a", .rate = rate});
+    for (int k = 2; k < 12; ++k) {
+      rig.run_until(k / rate);
+      ASSERT_EQ(rig.reading().time, from_seconds(k / rate));
+      const Vec3d mean = rate * (velocity(k / rate) - velocity((k - 1) / rate)) + Vec3d{0, 0, g};
+      EXPECT_LT(fixtures::difference(vector_of(rig.reading(), "accelerometer"), mean), 1e-9) << rate << " Hz, " << k;
+    }
+  }
+}
+
 /// On a turntable about the world's z, the sensor 0.3 m off its axis and turned outwards along x.
 test::BodyMotion turntable(double t) {
   constexpr double rate = 6;
@@ -176,6 +191,7 @@ TEST(Orientation, ErrorsAreARotationAndKeepTheLength) {
   const SensorSpec spec{.name = "o", .signals = {{"", {.noise = 0.05}}}};
   test::SensorRig<Orientation> rig(test::at_rest, spec);
   double squares = 0;
+  Vec3d products;  // of neighbors
   const int count = 3000;
   for (int i = 0; i < count; ++i) {
     rig.simulation.step();
@@ -183,8 +199,12 @@ TEST(Orientation, ErrorsAreARotationAndKeepTheLength) {
     EXPECT_NEAR(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], 1, 1e-12);
     const Vec3d error = rotation_vector({q[0], q[1], q[2], q[3]});
     squares += dot(error, error) / 3;
+    products += Vec3d{error.x * error.y, error.y * error.z, error.z * error.x};
   }
   EXPECT_NEAR(std::sqrt(squares / count), 0.05, 0.002);
+  for (const double product : {products.x, products.y, products.z}) {
+    EXPECT_LT(std::abs(product / squares), 0.08) << "each axis has an error of its own";
+  }
 }
 
 class EveryLevel : public testing::TestWithParam<std::string> {};

@@ -172,6 +172,17 @@ TEST(ServoSensors, SayWhatTheyReportWhereThereIsNoTorque) {
                                            {.name = "t", .type = "joint_torque"}, {}, 1000);
   EXPECT_EQ(sensor.remark({}), "torques of joints are not known: it reports 0");
   EXPECT_EQ(sensor.remark({.dynamic = true, .joint_torque = true, .servos = true}), "");
+  auto& current = components::attach_sensor(standing.rig.simulation, standing.robot,
+                                            {.name = "i", .type = "motor_current"}, {}, 1000);
+  EXPECT_EQ(current.remark({}), "torques of joints are not known: it reports 0");
+  EXPECT_EQ(current.remark({.dynamic = true, .joint_torque = true}),
+            "joints move without servos: it reports the current for the torque that that would take");
+  EXPECT_EQ(current.remark({.dynamic = true, .joint_torque = true, .servos = true}), "");
+  auto& temperature = components::attach_sensor(standing.rig.simulation, standing.robot,
+                                                {.name = "c", .type = "motor_temperature"}, {}, 1000);
+  EXPECT_EQ(temperature.remark({.dynamic = true, .joint_torque = true}),
+            "servos get warm only at a level that has them: it reports the temperature of the air");
+  EXPECT_EQ(temperature.remark({.servos = true}), "");
 }
 
 }  // namespace

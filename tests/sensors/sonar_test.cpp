@@ -60,6 +60,11 @@ TEST(Sonar, RaysWindAboutTheAxisAsSunflowersDo) {
       }
     }
   }
+  // where the spiral would go on there is none
+  const double a = std::acos(1 - (1 - std::cos(fov / 2)) * rays / (rays - 1));
+  RangeRig::put(ball, Vec3d{0, 0, 9} + turn * rotation_x(golden_angle * rays) * rotation_z(a) * Vec3d{2, 0, 0});
+  rig.simulation.step();
+  EXPECT_EQ(reading.values[0], infinity);
 }
 
 TEST(Sonar, DefaultsAreThoseOfItsHeader) {
@@ -109,6 +114,38 @@ TEST(Sonar, OutsideOfItsRangeItShowsInfinities) {
   EXPECT_EQ(at(2.66), infinity);
 }
 
+// Rule: noise does not show distances that are out of range. A ball at either end, noise of 20 mm.
+TEST(Sonar, NoiseBeyondItsRangeIsInfinite) {
+  RangeRig rig;
+  Entity& robot = rig.add_box("robot");
+  Entity& ball = rig.add_ball("ball");
+  SensorSpec spec = test::sensor("sonar", {{"range_min", 0.25}, {"range_max", 2.5}});
+  spec.signals["range"] = {.noise = 0.02};
+  const Reading& reading = rig.attach(robot, spec);
+  rig.begin();
+  RangeRig::put(robot, {0, 0, 1});
+  for (const auto& [distance, beyond] : {std::pair{2.49, infinity}, {0.26, -infinity}}) {
+    RangeRig::put(ball, {distance + 0.1, 0, 1});
+    int out = 0;
+    double squares = 0;
+    for (int i = 0; i < 400; ++i) {
+      rig.simulation.step();
+      const double shown = reading.values[0];
+      if (std::isinf(shown)) {
+        EXPECT_EQ(shown, beyond);
+        ++out;
+        continue;
+      }
+      EXPECT_GE(shown, 0.25);
+      EXPECT_LE(shown, 2.5);
+      squares += (shown - distance) * (shown - distance);
+    }
+    // half a deviation from the end: 31 % of normal numbers are beyond
+    EXPECT_NEAR(out, 0.31 * 400, 40) << distance;
+    EXPECT_GT(squares, 0);
+  }
+}
+
 // Above the ground, tilted.
 TEST(RangeFinder, MeasuresAlongZ) {
   RangeRig rig;
@@ -129,6 +166,9 @@ TEST(RangeFinder, MeasuresAlongZ) {
 
 TEST(Sonar, ImpossibleNumbersAreNamed) {
   EXPECT_TRUE(says(test::mistake(test::sensor("sonar", {{"rays", 0}})), {"rays is 0"}));
+  EXPECT_TRUE(says(test::mistake(test::sensor("sonar", {{"rays", 100001}})), {"rays is 100001"}));
+  EXPECT_EQ(test::mistake(test::sensor("sonar", {{"rays", 1}})), "no error");
+  EXPECT_EQ(test::mistake(test::sensor("sonar", {{"rays", 100000}})), "no error");
   EXPECT_TRUE(says(test::mistake(test::sensor("sonar", {{"fov", 7}})), {"fov is 7"}));
   EXPECT_TRUE(says(test::mistake(test::sensor("rangefinder", {{"range_max", 0}})), {"range_max 0"}));
 }
