@@ -24,10 +24,10 @@
 namespace murosimf::app {
 namespace {
 
-template <class Entry>
-std::string names_and_meanings(std::span<const Entry> entries) {
+/// Of a registry, or of another list of entries.
+std::string names_and_meanings(const auto& entries) {
   std::string text;
-  for (const Entry& entry : entries) text += fmt::format("{:<22} {}\n", entry.name, entry.meaning);
+  for (const auto& entry : entries) text += fmt::format("{:<22} {}\n", entry.name, entry.meaning);
   return text;
 }
 
@@ -38,6 +38,19 @@ std::string sensors_text() {
     const bool both = !type.numbers.empty() && !type.objects.empty();
     const std::string keys = fmt::format("{}{}{}", type.numbers, both ? " " : "", type.objects);
     text += fmt::format("{:<22} {}{}\n", type.name, type.meaning, keys.empty() ? "" : "; keys: " + keys);
+  }
+  return text;
+}
+
+/// Options of controllers, for [robots.options].
+std::string options_text() {
+  constexpr std::string_view row = "{:<16} {:<16} {:<8} {:<10} {:<10} {:<14} {}\n";
+  std::string text = fmt::format(row, "controller", "option", "type", "unit", "default", "range", "meaning");
+  for (const catalog::ControllerType& type : catalog::controllers()) {
+    for (const OptionInfo& option : type.options) {
+      text += fmt::format(row, type.name, option.name, type_name(option.fallback), option.unit,
+                          value_text(option.fallback), range_text(option), option.meaning);
+    }
   }
   return text;
 }
@@ -129,10 +142,10 @@ struct ListOptions {
 };
 
 void define(const Command& command, ListOptions& options) {
-  const std::vector<std::string> kinds{"levels",      "contacts",   "body_contacts", "volumes",
-                                       "integrators", "servo_laws", "controllers",   "sensors",
-                                       "parts",       "lenses",     "materials",     "scenes",
-                                       "models",      "properties", "keys",          "plan"};
+  const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",    "integrators",
+                                       "servo_laws", "controllers", "sensors",       "parts",      "lenses",
+                                       "materials",  "scenes",      "models",        "properties", "keys",
+                                       "options",    "plan"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
   command.add("scene", options.scene, "of 'plan': whose algorithms, in the order of a tick");
 }
@@ -165,6 +178,7 @@ int list(const ListOptions& options) {
   if (what == "materials") text = materials_text();
   if (what == "properties") text = properties_text();
   if (what == "keys") text = keys_text();
+  if (what == "options") text = options_text();
   write_standard_output(text);
   return 0;
 }
