@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
+#include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/catalog/property_catalog.h"
@@ -139,6 +140,7 @@ std::string plan_text(const std::string& file) {
 struct ListOptions {
   std::string what;
   std::string scene;
+  std::vector<std::string> plugins;
 };
 
 void define(const Command& command, ListOptions& options) {
@@ -148,6 +150,7 @@ void define(const Command& command, ListOptions& options) {
                                        "options",    "plan"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
   command.add("scene", options.scene, "of 'plan': whose algorithms, in the order of a tick");
+  add_plugins(command, options.plugins);
 }
 
 int list(const ListOptions& options) {
@@ -155,6 +158,7 @@ int list(const ListOptions& options) {
   if ((what == "plan") == options.scene.empty())
     throw SetupError(what == "plan" ? "list plan: name a scene, for example 'murosimf list plan walk'"
                                     : fmt::format("list {}: only 'plan' is of a scene", what));
+  load_plugins(options.plugins);
   std::string text;
   if (what == "plan") text = plan_text(options.scene);
   if (what == "levels") text = names_and_meanings(catalog::levels());
