@@ -26,6 +26,7 @@ struct CheckOptions {
   std::string picture;  ///< PNG file
   std::string roles;    ///< TOML file
   bool lenient = false;
+  std::vector<std::string> plugins;  ///< sensors of the robot may come from there
 };
 
 void define(const Command& command, CheckOptions& options) {
@@ -37,6 +38,7 @@ void define(const Command& command, CheckOptions& options) {
   command.add("--roles", options.roles,
               "Write the soles, frames and servos that were found or guessed (TOML), to be corrected");
   add_lenient(command, options.lenient);
+  add_plugins(command, options.plugins);
 }
 
 /// The robot, or as much of it as can be read leniently; then `error` says what kept it from being read strictly.
@@ -96,6 +98,7 @@ int show(const CheckOptions& options, const Reading& reading) {
 }
 
 int check(const CheckOptions& options) {
+  load_plugins(options.plugins);
   check_json_file(options.json);
   if (!options.picture.empty()) files::check_writable(options.picture);
   const auto file = files::find_data_file(options.model, "models", ".xml");

@@ -19,6 +19,7 @@ struct CompareArguments {
   std::vector<std::string> thresholds;  ///< NAME=VALUE
   std::string json;                     ///< file, "-" for standard output
   std::string plots;                    ///< folder for PNG files
+  std::vector<std::string> plugins;
 };
 
 void define(const Command& command, CompareArguments& arguments) {
@@ -37,6 +38,7 @@ void define(const Command& command, CompareArguments& arguments) {
   add_json(command, arguments.json);
   command.add("--plots", arguments.plots, "Write PNG plots to this folder");
   add_lenient(command, options.lenient);
+  add_plugins(command, arguments.plugins);
 }
 
 int compare(const CompareArguments& arguments) {
@@ -45,6 +47,7 @@ int compare(const CompareArguments& arguments) {
   // where results go is checked before anything is computed, so that no result is lost
   check_json_file(arguments.json);
   if (!arguments.plots.empty()) compare::check_plots(arguments.plots);
+  load_plugins(arguments.plugins);
 
   end_gently();
   std::optional<Progress> progress(std::in_place);

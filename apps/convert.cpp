@@ -21,7 +21,8 @@ struct ConvertOptions {
   std::string out;  ///< MJCF file to write
   std::string fit;  ///< sphere, capsule, cylinder, box or best; empty: meshes stay meshes
   bool lenient = false;
-  bool force = false;  ///< replace the file
+  bool force = false;                ///< replace the file
+  std::vector<std::string> plugins;  ///< sensors of the robot may come from there
 };
 
 void define(const Command& command, ConvertOptions& options) {
@@ -34,6 +35,7 @@ void define(const Command& command, ConvertOptions& options) {
               "box or best");
   add_lenient(command, options.lenient);
   command.add("--force", options.force, "Replace the file if it is there");
+  add_plugins(command, options.plugins);
 }
 
 void check_output(const fs::path& in, const fs::path& out, bool force) {
@@ -71,6 +73,7 @@ std::string write_table(const fs::path& file, const robot::RobotConversion& robo
 }
 
 int convert(const ConvertOptions& options) {
+  load_plugins(options.plugins);
   const fs::path in = files::find_data_file(options.model, "models", ".xml"), out = options.out;
   check_output(in, out, options.force);
   robot::ConversionOptions conversion{.folder = out.parent_path(), .reader = {.lenient = options.lenient}};

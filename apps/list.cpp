@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
+#include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/catalog/property_catalog.h"
@@ -24,10 +25,10 @@
 namespace murosimf::app {
 namespace {
 
-template <class Entry>
-std::string names_and_meanings(std::span<const Entry> entries) {
+/// Of a registry, or of another list of entries.
+std::string names_and_meanings(const auto& entries) {
   std::string text;
-  for (const Entry& entry : entries) text += fmt::format("{:<22} {}\n", entry.name, entry.meaning);
+  for (const auto& entry : entries) text += fmt::format("{:<22} {}\n", entry.name, entry.meaning);
   return text;
 }
 
@@ -38,6 +39,19 @@ std::string sensors_text() {
     const bool both = !type.numbers.empty() && !type.objects.empty();
     const std::string keys = fmt::format("{}{}{}", type.numbers, both ? " " : "", type.objects);
     text += fmt::format("{:<22} {}{}\n", type.name, type.meaning, keys.empty() ? "" : "; keys: " + keys);
+  }
+  return text;
+}
+
+/// Options of controllers, for [robots.options].
+std::string options_text() {
+  constexpr std::string_view row = "{:<16} {:<16} {:<8} {:<10} {:<10} {:<14} {}\n";
+  std::string text = fmt::format(row, "controller", "option", "type", "unit", "default", "range", "meaning");
+  for (const catalog::ControllerType& type : catalog::controllers()) {
+    for (const OptionInfo& option : type.options) {
+      text += fmt::format(row, type.name, option.name, type_name(option.fallback), option.unit,
+                          value_text(option.fallback), range_text(option), option.meaning);
+    }
   }
   return text;
 }
@@ -126,15 +140,17 @@ std::string plan_text(const std::string& file) {
 struct ListOptions {
   std::string what;
   std::string scene;
+  std::vector<std::string> plugins;
 };
 
 void define(const Command& command, ListOptions& options) {
-  const std::vector<std::string> kinds{"levels",      "contacts",   "body_contacts", "volumes",
-                                       "integrators", "servo_laws", "controllers",   "sensors",
-                                       "parts",       "lenses",     "materials",     "scenes",
-                                       "models",      "properties", "keys",          "plan"};
+  const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",    "integrators",
+                                       "servo_laws", "controllers", "sensors",       "parts",      "lenses",
+                                       "materials",  "scenes",      "models",        "properties", "keys",
+                                       "options",    "plan"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
   command.add("scene", options.scene, "of 'plan': whose algorithms, in the order of a tick");
+  add_plugins(command, options.plugins);
 }
 
 int list(const ListOptions& options) {
@@ -142,6 +158,7 @@ int list(const ListOptions& options) {
   if ((what == "plan") == options.scene.empty())
     throw SetupError(what == "plan" ? "list plan: name a scene, for example 'murosimf list plan walk'"
                                     : fmt::format("list {}: only 'plan' is of a scene", what));
+  load_plugins(options.plugins);
   std::string text;
   if (what == "plan") text = plan_text(options.scene);
   if (what == "levels") text = names_and_meanings(catalog::levels());
@@ -165,6 +182,7 @@ int list(const ListOptions& options) {
   if (what == "materials") text = materials_text();
   if (what == "properties") text = properties_text();
   if (what == "keys") text = keys_text();
+  if (what == "options") text = options_text();
   write_standard_output(text);
   return 0;
 }

@@ -3,6 +3,8 @@
 #include <limits>
 
 #include "apps/interruption.h"
+#include "murosimf/catalog/plugin.h"
+#include "murosimf/model/error.h"
 
 namespace murosimf::app {
 namespace {
@@ -32,9 +34,11 @@ void add_scene(const Command& command, SceneArguments& scene) {
            "OBJECT=FORCE@BEGIN..END: push a body, for example 'blue1.torso=[60,0,0]@2..2.1' (N, world axes, s)")
       .one_at_a_time();
   add_lenient(command, scene.lenient);
+  add_plugins(command, scene.plugins);
 }
 
 scene::SceneOptions options_of(const SceneArguments& scene) {
+  load_plugins(scene.plugins);
   return {.threads = scene.threads,
           .seed = scene.seed,
           .overrides = scene.overrides,
@@ -56,6 +60,15 @@ void add_seed(const Command& command, std::optional<std::uint64_t>& seed) { add_
 
 void add_lenient(const Command& command, bool& lenient) {
   command.add("--lenient", lenient, "Accept unknown elements in model files, with a warning");
+}
+
+void add_plugins(const Command& command, std::vector<std::string>& plugins) {
+  command.add("--plugin", plugins, "Load this shared library first: controllers, levels, laws and sensors of one's own")
+      .one_at_a_time();
+}
+
+void load_plugins(const std::vector<std::string>& plugins) {
+  for (const std::string& file : plugins) with_context("--plugin", [&] { catalog::load_plugin(file); });
 }
 
 }  // namespace murosimf::app

@@ -15,12 +15,12 @@ struct SceneArguments {
   std::string file;
   int threads = 1;
   std::optional<std::int64_t> seed;  ///< from 0
-  std::vector<std::string> overrides, events, pushes;
+  std::vector<std::string> overrides, events, pushes, plugins;
   bool lenient = false;
 };
 
 void add_scene(const Command& command, SceneArguments& scene);
-/// For scene::Scene; a signal stops it (interruption.h).
+/// For scene::Scene, with plug-ins loaded; a signal stops it (interruption.h). Throws SetupError.
 [[nodiscard]] scene::SceneOptions options_of(const SceneArguments& scene);
 
 // Some of them alone.
@@ -29,5 +29,9 @@ void add_scene_file(const Command& command, std::string& file);
 void add_seed(const Command& command, std::optional<std::int64_t>& seed);
 void add_seed(const Command& command, std::optional<std::uint64_t>& seed);
 void add_lenient(const Command& command, bool& lenient);
+/// Files for catalog::load_plugin.
+void add_plugins(const Command& command, std::vector<std::string>& plugins);
+/// Throws SetupError.
+void load_plugins(const std::vector<std::string>& plugins);
 
 }  // namespace murosimf::app

@@ -9,13 +9,8 @@ namespace murosimf::behavior {
 namespace {
 
 // All lengths in meters, on the ground plane.
-constexpr double behind_ball = 0.22;    // where a push begins
-constexpr double in_front = 0.30;       // the ball is at the feet
-constexpr double beside_feet = 0.09;    // ... and not beside them
-constexpr double detour = 0.40;         // sideways, to get around the ball
-constexpr double support_behind = 0.8;  // the others' distance to the ball
-constexpr double support_aside = 0.7;
-constexpr double keep_clear = 0.55;  // of other robots
+constexpr double in_front = 0.30;     // the ball is at the feet
+constexpr double beside_feet = 0.09;  // ... and not beside them
 constexpr double arrived = 0.10;
 
 using sensors::Sighting;
@@ -52,7 +47,7 @@ Situation assess(const std::vector<Sighting>& sightings, const BallChaserOptions
     if (other.team == s.self->team && (theirs < own || (theirs == own && other.name < s.self->name))) ++s.rank;
     const Vec3d away = flat(s.self->position - other.position);
     const double gap = norm(away);
-    if (gap < keep_clear) s.avoidance += (1 - gap / keep_clear) * unit(away);
+    if (gap < options.keep_clear) s.avoidance += (1 - gap / options.keep_clear) * unit(away);
   }
   return s;
 }
@@ -75,32 +70,33 @@ Vec3d walk_to(const Situation& s, const Vec3d& place, const Vec3d& facing, doubl
           std::clamp(1.5 * facing_error, -0.6, 0.6)};
 }
 
-Vec3d attack(const Situation& s, double speed) {
+Vec3d attack(const Situation& s, const BallChaserOptions& options) {
   const Vec3d ball = flat(s.ball->position);
   const Vec3d seen = to_robot_frame(ball - flat(s.self->position), s.self->heading);
   const double aim_error = wrapped(std::atan2(s.to_goal.y, s.to_goal.x) - s.self->heading);
   if (seen.x > 0 && seen.x < in_front && std::abs(seen.y) < beside_feet && std::abs(aim_error) < 0.5) {
-    return {speed, std::clamp(1.0 * seen.y, -0.04, 0.04), std::clamp(1.2 * aim_error, -0.4, 0.4)};
+    return {options.speed, std::clamp(1.0 * seen.y, -0.04, 0.04), std::clamp(1.2 * aim_error, -0.4, 0.4)};
   }
   const Vec3d from_ball = flat(s.self->position) - ball;
   if (dot(from_ball, s.to_goal) > -0.05) {
     // in front of the ball: around it, on the side where the robot is
     const Vec3d side = dot(from_ball, left_of(s.to_goal)) >= 0 ? left_of(s.to_goal) : -left_of(s.to_goal);
-    return walk_to(s, ball + detour * side - behind_ball * s.to_goal, s.to_goal, speed);
+    return walk_to(s, ball + options.detour * side - options.behind_ball * s.to_goal, s.to_goal, options.speed);
   }
-  return walk_to(s, ball - behind_ball * s.to_goal, s.to_goal, speed);
+  return walk_to(s, ball - options.behind_ball * s.to_goal, s.to_goal, options.speed);
 }
 
-Vec3d support(const Situation& s, const Vec3d& half_field, double speed) {
+Vec3d support(const Situation& s, const BallChaserOptions& options) {
   const double side = s.rank % 2 == 1 ? 1 : -1;
   const Vec3d ball = flat(s.ball->position);
-  Vec3d place = ball - support_behind * s.to_goal + (side * support_aside) * left_of(s.to_goal);
+  Vec3d place = ball - options.support_behind * s.to_goal + (side * options.support_aside) * left_of(s.to_goal);
+  const Vec3d& half_field = options.half_field;
   place.x = std::clamp(place.x, -half_field.x, half_field.x);
   place.y = std::clamp(place.y, -half_field.y, half_field.y);
   const Vec3d to_ball = unit(ball - flat(s.self->position));
   const double facing_error = wrapped(std::atan2(to_ball.y, to_ball.x) - s.self->heading);
   if (norm(flat(place - s.self->position)) < arrived && std::abs(facing_error) < 0.2) return {};
-  return walk_to(s, place, to_ball, speed);
+  return walk_to(s, place, to_ball, options.speed);
 }
 
 }  // namespace
@@ -116,7 +112,7 @@ void BallChaser::step(const Instant&) noexcept {
     command_ = {};
     return;
   }
-  command_ = s.rank == 0 ? attack(s, options_.speed) : support(s, options_.half_field, options_.speed);
+  command_ = s.rank == 0 ? attack(s, options_) : support(s, options_);
   const Vec3d avoid = to_robot_frame(s.avoidance, s.self->heading);
   command_ += Vec3d{0.15 * avoid.x, 0.10 * avoid.y, 0};
 }

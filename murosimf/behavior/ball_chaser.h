@@ -16,6 +16,12 @@ struct BallChaserOptions {
   Vec3d goal{3, 0, 0};        ///< [m] where to push it, world frame
   Vec3d half_field{3, 2, 0};  ///< [m] the others do not wait outside of this
   double speed = 0.2;         ///< [m/s] forward
+  // [m] on the ground
+  double behind_ball = 0.22;    ///< where a push begins
+  double detour = 0.40;         ///< sideways, to get around the ball
+  double support_behind = 0.8;  ///< the others' distance to the ball
+  double support_aside = 0.7;   ///< the same sideways
+  double keep_clear = 0.55;     ///< of other robots
 };
 
 class BallChaser final : public Algorithm {

@@ -1,19 +1,15 @@
 #include "murosimf/catalog/algorithm_catalog.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
-#include "murosimf/behavior/ball_chaser.h"
-#include "murosimf/behavior/localize.h"
-#include "murosimf/behavior/obstacle_course.h"
+#include "murosimf/catalog/controller_options.h"
 #include "murosimf/collision/body_carry_law.h"
 #include "murosimf/collision/body_island_law.h"
 #include "murosimf/collision/body_kelvin_voigt_law.h"
 #include "murosimf/collision/implicit_stick_law.h"
 #include "murosimf/collision/kelvin_voigt_law.h"
 #include "murosimf/collision/paper_law.h"
-#include "murosimf/locomotion/ankle_strategy.h"
-#include "murosimf/locomotion/drive.h"
 #include "murosimf/locomotion/keyframe_player.h"
 #include "murosimf/locomotion/trot.h"
 #include "murosimf/locomotion/walk_engine.h"
@@ -51,8 +47,10 @@ void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions&
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz, options.command);
 }
 
-void attach_balance(Simulation& simulation, Entity& robot, const ControllerOptions&) {
-  simulation.attach<locomotion::AnkleStrategy>("ankle_strategy", robot, locomotion::AnkleStrategy::rate_hz);
+void attach_balance(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  locomotion::AnkleStrategyOptions strategy;
+  balance_options().apply(options.own, strategy);
+  simulation.attach<locomotion::AnkleStrategy>("ankle_strategy", robot, locomotion::AnkleStrategy::rate_hz, strategy);
 }
 
 void attach_keyframes(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
@@ -62,7 +60,9 @@ void attach_keyframes(Simulation& simulation, Entity& robot, const ControllerOpt
 }
 
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
-  simulation.attach<locomotion::Drive>("drive", car, locomotion::Drive::rate_hz, options.command);
+  locomotion::DriveOptions drive;
+  drive_options().apply(options.own, drive);
+  simulation.attach<locomotion::Drive>("drive", car, locomotion::Drive::rate_hz, options.command, drive);
 }
 
 void attach_trot(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
@@ -71,8 +71,9 @@ void attach_trot(Simulation& simulation, Entity& robot, const ControllerOptions&
 
 void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   using behavior::BallChaser;
-  const behavior::BallChaserOptions chaser{.goal = {options.attacks * options.half_field.x, 0, 0},
-                                           .half_field = options.half_field};
+  behavior::BallChaserOptions chaser{.goal = {options.attacks * options.half_field.x, 0, 0},
+                                     .half_field = options.half_field};
+  ball_chaser_options().apply(options.own, chaser);
   if (!sensors::find_reading(robot, "ground_truth")) {
     const sensors::SensorSpec truth{.name = "ground_truth", .type = "ground_truth", .rate = BallChaser::rate_hz};
     simulation.attach<sensors::GroundTruth>("ground_truth", robot, BallChaser::rate_hz, truth,
@@ -84,19 +85,21 @@ void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerO
 
 void attach_localize(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   const double x = 0.5 * options.half_field.x, y = 0.45 * options.half_field.y;
-  const behavior::LocalizeOptions localize{.markings = options.markings,
-                                           .start = options.start,
-                                           .way = {{0, -y, 0}, {x, 0, 0}, {0, y, 0}, {-x, 0, 0}},
-                                           .seed = options.seed};
+  behavior::LocalizeOptions localize{.markings = options.markings,
+                                     .start = options.start,
+                                     .way = {{0, -y, 0}, {x, 0, 0}, {0, y, 0}, {-x, 0, 0}},
+                                     .seed = options.seed};
+  localize_options().apply(options.own, localize);
   simulation.attach<behavior::Localize>("localize", robot, behavior::Localize::rate_hz, localize);
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 
 void attach_obstacle_course(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   using behavior::ObstacleCourse;
-  const behavior::ObstacleCourseOptions course{.start = options.start,
-                                               .goal_x = options.attacks * options.half_field.x,
-                                               .half_width = options.half_field.y};
+  behavior::ObstacleCourseOptions course{.start = options.start,
+                                         .goal_x = options.attacks * options.half_field.x,
+                                         .half_width = options.half_field.y};
+  obstacle_course_options().apply(options.own, course);
   simulation.attach<ObstacleCourse>("obstacle_course", robot, ObstacleCourse::rate_hz, course);
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
@@ -131,68 +134,79 @@ std::shared_ptr<const collision::ContactLaw> make_paper_multipoint() {
 }
 
 // Keys: what stands in a scene file; "position.z" is the height in `position`.
-constexpr std::array level_entries{
-    LevelType{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
-              motion::KinematicWalking::has, "joint_reference",
-              "stance_pose stance_foot remaining_shift remaining_turn", make_kinematic_walking},
-    LevelType{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)",
-              motion::SimplifiedDynamics::has,
-              "joint_reference base_rigid integrator contact position.z roll_deg pitch_deg",
-              "applied_force linear_velocity angular_velocity base_quaternion", make_simplified_dynamics},
-    LevelType{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)",
-              motion::FullDynamics::has, "joint_reference fixed_base integrator contact position.z roll_deg pitch_deg",
-              "applied_force linear_velocity angular_velocity base_quaternion", make_full_dynamics},
-    LevelType{"articulated_dynamics", "servos make torque, the whole tree moves as it must",
-              motion::ArticulatedDynamics::has,
-              "fixed_base integrator servo_law contact position.z roll_deg pitch_deg self_collision",
-              "applied_force linear_velocity angular_velocity base_quaternion "
-              "supply_voltage torque_enabled servo_temperature backlash_play backlash_side "
-              "rotor_rate",
-              make_articulated_dynamics},
-};
+std::vector<LevelType> built_in_levels() {
+  return {
+      LevelType{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
+                motion::KinematicWalking::has, "joint_reference",
+                "stance_pose stance_foot remaining_shift remaining_turn", make_kinematic_walking},
+      LevelType{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)",
+                motion::SimplifiedDynamics::has,
+                "joint_reference base_rigid integrator contact position.z roll_deg pitch_deg",
+                "applied_force linear_velocity angular_velocity base_quaternion", make_simplified_dynamics},
+      LevelType{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)",
+                motion::FullDynamics::has,
+                "joint_reference fixed_base integrator contact position.z roll_deg pitch_deg",
+                "applied_force linear_velocity angular_velocity base_quaternion", make_full_dynamics},
+      LevelType{"articulated_dynamics", "servos make torque, the whole tree moves as it must",
+                motion::ArticulatedDynamics::has,
+                "fixed_base integrator servo_law contact position.z roll_deg pitch_deg self_collision",
+                "applied_force linear_velocity angular_velocity base_quaternion "
+                "supply_voltage torque_enabled servo_temperature backlash_play backlash_side "
+                "rotor_rate",
+                make_articulated_dynamics},
+  };
+}
 
-constexpr std::array contact_entries{
-    ContactLawType{"implicit_stick", "compliant, implicit, with a tangential spring that sticks; the default",
-                   make_law<collision::ImplicitStick>, 0.01, 0.01},
-    ContactLawType{"island_gauss_seidel", "the same force, settled together with all contacts of what is touched",
-                   make_law<collision::IslandGaussSeidel>, 0.01, 0.01},
-    ContactLawType{"kelvin_voigt", "spring, damper and a tangential spring that sticks; explicit, for steps of 1 ms",
-                   make_law<collision::KelvinVoigt>, 0.002, 0.001},
-    ContactLawType{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)",
-                   make_law<collision::PaperLaw>, 0.002, 0.001},
-    ContactLawType{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint,
-                   0.002, 0.001},
-};
+std::vector<ContactLawType> built_in_contacts() {
+  return {
+      ContactLawType{"implicit_stick", "compliant, implicit, with a tangential spring that sticks; the default",
+                     make_law<collision::ImplicitStick>, 0.01, 0.01},
+      ContactLawType{"island_gauss_seidel", "the same force, settled together with all contacts of what is touched",
+                     make_law<collision::IslandGaussSeidel>, 0.01, 0.01},
+      ContactLawType{"kelvin_voigt", "spring, damper and a tangential spring that sticks; explicit, for steps of 1 ms",
+                     make_law<collision::KelvinVoigt>, 0.002, 0.001},
+      ContactLawType{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)",
+                     make_law<collision::PaperLaw>, 0.002, 0.001},
+      ContactLawType{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint,
+                     0.002, 0.001},
+  };
+}
 
 template <class Law>
 std::unique_ptr<collision::BodyContactLaw> make_body_law() {
   return std::make_unique<Law>();
 }
 
-constexpr std::array body_contact_entries{
-    BodyContactLawType{"island_gauss_seidel", "all contacts of touching entities settled together; the default",
-                       make_body_law<collision::BodyIslandLaw>},
-    BodyContactLawType{"carry", "either body implicit by itself, the difference given back later; up to 2 ms",
-                       make_body_law<collision::BodyCarryLaw>},
-    BodyContactLawType{"kelvin_voigt", "explicit spring, damper and viscous friction; 1 ms",
-                       make_body_law<collision::BodyKelvinVoigtLaw>},
-};
+std::vector<BodyContactLawType> built_in_body_contacts() {
+  return {
+      BodyContactLawType{"island_gauss_seidel", "all contacts of touching entities settled together; the default",
+                         make_body_law<collision::BodyIslandLaw>},
+      BodyContactLawType{"carry", "either body implicit by itself, the difference given back later; up to 2 ms",
+                         make_body_law<collision::BodyCarryLaw>},
+      BodyContactLawType{"kelvin_voigt", "explicit spring, damper and viscous friction; 1 ms",
+                         make_body_law<collision::BodyKelvinVoigtLaw>},
+  };
+}
 
-constexpr std::array controller_entries{
-    ControllerType{"none", "joints stay where they are put", "posture", attach_none},
-    ControllerType{"walk", "walks with the velocity in walk_command", "command", attach_walk, walks_at},
-    ControllerType{"trot", "trots on four legs with the velocity in walk_command", "command", attach_trot, trots_at},
-    ControllerType{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", "", attach_balance},
-    ControllerType{"keyframes", "plays the key frames of a motion once", "motion", attach_keyframes},
-    ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
-                   drives_at},
-    ControllerType{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",
-                   attach_ball_chaser},
-    ControllerType{"localize", "walks a round on the field and finds out from its camera where it is", "",
-                   attach_localize},
-    ControllerType{"obstacle_course", "crosses the field without touching magenta poles that its camera sees", "",
-                   attach_obstacle_course},
-};
+std::vector<ControllerType> built_in_controllers() {
+  return {
+      ControllerType{"none", "joints stay where they are put", "posture", attach_none},
+      ControllerType{"walk", "walks with the velocity in walk_command", "command", attach_walk, {}, walks_at},
+      ControllerType{
+          "trot", "trots on four legs with the velocity in walk_command", "command", attach_trot, {}, trots_at},
+      ControllerType{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", "", attach_balance,
+                     balance_options().infos()},
+      ControllerType{"keyframes", "plays the key frames of a motion once", "motion", attach_keyframes},
+      ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
+                     drive_options().infos(), drives_at},
+      ControllerType{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",
+                     attach_ball_chaser, ball_chaser_options().infos()},
+      ControllerType{"localize", "walks a round on the field and finds out from its camera where it is", "",
+                     attach_localize, localize_options().infos()},
+      ControllerType{"obstacle_course", "crosses the field without touching magenta poles that its camera sees", "",
+                     attach_obstacle_course, obstacle_course_options().infos()},
+  };
+}
 
 }  // namespace
 
@@ -205,9 +219,18 @@ bool has_word(std::string_view words, std::string_view word) {
   return false;
 }
 
-std::span<const LevelType> levels() { return level_entries; }
-std::span<const ContactLawType> contacts() { return contact_entries; }
-std::span<const BodyContactLawType> body_contacts() { return body_contact_entries; }
-std::span<const ControllerType> controllers() { return controller_entries; }
+Registries& registries() {
+  static Registry<LevelType> levels("level", built_in_levels());
+  static Registry<ContactLawType> contacts("contact law", built_in_contacts());
+  static Registry<BodyContactLawType> body_contacts("law of contact between bodies", built_in_body_contacts());
+  static Registry<ControllerType> controllers("controller", built_in_controllers());
+  static Registries all{levels, contacts, body_contacts, controllers, components::sensor_registry()};
+  return all;
+}
+
+const Registry<LevelType>& levels() { return registries().levels; }
+const Registry<ContactLawType>& contacts() { return registries().contacts; }
+const Registry<BodyContactLawType>& body_contacts() { return registries().body_contacts; }
+const Registry<ControllerType>& controllers() { return registries().controllers; }
 
 }  // namespace murosimf::catalog

@@ -1,19 +1,23 @@
 /// algorithm_catalog.h - names of algorithms, as files and the command line use them, and how to attach what they mean.
 ///
-/// A new level, contact law or controller is one more line in algorithm_catalog.cpp; sensors have sensor_types.h.
+/// A new level, contact law or controller is one more line in algorithm_catalog.cpp; sensors have sensor_types.h. A program or a
+/// plug-in (plugin.h) adds to `registries()`, before it builds a scene.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "murosimf/collision/body_contact_law.h"
 #include "murosimf/collision/contact_law.h"
+#include "murosimf/components/sensor_types.h"
 #include "murosimf/locomotion/keyframe_motion.h"
 #include "murosimf/model/find_entry.h"
+#include "murosimf/model/option.h"
+#include "murosimf/model/registry.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/motion/simplified_dynamics.h"
 #include "murosimf/runtime/simulation.h"
@@ -29,24 +33,25 @@ struct LevelOptions {
 };
 
 struct LevelType {
-  std::string_view name, meaning;
+  std::string name, meaning;
   LevelTraits traits;
-  std::string_view options;  ///< keys of a robot that it uses, besides those that all levels use
-  std::string_view inputs;   ///< properties that may be set and act at this level, besides those that do at all levels
-  std::unique_ptr<MotionLevel> (*make)(Setup&, const LevelOptions&);
+  std::string keys;    ///< of a robot that it uses, besides those that all levels use: "contact fixed_base"
+  std::string inputs;  ///< properties that may be set and act at this level, besides those that do at all levels
+  std::function<std::unique_ptr<MotionLevel>(Setup&, const LevelOptions&)> make;
 };
 
+/// Law of contact with the ground.
 struct ContactLawType {
-  std::string_view name, meaning;
-  std::shared_ptr<const collision::ContactLaw> (*make)();
+  std::string name, meaning;
+  std::function<std::shared_ptr<const collision::ContactLaw>()> make;
   double longest_step;        ///< [s] with which a robot stands and walks at levels without servos (docs/scenes.md)
   double longest_servo_step;  ///< [s] the same at articulated_dynamics
 };
 
 /// Law between moving bodies.
 struct BodyContactLawType {
-  std::string_view name, meaning;
-  std::unique_ptr<collision::BodyContactLaw> (*make)();
+  std::string name, meaning;
+  std::function<std::unique_ptr<collision::BodyContactLaw>()> make;
 };
 
 /// What a controller may want to know about its robot's place in the scene.
@@ -59,21 +64,37 @@ struct ControllerOptions {
   Vec3d start;             ///< [m, m, rad] x, y and heading that the scene's file gives the robot, without its jitter
   Markings markings;       ///< of the field
   std::uint64_t seed = 1;  ///< of the scene
+  OptionValues own;        ///< what the robot's [robots.options] gives, of those in ControllerType::options
 };
 
 struct ControllerType {
-  std::string_view name, meaning;
-  std::string_view options;  ///< keys of a robot that it uses, besides those that all controllers use
-  void (*attach)(Simulation&, Entity&, const ControllerOptions&);
-  Vec3d (*attainable)(const Model&, const Vec3d& command) = nullptr;  ///< [m/s, m/s, rad/s] what it makes of a command
+  std::string name, meaning;
+  std::string keys;  ///< of a robot that it uses, besides those that all controllers use: "command"
+  std::function<void(Simulation&, Entity&, const ControllerOptions&)> attach;
+  std::vector<OptionInfo> options{};  ///< of its own
+  /// [m/s, m/s, rad/s] What it makes of a command; empty: it does not follow one.
+  std::function<Vec3d(const Model&, const Vec3d& command)> attainable{};
+};
+
+/// All that plug-ins can add to.
+struct Registries {
+  Registry<LevelType>& levels;
+  Registry<ContactLawType>& contacts;
+  Registry<BodyContactLawType>& body_contacts;
+  Registry<ControllerType>& controllers;
+  Registry<components::SensorType>& sensors;
 };
 
 /// True if `word` is among the words of a list in the catalog.
 [[nodiscard]] bool has_word(std::string_view words, std::string_view word);
 
-[[nodiscard]] std::span<const LevelType> levels();
-[[nodiscard]] std::span<const ContactLawType> contacts();
-[[nodiscard]] std::span<const BodyContactLawType> body_contacts();
-[[nodiscard]] std::span<const ControllerType> controllers();
+/// The registries of this program. Entries stay for good; add to them before a scene is built that should know them.
+[[nodiscard]] Registries& registries();
+
+// The same to read.
+[[nodiscard]] const Registry<LevelType>& levels();
+[[nodiscard]] const Registry<ContactLawType>& contacts();
+[[nodiscard]] const Registry<BodyContactLawType>& body_contacts();
+[[nodiscard]] const Registry<ControllerType>& controllers();
 
 }  // namespace murosimf::catalog

@@ -8,7 +8,6 @@
 #include "murosimf/components/sensor_keys.h"
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/components/servo_sections.h"
-#include "murosimf/model/find_entry.h"
 
 namespace murosimf::components {
 namespace {
@@ -42,12 +41,12 @@ std::string objects_of(const SensorSpec& spec) {
   if (spec.objects.empty()) return {};
   std::string names;
   for (const std::string& object : spec.objects) names += (names.empty() ? "" : ", ") + toml_quoted(object);
-  const SensorType& type = find_entry(sensor_types(), "sensor type", spec.type);
+  const SensorType& type = sensor_types().find(spec.type);
   return fmt::format("{} = [{}]\n", type.objects, names);
 }
 
 std::string numbers_of(const SensorSpec& spec) {
-  const SensorType& type = find_entry(sensor_types(), "sensor type", spec.type);
+  const SensorType& type = sensor_types().find(spec.type);
   const std::string flags = fmt::format(" {} ", type.flags);
   std::string text;
   for (const auto& [key, number] : spec.numbers) {

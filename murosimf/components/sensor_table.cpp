@@ -12,7 +12,6 @@
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/model/error.h"
-#include "murosimf/model/find_entry.h"
 #include "murosimf/sensors/camera_spec.h"
 
 namespace murosimf::components {
@@ -42,7 +41,7 @@ class Changer {
  public:
   explicit Changer(SensorSpec& spec)
       : spec_(spec),
-        type_(find_entry(sensor_types(), "sensor type", spec.type)),
+        type_(sensor_types().find(spec.type)),
         numbers_(words_of(type_.numbers)),
         objects_(words_of(type_.objects)),
         flags_(words_of(type_.flags)),
@@ -180,8 +179,7 @@ void check_signals(const SensorSpec& spec) {
 /// The type that a table says, if it says one.
 std::optional<std::string> type_of(const SensorTable& table) {
   const auto type = text_of(table, "type");
-  if (type)
-    with_context(table.values.at("type").where, [&] { (void)find_entry(sensor_types(), "sensor type", *type); });
+  if (type) with_context(table.values.at("type").where, [&] { (void)sensor_types().find(*type); });
   return type;
 }
 

@@ -1,11 +1,9 @@
 #include "murosimf/components/sensor_types.h"
 
-#include <array>
 #include <string>
 
 #include <fmt/format.h>
 
-#include "murosimf/model/find_entry.h"
 #include "murosimf/sensors/camera.h"
 #include "murosimf/sensors/contact_sensors.h"
 #include "murosimf/sensors/depth_laser.h"
@@ -28,65 +26,75 @@ std::unique_ptr<sensors::Sensor> make(Setup& setup, const sensors::SensorSpec& s
   return std::make_unique<S>(setup, spec, surroundings);
 }
 
-constexpr std::array types{
-    SensorType{"accelerometer", "specific force: +9.81 up at rest, 0 in free fall", "", "", Watch::always,
-               make<sensors::Accelerometer>},
-    SensorType{"angular_velocity", "of the sensor, world axes", "", "", Watch::samples, make<sensors::AngularVelocity>},
-    SensorType{"camera", "pictures through a lens: colors, depths, labels of what is seen", sensors::camera_numbers, "",
-               Watch::samples, make<sensors::Camera>, "color depth labels always_on", "lens mosaic calibration"},
-    SensorType{"center_of_mass", "of the whole robot, and its velocity, world axes", "", "", Watch::samples,
-               make<sensors::CenterOfMass>},
-    SensorType{"contact_force", "magnitude of all contact forces on a link", "threshold", "", Watch::samples,
-               make<sensors::ContactForce>},
-    SensorType{"contact_switch", "1 while anything touches a link", "threshold", "", Watch::samples,
-               make<sensors::ContactSwitch>},
-    SensorType{"depth_laser", "the same as laser, by pictures of depths: it sees what is drawn",
-               "rays fov first_angle range_min range_max", "", Watch::samples, make<sensors::DepthLaser>},
-    SensorType{"detector", "places of ball and robots as vision software reports them: distance, azimuth, elevation",
-               "fov_azimuth fov_elevation range_min range_max visible_share misses distance_noise azimuth_noise "
-               "elevation_noise offset",
-               "entities", Watch::samples, make<sensors::Detector>},
-    SensorType{"force_torque", "contact force and moment on a link, in axes of the sensor", "threshold", "",
-               Watch::samples, make<sensors::ForceTorque>},
-    SensorType{"ground_truth", "true place, heading and velocity of robots and ball (paper 6.3)", "", "entities",
-               Watch::samples, make<sensors::GroundTruth>},
-    SensorType{"gyroscope", "rate of turning, in axes of the sensor", "", "", Watch::samples, make<sensors::Gyroscope>},
-    SensorType{"imu", "gyroscope, accelerometer and orientation in one part", "", "", Watch::always,
-               make<sensors::Imu>},
-    SensorType{"joint_position", "encoders of joints", "", "joints", Watch::samples, make<sensors::JointPosition>},
-    SensorType{"joint_velocity", "rates of joints", "", "joints", Watch::samples, make<sensors::JointRate>},
-    SensorType{"joint_torque", "torque of servo and gear", "", "joints", Watch::samples, make<sensors::JointTorque>},
-    SensorType{"laser", "distances of what a scan of a plane meets", "rays fov first_angle range_min range_max", "",
-               Watch::samples, make<sensors::Laser>},
-    SensorType{"linear_velocity", "of the sensor, world axes", "", "", Watch::samples, make<sensors::LinearVelocity>},
-    SensorType{"motor_current", "of servos", "", "joints", Watch::samples, make<sensors::MotorCurrent>},
-    SensorType{"motor_temperature", "of servos' windings", "", "joints", Watch::samples,
-               make<sensors::MotorTemperature>},
-    SensorType{"motor_voltage", "supply of servos", "", "joints", Watch::samples, make<sensors::MotorVoltage>},
-    SensorType{"orientation", "axes of the sensor in the world, as a quaternion w x y z", "", "", Watch::samples,
-               make<sensors::Orientation>},
-    SensorType{"position", "of the sensor, world", "", "", Watch::samples, make<sensors::Position>},
-    SensorType{"pressure_cells", "four cells below a foot", "threshold length width", "", Watch::samples,
-               make<sensors::PressureCells>},
-    SensorType{"pressure_center", "where the contact force goes through a sole, and how strong it is", "threshold", "",
-               Watch::samples, make<sensors::PressureCenter>},
-    SensorType{"rangefinder", "distance of what one ray along z meets", "range_min range_max", "", Watch::samples,
-               make<sensors::RangeFinder>},
-    SensorType{"sonar", "distance of the nearest thing in a cone about x", "rays fov range_min range_max", "",
-               Watch::samples, make<sensors::Sonar>},
-    SensorType{"velocimeter", "velocity of the sensor, in its axes", "", "", Watch::samples,
-               make<sensors::Velocimeter>},
-};
+std::vector<SensorType> built_in_types() {
+  return {
+      SensorType{"accelerometer", "specific force: +9.81 up at rest, 0 in free fall", "", "", Watch::always,
+                 make<sensors::Accelerometer>},
+      SensorType{"angular_velocity", "of the sensor, world axes", "", "", Watch::samples,
+                 make<sensors::AngularVelocity>},
+      SensorType{"camera", "pictures through a lens: colors, depths, labels of what is seen",
+                 std::string(sensors::camera_numbers), "", Watch::samples, make<sensors::Camera>,
+                 "color depth labels always_on", "lens mosaic calibration"},
+      SensorType{"center_of_mass", "of the whole robot, and its velocity, world axes", "", "", Watch::samples,
+                 make<sensors::CenterOfMass>},
+      SensorType{"contact_force", "magnitude of all contact forces on a link", "threshold", "", Watch::samples,
+                 make<sensors::ContactForce>},
+      SensorType{"contact_switch", "1 while anything touches a link", "threshold", "", Watch::samples,
+                 make<sensors::ContactSwitch>},
+      SensorType{"depth_laser", "the same as laser, by pictures of depths: it sees what is drawn",
+                 "rays fov first_angle range_min range_max", "", Watch::samples, make<sensors::DepthLaser>},
+      SensorType{"detector", "places of ball and robots as vision software reports them: distance, azimuth, elevation",
+                 "fov_azimuth fov_elevation range_min range_max visible_share misses distance_noise azimuth_noise "
+                 "elevation_noise offset",
+                 "entities", Watch::samples, make<sensors::Detector>},
+      SensorType{"force_torque", "contact force and moment on a link, in axes of the sensor", "threshold", "",
+                 Watch::samples, make<sensors::ForceTorque>},
+      SensorType{"ground_truth", "true place, heading and velocity of robots and ball (paper 6.3)", "", "entities",
+                 Watch::samples, make<sensors::GroundTruth>},
+      SensorType{"gyroscope", "rate of turning, in axes of the sensor", "", "", Watch::samples,
+                 make<sensors::Gyroscope>},
+      SensorType{"imu", "gyroscope, accelerometer and orientation in one part", "", "", Watch::always,
+                 make<sensors::Imu>},
+      SensorType{"joint_position", "encoders of joints", "", "joints", Watch::samples, make<sensors::JointPosition>},
+      SensorType{"joint_velocity", "rates of joints", "", "joints", Watch::samples, make<sensors::JointRate>},
+      SensorType{"joint_torque", "torque of servo and gear", "", "joints", Watch::samples, make<sensors::JointTorque>},
+      SensorType{"laser", "distances of what a scan of a plane meets", "rays fov first_angle range_min range_max", "",
+                 Watch::samples, make<sensors::Laser>},
+      SensorType{"linear_velocity", "of the sensor, world axes", "", "", Watch::samples, make<sensors::LinearVelocity>},
+      SensorType{"motor_current", "of servos", "", "joints", Watch::samples, make<sensors::MotorCurrent>},
+      SensorType{"motor_temperature", "of servos' windings", "", "joints", Watch::samples,
+                 make<sensors::MotorTemperature>},
+      SensorType{"motor_voltage", "supply of servos", "", "joints", Watch::samples, make<sensors::MotorVoltage>},
+      SensorType{"orientation", "axes of the sensor in the world, as a quaternion w x y z", "", "", Watch::samples,
+                 make<sensors::Orientation>},
+      SensorType{"position", "of the sensor, world", "", "", Watch::samples, make<sensors::Position>},
+      SensorType{"pressure_cells", "four cells below a foot", "threshold length width", "", Watch::samples,
+                 make<sensors::PressureCells>},
+      SensorType{"pressure_center", "where the contact force goes through a sole, and how strong it is", "threshold",
+                 "", Watch::samples, make<sensors::PressureCenter>},
+      SensorType{"rangefinder", "distance of what one ray along z meets", "range_min range_max", "", Watch::samples,
+                 make<sensors::RangeFinder>},
+      SensorType{"sonar", "distance of the nearest thing in a cone about x", "rays fov range_min range_max", "",
+                 Watch::samples, make<sensors::Sonar>},
+      SensorType{"velocimeter", "velocity of the sensor, in its axes", "", "", Watch::samples,
+                 make<sensors::Velocimeter>},
+  };
+}
 
 }  // namespace
 
-std::span<const SensorType> sensor_types() { return types; }
+Registry<SensorType>& sensor_registry() {
+  static Registry<SensorType> registry("sensor type", built_in_types());
+  return registry;
+}
+
+const Registry<SensorType>& sensor_types() { return sensor_registry(); }
 
 namespace {
 
 sensors::Sensor& attach(Simulation& simulation, Entity& robot, const sensors::SensorSpec& spec,
                         const sensors::SensorSurroundings& surroundings, double step_rate) {
-  const SensorType& type = find_entry(sensor_types(), "sensor type", spec.type);
+  const SensorType& type = sensor_types().find(spec.type);
   sensors::check_rate(spec, step_rate);
   if (!(spec.delay >= 0 && spec.delay <= 10)) {
     throw SetupError(fmt::format("the delay of sensor '{}' is {} s; it must be from 0 to 10", spec.name, spec.delay));
@@ -95,7 +103,7 @@ sensors::Sensor& attach(Simulation& simulation, Entity& robot, const sensors::Se
     return murosimf::with_context(spec.name, [&] { return type.make(setup, spec, surroundings); });
   };
   const double rate = sensors::task_rate(spec, type.watch, step_rate);
-  return static_cast<sensors::Sensor&>(simulation.attach(std::string(type.name), robot, rate, make));
+  return static_cast<sensors::Sensor&>(simulation.attach(type.name, robot, rate, make));
 }
 
 }  // namespace

@@ -169,9 +169,7 @@ std::string why_no_target(const Model& model, int joint, const std::vector<const
     return fmt::format("this joint follows '{}'", of_rate ? "joint_velocity_target" : "joint_target");
   }
   if (model.find(properties::joint_coupling, joint)) return "this joint follows another one";
-  const auto needs_servo = [](const catalog::LevelType* level) {
-    return catalog::has_word(level->options, "servo_law");
-  };
+  const auto needs_servo = [](const catalog::LevelType* level) { return catalog::has_word(level->keys, "servo_law"); };
   if (!servo && std::ranges::all_of(levels, needs_servo)) return "this joint has no servo and hangs free";
   return {};
 }
@@ -181,7 +179,7 @@ bool moves_fixed_base(const scene_file::RobotSpec& robot, const std::vector<cons
                       int index, std::string_view property) {
   const bool moves = property == "linear_velocity" || property == "angular_velocity" || property == "applied_force";
   return robot.fixed_base && index == 0 && moves && std::ranges::all_of(levels, [](const catalog::LevelType* level) {
-           return catalog::has_word(level->options, "fixed_base");
+           return catalog::has_word(level->keys, "fixed_base");
          });
 }
 
@@ -230,8 +228,7 @@ std::string check_object(Simulation& simulation, const scene_file::SceneSpec& sp
   if (!robot) return {};  // a ball is at one level, which has them all
   if (auto why = why_it_does_not_act(spec, *robot, entity, index, *property, time); !why.empty()) return why;
   const auto levels = scene_file::levels_from(spec, *robot, time);
-  if (!catalog::has_word(levels.front()->options, "position.z") && levels.size() == 1 &&
-      moves_height(setting, entity)) {
+  if (!catalog::has_word(levels.front()->keys, "position.z") && levels.size() == 1 && moves_height(setting, entity)) {
     return fmt::format("{} does not use z of 'position'", levels.front()->name);
   }
   return {};

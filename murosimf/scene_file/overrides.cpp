@@ -44,6 +44,12 @@ void assign_sensor(toml::table& robot, const Assignment& o, std::size_t begin) {
   assign(*table, o.path.back(), o);
 }
 
+/// options.KEY, from part `begin` of the path on; robot_options.h checks the key.
+void assign_option(toml::table& robot, const Assignment& o, std::size_t begin) {
+  if (o.path.size() - begin != 2) throw SetupError(fmt::format("{}: write options.KEY", o.where));
+  assign(table_in(robot, o.path[begin], o), o.path.back(), o);
+}
+
 /// Names of bodies that are entities: static ones are not.
 std::vector<std::string> moving_names(const std::vector<toml::table*>& bodies, const Assignment& o) {
   std::vector<std::string> names;
@@ -82,6 +88,8 @@ void apply_override(toml::table& scene, const std::string& override_text, std::v
     for (toml::table* robot : robots) assign(*robot, o.path.back(), o);
   } else if (!robots.empty() && rest >= 2 && o.path[used] == "sensors") {
     for (toml::table* robot : robots) assign_sensor(*robot, o, used);
+  } else if (!robots.empty() && rest >= 2 && o.path[used] == "options") {
+    for (toml::table* robot : robots) assign_option(*robot, o, used);
   } else if (!robots.empty() && rest >= 2) {
     settings.push_back(property_setting(o, used, names()));
   } else if (const auto bodies = bodies_called(scene, o.path[0]); !bodies.empty() && o.path.size() == 2) {
@@ -98,6 +106,8 @@ void apply_override(toml::table& scene, const std::string& override_text, std::v
     if (toml::table* table = scene[o.path[0]].as_table()) assign(*table, o.path[1], o);
   } else if (o.path.size() >= 3 && o.path[0] == "defaults" && o.path[1] == "sensors") {
     assign_sensor(table_in(scene, "defaults", o), o, 1);
+  } else if (o.path.size() >= 3 && o.path[0] == "defaults" && o.path[1] == "options") {
+    assign_option(table_in(scene, "defaults", o), o, 1);
   } else if (o.path.size() >= 3 && o.path[0] == "ball" && scene.contains("ball")) {
     settings.push_back(property_setting(o, 1, {"ball"}));
   } else {

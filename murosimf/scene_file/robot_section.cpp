@@ -8,6 +8,7 @@
 #include "murosimf/files/toml_color.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/scene_file/all_sections.h"
+#include "murosimf/scene_file/robot_options.h"
 #include "murosimf/scene_file/section_readers.h"
 
 namespace murosimf::scene_file {
@@ -74,6 +75,7 @@ const Section<RobotSpec>& robot_section() {
         "with the ground: murosimf list contacts"},
        {"controller", Name{&RobotSpec::controller, "controller", [] { return entry_names(catalog::controllers()); }},
         "", "murosimf list controllers"},
+       {"options", {}, "", "of its controller: murosimf list options", {}, "the controller's"},
        {"servo_law",
         Name{&RobotSpec::servo_law, "servo law", [] { return entry_names(motion::servo_laws()); }},
         "",
@@ -153,14 +155,19 @@ void read_teams(const files::TomlTable& scene, SceneSpec& spec) {
 
 void read_robots(const files::TomlTable& scene, SceneSpec& spec) {
   RobotSpec defaults;
+  const toml::table* default_options = nullptr;
   if (const toml::table* node = scene.table("defaults")) {
-    read_robot(files::TomlTable(*node, names_of(*find_section("defaults"))), defaults);
+    const files::TomlTable table(*node, names_of(*find_section("defaults")));
+    read_robot(table, defaults);
+    default_options = table.table("options");
     for (auto& [key, given] : defaults.given) given.by_default = true;
   }
   for (const toml::table* node : scene.tables("robots")) {
     const files::TomlTable table(*node, robot_section().names());
     RobotSpec robot = defaults;
     read_robot(table, robot);
+    if (default_options) read_default_options(*default_options, robot);
+    if (const toml::table* options = table.table("options")) read_options(*options, robot);
     require(!robot.name.empty(), table, "name", "of the robot is missing");
     require(!robot.model.empty(), table, "model", "of the robot is missing");
     const auto same_name = [&](const RobotSpec& other) { return other.name == robot.name; };
@@ -177,6 +184,7 @@ void read_robots(const files::TomlTable& scene, SceneSpec& spec) {
             "ball_chaser needs a [ball] in the scene");
     spec.robots.push_back(robot);
   }
+  if (default_options && !spec.robots.empty()) check_default_options(*default_options, spec.robots);
 }
 
 }  // namespace murosimf::scene_file

@@ -13,6 +13,7 @@
 #include "murosimf/math/vec3.h"
 #include "murosimf/model/entity.h"
 #include "murosimf/model/material.h"
+#include "murosimf/model/option.h"
 #include "murosimf/model/time.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/scene_file/ball.h"
@@ -80,6 +81,7 @@ struct RobotSpec {
   std::string level = "kinematic_walking";
   std::string contact = "implicit_stick";
   std::string controller = "walk";
+  OptionValues options;   ///< of the controller, those that are given
   std::string servo_law;  ///< instead of what the model's servos say; empty: those
   std::string motion;     ///< name or file, for the controller "keyframes"; empty for none
   std::string joint_reference = "filter";
@@ -156,7 +158,7 @@ struct SceneSpec {
 };
 
 /// Reads a scene file (docs/scenes.md). `overrides` are PATH=VALUE as for --set: a key of the file ("duration=5",
-/// "field.surface=grass"), a key of robots ("blue1.level=...", "blue.*.level=..."), or a property
+/// "field.surface=grass"), a key of robots ("blue1.level=...", "blue.*.options.speed=..."), or a property
 /// ("blue1.pelvis.applied_force=[5,0,0,0,0,0]"). `at_options` are TIME:PATH=VALUE as for --at (event_section.h),
 /// `push_options` are as for --push (push_section.h). Throws SetupError with file:line:column.
 [[nodiscard]] SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {},

@@ -48,7 +48,7 @@ bool is_for(const SceneEvent& event, const RobotSpec& robot) {
 
 bool any_uses(const std::vector<const catalog::LevelType*>& levels, std::string_view word) {
   return std::ranges::any_of(levels,
-                             [&](const catalog::LevelType* level) { return catalog::has_word(level->options, word); });
+                             [&](const catalog::LevelType* level) { return catalog::has_word(level->keys, word); });
 }
 
 const catalog::LevelType& first_level(const RobotSpec& robot) {
@@ -57,8 +57,8 @@ const catalog::LevelType& first_level(const RobotSpec& robot) {
 
 bool is_used(const SceneSpec& spec, const RobotSpec& robot, const UsedKey& key) {
   if (key.use == UsedKey::by_level) return any_uses(levels_from(spec, robot, 0), key.word);
-  if (key.use == UsedKey::by_first_level) return catalog::has_word(first_level(robot).options, key.word);
-  return catalog::has_word(find_entry(catalog::controllers(), "controller", robot.controller).options, key.word);
+  if (key.use == UsedKey::by_first_level) return catalog::has_word(first_level(robot).keys, key.word);
+  return catalog::has_word(catalog::controllers().find(robot.controller).keys, key.word);
 }
 
 std::string line_about(const RobotSpec& robot, const UsedKey& key) {
@@ -105,11 +105,11 @@ void add_events(const SceneSpec& spec, std::vector<std::string>& lines) {
 void add_start(const SceneSpec& spec, std::vector<std::string>& lines) {
   const auto nobody = [&](const auto& uses) { return std::ranges::none_of(spec.robots, uses); };
   if (spec.jitter_tilt != 0 &&
-      nobody([](const auto& r) { return catalog::has_word(first_level(r).options, "roll_deg"); })) {
+      nobody([](const auto& r) { return catalog::has_word(first_level(r).keys, "roll_deg"); })) {
     lines.emplace_back("start: no robot begins at a level that 'jitter_tilt_deg' could lean; it changes nothing");
   }
   const auto keeps_posture = [](const RobotSpec& robot) {
-    return catalog::has_word(find_entry(catalog::controllers(), "controller", robot.controller).options, "posture");
+    return catalog::has_word(catalog::controllers().find(robot.controller).keys, "posture");
   };
   if (spec.jitter_posture != 0 && nobody(keeps_posture)) {
     lines.emplace_back("start: controllers set the joints of all robots; 'jitter_posture_deg' changes nothing");

@@ -1,0 +1,71 @@
+#include "murosimf/catalog/controller_options.h"
+
+namespace murosimf::catalog {
+namespace {
+
+constexpr double longest_time = 60;     // [s]
+constexpr double cycle = 0.005;         // [s] of AnkleStrategy: shorter filters would not be stable
+constexpr double fastest = 10;          // [m/s] no robot here is as fast
+constexpr double longest_length = 100;  // [m]
+
+}  // namespace
+
+const OptionTable<locomotion::AnkleStrategyOptions>& balance_options() {
+  using Options = locomotion::AnkleStrategyOptions;
+  static const OptionTable<Options> table{
+      {"settle_time", &Options::settle_time, "s", "from the start until it answers", cycle, longest_time},
+      {"trust_time", &Options::trust_time, "s", "in which the accelerometer corrects the gyroscope", cycle,
+       longest_time},
+      {"smooth_time", &Options::smooth_time, "s", "of the answer's filter", cycle, longest_time},
+      {"gain", &Options::gain, "1", "turn of the soles for a turn of the capture point", 0, 10},
+      {"limit", &Options::limit, "rad", "largest turn of the soles", 0, 1.5},
+  };
+  return table;
+}
+
+const OptionTable<locomotion::DriveOptions>& drive_options() {
+  using Options = locomotion::DriveOptions;
+  static const OptionTable<Options> table{
+      {"acceleration", &Options::acceleration, "m/s^2", "largest change of speed", 0, 100},
+      {"steering", &Options::steering, "1/(m s)", "largest change of curvature", 0, 1000},
+  };
+  return table;
+}
+
+const OptionTable<behavior::BallChaserOptions>& ball_chaser_options() {
+  using Options = behavior::BallChaserOptions;
+  static const OptionTable<Options> table{
+      {"speed", &Options::speed, "m/s", "forward", 0, fastest},
+      {"behind_ball", &Options::behind_ball, "m", "where a push begins", 0, longest_length},
+      {"detour", &Options::detour, "m", "sideways, to get around the ball", 0, longest_length},
+      {"support_behind", &Options::support_behind, "m", "from the ball to where the others wait", 0, longest_length},
+      {"support_aside", &Options::support_aside, "m", "the same sideways", 0, longest_length},
+      {"keep_clear", &Options::keep_clear, "m", "of other robots", 0.01, longest_length},
+  };
+  return table;
+}
+
+const OptionTable<behavior::LocalizeOptions>& localize_options() {
+  using Options = behavior::LocalizeOptions;
+  static const OptionTable<Options> table{
+      {"speed", &Options::speed, "m/s", "on its round", 0, fastest},
+      {"camera", &Options::camera, "", "name of the sensor"},
+  };
+  return table;
+}
+
+const OptionTable<behavior::ObstacleCourseOptions>& obstacle_course_options() {
+  using Options = behavior::ObstacleCourseOptions;
+  static const OptionTable<Options> table{
+      {"speed", &Options::speed, "m/s", "forward", 0, fastest},
+      {"obstacle_radius", &Options::obstacle_radius, "m", "of the poles", 0, longest_length},
+      {"robot_radius", &Options::robot_radius, "m", "of the circle around it, swaying included", 0, longest_length},
+      {"clearance", &Options::clearance, "m", "besides", 0, longest_length},
+      {"farthest", &Options::farthest, "m", "at which poles are looked at", 0, longest_length},
+      {"look_ahead", &Options::look_ahead, "m", "on its way, to where it walks", 0.01, longest_length},
+      {"camera", &Options::camera, "", "name of the sensor"},
+  };
+  return table;
+}
+
+}  // namespace murosimf::catalog

@@ -1,0 +1,16 @@
+#include "murosimf/collision/new_name.h"
+
+#include "murosimf/collision/contact_law_parts.h"
+
+namespace murosimf::collision {
+
+// Both bodies feel the same force at the same point: nothing is won or lost of momentum and its moment.
+void NewName::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept {
+  for (PairContact& c : set.points) {
+    c.force = spring_force(set.parameters[c.surface], c.depth, dot(c.velocity, c.normal)) * c.normal;
+    moving_entities[c.a].push(c.object, c.point, c.force, dt);
+    moving_entities[c.b].push(c.object_b, c.point, -c.force, dt);
+  }
+}
+
+}  // namespace murosimf::collision

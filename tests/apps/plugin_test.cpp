@@ -1,0 +1,104 @@
+// Plug-ins: shared libraries that the program loads while it runs.
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/program.h"
+
+namespace murosimf::test {
+namespace {
+
+using namespace nlohmann::literals;
+
+const std::string own_plugin = std::string(" --plugin ") + MUROSIMF_OWN_PLUGIN;
+
+std::string bad_plugin(const std::string& mistake) { return std::string(MUROSIMF_BAD_PLUGINS) + "/" + mistake + ".so"; }
+
+/// The walker's place [m] after 10 s with these options.
+std::vector<double> place_with(const std::string& options) {
+  const Result result = murosimf("run walk --duration 10 --json -" + options);
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const auto report = nlohmann::json::parse(result.output, nullptr, false);
+  for (const auto& entity : report.is_object() ? report["entities"] : nlohmann::json::array()) {
+    if (entity["name"] == "walker") return entity["position"].get<std::vector<double>>();
+  }
+  ADD_FAILURE() << result.output;
+  return {0, 0, 0};
+}
+
+TEST(Plugin, IsListed) {
+  EXPECT_EQ(murosimf("list controllers").output.find("circle"), std::string::npos);
+  EXPECT_NE(murosimf("list controllers" + own_plugin).output.find("circle "), std::string::npos);
+  EXPECT_NE(murosimf("list contacts" + own_plugin).output.find("ice "), std::string::npos);
+  EXPECT_NE(murosimf("list options" + own_plugin).output.find("radius"), std::string::npos);
+}
+
+// A circle of radius 0.3 m at 0.1 m/s: after 10 s, half of it and a bit, the walker is beside its start (-2, 0), not in front.
+TEST(Plugin, ControllerMovesARobotAsItsOptionsSay) {
+  const std::string circle = own_plugin + " --set walker.controller=circle --set walker.options.radius=0.3";
+  const auto left = place_with(circle), right = place_with(circle + " --set walker.options.clockwise=true");
+  EXPECT_GT(left[1], 0.3);
+  EXPECT_LT(right[1], -0.3);
+  EXPECT_LT(std::hypot(left[0] + 2, left[1]), 0.7) << "the diameter of the circle, and what walking adds";
+}
+
+// Without friction feet push nothing forward.
+TEST(Plugin, ContactLawActs) {
+  const std::string rigid = " --set walker.level=simplified_dynamics";
+  EXPECT_GT(place_with(rigid)[0], -1);
+  EXPECT_LT(place_with(rigid + own_plugin + " --set walker.contact=ice")[0], -1.7);
+}
+
+// kid21's base is 0.3 m or so above its soles.
+TEST(Plugin, SensorMeasures) {
+  const Result result =
+      murosimf("run walk --duration 0.1 --json - --set walker.sensors.height.type=altimeter" + own_plugin);
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const auto report = nlohmann::json::parse(result.output, nullptr, false);
+  const double height = report.value("/sensors/walker/height/outputs/height/values/0"_json_pointer, 0.0);
+  EXPECT_NEAR(height, 0.3, 0.1) << result.output;
+}
+
+TEST(Plugin, SensorOfARobotsFileIsKnown) {
+  write("robot.toml", "[sensors.height]\ntype = \"altimeter\"\n");
+  const fs::path robot = scratch("robot.xml");  // beside it, with the same name
+  fs::copy_file(fs::path(MUROSIMF_SOURCE_DIR) / "models/kid21.xml", robot);
+  expect_mistake("check " + robot.string(), {"robot.toml:2:8", "unknown sensor type 'altimeter'"}, 1);
+  const Result known = murosimf("check " + robot.string() + own_plugin);
+  EXPECT_NE(known.output.find("altimeter"), std::string::npos) << known.output << known.errors;
+}
+
+TEST(Plugin, LoadedTwiceIsLoadedOnce) {
+  EXPECT_EQ(murosimf("list controllers" + own_plugin + own_plugin).exit_code, 0);
+}
+
+TEST(Plugin, OptionsAreChecked) {
+  const std::string circle =
+      "run walk --duration 1" + own_plugin + " --set walker.controller=circle --set walker.options.";
+  expect_mistake(circle + "radus=1",
+                 {"--set 'walker.options.radus=1'", "controller 'circle'", "did you mean 'radius'?"});
+  expect_mistake(circle + "radius=0", {"'radius' is 0", "0.2 to 100 m"});
+  expect_mistake(circle + "clockwise=3", {"'clockwise' must be true or false"});
+}
+
+TEST(Plugin, MistakesAreOneLine) {
+  const auto refused = [](const std::string& file, const std::vector<std::string>& parts) {
+    expect_mistake("run walk --duration 1 --plugin " + file, parts);
+  };
+  refused("/nowhere/own.so", {"--plugin: /nowhere/own.so: No such file"});
+  refused("/tmp", {"/tmp: is no file"});
+  refused(write("text.so", "no library").string(), {"cannot be loaded"});
+  refused(bad_plugin("no_version"), {"no_version.so: this is no plug-in", "murosimf_plugin_version"});
+  refused(bad_plugin("no_entry"), {"this is no plug-in", "murosimf_register"});
+  refused(bad_plugin("other_version"), {"made for 'murosimf 0.0.9, C++ ABI 1'", "build it anew"});
+  refused(bad_plugin("unknown_symbol"), {"cannot be loaded", "nobody_has_defined_this"});
+  refused(bad_plugin("throws"), {"throws.so: the license has expired"});
+  refused(bad_plugin("throws_a_number"), {"no std::exception"});
+  refused(bad_plugin("taken_name"), {"there is a controller 'walk' already"});
+}
+
+TEST(Plugin, IsForTheCommandLineAlone) {
+  const fs::path scene = write("scene.toml", "plugins = [\"own.so\"]\n");
+  expect_mistake("run " + scene.string(), {"scene.toml:1:1", "unknown key 'plugins'"});
+}
+
+}  // namespace
+}  // namespace murosimf::test
