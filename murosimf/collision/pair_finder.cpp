@@ -44,7 +44,8 @@ void remember(PairSet& set) {
 }  // namespace
 
 PairFinder::PairFinder(const std::vector<MovingEntity>& moving_entities, const MaterialTable& materials, double gravity,
-                       double dt) {
+                       double dt)
+    : limbs_(moving_entities.size()) {
   for (const MovingEntity& moving_entity : moving_entities) {
     auto& kinds = kinds_of_shapes_.emplace_back();
     for (const CollidingShape& shape : moving_entity.compound.shapes())
@@ -74,23 +75,41 @@ void PairFinder::find(std::vector<MovingEntity>& moving_entities, PairSet& set) 
   set.tests = {};
   reach_.clear();
   for (const MovingEntity& moving_entity : moving_entities) reach_.push_back(moving_entity.reach());
-  auto pair = sweep_.find(reach_).begin();
+  sweep_.find(reach_);
   set.tests.volumes += sweep_.tests();
+  renew_neighbors();
+  std::size_t pair = 0;
   for (int a = 0; a < static_cast<int>(moving_entities.size()); ++a) {
     const bool out = moving_entities[a].entity->frozen();
-    if (!out && moving_entities[a].limbs_can_touch()) find_between(moving_entities, a, a, set);
-    for (; pair != sweep_.pairs().end() && pair->first == a; ++pair) {
-      if (!out && !moving_entities[pair->second].entity->frozen()) find_between(moving_entities, a, pair->second, set);
+    if (!out && moving_entities[a].limbs_can_touch()) find_between(moving_entities, a, a, limbs_[a], set);
+    for (; pair < pairs_.size() && pairs_[pair].first == a; ++pair) {
+      const int b = pairs_[pair].second;
+      if (!out && !moving_entities[b].entity->frozen()) find_between(moving_entities, a, b, neighbors_[pair], set);
     }
   }
   remember(set);
 }
 
-void PairFinder::find_between(std::vector<MovingEntity>& moving_entities, int a, int b, PairSet& set) noexcept {
+/// What was known of pairs that are still within reach goes on; most times these are the pairs of the step before.
+void PairFinder::renew_neighbors() {
+  const auto& next = sweep_.pairs();
+  if (next == pairs_) return;
+  old_.swap(neighbors_);
+  neighbors_.clear();
+  std::size_t before = 0;
+  for (const auto& pair : next) {
+    while (before < pairs_.size() && pairs_[before] < pair) ++before;
+    const bool known = before < pairs_.size() && pairs_[before] == pair;
+    neighbors_.push_back(known ? std::move(old_[before]) : Neighbors{});
+  }
+  pairs_ = next;
+}
+
+void PairFinder::find_between(std::vector<MovingEntity>& moving_entities, int a, int b, Neighbors& near,
+                              PairSet& set) noexcept {
   MovingEntity &first = moving_entities[a], &second = moving_entities[b];
   first.refit();
   second.refit();
-  Neighbors& near = neighbors_[number_of(a, b, 0, 0)];
   if (near.fits_a != first.fits() || near.fits_b != second.fits()) {
     near.fits_a = first.fits();
     near.fits_b = second.fits();

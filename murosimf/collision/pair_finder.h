@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -30,7 +29,7 @@ class PairFinder {
   /// Renews set.points and set.blocked; points of the step before go to set.previous.
   void find(std::vector<MovingEntity>& moving_entities, PairSet& set) noexcept;
   /// Entities whose spheres of reach met in the last find(), sorted; a < b.
-  [[nodiscard]] const std::vector<std::pair<int, int>>& within_reach() const { return sweep_.pairs(); }
+  [[nodiscard]] const std::vector<std::pair<int, int>>& within_reach() const { return pairs_; }
 
  private:
   /// One surface of one model: contacts between the same two kinds have the same constants.
@@ -44,17 +43,21 @@ class PairFinder {
     std::vector<std::pair<int, int>> shapes;
   };
   [[nodiscard]] std::size_t kind_of(const Model& model, const Surface& surface);
-  void find_between(std::vector<MovingEntity>& moving_entities, int a, int b, PairSet& set) noexcept;
+  void renew_neighbors();
+  void find_between(std::vector<MovingEntity>& moving_entities, int a, int b, Neighbors& near, PairSet& set) noexcept;
   void test(std::vector<MovingEntity>& moving_entities, int a, int b, const std::vector<std::pair<int, int>>& shapes,
             PairSet& set) noexcept;
   void add_contacts(const std::vector<MovingEntity>& moving_entities, const PairContact& pair,
                     geometry::Manifold& manifold, PairSet& set) const noexcept;
 
   std::vector<Kind> kinds_;
-  std::vector<std::vector<std::size_t>> kinds_of_shapes_;   // by moving entity and shape
-  std::vector<ContactParameters> parameters_;               // of kinds i and j at i * kinds + j
-  std::unordered_map<std::uint64_t, Neighbors> neighbors_;  // of entities that were ever near, by number_of(a, b, 0, 0)
-  std::vector<geometry::BoundingSphere> reach_;             // of each entity; working memory
+  std::vector<std::vector<std::size_t>> kinds_of_shapes_;  // by moving entity and shape
+  std::vector<ContactParameters> parameters_;              // of kinds i and j at i * kinds + j
+  std::vector<std::pair<int, int>> pairs_;                 // of the last find(): within_reach()
+  std::vector<Neighbors> neighbors_;                       // of these
+  std::vector<Neighbors> limbs_;                           // of each entity with itself
+  std::vector<Neighbors> old_;                             // working memory
+  std::vector<geometry::BoundingSphere> reach_;            // of each entity; working memory
   geometry::SweepAndPrune sweep_;
 };
 
