@@ -42,7 +42,6 @@ Transformd QueryScene::Member::pose(const CollidingShape& shape) const {
 QueryScene::QueryScene(const World& world, const std::string& volume) {
   members_.reserve(world.entities().size());
   for (const auto& entity : world.entities()) members_.emplace_back(*entity, volume);
-  refresh();
 }
 
 void QueryScene::refresh() noexcept {
