@@ -118,6 +118,7 @@ TEST(ContactParametersTest, WhereTheStiffnessComesFrom) {
   EXPECT_EQ(contact_parameters(robot, {}, 0, 1e-3).stiffness, contact_parameters(robot, {}, 9.81, 1e-3).stiffness);
   const ContactParameters p = contact_parameters(robot, {.stiffness = 5000}, 9.81, 1e-3);
   EXPECT_EQ(p.stiffness, 5000);
+  EXPECT_EQ(contact_parameters(robot, {.stiffness = 0.5}, 9.81, 1e-3).stiffness, 0.5) << "however soft";
   EXPECT_NEAR(p.damping, std::sqrt(5000 * 3 / 4.0), 1e-11);
 }
 

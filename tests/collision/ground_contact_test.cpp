@@ -172,6 +172,11 @@ TEST(GroundContact, LoadsOfTheStepBeforeAreTakenAway) {
   EXPECT_GT(standing.damping()[right].M.zz, 0);
   EXPECT_EQ(standing.damping()[0].J.xx, 0);
   EXPECT_TRUE(standing.set().rest_damping.empty());
+  standing.damping()[left].J = standing.damping()[0].J = diagonal(3.0);
+  standing.set().rest_damping.push_back({left, standing.damping()[left]});
+  standing.step();
+  EXPECT_EQ(standing.damping()[left].J.xx, 0);
+  EXPECT_EQ(standing.damping()[0].J.xx, 3) << "of which nobody says that it was added";
 }
 
 // Rule: a point keeps its memory while its feature touches, and what comes back begins anew.

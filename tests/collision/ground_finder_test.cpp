@@ -130,6 +130,28 @@ TEST(GroundFinder, PlanesAreToldApart) {
   EXPECT_NEAR(points[1].depth, 0.002, 1e-12);
 }
 
+// Three planes and two boxes: contacts come plane by plane, and within one shape by shape, each with a number of its own.
+TEST(GroundFinder, EveryShapeHasItsNumbersOnEveryPlane) {
+  const Entity corner("corner",
+                      std::make_shared<const Model>(
+                          "corner", Chain{}.base().with(properties::shapes,
+                                                        Shapes{placed(Plane{}), placed(Plane{}, {}, rotation_y(pi / 2)),
+                                                               placed(Plane{}, {}, rotation_x(-pi / 2))})));
+  const Box box{{0.05, 0.04, 0.03}};
+  const Entity boxes("boxes", std::make_shared<const Model>(
+                                  "boxes", Chain{}.base("boxes").with(properties::shapes,
+                                                                      Shapes{placed(box), placed(box, {0, 0.1, 0})})));
+  GroundFinder finder(boxes, &corner);
+  const auto points = find(finder, {0.049, 0.038, 0.027}).points;
+  ASSERT_EQ(points.size(), 4U + 4U + 4U + 4U + 4U) << "one of the boxes is not at the plane y = 0";
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    EXPECT_LT(points[i - 1].feature, points[i].feature) << i;
+    EXPECT_LE(points[i - 1].surface, points[i].surface) << i;
+  }
+  EXPECT_EQ(points.back().surface, 4U);
+  EXPECT_LT(difference(points.back().normal, {0, 1, 0}), 1e-12);
+}
+
 // Memory for the points is taken once: as many as there are when everything is under all planes. A box has eight.
 TEST(GroundFinder, KnowsHowManyPointsThereMayBe) {
   const Entity box = body(Box{{0.05, 0.04, 0.03}});

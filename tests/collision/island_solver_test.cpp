@@ -50,6 +50,25 @@ struct Telescope final : ImpulseResponse {
   std::array<double, 2> v{0.3, -0.6};  // [m/s] after the step
 };
 
+/// Moves more easily one way than the other, neither of them an axis of the world.
+struct Sledge final : ImpulseResponse {
+  bool free_pass(double) noexcept override { return true; }
+  [[nodiscard]] std::size_t coordinates() const noexcept override { return 3; }
+  [[nodiscard]] Vec3d free_velocity(int, const Vec3d&, const Vec3d&) const noexcept override { return velocity; }
+  void respond(int, const Vec3d&, const Mat3d& directions, ResponseRows& y) const noexcept override {
+    const auto& [a, b, c] = directions;
+    for (int k = 0; k < 3; ++k) y.add(k, Vec3d{dot(a, ways[k]), dot(b, ways[k]), dot(c, ways[k])});
+  }
+  void apply(std::span<const double> z) noexcept override {
+    for (std::size_t k = 0; k < 3; ++k) velocity += z[k] * ways[k];
+  }
+  const double runner = 0.6;  // [rad] from x
+  const std::array<Vec3d, 3> ways{(1 / std::sqrt(0.5)) * Vec3d{std::cos(runner), std::sin(runner), 0},
+                                  (1 / std::sqrt(6.0)) * Vec3d{-std::sin(runner), std::cos(runner), 0},
+                                  (1 / std::sqrt(2.0)) * Vec3d{0, 0, 1}};  // of 0.5 kg, 6 kg and 2 kg
+  Vec3d velocity{0.003, -0.002, -0.05};                                    // [m/s] after the step
+};
+
 ContactPoint touching(const Vec3d& normal, double depth) {
   ContactPoint point;
   point.normal = normal;
@@ -108,6 +127,23 @@ TEST(IslandSolver, StickingForceIsThatOfItsSpring) {
   EXPECT_LT(difference(point.force - Vec3d{0, 0, point.force.z},
                        -p.tangent_stiffness * stretched - p.tangent_damping * v),
             1e-6);
+}
+
+// Where a push along one tangent also moves along the other, both are solved together: at once, as normal forces are.
+TEST(IslandSolver, SticksWhateverWayTheBodyYields) {
+  Sledge body;
+  ContactPoint point = touching({0, 0, 1}, 2e-3);
+  const ContactParameters p = parameters();
+  IslandSolver solver;
+  solver.start(dt);
+  solver.add(point, p, {solver.add(body), 0, {}}, {});
+  EXPECT_EQ(solver.sweep(50), 2) << "the second one sees that nothing moves";
+  solver.finish();
+  ASSERT_EQ(point.state, ContactState::stick);
+  const Vec3d v{body.velocity.x, body.velocity.y, 0};
+  EXPECT_LT(difference(point.force, Vec3d{0, 0, normal_force(p, 2e-3, body.velocity.z)} -
+                                        (p.tangent_stiffness * dt + p.tangent_damping) * v),
+            1e-9);
 }
 
 // Two unequal masses pushed together obliquely; momentum is kept, and what holds between them is the contact's law.

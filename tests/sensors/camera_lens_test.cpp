@@ -97,6 +97,21 @@ TEST(CameraLens, EveryPictureThroughALensIsWhole) {
   }
 }
 
+// Bands of rows are exposed one after the other, and none of them takes away what others have left; depths are the painter's.
+TEST(CameraLens, RowsAreExposedOneAfterTheOther) {
+  CameraRig rig;
+  Entity& box = rig.add_box("box");
+  SensorSpec spec = camera({{"k1", -0.1}, {"readout_time", 0.09}, {"readout_bands", 10}, {"depth", 1}});
+  const CameraFrame& frame = rig.attach_camera(box, spec);
+  rig.begin();
+  RangeRig::put(box, {0, 0, 1});
+  rig.simulation.run(1ms);
+  for (int v = 0; v < 30; ++v) {
+    EXPECT_NEAR(frame.color(20, v).red, 1000 * 0.09 * (v / 3 + 0.5) / 10, 1.1) << v;
+    EXPECT_NEAR(frame.depth(20, v), 2, 1e-5) << v;
+  }
+}
+
 TEST(CameraLens, ALensThatFoldsOverIsRemarkedWithItsAngle) {
   CameraRig rig;
   Entity& box = rig.add_box("box");

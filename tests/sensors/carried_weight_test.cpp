@@ -85,6 +85,23 @@ TEST(CarriedWeight, IsNothingWhereNoFootStands) {
   EXPECT_EQ(block.on_foot(2)[0], 0) << "it has two, 0 and 1";
 }
 
+// Rule: a user's push is felt by no body of the link: here one on its second body, which the ground pushes with 5 N besides.
+TEST(ContactLoad, LeavesOutThePushOnEveryBody) {
+  Simulation simulation;
+  Chain chain = Chain{}.base("heel").with(properties::mass, 1.0).with(properties::inertia, diagonal(0.01));
+  chain.translation({0.4, 0, 0}, "toe").with(properties::mass, 2.0).with(properties::inertia, diagonal(0.01));
+  Entity& shoe = simulation.world().add("shoe", std::make_shared<const Model>("shoe", chain));
+  auto& sensor = simulation.attach<ForceTorque>("sensor", shoe, 1000, SensorSpec{.name = "f"}, SensorSurroundings{});
+  simulation.attach<test::Puppet>("puppet", shoe, 1000, test::at_rest);
+  simulation.initialize();
+  shoe.base().set(properties::dynamic, 1);
+  shoe.object("toe").set(properties::applied_force, {{0, 3, 0}, {7, -2, 1}});
+  shoe.object("toe").set(properties::external_force, {{0, 3, 0}, {7, -2, 6}});
+  simulation.step();
+  const auto force = sensor.reading().output("force");
+  EXPECT_LT(difference(Vec3d{force[0], force[1], force[2]}, {0, 0, 5}), 1e-12);
+}
+
 // Rule: 0.1 N unless somebody says otherwise, and more than that: exactly as much is nothing yet.
 TEST(ContactThreshold, IsATenthOfANewton) {
   Block<ContactSwitch> block({.name = "s"});
