@@ -28,7 +28,7 @@ void BodyIslandLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& se
 }
 
 void BodyIslandLaw::solve(int island, std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept {
-  const std::span<const int> members = islands_.members(island), contacts = islands_.contacts(island);
+  const std::span<const int> members = islands_.members(island), touching = islands_.contacts(island);
   solver_.start(dt);
   bool stands = false;
   for (const int i : members) {
@@ -44,14 +44,14 @@ void BodyIslandLaw::solve(int island, std::vector<MovingEntity>& moving_entities
     }
   }
   const auto is_row = [&](const PairContact& c) { return member_[c.a] != insane && member_[c.b] != insane; };
-  for (const int i : contacts) {
+  for (const int i : touching) {
     PairContact& c = set.points[i];
     if (!is_row(c)) continue;
     solver_.add(c, set.parameters[c.surface], side(c.a, c.object, c.velocity_a), side(c.b, c.object_b, c.velocity_b));
   }
   solver_.sweep(sweeps_);
   solver_.finish();
-  for (const int i : contacts) {
+  for (const int i : touching) {
     const PairContact& c = set.points[i];
     if (!is_row(c)) continue;
     moving_entities[c.a].push(c.object, c.point, c.force, dt);
