@@ -85,7 +85,7 @@ class Camera final : public Sensor {
   std::optional<imaging::Exposure> exposure_;
   std::vector<Picture> on_the_way_;
   std::shared_ptr<const std::string> fold_remark_;  // empty: the lens is fine
-  imaging::ColorImage colors_behind_;  // a mosaic's; memory that pictures take turns in
+  imaging::ColorImage colors_behind_;               // a mosaic's; memory that pictures take turns in
 };
 
 }  // namespace murosimf::sensors
