@@ -1,10 +1,12 @@
 // A hundred worlds in one process, each put back to its start with another seed instead of being built anew: what learning needs.
 //
 //     example_many_worlds
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <murosimf/model/properties.h>
-#include <murosimf/motion/motion_properties.h>
+#include <murosimf/runtime/thread_pool.h>
 #include <murosimf/scene/assets.h>
 #include <murosimf/scene/scene.h>
 
@@ -19,14 +21,17 @@ int main() {
   std::vector<std::unique_ptr<scene::Scene>> worlds;
   for (int i = 0; i < 100; ++i) worlds.push_back(std::make_unique<scene::Scene>(first.spec(), options));
 
+  ThreadPool pool(2);  // each world has one thread at a time
+  std::vector<double> turned(worlds.size());
   for (std::uint64_t episode = 0; episode < 2; ++episode) {
-    double furthest = 0;
-    for (std::uint64_t i = 0; i < worlds.size(); ++i) {
+    pool.for_each(worlds.size(), [&](std::size_t i) {
       worlds[i]->reset(episode * worlds.size() + i + 1);
-      Simulation& simulation = worlds[i]->simulation();
-      simulation.run(200ms);
-      furthest = std::max(furthest, norm(simulation.world().entity("walker").base().get(properties::position)));
-    }
-    std::printf("episode %d: one of %zu robots came %.2f m far\n", static_cast<int>(episode), worlds.size(), furthest);
+      worlds[i]->simulation().run(200ms);
+      const Mat3d axes = worlds[i]->simulation().world().entity("walker").base().get(properties::orientation);
+      turned[i] = std::atan2(axes.x.y, axes.x.x);
+    });
+    const auto [least, most] = std::minmax_element(turned.begin(), turned.end());
+    std::printf("episode %d: headings of %zu robots from %.2f to %.2f rad\n", static_cast<int>(episode), worlds.size(),
+                *least, *most);
   }
 }

@@ -80,8 +80,8 @@ TEST(CarriedWeight, IsSeenInTheSensorsAxes) {
 
 TEST(CarriedWeight, IsNothingWhereNoFootStands) {
   Block<ContactForce> block({.name = "f"});
+  EXPECT_EQ(block.on_foot(std::nan(""))[0], 0) << "as from the start: a state that becomes NaN ends debug builds";
   EXPECT_NEAR(block.on_foot(1)[0], 3 * 9.81, 1e-12);
-  EXPECT_EQ(block.on_foot(std::nan(""))[0], 0);
   EXPECT_EQ(block.on_foot(2)[0], 0) << "it has two, 0 and 1";
 }
 
