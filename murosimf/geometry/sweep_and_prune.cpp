@@ -45,6 +45,11 @@ bool is_bounded(const BoundingSphere& sphere) {
 const std::vector<SweepAndPrune::Pair>& SweepAndPrune::find(std::span<const BoundingSphere> spheres) {
   found_.clear();
   tests_ = 0;
+  if (spheres.size() < 2) {  // one robot alone: nothing to sort
+    count_ = 0;
+    pairs_.clear();
+    return pairs_;
+  }
   sort_intervals(spheres);
   sweep(spheres);
   test_unbounded(spheres);
