@@ -101,7 +101,8 @@ std::string keys_text() {
 }
 
 std::string_view phase_name(Phase phase) {
-  constexpr std::array<std::string_view, 5> names{"sense", "control", "contact", "motion", "observe"};
+  constexpr std::array<std::string_view, 7> names{"survey",      "sense",  "control", "contact",
+                                                  "interaction", "motion", "observe"};
   return names[static_cast<std::size_t>(phase)];
 }
 

@@ -35,6 +35,7 @@ struct Situation {
 Situation assess(const std::vector<Sighting>& sightings, const BallChaserOptions& options) {
   Situation s;
   for (const Sighting& sighting : sightings) {
+    if (!sighting.present) continue;
     if (sighting.self) s.self = &sighting;
     if (sighting.name == options.ball) s.ball = &sighting;
   }
@@ -42,7 +43,7 @@ Situation assess(const std::vector<Sighting>& sightings, const BallChaserOptions
   s.to_goal = unit(flat(options.goal - s.ball->position));
   const double own = norm(flat(s.ball->position - s.self->position));
   for (const Sighting& other : sightings) {
-    if (&other == s.self || &other == s.ball || other.team.empty()) continue;
+    if (!other.present || &other == s.self || &other == s.ball || other.team.empty()) continue;
     const double theirs = norm(flat(s.ball->position - other.position));
     if (other.team == s.self->team && (theirs < own || (theirs == own && other.name < s.self->name))) ++s.rank;
     const Vec3d away = flat(s.self->position - other.position);

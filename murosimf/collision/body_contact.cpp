@@ -1,6 +1,7 @@
 #include "murosimf/collision/body_contact.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "murosimf/collision/kinematic_separation.h"
@@ -15,34 +16,83 @@ std::vector<MovingEntity> make_moving_entities(Setup& setup, const std::vector<E
   return moving_entities;
 }
 
+/// The constants are those of all pairs of so many.
+std::size_t kinds_in(const std::vector<ContactParameters>& parameters) {
+  return static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(parameters.size()))));
+}
+
 }  // namespace
 
-BodyContact::BodyContact(Setup& setup, const std::vector<Entity*>& moving_entities, const MaterialTable& materials,
-                         std::unique_ptr<BodyContactLaw> law)
+BodyContact::BodyContact(Setup& setup, const Entity* environment, const std::vector<Entity*>& moving_entities,
+                         const MaterialTable& materials, std::unique_ptr<BodyContactLaw> law)
     : law_(std::move(law)),
       moving_entities_(make_moving_entities(setup, moving_entities)),
-      finder_(moving_entities_, materials, norm(setup.world().gravity), seconds(setup.period())),
+      finder_(materials, norm(setup.world().gravity), seconds(setup.period())),
       period_(seconds(setup.period())),
       set_(setup.write(pair_contacts)[0]),
-      environment_(&setup.entity()) {}
+      environment_(environment) {
+  for (const MovingEntity& moving_entity : moving_entities_) finder_.add(moving_entity);
+}
 
 void BodyContact::initialize() {
   set_ = PairSet{};
-  set_.parameters = finder_.parameters();
   for (const MovingEntity& moving_entity : moving_entities_) set_.entities.push_back(moving_entity.number);
+  set_.parameters = finder_.parameters();
+  for (MovingEntity& moving_entity : moving_entities_) start(moving_entity);
+}
+
+void BodyContact::start(MovingEntity& moving_entity) {
+  std::fill(moving_entity.interaction_force.begin(), moving_entity.interaction_force.end(), Wrenchd{});
+  std::fill(moving_entity.external_force.begin(), moving_entity.external_force.end(), Wrenchd{});
+  std::fill(moving_entity.external_damping.begin(), moving_entity.external_damping.end(), Sym6d{});
+  moving_entity.ledger[0] = Wrenchd{};
+  moving_entity.separation[0] = {};
+  moving_entity.seam.terms.dt = period_;
+  moving_entity.seam.damped_by_others = law_->damps();
+}
+
+void BodyContact::entity_added(Setup& setup) {
+  moving_entities_.emplace_back(setup);
+  finder_.add(moving_entities_.back());
+  set_.entities.push_back(moving_entities_.back().number);
+  renumber_surfaces();
+}
+
+void BodyContact::entity_taken_back(const Entity& entity) noexcept {
+  if (moving_entities_.empty() || moving_entities_.back().entity != &entity) return;
+  moving_entities_.pop_back();
+  finder_.take_back();
+  set_.entities.pop_back();
+  renumber_surfaces();
+}
+
+/// Of points that were found with other kinds of surfaces.
+void BodyContact::renumber_surfaces() {
+  const std::size_t before = kinds_in(set_.parameters);
+  set_.parameters = finder_.parameters();
+  const std::size_t now = kinds_in(set_.parameters);
+  for (auto* points : {&set_.points, &set_.blocked}) {
+    for (PairContact& c : *points)
+      c.surface = static_cast<std::uint32_t>(c.surface / before * now + c.surface % before);
+  }
+}
+
+void BodyContact::entity_entered(const Entity& entity) {
   for (MovingEntity& moving_entity : moving_entities_) {
-    std::fill(moving_entity.interaction_force.begin(), moving_entity.interaction_force.end(), Wrenchd{});
-    std::fill(moving_entity.external_force.begin(), moving_entity.external_force.end(), Wrenchd{});
-    std::fill(moving_entity.external_damping.begin(), moving_entity.external_damping.end(), Sym6d{});
-    moving_entity.ledger[0] = Wrenchd{};
-    moving_entity.separation[0] = {};
-    moving_entity.seam.terms.dt = period_;
-    moving_entity.seam.damped_by_others = law_->damps();
+    if (moving_entity.entity == &entity) start(moving_entity);
   }
 }
 
 void BodyContact::state(StateArchive& archive) {
-  for (MovingEntity& moving_entity : moving_entities_) archive(moving_entity);
+  std::size_t known = moving_entities_.size();
+  archive(known);
+  for (std::size_t i = 0; i < moving_entities_.size(); ++i) {
+    if (i < known) {
+      archive(moving_entities_[i]);
+    } else {
+      moving_entities_[i].forget_pushes();  // was added since
+    }
+  }
 }
 
 void BodyContact::step(const Instant& instant) noexcept {

@@ -21,17 +21,24 @@ namespace murosimf::collision {
 
 class BodyContact final : public Algorithm {
  public:
-  /// `setup` is that of an entity that never moves (the field). Ground contact of the moving entities must be attached before,
-  /// their motion after it, all at the same rate.
-  BodyContact(Setup& setup, const std::vector<Entity*>& moving_entities, const MaterialTable& materials,
-              std::unique_ptr<BodyContactLaw> law);
+  /// Of the world. `environment`: what stands still (the field), null if nothing does. Ground contact and motion of the moving
+  /// entities must have the same rate.
+  BodyContact(Setup& setup, const Entity* environment, const std::vector<Entity*>& moving_entities,
+              const MaterialTable& materials, std::unique_ptr<BodyContactLaw> law);
 
-  [[nodiscard]] Phase phase() const noexcept override { return Phase::contact; }
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::interaction; }
   void initialize() override;
+  /// Takes it for one that moves.
+  void entity_added(Setup& setup) override;
+  void entity_taken_back(const Entity& entity) noexcept override;
+  void entity_entered(const Entity& entity) override;
   void step(const Instant& instant) noexcept override;
   void state(StateArchive& archive) override;
 
  private:
+  void start(MovingEntity& moving_entity);
+  void renumber_surfaces();
+
   std::unique_ptr<BodyContactLaw> law_;
   std::vector<MovingEntity> moving_entities_;
   PairFinder finder_;

@@ -17,7 +17,7 @@ struct PairContact : ContactPoint {
   Vec3d velocity_a, velocity_b;  ///< [m/s] of the point on either body, world frame
 };
 
-/// All contacts between moving entities. One value, in a column of the field.
+/// All contacts between moving entities. One value, in a column of the world (World::common).
 struct PairSet {
   std::vector<int> entities;                  ///< by PairContact::a and b: number in the world (World::index_of)
   std::vector<PairContact> points;            ///< sorted by shapes, then by feature

@@ -15,13 +15,14 @@ BoundingSphere with_slack(const BoundingSphere& sphere) {
 
 }  // namespace
 
-void EntityTree::build(std::span<const BoundingSphere> reach, const std::vector<bool>& always) {
+void EntityTree::build(std::span<const BoundingSphere> reach, std::span<const FoundBy> found_by) {
   std::vector<BoundingSphere> spheres;
   std::vector<Vec3d> centers;
   entities_.clear();
   always_.clear();
   for (int i = 0; i < static_cast<int>(reach.size()); ++i) {
-    if (always[i] || !geometry::is_bounded(reach[i])) {
+    if (found_by[i] == FoundBy::none) continue;
+    if (found_by[i] == FoundBy::all || !geometry::is_bounded(reach[i])) {
       always_.push_back(i);
       continue;
     }

@@ -11,11 +11,17 @@
 
 namespace murosimf::collision {
 
+/// Which questions find an entity.
+enum class FoundBy {
+  those_near,  ///< all, if its sphere of reach is infinite or not a number
+  all,
+  none,
+};
+
 class EntityTree {
  public:
-  /// `reach`: around each entity, world frame. `always`: by entity, true if it is to be found by every question; so is
-  /// one whose sphere is infinite or not a number.
-  void build(std::span<const geometry::BoundingSphere> reach, const std::vector<bool>& always);
+  /// `reach`: around each entity, world frame. As many of either.
+  void build(std::span<const geometry::BoundingSphere> reach, std::span<const FoundBy> found_by);
 
   /// Entities, rising: at least those of which wanted(sphere of reach) holds, as it must then of every sphere that
   /// holds this one.

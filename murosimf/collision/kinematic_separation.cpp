@@ -68,7 +68,7 @@ void leave(MovingEntity& moving_entity, const StaticCompound& environment, TestC
 void kinematic_separation(std::vector<MovingEntity>& moving_entities, const StaticCompound& environment,
                           std::span<const std::pair<int, int>> within_reach, PairSet& set) noexcept {
   const auto stands_fast = [&](int i) {
-    return !moving_entities[i].can_be_pushed() && !moving_entities[i].entity->frozen();
+    return !moving_entities[i].can_be_pushed() && !moving_entities[i].entity->idle();
   };
   for (MovingEntity& moving_entity : moving_entities) moving_entity.separation[0] = {};
   auto contact = set.blocked.begin();  // they come in the order of these loops

@@ -34,6 +34,7 @@ struct MovingEntity {
 
   /// What was pushed in the last step; all else is worked out anew.
   void state(StateArchive& archive) { archive(pushed_); }
+  void forget_pushes() { pushed_.clear(); }
 
   /// Takes away what `push` has left of the step before; poses are new.
   void start_step() noexcept;

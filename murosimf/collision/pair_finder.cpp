@@ -43,20 +43,35 @@ void remember(PairSet& set) {
 
 }  // namespace
 
-PairFinder::PairFinder(const std::vector<MovingEntity>& moving_entities, const MaterialTable& materials, double gravity,
-                       double dt)
-    : limbs_(moving_entities.size()) {
-  for (const MovingEntity& moving_entity : moving_entities) {
-    auto& kinds = kinds_of_shapes_.emplace_back();
-    for (const CollidingShape& shape : moving_entity.compound.shapes())
-      kinds.push_back(kind_of(moving_entity.model(), shape.placed.surface));
+PairFinder::PairFinder(const MaterialTable& materials, double gravity, double dt)
+    : materials_(materials), gravity_(gravity), dt_(dt) {}
+
+void PairFinder::add(const MovingEntity& moving_entity) {
+  limbs_.emplace_back();
+  auto& kinds = kinds_of_shapes_.emplace_back();
+  for (const CollidingShape& shape : moving_entity.compound.shapes())
+    kinds.push_back(kind_of(moving_entity.model(), shape.placed.surface));
+}
+
+void PairFinder::take_back() noexcept {
+  limbs_.pop_back();
+  kinds_of_shapes_.pop_back();
+  std::size_t used = 0;
+  for (const auto& kinds : kinds_of_shapes_) {
+    for (const std::size_t kind : kinds) used = std::max(used, kind + 1);
   }
+  kinds_.erase(kinds_.begin() + static_cast<std::ptrdiff_t>(used), kinds_.end());
+}
+
+std::vector<ContactParameters> PairFinder::parameters() const {
+  std::vector<ContactParameters> parameters;
   for (const Kind& a : kinds_) {
     for (const Kind& b : kinds_) {
-      parameters_.push_back(contact_parameters(lighter(*a.model, *b.model), materials.find(a.surface, b.surface),
-                                               gravity, dt, Partner::body));
+      parameters.push_back(contact_parameters(lighter(*a.model, *b.model), materials_.find(a.surface, b.surface),
+                                              gravity_, dt_, Partner::body));
     }
   }
+  return parameters;
 }
 
 std::size_t PairFinder::kind_of(const Model& model, const Surface& surface) {
@@ -80,11 +95,11 @@ void PairFinder::find(std::vector<MovingEntity>& moving_entities, PairSet& set) 
   renew_neighbors();
   std::size_t pair = 0;
   for (int a = 0; a < static_cast<int>(moving_entities.size()); ++a) {
-    const bool out = moving_entities[a].entity->frozen();
+    const bool out = moving_entities[a].entity->idle();
     if (!out && moving_entities[a].limbs_can_touch()) find_between(moving_entities, a, a, limbs_[a], set);
     for (; pair < pairs_.size() && pairs_[pair].first == a; ++pair) {
       const int b = pairs_[pair].second;
-      if (!out && !moving_entities[b].entity->frozen()) find_between(moving_entities, a, b, neighbors_[pair], set);
+      if (!out && !moving_entities[b].entity->idle()) find_between(moving_entities, a, b, neighbors_[pair], set);
     }
   }
   remember(set);

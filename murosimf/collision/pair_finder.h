@@ -21,11 +21,15 @@ namespace murosimf::collision {
 class PairFinder {
  public:
   /// gravity [m/s^2] magnitude, dt [s] of the step.
-  PairFinder(const std::vector<MovingEntity>& moving_entities, const MaterialTable& materials, double gravity,
-             double dt);
+  PairFinder(const MaterialTable& materials, double gravity, double dt);
 
-  /// Constants of all pairs of surfaces that can meet.
-  [[nodiscard]] const std::vector<ContactParameters>& parameters() const { return parameters_; }
+  /// Of those that find() will be called with, in their order.
+  void add(const MovingEntity& moving_entity);
+  /// The last of them.
+  void take_back() noexcept;
+
+  /// Constants of all pairs of surfaces that can meet; of kinds i and j at i * kinds + j.
+  [[nodiscard]] std::vector<ContactParameters> parameters() const;
   /// Renews set.points and set.blocked; points of the step before go to set.previous.
   void find(std::vector<MovingEntity>& moving_entities, PairSet& set) noexcept;
   /// Entities whose spheres of reach met in the last find(), sorted; a < b.
@@ -50,9 +54,10 @@ class PairFinder {
   void add_contacts(const std::vector<MovingEntity>& moving_entities, const PairContact& pair,
                     geometry::Manifold& manifold, PairSet& set) const noexcept;
 
+  MaterialTable materials_;
+  double gravity_, dt_;
   std::vector<Kind> kinds_;
   std::vector<std::vector<std::size_t>> kinds_of_shapes_;  // by moving entity and shape
-  std::vector<ContactParameters> parameters_;              // of kinds i and j at i * kinds + j
   std::vector<std::pair<int, int>> pairs_;                 // of the last find(): within_reach()
   std::vector<Neighbors> neighbors_;                       // of these
   std::vector<Neighbors> limbs_;                           // of each entity with itself

@@ -37,13 +37,29 @@ const Compound& QueryScene::Member::fresh() {
   return compound;
 }
 
+FoundBy QueryScene::Member::found_by() const {
+  if (!entity->present()) return FoundBy::none;
+  return planes.empty() ? FoundBy::those_near : FoundBy::all;
+}
+
 Transformd QueryScene::Member::pose(const CollidingShape& shape) const {
   return Transformd{r[shape.object], R[shape.object]} * shape.placed.place();
 }
 
-QueryScene::QueryScene(const World& world, const std::string& volume) {
+QueryScene::QueryScene(const World& world, const std::string& volume) : volume_(volume) {
   members_.reserve(world.entities().size());
   for (const auto& entity : world.entities()) members_.push_back(std::make_unique<Member>(*entity, volume));
+}
+
+void QueryScene::add(const Entity& entity) {
+  const auto known = [&](const auto& member) { return member->entity == &entity; };
+  if (std::ranges::none_of(members_, known)) members_.push_back(std::make_unique<Member>(entity, volume_));
+  refresh();
+}
+
+void QueryScene::take_back(const Entity& entity) noexcept {
+  if (!members_.empty() && members_.back()->entity == &entity) members_.pop_back();
+  refresh();
 }
 
 /// The first who asks after a refresh looks where everybody is.
@@ -52,13 +68,13 @@ void QueryScene::update() noexcept {
   const std::scoped_lock lock(updating_);
   if (!stale_.load(std::memory_order_relaxed)) return;
   std::vector<geometry::BoundingSphere> reach;
-  std::vector<bool> always;
+  std::vector<FoundBy> found_by;
   for (const auto& member : members_) {
     member->refresh();
     reach.push_back(member->reach());
-    always.push_back(!member->planes.empty());
+    found_by.push_back(member->found_by());
   }
-  near_.build(reach, always);
+  near_.build(reach, found_by);
   stale_.store(false, std::memory_order_release);
 }
 
@@ -176,6 +192,7 @@ struct QueryScene::NearestSearch {
 std::optional<Separation> QueryScene::distance(const BodyRef& a, const BodyRef& b) {
   update();
   Member &first = member(a.entity), &second = member(b.entity);
+  if (!a.entity->present() || !b.entity->present()) return {};
   NearestSearch search{a, b, first, second, std::numeric_limits<double>::infinity(), {}};
   search.see_planes();
   const auto through = [&](const auto& tree_a, const auto& tree_b) {

@@ -54,12 +54,17 @@ struct Separation : geometry::Gap {
   BodyRef a, b;  ///< which bodies these are; of several that are equally near, any
 };
 
-/// All shapes of a world's entities that collide, planes too. Entities whose level keeps poses are where their columns
+/// All shapes of a world's entities that collide, planes too; of those that are there (Entity::present). Entities whose level keeps poses are where their columns
 /// say, others where their model puts them. Answers do not depend on `volume`, only their cost does.
 class QueryScene {
  public:
   /// Of the entities that the world has now; it must outlive the scene. Throws SetupError if there is no such volume.
   explicit QueryScene(const World& world, const std::string& volume = "sphere");
+
+  /// One that the world got later; nothing, if it is there already. Nobody asks meanwhile. Throws SetupError as the constructor.
+  void add(const Entity& entity);
+  /// Forgets one again that is the last of all; nothing, if it is not.
+  void take_back(const Entity& entity) noexcept;
 
   /// To be called after something has moved, while nobody asks; the work is done when a question comes near an entity.
   void refresh() noexcept { stale_.store(true, std::memory_order_release); }
@@ -79,7 +84,7 @@ class QueryScene {
   [[nodiscard]] std::vector<RayHit> cast_all(const geometry::Ray& ray, const RayLimits& limits = {});
   /// The bodies that overlap a shape; in the order of entities and objects, each once.
   [[nodiscard]] std::vector<BodyRef> overlapping(const Shape& shape, const Transformd& at);
-  /// Nothing if one of the two has no shapes that collide. Throws SetupError if an entity is not in the scene.
+  /// Nothing if one of the two has no shapes that collide, or is not there. Throws SetupError if an entity is not in the scene.
   [[nodiscard]] std::optional<Separation> distance(const BodyRef& a, const BodyRef& b);
 
  private:
@@ -90,6 +95,7 @@ class QueryScene {
     /// The compound, refitted by the first who asks.
     const Compound& fresh();
     [[nodiscard]] geometry::BoundingSphere reach() const { return {r[0], compound.reach()}; }
+    [[nodiscard]] FoundBy found_by() const;
     [[nodiscard]] Transformd pose(const CollidingShape& shape) const;
 
     const Entity* entity;
@@ -113,6 +119,7 @@ class QueryScene {
   struct NearestSearch;
   struct FanCast;
 
+  std::string volume_;
   std::vector<std::unique_ptr<Member>> members_;
   EntityTree near_;  // members by their places
   std::atomic<bool> stale_ = true;

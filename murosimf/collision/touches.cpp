@@ -42,11 +42,9 @@ void add_pairs(const World& world, const PairSet& set, const Entity& entity, std
 
 std::vector<Touch> touches(const World& world, const Entity& entity) {
   std::vector<Touch> found;
-  if (entity.frozen()) return found;
+  if (entity.idle()) return found;
   add_static(world, entity, found);
-  for (const auto& holder : world.entities()) {
-    if (const auto* column = holder->find(pair_contacts)) add_pairs(world, column->values[0], entity, found);
-  }
+  if (const auto* pairs = world.common().find(pair_contacts)) add_pairs(world, pairs->values[0], entity, found);
   return found;
 }
 

@@ -67,7 +67,7 @@ void RunLog::add_property(const LoggedNumber& number) {
 void RunLog::note_properties() {
   for (PropertyLog& one : properties_) {
     const ColumnBase* column = one.entity->find(one.property);
-    if (!column) continue;  // its level was exchanged
+    if (!column || !one.entity->present()) continue;  // its level was exchanged, or it has left
     const Quantity quantity = ObjectAccess(*one.entity, one.object).get(one.property);
     one.series.times.push_back(simulation_.now());
     for (const std::size_t number : one.numbers) one.series.values.push_back(quantity.numbers[number]);

@@ -1,5 +1,7 @@
 #include "murosimf/logging/sensor_log.h"
 
+#include <algorithm>
+
 namespace murosimf::logging {
 
 SensorLog::SensorLog(Setup& setup, const std::vector<LoggedSensor>& logged) {
@@ -11,13 +13,21 @@ SensorLog::SensorLog(Setup& setup, const std::vector<LoggedSensor>& logged) {
 
 void SensorLog::initialize() {
   for (Source& source : sources_) source.samples = 0;
+  begins_ = true;
+}
+
+/// What stands there of a run before this one, or before its robot came back.
+void SensorLog::forget_from(Duration time) {
   for (LogSeries& series : series_) {
-    series.times.clear();
-    series.values.clear();
+    const auto later = std::lower_bound(series.times.begin(), series.times.end(), time);
+    series.times.erase(later, series.times.end());
+    series.values.resize(series.times.size() * series.names.size());
   }
 }
 
-void SensorLog::step(const Instant&) noexcept {
+void SensorLog::step(const Instant& instant) noexcept {
+  if (begins_) forget_from(instant.now);
+  begins_ = false;
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     Source& source = sources_[i];
     if (source.reading.samples == source.samples) continue;

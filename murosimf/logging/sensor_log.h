@@ -42,6 +42,9 @@ class SensorLog final : public Algorithm {
     std::uint64_t samples = 0;  // that are noted
   };
 
+  void forget_from(Duration time);
+
+  bool begins_ = true;
   std::vector<Source> sources_;
   std::deque<LogSeries> series_;  // by source
 };

@@ -24,6 +24,14 @@ void AccessSet::claim(const Entity& entity) {
   if (!claims(&entity)) claimed_.push_back(&entity);
 }
 
+void AccessSet::forget(const Entity& entity) {
+  for (const Access& access : all_) {
+    if (access.entity == &entity) modes_.erase(access.column);
+  }
+  std::erase_if(all_, [&](const Access& access) { return access.entity == &entity; });
+  std::erase(claimed_, &entity);
+}
+
 bool AccessSet::claims(const Entity* entity) const {
   return std::find(claimed_.begin(), claimed_.end(), entity) != claimed_.end();
 }

@@ -27,6 +27,8 @@ class AccessSet {
   void add(const Access& access);
   /// All columns of an entity, also those that nobody has asked for yet: the algorithm has others work on it.
   void claim(const Entity& entity);
+  /// An entity that is destroyed.
+  void forget(const Entity& entity);
   [[nodiscard]] bool claims(const Entity* entity) const;
   [[nodiscard]] const std::vector<const Entity*>& claimed() const { return claimed_; }
   [[nodiscard]] const std::vector<Access>& all() const { return all_; }

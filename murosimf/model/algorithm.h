@@ -10,6 +10,8 @@
 
 namespace murosimf {
 
+class Entity;
+class Setup;
 class StateArchive;
 
 /// The moment at which an algorithm is executed.
@@ -21,11 +23,13 @@ struct Instant {
 /// The parts of a tick, in their order. Algorithms that conflict run by phase, those of one phase in the order in which they
 /// were attached.
 enum class Phase : std::uint8_t {
-  sense,    ///< sensors see what the last tick left
-  control,  ///< controllers read sensors and write targets; pushes
-  contact,  ///< what touches what, and the forces of it
-  motion,   ///< levels of detail move their entities
-  observe,  ///< recorders read what has come of it
+  survey,       ///< what all sensors share is worked out
+  sense,        ///< sensors see what the last tick left
+  control,      ///< controllers read sensors and write targets; pushes
+  contact,      ///< where each entity touches the ground, and the forces of it
+  interaction,  ///< where entities touch each other
+  motion,       ///< levels of detail move their entities
+  observe,      ///< recorders read what has come of it
 };
 
 class Algorithm {
@@ -37,6 +41,15 @@ class Algorithm {
   /// Gives the columns that it writes their first values. Called before the first step, and at every reset when all that it
   /// remembers is as its constructor left it; by phase and in the order of attaching.
   virtual void initialize() {}
+
+  /// An entity has been added while it runs: takes those columns of it that its constructor would have taken. `setup` is that of the
+  /// new entity. Between two steps. Throws SetupError, and is as before then.
+  virtual void entity_added(Setup&) {}
+  /// It is taken back: some other algorithm could not do without something. As before the last entity_added().
+  virtual void entity_taken_back(const Entity&) noexcept {}
+  /// An entity whose columns it writes has come (back) into the world, while it runs: gives these columns their first values.
+  /// Between two steps, in place of initialize(), if the algorithm is attached to another entity.
+  virtual void entity_entered(const Entity&) {}
 
   /// From now on has the random numbers that `seed` would have given to its constructor. Called between two steps, before
   /// initialize() or a state is loaded.

@@ -14,7 +14,8 @@ Entity::Entity(std::string name, ModelPtr model, EntityOptions options)
     : name_(std::move(name)),
       model_(std::move(model)),
       options_(std::move(options)),
-      columns_(name_, static_cast<std::size_t>(model_->size())) {
+      columns_(name_, static_cast<std::size_t>(model_->size())),
+      present_(options_.present) {
   const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
   if (name_.empty() || !std::all_of(name_.begin(), name_.end(), allowed)) {
     throw SetupError(fmt::format("entity name '{}': use letters, digits, '_' and '-'", name_));
@@ -57,7 +58,7 @@ ColumnView Entity::view(std::string_view property) { return ColumnView(numbers_o
 
 ConstColumnView Entity::view(std::string_view property) const { return ConstColumnView(numbers_of(property)); }
 
-void Entity::state(StateArchive& archive) { archive(frozen_reason_, level, contact, controller); }
+void Entity::state(StateArchive& archive) { archive(frozen_reason_, present_, level, contact, controller); }
 
 void Entity::freeze(std::string reason) noexcept {
   if (!frozen_reason_) frozen_reason_ = std::move(reason);

@@ -56,6 +56,14 @@ class Entity {
   [[nodiscard]] bool frozen() const { return frozen_reason_.has_value(); }
   [[nodiscard]] const std::optional<std::string>& frozen_reason() const { return frozen_reason_; }
 
+  /// One that is not there keeps its name, its place among the entities and its columns, but nothing moves, touches, sees or
+  /// shows it.
+  [[nodiscard]] bool present() const { return present_; }
+  /// Told by who knows what else comes with it (Simulation::enter, leave).
+  void set_present(bool present) { present_ = present; }
+  /// Nothing executes its algorithms, and nothing touches it.
+  [[nodiscard]] bool idle() const { return frozen() || !present(); }
+
   /// Saves or loads what is in no column.
   void state(StateArchive& archive);
 
@@ -71,6 +79,7 @@ class Entity {
   EntityOptions options_;
   ColumnStore columns_;
   std::optional<std::string> frozen_reason_;
+  bool present_;
 };
 
 }  // namespace murosimf

@@ -24,6 +24,7 @@ struct EntityOptions {
   std::string team;    ///< empty for none
   Color color;         ///< of the team or of the thing
   CollisionOptions collision;
+  bool present = true;  ///< at the start (Simulation::enter, leave)
 };
 
 }  // namespace murosimf

@@ -29,7 +29,7 @@ void append_rows(Hasher& hasher, const Entity& entity, const ColumnBase& column)
 
 void append_state(Hasher& hasher, const Entity& entity) {
   hasher.add(std::string_view(entity.name()));
-  hasher.add(std::uint64_t{entity.frozen() ? 1u : 0u});
+  hasher.add(std::uint64_t{(entity.frozen() ? 1u : 0u) + (entity.present() ? 0u : 2u)});
   for (const auto& [name, column] : entity.columns()) {
     if (!is_state(column->info().scope)) continue;
     hasher.add(std::string_view(name));

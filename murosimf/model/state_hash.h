@@ -10,7 +10,7 @@ namespace murosimf {
 
 class Entity;
 
-/// The name of the entity, whether it is frozen, and all its state; rows of structural objects are worked out before.
+/// The name of the entity, whether it is there and frozen, and all its state; rows of structural objects are worked out before.
 void append_state(Hasher& hasher, const Entity& entity);
 
 }  // namespace murosimf

@@ -9,6 +9,8 @@
 
 namespace murosimf {
 
+World::World() : common_("world", std::make_shared<const Model>("world", Chain{}.base("world"))) {}
+
 Entity& World::add(std::string name, ModelPtr model, EntityOptions options) {
   if (find(name)) throw SetupError(fmt::format("two entities are called '{}'", name));
   entities_.push_back(std::make_unique<Entity>(std::move(name), std::move(model), std::move(options)));
@@ -36,16 +38,16 @@ int World::index_of(const Entity* entity) const {
 }
 
 void World::freeze_columns() {
-  for (const auto& entity : entities_) entity->columns().freeze();
+  for_all([](Entity& entity) { entity.columns().freeze(); });
 }
 
 void World::thaw_columns() {
-  for (const auto& entity : entities_) entity->columns().thaw();
+  for_all([](Entity& entity) { entity.columns().thaw(); });
 }
 
 std::uint64_t World::state_hash() const {
   Hasher hasher;
-  for (const auto& entity : entities_) append_state(hasher, *entity);
+  for_all([&](const Entity& entity) { append_state(hasher, entity); });
   return hasher.value();
 }
 

@@ -1,4 +1,4 @@
-/// world.h - all entities of a simulation, by name, and what acts on all of them. Data only; time is runtime's.
+/// world.h - all entities of a simulation, by name, and what is common to all of them. Data only; time is runtime's.
 #pragma once
 
 #include <memory>
@@ -11,6 +11,8 @@ namespace murosimf {
 
 class World {
  public:
+  World();
+
   /// Throws SetupError if the name is taken.
   Entity& add(std::string name, ModelPtr model, EntityOptions options = {});
 
@@ -19,6 +21,19 @@ class World {
   /// Place of an entity in entities(), where it stays; -1 for null and for one of another world.
   [[nodiscard]] int index_of(const Entity* entity) const;
   [[nodiscard]] const std::vector<std::unique_ptr<Entity>>& entities() const { return entities_; }
+  /// Removes and destroys the one that was added last, to which nobody may refer any more.
+  void take_back_last() { entities_.pop_back(); }
+
+  /// Has the columns of the whole world, which belong to no entity (contacts between them). It is called "world" and is none of
+  /// entities().
+  [[nodiscard]] Entity& common() { return common_; }
+  [[nodiscard]] const Entity& common() const { return common_; }
+  /// Calls visit(entity) for all entities in their order, then for common().
+  template <class Visit>
+  void for_all(const Visit& visit) const {
+    for (const auto& entity : entities_) visit(*entity);
+    visit(common_);
+  }
 
   void freeze_columns();
   void thaw_columns();
@@ -30,6 +45,7 @@ class World {
 
  private:
   std::vector<std::unique_ptr<Entity>> entities_;
+  mutable Entity common_;
 };
 
 }  // namespace murosimf

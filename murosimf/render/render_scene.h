@@ -68,7 +68,7 @@ class RenderScene {
   /// Of the first entity that has some; null if none has.
   [[nodiscard]] const Markings* markings() const { return markings_; }
 
-  /// Calls visit(piece, pose) for each piece; poses [m] in the world, moved on by `ahead` [s].
+  /// Calls visit(piece, pose) for each piece of who is there; poses [m] in the world, moved on by `ahead` [s].
   template <class Visit>
   void for_drawables(double ahead, const Visit& visit) const;
 
@@ -99,6 +99,7 @@ void RenderScene::for_drawables(double ahead, const Visit& visit) const {
   int owner = -1, object = -1;
   Transformd at;
   for (const Drawable& drawable : drawables_) {
+    if (!owners_[drawable.owner].entity->present()) continue;
     if (drawable.owner != owner || drawable.object != object)
       at = pose_of(owners_[drawable.owner], drawable.object, ahead);
     owner = drawable.owner;

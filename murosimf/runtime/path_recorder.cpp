@@ -6,8 +6,32 @@ namespace murosimf {
 
 PathRecorder::PathRecorder(Setup& setup, const std::vector<Entity*>& entities) {
   for (Entity* entity : entities) {
-    paths_.push_back({entity, {}});
-    positions_.push_back(setup.of(*entity).read(properties::position));
+    Setup other = setup.of(*entity);
+    add(other);
+  }
+}
+
+void PathRecorder::add(Setup& setup) {
+  positions_.push_back(setup.read(properties::position));
+  paths_.push_back({&setup.entity(), {}});
+}
+
+void PathRecorder::entity_added(Setup& setup) {
+  add(setup);
+  paths_.back().points.reserve(most_points);
+}
+
+void PathRecorder::entity_taken_back(const Entity& entity) noexcept {
+  if (paths_.empty() || paths_.back().entity != &entity) return;
+  paths_.pop_back();
+  positions_.pop_back();
+}
+
+/// As many points as the others have.
+void PathRecorder::entity_entered(const Entity& entity) {
+  for (std::size_t i = 0; i < paths_.size(); ++i) {
+    Path& path = paths_[i];
+    if (path.entity == &entity && path.points.empty()) path.points.assign(paths_[0].points.size(), positions_[i][0]);
   }
 }
 
@@ -19,7 +43,15 @@ void PathRecorder::initialize() {
 }
 
 void PathRecorder::state(StateArchive& archive) {
-  for (Path& path : paths_) archive(path.points);
+  std::size_t known = paths_.size();
+  archive(known);
+  for (std::size_t i = 0; i < paths_.size(); ++i) {
+    if (i < known) {
+      archive(paths_[i].points);
+    } else {
+      paths_[i].points.clear();  // was added since
+    }
+  }
   archive(calls_, every_);
 }
 

@@ -15,17 +15,21 @@ namespace murosimf {
 
 class PathRecorder final : public Algorithm {
  public:
-  /// Records every entity in `entities`; `setup` may be any entity's.
+  /// Records every entity in `entities`, and those that are added later.
   PathRecorder(Setup& setup, const std::vector<Entity*>& entities);
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void initialize() override;
+  void entity_added(Setup& setup) override;
+  void entity_taken_back(const Entity& entity) noexcept override;
+  void entity_entered(const Entity& entity) override;
   void step(const Instant& instant) noexcept override;
   void state(StateArchive& archive) override;
 
   struct Path {
     Entity* entity = nullptr;
-    std::vector<Vec3d> points;  ///< [m] of the base, world frame, in equal periods, the start first
+    std::vector<Vec3d>
+        points;  ///< [m] of the base, world frame, in equal periods, the start first; where it will start before
   };
   [[nodiscard]] const std::vector<Path>& paths() const { return paths_; }
 
@@ -33,6 +37,7 @@ class PathRecorder final : public Algorithm {
   static constexpr std::size_t most_points = 4096;
 
  private:
+  void add(Setup& setup);
   void record() noexcept;
   void thin_out() noexcept;
 

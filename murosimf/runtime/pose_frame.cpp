@@ -37,10 +37,12 @@ void take_poses(const World& world, PoseFrame& frame) {
   frame.orientation.clear();
   frame.joint_position.clear();
   frame.frozen.clear();
+  frame.present.clear();
   for (const auto& entity : world.entities()) {
     const std::size_t first = frame.position.size();
     frame.first.push_back(first);
     frame.frozen.push_back(entity->frozen());
+    frame.present.push_back(entity->present());
     append_rows(*entity, properties::position, frame.position);
     append_rows(*entity, properties::orientation, frame.orientation);
     append_rows(*entity, properties::joint_position, frame.joint_position);

@@ -187,7 +187,7 @@ std::unique_ptr<Simulation::Task> Simulation::new_task(std::string name, const E
 std::string Simulation::full_name(const Task& task) { return fmt::format("{} of {}", task.name, task.entity->name()); }
 
 void Simulation::execute(Task& task) noexcept {
-  if (task.frozen) return;
+  if (task.idle) return;
 #ifndef NDEBUG
   const AccessGuard guard(task.access);
 #endif
@@ -201,13 +201,17 @@ void Simulation::execute(Task& task) noexcept {
   task.timed_calls += stands_for;
 }
 
+void Simulation::take_over_idle() {
+  for (const auto& task : tasks_) task->idle = task->entity->idle();
+}
+
 void Simulation::take_over_frozen() {
   const auto& entities = world_->entities();
   const auto frozen = [](const auto& entity) { return entity->frozen(); };
   const auto count = static_cast<std::size_t>(std::count_if(entities.begin(), entities.end(), frozen));
   if (count == frozen_reported_) return;
   frozen_reported_ = count;
-  for (const auto& task : tasks_) task->frozen = task->entity->frozen();
+  take_over_idle();
   for (const auto& entity : entities) {
     const std::string beginning = fmt::format("'{}' was frozen", entity->name());
     const auto said = [&](const std::string& warning) { return warning.starts_with(beginning); };

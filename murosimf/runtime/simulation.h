@@ -91,6 +91,18 @@ class Simulation {
   /// The same for an algorithm that make(setup) constructs.
   Algorithm& attach(std::string name, Entity& entity, double rate_hz, const Maker<Algorithm>& make);
 
+  /// The same for algorithms that belong to no entity: those of the whole world, whose columns are world().common()'s.
+  template <class A, class... Arguments>
+  A& attach(std::string name, double rate_hz, Arguments&&... arguments) {
+    return attach<A>(std::move(name), world_->common(), rate_hz, std::forward<Arguments>(arguments)...);
+  }
+
+  /// Adds an entity with all its algorithms, which furnish(entity) attaches, between two steps or before the first; in a running
+  /// simulation they are then initialized, with `prepare` as for enter(). Throws SetupError, and leaves everything as it was, if one
+  /// of that fails.
+  Entity& add(std::string name, ModelPtr model, const EntityOptions& options,
+              const std::function<void(Entity&)>& furnish, const std::function<void(Entity&)>& prepare = {});
+
   /// Takes an algorithm out and destroys it, between two steps; columns that nobody uses any more are removed (views keep theirs,
   /// column_view.h). Throws SetupError, and changes nothing, if it is a level, or if somebody reads what nobody else writes.
   void detach(const Algorithm& algorithm);
@@ -106,6 +118,14 @@ class Simulation {
   }
   MotionLevel& exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make,
                         LevelStart start = LevelStart::in_motion);
+
+  /// Between two steps: takes an entity out of the world. Its columns, algorithms and place among the entities stay, but nothing
+  /// executes these, touches, sees or shows it, until enter(). Initializes. Throws SetupError if it is not there.
+  void leave(Entity& entity);
+  /// Puts it back, as a reset would begin with it: its columns and algorithms are as before the first start, `prepare` is called
+  /// (it may place the entity and set inputs), and they are initialized. Throws SetupError, and leaves it out, if it is there, or
+  /// an algorithm cannot start.
+  void enter(Entity& entity, const std::function<void(Entity&)>& prepare = {});
 
   /// The level that moves `entity` now; null if there is none.
   [[nodiscard]] const MotionLevel* level_of(const Entity& entity) const;
@@ -187,7 +207,8 @@ class Simulation {
     std::unique_ptr<Algorithm> algorithm;
     MotionLevel* level = nullptr;  ///< the algorithm, if it is one
     AccessSet access;
-    bool frozen = false;  ///< of the entity, taken over between ticks so that it cannot change during one
+    bool comes_along = false;  ///< with the entity that is being added
+    bool idle = false;         ///< of the entity, taken over between ticks so that it cannot change during one
     std::int64_t calls = 0;
     std::int64_t timed_calls = 0;  ///< that `time` stands for
     Duration time{};
@@ -204,6 +225,7 @@ class Simulation {
   [[nodiscard]] std::vector<std::unique_ptr<Task>>::iterator task_of_level(const Entity& entity);
   void construct(Task& task, Entity& entity, const Maker<Algorithm>& make);
   void start_late(const Task& task);
+  void keep_new_columns(const Task& task);
   void construct_level(Task& task, Entity& entity, const Maker<MotionLevel>& make, LevelStart start);
   void put_in_place_of(std::unique_ptr<Task>& present, std::unique_ptr<Task>& next, LevelStart start);
   void drop_columns_of(const Task& task);
@@ -220,10 +242,20 @@ class Simulation {
   void visit_parts(const Visit& visit);
   void keep_start();
   void go_back_to_start();
+  static void go_back_to_start(Entity& entity);
+  static void keep_columns(Entity& entity);
   static void keep_memory(Task& task);
+  static void recall_first(Task& task);
   void state(StateArchive& archive);
   void execute(Task& task) noexcept;
   void take_over_frozen();
+  void take_over_idle();
+  void start_again(Entity& entity, const std::function<void(Entity&)>& prepare);
+  void attach_all(Entity& entity, const std::function<void(Entity&)>& furnish);
+  void begin(Entity& entity, const std::function<void(Entity&)>& prepare);
+  void keep_start_of(Entity& entity);
+  void tell_of(Entity& entity);
+  void take_back(Entity& entity);
 
   std::unique_ptr<World> world_;                // outlives the tasks, which point into it
   std::vector<std::unique_ptr<Task>> tasks_;    // by phase, then by order of attaching
@@ -241,6 +273,7 @@ class Simulation {
   Duration now_{};
   std::int64_t ticks_ = 0;
   bool initialized_ = false;
+  bool adds_ = false;  // an entity; what is attached meanwhile is initialized when all of it is there
   StopRequest stop_;
   std::vector<std::function<void()>> before_start_, after_start_;
   std::size_t events_before_start_ = 0;

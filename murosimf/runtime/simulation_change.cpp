@@ -11,8 +11,9 @@ Algorithm& Simulation::attach(std::string name, Entity& entity, double rate_hz, 
   auto task = new_task(std::move(name), entity, rate_hz);
   construct(*task, entity, make);
   const Task& added = *task;
+  task->comes_along = adds_;
   add_in_order(std::move(task));  // last: a constructor that throws leaves nothing behind
-  if (initialized_) start_late(added);
+  if (initialized_ && !adds_) start_late(added);
   if (added.level) entity.level = added.name;
   return *added.algorithm;
 }
@@ -43,12 +44,7 @@ void Simulation::start_late(const Task& added) {
       std::find_if(tasks_.begin(), tasks_.end(), [&](const auto& other) { return other.get() == &added; });
   try {
     check_and_plan();
-    for (const Access& access : added.access.all()) {
-      const auto uses = [&](const auto& other) {
-        return other.get() != &added && other->access.touches(access.column);
-      };
-      if (std::none_of(tasks_.begin(), tasks_.end(), uses)) access.entity->find(access.column->info().name)->keep();
-    }
+    keep_new_columns(added);
     keep_memory(**task);
     murosimf::with_context(full_name(added), [&] { (*task)->algorithm->initialize(); });
   } catch (...) {
@@ -60,6 +56,14 @@ void Simulation::start_late(const Task& added) {
     throw;
   }
   restart_checks();
+}
+
+/// Those that only this task uses.
+void Simulation::keep_new_columns(const Task& task) {
+  for (const Access& access : task.access.all()) {
+    const auto uses = [&](const auto& other) { return other.get() != &task && other->access.touches(access.column); };
+    if (std::none_of(tasks_.begin(), tasks_.end(), uses)) access.entity->find(access.column->info().name)->keep();
+  }
 }
 
 void Simulation::detach(const Algorithm& algorithm) {
@@ -88,6 +92,7 @@ void Simulation::detach(const Algorithm& algorithm) {
 }
 
 MotionLevel& Simulation::exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make, LevelStart start) {
+  if (!entity.present()) start = LevelStart::anew;  // it begins when it enters
   const auto present = task_of_level(entity);
   if (present == tasks_.end()) {
     throw SetupError(fmt::format("'{}' has no level that could be exchanged", entity.name()));
@@ -130,6 +135,7 @@ void Simulation::construct_level(Task& task, Entity& entity, const Maker<MotionL
   }
   if (!initialized_) return;
   world_->freeze_columns();
+  keep_new_columns(task);
   keep_memory(task);
   if (start == LevelStart::anew) return;
   if (const std::string why = task.level->refusal(); !why.empty()) throw SetupError(why);
@@ -157,7 +163,7 @@ void Simulation::drop_columns_of(const Task& task) {
   for (const Access& access : task.access.all()) {
     const auto uses = [&](const auto& other) { return other.get() != &task && other->access.touches(access.column); };
     if (std::any_of(tasks_.begin(), tasks_.end(), uses)) continue;
-    for (const auto& entity : world_->entities()) entity->columns().drop(access.column);
+    world_->for_all([&](Entity& entity) { entity.columns().drop(access.column); });
   }
 }
 

@@ -17,6 +17,7 @@ void Simulation::start() {
   for (const auto& call : before_start_) call();
   for (const auto& task : tasks_) murosimf::with_context(full_name(*task), [&] { task->algorithm->initialize(); });
   initialized_ = true;
+  take_over_idle();
   for (const auto& call : after_start_) call();
   restart_checks();
   poses_.publish(*world_, now_, ticks_);
@@ -30,11 +31,13 @@ void Simulation::reset() {
 
 /// What start() begins with.
 void Simulation::keep_start() {
-  for (const auto& entity : world_->entities()) {
-    for (const auto& [name, column] : entity->columns()) column->keep();
-  }
+  world_->for_all([](Entity& entity) { keep_columns(entity); });
   for (const auto& task : tasks_) keep_memory(*task);
   events_before_start_ = events_.size();
+}
+
+void Simulation::keep_columns(Entity& entity) {
+  for (const auto& [name, column] : entity.columns()) column->keep();
 }
 
 void Simulation::keep_memory(Task& task) {
@@ -43,17 +46,24 @@ void Simulation::keep_memory(Task& task) {
   task.algorithm->state(archive);
 }
 
-void Simulation::go_back_to_start() {
-  for (const auto& entity : world_->entities()) {
-    entity->unfreeze();
-    for (const auto& [name, column] : entity->columns()) {
-      if (column->info().scope != Scope::wiring) column->go_back();
-    }
+void Simulation::recall_first(Task& task) {
+  StateArchive archive(std::span<const std::byte>(task.first_memory));
+  task.algorithm->state(archive);
+}
+
+/// Of its columns, all that start() does not give their first values.
+void Simulation::go_back_to_start(Entity& entity) {
+  entity.unfreeze();
+  entity.set_present(entity.options().present);
+  for (const auto& [name, column] : entity.columns()) {
+    if (column->info().scope != Scope::wiring) column->go_back();
   }
+}
+
+void Simulation::go_back_to_start() {
+  world_->for_all([](Entity& entity) { go_back_to_start(entity); });
   for (const auto& task : tasks_) {
-    StateArchive archive(std::span<const std::byte>(task->first_memory));
-    task->algorithm->state(archive);
-    task->frozen = false;
+    recall_first(*task);
     task->calls = task->timed_calls = 0;
     task->time = {};
   }

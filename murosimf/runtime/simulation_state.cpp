@@ -14,7 +14,7 @@
 namespace murosimf {
 namespace {
 
-constexpr std::string_view first_line = "MuRoSimF state 1\n";  // the number is that of the format
+constexpr std::string_view first_line = "MuRoSimF state 2\n";  // the number is that of the format
 constexpr std::size_t begin_of_sections = first_line.size() + sizeof(std::uint64_t);
 
 std::uint64_t hash_of(std::span<const std::byte> bytes) {
@@ -99,7 +99,7 @@ void Simulation::state(StateArchive& archive) {
   archive(scheduled_done_, now_, events_, warnings_, frozen_reported_);
   if (archive.loads()) {
     align_plan();
-    for (const auto& task : tasks_) task->frozen = task->entity->frozen();
+    take_over_idle();
   }
 }
 
@@ -107,13 +107,13 @@ void Simulation::state(StateArchive& archive) {
 /// them.
 template <class Visit>
 void Simulation::visit_parts(const Visit& visit) {
-  for (const auto& entity : world_->entities()) {
-    visit(PartName{"entity", {}, entity->name()}, false, *entity);
-    for (const auto& [name, column] : entity->columns()) {
+  world_->for_all([&](Entity& entity) {
+    visit(PartName{"entity", {}, entity.name()}, false, entity);
+    for (const auto& [name, column] : entity.columns()) {
       if (column->info().scope == Scope::wiring) continue;
-      visit(PartName{"property", name, entity->name()}, false, *column);
+      visit(PartName{"property", name, entity.name()}, false, *column);
     }
-  }
+  });
   for (const auto& task : tasks_) {
     const bool looks_on = task->algorithm->phase() == Phase::observe;
     visit(PartName{"algorithm", task->name, task->entity->name()}, looks_on, *task->algorithm);

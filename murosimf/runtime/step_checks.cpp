@@ -32,23 +32,21 @@ bool is_written(const std::vector<const AccessSet*>& access, const Entity* entit
 
 void StepChecks::restart(const World& world, const std::vector<const AccessSet*>& access) {
   numbers_.clear();
-  for (const auto& entity : world.entities()) {
-    for (const auto& [name, column] : entity->columns()) {
-      const bool written = is_written(access, entity.get(), column.get());
+  world.for_all([&](const Entity& entity) {
+    for (const auto& [name, column] : entity.columns()) {
+      const bool written = is_written(access, &entity, column.get());
       if (!written || !is_state(column->info().scope) || column->numbers() == 0) continue;
-      numbers_.push_back({entity.get(), column.get(), column->not_finite()});
+      numbers_.push_back({&entity, column.get(), column->not_finite()});
     }
-  }
+  });
 }
 
 void StepChecks::before_wave(const World& world, std::int64_t tick) {
   before_.clear();
   if (tick >= first_ticks && tick % every_tick != 0) return;
-  for (const auto& entity : world.entities()) {
-    for (const auto& [name, column] : entity->columns()) {
-      before_.push_back({entity.get(), column.get(), hash_of(*column)});
-    }
-  }
+  world.for_all([&](const Entity& entity) {
+    for (const auto& [name, column] : entity.columns()) before_.push_back({&entity, column.get(), hash_of(*column)});
+  });
 }
 
 void StepChecks::after_wave(const std::vector<const AccessSet*>& access) const {

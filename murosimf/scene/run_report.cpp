@@ -20,7 +20,8 @@ json entity_object(const EntityReport& e) {
           {"position", {e.position.x, e.position.y, e.position.z}},
           {"distance_m", e.distance},
           {"falls", e.falls},
-          {"frozen", e.frozen}};
+          {"frozen", e.frozen},
+          {"present", e.present}};
 }
 
 json algorithm_object(const AlgorithmStatistics& a) {
@@ -61,7 +62,7 @@ std::string to_text(const RunReport& report) {
   for (const EntityReport& e : report.entities) {
     text += fmt::format("{:<12} {:<20} {:<20} {:<12} {:>7.2f} m {:>8} {:>6} {:>8.2f} {:>8.2f} m\n", e.name, e.level,
                         e.contact.empty() ? "-" : e.contact, e.controller.empty() ? "-" : e.controller, e.distance,
-                        e.frozen ? "frozen" : "", e.falls, e.position.x, e.position.y);
+                        e.present ? e.frozen ? "frozen" : "" : "absent", e.falls, e.position.x, e.position.y);
   }
   text += fmt::format("\n{:<22} {:>9} {:>10} {:>12}\n", "algorithm", "rate", "calls", "time a call");
   for (const AlgorithmStatistics& a : report.algorithms) {

@@ -18,6 +18,7 @@ struct EntityReport {
   double distance = 0;  ///< [m]
   int falls = 0;
   bool frozen = false;
+  bool present = true;
 };
 
 /// The last sample of a sensor.
@@ -54,7 +55,7 @@ struct RunReport {
 
 /// One JSON object: schema (json_document.h), simulated_s, wall_s, real_time_factor, threads, seed, state_hash (hexadecimal text),
 /// stopped (null, or {time_s, by, asked_s} if a signal ended the run early),
-/// entities [{name, model, level, contact, controller, team, position, distance_m, falls, frozen}],
+/// entities [{name, model, level, contact, controller, team, position, distance_m, falls, frozen, present}],
 /// sensors {entity: {sensor: {type, time_s, samples, outputs: {name: {unit, labels, values}}}}} with null for what is no
 /// finite number, algorithms [{name, rate_hz, calls, us_per_call}], events [{time_s, text}], notes [], warnings [].
 [[nodiscard]] std::string to_json(const RunReport& report);

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/data_path.h"
+#include "murosimf/scene/scene_addition.h"
 #include "murosimf/scene/scene_builder.h"
 #include "murosimf/scene/scene_exchange.h"
+#include "murosimf/scene/scene_presence.h"
 #include "murosimf/scene/scene_start.h"
 #include "murosimf/scene/scene_state.h"
 #include "murosimf/scene_file/scene_change.h"
@@ -42,6 +44,12 @@ void Scene::exchange_contact(std::string_view entity, std::string_view law) {
 void Scene::exchange_servo_law(std::string_view robot, std::string_view law) {
   scene::exchange_servo_law(parts_, robot, law);
 }
+
+Entity& Scene::add(const scene_file::RobotSpec& robot) { return scene::add(parts_, robot); }
+Entity& Scene::add(const scene_file::BodySpec& body) { return scene::add(parts_, body); }
+
+void Scene::enter(std::string_view entity) { scene::enter(parts_, entity); }
+void Scene::leave(std::string_view entity) { scene::leave(parts_, entity); }
 
 std::future<void> Scene::post(std::string change) {
   const auto event = [this, change] { return scene_file::read_change(parts_.spec, change); };

@@ -43,7 +43,19 @@ class Scene {
   /// Of all servos of a robot at articulated_dynamics; the others remember it.
   void exchange_servo_law(std::string_view robot, std::string_view law);
 
-  /// From any thread: changes a level, law, command or property at the beginning of the next step, by PATH = VALUE as in the scene's
+  // Robots, ball and bodies leave between two steps, and come back as they began (scene_presence.h); they may also be absent at
+  // the start (`present = false`). Throw SetupError, and change nothing, for unknown names, and if there is nothing to change.
+  void enter(std::string_view entity);
+  void leave(std::string_view entity);
+
+  // A robot or body that moves comes into the scene between two steps, as if the file had had it last: with its sensors, controller and
+  // level. Sensors that were there before see it by rays and in pictures; the outputs of detectors and ground truth are those
+  // of the start. Initializes. A reset then begins with it, too, and states of before no longer fit. Throw SetupError, and change
+  // nothing, for what a file could not say either. The entity stays where it is.
+  Entity& add(const scene_file::RobotSpec& robot);
+  Entity& add(const scene_file::BodySpec& body);
+
+  /// From any thread: changes a level, law, command, property or who is present at the beginning of the next step, by PATH = VALUE as in the scene's
   /// events ("blue1.level = full_dynamics"). The future says when it was done, and throws SetupError if it could not be. What was done
   /// stands in simulation().commands(), by which events_of_commands() repeats the run.
   std::future<void> post(std::string change);

@@ -4,60 +4,24 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/body_contact.h"
-#include "murosimf/collision/ground_contact.h"
-#include "murosimf/motion/odometer.h"
+#include "murosimf/scene/assets.h"
 #include "murosimf/scene/contact_marks.h"
+#include "murosimf/scene/scene_algorithms.h"
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene/scene_entities.h"
 #include "murosimf/scene/scene_exchange.h"
 #include "murosimf/scene/scene_pushing.h"
 #include "murosimf/scene/scene_sensors.h"
 #include "murosimf/scene/scene_start.h"
-#include "murosimf/scene_file/field.h"
-#include "murosimf/scene_file/level_options.h"
-#include "murosimf/scene_file/motion_file.h"
 
 namespace murosimf::scene {
 namespace {
 
-catalog::ControllerOptions controller_options(const SceneParts& parts, const scene_file::RobotSpec& robot) {
-  const scene_file::SceneSpec& spec = parts.spec;
-  catalog::ControllerOptions options;
-  options.everybody = parts.moving_entities;
-  options.command = robot.command;
-  options.own = robot.options;
-  const scene_file::FieldSize& field = scene_file::field_size(spec.field.size);
-  options.half_field = {0.5 * field.length, 0.5 * field.width, 0};
-  options.start = {robot.position.x, robot.position.y, robot.heading};
-  options.markings = scene_file::field_markings(field);
-  options.seed = spec.seed;
-  for (const scene_file::TeamSpec& team : spec.teams) {
-    if (team.name == robot.team) options.attacks = team.attacks;
-  }
-  if (!robot.motion.empty()) {
-    options.motion = with_context(robot.where, [&] {
-      return scene_file::read_motion(scene_file::find_motion(robot.motion, spec.file.parent_path()));
-    });
-  }
-  return options;
-}
-
-void attach_controllers(SceneParts& parts) {
+void attach_control(SceneParts& parts, ModelSource& models) {
+  for (std::size_t i = 0; i < parts.robots.size(); ++i) attach_sensors(parts, models, i);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
-    const scene_file::RobotSpec& robot = parts.spec.robots[i];
-    const catalog::ControllerOptions options = controller_options(parts, robot);
-    const catalog::ControllerType& controller = find_entry(catalog::controllers(), "controller", robot.controller);
-    with_context(robot.where, [&] { controller.attach(*parts.simulation, *parts.robots[i], options); });
+    attach_controller(parts, parts.spec.robots[i], *parts.robots[i]);
   }
-}
-
-/// Also for those whom no force moves: they may change their level.
-void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law) {
-  if (find_entry(catalog::levels(), "level", level).traits.dynamic) entity.contact = law;
-  parts.ground_contacts.push_back(
-      &parts.simulation->attach<collision::GroundContact>("ground_contact", entity, parts.spec.rate, parts.field,
-                                                          find_entry(catalog::contacts(), "contact law", law).make(),
-                                                          parts.spec.materials));
 }
 
 void attach_contact(SceneParts& parts) {
@@ -68,22 +32,14 @@ void attach_contact(SceneParts& parts) {
   }
   for (Entity* body : parts.bodies) attach_ground_contact(parts, *body, body->level, body->contact);
   parts.simulation->attach<collision::BodyContact>(
-      "body_contact", *parts.field, spec.rate, parts.moving_entities, spec.materials,
+      "body_contact", spec.rate, parts.field, parts.moving_entities, spec.materials,
       find_entry(catalog::body_contacts(), "law of contact between bodies", spec.body_contact).make());
-}
-
-void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options) {
-  const catalog::LevelType& level = find_entry(catalog::levels(), "level", entity.level);
-  parts.simulation->attach(entity.level, entity, parts.spec.rate,
-                           [&](Setup& setup) { return level.make(setup, options); });
 }
 
 void attach_motion(SceneParts& parts) {
   if (parts.ball) attach_level(parts, *parts.ball, {});
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
-    const scene_file::RobotSpec& robot = parts.spec.robots[i];
-    warn_about_level(parts, robot);
-    with_context(robot.where, [&] { attach_level(parts, *parts.robots[i], scene_file::level_options(robot)); });
+    attach_level_of(parts, parts.spec.robots[i], *parts.robots[i]);
   }
   for (Entity* body : parts.bodies) {
     with_context(body_spec(parts.spec, *body)->where, [&] { attach_level(parts, *body, {}); });
@@ -91,12 +47,10 @@ void attach_motion(SceneParts& parts) {
 }
 
 void attach_observers(SceneParts& parts, bool paths) {
-  for (Entity* entity : parts.moving_entities) {
-    parts.simulation->attach<motion::Odometer>("odometer", *entity, motion::Odometer::rate_hz);
-  }
+  for (Entity* entity : parts.moving_entities) attach_odometer(parts, *entity);
   if (!paths) return;
-  parts.recorder = &parts.simulation->attach<PathRecorder>("path_recorder", *parts.field, PathRecorder::rate_hz,
-                                                           parts.moving_entities);
+  parts.recorder =
+      &parts.simulation->attach<PathRecorder>("path_recorder", PathRecorder::rate_hz, parts.moving_entities);
 }
 
 }  // namespace
@@ -106,11 +60,11 @@ void build(SceneParts& parts, const SceneOptions& options) {
   simulation.world().gravity = parts.spec.gravity;
   simulation.stop_if(options.stop);
   if (options.cameras) parts.cameras = std::make_unique<CameraRenderer>(parts);
-  const std::shared_ptr<Assets> assets = options.assets ? options.assets : std::make_shared<Assets>();
-  ModelSource models(parts.spec, *assets, options.lenient, parts.remarks);
+  parts.assets = options.assets ? options.assets : std::make_shared<Assets>();
+  parts.lenient = options.lenient;
+  ModelSource models(parts.spec, *parts.assets, options.lenient, parts.remarks);
   add_entities(parts, models);
-  attach_sensors(parts, models);
-  attach_controllers(parts);
+  attach_control(parts, models);
   attach_pushes(parts);
   attach_contact(parts);
   attach_motion(parts);

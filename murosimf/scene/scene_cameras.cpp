@@ -42,15 +42,25 @@ CameraRenderer::~CameraRenderer() = default;
 
 sensors::ViewSource* CameraRenderer::view_source() {
   if (cannot_draw_) return nullptr;
-  if (renderer_) return renderer_.get();
+  if (renderer_) return this;
   try {
     renderer_ = make_renderer(parts_, parts_.spec.light);
     parts_.remarks.note("cameras", fmt::format("drawn by {}", renderer_->name()));
   } catch (const SetupError& error) {
     cannot_draw_ = true;
     parts_.remarks.warn(fmt::format("cameras have no frames: {}", error.what()));
+    return nullptr;
   }
-  return renderer_.get();
+  return this;
+}
+
+void CameraRenderer::renew() {
+  if (renderer_) renderer_ = make_renderer(parts_, parts_.spec.light);
+}
+
+void CameraRenderer::draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,
+                          sensors::View& view) noexcept {
+  renderer_->draw(perspective, layers, ahead, view);
 }
 
 }  // namespace murosimf::scene

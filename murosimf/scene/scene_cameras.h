@@ -21,16 +21,21 @@ struct SceneParts;
 /// or this build cannot draw.
 [[nodiscard]] std::unique_ptr<render::Renderer> make_renderer(SceneParts& parts, const scene_file::LightSpec& light);
 
-/// Draws for the cameras of a scene, in its light. Made when the first of them asks.
-class CameraRenderer {
+/// Draws for the cameras of a scene, in its light. Its renderer is made when the first of them asks.
+class CameraRenderer final : public sensors::ViewSource {
  public:
   explicit CameraRenderer(SceneParts& parts);
-  ~CameraRenderer();
+  ~CameraRenderer() override;
   CameraRenderer(const CameraRenderer&) = delete;
   CameraRenderer& operator=(const CameraRenderer&) = delete;
 
   /// Null if nobody can draw here, which is a warning then.
   [[nodiscard]] sensors::ViewSource* view_source();
+  /// Somebody has been added to the scene, who is to be seen. Between two steps.
+  void renew();
+
+  void draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,
+            sensors::View& view) noexcept override;
 
  private:
   SceneParts& parts_;

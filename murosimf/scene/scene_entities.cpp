@@ -22,6 +22,7 @@ void add_field(SceneParts& parts, const ModelSource& models) {
 void add_ball(SceneParts& parts, ModelSource& models) {
   EntityOptions options;
   options.position = parts.spec.ball->position;
+  options.present = parts.spec.ball->present;
   const ModelPtr model = models.changed_for("ball", scene_file::ball_model(*parts.spec.ball));
   models.check_materials(*model);
   options.color = model->find(properties::shapes, 0)->front().color;
@@ -34,6 +35,7 @@ void add_ball(SceneParts& parts, ModelSource& models) {
 EntityOptions options_of(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot) {
   EntityOptions options;
   options.position = robot.position;
+  options.present = robot.present;
   options.collision = robot.collision;
   options.team = robot.team;
   for (const scene_file::TeamSpec& team : spec.teams) {
@@ -42,40 +44,52 @@ EntityOptions options_of(const scene_file::SceneSpec& spec, const scene_file::Ro
   return options;
 }
 
-void add_robot(SceneParts& parts, ModelSource& models, const scene_file::RobotSpec& robot) {
-  const EntityOptions options = options_of(parts.spec, robot);
-  const ModelPtr model = models.changed_for(robot.name, models.robot(robot.model, robot.where).model);
-  Entity& entity =
-      with_context(robot.where, [&]() -> Entity& { return parts.simulation->world().add(robot.name, model, options); });
+}  // namespace
+
+EntityKind robot_kind(const SceneParts& parts, ModelSource& models, const scene_file::RobotSpec& robot) {
+  return {models.changed_for(robot.name, models.robot(robot.model, robot.where).model), options_of(parts.spec, robot)};
+}
+
+EntityKind body_kind(ModelSource& models, const scene_file::BodySpec& body) {
+  EntityOptions options;
+  options.position = body.position;
+  options.heading = body.heading;
+  options.attitude = rotation_y(body.pitch) * rotation_x(body.roll);
+  options.color = body.color;
+  options.present = body.present;
+  const ModelPtr own = body.shape ? scene_file::body_model(body) : models.robot(body.model, body.where).model;
+  models.check_materials(*own);
+  return {models.changed_for(body.name, own), options};
+}
+
+void enlist(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
   entity.level = robot.level;
   entity.controller = robot.controller;
   parts.robots.push_back(&entity);
   parts.moving_entities.push_back(&entity);
 }
 
-void add_body(SceneParts& parts, ModelSource& models, const scene_file::BodySpec& body) {
-  EntityOptions options;
-  options.position = body.position;
-  options.heading = body.heading;
-  options.attitude = rotation_y(body.pitch) * rotation_x(body.roll);
-  options.color = body.color;
-  const ModelPtr own = body.shape ? scene_file::body_model(body) : models.robot(body.model, body.where).model;
-  models.check_materials(*own);
-  Entity& entity = parts.simulation->world().add(body.name, models.changed_for(body.name, own), options);
+void enlist(SceneParts& parts, const scene_file::BodySpec& body, Entity& entity) {
   entity.level = "simplified_dynamics";
   entity.contact = body.contact;
   parts.bodies.push_back(&entity);
   parts.moving_entities.push_back(&entity);
 }
 
-}  // namespace
-
 void add_entities(SceneParts& parts, ModelSource& models) {
   add_field(parts, models);
   if (parts.spec.ball) add_ball(parts, models);
-  for (const scene_file::RobotSpec& robot : parts.spec.robots) add_robot(parts, models, robot);
+  World& world = parts.simulation->world();
+  for (const scene_file::RobotSpec& robot : parts.spec.robots) {
+    const EntityKind kind = robot_kind(parts, models, robot);
+    with_context(robot.where, [&] { enlist(parts, robot, world.add(robot.name, kind.model, kind.options)); });
+  }
   for (const scene_file::BodySpec& body : parts.spec.bodies) {
-    if (!body.is_static) with_context(body.where, [&] { add_body(parts, models, body); });
+    if (body.is_static) continue;
+    with_context(body.where, [&] {
+      const EntityKind kind = body_kind(models, body);
+      enlist(parts, body, world.add(body.name, kind.model, kind.options));
+    });
   }
 }
 

@@ -9,4 +9,17 @@ namespace murosimf::scene {
 /// Adds them to the world, in this order. Throws SetupError.
 void add_entities(SceneParts& parts, ModelSource& models);
 
+/// What the world needs to know of an entity.
+struct EntityKind {
+  ModelPtr model;
+  EntityOptions options;
+};
+/// Throw SetupError for files and materials that there are none of.
+[[nodiscard]] EntityKind robot_kind(const SceneParts& parts, ModelSource& models, const scene_file::RobotSpec& robot);
+[[nodiscard]] EntityKind body_kind(ModelSource& models, const scene_file::BodySpec& body);
+
+/// Counts one that the world has now among the robots, the bodies of the scene.
+void enlist(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity);
+void enlist(SceneParts& parts, const scene_file::BodySpec& body, Entity& entity);
+
 }  // namespace murosimf::scene

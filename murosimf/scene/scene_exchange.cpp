@@ -11,6 +11,7 @@
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/scene_checks.h"
+#include "murosimf/scene/scene_presence.h"
 #include "murosimf/scene/scene_sensors.h"
 #include "murosimf/scene/scene_settings.h"
 #include "murosimf/scene_file/level_options.h"
@@ -45,6 +46,7 @@ void apply(SceneParts& parts, const scene_file::SceneEvent& event, const std::st
     if (event.setting) return apply(parts, *event.setting, entity);
     if (event.key == "level") return exchange_level(parts, entity, event.value);
     if (event.key == "contact") return exchange_contact(parts, entity, event.value);
+    if (event.key == "present") return event.value == "true" ? enter(parts, entity) : leave(parts, entity);
     exchange_servo_law(parts, entity, event.value);
   });
 }

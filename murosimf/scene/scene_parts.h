@@ -18,8 +18,13 @@
 namespace murosimf::collision {
 class GroundContact;
 }
+namespace murosimf::sensors {
+class WorldQueries;
+}
 
 namespace murosimf::scene {
+
+class Assets;  // assets.h
 
 /// Levels and laws of a robot, or the law of ball and bodies.
 struct Algorithms {
@@ -53,7 +58,10 @@ struct SceneParts {
   std::vector<Entity*> bodies;                               ///< those of [[bodies]] that move
   std::vector<Entity*> moving_entities;                      ///< robots, ball and bodies
   std::vector<collision::GroundContact*> ground_contacts;    ///< by moving entity
+  sensors::WorldQueries* queries = nullptr;                  ///< null: no sensor asks for them
   const PathRecorder* recorder = nullptr;                    ///< null: nobody asked for paths
+  std::shared_ptr<Assets> assets;                            ///< for robots that come later
+  bool lenient = false;                                      ///< of their files: unknown elements are warnings
   StartOfScene at_start;
   std::unique_ptr<CameraRenderer> cameras;  ///< null: nothing is drawn for them
 };

@@ -44,7 +44,9 @@ render::Path path_of(const SceneParts& parts, Entity& entity) {
 void write_picture(const Scene& scene, const std::filesystem::path& file) {
   const SceneParts& parts = scene.parts();
   std::vector<render::Path> paths;
-  for (Entity* entity : parts.moving_entities) paths.push_back(path_of(parts, *entity));
+  for (Entity* entity : parts.moving_entities) {
+    if (entity->present()) paths.push_back(path_of(parts, *entity));
+  }
   const Markings* markings = parts.field->model().find(properties::markings, 0);
   const std::string title = fmt::format("{}: {:.0f} s", parts.spec.name, seconds(parts.simulation->now()));
   files::write_file(file, render::field_picture_png(*markings, paths, {.title = title}));

@@ -25,7 +25,8 @@ EntityReport report_of(Entity& entity) {
           base.get(properties::position),
           base.get(properties::distance_walked) + std::hypot(since_sample.x, since_sample.y),
           static_cast<int>(base.get(properties::falls)),
-          entity.frozen()};
+          entity.frozen(),
+          entity.present()};
 }
 
 /// Those of the scene, then those of the run.

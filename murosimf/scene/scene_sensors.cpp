@@ -75,26 +75,25 @@ std::string sensor_remarks(const SceneParts& parts, const scene_file::RobotSpec&
 
 }  // namespace
 
-void attach_sensors(SceneParts& parts, ModelSource& models) {
-  const auto view_source = [&parts] { return parts.cameras ? parts.cameras->view_source() : nullptr; };
-  sensors::WorldQueries* queries = nullptr;
-  const auto shared_queries = [&]() -> sensors::WorldQueries& {
-    if (!queries) {
-      queries = &parts.simulation->attach<sensors::WorldQueries>("world_queries", *parts.field, parts.spec.rate,
-                                                                 parts.moving_entities);
-    }
-    return *queries;
-  };
-  const sensors::SensorSurroundings surroundings{parts.spec.seed, parts.moving_entities, view_source, shared_queries};
-  for (std::size_t i = 0; i < parts.robots.size(); ++i) {
-    std::vector<const sensors::Sensor*>& attached = parts.sensors.emplace_back();
-    about(parts.spec.robots[i].name, [&] {
-      for (const sensors::SensorSpec& spec : sensors_of(parts, models, parts.spec.robots[i])) {
-        attached.push_back(
-            &components::attach_sensor(*parts.simulation, *parts.robots[i], spec, surroundings, parts.spec.rate));
-      }
-    });
+sensors::WorldQueries& shared_queries(SceneParts& parts) {
+  if (!parts.queries) {
+    parts.queries =
+        &parts.simulation->attach<sensors::WorldQueries>("world_queries", parts.spec.rate, parts.moving_entities);
   }
+  return *parts.queries;
+}
+
+void attach_sensors(SceneParts& parts, ModelSource& models, std::size_t robot) {
+  const auto view_source = [&parts] { return parts.cameras ? parts.cameras->view_source() : nullptr; };
+  const auto queries = [&parts]() -> sensors::WorldQueries& { return shared_queries(parts); };
+  const sensors::SensorSurroundings surroundings{parts.spec.seed, parts.moving_entities, view_source, queries};
+  std::vector<const sensors::Sensor*>& attached = parts.sensors.emplace_back();
+  about(parts.spec.robots[robot].name, [&] {
+    for (const sensors::SensorSpec& spec : sensors_of(parts, models, parts.spec.robots[robot])) {
+      attached.push_back(
+          &components::attach_sensor(*parts.simulation, *parts.robots[robot], spec, surroundings, parts.spec.rate));
+    }
+  });
 }
 
 void note_about_sensors(SceneParts& parts) {

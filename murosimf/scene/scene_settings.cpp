@@ -63,4 +63,11 @@ void apply_settings(SceneParts& parts) {
   }
 }
 
+void apply_settings_of(SceneParts& parts, const Entity& entity) {
+  for (const scene_file::PropertySetting& setting : parts.spec.settings) {
+    if (is_constant(setting) || std::ranges::find(setting.entities, entity.name()) == setting.entities.end()) continue;
+    apply(parts, setting, entity.name());
+  }
+}
+
 }  // namespace murosimf::scene

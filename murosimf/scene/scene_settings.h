@@ -12,5 +12,7 @@ void apply(SceneParts& parts, const scene_file::PropertySetting& setting, const 
 
 /// Sets what the spec sets. After initialize().
 void apply_settings(SceneParts& parts);
+/// What it sets of one entity, which has come back.
+void apply_settings_of(SceneParts& parts, const Entity& entity);
 
 }  // namespace murosimf::scene

@@ -19,55 +19,54 @@ Mat3d random_tilt(const RandomStream& random, double largest) {
                   random.uniform(5, -largest, largest));
 }
 
-void place_robots(SceneParts& parts) {
+void place_robot(const SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
   const scene_file::SceneSpec& spec = parts.spec;
   const double j = spec.jitter_position;
-  for (std::size_t i = 0; i < parts.robots.size(); ++i) {
-    const scene_file::RobotSpec& robot = spec.robots[i];
-    const RandomStream random(spec.seed, robot.name + "/start");
-    parts.robots[i]->place(robot.position + Vec3d{random.uniform(0, -j, j), random.uniform(1, -j, j), 0},
-                           robot.heading + random.uniform(2, -spec.jitter_heading, spec.jitter_heading),
-                           random_tilt(random, spec.jitter_tilt) * rotation_y(robot.pitch) * rotation_x(robot.roll));
-  }
-}
-
-/// Gives ball and bodies the velocities with which they begin.
-void start_moving(SceneParts& parts) {
-  if (parts.ball) parts.ball->base().set(properties::linear_velocity, parts.spec.ball->velocity);
-  for (Entity* entity : parts.bodies) {
-    const scene_file::BodySpec& body = *body_spec(parts.spec, *entity);
-    entity->base().set(properties::linear_velocity, body.velocity);
-    entity->base().set(properties::angular_velocity, body.angular_velocity);
-  }
+  const RandomStream random(spec.seed, robot.name + "/start");
+  entity.place(robot.position + Vec3d{random.uniform(0, -j, j), random.uniform(1, -j, j), 0},
+               robot.heading + random.uniform(2, -spec.jitter_heading, spec.jitter_heading),
+               random_tilt(random, spec.jitter_tilt) * rotation_y(robot.pitch) * rotation_x(robot.roll));
 }
 
 /// Turns joint targets away from zero, by up to jitter_posture; controllers that set them are stronger.
-void scatter_postures(SceneParts& parts) {
+void scatter_posture(const SceneParts& parts, Entity& robot) {
   const double largest = parts.spec.jitter_posture;
   if (largest == 0) return;
-  for (Entity* robot : parts.robots) {
-    const RandomStream random(parts.spec.seed, robot->name() + "/posture");
-    auto& targets = robot->column(properties::joint_target).values;
-    for (const int joint : robot->model().joints()) {
-      const Vec3d* range = robot->model().find(properties::joint_range, joint);
-      const double angle = random.uniform(static_cast<std::uint64_t>(joint), -largest, largest);
-      targets[joint] = range ? std::clamp(angle, range->x, range->y) : angle;
-    }
+  const RandomStream random(parts.spec.seed, robot.name() + "/posture");
+  auto& targets = robot.column(properties::joint_target).values;
+  for (const int joint : robot.model().joints()) {
+    const Vec3d* range = robot.model().find(properties::joint_range, joint);
+    const double angle = random.uniform(static_cast<std::uint64_t>(joint), -largest, largest);
+    targets[joint] = range ? std::clamp(angle, range->x, range->y) : angle;
   }
 }
 
 }  // namespace
 
+void place_at_start(const SceneParts& parts, Entity& entity) {
+  const auto robot = std::ranges::find(parts.spec.robots, entity.name(), &scene_file::RobotSpec::name);
+  if (robot == parts.spec.robots.end()) return;
+  place_robot(parts, *robot, entity);
+  scatter_posture(parts, entity);
+}
+
+void start_moving(const SceneParts& parts, Entity& entity) {
+  if (&entity == parts.ball) entity.base().set(properties::linear_velocity, parts.spec.ball->velocity);
+  if (const scene_file::BodySpec* body = body_spec(parts.spec, entity)) {
+    entity.base().set(properties::linear_velocity, body->velocity);
+    entity.base().set(properties::angular_velocity, body->angular_velocity);
+  }
+}
+
 void begin_at_every_start(SceneParts& parts) {
   parts.simulation->before_start([&parts] {
-    place_robots(parts);
-    scatter_postures(parts);
+    for (Entity* robot : parts.robots) place_at_start(parts, *robot);
   });
   parts.simulation->after_start([&parts] {
     if (!parts.at_start.remarks)
       parts.at_start.remarks = parts.remarks;  // also whatever a first picture tells of the machine
     check_properties(parts);
-    start_moving(parts);
+    for (Entity* entity : parts.moving_entities) start_moving(parts, *entity);
     apply_settings(parts);
     warn_about_start(parts);
   });

@@ -115,10 +115,34 @@ double lowest_of(const Standing& standing) {
 
 bool are_near(const Standing& a, const Standing& b) { return norm(a.r[0] - b.r[0]) <= a.kind->reach + b.kind->reach; }
 
-/// Of pairs, each once; who stands still comes last. No more than `most_pairs`.
-void add_overlaps(std::vector<Standing>& standing, std::vector<std::string>& lines) {
+/// Everybody who is there; who stands still comes last.
+class Scenery {
+ public:
+  Scenery(const Entity& field, std::span<Entity* const> moving_entities) {
+    standing_.reserve(moving_entities.size() + 1);
+    for (const Entity* moving_entity : moving_entities) {
+      if (moving_entity->present()) add(*moving_entity);
+    }
+    add(field).moves = false;
+  }
+
+  [[nodiscard]] std::vector<Standing>& standing() { return standing_; }
+
+ private:
+  Standing& add(const Entity& entity) {
+    EntityKind& kind = kinds_.try_emplace(&entity.model(), entity.model()).first->second;
+    return standing_.emplace_back(entity, kind);
+  }
+
+  std::map<const Model*, EntityKind> kinds_;
+  std::vector<Standing> standing_;
+};
+
+/// Of pairs, each once; only those of one entity, if it is given. No more than `most_pairs`.
+void add_overlaps(std::vector<Standing>& standing, const Entity* of, std::vector<std::string>& lines) {
   for (std::size_t i = 0; i + 1 < standing.size(); ++i) {
     for (std::size_t j = i + 1; j < standing.size(); ++j) {
+      if (of && standing[i].entity != of && standing[j].entity != of) continue;
       if (!are_near(standing[i], standing[j])) continue;
       const auto found = first_overlap(standing[i], standing[j]);
       if (!found) continue;
@@ -131,8 +155,9 @@ void add_overlaps(std::vector<Standing>& standing, std::vector<std::string>& lin
   }
 }
 
-void add_sunken(const std::vector<Standing>& standing, std::vector<std::string>& lines) {
+void add_sunken(const std::vector<Standing>& standing, const Entity* of, std::vector<std::string>& lines) {
   for (const Standing& one : standing) {
+    if (of && one.entity != of) continue;
     const double lowest = one.moves ? lowest_of(one) : 0;
     if (lowest >= -deepest_contact) continue;
     lines.push_back(fmt::format("{} is in the ground by {:.0f} mm at the start: contact pushes it out",
@@ -140,22 +165,24 @@ void add_sunken(const std::vector<Standing>& standing, std::vector<std::string>&
   }
 }
 
+std::vector<std::string> overlap_lines(const Entity* of, const Entity& field,
+                                       std::span<Entity* const> moving_entities) {
+  Scenery scenery(field, moving_entities);
+  std::vector<std::string> lines;
+  add_overlaps(scenery.standing(), of, lines);
+  add_sunken(scenery.standing(), of, lines);
+  return lines;
+}
+
 }  // namespace
 
 std::vector<std::string> start_overlaps(const Entity& field, std::span<Entity* const> moving_entities) {
-  std::map<const Model*, EntityKind> kinds;
-  std::vector<Standing> standing;
-  standing.reserve(moving_entities.size() + 1);
-  const auto add = [&](const Entity& entity) -> Standing& {
-    EntityKind& kind = kinds.try_emplace(&entity.model(), entity.model()).first->second;
-    return standing.emplace_back(entity, kind);
-  };
-  for (const Entity* moving_entity : moving_entities) add(*moving_entity);
-  add(field).moves = false;
-  std::vector<std::string> lines;
-  add_overlaps(standing, lines);
-  add_sunken(standing, lines);
-  return lines;
+  return overlap_lines(nullptr, field, moving_entities);
+}
+
+std::vector<std::string> overlaps_of(const Entity& entity, const Entity& field,
+                                     std::span<Entity* const> moving_entities) {
+  return overlap_lines(&entity, field, moving_entities);
 }
 
 }  // namespace murosimf::scene

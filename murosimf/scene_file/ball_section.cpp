@@ -15,7 +15,8 @@ const Section<BallSpec>& ball_section() {
        {"hollow", &BallSpec::hollow, "", "inertia of a shell, 2/3 m r^2, instead of 2/5 m r^2"},
        {"material", &BallSpec::material, "", "of its surface"},
        {"contact", Choice<BallSpec>{&BallSpec::contact, "contact law", [] { return entry_names(catalog::contacts()); }},
-        "", "murosimf list contacts"}});
+        "", "murosimf list contacts"},
+       {"present", &BallSpec::present, "", "at the start; an event 'ball.present = true' brings it"}});
   return section;
 }
 

@@ -95,7 +95,7 @@ BodySpec read_body(const toml::table& node) {
   require(!body.name.empty(), table, "name", "of the body is missing");
   read_kind(table, body);
   if (body.is_static) {
-    refuse_keys(table, "static body", {"mass", "density", "velocity", "angular_velocity", "contact"});
+    refuse_keys(table, "static body", {"mass", "density", "velocity", "angular_velocity", "contact", "present"});
     return body;
   }
   if (body.shape) read_mass(table, body);
@@ -141,7 +141,8 @@ const Section<BodySpec>& body_section() {
        {"velocity", &BodySpec::velocity, "m/s", "world, at the start"},
        {"angular_velocity", &BodySpec::angular_velocity, "rad/s", "world, at the start"},
        {"contact", Choice<BodySpec>{&BodySpec::contact, "contact law", [] { return entry_names(catalog::contacts()); }},
-        "", "with the ground: murosimf list contacts"}});
+        "", "with the ground: murosimf list contacts"},
+       {"present", &BodySpec::present, "", "at the start; an event 'NAME.present = true' brings it"}});
   return section;
 }
 

@@ -25,6 +25,7 @@ struct BodySpec {
   Vec3d angular_velocity;      ///< [rad/s] world, at the start
   bool is_static = false;      ///< it stands there for good, like a goal
   std::string contact = "implicit_stick";
+  bool present = true;  ///< at the start
 };
 
 /// How it is turned at the start: body axes to world axes.

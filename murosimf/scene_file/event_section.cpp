@@ -29,6 +29,9 @@ void check_value(const SceneEvent& event) {
     if (event.key == "level") (void)find_entry(catalog::levels(), "level", event.value);
     if (event.key == "contact") (void)find_entry(catalog::contacts(), "contact law", event.value);
     if (event.key == "servo_law") (void)find_entry(motion::servo_laws(), "servo law", event.value);
+    if (event.key == "present" && event.value != "true" && event.value != "false") {
+      throw SetupError(fmt::format("present is true or false, not '{}'", event.value));
+    }
   });
 }
 
@@ -53,11 +56,11 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
   if (entities.empty() && !bodies.empty()) {
     entities = names_of(bodies);
     used = 1;
-    const bool property = change.path.size() > 2 || change.path.back() == "contact";
+    const bool property = change.path.size() > 2 || change.path.back() == "contact" || change.path.back() == "present";
     if (!property)
       throw SetupError(
           fmt::format("{}: a body has no '{}' that could change while it runs; "
-                      "its contact and its properties can",
+                      "its contact, its properties and whether it is present can",
                       where, change.path.back()));
   }
   const std::size_t rest = change.path.size() - std::min(change.path.size(), used);
@@ -126,7 +129,7 @@ const Section<EventTable>& event_section() {
 }
 
 const std::vector<std::string_view>& exchangeable_keys() {
-  static const std::vector<std::string_view> keys{"level", "contact", "servo_law", "command"};
+  static const std::vector<std::string_view> keys{"level", "contact", "servo_law", "command", "present"};
   return keys;
 }
 

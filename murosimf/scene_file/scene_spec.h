@@ -35,6 +35,7 @@ struct BallSpec : BallOptions {
   Vec3d position;  ///< [m] z: height of its lowest point
   Vec3d velocity;  ///< [m/s]
   std::string contact = "implicit_stick";
+  bool present = true;  ///< at the start
 };
 
 /// How pictures of the bodies look at the scene.
@@ -92,6 +93,7 @@ struct RobotSpec {
   double heading = 0;          ///< [rad]
   double roll = 0, pitch = 0;  ///< [rad] about the level robot's x, then its y; before the heading
   Vec3d command;               ///< [m/s, m/s, rad/s]
+  bool present = true;         ///< at the start
   CollisionOptions collision;
   components::SensorChanges sensors;
   std::map<std::string, GivenKey> given;  ///< its keys that somebody has set
@@ -111,7 +113,7 @@ struct PropertySetting {
   std::vector<double> numbers;
 };
 
-/// Something that changes while the scene runs: another level, law or command, or a property.
+/// Something that changes while the scene runs: another level, law or command, who is there, or a property.
 struct SceneEvent {
   double time = 0;  ///< [s]
   std::string where;

@@ -114,6 +114,21 @@ Camera::Camera(Setup& setup, const SensorSpec& spec, const SensorSurroundings& s
   frame_.wanted = spec_.always_on;
 }
 
+/// It gets a label.
+void Camera::entity_added(Setup& setup) {
+  read_motion(setup);
+  auto info = std::make_shared<CameraInfo>(*frame_.info);
+  info->labels.push_back(setup.entity().name());
+  frame_.info = std::move(info);
+}
+
+void Camera::entity_taken_back(const Entity& entity) noexcept {
+  if (frame_.info->labels.back() != entity.name()) return;
+  auto info = std::make_shared<CameraInfo>(*frame_.info);
+  info->labels.pop_back();
+  frame_.info = std::move(info);
+}
+
 std::string Camera::remark(const LevelTraits&) const { return *fold_remark_; }
 
 void Camera::start() {

@@ -40,6 +40,9 @@ class Camera final : public Sensor {
 
   [[nodiscard]] std::string remark(const LevelTraits& level) const override;
 
+  void entity_added(Setup& setup) override;
+  void entity_taken_back(const Entity& entity) noexcept override;
+
  private:
   struct Picture {
     View view;

@@ -16,6 +16,7 @@
 #include "murosimf/sensors/mounting.h"
 #include "murosimf/sensors/sensor.h"
 #include "murosimf/sensors/view_source.h"
+#include "murosimf/sensors/world_queries.h"
 
 namespace murosimf::sensors {
 
@@ -23,6 +24,8 @@ class DepthLaser final : public Sensor {
  public:
   /// Throws SetupError that names the number that is impossible.
   DepthLaser(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
+
+  void entity_added(Setup& setup) override { read_motion(setup); }
 
  private:
   /// Where a ray is in a row of depths.

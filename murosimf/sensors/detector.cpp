@@ -90,6 +90,7 @@ Detector::Polar Detector::polar(const Vec3d& place) noexcept {
 }
 
 bool Detector::sees(const Target& target, const Polar& place, collision::QueryScene& scene) const noexcept {
+  if (!target.seen.entity->present()) return false;
   if (place.distance < numbers_.range.min || place.distance > numbers_.range.max) return false;
   if (abs(place.azimuth) > numbers_.half_azimuth || abs(place.elevation) > numbers_.half_elevation) return false;
   if (numbers_.misses > 0 && target.misses.uniform(looks_) < numbers_.misses) return false;

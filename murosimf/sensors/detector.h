@@ -36,6 +36,9 @@ class Detector final : public Sensor {
   /// entity that there is none of.
   Detector(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
 
+  void entity_added(Setup& setup) override { view_.add(setup); }
+  void entity_taken_back(const Entity& entity) noexcept override { view_.take_back(entity); }
+
  private:
   struct Numbers {
     explicit Numbers(const SensorSpec& spec);

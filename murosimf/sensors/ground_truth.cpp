@@ -1,6 +1,8 @@
 #include "murosimf/sensors/ground_truth.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "murosimf/model/properties.h"
 
@@ -39,14 +41,18 @@ GroundTruth::GroundTruth(Setup& setup, const SensorSpec& spec, const SensorSurro
     : Sensor(setup, spec, surroundings, outputs_for(sensed_entities(spec, surroundings))) {
   for (Entity* entity : sensed_entities(spec, surroundings)) {
     Setup other = setup.of(*entity);
-    sources_.push_back({other.read(properties::position), other.read(properties::linear_velocity),
+    sources_.push_back({entity, other.read(properties::position), other.read(properties::linear_velocity),
                         other.read(properties::orientation)});
   }
 }
 
 void GroundTruth::measure(std::span<double> values) noexcept {
   for (std::size_t i = 0; i < sources_.size(); ++i) {
-    const std::span<double> numbers = values.subspan(numbers_each * i);
+    const std::span<double> numbers = values.subspan(numbers_each * i, numbers_each);
+    if (!sources_[i].entity->present()) {
+      std::fill(numbers.begin(), numbers.end(), std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
     write(sources_[i].r[0], numbers);
     numbers[3] = heading(sources_[i].R[0]);
     write(sources_[i].v[0], numbers.subspan(4));
@@ -67,6 +73,7 @@ Sightings::Sightings(Setup& setup, std::string_view sensor) : reading_(read_read
 const std::vector<Sighting>& Sightings::look() noexcept {
   for (std::size_t i = 0; i < sightings_.size(); ++i) {
     const double* number = &reading_.values[numbers_each * i];
+    sightings_[i].present = std::isfinite(number[0]);
     sightings_[i].position = {number[0], number[1], number[2]};
     sightings_[i].heading = number[3];
     sightings_[i].velocity = {number[4], number[5], number[6]};

@@ -2,7 +2,7 @@
 ///
 /// Three outputs for each entity that it looks at (SensorSpec::objects; none named: all robots and the ball):
 /// `<entity>_position` [m], `<entity>_heading` [rad] and `<entity>_velocity` [m/s] of the base, world frame. Nothing
-/// hides anything; noise, rate and delay are those of any sensor.
+/// hides anything; noise, rate and delay are those of any sensor. Numbers of one that is not there are NaN.
 #pragma once
 
 #include <span>
@@ -20,6 +20,7 @@ class GroundTruth final : public Sensor {
 
  private:
   struct Source {
+    const Entity* entity;
     std::span<const Vec3d> r, v;
     std::span<const Mat3d> R;
   };
@@ -35,8 +36,9 @@ class GroundTruth final : public Sensor {
 /// One entity as ground truth shows it.
 struct Sighting {
   std::string name;
-  std::string team;    ///< empty for things that play in no team
-  bool self = false;   ///< the robot that carries the sensor
+  std::string team;   ///< empty for things that play in no team
+  bool self = false;  ///< the robot that carries the sensor
+  bool present = true;
   Vec3d position;      ///< [m] of the base, world frame
   double heading = 0;  ///< [rad] of the base about the vertical, world frame
   Vec3d velocity;      ///< [m/s] of the base, world frame

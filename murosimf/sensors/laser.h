@@ -26,6 +26,9 @@ class Laser final : public Sensor {
   /// Throws SetupError that names the number that is impossible.
   Laser(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
 
+  void entity_added(Setup& setup) override { view_.add(setup); }
+  void entity_taken_back(const Entity& entity) noexcept override { view_.take_back(entity); }
+
  private:
   void measure(std::span<double> values) noexcept override;
   void present(std::span<double> values) noexcept override;

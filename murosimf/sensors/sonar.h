@@ -34,6 +34,9 @@ class NearestOfRays : public Sensor {
   NearestOfRays(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings,
                 std::vector<Vec3d> directions, const Range& usual);
 
+  void entity_added(Setup& setup) override { view_.add(setup); }
+  void entity_taken_back(const Entity& entity) noexcept override { view_.take_back(entity); }
+
  private:
   void measure(std::span<double> values) noexcept override;
   void present(std::span<double> values) noexcept override;

@@ -21,19 +21,21 @@ struct QueryTurn {};
 inline void append_hash(Hasher&, const QueryTurn&) {}
 inline void state(StateArchive&, QueryTurn&) {}
 
-/// Of the environment. Whoever reads it asks after the shared scenes have been refreshed.
+/// Of the world. Whoever reads it asks after the shared scenes have been refreshed.
 inline constexpr Property<QueryTurn> query_turn{
     {"query_turn", "-", "-", "questions of sensors may be asked of the poses of this tick", Scope::wiring}};
 
-/// Algorithm: the scenes that sensors share. To be attached before them, to an entity that never moves, at the rate of the
-/// simulation's steps.
+/// Algorithm: the scenes that sensors share. To be attached to the world, at the rate of the simulation's steps.
 class WorldQueries final : public Algorithm {
  public:
   /// After all entities are added; reads the poses of `moving_entities`.
   WorldQueries(Setup& setup, const std::vector<Entity*>& moving_entities);
 
-  [[nodiscard]] Phase phase() const noexcept override { return Phase::sense; }
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::survey; }
   void initialize() override { refresh(); }
+  void entity_added(Setup& setup) override;
+  void entity_taken_back(const Entity& entity) noexcept override;
+  void entity_entered(const Entity&) override { refresh(); }
   void step(const Instant&) noexcept override { refresh(); }
 
   /// The scene with volumes of this kind, made when it is first asked for: while setting up only. The algorithm of `setup`
@@ -44,7 +46,7 @@ class WorldQueries final : public Algorithm {
   void refresh() noexcept;
 
   const World& world_;
-  Entity& environment_;
+  Entity& common_;
   std::map<std::string, std::unique_ptr<collision::QueryScene>> scenes_;  // by volume
 };
 
@@ -56,6 +58,9 @@ class WorldView {
 
   /// The scene, for questions in this step.
   [[nodiscard]] collision::QueryScene& now() noexcept;
+  /// An entity has been added (Algorithm::entity_added), and taken back.
+  void add(Setup& setup);
+  void take_back(const Entity& entity) noexcept;
   /// The same while setting up: who is there.
   [[nodiscard]] const collision::QueryScene& scene() const { return *scene_; }
 
@@ -64,7 +69,9 @@ class WorldView {
   collision::QueryScene* scene_;
 };
 
-/// Declares that poses and velocities of all moving entities are read: what whoever draws them needs (view_source.h).
+/// Declares that pose and velocity of the entity of `setup` are read: what whoever draws it needs (view_source.h).
+void read_motion(Setup& setup);
+/// The same of all moving entities.
 void read_motion_of_all(Setup& setup, const SensorSurroundings& surroundings);
 
 }  // namespace murosimf::sensors

@@ -23,8 +23,8 @@ struct Balls {
       balls.push_back(&world.add("ball" + std::to_string(i), ball(0.1, static_cast<double>(i + 1))));
       entities.push_back(balls[i]);
     }
-    Setup setup(world, *field, access);
-    contact = std::make_unique<BodyContact>(setup, entities, MaterialTable{}, std::move(law));
+    Setup setup(world, world.common(), access);
+    contact = std::make_unique<BodyContact>(setup, field, entities, MaterialTable{}, std::move(law));
     for (std::size_t i = 0; i < places.size(); ++i) {
       column(i, properties::dynamic) = 1;
       column(i, properties::position) = places[i];
@@ -51,7 +51,7 @@ struct Balls {
     return column_of(i, property)[0];
   }
   ContactSeam& seam(std::size_t i) { return column(i, contact_seam); }
-  PairSet& set() { return field->column(pair_contacts).values[0]; }
+  PairSet& set() { return world.common().column(pair_contacts).values[0]; }
   void step() { contact->step({{}, from_seconds(dt)}); }
   void launch(std::size_t i, const Vec3d& v) { column(i, properties::linear_velocity) = answers[i].now = v; }
   /// A ground contact of ball i as ground_contact leaves it, with `law`, below the ball, pressed by 1 mm.

@@ -14,7 +14,7 @@ using fixtures::Dice;
 using geometry::BoundingSphere;
 
 // Law: rays and regions find all whose spheres they meet, in rising order; infinite ones and those that are to be found
-// always come with them.
+// by all come with them, and those by none never do.
 TEST(EntityTree, FindsAllThatAreMet) {
   Dice dice("entities");
   EntityTree tree;
@@ -22,14 +22,15 @@ TEST(EntityTree, FindsAllThatAreMet) {
   for (int i = 0; i < 2000; ++i) {
     std::vector<BoundingSphere> reach;
     const int count = dice.pick(40);
-    std::vector<bool> always(static_cast<std::size_t>(count), false);
+    std::vector<FoundBy> found_by(static_cast<std::size_t>(count), FoundBy::those_near);
     for (int k = 0; k < count; ++k) reach.push_back({dice.vector(4), dice.uniform(0, 0.6)});
     if (count > 5) {
-      always[2] = true;
+      found_by[1] = FoundBy::none;
+      found_by[2] = FoundBy::all;
       reach[3].radius = std::numeric_limits<double>::infinity();
       reach[4].center.z = std::nan("");
     }
-    tree.build(reach, always);
+    tree.build(reach, found_by);
     const geometry::Ray ray{dice.vector(3), dice.unit()};
     const double range = dice.uniform(0, 6);
     const auto wanted = [&](const BoundingSphere& sphere) {
@@ -40,7 +41,11 @@ TEST(EntityTree, FindsAllThatAreMet) {
     EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
     EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << "each once";
     for (int k = 0; k < count; ++k) {
-      if (!wanted(reach[k]) && !always[k]) continue;
+      if (found_by[k] == FoundBy::none) {
+        EXPECT_FALSE(std::binary_search(found.begin(), found.end(), k)) << i << " " << k;
+        continue;
+      }
+      if (!wanted(reach[k]) && found_by[k] != FoundBy::all) continue;
       ++met;
       EXPECT_TRUE(std::binary_search(found.begin(), found.end(), k)) << i << " " << k;
     }

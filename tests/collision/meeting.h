@@ -43,7 +43,7 @@ struct Meeting {
   static void place(Entity& entity, const Vec3d& center) {
     entity.base().set(properties::position, center - Vec3d{0.02, 0, 0.01});
   }
-  [[nodiscard]] const PairSet& set() const { return rig.ground->find(pair_contacts)->values[0]; }
+  [[nodiscard]] const PairSet& set() const { return rig.simulation.world().common().find(pair_contacts)->values[0]; }
   [[nodiscard]] Wrenchd total() {
     Wrenchd sum;
     for (Entity* entity : {small, big}) {

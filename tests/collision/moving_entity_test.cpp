@@ -131,7 +131,7 @@ TEST(GroundContactExchange, MemoryStaysBetweenLawsThatShareIt) {
     Entity& box = rig.add("box", test::box_model());
     auto& contact = rig.simulation.attach<GroundContact>("ground_contact", box, 1000, rig.ground,
                                                          test::law_named(first), rig.materials);
-    rig.simulation.attach<BodyContact>("body_contact", *rig.ground, 1000, std::vector<Entity*>{&box}, rig.materials,
+    rig.simulation.attach<BodyContact>("body_contact", 1000, rig.ground, std::vector<Entity*>{&box}, rig.materials,
                                        test::body_law_named("island_gauss_seidel"));
     rig.simulation.attach<motion::SimplifiedDynamics>("simplified_dynamics", box, 1000);
     rig.run(0.5);

@@ -16,7 +16,8 @@ using fixtures::placed;
 struct Found : Movers {
   void find() {
     if (!finder) {
-      finder.emplace(all, materials, 9.81, 1e-3);
+      finder.emplace(materials, 9.81, 1e-3);
+      for (const MovingEntity& one : all) finder->add(one);
       set.parameters = finder->parameters();
     }
     start_step();

@@ -43,7 +43,7 @@ struct Listed {
     fill(set.points[0], 5, 1);
     fill(set.points[1], 6, 2);
     set.points[0].surface = 1;
-    PairSet& pairs = field->column(pair_contacts).values[0];
+    PairSet& pairs = world.common().column(pair_contacts).values[0];
     pairs.entities = {2, 1};
     pairs.points = {pair(0, 4, 1, 2, 3), pair(1, 8, 1, 9, 4)};
   }

@@ -73,7 +73,7 @@ TEST(ContactKinds, AreNotComparedBetweenEntities) {
     rig.attach_together({{&one, {}}, {&other, {}}});
     rig.simulation.initialize();
     rig.simulation.step();
-    EXPECT_FALSE(rig.ground->find(collision::pair_contacts)->values[0].points.empty()) << affinity;
+    EXPECT_FALSE(rig.simulation.world().common().find(collision::pair_contacts)->values[0].points.empty()) << affinity;
   }
 }
 

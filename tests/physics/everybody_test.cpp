@@ -31,7 +31,7 @@ struct Heap {
   std::uint64_t hash_after(int steps) {
     for (int i = 0; i < steps; ++i) {
       pitch.simulation.step();
-      contacts += pitch.ground->find(collision::pair_contacts)->values[0].points.size();
+      contacts += pitch.simulation.world().common().find(collision::pair_contacts)->values[0].points.size();
     }
     return pitch.simulation.state_hash();
   }

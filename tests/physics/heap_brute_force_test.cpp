@@ -17,7 +17,9 @@ class Judge final : public Algorithm {
  public:
   Judge(Setup& setup, const std::vector<Entity*>& entities)
       : moving_entities_(make_moving_entities(setup, entities)),
-        finder_(moving_entities_, MaterialTable::standard(), 9.81, 0.001) {}
+        finder_(MaterialTable::standard(), 9.81, 0.001) {
+    for (const collision::MovingEntity& moving_entity : moving_entities_) finder_.add(moving_entity);
+  }
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }
   void step(const Instant&) noexcept override {

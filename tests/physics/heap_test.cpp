@@ -26,7 +26,7 @@ class Heap {
     for (const auto& entity : world.entities()) {
       if (entity->name() != "field") robots_.push_back(entity.get());
     }
-    pairs_ = &world.entity("field").find(collision::pair_contacts)->values[0];
+    pairs_ = &world.common().find(collision::pair_contacts)->values[0];
   }
 
   void run(double s) { scene_.simulation().run(from_seconds(s)); }

@@ -115,7 +115,7 @@ law::Worst lean_on(const std::string& level, const std::string& law) {
   bool touched = false;
   for (int i = 0; i < 2000; ++i) {
     rig.simulation.step();
-    touched |= !rig.ground->find(collision::pair_contacts)->values[0].points.empty();
+    touched |= !rig.simulation.world().common().find(collision::pair_contacts)->values[0].points.empty();
     if (i > 500) speed.see(norm(Rig::velocity(box)), "step", i);
   }
   EXPECT_TRUE(touched) << "the ball did not reach the box";
@@ -241,7 +241,7 @@ struct BadNeighbor {
     rig.run(0.01);
   }
   [[nodiscard]] std::size_t touching() const {
-    return rig.ground->find(collision::pair_contacts)->values[0].points.size();
+    return rig.simulation.world().common().find(collision::pair_contacts)->values[0].points.size();
   }
   Rig rig;
   Entity* robot = nullptr;
@@ -275,7 +275,7 @@ TEST(Islands, OfWalkingRobotsDoNotDependOnThreads) {
     int touched = 0;
     for (int i = 0; i < 3000; ++i) {
       rig.simulation.step();
-      touched += rig.ground->find(collision::pair_contacts)->values[0].points.empty() ? 0 : 1;
+      touched += rig.simulation.world().common().find(collision::pair_contacts)->values[0].points.empty() ? 0 : 1;
     }
     EXPECT_GT(touched, 100) << "the robots do not touch";
     if (threads == 1) first = rig.simulation.state_hash();

@@ -106,7 +106,7 @@ struct Rig {
   void attach_dynamics(Entity& entity, const Dynamics& dynamics = {}) {
     attach_ground(entity, dynamics);
     if (dynamics.law && dynamics.law->island_use() == collision::IslandUse::always) {
-      simulation.attach<collision::BodyContact>("body_contact", *ground, rate, std::vector<Entity*>{&entity}, materials,
+      simulation.attach<collision::BodyContact>("body_contact", rate, ground, std::vector<Entity*>{&entity}, materials,
                                                 body_law_named("island_gauss_seidel"));
     }
     attach_level(entity, dynamics);
@@ -133,7 +133,7 @@ struct Rig {
       moving_entities.push_back(entity);
       if (find_entry(catalog::levels(), "level", dynamics.level).traits.dynamic) attach_ground(*entity, dynamics);
     }
-    simulation.attach<collision::BodyContact>("body_contact", *ground, rate, moving_entities, materials,
+    simulation.attach<collision::BodyContact>("body_contact", rate, ground, moving_entities, materials,
                                               body_law_named(body_law));
     for (const auto& [entity, dynamics] : all) attach_level(*entity, dynamics);
   }

@@ -78,18 +78,19 @@ TEST(Simulation, ConflictsRunByPhaseThenInTheOrderOfAttaching) {
   const auto attach = [&](Phase phase, int mark) {
     simulation.attach<Mark>(fmt::format("mark{}", mark), a, 1000, phase, mark);
   };
-  attach(Phase::observe, 8);
-  attach(Phase::contact, 4);
-  attach(Phase::sense, 1);
-  attach(Phase::motion, 7);
-  attach(Phase::control, 3);
+  attach(Phase::observe, 9);
+  attach(Phase::interaction, 7);
   attach(Phase::contact, 5);
   attach(Phase::sense, 2);
+  attach(Phase::motion, 8);
+  attach(Phase::control, 4);
+  attach(Phase::survey, 1);
+  attach(Phase::sense, 3);
   attach(Phase::contact, 6);
   simulation.step();
-  EXPECT_EQ(a.base().get(counter), 12345678);
+  EXPECT_EQ(a.base().get(counter), 123456789);
   const auto order = simulation.order_of_tick();
-  ASSERT_EQ(order.size(), 8U);
+  ASSERT_EQ(order.size(), 9U);
   for (std::size_t i = 0; i < order.size(); ++i) {
     EXPECT_EQ(order[i].wave, i) << "all write one number";
     EXPECT_EQ(order[i].name, fmt::format("mark{}", i + 1));
@@ -209,7 +210,7 @@ TEST(PathRecorder, KeepsNoMoreThanItsShareHoweverLongARunIs) {
   Entity& a = simulation.world().add("a", dot());
   simulation.attach<Tell>("tell", a, PathRecorder::rate_hz);
   const auto& recorder =
-      simulation.attach<PathRecorder>("recorder", a, PathRecorder::rate_hz, std::vector<Entity*>{&a});
+      simulation.attach<PathRecorder>("recorder", PathRecorder::rate_hz, std::vector<Entity*>{&a});
   simulation.run(200s);
   const auto& points = recorder.paths()[0].points;
   EXPECT_EQ(points.size(), 4001U) << "all of them";

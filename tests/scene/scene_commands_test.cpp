@@ -48,6 +48,10 @@ std::string random_change(std::mt19937& dice) {
       "two.command = [0.1, 0.05, -0.2]",
       "one.command = [0, 0, 0]",
       "one.pelvis.applied_force = {force = [3, -2, 0]}",
+      "two.present = false",
+      "two.present = true",
+      "ball.present = false",
+      "ball.present = true",
       "nobody.level = full_dynamics",
       "two.level = no_such_level",
   };

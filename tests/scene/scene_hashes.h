@@ -14,13 +14,13 @@ namespace murosimf::scene {
 /// Hashes of everything that anybody can see, by name.
 inline std::map<std::string, std::uint64_t> hashes_of(const Scene& scene) {
   std::map<std::string, std::uint64_t> hashes{{"all", scene.simulation().state_hash()}};
-  for (const auto& entity : scene.simulation().world().entities()) {
-    for (const auto& [name, column] : entity->columns()) {
+  scene.simulation().world().for_all([&](const Entity& entity) {
+    for (const auto& [name, column] : entity.columns()) {
       Hasher hasher;
       column->append_to(hasher);
-      hashes[entity->name() + " " + name] = hasher.value();
+      hashes[entity.name() + " " + name] = hasher.value();
     }
-  }
+  });
   return hashes;
 }
 

@@ -159,7 +159,7 @@ TEST(SceneSensors, SensorsWithRaysAskOneScene) {
     if (one.name == "world_queries") {
       ++shared;
       wave = one.wave;
-      EXPECT_EQ(one.entity, "field");
+      EXPECT_EQ(one.entity, "world");
     }
     if (one.name == "laser" || one.name == "sonar" || one.name == "detector") {
       ++askers;

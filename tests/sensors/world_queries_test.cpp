@@ -96,8 +96,7 @@ std::vector<double> readings(bool shared, int threads) {
   WorldQueries* queries = nullptr;
   const auto of_all = [&]() -> WorldQueries& {
     if (!queries) {
-      queries = &rig.simulation.attach<WorldQueries>("world_queries", rig.simulation.world().entity("walls"), rig.rate,
-                                                     rig.moving_entities);
+      queries = &rig.simulation.attach<WorldQueries>("world_queries", rig.rate, rig.moving_entities);
     }
     return *queries;
   };

@@ -1,0 +1,110 @@
+#include "murosimf/scene/scene_addition.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/model/error.h"
+#include "murosimf/scene/scene_algorithms.h"
+#include "murosimf/scene/scene_checks.h"
+#include "murosimf/scene/scene_entities.h"
+#include "murosimf/scene/scene_exchange.h"
+#include "murosimf/scene/scene_sensors.h"
+#include "murosimf/scene/scene_start.h"
+#include "murosimf/scene/start_overlaps.h"
+
+namespace murosimf::scene {
+namespace {
+
+/// Shortens all lists of the scene again, if nobody says that all went well.
+class Lengths {
+ public:
+  explicit Lengths(SceneParts& parts) : parts_(parts) {}
+  Lengths(const Lengths&) = delete;
+  Lengths& operator=(const Lengths&) = delete;
+  ~Lengths() {
+    if (!done_) shorten();
+  }
+  void done() { done_ = true; }
+
+ private:
+  void shorten() {
+    parts_.spec.robots.resize(robots_);
+    parts_.spec.bodies.resize(bodies_);
+    parts_.robots.resize(robots_);
+    parts_.sensors.resize(robots_);
+    parts_.bodies.resize(moving_bodies_);
+    parts_.moving_entities.resize(moving_);
+    parts_.ground_contacts.resize(moving_);
+    parts_.queries = queries_;
+  }
+
+  SceneParts& parts_;
+  std::size_t robots_ = parts_.spec.robots.size(), bodies_ = parts_.spec.bodies.size();
+  std::size_t moving_bodies_ = parts_.bodies.size(), moving_ = parts_.moving_entities.size();
+  sensors::WorldQueries* queries_ = parts_.queries;  // may have come with its sensors
+  bool done_ = false;
+};
+
+void check_team(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot) {
+  if (robot.team.empty()) return;
+  std::vector<std::string_view> names;
+  for (const scene_file::TeamSpec& team : spec.teams) names.push_back(team.name);
+  if (std::ranges::find(names, robot.team) == names.end()) throw SetupError(unknown_name("team", robot.team, names));
+}
+
+/// What stands at the end of either way.
+void finish(SceneParts& parts, Entity& entity) {
+  start_moving(parts, entity);
+  parts.at_start.algorithms.push_back(algorithms_in_force(parts).back());
+  if (parts.cameras) parts.cameras->renew();
+  parts.remarks.warn(overlaps_of(entity, *parts.field, parts.moving_entities));
+}
+
+}  // namespace
+
+Entity& add(SceneParts& parts, const scene_file::RobotSpec& robot) {
+  parts.simulation->initialize();
+  check_team(parts.spec, robot);
+  ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.remarks);
+  const EntityKind kind = robot_kind(parts, models, robot);
+  Lengths lengths(parts);
+  parts.spec.robots.push_back(robot);
+  const auto furnish = [&](Entity& entity) {
+    enlist(parts, robot, entity);
+    attach_sensors(parts, models, parts.robots.size() - 1);
+    attach_controller(parts, robot, entity);
+    attach_ground_contact(parts, entity, robot.level, robot.contact);
+    attach_level_of(parts, robot, entity);
+    attach_odometer(parts, entity);
+  };
+  const auto prepare = [&](Entity& entity) { place_at_start(parts, entity); };
+  Entity& entity = parts.simulation->add(robot.name, kind.model, kind.options, furnish, prepare);
+  lengths.done();
+  note_about_sensors(parts, robot);
+  finish(parts, entity);
+  return entity;
+}
+
+Entity& add(SceneParts& parts, const scene_file::BodySpec& body) {
+  if (body.is_static)
+    throw SetupError(fmt::format("'{}' is static: it is part of the field from the start", body.name));
+  parts.simulation->initialize();
+  ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.remarks);
+  const EntityKind kind = body_kind(models, body);
+  Lengths lengths(parts);
+  parts.spec.bodies.push_back(body);
+  const auto furnish = [&](Entity& entity) {
+    enlist(parts, body, entity);
+    attach_ground_contact(parts, entity, entity.level, body.contact);
+    attach_level(parts, entity, {});
+    attach_odometer(parts, entity);
+  };
+  Entity& entity = parts.simulation->add(body.name, kind.model, kind.options, furnish);
+  lengths.done();
+  finish(parts, entity);
+  return entity;
+}
+
+}  // namespace murosimf::scene

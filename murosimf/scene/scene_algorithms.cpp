@@ -1,0 +1,67 @@
+#include "murosimf/scene/scene_algorithms.h"
+
+#include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/collision/ground_contact.h"
+#include "murosimf/motion/odometer.h"
+#include "murosimf/scene/scene_checks.h"
+#include "murosimf/scene_file/field.h"
+#include "murosimf/scene_file/level_options.h"
+#include "murosimf/scene_file/motion_file.h"
+
+namespace murosimf::scene {
+namespace {
+
+catalog::ControllerOptions controller_options(const SceneParts& parts, const scene_file::RobotSpec& robot) {
+  const scene_file::SceneSpec& spec = parts.spec;
+  catalog::ControllerOptions options;
+  options.everybody = parts.moving_entities;
+  options.command = robot.command;
+  options.own = robot.options;
+  const scene_file::FieldSize& field = scene_file::field_size(spec.field.size);
+  options.half_field = {0.5 * field.length, 0.5 * field.width, 0};
+  options.start = {robot.position.x, robot.position.y, robot.heading};
+  options.markings = scene_file::field_markings(field);
+  options.seed = spec.seed;
+  for (const scene_file::TeamSpec& team : spec.teams) {
+    if (team.name == robot.team) options.attacks = team.attacks;
+  }
+  if (!robot.motion.empty()) {
+    options.motion = with_context(robot.where, [&] {
+      return scene_file::read_motion(scene_file::find_motion(robot.motion, spec.file.parent_path()));
+    });
+  }
+  return options;
+}
+
+}  // namespace
+
+void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
+  const catalog::ControllerOptions options = controller_options(parts, robot);
+  const catalog::ControllerType& controller = find_entry(catalog::controllers(), "controller", robot.controller);
+  with_context(robot.where, [&] { controller.attach(*parts.simulation, entity, options); });
+}
+
+void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law) {
+  if (find_entry(catalog::levels(), "level", level).traits.dynamic) entity.contact = law;
+  parts.ground_contacts.push_back(
+      &parts.simulation->attach<collision::GroundContact>("ground_contact", entity, parts.spec.rate, parts.field,
+                                                          find_entry(catalog::contacts(), "contact law", law).make(),
+                                                          parts.spec.materials));
+}
+
+void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options) {
+  const catalog::LevelType& level = find_entry(catalog::levels(), "level", entity.level);
+  parts.simulation->attach(entity.level, entity, parts.spec.rate,
+                           [&](Setup& setup) { return level.make(setup, options); });
+}
+
+void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
+  warn_about_level(parts, robot);
+  with_context(robot.where, [&] { attach_level(parts, entity, scene_file::level_options(robot)); });
+}
+
+void attach_odometer(SceneParts& parts, Entity& entity) {
+  parts.simulation->attach<motion::Odometer>("odometer", entity, motion::Odometer::rate_hz);
+}
+
+}  // namespace murosimf::scene

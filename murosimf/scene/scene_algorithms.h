@@ -1,0 +1,29 @@
+/// scene_algorithms.h - the algorithms of one entity of a scene. Those of different phases may be attached in any order.
+#pragma once
+
+#include <string>
+
+#include "murosimf/scene/scene_parts.h"
+
+namespace murosimf::catalog {
+struct LevelOptions;
+}
+
+namespace murosimf::scene {
+
+/// All throw SetupError for unknown names, and with the place in the scene file for what an algorithm refuses.
+void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity);
+
+/// Also for those whom no force moves: they may change their level. `level`: the one that it begins with.
+void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law);
+
+/// The level that the entity names.
+void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options);
+
+/// The same with the options of a robot; warnings about what a user may have overlooked.
+void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity);
+
+/// Counts its way and its falls.
+void attach_odometer(SceneParts& parts, Entity& entity);
+
+}  // namespace murosimf::scene
