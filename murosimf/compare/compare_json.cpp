@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "murosimf/compare/compare_outcome.h"
 #include "murosimf/compare/compare_report.h"
 #include "murosimf/files/json_document.h"
 
@@ -17,6 +18,22 @@ json events_array(const Measures& measures) {
     events.push_back({{"time_s", event.time}, {"posture", event.down ? "down" : "up"}});
   }
   return events;
+}
+
+json others_array(const OutcomeRecord& outcome) {
+  json others = json::array();
+  for (const OtherRecord& other : outcome.others) {
+    const OtherMeasures m = measures_of(other);
+    json object{{"name", other.name},
+                {"path_length_m", m.way},
+                {"peak_speed_m_s", m.peak_speed},
+                {"end_m", {m.end.x, m.end.y, m.end.z}},
+                {"touched_s", nullptr}};
+    if (other.touched) object["touched_s"] = *other.touched;
+    if (other.can_fall) object["falls"] = m.falls;
+    others.push_back(std::move(object));
+  }
+  return others;
 }
 
 json deviations_object(const Deviations& deviations) {
@@ -49,6 +66,7 @@ json entry_object(const Comparison& c, std::size_t i) {
   if (e.traits.servos) object["full_duty_share"] = e.record.full_duty;
   if (!e.overload.empty()) object["overload"] = e.overload;
   if (!e.frozen.empty()) object["frozen"] = e.frozen;
+  object["others"] = others_array(e.outcome);
   object["deviations"] = deviations_object(e.deviations);
   return object;
 }
@@ -70,6 +88,7 @@ std::string to_json(const Comparison& c, const Recommendation& recommendation, c
   json limits;
   for (std::size_t q = 0; q < thresholds.values.size(); ++q) limits[quantities()[q].name] = thresholds.values[q];
   limits["fall_time"] = thresholds.fall_time;
+  limits["contact_duty"] = thresholds.contact_duty;
   json entries = json::array();
   for (std::size_t i = 0; i < c.entries.size(); ++i) entries.push_back(entry_object(c, i));
   return files::json_text({{"schema", files::json_schema("compare")},

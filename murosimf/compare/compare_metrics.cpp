@@ -11,9 +11,6 @@ using motion::MotionRecord;
 using motion::MotionSample;
 
 constexpr std::size_t stride = 50;  // samples between two of the path's length
-const double cos_down = std::cos(pi / 3);
-const double cos_up = std::cos(pi / 6);
-
 double horizontal(const Vec3d& v) { return std::hypot(v.x, v.y); }
 
 double path_length(const std::vector<MotionSample>& samples) {
@@ -26,16 +23,9 @@ double path_length(const std::vector<MotionSample>& samples) {
 }
 
 std::vector<PostureEvent> events_of(const std::vector<MotionSample>& samples) {
-  std::vector<PostureEvent> events;
-  for (const MotionSample& sample : samples) {
-    const double cos_lean = std::cos(sample.pitch) * std::cos(sample.roll);
-    if (events.empty()) {
-      events.push_back({sample.time, cos_lean < cos_down});
-    } else if (events.back().down ? cos_lean > cos_up : cos_lean < cos_down) {
-      events.push_back({sample.time, !events.back().down});
-    }
-  }
-  return events;
+  Posture posture;
+  for (const MotionSample& sample : samples) posture.see(sample.time, std::cos(sample.pitch) * std::cos(sample.roll));
+  return posture.events();
 }
 
 double highest(const MotionRecord& record, std::size_t foot) {
@@ -107,7 +97,7 @@ Measures measures_of(const MotionRecord& record) {
   m.events = events_of(record.samples);
   for (const MotionSample& sample : record.samples) m.rate += dot(sample.rate, sample.rate);
   m.rate = std::sqrt(m.rate / static_cast<double>(record.samples.size()));
-  for (std::size_t i = 1; i < m.events.size(); ++i) m.falls += m.events[i].down ? 1 : 0;
+  m.falls = falls_in(m.events);
   for (std::size_t foot = 0; foot < record.soles; ++foot) m.clearance = std::max(m.clearance, highest(record, foot));
   for (std::size_t i = 0; i < record.torques.size(); ++i) {
     const double torque = std::abs(record.torques[i]);

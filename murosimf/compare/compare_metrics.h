@@ -4,19 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/compare/posture_events.h"
 #include "murosimf/motion/motion_recorder.h"
 
 namespace murosimf::compare {
 
 /// [m] Deviations of shorter paths are told as shares of this one: swaying on the spot is no path.
 inline constexpr double shortest_path = 1;
-
-/// The torso went down (it leans more than 60 degrees) or came up again (less than 30). A run's first event is how it begins,
-/// at time 0.
-struct PostureEvent {
-  double time = 0;  ///< [s]
-  bool down = false;
-};
 
 struct Measures {
   double path_length = 0;  ///< [m] horizontal way of the base, sampled twice a second so that swaying does not count
@@ -32,6 +26,12 @@ struct Measures {
 
 [[nodiscard]] Measures measures_of(const motion::MotionRecord& record);
 
+/// Of all other entities, the one that is off by most.
+struct OfAnother {
+  double value = 0;
+  std::string name{};  ///< empty: none is off
+};
+
 /// How far a run is from the reference, sample by sample until the shorter one ends.
 struct Deviations {
   double path_length =
@@ -44,6 +44,10 @@ struct Deviations {
   double rate = 0;         ///< [rad/s] rms of the length of the difference
   double slip = 0;         ///< [m/s] difference of the mean rates: slip per simulated second
   double clearance = 0;    ///< [m] difference of the largest clearances
+  // What becomes of others (compare_outcome.h), as shares of what the reference has there:
+  OfAnother others_way{};    ///< [1] difference of the lengths of their ways (of shortest_path at least)
+  OfAnother others_end{};    ///< [1] distance of their last places, of the same
+  OfAnother others_speed{};  ///< [1] difference of their peak speeds (of slowest_speed at least)
   double torque = 0;  ///< [1] difference of peak torques as a share of the reference's; NaN if one level knows none
 };
 

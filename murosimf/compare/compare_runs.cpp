@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/compare/compare_outcome.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/scene.h"
 
@@ -108,6 +109,10 @@ void observe(const CompareOptions& options, double duration, CompareEntry& entry
   const auto& recorder =
       simulation.attach<motion::MotionRecorder>("motion_recorder", robot, scene->spec().rate,
                                                 motion::MotionRecorderOptions{.servos = servos, .longest = duration});
+  std::vector<Entity*> others = scene->moving_entities();
+  std::erase(others, &robot);
+  const auto& outcome =
+      simulation.attach<OutcomeRecorder>("outcome_recorder", scene->spec().rate, robot, others, duration);
   simulation.run(from_seconds(duration));
   if (simulation.now() < from_seconds(duration)) {
     entry.stopped = true;
@@ -115,6 +120,7 @@ void observe(const CompareOptions& options, double duration, CompareEntry& entry
     return;
   }
   entry.record = recorder.record();
+  entry.outcome = outcome.record();
   entry.measures = measures_of(entry.record);
   if (robot.frozen()) entry.frozen = *robot.frozen_reason();
   entry.overload = motion::overload_message(robot);
@@ -213,9 +219,11 @@ Comparison compare(const CompareOptions& options) {
   }
   observe_all(options, result);
   result.reference = find_reference(result.entries);
-  const motion::MotionRecord& reference = result.entries[result.reference].record;
+  const CompareEntry& reference = result.entries[result.reference];
   for (CompareEntry& entry : result.entries) {
-    if (entry.ran()) entry.deviations = deviations_of(entry.record, reference);
+    if (!entry.ran()) continue;
+    entry.deviations = deviations_of(entry.record, reference.record);
+    compare_outcome(entry.outcome, reference.outcome, entry.deviations);
   }
   measure_cost(options, result);
   result.stopped = asked_to_stop(options);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "murosimf/compare/compare_metrics.h"
+#include "murosimf/compare/outcome_recorder.h"
 #include "murosimf/model/motion_level.h"
 
 namespace murosimf::compare {
@@ -37,6 +38,7 @@ struct CompareEntry {
   std::string frozen;    ///< why the robot was frozen on the way; empty: it was not
   std::string overload;  ///< which servos were too weak for what was told (full_dynamics); empty: none
   motion::MotionRecord record;
+  OutcomeRecord outcome;
   Measures measures;
   Deviations deviations;  ///< from the reference
   double cost = 0;        ///< [us] of processor time per simulated second, of the whole scene; 0: not measured

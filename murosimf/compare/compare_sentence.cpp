@@ -126,11 +126,13 @@ Recommendation recommend(const Comparison& comparison, const Thresholds& thresho
   const auto ran = std::count_if(entries.begin(), entries.end(), [](const CompareEntry& e) { return e.ran(); });
   if (comparison.stopped) {
     result.sentence = "nothing can be said: the comparison was stopped";
-    for (LevelVerdict& verdict : result.verdicts) verdict.adequate = false;
+    for (LevelVerdict& verdict : result.verdicts) {
+      if (verdict.adequate) verdict.reasons.emplace_back("the comparison was stopped");
+      verdict.adequate = false;
+    }
   } else if (!reference.frozen.empty()) {
     result.sentence = fmt::format("nothing can be said: {}, with which the others are compared, froze: {}",
                                   label(comparison, reference), reference.frozen);
-    for (LevelVerdict& verdict : result.verdicts) verdict.adequate = false;
   } else if (ran < 2) {
     result.sentence = fmt::format("nothing can be said: only {} ran", label(comparison, reference));
   } else {

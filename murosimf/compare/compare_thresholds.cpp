@@ -22,6 +22,10 @@ constexpr std::array all{
     ComparedQuantity{"rate", "torso angular rate", "rad/s", 1, 2, 0.7, &Deviations::rate},
     ComparedQuantity{"slip", "foot slip", "mm/s", 1000, 1, 20, &Deviations::slip},
     ComparedQuantity{"clearance", "foot clearance", "mm", 1000, 0, 20, &Deviations::clearance},
+    ComparedQuantity{"others_way", "way of what is around", "%", 100, 1, 20, nullptr, &Deviations::others_way},
+    ComparedQuantity{"others_end", "place of what is around", "%", 100, 1, 20, nullptr, &Deviations::others_end},
+    ComparedQuantity{"others_speed", "peak speed of what is around", "%", 100, 1, 20, nullptr,
+                     &Deviations::others_speed},
 };
 
 double value_of(const std::string& text, std::size_t begin, const std::string& where) {
@@ -38,6 +42,11 @@ double value_of(const std::string& text, std::size_t begin, const std::string& w
 
 std::span<const ComparedQuantity> quantities() { return all; }
 
+const std::string& ComparedQuantity::who(const Deviations& deviations) const {
+  static const std::string the_robot;
+  return of_another ? (deviations.*of_another).name : the_robot;
+}
+
 std::string number_of(const ComparedQuantity& quantity, double value) {
   return fmt::format("{:.{}f} {}", value, quantity.decimals, quantity.unit);
 }
@@ -51,8 +60,8 @@ void Thresholds::set(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos) throw SetupError(where + ": write NAME=VALUE, for example 'pitch=5'");
   const std::string name = text.substr(0, equals);
-  std::vector<std::string_view> names{"fall_time"};
-  double* known = name == "fall_time" ? &fall_time : nullptr;
+  std::vector<std::string_view> names{"fall_time", "contact_duty"};
+  double* known = name == "fall_time" ? &fall_time : name == "contact_duty" ? &contact_duty : nullptr;
   for (std::size_t q = 0; q < all.size(); ++q) {
     names.push_back(all[q].name);
     if (all[q].name == name) known = &values[q];

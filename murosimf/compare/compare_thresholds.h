@@ -18,9 +18,14 @@ struct ComparedQuantity {
   double scale;            ///< from SI to that unit
   int decimals;            ///< that are worth printing
   double threshold;        ///< default, in that unit
-  double Deviations::*deviation;
+  double Deviations::*deviation = nullptr;
+  OfAnother Deviations::*of_another = nullptr;  ///< instead, if it is one of others
 
-  [[nodiscard]] double of(const Deviations& deviations) const { return scale * (deviations.*deviation); }
+  [[nodiscard]] double of(const Deviations& deviations) const {
+    return scale * (of_another ? (deviations.*of_another).value : deviations.*deviation);
+  }
+  /// Whose it is; empty: the robot's.
+  [[nodiscard]] const std::string& who(const Deviations& deviations) const;
 };
 
 [[nodiscard]] std::span<const ComparedQuantity> quantities();
@@ -36,6 +41,7 @@ struct Thresholds {
 
   std::vector<double> values;  ///< as quantities(), in their units
   double fall_time = 0.25;     ///< [s] between the falls of two levels
+  double contact_duty = 20;    ///< [%] of the time around touches in which servos may ask for all that they have
 };
 
 }  // namespace murosimf::compare

@@ -1,38 +1,33 @@
 #include "murosimf/compare/compare_verdict.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include "murosimf/compare/compare_outcome.h"
 
 namespace murosimf::compare {
 namespace {
 
-std::string times(int count) { return count == 1 ? "once" : fmt::format("{} times", count); }
-
-std::string different_falls(int mine, int reference) {
-  if (mine == 0) return "does not fall, the reference does";
-  if (reference == 0) return fmt::format("falls {}, the reference does not", times(mine));
-  return fmt::format("falls {}, the reference {}", times(mine), times(reference));
+/// What servos do that a level has none of: they give way to what the robot touches.
+std::string missing_servos(const CompareEntry& entry, const CompareEntry& reference, double limit) {
+  if (entry.traits.servos || !reference.traits.servos) return {};
+  const double duty = 100 * duty_while_touching(reference.record, reference.outcome);
+  if (duty <= limit) return {};
+  return fmt::format(
+      "has no servos, and the reference's give all they have in {:.0f} % of the time around its touches of {}", duty,
+      fmt::join(touched(reference.outcome), ", "));
 }
 
-/// How the falls of a run differ from the reference's; empty: they do not.
-std::string event_difference(const Measures& mine, const Measures& reference, double tolerance) {
-  const auto &ours = mine.events, &theirs = reference.events;
-  if (ours.empty() || theirs.empty()) return "nothing was recorded";
-  if (ours[0].down != theirs[0].down) {
-    return ours[0].down ? "begins lying, the reference upright" : "begins upright, the reference lying";
+void add(std::vector<std::string> lines, std::vector<std::string>& reasons) {
+  for (std::string& line : lines) {
+    if (!line.empty()) reasons.push_back(std::move(line));
   }
-  if (mine.falls != reference.falls) return different_falls(mine.falls, reference.falls);
-  if (ours.size() != theirs.size()) {
-    return ours.size() < theirs.size() ? "does not get up, the reference does" : "gets up, the reference does not";
-  }
-  for (std::size_t i = 1; i < ours.size(); ++i) {
-    const double later = ours[i].time - theirs[i].time;
-    if (std::abs(later) <= tolerance) continue;
-    return fmt::format("{} {:.2f} s {} than the reference", ours[i].down ? "falls" : "gets up", std::abs(later),
-                       later > 0 ? "later" : "earlier");
-  }
-  return {};
+}
+
+/// What the robot has done to others.
+void judge_outcome(const CompareEntry& entry, const CompareEntry& reference, const Thresholds& thresholds,
+                   std::vector<std::string>& reasons) {
+  add(different_touches(entry.outcome, reference.outcome), reasons);
+  add(different_falls_of_others(entry.outcome, reference.outcome, thresholds.fall_time), reasons);
 }
 
 }  // namespace
@@ -44,14 +39,18 @@ LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference, con
     return verdict;
   }
   if (!entry.frozen.empty()) verdict.reasons.push_back("froze: " + entry.frozen);
-  auto difference = event_difference(entry.measures, reference.measures, thresholds.fall_time);
-  if (!difference.empty()) verdict.reasons.push_back(std::move(difference));
-  for (std::size_t q = 0; reference.measures.falls == 0 && q < quantities().size(); ++q) {
+  if (!reference.frozen.empty()) verdict.reasons.emplace_back("the reference froze");
+  add({difference(entry.measures.events, reference.measures.events, thresholds.fall_time)}, verdict.reasons);
+  judge_outcome(entry, reference, thresholds, verdict.reasons);
+  const bool fell = reference.measures.falls > 0;
+  if (!fell) add({missing_servos(entry, reference, thresholds.contact_duty)}, verdict.reasons);
+  for (std::size_t q = 0; !fell && q < quantities().size(); ++q) {
     const ComparedQuantity& quantity = quantities()[q];
     const double value = quantity.of(entry.deviations);
     if (value <= thresholds.values[q]) continue;  // NaN is not
-    verdict.reasons.push_back(
-        fmt::format("{} {} off, more than {:g}", quantity.words, number_of(quantity, value), thresholds.values[q]));
+    const std::string& who = quantity.who(entry.deviations);
+    verdict.reasons.push_back(fmt::format("{} {} off, more than {:g}{}", quantity.words, number_of(quantity, value),
+                                          thresholds.values[q], who.empty() ? "" : " (" + who + ")"));
   }
   verdict.adequate = verdict.reasons.empty();
   return verdict;

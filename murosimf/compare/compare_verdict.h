@@ -14,8 +14,10 @@ struct LevelVerdict {
   std::vector<std::string> reasons;  ///< why not
 };
 
-/// Adequate is what ran to its end, fell and got up when the reference did, and deviates by less than the thresholds. Runs
-/// after a fall drift apart at any level: if the reference fell, its falls alone are compared.
+/// Adequate is what ran to its end, fell and got up when the reference did, touched and threw over whom the reference did, and deviates
+/// by less than the thresholds, also in what became of others. Runs after a fall drift apart at any level: if the reference fell,
+/// falls and touches alone are compared. A level without servos is not adequate where the reference's give all they have
+/// around its touches: what they hit feels that.
 [[nodiscard]] LevelVerdict judge(const CompareEntry& entry, const CompareEntry& reference,
                                  const Thresholds& thresholds);
 

@@ -8,15 +8,15 @@
 namespace murosimf::motion {
 namespace {
 
-std::int64_t steps_per_sample(Duration period) {
-  const double steps = 1 / (MotionRecorder::samples_per_second * seconds(period));
-  return std::max<std::int64_t>(1, std::llround(steps));
-}
-
 /// The law's points are found anew in every step; 32 per foot are more than a box has.
 constexpr std::size_t most_grips = 32;
 
 }  // namespace
+
+std::int64_t steps_per_sample(Duration period) {
+  const double steps = 1 / (MotionRecorder::samples_per_second * seconds(period));
+  return std::max<std::int64_t>(1, std::llround(steps));
+}
 
 MotionRecorder::MotionRecorder(Setup& setup, const MotionRecorderOptions& options)
     : model_(setup.model()),
@@ -61,7 +61,7 @@ void MotionRecorder::initialize() { take_sample({}); }
 
 void MotionRecorder::state(StateArchive& archive) {
   archive(record_.samples, record_.torques, record_.full_duty);
-  archive(grips_[0], grips_[1], torque_sum_, steps_, full_steps_, slip_);
+  archive(grips_[0], grips_[1], torque_sum_, steps_, full_steps_, slip_, full_);
 }
 
 void MotionRecorder::step(const Instant& instant) noexcept {
@@ -85,6 +85,8 @@ void MotionRecorder::take_sample(Duration now) noexcept {
     slip_ += slip(i);
   }
   sample.slip = slip_;
+  sample.full_duty = full_;
+  full_ = false;
   record_.samples.push_back(sample);
   take_torques();
 }
@@ -102,6 +104,7 @@ void MotionRecorder::watch_servos() noexcept {
     return std::abs(target_[servo.object] - q_[servo.object]) >= servo.full_at ||
            (servo.limit > 0 && std::abs(torque_[servo.object]) >= 0.999 * servo.limit);
   });
+  full_ = full_ || full;
   full_steps_ += full ? 1 : 0;
   record_.full_duty = static_cast<double>(full_steps_) / static_cast<double>(steps_);
 }

@@ -26,6 +26,7 @@ struct MotionSample {
   Vec3d rate;                         ///< [rad/s] of the torso, base axes
   std::array<double, 2> clearance{};  ///< [m] of the first two soles
   double slip = 0;                    ///< [m] of the soles since the start
+  bool full_duty = false;             ///< some servo has asked for all that it has since the sample before
 };
 
 struct MotionRecord {
@@ -40,6 +41,9 @@ struct MotionRecorderOptions {
   bool servos = false;    ///< servos move the joints: watch whether they ask for full duty
   double longest = 60.0;  ///< [s] for which memory is set aside
 };
+
+/// Between two samples of a recorder, if one is executed with this period.
+[[nodiscard]] std::int64_t steps_per_sample(Duration period);
 
 class MotionRecorder final : public Algorithm {
  public:
@@ -82,6 +86,7 @@ class MotionRecorder final : public Algorithm {
   std::int64_t stride_;             // steps per sample
   std::int64_t steps_ = 0, full_steps_ = 0;
   double slip_ = 0;
+  bool full_ = false;  // since the last sample
   std::span<const Vec3d> r_, v_, w_;
   std::span<const Mat3d> R_;
   std::span<const double> q_, target_, torque_;  // empty where the level has none

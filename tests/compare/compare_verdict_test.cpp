@@ -37,6 +37,14 @@ void fall(CompareEntry& e, double time) {
   e.measures.falls += 1;
 }
 
+void set(Deviations& deviations, const ComparedQuantity& quantity, double value) {
+  if (quantity.of_another) {
+    deviations.*quantity.of_another = {value, "ball"};
+  } else {
+    deviations.*quantity.deviation = value;
+  }
+}
+
 bool says(const Recommendation& r, const std::string& words) { return r.sentence.find(words) != std::string::npos; }
 
 TEST(Verdict, TheCheapestLevelIsAdequateIfNothingDeviates) {
@@ -51,8 +59,8 @@ TEST(Verdict, WhateverIsOverItsThresholdDisqualifies) {
   for (std::size_t q = 0; q < quantities().size(); ++q) {
     Comparison c = four_levels();
     const ComparedQuantity& quantity = quantities()[q];
-    c.entries[0].deviations.*quantity.deviation = 1.01 * quantity.threshold / quantity.scale;
-    c.entries[1].deviations.*quantity.deviation = 0.99 * quantity.threshold / quantity.scale;
+    set(c.entries[0].deviations, quantity, 1.01 * quantity.threshold / quantity.scale);
+    set(c.entries[1].deviations, quantity, 0.99 * quantity.threshold / quantity.scale);
     const Recommendation r = recommend(c, {});
     EXPECT_EQ(r.level, "simplified_dynamics") << quantity.name;
     EXPECT_TRUE(says(r, "simplified_dynamics and up are needed for " + std::string(quantity.words))) << r.sentence;
