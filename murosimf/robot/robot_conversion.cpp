@@ -49,6 +49,17 @@ std::vector<sensors::SensorSpec> sensors_for_table(const RobotFile& robot,
   return specs;
 }
 
+/// Who reads the MJCF file alone gets the gains that are simulated: those of the table.
+void take_gains(const RobotConfig& table, description::RobotDescription& description) {
+  for (description::BodyDescription& body : description.bodies) {
+    for (description::JointDescription& joint : body.joints) {
+      const auto found = table.servos.find(joint.name);
+      if (!joint.servo || found == table.servos.end() || !(found->second.servo.position_gain > 0)) continue;
+      joint.servo->position_gain = found->second.servo.position_gain;
+    }
+  }
+}
+
 void count(const description::RobotDescription& description, RobotConversion& result) {
   result.bodies = static_cast<int>(description.bodies.size());
   for (const description::BodyDescription& body : description.bodies) {
@@ -64,6 +75,7 @@ RobotConversion convert_robot(const fs::path& file, const ConversionOptions& opt
   const RobotFile robot = read_robot(file, options.reader);
   result.warnings = robot.warnings;
   description::RobotDescription description = read_all_bodies(file, options.reader);
+  take_gains(robot.table, description);
   if (options.fit) result.fits = fit_meshes(description, *options.fit);
   count(description, result);
   result.mjcf = formats::mjcf::to_mjcf(description, {options.folder});

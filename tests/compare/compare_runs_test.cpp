@@ -116,7 +116,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Experiments,
                          testing::Values(Verdicts{"slow_walk_past_obstacle", "walker", {true, true, true, true}},
                                          Verdicts{"push", "robot", {false, true, true, true}},
                                          Verdicts{"arm_swing", "robot", {false, false, true, true}},
-                                         Verdicts{"get_up", "robot", {false, false, false, true}}),
+                                         Verdicts{"get_up", "robot", {false, false, false, true}},
+                                         Verdicts{"kick", "robot", {false, false, false, true}}),
                          [](const auto& param) { return std::string(param.param.scene); });
 
 TEST_P(Experiments, NeedTheLevelThatTheirPhysicsNeeds) {

@@ -155,7 +155,20 @@ TEST(Verdict, NothingIsClaimedIfTheReferenceFroze) {
   EXPECT_EQ(r.level, "");
   EXPECT_TRUE(says(r, "nothing can be said")) << r.sentence;
   EXPECT_TRUE(says(r, "too fast"));
-  for (const LevelVerdict& verdict : r.verdicts) EXPECT_FALSE(verdict.adequate);
+  for (const LevelVerdict& verdict : r.verdicts) {
+    EXPECT_FALSE(verdict.adequate);
+    ASSERT_FALSE(verdict.reasons.empty());
+  }
+  EXPECT_EQ(r.verdicts[0].reasons.front(), "the reference froze");
+}
+
+TEST(Verdict, WhatWasStoppedHasAReason) {
+  Comparison c = four_levels();
+  c.stopped = true;
+  for (const LevelVerdict& verdict : recommend(c, {}).verdicts) {
+    EXPECT_FALSE(verdict.adequate);
+    EXPECT_EQ(verdict.reasons, std::vector<std::string>{"the comparison was stopped"});
+  }
 }
 
 TEST(Verdict, OneLevelAloneIsComparedWithNothing) {

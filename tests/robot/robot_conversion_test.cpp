@@ -51,6 +51,22 @@ TEST_P(OwnModel, ComesBackAsItWasWithoutItsTable) {
   expect_same(*converted(file, {}, false).model, *read_robot(file).model);
 }
 
+// A program that reads the MJCF file alone has the gains that the robot is simulated with.
+TEST(Conversion, WritesTheGainsOfTheTable) {
+  const std::string body =
+      "<mujoco><worldbody><body><freejoint/><geom size='0.1'/><body pos='0 0 1'><joint name='knee'/><geom size='0.1'/>"
+      "</body></body></worldbody><actuator><position joint='knee' kp='39' forcerange='-6 6'/></actuator></mujoco>";
+  const fs::path file = write("gains.xml", body);
+  write("gains.toml",
+        "[servos.mx]\nstall_torque = 5\nposition_gain = 30\nno_load_speed = 6\nrotor_inertia = 0.01\ncoulomb_friction "
+        "= 0.1\njoints = ['knee']\n");
+  const RobotFile alone = converted(file, {}, false);
+  const Servo& servo = *alone.model->find(properties::servo, alone.model->object_index("knee"));
+  EXPECT_EQ(servo.position_gain, 30);
+  EXPECT_EQ(servo.stall_torque, 6) << "the limit is that of the file";
+  fs::remove(fs::path(file).replace_extension(".toml"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Mjcf, OwnModel, testing::Values("kid21", "quadruped", "car", "spark_nao0", "spark_nao4"),
                          [](const auto& model) { return std::string(model.param); });
 
