@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
+#include "apps/option_lists.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/catalog/algorithm_catalog.h"
@@ -36,22 +37,10 @@ std::string names_and_meanings(const auto& entries) {
 std::string sensors_text() {
   std::string text;
   for (const components::SensorType& type : components::sensor_types()) {
-    const bool both = !type.numbers.empty() && !type.objects.empty();
-    const std::string keys = fmt::format("{}{}{}", type.numbers, both ? " " : "", type.objects);
-    text += fmt::format("{:<22} {}{}\n", type.name, type.meaning, keys.empty() ? "" : "; keys: " + keys);
-  }
-  return text;
-}
-
-/// Options of controllers, for [robots.options].
-std::string options_text() {
-  constexpr std::string_view row = "{:<16} {:<16} {:<8} {:<10} {:<10} {:<14} {}\n";
-  std::string text = fmt::format(row, "controller", "option", "type", "unit", "default", "range", "meaning");
-  for (const catalog::ControllerType& type : catalog::controllers()) {
-    for (const OptionInfo& option : type.options) {
-      text += fmt::format(row, type.name, option.name, type_name(option.fallback), option.unit,
-                          value_text(option.fallback), range_text(option), option.meaning);
-    }
+    std::vector<std::string_view> keys = option_names(type.options);
+    if (!type.objects.empty()) keys.push_back(type.objects);
+    text += fmt::format("{:<22} {}{}\n", type.name, type.meaning,
+                        keys.empty() ? "" : fmt::format("; keys: {}", fmt::join(keys, " ")));
   }
   return text;
 }
@@ -182,7 +171,7 @@ int list(const ListOptions& options) {
   if (what == "materials") text = materials_text();
   if (what == "properties") text = properties_text();
   if (what == "keys") text = keys_text();
-  if (what == "options") text = options_text();
+  if (what == "options") text = option_lists();
   write_standard_output(text);
   return 0;
 }
