@@ -1,5 +1,5 @@
-// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, materials, properties, keys of scene files; and the
-// order of a tick.
+// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, materials, properties, keys of scene files, formats,
+// commands; and the order of a tick.
 #include <algorithm>
 #include <array>
 
@@ -41,6 +41,17 @@ std::string sensors_text() {
     if (!type.objects.empty()) keys.push_back(type.objects);
     text += fmt::format("{:<22} {}{}\n", type.name, type.meaning,
                         keys.empty() ? "" : fmt::format("; keys: {}", fmt::join(keys, " ")));
+  }
+  return text;
+}
+
+/// Of robot files, then of meshes.
+std::string formats_text() {
+  constexpr std::string_view row = "{:<10} {:<12} {:<14} {}\n";
+  std::string text = fmt::format(row, "robots", "endings", "first element", "meaning");
+  for (const robot::RobotFormat& format : robot::robot_formats()) {
+    const std::string root = format.root.empty() ? "" : fmt::format("<{}>", format.root);
+    text += fmt::format(row, format.name, format.endings, root, format.meaning);
   }
   return text;
 }
@@ -136,13 +147,13 @@ void define(const Command& command, ListOptions& options) {
   const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",    "integrators",
                                        "servo_laws", "controllers", "sensors",       "parts",      "lenses",
                                        "materials",  "scenes",      "models",        "properties", "keys",
-                                       "options",    "plan"};
+                                       "options",    "formats",     "commands",      "plan"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
   command.add("scene", options.scene, "of 'plan': whose algorithms, in the order of a tick");
   add_plugins(command, options.plugins);
 }
 
-int list(const ListOptions& options) {
+int list(const ListOptions& options, const CommandLine& line) {
   const std::string& what = options.what;
   if ((what == "plan") == options.scene.empty())
     throw SetupError(what == "plan" ? "list plan: name a scene, for example 'murosimf list plan walk'"
@@ -171,6 +182,8 @@ int list(const ListOptions& options) {
   if (what == "materials") text = materials_text();
   if (what == "properties") text = properties_text();
   if (what == "keys") text = keys_text();
+  if (what == "formats") text = formats_text();
+  if (what == "commands") text = names_and_meanings(line.commands());
   if (what == "options") text = option_lists();
   write_standard_output(text);
   return 0;
@@ -178,6 +191,11 @@ int list(const ListOptions& options) {
 
 }  // namespace
 
-void add_list(CommandLine& line) { line.add<ListOptions>("list", "List the names that there are", define, list); }
+void add_list(CommandLine& line) {
+  const auto options = std::make_shared<ListOptions>();
+  const Command command =
+      line.add("list", "List the names that there are", [&line, options] { return list(*options, line); });
+  define(command, *options);
+}
 
 }  // namespace murosimf::app

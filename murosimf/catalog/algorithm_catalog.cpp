@@ -224,7 +224,10 @@ Registries& registries() {
   static Registry<ContactLawType> contacts("contact law", built_in_contacts());
   static Registry<BodyContactLawType> body_contacts("law of contact between bodies", built_in_body_contacts());
   static Registry<ControllerType> controllers("controller", built_in_controllers());
-  static Registries all{levels, contacts, body_contacts, controllers, components::sensor_registry()};
+  static Registry<CommandType> commands("command");
+  static Registries all{
+      levels,  contacts, body_contacts, controllers, components::sensor_registry(), robot::robot_format_registry(),
+      commands};
   return all;
 }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/catalog/command_type.h"
 #include "murosimf/collision/body_contact_law.h"
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/components/sensor_types.h"
@@ -20,6 +21,7 @@
 #include "murosimf/model/registry.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/motion/simplified_dynamics.h"
+#include "murosimf/robot/robot_formats.h"
 #include "murosimf/runtime/simulation.h"
 
 namespace murosimf::catalog {
@@ -83,6 +85,8 @@ struct Registries {
   Registry<BodyContactLawType>& body_contacts;
   Registry<ControllerType>& controllers;
   Registry<components::SensorType>& sensors;
+  Registry<robot::RobotFormat>& formats;
+  Registry<CommandType>& commands;  ///< besides the program's own (apps/main.cpp)
 };
 
 /// True if `word` is among the words of a list in the catalog.
