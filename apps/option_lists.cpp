@@ -65,6 +65,9 @@ class OptionList {
 
 std::string option_lists() {
   return OptionList("controller").add_all(catalog::controllers()).text() + "\n" +
+         OptionList("level").add_all(catalog::levels()).text() + "\n" +
+         OptionList("contact").add_all(catalog::contacts()).text() + "\n" +
+         OptionList("body_contact").add_all(catalog::body_contacts()).text() + "\n" +
          OptionList("sensor")
              .add_all(components::sensor_types())
              .add("(every sensor)", components::sensor_keys().infos())

@@ -52,11 +52,12 @@ void attach_controllers(SceneParts& parts) {
 }
 
 /// Also for those whom no force moves: they may change their level.
-void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law) {
+void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law,
+                           const OptionValues& options = {}) {
   if (find_entry(catalog::levels(), "level", level).traits.dynamic) entity.contact = law;
   parts.ground_contacts.push_back(
       &parts.simulation->attach<collision::GroundContact>("ground_contact", entity, parts.spec.rate, parts.field,
-                                                          find_entry(catalog::contacts(), "contact law", law).make(),
+                                                          catalog::make_contact_law(law, options),
                                                           parts.spec.materials));
 }
 
@@ -64,18 +65,19 @@ void attach_contact(SceneParts& parts) {
   const scene_file::SceneSpec& spec = parts.spec;
   if (parts.ball) attach_ground_contact(parts, *parts.ball, parts.ball->level, spec.ball->contact);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
-    attach_ground_contact(parts, *parts.robots[i], parts.robots[i]->level, spec.robots[i].contact);
+    attach_ground_contact(parts, *parts.robots[i], parts.robots[i]->level, spec.robots[i].contact,
+                          spec.robots[i].contact_options);
   }
   for (Entity* body : parts.bodies) attach_ground_contact(parts, *body, body->level, body->contact);
-  parts.simulation->attach<collision::BodyContact>(
-      "body_contact", *parts.field, spec.rate, parts.moving_entities, spec.materials,
-      find_entry(catalog::body_contacts(), "law of contact between bodies", spec.body_contact).make());
+  parts.simulation->attach<collision::BodyContact>("body_contact", *parts.field, spec.rate, parts.moving_entities,
+                                                   spec.materials,
+                                                   catalog::make_body_contact_law(spec.body_contact,
+                                                                                  spec.body_contact_options));
 }
 
 void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options) {
-  const catalog::LevelType& level = find_entry(catalog::levels(), "level", entity.level);
   parts.simulation->attach(entity.level, entity, parts.spec.rate,
-                           [&](Setup& setup) { return level.make(setup, options); });
+                           [&](Setup& setup) { return catalog::make_level(entity.level, setup, options); });
 }
 
 void attach_motion(SceneParts& parts) {
