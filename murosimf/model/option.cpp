@@ -94,8 +94,9 @@ std::vector<std::string_view> option_names(const std::vector<OptionInfo>& option
 
 void check_option(const OptionInfo& option, const OptionValue& value) {
   if (value.index() != option.fallback.index()) {
-    throw SetupError(
-        fmt::format("'{}' is a {}; it must be a {}", option.name, type_name(value), type_name(option.fallback)));
+    const bool flag = std::holds_alternative<bool>(option.fallback);
+    throw SetupError(fmt::format("'{}' is a {}; it must be {}", option.name, type_name(value),
+                                 flag ? "true or false" : fmt::format("a {}", type_name(option.fallback))));
   }
   if (const auto* text = std::get_if<std::string>(&value)) {
     const auto& choices = option.choices;

@@ -203,7 +203,7 @@ std::vector<Mistake> mistakes() {
       {"OptionOutOfItsRange", "[sensors.a]\ntype = 'laser'\nrays = 0\n", 3,
        "'rays' is 0; it must be a whole number in the range"},
       {"OptionOfAnotherType", "[sensors.a]\ntype = 'camera'\ndepth = 1\n", 3,
-       "'depth' is a number; it must be a boolean"},
+       "'depth' is a number; it must be true or false"},
       {"OptionThatIsAList", "[sensors.a]\ntype = 'laser'\nfov = [1, 2]\n", 3, "'fov' is a list; it must be a number"},
       {"OptionWithoutText", "[sensors.a]\ntype = 'camera'\nlens = ''\n", 3, "'lens' is empty"},
       {"NoneOfTheChoices", "[sensors.a]\ntype = 'camera'\nmosaic = 'rgbg'\n", 3,

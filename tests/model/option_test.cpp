@@ -111,6 +111,7 @@ TEST(Option, InfiniteOnlyWhereTheDefaultIs) {
 TEST(Option, RefusesOtherTypesAndNames) {
   EXPECT_EQ(refusal_of({{"power", true}}), "'power' is a boolean; it must be a number");
   EXPECT_EQ(refusal_of({{"color", 1.0}}), "'color' is a number; it must be a text");
+  EXPECT_EQ(refusal_of({{"on", 1.0}}), "'on' is a number; it must be true or false");
   EXPECT_EQ(refusal_of({{"powr", 3.0}}), "unknown option of this algorithm, 'powr'; did you mean 'power'?");
   EXPECT_EQ(error_of([] {
               check_options("controller 'none'", {}, {{"speed", 1.0}});
