@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "apps/last_words.h"
 #include "apps/version.h"
@@ -26,6 +27,13 @@ OptionText text_of(const CLI::Option& option, const Offers& offers) {
           .offer = offer == offers.end() ? Offer{} : offer->second};
 }
 
+/// Of the first that is neither `--plugin` nor its file.
+int first_word(int argc, const char* const* argv) {
+  int word = 1;
+  while (word + 1 < argc && std::string_view(argv[word]) == "--plugin") word += 2;
+  return word;
+}
+
 }  // namespace
 
 CommandLine::CommandLine()
@@ -33,18 +41,31 @@ CommandLine::CommandLine()
                                       "murosimf")) {
   app_->require_subcommand(1);
   app_->set_version_flag("--version", version_text());
+  app_->add_option("--plugin", plugins_, "Load this shared library first: it may add commands, too")
+      ->allow_extra_args(false);
 }
 
 CommandLine::~CommandLine() = default;
 
 Command CommandLine::add(const std::string& name, const std::string& meaning, std::function<int()> action) {
+  const auto known = commands_of(*app_);
+  if (std::ranges::any_of(known, [&](const CLI::App* command) { return command->get_name() == name; })) {
+    throw SetupError(fmt::format("there is a command '{}' already; choose another name", name));
+  }
   CLI::App* command = app_->add_subcommand(name, meaning);
   command->callback([this, action = std::move(action)] { exit_code_ = action(); });
   return {*command, offers_};
 }
 
+std::vector<std::string> CommandLine::leading_plugins(int argc, const char* const* argv) {
+  std::vector<std::string> files;
+  for (int file = 2; file < first_word(argc, argv); file += 2) files.emplace_back(argv[file]);
+  return files;
+}
+
 int CommandLine::run(int argc, char** argv) {
-  if (argc > 1) refuse_unknown_command(argv[1]);
+  const int first = first_word(argc, argv);
+  if (first < argc) refuse_unknown_command(argv[first]);
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -65,8 +86,8 @@ std::vector<CommandText> CommandLine::commands() const {
 }
 
 /// The parser would only say that a command is required.
-void CommandLine::refuse_unknown_command(const char* name) const {
-  if (name[0] == '-') return;
+void CommandLine::refuse_unknown_command(const std::string& name) const {
+  if (name.starts_with('-')) return;
   std::vector<std::string_view> names;
   for (const CLI::App* command : commands_of(*app_)) names.push_back(command->get_name());
   if (std::find(names.begin(), names.end(), name) == names.end()) {

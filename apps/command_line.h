@@ -53,8 +53,11 @@ class CommandLine {
     const auto options = std::make_shared<Options>();
     define(add(name, meaning, [options, action] { return action(*options); }), *options);
   }
-  /// One whose options, if it has any, `action` holds.
+  /// One whose options, if it has any, `action` holds. Throws SetupError if the name is taken.
   Command add(const std::string& name, const std::string& meaning, std::function<int()> action);
+
+  /// Files of `--plugin FILE` in front of the command; these may add commands, so they are loaded before anything is read.
+  [[nodiscard]] static std::vector<std::string> leading_plugins(int argc, const char* const* argv);
 
   /// Runs what the user asks for and returns the exit code. Says mistakes in the command line; throws what a command throws.
   int run(int argc, char** argv);
@@ -62,10 +65,11 @@ class CommandLine {
   [[nodiscard]] std::vector<CommandText> commands() const;
 
  private:
-  void refuse_unknown_command(const char* name) const;
+  void refuse_unknown_command(const std::string& name) const;
 
   std::unique_ptr<CLI::App> app_;
   Offers offers_;
+  std::vector<std::string> plugins_;  // loaded already
   int exit_code_ = 0;
 };
 

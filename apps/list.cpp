@@ -1,11 +1,12 @@
-// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, materials, properties, keys of scene files; and the
-// order of a tick.
+// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, materials, properties, keys of scene files, formats,
+// commands; and the order of a tick.
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
+#include "apps/option_lists.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/catalog/algorithm_catalog.h"
@@ -36,22 +37,21 @@ std::string names_and_meanings(const auto& entries) {
 std::string sensors_text() {
   std::string text;
   for (const components::SensorType& type : components::sensor_types()) {
-    const bool both = !type.numbers.empty() && !type.objects.empty();
-    const std::string keys = fmt::format("{}{}{}", type.numbers, both ? " " : "", type.objects);
-    text += fmt::format("{:<22} {}{}\n", type.name, type.meaning, keys.empty() ? "" : "; keys: " + keys);
+    std::vector<std::string_view> keys = option_names(type.options);
+    if (!type.objects.empty()) keys.push_back(type.objects);
+    text += fmt::format("{:<22} {}{}\n", type.name, type.meaning,
+                        keys.empty() ? "" : fmt::format("; keys: {}", fmt::join(keys, " ")));
   }
   return text;
 }
 
-/// Options of controllers, for [robots.options].
-std::string options_text() {
-  constexpr std::string_view row = "{:<16} {:<16} {:<8} {:<10} {:<10} {:<14} {}\n";
-  std::string text = fmt::format(row, "controller", "option", "type", "unit", "default", "range", "meaning");
-  for (const catalog::ControllerType& type : catalog::controllers()) {
-    for (const OptionInfo& option : type.options) {
-      text += fmt::format(row, type.name, option.name, type_name(option.fallback), option.unit,
-                          value_text(option.fallback), range_text(option), option.meaning);
-    }
+/// Of robot files, then of meshes.
+std::string formats_text() {
+  constexpr std::string_view row = "{:<10} {:<12} {:<14} {}\n";
+  std::string text = fmt::format(row, "robots", "endings", "first element", "meaning");
+  for (const robot::RobotFormat& format : robot::robot_formats()) {
+    const std::string root = format.root.empty() ? "" : fmt::format("<{}>", format.root);
+    text += fmt::format(row, format.name, format.endings, root, format.meaning);
   }
   return text;
 }
@@ -148,13 +148,13 @@ void define(const Command& command, ListOptions& options) {
   const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",    "integrators",
                                        "servo_laws", "controllers", "sensors",       "parts",      "lenses",
                                        "materials",  "scenes",      "models",        "properties", "keys",
-                                       "options",    "plan"};
+                                       "options",    "formats",     "commands",      "plan"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
   command.add("scene", options.scene, "of 'plan': whose algorithms, in the order of a tick");
   add_plugins(command, options.plugins);
 }
 
-int list(const ListOptions& options) {
+int list(const ListOptions& options, const CommandLine& line) {
   const std::string& what = options.what;
   if ((what == "plan") == options.scene.empty())
     throw SetupError(what == "plan" ? "list plan: name a scene, for example 'murosimf list plan walk'"
@@ -183,13 +183,20 @@ int list(const ListOptions& options) {
   if (what == "materials") text = materials_text();
   if (what == "properties") text = properties_text();
   if (what == "keys") text = keys_text();
-  if (what == "options") text = options_text();
+  if (what == "formats") text = formats_text();
+  if (what == "commands") text = names_and_meanings(line.commands());
+  if (what == "options") text = option_lists();
   write_standard_output(text);
   return 0;
 }
 
 }  // namespace
 
-void add_list(CommandLine& line) { line.add<ListOptions>("list", "List the names that there are", define, list); }
+void add_list(CommandLine& line) {
+  const auto options = std::make_shared<ListOptions>();
+  const Command command =
+      line.add("list", "List the names that there are", [&line, options] { return list(*options, line); });
+  define(command, *options);
+}
 
 }  // namespace murosimf::app

@@ -2,6 +2,9 @@
 #include "apps/command_line.h"
 #include "apps/interruption.h"
 #include "apps/last_words.h"
+#include "apps/plugin_commands.h"
+#include "apps/scene_arguments.h"
+#include "murosimf/catalog/algorithm_catalog.h"
 
 // All commands, in the order of --help: apps/NAME.cpp defines add_NAME.
 #define MUROSIMF_COMMANDS(COMMAND) \
@@ -43,6 +46,8 @@ int main(int argc, char** argv) {
   try {
     CommandLine line;
     add_commands(line);
+    load_plugins(CommandLine::leading_plugins(argc, argv));
+    add_plugin_commands(line, murosimf::catalog::registries().commands);
     return line.run(argc, argv);
   } catch (...) {
     return exit_code_of_exception();

@@ -1,12 +1,18 @@
-// A plug-in: a controller, a contact law and a sensor of one's own, loaded by the program that is there
-// (docs/add_an_algorithm.md).
+// A plug-in: a controller, a contact law, a sensor, a format of robot files and a command of one's own, loaded by the program that is
+// there (docs/add_an_algorithm.md).
 //   murosimf list options --plugin build/release/own_plugin.so
 //   murosimf run walk --plugin build/release/own_plugin.so --set walker.controller=circle --set walker.options.radius=0.5
+//   murosimf --plugin build/release/own_plugin.so weigh kid21 --gravity 1.62
 #include <murosimf/catalog/plugin_interface.h>
 #include <murosimf/collision/contact_law_parts.h>
+#include <murosimf/files/data_path.h>
 #include <murosimf/locomotion/gait_properties.h>
 #include <murosimf/locomotion/walk_engine.h>
+#include <murosimf/robot/robot_reader.h>
 #include <murosimf/sensors/mounting.h>
+
+#include <fstream>
+#include <iostream>
 
 using namespace murosimf;
 
@@ -91,6 +97,46 @@ std::unique_ptr<sensors::Sensor> make_altimeter(Setup& setup, const sensors::Sen
   return std::make_unique<Altimeter>(setup, spec, surroundings);
 }
 
+/// A robot that is a ball, from a file with two numbers: its radius [m] and its mass [kg].
+description::RobotDescription read_lump(const std::filesystem::path& file, const description::ReaderOptions&) {
+  double radius = 0, mass = 0;
+  if (!(std::ifstream(file) >> radius >> mass && radius > 0 && mass > 0)) {
+    throw SetupError(file.string() + ": two numbers above 0 are needed: a radius [m] and a mass [kg]");
+  }
+  description::BodyDescription ball;
+  ball.name = "ball";
+  ball.where = file.string();
+  ball.solid = {mass, {}, mass * description::unit_inertia(Sphere{radius})};
+  ball.shapes.emplace_back().placed.shape = Sphere{radius};
+  description::RobotDescription robot;
+  robot.name = "lump";
+  robot.file = file;
+  robot.bodies = {ball};
+  return robot;
+}
+
+struct WeighOptions {
+  std::string model;
+  double gravity = 9.81;  // [m/s^2]
+};
+
+/// The first is the command's argument, the other is --gravity.
+const OptionTable<WeighOptions>& weigh_options() {
+  static const OptionTable<WeighOptions> table{
+      {"model", &WeighOptions::model, "", "a robot file, or the name of one that comes with the program"},
+      {"gravity", &WeighOptions::gravity, "m/s^2", "where it stands", 0, 1000},
+  };
+  return table;
+}
+
+int weigh(const OptionValues& given) {
+  WeighOptions options;
+  weigh_options().apply(given, options);
+  const auto robot = robot::read_robot(files::find_data_file(options.model, "models", ".xml"));
+  std::cout << robot.model->tree().mass * options.gravity << " N\n";
+  return 0;
+}
+
 }  // namespace
 
 extern "C" const char* murosimf_plugin_version() { return catalog::plugin_version; }
@@ -98,7 +144,9 @@ extern "C" const char* murosimf_plugin_version() { return catalog::plugin_versio
 extern "C" void murosimf_register(catalog::Registries& registries) {
   registries.controllers.add({"circle", "walks in a circle", "", attach_circle, circle_options().infos()});
   registries.contacts.add({"ice", "a damped spring without friction; explicit, for steps of 1 ms",
-                           [] { return std::make_shared<Ice>(); }, 0.002, 0.001});
-  registries.sensors.add({"altimeter", "of the sensor: its height above the plane z = 0, world", "", "",
+                           [](const OptionValues&) { return std::make_shared<Ice>(); }, 0.002, 0.001});
+  registries.sensors.add({"altimeter", "of the sensor: its height above the plane z = 0, world", "",
                           sensors::Watch::samples, make_altimeter});
+  registries.formats.add({"lump", "a ball: two numbers, radius [m] and mass [kg]", ".lump", "", read_lump});
+  registries.commands.add({"weigh", "Say what a robot weighs", weigh_options().infos(), 1, weigh});
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "murosimf/catalog/controller_options.h"
+#include "murosimf/catalog/physics_options.h"
 #include "murosimf/collision/body_carry_law.h"
 #include "murosimf/collision/body_island_law.h"
 #include "murosimf/collision/body_kelvin_voigt_law.h"
@@ -21,23 +22,32 @@
 namespace murosimf::catalog {
 namespace {
 
-std::unique_ptr<MotionLevel> make_kinematic_walking(Setup& setup, const LevelOptions& options) {
-  return std::make_unique<motion::KinematicWalking>(setup, options.reference);
+/// With the level's own options in their places.
+LevelOptions with_own(const OptionTable<LevelOptions>& table, LevelOptions options) {
+  table.apply(options.own, options);
+  return options;
 }
 
-std::unique_ptr<MotionLevel> make_simplified_dynamics(Setup& setup, const LevelOptions& options) {
+std::unique_ptr<MotionLevel> make_kinematic_walking(Setup& setup, const LevelOptions& given) {
+  return std::make_unique<motion::KinematicWalking>(setup, with_own(reference_options(), given).reference);
+}
+
+std::unique_ptr<MotionLevel> make_simplified_dynamics(Setup& setup, const LevelOptions& given) {
+  const LevelOptions options = with_own(reference_options(), given);
   return std::make_unique<motion::SimplifiedDynamics>(
       setup, motion::SimplifiedDynamicsOptions{.integrator = options.tree.integrator,
                                                .base_rigid = options.base_rigid,
                                                .reference = options.reference});
 }
 
-std::unique_ptr<MotionLevel> make_full_dynamics(Setup& setup, const LevelOptions& options) {
+std::unique_ptr<MotionLevel> make_full_dynamics(Setup& setup, const LevelOptions& given) {
+  const LevelOptions options = with_own(reference_and_tree_options(), given);
   return std::make_unique<motion::FullDynamics>(setup, motion::FullDynamicsOptions{.reference = options.reference,
                                                                                    .tree = options.tree});
 }
 
-std::unique_ptr<MotionLevel> make_articulated_dynamics(Setup& setup, const LevelOptions& options) {
+std::unique_ptr<MotionLevel> make_articulated_dynamics(Setup& setup, const LevelOptions& given) {
+  const LevelOptions options = with_own(tree_options(), given);
   return std::make_unique<motion::ArticulatedDynamics>(setup, options.tree, options.servo_law);
 }
 
@@ -125,12 +135,20 @@ Vec3d drives_at(const Model& model, const Vec3d& command) {
 }
 
 template <class Law>
-std::shared_ptr<const collision::ContactLaw> make_law() {
+std::shared_ptr<const collision::ContactLaw> make_law(const OptionValues&) {
   return std::make_shared<Law>();
 }
 
-std::shared_ptr<const collision::ContactLaw> make_paper_multipoint() {
-  return std::make_shared<collision::PaperLaw>(collision::PaperLawOptions{.one_point_per_body = false});
+std::shared_ptr<const collision::ContactLaw> make_paper(const OptionValues& given) {
+  collision::PaperLawOptions options;
+  paper_law_options().apply(given, options);
+  return std::make_shared<collision::PaperLaw>(options);
+}
+
+std::shared_ptr<const collision::ContactLaw> make_paper_multipoint(const OptionValues& given) {
+  collision::PaperLawOptions options{.one_point_per_body = false};
+  paper_law_options().apply(given, options);
+  return std::make_shared<collision::PaperLaw>(options);
 }
 
 // Keys: what stands in a scene file; "position.z" is the height in `position`.
@@ -138,22 +156,25 @@ std::vector<LevelType> built_in_levels() {
   return {
       LevelType{"kinematic_walking", "the standing foot is fixed on the plane; cannot fall, ignores forces (paper 4.1)",
                 motion::KinematicWalking::has, "joint_reference",
-                "stance_pose stance_foot remaining_shift remaining_turn", make_kinematic_walking},
+                "stance_pose stance_foot remaining_shift remaining_turn", make_kinematic_walking,
+                reference_options().infos()},
       LevelType{"simplified_dynamics", "the robot as one rigid body under gravity and contact (paper 4.2)",
                 motion::SimplifiedDynamics::has,
                 "joint_reference base_rigid integrator contact position.z roll_deg pitch_deg",
-                "applied_force linear_velocity angular_velocity base_quaternion", make_simplified_dynamics},
+                "applied_force linear_velocity angular_velocity base_quaternion", make_simplified_dynamics,
+                reference_options().infos()},
       LevelType{"full_dynamics", "every link has its mass; joints move exactly as told (paper 4.3)",
                 motion::FullDynamics::has,
                 "joint_reference fixed_base integrator contact position.z roll_deg pitch_deg",
-                "applied_force linear_velocity angular_velocity base_quaternion", make_full_dynamics},
+                "applied_force linear_velocity angular_velocity base_quaternion", make_full_dynamics,
+                reference_and_tree_options().infos()},
       LevelType{"articulated_dynamics", "servos make torque, the whole tree moves as it must",
                 motion::ArticulatedDynamics::has,
                 "fixed_base integrator servo_law contact position.z roll_deg pitch_deg self_collision",
                 "applied_force linear_velocity angular_velocity base_quaternion "
                 "supply_voltage torque_enabled servo_temperature backlash_play backlash_side "
                 "rotor_rate",
-                make_articulated_dynamics},
+                make_articulated_dynamics, tree_options().infos()},
   };
 }
 
@@ -165,22 +186,28 @@ std::vector<ContactLawType> built_in_contacts() {
                      make_law<collision::IslandGaussSeidel>, 0.01, 0.01},
       ContactLawType{"kelvin_voigt", "spring, damper and a tangential spring that sticks; explicit, for steps of 1 ms",
                      make_law<collision::KelvinVoigt>, 0.002, 0.001},
-      ContactLawType{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)",
-                     make_law<collision::PaperLaw>, 0.002, 0.001},
+      ContactLawType{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)", make_paper,
+                     0.002, 0.001, paper_law_options().infos()},
       ContactLawType{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint,
-                     0.002, 0.001},
+                     0.002, 0.001, paper_law_options().infos()},
   };
 }
 
 template <class Law>
-std::unique_ptr<collision::BodyContactLaw> make_body_law() {
+std::unique_ptr<collision::BodyContactLaw> make_body_law(const OptionValues&) {
   return std::make_unique<Law>();
+}
+
+std::unique_ptr<collision::BodyContactLaw> make_body_island(const OptionValues& given) {
+  collision::BodyIslandOptions options;
+  body_island_options().apply(given, options);
+  return std::make_unique<collision::BodyIslandLaw>(options);
 }
 
 std::vector<BodyContactLawType> built_in_body_contacts() {
   return {
       BodyContactLawType{"island_gauss_seidel", "all contacts of touching entities settled together; the default",
-                         make_body_law<collision::BodyIslandLaw>},
+                         make_body_island, body_island_options().infos()},
       BodyContactLawType{"carry", "either body implicit by itself, the difference given back later; up to 2 ms",
                          make_body_law<collision::BodyCarryLaw>},
       BodyContactLawType{"kelvin_voigt", "explicit spring, damper and viscous friction; 1 ms",
@@ -224,7 +251,10 @@ Registries& registries() {
   static Registry<ContactLawType> contacts("contact law", built_in_contacts());
   static Registry<BodyContactLawType> body_contacts("law of contact between bodies", built_in_body_contacts());
   static Registry<ControllerType> controllers("controller", built_in_controllers());
-  static Registries all{levels, contacts, body_contacts, controllers, components::sensor_registry()};
+  static Registry<CommandType> commands("command");
+  static Registries all{
+      levels,  contacts, body_contacts, controllers, components::sensor_registry(), robot::robot_format_registry(),
+      commands};
   return all;
 }
 
@@ -232,5 +262,22 @@ const Registry<LevelType>& levels() { return registries().levels; }
 const Registry<ContactLawType>& contacts() { return registries().contacts; }
 const Registry<BodyContactLawType>& body_contacts() { return registries().body_contacts; }
 const Registry<ControllerType>& controllers() { return registries().controllers; }
+
+std::unique_ptr<MotionLevel> make_level(std::string_view name, Setup& setup, const LevelOptions& options) {
+  const LevelType& type = levels().find(name);
+  LevelOptions known = options;
+  known.own = values_among(type.options, options.own);
+  return type.make(setup, known);
+}
+
+std::shared_ptr<const collision::ContactLaw> make_contact_law(std::string_view name, const OptionValues& given) {
+  const ContactLawType& type = contacts().find(name);
+  return type.make(values_among(type.options, given));
+}
+
+std::unique_ptr<collision::BodyContactLaw> make_body_contact_law(std::string_view name, const OptionValues& given) {
+  const BodyContactLawType& type = body_contacts().find(name);
+  return type.make(values_among(type.options, given));
+}
 
 }  // namespace murosimf::catalog

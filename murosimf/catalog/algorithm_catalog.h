@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/catalog/command_type.h"
 #include "murosimf/collision/body_contact_law.h"
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/components/sensor_types.h"
@@ -20,6 +21,7 @@
 #include "murosimf/model/registry.h"
 #include "murosimf/motion/moving_tree.h"
 #include "murosimf/motion/simplified_dynamics.h"
+#include "murosimf/robot/robot_formats.h"
 #include "murosimf/runtime/simulation.h"
 
 namespace murosimf::catalog {
@@ -30,6 +32,7 @@ struct LevelOptions {
   bool base_rigid = false;         ///< simplified_dynamics: the paper's literal reading
   std::string servo_law;           ///< articulated_dynamics: of all servos; empty: their own
   motion::MovingTreeOptions tree;  ///< full_dynamics, articulated_dynamics; its integrator: simplified_dynamics too
+  OptionValues own;                ///< what the robot's [robots.level_options] gives; those of LevelType::options count
 };
 
 struct LevelType {
@@ -38,20 +41,23 @@ struct LevelType {
   std::string keys;    ///< of a robot that it uses, besides those that all levels use: "contact fixed_base"
   std::string inputs;  ///< properties that may be set and act at this level, besides those that do at all levels
   std::function<std::unique_ptr<MotionLevel>(Setup&, const LevelOptions&)> make;
+  std::vector<OptionInfo> options{};  ///< of its own
 };
 
 /// Law of contact with the ground.
 struct ContactLawType {
   std::string name, meaning;
-  std::function<std::shared_ptr<const collision::ContactLaw>()> make;
+  std::function<std::shared_ptr<const collision::ContactLaw>(const OptionValues&)> make;
   double longest_step;        ///< [s] with which a robot stands and walks at levels without servos (docs/scenes.md)
   double longest_servo_step;  ///< [s] the same at articulated_dynamics
+  std::vector<OptionInfo> options{};  ///< of its own
 };
 
 /// Law between moving bodies.
 struct BodyContactLawType {
   std::string name, meaning;
-  std::function<std::unique_ptr<collision::BodyContactLaw>()> make;
+  std::function<std::unique_ptr<collision::BodyContactLaw>(const OptionValues&)> make;
+  std::vector<OptionInfo> options{};  ///< of its own
 };
 
 /// What a controller may want to know about its robot's place in the scene.
@@ -83,6 +89,8 @@ struct Registries {
   Registry<BodyContactLawType>& body_contacts;
   Registry<ControllerType>& controllers;
   Registry<components::SensorType>& sensors;
+  Registry<robot::RobotFormat>& formats;
+  Registry<CommandType>& commands;  ///< besides the program's own (apps/main.cpp)
 };
 
 /// True if `word` is among the words of a list in the catalog.
@@ -96,5 +104,13 @@ struct Registries {
 [[nodiscard]] const Registry<ContactLawType>& contacts();
 [[nodiscard]] const Registry<BodyContactLawType>& body_contacts();
 [[nodiscard]] const Registry<ControllerType>& controllers();
+
+// Made with those of `given` that are options of theirs: the others are for another one that takes their place later. Throw
+// SetupError if there is none of that name.
+[[nodiscard]] std::unique_ptr<MotionLevel> make_level(std::string_view name, Setup& setup, const LevelOptions& options);
+[[nodiscard]] std::shared_ptr<const collision::ContactLaw> make_contact_law(std::string_view name,
+                                                                            const OptionValues& given = {});
+[[nodiscard]] std::unique_ptr<collision::BodyContactLaw> make_body_contact_law(std::string_view name,
+                                                                               const OptionValues& given = {});
 
 }  // namespace murosimf::catalog

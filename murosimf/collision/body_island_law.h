@@ -15,10 +15,13 @@
 
 namespace murosimf::collision {
 
+struct BodyIslandOptions {
+  int sweeps = 10;  ///< of the solver in a step, at most
+};
+
 class BodyIslandLaw final : public BodyContactLaw {
  public:
-  /// `sweeps` of the solver, at most.
-  explicit BodyIslandLaw(int sweeps = 10) : sweeps_(sweeps) {}
+  explicit BodyIslandLaw(const BodyIslandOptions& options = {}) : sweeps_(options.sweeps) {}
 
   void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept override;
 

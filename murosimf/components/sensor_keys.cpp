@@ -1,8 +1,8 @@
 #include "murosimf/components/sensor_keys.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -11,81 +11,58 @@
 namespace murosimf::components {
 namespace {
 
+using sensors::SensorSpec;
 using sensors::SignalSpec;
 
-struct Key {
-  std::string_view name;
-  double SignalSpec::*member;
-  bool bound = false;  ///< of the range: may be negative or infinite
-};
+constexpr double degree = std::numbers::pi / 180;
+constexpr double farthest_place = 1e4;                    // [m]
+constexpr double lowest_rate = 1e-3, highest_rate = 1e6;  // [Hz] nanoseconds count them exactly
+constexpr double longest_delay = 10;                      // [s]
 
-constexpr std::array keys{Key{"scale_error", &SignalSpec::scale_error},
-                          Key{"misalignment", &SignalSpec::misalignment},
-                          Key{"bias", &SignalSpec::bias},
-                          Key{"bias_random_walk", &SignalSpec::bias_random_walk},
-                          Key{"noise_density", &SignalSpec::noise_density},
-                          Key{"noise", &SignalSpec::noise},
-                          Key{"low_pass", &SignalSpec::low_pass},
-                          Key{"lowest", &SignalSpec::lowest, true},
-                          Key{"highest", &SignalSpec::highest, true},
-                          Key{"resolution", &SignalSpec::resolution}};
+/// As an option has it; lists that are no vector have no place there.
+OptionValue option_value(const OptionInfo& option, const SensorValue& value) {
+  if (const double* number = std::get_if<double>(&value.is)) return *number;
+  if (const bool* truth = std::get_if<bool>(&value.is)) return *truth;
+  if (const auto* text = std::get_if<std::string>(&value.is)) return *text;
+  const auto* numbers = std::get_if<std::vector<double>>(&value.is);
+  if (numbers && numbers->size() == 3) return Vec3d{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  const bool vector = std::holds_alternative<Vec3d>(option.fallback);
+  fail(value.where, fmt::format("'{}' is a list; it must be {}", option.name,
+                                vector ? "three numbers in brackets" : fmt::format("a {}", type_name(option))));
+}
+
+const OptionInfo& range_key() {
+  static const OptionInfo key{"range", any_number, "unit", "saturation from -range to range", above(0)};
+  return key;
+}
 
 void take_range(SignalSpec& signal, const SensorValues& values) {
   const SensorValue& value = values.at("range");
   if (values.contains("lowest") || values.contains("highest")) {
     fail(value.where, "'range' says the same as 'lowest' and 'highest'; keep one");
   }
-  const double range = number_of("range", value);
-  if (!(range > 0)) fail(value.where, "'range' must be a number above 0: from -range to range");
+  const double range = std::get<double>(checked_value(range_key(), value));
   signal.lowest = -range;
   signal.highest = range;
-}
-
-void take_bits(SignalSpec& signal, const SensorValue& value) {
-  const double bits = number_of("bits", value);
-  if (!(bits >= 0 && bits <= 32 && bits == std::floor(bits))) {
-    fail(value.where, "'bits' must be a whole number from 0 to 32");
-  }
-  signal.bits = static_cast<int>(bits);
-}
-
-void take_number(SignalSpec& signal, const Key& key, const SensorValue& value) {
-  const double number = number_of(std::string(key.name), value);
-  if (!key.bound && !(number >= 0 && std::isfinite(number))) {
-    fail(value.where, fmt::format("'{}' must be a finite number, at least 0", key.name));
-  }
-  signal.*key.member = number;
 }
 
 }  // namespace
 
 void fail(std::string_view where, std::string_view message) { throw SetupError(fmt::format("{}: {}", where, message)); }
 
-double number_of(const std::string& key, const SensorValue& value) {
-  const double* number = std::get_if<double>(&value.is);
-  if (!number || std::isnan(*number)) fail(value.where, fmt::format("'{}' must be a number", key));
-  return *number;
+OptionValue checked_value(const OptionInfo& option, const SensorValue& value) {
+  const OptionValue typed = option_value(option, value);
+  const auto* text = std::get_if<std::string>(&typed);
+  if (text && text->empty())
+    fail(value.where, fmt::format("'{}' is empty: leave it out, or name something", option.name));
+  with_context(value.where, [&] { check_option(option, typed); });
+  return typed;
 }
 
 double finite_number(const std::string& key, const SensorValue& value) {
-  const double number = number_of(key, value);
-  if (!std::isfinite(number)) fail(value.where, fmt::format("'{}' must be a finite number", key));
-  return number;
-}
-
-bool flag_of(const std::string& key, const SensorValue& value) {
-  const bool* truth = std::get_if<bool>(&value.is);
-  if (!truth) fail(value.where, fmt::format("'{}' must be true or false", key));
-  return *truth;
-}
-
-Vec3d vector_of(const std::string& key, const SensorValue& value) {
-  const auto* numbers = std::get_if<std::vector<double>>(&value.is);
-  const auto finite = [](double number) { return std::isfinite(number); };
-  if (!numbers || numbers->size() != 3 || !std::ranges::all_of(*numbers, finite)) {
-    fail(value.where, fmt::format("'{}' must be three finite numbers in brackets", key));
-  }
-  return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  const double* number = std::get_if<double>(&value.is);
+  if (!number || !std::isfinite(*number)) fail(value.where, fmt::format("'{}' must be a finite number", key));
+  return *number;
 }
 
 std::string name_of(const std::string& key, const SensorValue& value) {
@@ -107,40 +84,70 @@ std::vector<std::string> names_of(const std::string& key, const SensorValue& val
   return *names;
 }
 
-std::vector<std::string_view> signal_keys() {
-  std::vector<std::string_view> names;
-  for (const Key& key : keys) names.push_back(key.name);
-  names.insert(names.end(), {"range", "bits"});
-  return names;
+const OptionTable<SensorSpec>& sensor_keys() {
+  static const OptionTable<SensorSpec> table{
+      {"type", &SensorSpec::type, "", "murosimf list sensors; with it the table is a sensor of its own"},
+      {"part", &SensorSpec::part, "", "murosimf list parts, or a file: where its numbers start from"},
+      {"frame", &SensorSpec::frame, "", "body, joint, site or frame that it is mounted on; without it the base"},
+      {"position", &SensorSpec::position, "m", "of the sensor in that frame", 0, farthest_place},
+      {"rpy_deg", [](const SensorSpec& of) { return OptionValue((1 / degree) * roll_pitch_yaw(of.orientation)); },
+       [](const OptionValue& value, SensorSpec& of) {
+         const Vec3d rpy = degree * std::get<Vec3d>(value);
+         of.orientation = rotation_z(rpy.z) * rotation_y(rpy.y) * rotation_x(rpy.x);
+       },
+       "deg", "roll, pitch, yaw of its axes about the fixed axes of that frame"},
+      {"mounting_error_deg", [](const SensorSpec& of) { return OptionValue((1 / degree) * of.mounting_error); },
+       [](const OptionValue& value, SensorSpec& of) { of.mounting_error = degree * std::get<Vec3d>(value); }, "deg",
+       "roll, pitch, yaw by which its true axes are turned from these"},
+      {"rate", &SensorSpec::rate, "Hz", "of samples; without it one in every step", lowest_rate, highest_rate},
+      {"delay", &SensorSpec::delay, "s", "from the sample until control software can read it", 0, longest_delay},
+  };
+  return table;
+}
+
+const std::vector<OptionInfo>& signal_keys() {
+  static const std::vector<OptionInfo> keys = [] {
+    std::vector<OptionInfo> all = sensors::signal_options().infos();
+    all.push_back(range_key());
+    return all;
+  }();
+  return keys;
 }
 
 void change_signal(SignalSpec& signal, const SensorValues& values) {
   if (values.contains("range")) take_range(signal, values);
   if (values.contains("bits") && !values.contains("resolution")) signal.resolution = 0;
   if (values.contains("resolution") && !values.contains("bits")) signal.bits = 0;
+  OptionValues given;
   for (const auto& [name, value] : values) {
-    if (name == "range") continue;
-    if (name == "bits") {
-      take_bits(signal, value);
-      continue;
-    }
-    const auto key = std::ranges::find(keys, name, &Key::name);
-    if (key == keys.end()) fail(value.where, unknown_name("key of a sensor's output", name, signal_keys()));
-    take_number(signal, *key, value);
+    const OptionInfo* key = find_option(signal_keys(), name);
+    if (!key) fail(value.where, unknown_name("key of a sensor's output", name, option_names(signal_keys())));
+    if (name != "range") given.emplace(name, checked_value(*key, value));
   }
+  sensors::signal_options().apply(given, signal);
 }
 
 std::string signal_toml(const SignalSpec& signal) {
-  const SignalSpec perfect;
-  std::string text;
+  const std::vector<OptionInfo>& keys = sensors::signal_options().infos();
+  const std::vector<OptionValue> values = sensors::signal_options().values(signal);
   const bool symmetric = signal.lowest == -signal.highest && std::isfinite(signal.highest);
-  for (const Key& key : keys) {
-    if (signal.*key.member == perfect.*key.member || (key.bound && symmetric)) continue;
-    text += fmt::format("{} = {}\n", key.name, signal.*key.member);
+  std::string text;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const bool bound = keys[i].name == "lowest" || keys[i].name == "highest";
+    const double number = std::get<double>(values[i]);
+    if (number != std::get<double>(keys[i].fallback) && !(bound && symmetric)) {
+      text += fmt::format("{} = {}\n", keys[i].name, number);
+    }
   }
-  if (symmetric) text += fmt::format("range = {}\n", signal.highest);
-  if (signal.bits != 0) text += fmt::format("bits = {}\n", signal.bits);
-  return text;
+  return text + (symmetric ? fmt::format("range = {}\n", signal.highest) : "");
+}
+
+Vec3d roll_pitch_yaw(const Mat3d& turn) {
+  const Vec3d &x = turn.x, &y = turn.y, &z = turn.z;  // columns
+  const double level = std::hypot(x.x, x.y);
+  const double pitch = std::atan2(-x.z, level);
+  if (level < 1e-9) return {std::atan2(-z.y, y.y), pitch, 0};  // only the sum of roll and yaw matters
+  return {std::atan2(y.z, z.z), pitch, std::atan2(x.y, x.x)};
 }
 
 }  // namespace murosimf::components

@@ -1,5 +1,5 @@
-/// sensor_keys.h - what the keys of a sensor's table (sensor_table.h) mean: their values as numbers, vectors and names, and
-/// those that say what becomes of a sensor's true values (sensors/signal_spec.h).
+/// sensor_keys.h - the keys of a sensor's table (sensor_table.h) that all types have: of the sensor, and those that say what becomes
+/// of its true values (sensors/signal_spec.h).
 ///
 /// What takes a value throws SetupError with the place of that value.
 #pragma once
@@ -9,28 +9,32 @@
 #include <vector>
 
 #include "murosimf/components/sensor_table.h"
-#include "murosimf/math/vec3.h"
+#include "murosimf/model/option.h"
 
 namespace murosimf::components {
 
 [[noreturn]] void fail(std::string_view where, std::string_view message);
 
-/// May be infinite.
-[[nodiscard]] double number_of(const std::string& key, const SensorValue& value);
+/// A value of the option's type that it may have. Texts are not empty.
+[[nodiscard]] OptionValue checked_value(const OptionInfo& option, const SensorValue& value);
 [[nodiscard]] double finite_number(const std::string& key, const SensorValue& value);
-[[nodiscard]] bool flag_of(const std::string& key, const SensorValue& value);
-[[nodiscard]] Vec3d vector_of(const std::string& key, const SensorValue& value);
 [[nodiscard]] std::string name_of(const std::string& key, const SensorValue& value);
 /// At least one name, and each once.
 [[nodiscard]] std::vector<std::string> names_of(const std::string& key, const SensorValue& value);
 
-/// Members of SignalSpec, and `range`, short for lowest = -range, highest = range.
-[[nodiscard]] std::vector<std::string_view> signal_keys();
+/// Keys of every sensor: its type, place and time.
+[[nodiscard]] const OptionTable<sensors::SensorSpec>& sensor_keys();
+
+/// Keys of an output: those of sensors::signal_options, and `range`, short for lowest = -range, highest = range.
+[[nodiscard]] const std::vector<OptionInfo>& signal_keys();
 
 /// Refuses unknown keys, and numbers that are impossible by themselves. `bits` and `resolution` take each other's place.
 void change_signal(sensors::SignalSpec& signal, const SensorValues& values);
 
 /// Lines "key = number" of what is not as in a perfect signal, in the order of signal_keys.
 [[nodiscard]] std::string signal_toml(const sensors::SignalSpec& signal);
+
+/// [rad] Angles r, p, y with R_z(y) R_y(p) R_x(r) = turn.
+[[nodiscard]] Vec3d roll_pitch_yaw(const Mat3d& turn);
 
 }  // namespace murosimf::components

@@ -1,6 +1,5 @@
 #include "murosimf/components/sensor_sections.h"
 
-#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -13,15 +12,6 @@ namespace murosimf::components {
 namespace {
 
 using sensors::SensorSpec;
-
-/// [rad] Angles r, p, y with R_z(y) R_y(p) R_x(r) = turn.
-Vec3d roll_pitch_yaw(const Mat3d& turn) {
-  const Vec3d &x = turn.x, &y = turn.y, &z = turn.z;  // columns
-  const double level = std::hypot(x.x, x.y);
-  const double pitch = std::atan2(-x.z, level);
-  if (level < 1e-9) return {std::atan2(-z.y, y.y), pitch, 0};  // only the sum of roll and yaw matters
-  return {std::atan2(y.z, z.z), pitch, std::atan2(x.y, x.x)};
-}
 
 std::string place_of(const SensorSpec& spec) {
   std::string text;
@@ -47,10 +37,10 @@ std::string objects_of(const SensorSpec& spec) {
 
 std::string numbers_of(const SensorSpec& spec) {
   const SensorType& type = sensor_types().find(spec.type);
-  const std::string flags = fmt::format(" {} ", type.flags);
   std::string text;
   for (const auto& [key, number] : spec.numbers) {
-    const bool is_flag = flags.find(fmt::format(" {} ", key)) != std::string::npos;
+    const OptionInfo* option = find_option(type.options, key);
+    const bool is_flag = option && std::holds_alternative<bool>(option->fallback);
     text += is_flag ? fmt::format("{} = {}\n", key, number != 0) : fmt::format("{} = {}\n", key, number);
   }
   for (const auto& [key, word] : spec.texts) text += fmt::format("{} = {}\n", key, toml_quoted(word));

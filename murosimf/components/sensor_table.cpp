@@ -1,7 +1,6 @@
 #include "murosimf/components/sensor_table.h"
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
@@ -20,34 +19,14 @@ namespace {
 using sensors::SensorSpec;
 using Names = std::vector<std::string_view>;
 
-constexpr double degree = std::numbers::pi / 180;
-constexpr double farthest_place = 1e4;                    // [m]
-constexpr double lowest_rate = 1e-3, highest_rate = 1e6;  // [Hz] nanoseconds count them exactly
-
-Names words_of(std::string_view text) {
-  Names words;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    if (end > 0) words.push_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return words;
-}
-
 bool contains(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
 /// Writes what a table says into a spec whose type is known.
 class Changer {
  public:
-  explicit Changer(SensorSpec& spec)
-      : spec_(spec),
-        type_(sensor_types().find(spec.type)),
-        numbers_(words_of(type_.numbers)),
-        objects_(words_of(type_.objects)),
-        flags_(words_of(type_.flags)),
-        texts_(words_of(type_.texts)) {}
+  explicit Changer(SensorSpec& spec) : spec_(spec), type_(sensor_types().find(spec.type)) {}
 
-  /// `keys`: those besides numbers, objects and signals that the table may have.
+  /// `keys`: those of sensor_keys that the table may have.
   void take(const SensorTable& table, const Names& keys, const std::filesystem::path& beside) {
     check_keys(table, keys);
     if (const auto file = table.values.find("calibration"); file != table.values.end()) {
@@ -78,10 +57,10 @@ class Changer {
 
  private:
   void check_keys(const SensorTable& table, Names known) const {
-    for (const Names* keys : {&numbers_, &objects_, &flags_, &texts_})
-      known.insert(known.end(), keys->begin(), keys->end());
-    const Names signal = signal_keys();
-    known.insert(known.end(), signal.begin(), signal.end());
+    if (!type_.objects.empty()) known.push_back(type_.objects);
+    for (const auto* options : {&type_.options, &signal_keys()}) {
+      for (const OptionInfo& option : *options) known.push_back(option.name);
+    }
     for (const auto& [key, value] : table.values) {
       if (contains(known, key)) continue;
       fail(value.where, unknown_name(fmt::format("key of sensor type '{}',", type_.name), key, known));
@@ -90,7 +69,7 @@ class Changer {
 
   /// The type has a key of this name.
   [[nodiscard]] bool is_own(std::string_view key) const {
-    return contains(numbers_, key) || contains(objects_, key) || contains(flags_, key) || contains(texts_, key);
+    return (!type_.objects.empty() && key == type_.objects) || find_option(type_.options, key);
   }
 
   /// The numbers of a calibration file; scaled, if the table asks for another size of the picture.
@@ -120,40 +99,28 @@ class Changer {
   }
 
   void take_value(const std::string& key, const SensorValue& value) {
-    if (contains(numbers_, key)) {
-      spec_.numbers[key] = finite_number(key, value);
-    } else if (contains(flags_, key)) {
-      spec_.numbers[key] = flag_of(key, value) ? 1 : 0;
-    } else if (key == "calibration") {
-      return;  // taken already
-    } else if (contains(texts_, key)) {
-      spec_.texts[key] = name_of(key, value);
-    } else if (contains(objects_, key)) {
+    if (key == type_.objects) {
       spec_.objects = names_of(key, value);
-    } else if (key == "rate") {
-      spec_.rate = finite_number(key, value);
-      if (!(spec_.rate >= lowest_rate && spec_.rate <= highest_rate)) {
-        fail(value.where, "'rate' must be from 0.001 to 1000000 Hz; without it there is a sample in every step");
-      }
-    } else if (key == "delay") {
-      spec_.delay = finite_number(key, value);
-      if (!(spec_.delay >= 0 && spec_.delay <= 10)) fail(value.where, "'delay' must be from 0 to 10 s");
-    } else if (key == "frame") {
-      spec_.frame = name_of(key, value);
-    } else if (key == "position") {
-      spec_.position = vector_of(key, value);
-      if (!(norm(spec_.position) <= farthest_place)) fail(value.where, "'position' is further than 10 km away");
-    } else if (key == "rpy_deg") {
-      const Vec3d rpy = degree * vector_of(key, value);
-      spec_.orientation = rotation_z(rpy.z) * rotation_y(rpy.y) * rotation_x(rpy.x);
-    } else if (key == "mounting_error_deg") {
-      spec_.mounting_error = degree * vector_of(key, value);
+    } else if (const OptionInfo* own = find_option(type_.options, key)) {
+      if (key != "calibration") take_own(key, checked_value(*own, value));  // that one is taken already
+    } else if (key != "type" && key != "part") {                            // so are these
+      const OptionInfo& common = *find_option(sensor_keys().infos(), key);
+      sensor_keys().apply({{key, checked_value(common, value)}}, spec_);
+    }
+  }
+
+  void take_own(const std::string& key, const OptionValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) {
+      spec_.texts[key] = *text;
+    } else if (const bool* truth = std::get_if<bool>(&value)) {
+      spec_.numbers[key] = *truth ? 1 : 0;
+    } else {
+      spec_.numbers[key] = std::get<double>(value);
     }
   }
 
   SensorSpec& spec_;
   const SensorType& type_;
-  Names numbers_, objects_, flags_, texts_;
 };
 
 std::optional<std::string> text_of(const SensorTable& table, const std::string& key) {
@@ -211,7 +178,7 @@ SensorSpec changed(const SensorSpec* old, const SensorTable& table, const std::f
     changer.take(*part, {"type", "rate", "delay"}, beside);
     changer.take_outputs(*part, true);
   }
-  changer.take(table, {"type", "part", "frame", "position", "rpy_deg", "mounting_error_deg", "rate", "delay"}, beside);
+  changer.take(table, option_names(sensor_keys().infos()), beside);
   changer.take_outputs(table, false);
   check_signals(spec);
   return spec;

@@ -12,7 +12,7 @@
 ///     range = 34.9               # short for lowest = -34.9, highest = 34.9
 ///     noise_density = 1e-4
 ///
-/// Keys of SensorType::numbers, objects, flags and texts stand beside these. Keys of signals may stand directly in
+/// Keys of SensorType::options and objects stand beside these. Keys of signals may stand directly in
 /// [sensors.NAME]: they hold for all outputs. NAME = false removes a sensor.
 #pragma once
 

@@ -6,7 +6,9 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "murosimf/model/option.h"
 #include "murosimf/model/registry.h"
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/sensors/sensor.h"
@@ -15,14 +17,12 @@ namespace murosimf::components {
 
 struct SensorType {
   std::string name, meaning;
-  std::string numbers;  ///< keys that only this type has, as in SensorSpec::numbers: "rays fov"
   std::string objects;  ///< key of SensorSpec::objects: "joints", "bodies", "entities"; empty: it has none
   sensors::Watch watch;
   std::function<std::unique_ptr<sensors::Sensor>(Setup&, const sensors::SensorSpec&,
                                                  const sensors::SensorSurroundings&)>
       make;
-  std::string flags{};  ///< keys that are true or false; as SensorSpec::numbers they are 1 or 0
-  std::string texts{};  ///< keys of SensorSpec::texts; `calibration` is a file that says several others
+  std::vector<OptionInfo> options{};  ///< keys of its own: the table that reads them (sensors/sensor_options.h)
 };
 
 /// Those of the library in alphabetical order, then what was added.

@@ -6,12 +6,10 @@
 
 #include "murosimf/components/sensor_sections.h"
 #include "murosimf/files/input_file.h"
-#include "murosimf/files/xml_element.h"
-#include "murosimf/formats/mjcf/mjcf_reader.h"
 #include "murosimf/formats/mjcf/mjcf_sensor.h"
 #include "murosimf/formats/mjcf/mjcf_writer.h"
-#include "murosimf/formats/urdf/urdf_reader.h"
 #include "murosimf/robot/robot_config.h"
+#include "murosimf/robot/robot_formats.h"
 #include "murosimf/robot/robot_reader.h"
 #include "murosimf/robot/role_inference.h"
 
@@ -23,8 +21,7 @@ namespace fs = std::filesystem;
 /// With all of the bodies of the file: read_robot has welded those that do not move.
 description::RobotDescription read_all_bodies(const fs::path& file, description::ReaderOptions options) {
   for (const TableName& mesh : read_table_beside(file).part_per_group) options.part_per_group.push_back(mesh.name);
-  const bool urdf = files::XmlFile(file).root().tag() == "robot";
-  return urdf ? formats::urdf::read_urdf(file, options) : formats::mjcf::read_mjcf(file, options);
+  return format_of(file).read(file, options);
 }
 
 /// Sensors of the robot file that MJCF has no word for. `description`: as it is written, with the same sensors as the robot's.

@@ -2,14 +2,10 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "murosimf/files/xml_element.h"
-#include "murosimf/formats/mjcf/mjcf_reader.h"
-#include "murosimf/formats/urdf/urdf_reader.h"
 #include "murosimf/robot/lump_fixed_joints.h"
 #include "murosimf/robot/robot_builder.h"
 #include "murosimf/robot/robot_config.h"
+#include "murosimf/robot/robot_formats.h"
 #include "murosimf/robot/robot_sensors.h"
 #include "murosimf/robot/role_inference.h"
 
@@ -34,15 +30,6 @@ void check_names(const RobotConfig& table, const description::RobotDescription& 
   check_names(table, names);
 }
 
-description::RobotDescription read_description(const std::filesystem::path& file,
-                                               const description::ReaderOptions& options) {
-  const files::XmlFile xml(file);
-  const std::string root = xml.root().tag();
-  if (root == "mujoco") return formats::mjcf::read_mjcf(file, options);
-  if (root == "robot") return formats::urdf::read_urdf(file, options);
-  xml.root().fail(fmt::format("the root is <{}>; a robot file has <mujoco> (MJCF) or <robot> (URDF)", root));
-}
-
 }  // namespace
 
 RobotFile read_robot(const std::filesystem::path& file, const description::ReaderOptions& options) {
@@ -50,7 +37,7 @@ RobotFile read_robot(const std::filesystem::path& file, const description::Reade
   description::ReaderOptions all = options;
   for (const TableName& mesh : table.part_per_group) all.part_per_group.push_back(mesh.name);
   RobotFile robot;
-  robot.description = read_description(file, all);
+  robot.description = format_of(file).read(file, all);
   check_names(table, robot.description);
   apply_surfaces(robot.description, table);
   weld_fixed_bodies(robot.description);

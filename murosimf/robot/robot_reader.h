@@ -1,4 +1,4 @@
-/// robot_reader.h - a robot from its file, MJCF or URDF, and the TOML file beside it, as a Model.
+/// robot_reader.h - a robot from its file, in any format of robot_formats.h, and the TOML file beside it, as a Model.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,7 @@ struct RobotFile {
   description::RobotDescription description;  ///< what the model was made of; bodies without joints are welded
 };
 
-/// The root element tells the format. Throws SetupError: file, line, what is wrong, what to do.
+/// Throws SetupError: file, line, what is wrong, what to do.
 [[nodiscard]] RobotFile read_robot(const std::filesystem::path& file, const description::ReaderOptions& options = {});
 
 }  // namespace murosimf::robot

@@ -75,7 +75,7 @@ Entity& add(SceneParts& parts, const scene_file::RobotSpec& robot) {
     enlist(parts, robot, entity);
     attach_sensors(parts, models, parts.robots.size() - 1);
     attach_controller(parts, robot, entity);
-    attach_ground_contact(parts, entity, robot.level, robot.contact);
+    attach_ground_contact(parts, entity, robot.level, robot.contact, robot.contact_options);
     attach_level_of(parts, robot, entity);
     attach_odometer(parts, entity);
   };

@@ -41,18 +41,18 @@ void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, En
   with_context(robot.where, [&] { controller.attach(*parts.simulation, entity, options); });
 }
 
-void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law) {
+void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law,
+                           const OptionValues& options) {
   if (find_entry(catalog::levels(), "level", level).traits.dynamic) entity.contact = law;
   parts.ground_contacts.push_back(
       &parts.simulation->attach<collision::GroundContact>("ground_contact", entity, parts.spec.rate, parts.field,
-                                                          find_entry(catalog::contacts(), "contact law", law).make(),
+                                                          catalog::make_contact_law(law, options),
                                                           parts.spec.materials));
 }
 
 void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options) {
-  const catalog::LevelType& level = find_entry(catalog::levels(), "level", entity.level);
   parts.simulation->attach(entity.level, entity, parts.spec.rate,
-                           [&](Setup& setup) { return level.make(setup, options); });
+                           [&](Setup& setup) { return catalog::make_level(entity.level, setup, options); });
 }
 
 void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {

@@ -15,7 +15,8 @@ namespace murosimf::scene {
 void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity);
 
 /// Also for those whom no force moves: they may change their level. `level`: the one that it begins with.
-void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law);
+void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law,
+                           const OptionValues& options = {});
 
 /// The level that the entity names.
 void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions& options);

@@ -28,12 +28,14 @@ void attach_contact(SceneParts& parts) {
   const scene_file::SceneSpec& spec = parts.spec;
   if (parts.ball) attach_ground_contact(parts, *parts.ball, parts.ball->level, spec.ball->contact);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
-    attach_ground_contact(parts, *parts.robots[i], parts.robots[i]->level, spec.robots[i].contact);
+    attach_ground_contact(parts, *parts.robots[i], parts.robots[i]->level, spec.robots[i].contact,
+                          spec.robots[i].contact_options);
   }
   for (Entity* body : parts.bodies) attach_ground_contact(parts, *body, body->level, body->contact);
-  parts.simulation->attach<collision::BodyContact>(
-      "body_contact", spec.rate, parts.field, parts.moving_entities, spec.materials,
-      find_entry(catalog::body_contacts(), "law of contact between bodies", spec.body_contact).make());
+  parts.simulation->attach<collision::BodyContact>("body_contact", spec.rate, parts.field, parts.moving_entities,
+                                                   spec.materials,
+                                                   catalog::make_body_contact_law(spec.body_contact,
+                                                                                  spec.body_contact_options));
 }
 
 void attach_motion(SceneParts& parts) {

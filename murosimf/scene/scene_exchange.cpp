@@ -26,11 +26,20 @@ void renew_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   const catalog::LevelType& level = find_entry(catalog::levels(), "level", robot.level);
   const catalog::LevelOptions options = scene_file::level_options(robot);
   std::string overload = motion::overload_message(entity);  // the level that goes takes it along
-  parts.simulation->exchange(robot.level, entity, [&](Setup& setup) { return level.make(setup, options); });
+  parts.simulation->exchange(robot.level, entity,
+                             [&](Setup& setup) { return catalog::make_level(robot.level, setup, options); });
   if (!overload.empty()) parts.remarks.warn(std::move(overload));
   entity.contact = level.traits.dynamic ? robot.contact : "";
   warn_about_level(parts, robot);
   note_about_sensors(parts, robot);
+}
+
+/// What a robot gives of its contact law's options; nothing of ball and bodies.
+OptionValues contact_options(const SceneParts& parts, std::string_view entity) {
+  for (const scene_file::RobotSpec& robot : parts.spec.robots) {
+    if (robot.name == entity) return robot.contact_options;
+  }
+  return {};
 }
 
 std::size_t number_of(const SceneParts& parts, std::string_view entity) {
@@ -89,10 +98,9 @@ void exchange_servo_law(SceneParts& parts, std::string_view robot, std::string_v
 }
 
 void exchange_contact(SceneParts& parts, std::string_view entity, std::string_view law) {
-  const catalog::ContactLawType& contact = find_entry(catalog::contacts(), "contact law", law);
   const std::size_t number = number_of(parts, entity);
   Entity& changed = *parts.moving_entities[number];
-  parts.ground_contacts[number]->exchange_law(contact.make());
+  parts.ground_contacts[number]->exchange_law(catalog::make_contact_law(law, contact_options(parts, entity)));
   parts.simulation->record(fmt::format("{}: contact {}", entity, law));
   if (std::ranges::find(parts.robots, &changed) ==
       parts.robots.end()) {  // ball and bodies are always at a level with forces
@@ -115,8 +123,8 @@ std::vector<Algorithms> algorithms_in_force(const SceneParts& parts) {
 void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithms) {
   const Algorithms present = algorithms_of(parts, entity);
   if (algorithms.contact != present.contact) {
-    const catalog::ContactLawType& law = find_entry(catalog::contacts(), "contact law", algorithms.contact);
-    parts.ground_contacts[number_of(parts, entity.name())]->exchange_law(law.make());
+    parts.ground_contacts[number_of(parts, entity.name())]->exchange_law(
+        catalog::make_contact_law(algorithms.contact, contact_options(parts, entity.name())));
     if (&entity == parts.ball) parts.spec.ball->contact = algorithms.contact;
   }
   entity.contact = algorithms.contact;
@@ -127,9 +135,8 @@ void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithm
   changed.level = find_entry(catalog::levels(), "level", algorithms.level).name;
   changed.servo_law = algorithms.servo_law;
   if (changed.level != robot.level || changed.servo_law != robot.servo_law) {
-    const catalog::LevelType& level = find_entry(catalog::levels(), "level", changed.level);
     const catalog::LevelOptions options = scene_file::level_options(changed);
-    const auto make = [&](Setup& setup) { return level.make(setup, options); };
+    const auto make = [&](Setup& setup) { return catalog::make_level(changed.level, setup, options); };
     parts.simulation->exchange(changed.level, entity, make, LevelStart::anew);
   }
   if (!find_entry(catalog::levels(), "level", changed.level).traits.dynamic) entity.contact.clear();

@@ -9,6 +9,7 @@ catalog::LevelOptions level_options(const RobotSpec& robot) {
   options.tree.integrator = robot.integrator;
   options.tree.fixed_base = robot.fixed_base;
   if (robot.joint_reference == "linear") options.reference.kind = motion::ReferenceKind::linear;
+  options.own = robot.level_options;
   return options;
 }
 

@@ -1,6 +1,7 @@
 #include "murosimf/scene_file/robot_options.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -13,10 +14,6 @@ namespace murosimf::scene_file {
 namespace {
 
 using Names = std::vector<std::string_view>;
-
-const std::vector<OptionInfo>& options_of(const RobotSpec& robot) {
-  return catalog::controllers().find(robot.controller).options;
-}
 
 /// Keys that --set has made stand nowhere: then the place of the value.
 [[noreturn]] void refuse(const toml::key& key, const toml::node& value, const std::string& message) {
@@ -43,30 +40,70 @@ void take(const toml::table& node, const std::vector<OptionInfo>& options, Optio
   }
 }
 
-}  // namespace
-
-void read_options(const toml::table& node, RobotSpec& robot) {
-  const Names known = option_names(options_of(robot));
+void refuse_others(const toml::table& node, const std::string& owner, const Names& known) {
   for (const auto& [key, value] : node) {
-    if (std::ranges::find(known, key.str()) != known.end()) continue;
-    refuse_unknown(key, value, fmt::format("controller '{}'", robot.controller), known);
+    if (std::ranges::find(known, key.str()) == known.end()) refuse_unknown(key, value, owner, known);
   }
-  take(node, options_of(robot), robot.options);
 }
 
-void read_default_options(const toml::table& node, RobotSpec& robot) { take(node, options_of(robot), robot.options); }
-
-void check_default_options(const toml::table& node, const std::vector<RobotSpec>& robots) {
-  Names known;
-  for (const RobotSpec& robot : robots) {
-    for (const std::string_view name : option_names(options_of(robot))) {
-      if (std::ranges::find(known, name) == known.end()) known.push_back(name);
+/// Its own options, then those that only others of the registry have.
+std::vector<OptionInfo> own_and_others(const auto& registry, std::string_view owner) {
+  std::vector<OptionInfo> all = registry.find(owner).options;
+  for (const auto& other : registry) {
+    for (const OptionInfo& option : other.options) {
+      if (!find_option(all, option.name)) all.push_back(option);
     }
   }
-  for (const auto& [key, value] : node) {
-    if (std::ranges::find(known, key.str()) != known.end()) continue;
-    refuse_unknown(key, value, "the controllers of this scene", known);
+  return all;
+}
+
+constexpr std::array all_options{
+    RobotOptions{"options", "controller", &RobotSpec::controller, &RobotSpec::options,
+                 [](std::string_view name) { return catalog::controllers().find(name).options; }},
+    RobotOptions{"level_options", "level", &RobotSpec::level, &RobotSpec::level_options,
+                 [](std::string_view name) { return own_and_others(catalog::levels(), name); }},
+    RobotOptions{"contact_options", "contact law", &RobotSpec::contact, &RobotSpec::contact_options,
+                 [](std::string_view name) { return own_and_others(catalog::contacts(), name); }},
+};
+
+std::vector<OptionInfo> options_of(const RobotOptions& options, const RobotSpec& robot) {
+  return options.of(robot.*options.owner);
+}
+
+}  // namespace
+
+std::span<const RobotOptions> robot_options() { return all_options; }
+
+bool is_options_key(std::string_view key) {
+  return std::ranges::find(all_options, key, &RobotOptions::key) != all_options.end();
+}
+
+void read_options(const RobotOptions& options, const toml::table& node, RobotSpec& robot) {
+  const std::vector<OptionInfo> known = options_of(options, robot);
+  refuse_others(node, fmt::format("{} '{}'", options.kind, robot.*options.owner), option_names(known));
+  take(node, known, robot.*options.values);
+}
+
+void read_default_options(const RobotOptions& options, const toml::table& node, RobotSpec& robot) {
+  take(node, options_of(options, robot), robot.*options.values);
+}
+
+void check_default_options(const RobotOptions& options, const toml::table& node, const std::vector<RobotSpec>& robots) {
+  std::vector<std::string> known;
+  for (const RobotSpec& robot : robots) {
+    for (const OptionInfo& option : options_of(options, robot)) {
+      if (std::ranges::find(known, option.name) == known.end()) known.push_back(option.name);
+    }
   }
+  refuse_others(node, fmt::format("the {}s of this scene", options.kind), Names(known.begin(), known.end()));
+}
+
+OptionValues read_own_options(const toml::table& node, const std::string& owner,
+                              const std::vector<OptionInfo>& options) {
+  OptionValues values;
+  refuse_others(node, owner, option_names(options));
+  take(node, options, values);
+  return values;
 }
 
 }  // namespace murosimf::scene_file

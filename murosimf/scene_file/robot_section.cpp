@@ -1,5 +1,6 @@
 // [[teams]], [defaults] and [[robots]] of a scene file.
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -76,6 +77,8 @@ const Section<RobotSpec>& robot_section() {
        {"controller", Name{&RobotSpec::controller, "controller", [] { return entry_names(catalog::controllers()); }},
         "", "murosimf list controllers"},
        {"options", {}, "", "of its controller: murosimf list options", {}, "the controller's"},
+       {"level_options", {}, "", "of its level: murosimf list options", {}, "the level's"},
+       {"contact_options", {}, "", "of its contact law: murosimf list options", {}, "the law's"},
        {"servo_law",
         Name{&RobotSpec::servo_law, "servo law", [] { return entry_names(motion::servo_laws()); }},
         "",
@@ -156,19 +159,23 @@ void read_teams(const files::TomlTable& scene, SceneSpec& spec) {
 
 void read_robots(const files::TomlTable& scene, SceneSpec& spec) {
   RobotSpec defaults;
-  const toml::table* default_options = nullptr;
+  std::map<std::string_view, const toml::table*> default_options;  // by key, those that are there
   if (const toml::table* node = scene.table("defaults")) {
     const files::TomlTable table(*node, names_of(*find_section("defaults")));
     read_robot(table, defaults);
-    default_options = table.table("options");
+    for (const RobotOptions& one : robot_options()) {
+      if (const toml::table* given = table.table(one.key)) default_options.emplace(one.key, given);
+    }
     for (auto& [key, given] : defaults.given) given.by_default = true;
   }
   for (const toml::table* node : scene.tables("robots")) {
     const files::TomlTable table(*node, robot_section().names());
     RobotSpec robot = defaults;
     read_robot(table, robot);
-    if (default_options) read_default_options(*default_options, robot);
-    if (const toml::table* options = table.table("options")) read_options(*options, robot);
+    for (const RobotOptions& one : robot_options()) {
+      if (default_options.contains(one.key)) read_default_options(one, *default_options.at(one.key), robot);
+      if (const toml::table* given = table.table(one.key)) read_options(one, *given, robot);
+    }
     require(!robot.name.empty(), table, "name", "of the robot is missing");
     require(!robot.model.empty(), table, "model", "of the robot is missing");
     const auto same_name = [&](const RobotSpec& other) { return other.name == robot.name; };
@@ -185,7 +192,10 @@ void read_robots(const files::TomlTable& scene, SceneSpec& spec) {
             "ball_chaser needs a [ball] in the scene");
     spec.robots.push_back(robot);
   }
-  if (default_options && !spec.robots.empty()) check_default_options(*default_options, spec.robots);
+  if (spec.robots.empty()) return;
+  for (const RobotOptions& one : robot_options()) {
+    if (default_options.contains(one.key)) check_default_options(one, *default_options.at(one.key), spec.robots);
+  }
 }
 
 }  // namespace murosimf::scene_file

@@ -10,6 +10,7 @@
 #include "murosimf/scene_file/material_section.h"
 #include "murosimf/scene_file/overrides.h"
 #include "murosimf/scene_file/push_section.h"
+#include "murosimf/scene_file/robot_options.h"
 #include "murosimf/scene_file/section_readers.h"
 
 namespace murosimf::scene_file {
@@ -20,6 +21,14 @@ void read_gravity(const files::TomlTable& scene, std::string_view key, SceneSpec
   const toml::array* list = scene.find(key)->as_array();
   require(!list || list->size() == 3, scene, key, "must be three numbers in brackets: x, y, z in m/s^2");
   scene.read(key, spec.gravity);
+}
+
+void read_body_contact_options(const files::TomlTable& scene, SceneSpec& spec) {
+  const toml::table* given = scene.table("body_contact_options");
+  if (!given) return;
+  const catalog::BodyContactLawType& law = catalog::body_contacts().find(spec.body_contact);
+  spec.body_contact_options =
+      read_own_options(*given, fmt::format("law of contact between bodies '{}'", law.name), law.options);
 }
 
 }  // namespace
@@ -35,6 +44,7 @@ const Section<SceneSpec>& scene_section() {
             Choice<SceneSpec>{&SceneSpec::body_contact, "law of contact between bodies",
                               [] { return entry_names(catalog::body_contacts()); }},
             "", "how moving bodies push each other: murosimf list body_contacts"},
+           {"body_contact_options", {}, "", "of that law: murosimf list options", {}, "the law's"},
            {"start", {}, "", "see [start]"},
            {"field", {}, "", "see [field]"},
            {"view", {}, "", "see [view]"},
@@ -83,6 +93,7 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   spec.name = file.stem().string();
   scene_section().read(scene, spec);
   if (const toml::table* start = scene.table("start")) start_section().read(*start, spec);
+  read_body_contact_options(scene, spec);
   read_field(scene, spec);
   read_view(scene, spec);
   read_light(scene, spec);

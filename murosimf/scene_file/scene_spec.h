@@ -82,9 +82,10 @@ struct RobotSpec {
   std::string level = "kinematic_walking";
   std::string contact = "implicit_stick";
   std::string controller = "walk";
-  OptionValues options;   ///< of the controller, those that are given
-  std::string servo_law;  ///< instead of what the model's servos say; empty: those
-  std::string motion;     ///< name or file, for the controller "keyframes"; empty for none
+  OptionValues options;                         ///< of the controller, those that are given
+  OptionValues level_options, contact_options;  ///< the same of the level and of the law of contact with the ground
+  std::string servo_law;                        ///< instead of what the model's servos say; empty: those
+  std::string motion;                           ///< name or file, for the controller "keyframes"; empty for none
   std::string joint_reference = "filter";
   motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
   bool base_rigid = false;
@@ -144,6 +145,7 @@ struct SceneSpec {
   double jitter_tilt = 0;         ///< [rad] about a random axis
   double jitter_posture = 0;      ///< [rad] joint targets vary by up to this, within joint limits
   std::string body_contact = "island_gauss_seidel";
+  OptionValues body_contact_options;  ///< of that law, those that are given
   FieldSpec field;
   ViewSpec view;
   LightSpec light;

@@ -28,6 +28,7 @@ bool asks_for_command(const RobotSpec& robot) { return !is_zero(robot.command); 
 
 constexpr std::array used_keys{
     UsedKey{"contact", "contact"},
+    UsedKey{"contact_options", "contact"},
     UsedKey{"integrator", "integrator"},
     UsedKey{"joint_reference", "joint_reference"},
     UsedKey{"servo_law", "servo_law", UsedKey::by_level, asks_for_servo_law},
@@ -102,6 +103,33 @@ void add_events(const SceneSpec& spec, std::vector<std::string>& lines) {
   }
 }
 
+/// Whether an entry of a registry that an algorithm of a robot is from some time on has an option.
+bool any_has(const auto& entries, std::string_view option) {
+  return std::ranges::any_of(entries,
+                             [&](const auto* entry) { return find_option(entry->options, option) != nullptr; });
+}
+
+std::vector<const catalog::ContactLawType*> laws_of(const SceneSpec& spec, const RobotSpec& robot) {
+  std::vector<const catalog::ContactLawType*> found{&catalog::contacts().find(robot.contact)};
+  for (const SceneEvent& event : spec.events) {
+    if (event.key != "contact" || event.setting || !is_for(event, robot)) continue;
+    found.push_back(&catalog::contacts().find(event.value));
+  }
+  return found;
+}
+
+/// Options that only other levels or laws have; not those of [defaults], which are for other robots.
+void add_options(const RobotSpec& robot, const std::string& key, const OptionValues& values, const auto& entries,
+                 std::vector<std::string>& lines) {
+  const auto given = robot.given.find(key);
+  if (given == robot.given.end() || given->second.by_default) return;
+  for (const auto& [name, value] : values) {
+    if (any_has(entries, name)) continue;
+    lines.push_back(
+        fmt::format("{}: {} has no '{}' in '{}'; it changes nothing", robot.name, entries.front()->name, name, key));
+  }
+}
+
 void add_start(const SceneSpec& spec, std::vector<std::string>& lines) {
   const auto nobody = [&](const auto& uses) { return std::ranges::none_of(spec.robots, uses); };
   if (spec.jitter_tilt != 0 &&
@@ -135,6 +163,10 @@ std::vector<std::string> unused_keys(const SceneSpec& spec) {
     lines.emplace_back("nothing moves in this scene: it has neither [[robots]] nor a [ball] nor [[bodies]] that move");
   }
   for (const UsedKey& key : used_keys) add_keys(spec, key, lines);
+  for (const RobotSpec& robot : spec.robots) {
+    add_options(robot, "level_options", robot.level_options, levels_from(spec, robot, 0), lines);
+    add_options(robot, "contact_options", robot.contact_options, laws_of(spec, robot), lines);
+  }
   add_events(spec, lines);
   add_start(spec, lines);
   return lines;

@@ -1,10 +1,14 @@
 /// camera_spec.h - what a camera is: lens, picture, and what becomes of its light.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "murosimf/imaging/lens.h"
+#include "murosimf/sensors/sensor_options.h"
 #include "murosimf/sensors/sensor_spec.h"
 #include "murosimf/sensors/view_source.h"
 
@@ -26,17 +30,26 @@ struct CameraSpec {
   std::string mosaic{};      ///< Bayer pattern: "rggb", "bggr", "grbg", "gbrg"; empty: colors
 };
 
-/// Numbers of SensorSpec that cameras know: of picture and lens, then of light.
-inline constexpr std::string_view camera_numbers =
-    "width height fov fx fy cx cy k1 k2 k3 k4 k5 k6 p1 p2 a1 a2 a3 a4 a5 a6 resolution blur exposure exposure_time "
-    "motion_samples readout_time readout_bands shot_noise read_noise";
+/// Names of all coefficients that lens models have.
+inline constexpr std::array<std::string_view, 14> all_lens_coefficients{"k1", "k2", "k3", "k4", "k5", "k6", "p1",
+                                                                        "p2", "a1", "a2", "a3", "a4", "a5", "a6"};
+
+/// What a file may say of a camera.
+struct CameraOptions {
+  std::string calibration{};  ///< file that says size and lens; read where files are (sensor_table.h)
+  std::string lens{};         ///< model; empty: as its coefficients say
+  double fov = pi / 3;        ///< [rad] from the left to the right border
+  std::optional<double> fx{}, fy{}, cx{}, cy{};  ///< [px]
+  std::array<std::optional<double>, all_lens_coefficients.size()> coefficients{};
+  CameraSpec camera{};  ///< all the rest, and the size of the picture
+};
+
+[[nodiscard]] const OptionTable<CameraOptions>& camera_options();
 
 /// Their keys of the coefficients of a lens model, in its order; none for a model without or an unknown one.
 [[nodiscard]] std::vector<std::string> lens_coefficients(std::string_view model);
 
-/// Texts `lens` (name of the model) and `mosaic`, flags `color`, `depth`, `labels`, `always_on`, and the numbers above.
-/// Without focal length it follows from `fov` [rad, from the left to the right border, default 60 deg]; without
-/// center it is in the middle; k1 alone makes a lens plumb_bob. Throws SetupError that names the number that is impossible.
+/// Without focal length it follows from `fov`; without center it is in the middle; k1 alone makes a lens plumb_bob. Throws SetupError that names the number that is impossible.
 [[nodiscard]] CameraSpec camera_spec(const SensorSpec& spec);
 
 }  // namespace murosimf::sensors

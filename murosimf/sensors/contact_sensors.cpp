@@ -7,19 +7,36 @@
 
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/properties.h"
-#include "murosimf/sensors/numbers.h"
 
 namespace murosimf::sensors {
 namespace {
-
-constexpr double standard_threshold = 0.1;  // [N]
 
 /// Where the force that is left goes through the plane of the sensor.
 std::array<double, 2> center_of_pressure(const Wrenchd& load) noexcept {
   return {-load.n.y / load.f.z, load.n.x / load.f.z};
 }
 
+template <class Options>
+typename OptionTable<Options>::Row threshold_row() {
+  return {"threshold", &Options::threshold, "N", "below it nothing touches", above(0)};
+}
+
 }  // namespace
+
+const OptionTable<ContactSensorOptions>& contact_sensor_options() {
+  static const OptionTable<ContactSensorOptions> table{threshold_row<ContactSensorOptions>()};
+  return table;
+}
+
+const OptionTable<PressureCellsOptions>& pressure_cells_options() {
+  using Options = PressureCellsOptions;
+  static const OptionTable<Options> table{
+      threshold_row<Options>(),
+      {"length", &Options::length, "m", "between cells, along x; without it that of the sole", above(0)},
+      {"width", &Options::width, "m", "between cells, along y; without it that of the sole", above(0)},
+  };
+  return table;
+}
 
 ContactLoad::ContactLoad(Setup& setup, const SensorSpec& spec)
     : model_(setup.model()),
@@ -67,7 +84,7 @@ ContactSensor::ContactSensor(Setup& setup, const SensorSpec& spec, const SensorS
                              std::vector<Output> outputs)
     : Sensor(setup, spec, surroundings, std::move(outputs)),
       load_(setup, spec),
-      threshold_(checked_positive(spec, "threshold", standard_threshold)) {}
+      threshold_(options_of(spec, contact_sensor_options()).threshold) {}
 
 std::string ContactSensor::remark(const LevelTraits& level) const {
   if (level.dynamic) return {};
@@ -112,11 +129,12 @@ PressureCells::PressureCells(Setup& setup, const SensorSpec& spec, const SensorS
     : ContactSensor(setup, spec, surroundings,
                     {{"force", "N", {"front_left", "front_right", "hind_left", "hind_right"}}}) {
   const Sole* sole = setup.model().find(properties::sole, mounted_on(setup.model(), spec));
-  if (!sole && (!spec.numbers.contains("length") || !spec.numbers.contains("width"))) {
+  const PressureCellsOptions options = options_of(spec, pressure_cells_options());
+  if (!sole && !(options.length && options.width)) {
     throw SetupError("pressure cells that are not mounted on a sole need length and width");
   }
-  length_ = checked_positive(spec, "length", sole ? 2 * sole->half_length : 0);
-  width_ = checked_positive(spec, "width", sole ? 2 * sole->half_width : 0);
+  length_ = options.length ? *options.length : 2 * sole->half_length;
+  width_ = options.width ? *options.width : 2 * sole->half_width;
 }
 
 void PressureCells::measure(std::span<double> values) noexcept {

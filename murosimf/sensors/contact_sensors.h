@@ -28,8 +28,21 @@
 #include "murosimf/model/feet.h"
 #include "murosimf/sensors/mounting.h"
 #include "murosimf/sensors/sensor.h"
+#include "murosimf/sensors/sensor_options.h"
 
 namespace murosimf::sensors {
+
+struct ContactSensorOptions {
+  double threshold = 0.1;  ///< [N]
+};
+
+struct PressureCellsOptions {
+  double threshold = 0.1;                   ///< [N]
+  std::optional<double> length{}, width{};  ///< [m] between the cells; nothing: those of the sole
+};
+
+[[nodiscard]] const OptionTable<ContactSensorOptions>& contact_sensor_options();
+[[nodiscard]] const OptionTable<PressureCellsOptions>& pressure_cells_options();
 
 /// The contacts of one link.
 class ContactLoad {
@@ -99,7 +112,7 @@ class PressureCenter final : public ContactSensor {
 
 class PressureCells final : public ContactSensor {
  public:
-  /// Numbers: `length`, `width` [m] between the cells; missing: those of the sole that it is mounted on.
+  /// Throws SetupError if it is not mounted on a sole and has no size.
   PressureCells(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings);
 
  private:

@@ -44,24 +44,31 @@ Seen seen(Setup other, const collision::QueryScene& scene) {
 
 }  // namespace
 
-Detector::Numbers::Numbers(const SensorSpec& spec)
-    : half_azimuth(0.5 * checked_fov(spec, "fov_azimuth", 2 * pi / 3)),
-      half_elevation(0.5 * checked_fov(spec, "fov_elevation", 2 * pi / 3, pi)),
-      range(checked_range(spec, {.min = 0.1})),
-      visible_share(checked_number(spec, "visible_share", 0.25, {0, 1})),
-      misses(checked_number(spec, "misses", 0, {0, 1})),
-      distance_noise(checked_number(spec, "distance_noise", 0)),
-      azimuth_noise(checked_number(spec, "azimuth_noise", 0)),
-      elevation_noise(checked_number(spec, "elevation_noise", 0)) {}
+const OptionTable<DetectorOptions>& detector_options() {
+  using Options = DetectorOptions;
+  static const OptionTable<Options> table{
+      {"fov_azimuth", &Options::fov_azimuth, "rad", "field of view, from left to right", 0, widest_fov},
+      {"fov_elevation", &Options::fov_elevation, "rad", "field of view, from top to bottom", 0, pi + rounding},
+      range_min_row<Options>(),
+      range_max_row<Options>(),
+      {"visible_share", &Options::visible_share, "1", "of nine points of a body that must be free; at least one", 0, 1},
+      {"misses", &Options::misses, "1", "probability that a thing in sight is not reported", 0, 1},
+      {"distance_noise", &Options::distance_noise, "1", "deviation of each report, per meter of distance", 0},
+      {"azimuth_noise", &Options::azimuth_noise, "rad", "deviation of each report", 0},
+      {"elevation_noise", &Options::elevation_noise, "rad", "deviation of each report", 0},
+      {"offset", &Options::offset, "m", "largest constant error of the place along each axis, drawn once per run", 0},
+  };
+  return table;
+}
 
 Detector::Detector(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
     : Sensor(setup, spec, surroundings, detections(looked_at(setup, spec, surroundings))),
       robot_(setup.entity()),
       mounting_(setup, spec),
-      numbers_(spec),
+      options_(options_of(spec, detector_options())),
       offsets_(surroundings.seed, stream_name(setup, spec) + "offset"),
-      largest_offset_(checked_number(spec, "offset", 0)),
       view_(setup, surroundings) {
+  (void)checked(options_.range);
   const std::string name = stream_name(setup, spec);
   for (Entity* entity : looked_at(setup, spec, surroundings)) {
     targets_.push_back({seen(setup.of(*entity), view_.scene()),
@@ -72,7 +79,7 @@ Detector::Detector(Setup& setup, const SensorSpec& spec, const SensorSurrounding
 }
 
 void Detector::draw_offset() noexcept {
-  const auto number = [&](std::uint64_t n) { return offsets_.uniform(n, -largest_offset_, largest_offset_); };
+  const auto number = [&](std::uint64_t n) { return offsets_.uniform(n, -options_.offset, options_.offset); };
   offset_ = {number(0), number(1), number(2)};
 }
 
@@ -91,21 +98,22 @@ Detector::Polar Detector::polar(const Vec3d& place) noexcept {
 
 bool Detector::sees(const Target& target, const Polar& place, collision::QueryScene& scene) const noexcept {
   if (!target.seen.entity->present()) return false;
-  if (place.distance < numbers_.range.min || place.distance > numbers_.range.max) return false;
-  if (abs(place.azimuth) > numbers_.half_azimuth || abs(place.elevation) > numbers_.half_elevation) return false;
-  if (numbers_.misses > 0 && target.misses.uniform(looks_) < numbers_.misses) return false;
-  return is_in_sight(scene, mounting_.position(), &robot_, target.seen, numbers_.visible_share);
+  if (place.distance < options_.range.min || place.distance > options_.range.max) return false;
+  if (abs(place.azimuth) > 0.5 * options_.fov_azimuth) return false;
+  if (abs(place.elevation) > 0.5 * options_.fov_elevation) return false;
+  if (options_.misses > 0 && target.misses.uniform(looks_) < options_.misses) return false;
+  return is_in_sight(scene, mounting_.position(), &robot_, target.seen, options_.visible_share);
 }
 
 Detector::Polar Detector::with_errors(const Target& target, Polar place) const noexcept {
-  if (numbers_.distance_noise > 0) {
-    place.distance *= std::max(1 + numbers_.distance_noise * target.errors.normal(3 * looks_), 0.0);
+  if (options_.distance_noise > 0) {
+    place.distance *= std::max(1 + options_.distance_noise * target.errors.normal(3 * looks_), 0.0);
   }
-  if (numbers_.azimuth_noise > 0) {
-    place.azimuth += numbers_.azimuth_noise * target.errors.normal(3 * looks_ + 1);
+  if (options_.azimuth_noise > 0) {
+    place.azimuth += options_.azimuth_noise * target.errors.normal(3 * looks_ + 1);
     place.azimuth = std::remainder(place.azimuth, 2 * pi);
   }
-  if (numbers_.elevation_noise > 0) place.elevation += numbers_.elevation_noise * target.errors.normal(3 * looks_ + 2);
+  if (options_.elevation_noise > 0) place.elevation += options_.elevation_noise * target.errors.normal(3 * looks_ + 2);
   return place;
 }
 

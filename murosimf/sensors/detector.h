@@ -15,20 +15,31 @@
 /// Source: vision perceptor of the RoboCup 3D simulation league (SimSpark wiki, Perceptors): field of view, polar
 /// values, error proportional to the distance, constant offset. There, nothing hides anything.
 ///
-/// Numbers: fov_azimuth, fov_elevation (2.0944 rad = 120 deg), range_min (0.1 m), range_max (infinite),
-/// visible_share (0.25), misses (0), distance_noise (0), azimuth_noise, elevation_noise (0 rad), offset (0 m).
 /// SimSpark's errors: distance_noise 0.000965, azimuth_noise 0.002583 (0.1480 deg), elevation_noise 0.002138 (0.1225
 /// deg), offset 0.005.
 #pragma once
 
 #include "murosimf/math/random.h"
 #include "murosimf/sensors/mounting.h"
-#include "murosimf/sensors/numbers.h"
+#include "murosimf/sensors/range.h"
 #include "murosimf/sensors/sensor.h"
+#include "murosimf/sensors/sensor_options.h"
 #include "murosimf/sensors/sight.h"
 #include "murosimf/sensors/world_queries.h"
 
 namespace murosimf::sensors {
+
+struct DetectorOptions {
+  double fov_azimuth = 2 * pi / 3, fov_elevation = 2 * pi / 3;  ///< [rad] from side to side
+  Range range{.min = 0.1};
+  double visible_share = 0.25;                    ///< [1] of a body's points that must be free
+  double misses = 0;                              ///< [1] probability
+  double distance_noise = 0;                      ///< [1] of the distance
+  double azimuth_noise = 0, elevation_noise = 0;  ///< [rad]
+  double offset = 0;                              ///< [m] largest, of each component
+};
+
+[[nodiscard]] const OptionTable<DetectorOptions>& detector_options();
 
 class Detector final : public Sensor {
  public:
@@ -40,15 +51,6 @@ class Detector final : public Sensor {
   void entity_taken_back(const Entity& entity) noexcept override { view_.take_back(entity); }
 
  private:
-  struct Numbers {
-    explicit Numbers(const SensorSpec& spec);
-
-    double half_azimuth, half_elevation;  // [rad]
-    Range range;
-    double visible_share, misses;           // [1]
-    double distance_noise;                  // [1]
-    double azimuth_noise, elevation_noise;  // [rad]
-  };
   struct Target {
     Seen seen;
     RandomStream errors, misses;
@@ -69,11 +71,10 @@ class Detector final : public Sensor {
 
   const Entity& robot_;
   Mounting mounting_;
-  Numbers numbers_;
+  DetectorOptions options_;
   std::vector<Target> targets_;
   RandomStream offsets_;
-  double largest_offset_;  // [m] of each component
-  Vec3d offset_;           // [m] axes of the sensor
+  Vec3d offset_;  // [m] axes of the sensor
   WorldView view_;
   std::uint64_t looks_ = 0;
 };

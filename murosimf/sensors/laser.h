@@ -10,8 +10,7 @@
 ///
 /// depth_laser.h is the same by pictures of depths.
 ///
-/// Numbers: rays (1081), fov (4.71238898 rad = 270 deg), first_angle (-fov / 2 rad), range_min (0.06 m),
-/// range_max (30 m).
+/// Options: laser_fan.h.
 #pragma once
 
 #include "murosimf/sensors/laser_fan.h"

@@ -1,26 +1,35 @@
 #include "murosimf/sensors/laser_fan.h"
 
+#include <algorithm>
 #include <string>
 
 namespace murosimf::sensors {
-namespace {
 
-int rays_of(const SensorSpec& spec) { return checked_count(spec, "rays", 1081, {1, 100000}); }
-
-}  // namespace
+const OptionTable<LaserOptions>& laser_options() {
+  static const OptionTable<LaserOptions> table{
+      {"rays", &LaserOptions::rays, "1", "evenly over the field of view, both ends included", 1, most_rays},
+      {"fov", &LaserOptions::fov, "rad", "field of view, from the first ray to the last", 0, widest_fov},
+      {"first_angle", &LaserOptions::first_angle, "rad", "of the first ray, from x towards y; without it: -fov/2",
+       -2 * pi, 2 * pi},
+      range_min_row<LaserOptions>(),
+      range_max_row<LaserOptions>(),
+  };
+  return table;
+}
 
 Output laser_ranges(const SensorSpec& spec) {
   Output output{"ranges", "m", {}};
-  for (int i = 0; i < rays_of(spec); ++i) output.labels.push_back(std::to_string(i));
+  const int rays = options_of(spec, laser_options()).rays;
+  for (int i = 0; i < rays; ++i) output.labels.push_back(std::to_string(i));
   return output;
 }
 
 LaserSector laser_sector(const SensorSpec& spec) {
-  const double fov = checked_fov(spec, "fov", 1.5 * pi);
-  const double first = checked_number(spec, "first_angle", -0.5 * fov, {-2 * pi, 2 * pi});
-  return {rays_of(spec), first, fov};
+  const LaserOptions options = options_of(spec, laser_options());
+  const double fov = std::min(options.fov, 2 * pi);
+  return {options.rays, options.first_angle.value_or(-0.5 * fov), fov};
 }
 
-Range laser_range(const SensorSpec& spec) { return checked_range(spec, {0.06, 30}); }
+Range laser_range(const SensorSpec& spec) { return checked(options_of(spec, laser_options()).range); }
 
 }  // namespace murosimf::sensors

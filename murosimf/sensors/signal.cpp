@@ -11,23 +11,31 @@
 
 namespace murosimf::sensors {
 
+const OptionTable<SignalSpec>& signal_options() {
+  using Spec = SignalSpec;
+  static const OptionTable<Spec> table{
+      {"scale_error", &Spec::scale_error, "1", "deviation of the factor, drawn once per run", 0},
+      {"misalignment", &Spec::misalignment, "rad", "deviation of each axis towards each other, drawn once per run", 0},
+      {"bias", &Spec::bias, "unit", "deviation of the constant offset, drawn once per run", 0},
+      {"bias_random_walk", &Spec::bias_random_walk, "unit/s/sqrt(Hz)", "of the offset, with the root of time", 0},
+      {"noise_density", &Spec::noise_density, "unit/sqrt(Hz)", "of white noise; right at any rate", 0},
+      {"noise", &Spec::noise, "unit", "deviation of every sample, whatever the rate", 0},
+      {"low_pass", &Spec::low_pass, "Hz", "-3 dB frequency of a first-order filter; 0: none", 0},
+      {"lowest", &Spec::lowest, "unit", "saturation"},
+      {"highest", &Spec::highest, "unit", "saturation"},
+      {"resolution", &Spec::resolution, "unit", "of a step of the converter; 0: none, or as bits say", 0},
+      {"bits", &Spec::bits, "1", "of a converter from lowest to highest; 0: none", 0, 32},
+  };
+  return table;
+}
+
 void check(const SignalSpec& spec) {
-  const std::array<std::pair<const char*, double>, 8> numbers{{{"scale_error", spec.scale_error},
-                                                               {"misalignment", spec.misalignment},
-                                                               {"bias", spec.bias},
-                                                               {"bias_random_walk", spec.bias_random_walk},
-                                                               {"noise_density", spec.noise_density},
-                                                               {"noise", spec.noise},
-                                                               {"low_pass", spec.low_pass},
-                                                               {"resolution", spec.resolution}}};
-  for (const auto& [key, number] : numbers) {
-    if (number >= 0 && std::isfinite(number)) continue;
-    throw SetupError(fmt::format("{} is {}; it must be a number from 0 on", key, number));
-  }
+  const std::vector<OptionInfo>& options = signal_options().infos();
+  const std::vector<OptionValue> values = signal_options().values(spec);
+  for (std::size_t i = 0; i < options.size(); ++i) check_option(options[i], values[i]);
   if (!(spec.lowest < spec.highest)) {
     throw SetupError(fmt::format("the range from {} to {} is empty", spec.lowest, spec.highest));
   }
-  if (spec.bits < 0 || spec.bits > 32) throw SetupError(fmt::format("bits is {}; it must be from 0 to 32", spec.bits));
   if (spec.bits == 0) return;
   if (spec.resolution > 0)
     throw SetupError("bits and resolution both say how long a step of the converter is; keep one");

@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "murosimf/model/option.h"
+
 namespace murosimf::sensors {
 
 /// All errors are of each number of an output, independent of each other; "unit" is the output's. Nothing said: the
@@ -20,6 +22,9 @@ struct SignalSpec {
   double resolution = 0;  ///< [unit] of one step of the A/D converter; 0: none, or as `bits` says
   int bits = 0;           ///< [1] of a converter from lowest to highest; 0: none
 };
+
+/// The members that are keys of files; `range` is another of theirs (components/sensor_keys.h).
+[[nodiscard]] const OptionTable<SignalSpec>& signal_options();
 
 /// Throws SetupError that names the key: a negative or infinite number, bits without a range, an empty range.
 void check(const SignalSpec& spec);

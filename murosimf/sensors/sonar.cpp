@@ -1,13 +1,15 @@
 #include "murosimf/sensors/sonar.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace murosimf::sensors {
 namespace {
 
 std::vector<Vec3d> cone(const SensorSpec& spec) {
-  const int rays = checked_count(spec, "rays", 61, {1, 100000});
-  const double fov = checked_fov(spec, "fov", 15 * pi / 180);
+  const SonarOptions options = options_of(spec, sonar_options());
+  const int rays = options.rays;
+  const double fov = std::min(options.fov, 2 * pi);
   const double part = rays > 1 ? (1 - std::cos(fov / 2)) / (rays - 1) : 0;
   std::vector<Vec3d> directions;
   for (int k = 0; k < rays; ++k) {
@@ -20,12 +22,30 @@ std::vector<Vec3d> cone(const SensorSpec& spec) {
 
 }  // namespace
 
+const OptionTable<SonarOptions>& sonar_options() {
+  static const OptionTable<SonarOptions> table{
+      {"rays", &SonarOptions::rays, "1", "in the cone; the first is its axis", 1, most_rays},
+      {"fov", &SonarOptions::fov, "rad", "width of the cone, from side to side", 0, widest_fov},
+      range_min_row<SonarOptions>(),
+      range_max_row<SonarOptions>(),
+  };
+  return table;
+}
+
+const OptionTable<RangeFinderOptions>& rangefinder_options() {
+  static const OptionTable<RangeFinderOptions> table{
+      range_min_row<RangeFinderOptions>(),
+      range_max_row<RangeFinderOptions>(),
+  };
+  return table;
+}
+
 NearestOfRays::NearestOfRays(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings,
-                             std::vector<Vec3d> directions, const Range& usual)
+                             std::vector<Vec3d> directions, const Range& range)
     : Sensor(setup, spec, surroundings, {{"range", "m", {}}}),
       robot_(setup.entity()),
       mounting_(setup, spec),
-      range_(checked_range(spec, usual)),
+      range_(checked(range)),
       directions_(std::move(directions)),
       view_(setup, surroundings) {}
 
@@ -47,9 +67,9 @@ void NearestOfRays::measure(std::span<double> values) noexcept {
 void NearestOfRays::present(std::span<double> values) noexcept { values[0] = range_.shown(values[0]); }
 
 Sonar::Sonar(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
-    : NearestOfRays(setup, spec, surroundings, cone(spec), {0.02, 4}) {}
+    : NearestOfRays(setup, spec, surroundings, cone(spec), options_of(spec, sonar_options()).range) {}
 
 RangeFinder::RangeFinder(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
-    : NearestOfRays(setup, spec, surroundings, {{0, 0, 1}}, {}) {}
+    : NearestOfRays(setup, spec, surroundings, {{0, 0, 1}}, options_of(spec, rangefinder_options()).range) {}
 
 }  // namespace murosimf::sensors

@@ -16,23 +16,36 @@
 /// A range finder is one ray along z of the sensor, as MJCF has it. Unlike there, nothing found is +infinity, not -1,
 /// and all of the robot is transparent, not only the body that the sensor is fixed to.
 ///
-/// Numbers of the sonar: rays (61), fov (0.2618 rad = 15 deg), range_min (0.02 m), range_max (4 m); of the range
-/// finder: range_min (0 m), range_max (infinite).
+/// Options of the sonar: SonarOptions, of the range finder: RangeFinderOptions.
 #pragma once
 
 #include "murosimf/sensors/mounting.h"
-#include "murosimf/sensors/numbers.h"
+#include "murosimf/sensors/range.h"
 #include "murosimf/sensors/sensor.h"
+#include "murosimf/sensors/sensor_options.h"
 #include "murosimf/sensors/world_queries.h"
 
 namespace murosimf::sensors {
+
+struct SonarOptions {
+  int rays = 61;
+  double fov = 15 * pi / 180;  ///< [rad]
+  Range range{.min = 0.02, .max = 4};
+};
+
+struct RangeFinderOptions {
+  Range range{};
+};
+
+[[nodiscard]] const OptionTable<SonarOptions>& sonar_options();
+[[nodiscard]] const OptionTable<RangeFinderOptions>& rangefinder_options();
 
 /// The nearest surface on any of some rays.
 class NearestOfRays : public Sensor {
  protected:
   /// `directions`: of the rays, unit vectors in axes of the sensor. Throws SetupError if the range is impossible.
   NearestOfRays(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings,
-                std::vector<Vec3d> directions, const Range& usual);
+                std::vector<Vec3d> directions, const Range& range);
 
   void entity_added(Setup& setup) override { view_.add(setup); }
   void entity_taken_back(const Entity& entity) noexcept override { view_.take_back(entity); }

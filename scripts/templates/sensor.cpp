@@ -2,8 +2,8 @@
 
 namespace murosimf::sensors {
 
-// An output is a name, its unit and labels if it is more than one number: {"velocity", "m/s", {"x", "y", "z"}}. Numbers that
-// a file may set come from checked_number (numbers.h); sensor_types.cpp names their keys.
+// An output is a name, its unit and labels if it is more than one number: {"velocity", "m/s", {"x", "y", "z"}}. What a file may
+// set is an OptionTable (sensor_options.h), whose infos() are the last item of the line in sensor_types.cpp.
 NewName::NewName(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings)
     : Sensor(setup, spec, surroundings, {{"height", "m", {}}}), mounting_(setup, spec) {}
 

@@ -25,6 +25,8 @@ extern "C" void murosimf_register([[maybe_unused]] murosimf::catalog::Registries
   throw 42;
 #elif defined(MISTAKE_taken_name)
   registries.controllers.add({"walk", "walks otherwise", "", {}});
+#elif defined(MISTAKE_taken_command)
+  registries.commands.add({"run", "runs otherwise", {}, 0, {}});
 #endif
 }
 #endif

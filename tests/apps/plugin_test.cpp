@@ -66,6 +66,58 @@ TEST(Plugin, SensorOfARobotsFileIsKnown) {
   EXPECT_NE(known.output.find("altimeter"), std::string::npos) << known.output << known.errors;
 }
 
+// A ball of 2.5 kg in a scene: the format is known with the plug-in only, and the robot falls onto its radius.
+TEST(Plugin, FormatIsRead) {
+  const fs::path ball = write("ball.lump", "0.2 2.5\n");
+  const fs::path scene = write("scene.toml", "[[robots]]\nname = \"lump\"\nmodel = \"" + ball.string() +
+                                                 "\"\ncontroller = \"none\"\nlevel = \"simplified_dynamics\"\n");
+  expect_mistake("run " + scene.string() + " --duration 0.1", {"ball.lump", "known: mjcf (<mujoco>), urdf (<robot>)"});
+  const Result result = murosimf("run " + scene.string() + " --duration 0.5 --json -" + own_plugin);
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const auto report = nlohmann::json::parse(result.output, nullptr, false);
+  EXPECT_NEAR(report.value("/entities/0/position/2"_json_pointer, 0.0), 0.2, 0.01) << result.output;
+}
+
+TEST(Plugin, FormatIsListed) {
+  EXPECT_EQ(murosimf("list formats").output.find(".lump"), std::string::npos);
+  EXPECT_NE(murosimf("list formats" + own_plugin).output.find("lump       .lump"), std::string::npos);
+  const fs::path other = write("robot.xml", "<sdf/>");
+  expect_mistake("check " + other.string() + own_plugin,
+                 {"unknown format of a robot file", "mjcf (<mujoco>), urdf (<robot>), lump (.lump)"}, 1);
+}
+
+TEST(Plugin, FormatsMistakeIsOneLine) {
+  expect_mistake("check " + write("ball.lump", "heavy\n").string() + own_plugin, {"ball.lump: two numbers"}, 1);
+}
+
+// A ball of 2.5 kg on the earth and on the moon.
+TEST(Plugin, CommandRuns) {
+  const std::string weigh = own_plugin.substr(1) + " weigh " + write("ball.lump", "0.2 2.5\n").string();
+  EXPECT_EQ(murosimf(weigh).output, "24.525 N\n");
+  EXPECT_EQ(murosimf(weigh + " --gravity 2").output, "5 N\n");
+}
+
+TEST(Plugin, CommandIsListedWithTheOthers) {
+  const std::string plugin = own_plugin.substr(1);
+  for (const std::string words : {"--help", "list commands", "man", "completion bash"}) {
+    EXPECT_EQ(murosimf(words).output.find("weigh"), std::string::npos) << words;
+    EXPECT_NE(murosimf(plugin + " " + words).output.find("weigh"), std::string::npos) << words;
+  }
+  EXPECT_NE(murosimf(plugin + " weigh --help").output.find("where it stands [m/s^2], 0 to 1000; default: 9.81"),
+            std::string::npos);
+}
+
+TEST(Plugin, CommandsMistakesAreOneLine) {
+  const std::string plugin = own_plugin.substr(1);
+  expect_mistake("weigh kid21", {"unknown command 'weigh'"});
+  expect_mistake(plugin + " wiegh kid21", {"unknown command 'wiegh'; did you mean 'weigh'?"});
+  expect_mistake(plugin + " weigh kid21 --gravity 2000", {"--gravity: 'gravity' is 2000", "0 to 1000 m/s^2"});
+  expect_mistake(plugin + " weigh kid21 --gravty 2", {"--gravty"});
+  expect_mistake(plugin + " weigh", {"model is required"});
+  expect_mistake("--plugin " + bad_plugin("taken_command") + " list levels", {"there is a command 'run' already"});
+  expect_mistake("--plugin /nowhere/own.so list levels", {"--plugin: /nowhere/own.so: No such file"});
+}
+
 TEST(Plugin, LoadedTwiceIsLoadedOnce) {
   EXPECT_EQ(murosimf("list controllers" + own_plugin + own_plugin).exit_code, 0);
 }

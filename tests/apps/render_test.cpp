@@ -251,8 +251,8 @@ TEST_F(Drawing, RefusesImpossibleSizesTimesAndNames) {
   expect_refused("--light moon" + out(), {"--light: unknown light 'moon'", "night"});
   expect_refused("--light nigt" + out(), {"--light", "did you mean 'night'?"});
   expect_refused("--camera one.camera --no-shadows" + out(), {"--no-shadows", "--camera"});
-  expect_refused("--set one.sensors.camera.width=0 --camera one.camera" + out(), {"camera: width is 0"});
-  expect_refused("--set one.sensors.camera.width=100000 --camera one.camera" + out(), {"camera: width is 100000"});
+  expect_refused("--set one.sensors.camera.width=0 --camera one.camera" + out(), {"'width' is 0", "1 to 8192 px"});
+  expect_refused("--set one.sensors.camera.width=100000 --camera one.camera" + out(), {"'width' is 100000"});
 }
 
 TEST_F(Drawing, RefusesOutputsThatCannotBe) {

@@ -27,20 +27,47 @@ TEST(AlgorithmCatalog, EveryEntryHasANameAndAMeaning) {
   expect_told(body_contacts());
   expect_told(controllers());
   expect_told(components::sensor_types());
+  expect_told(robot::robot_formats());
 }
 
-TEST(AlgorithmCatalog, DefaultsOfOptionsAreAllowed) {
+/// Each has a name of its own and a meaning; the default is allowed, if one is said. How many there are.
+template <class Entry>
+int expect_options_told(const Registry<Entry>& registry) {
   int options = 0;
-  for (const ControllerType& controller : controllers()) {
+  for (const Entry& entry : registry) {
     std::set<std::string_view> names;
-    for (const OptionInfo& option : controller.options) {
-      EXPECT_TRUE(names.insert(option.name).second) << controller.name << ": " << option.name;
-      EXPECT_EQ(fixtures::error_of([&] { check_option(option, option.fallback); }), "no error") << controller.name;
-      EXPECT_FALSE(option.meaning.empty()) << controller.name << ": " << option.name;
+    for (const OptionInfo& option : entry.options) {
+      EXPECT_TRUE(names.insert(option.name).second) << entry.name << ": " << option.name;
+      EXPECT_FALSE(option.meaning.empty()) << entry.name << ": " << option.name;
+      if (default_text(option) != "-" && !default_text(option).empty()) {
+        EXPECT_EQ(fixtures::error_of([&] { check_option(option, option.fallback); }), "no error") << entry.name;
+      }
       ++options;
     }
   }
-  EXPECT_GT(options, 20);
+  return options;
+}
+
+TEST(AlgorithmCatalog, OptionsAreToldAndTheirDefaultsAllowed) {
+  EXPECT_GT(expect_options_told(controllers()), 20);
+  EXPECT_EQ(expect_options_told(levels()), 2 + 2 + 3 + 1);
+  EXPECT_EQ(expect_options_told(contacts()), 3 + 3);
+  EXPECT_EQ(expect_options_told(body_contacts()), 1);
+  EXPECT_GT(expect_options_told(components::sensor_types()), 60);
+}
+
+// What only another law has is no mistake of this one: a scene changes its laws and keeps their options.
+TEST(AlgorithmCatalog, LawsTakeTheirOwnOptions) {
+  EXPECT_EQ(fixtures::error_of([] { (void)make_contact_law("implicit_stick", {{"rebound", 0.5}}); }), "no error");
+  EXPECT_EQ(fixtures::error_of([] {
+              (void)make_contact_law("paper", {{"rebound", 1.5}});
+            }),
+            "'rebound' is 1.5; it must be in the range 0 to 1");
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([] { (void)make_contact_law("papr"); }), {"did you mean 'paper'?"}));
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([] {
+                               (void)make_body_contact_law("island_gauss_seidel", {{"sweeps", 0.5}});
+                             }),
+                             {"'sweeps' is 0.5; it must be a whole number in the range 1 to 1000"}));
 }
 
 // Attaching without a scene takes the same options, and refuses the same.

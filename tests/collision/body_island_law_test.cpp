@@ -183,7 +183,8 @@ TEST(BodyIslandLaw, BadNumbersAreNoRows) {
 // More sweeps, more exactly: a row of balls, of which the first is pushed by the last but through all others.
 TEST(BodyIslandLaw, TakesAsManySweepsAsItIsTold) {
   const auto error_after = [](int sweeps) {
-    Balls balls({{0, 0, 1}, {0.199, 0, 1}, {0.398, 0, 1}, {0.597, 0, 1}}, std::make_unique<BodyIslandLaw>(sweeps));
+    Balls balls({{0, 0, 1}, {0.199, 0, 1}, {0.398, 0, 1}, {0.597, 0, 1}},
+                std::make_unique<BodyIslandLaw>(BodyIslandOptions{.sweeps = sweeps}));
     balls.launch(3, {-2, 0, 0});
     balls.step();
     double error = 0;

@@ -49,8 +49,7 @@ std::string fly(const ModelPtr& model, const oracle::StateFile& file, const orac
   Simulation simulation;
   Entity& robot = simulation.world().add("robot", model);
   simulation.attach<collision::GroundContact>("ground_contact", robot, rate, nullptr,
-                                              find_entry(catalog::contacts(), "contact", "implicit_stick").make(),
-                                              MaterialTable{});
+                                              catalog::make_contact_law("implicit_stick"), MaterialTable{});
   simulation.attach<motion::ArticulatedDynamics>("articulated_dynamics", robot, rate);
   set_targets(robot, file, state);
   simulation.initialize();

@@ -40,11 +40,11 @@ inline std::vector<std::string> dynamic_levels() {
 using LawPtr = std::shared_ptr<const collision::ContactLaw>;
 
 /// A contact law by its registered name.
-inline LawPtr law_named(const std::string& name) { return find_entry(catalog::contacts(), "contact law", name).make(); }
+inline LawPtr law_named(const std::string& name) { return catalog::make_contact_law(name); }
 
 /// A law of contact between bodies by its registered name.
 inline std::unique_ptr<collision::BodyContactLaw> body_law_named(const std::string& name) {
-  return find_entry(catalog::body_contacts(), "law of contact between bodies", name).make();
+  return catalog::make_body_contact_law(name);
 }
 /// All of them.
 inline std::vector<std::string> body_laws() {

@@ -141,7 +141,7 @@ TEST(KeyList, NamesEverySectionThatAFileMayHave) {
     const bool is_section = find_section(key) != nullptr;
     if (!is_section) {
       EXPECT_TRUE(key == "name" || key == "duration" || key == "seed" || key == "rate" || key == "gravity" ||
-                  key == "body_contact")
+                  key == "body_contact" || key == "body_contact_options")
           << key;
     }
   }

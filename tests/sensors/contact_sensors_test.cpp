@@ -159,7 +159,7 @@ TEST(PressureCells, NeedASoleOrTheirSize) {
   EXPECT_EQ(error({.name = "a", .type = "pressure_cells", .frame = "torso"}),
             "a: pressure cells that are not mounted on a sole need length and width");
   EXPECT_EQ(error({.name = "b", .type = "pressure_cells", .frame = "l_sole", .numbers = {{"length", -1}}}),
-            "b: length is -1; it must be positive");
+            "b: 'length' is -1; it must be in the range above 0 m");
 }
 
 // In the air nothing presses.

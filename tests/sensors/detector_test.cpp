@@ -296,14 +296,14 @@ TEST(Detector, MistakesAreNamed) {
   const auto message = [](const char* key, double number) {
     return test::mistake(test::sensor("detector", {{key, number}}));
   };
-  EXPECT_TRUE(says(message("misses", 1.1), {"detector: ", "misses is 1.1", "from 0 to 1"}));
-  EXPECT_TRUE(says(message("distance_noise", -1), {"distance_noise is -1", "from 0 on"}));
-  EXPECT_TRUE(says(message("azimuth_noise", std::nan("")), {"azimuth_noise is nan"}));
-  EXPECT_TRUE(says(message("fov_azimuth", 6.3), {"fov_azimuth is 6.3"}));
-  EXPECT_TRUE(says(message("fov_elevation", 3.2), {"fov_elevation is 3.2"}));
-  EXPECT_TRUE(says(message("offset", -1), {"offset is -1"}));
-  EXPECT_TRUE(says(message("range_min", infinity), {"range_min is inf"}));
-  EXPECT_TRUE(says(message("visible_share", 2), {"visible_share is 2"}));
+  EXPECT_TRUE(says(message("misses", 1.1), {"detector: ", "'misses' is 1.1", "in the range 0 to 1"}));
+  EXPECT_TRUE(says(message("distance_noise", -1), {"'distance_noise' is -1", "from 0"}));
+  EXPECT_TRUE(says(message("azimuth_noise", std::nan("")), {"'azimuth_noise' is nan"}));
+  EXPECT_TRUE(says(message("fov_azimuth", 6.3), {"'fov_azimuth' is 6.3"}));
+  EXPECT_TRUE(says(message("fov_elevation", 3.2), {"'fov_elevation' is 3.2"}));
+  EXPECT_TRUE(says(message("offset", -1), {"'offset' is -1"}));
+  EXPECT_TRUE(says(message("range_min", infinity), {"'range_min' is inf"}));
+  EXPECT_TRUE(says(message("visible_share", 2), {"'visible_share' is 2"}));
 }
 
 TEST(Detector, EntitiesMustExistAndBeOthers) {

@@ -42,14 +42,14 @@ TEST(LaserFan, ImpossibleNumbersAreNamed) {
   const auto error = [](const std::string& key, double number) {
     return error_of([&] { (void)laser_sector({.numbers = {{key, number}}}); });
   };
-  EXPECT_TRUE(says(error("rays", 0), {"rays is 0"}));
-  EXPECT_TRUE(says(error("rays", 100001), {"rays is 100001"}));
+  EXPECT_TRUE(says(error("rays", 0), {"'rays' is 0"}));
+  EXPECT_TRUE(says(error("rays", 100001), {"'rays' is 100001"}));
   EXPECT_EQ(error("rays", 100000), "no error");
   EXPECT_EQ(error("first_angle", -2 * pi), "no error");
   EXPECT_EQ(error("first_angle", 2 * pi), "no error");
-  EXPECT_TRUE(says(error("first_angle", -6.3), {"first_angle is -6.3"}));
-  EXPECT_TRUE(says(error("first_angle", 6.3), {"first_angle is 6.3"}));
-  EXPECT_TRUE(says(error("fov", 6.3), {"fov is 6.3"}));
+  EXPECT_TRUE(says(error("first_angle", -6.3), {"'first_angle' is -6.3"}));
+  EXPECT_TRUE(says(error("first_angle", 6.3), {"'first_angle' is 6.3"}));
+  EXPECT_TRUE(says(error("fov", 6.3), {"'fov' is 6.3"}));
 }
 
 }  // namespace

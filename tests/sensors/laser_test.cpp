@@ -196,13 +196,13 @@ TEST(Laser, ImpossibleNumbersAreNamed) {
   const auto message = [](const char* key, double number) {
     return test::mistake(test::sensor("laser", {{key, number}}));
   };
-  EXPECT_TRUE(says(message("rays", 0), {"laser: ", "rays is 0", "from 1 to 100000"}));
-  EXPECT_TRUE(says(message("rays", 100001), {"rays is 100001"}));
-  EXPECT_TRUE(says(message("rays", 10.5), {"rays is 10.5", "whole number"}));
-  EXPECT_TRUE(says(message("fov", -0.1), {"fov is -0.1"}));
-  EXPECT_TRUE(says(message("fov", 7), {"fov is 7"}));
-  EXPECT_TRUE(says(message("first_angle", std::nan("")), {"first_angle is nan"}));
-  EXPECT_TRUE(says(message("range_min", -1), {"range_min is -1"}));
+  EXPECT_TRUE(says(message("rays", 0), {"laser: ", "'rays' is 0", "a whole number in the range 1 to 100000"}));
+  EXPECT_TRUE(says(message("rays", 100001), {"'rays' is 100001"}));
+  EXPECT_TRUE(says(message("rays", 10.5), {"'rays' is 10.5", "whole number"}));
+  EXPECT_TRUE(says(message("fov", -0.1), {"'fov' is -0.1"}));
+  EXPECT_TRUE(says(message("fov", 7), {"'fov' is 7"}));
+  EXPECT_TRUE(says(message("first_angle", std::nan("")), {"'first_angle' is nan"}));
+  EXPECT_TRUE(says(message("range_min", -1), {"'range_min' is -1"}));
   EXPECT_TRUE(says(message("range_min", 30), {"range_min is 30", "range_max 30"}));
   EXPECT_EQ(message("rays", 100000), "no error");
   EXPECT_EQ(message("fov", 2 * 3.1416), "no error");

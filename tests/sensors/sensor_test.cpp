@@ -173,7 +173,7 @@ TEST(Sensor, MistakesAreNamedInOneLine) {
   EXPECT_EQ(error({.name = "a", .type = "imu", .delay = -1}),
             "the delay of sensor 'a' is -1 s; it must be from 0 to 10");
   EXPECT_EQ(error({.name = "a", .type = "imu", .signals = {{"gyroscope", {.noise = -1}}}}),
-            "a: gyroscope: noise is -1; it must be a number from 0 on");
+            "a: gyroscope: 'noise' is -1; it must be in the range from 0 unit");
   EXPECT_TRUE(fixtures::says(error({.name = "a", .type = "imu", .signals = {{"gyro", {}}}}),
                              {"a: unknown output 'gyro'", "gyroscope"}));
   EXPECT_TRUE(fixtures::says(error({.name = "b", .type = "joint_position", .objects = {"j_l_shinn"}}),

@@ -121,11 +121,12 @@ TEST(Signal, NamesAndSeedsTellStreamsApart) {
 
 TEST(Signal, NamesWhatIsImpossible) {
   const auto error = [](const SignalSpec& spec) { return fixtures::error_of([&] { Signal(spec, 1, one, {}); }); };
-  EXPECT_EQ(error({.noise_density = -1}), "noise_density is -1; it must be a number from 0 on");
-  EXPECT_EQ(error({.bias = std::nan("")}), "bias is nan; it must be a number from 0 on");
+  EXPECT_EQ(error({.noise_density = -1}), "'noise_density' is -1; it must be in the range from 0 unit/sqrt(Hz)");
+  EXPECT_EQ(error({.bias = std::nan("")}), "'bias' is nan; it must be in the range from 0 unit");
   EXPECT_EQ(error({.lowest = 2, .highest = 1}), "the range from 2 to 1 is empty");
   EXPECT_EQ(error({.bits = 12}), "bits needs a range: range, or lowest and highest");
-  EXPECT_EQ(error({.lowest = 0, .highest = 1, .bits = 40}), "bits is 40; it must be from 0 to 32");
+  EXPECT_EQ(error({.lowest = 0, .highest = 1, .bits = 40}),
+            "'bits' is 40; it must be a whole number in the range 0 to 32");
   EXPECT_EQ(error({.lowest = 0, .highest = 1, .resolution = 1, .bits = 4}),
             "bits and resolution both say how long a step of the converter is; keep one");
   EXPECT_EQ(error({.misalignment = 0.1}), "misalignment is of three axes; 'robot/sensor/value' is one of 1 numbers");

@@ -606,7 +606,7 @@ TEST(MjcfReader, NamesMissingAndBrokenFiles) {
   expect_complaint(message(""), 1, "not well-formed XML");
   expect_complaint(message("just text"), 1, "not well-formed XML");
   expect_complaint(message("<!-- -->\n<sdf/>"), 2,
-                   "the root is <sdf>; a robot file has <mujoco> (MJCF) or <robot> (URDF)");
+                   "unknown format of a robot file: its root is <sdf>; known: mjcf (<mujoco>), urdf (<robot>)");
 }
 
 TEST(MjcfReader, NamesUnknownWords) {

@@ -1,0 +1,22 @@
+/// physics_options.h - which options of the library's levels and contact laws a scene may set: [robots.level_options],
+/// [robots.contact_options], [body_contact_options].
+///
+/// What several levels share and has a key of its own (integrator, fixed_base) is none of these.
+#pragma once
+
+#include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/collision/body_island_law.h"
+#include "murosimf/collision/paper_law.h"
+#include "murosimf/model/option.h"
+
+namespace murosimf::catalog {
+
+/// Of levels whose joints move exactly as told; of those whose links have masses; of both.
+[[nodiscard]] const OptionTable<LevelOptions>& reference_options();
+[[nodiscard]] const OptionTable<LevelOptions>& tree_options();
+[[nodiscard]] const OptionTable<LevelOptions>& reference_and_tree_options();
+
+[[nodiscard]] const OptionTable<collision::PaperLawOptions>& paper_law_options();
+[[nodiscard]] const OptionTable<collision::BodyIslandOptions>& body_island_options();
+
+}  // namespace murosimf::catalog

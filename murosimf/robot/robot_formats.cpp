@@ -1,0 +1,79 @@
+#include "murosimf/robot/robot_formats.h"
+
+#include <algorithm>
+#include <cctype>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "murosimf/files/xml_element.h"
+#include "murosimf/formats/mjcf/mjcf_reader.h"
+#include "murosimf/formats/urdf/urdf_reader.h"
+
+namespace murosimf::robot {
+namespace {
+
+std::vector<RobotFormat> built_in_formats() {
+  return {
+      RobotFormat{"mjcf", "the format of MuJoCo", ".xml", "mujoco", formats::mjcf::read_mjcf},
+      RobotFormat{"urdf", "the format of ROS, with gazebo blocks", ".urdf .xml", "robot", formats::urdf::read_urdf},
+  };
+}
+
+/// ".urdf" of "nao.URDF"
+std::string ending_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+bool has_ending(const RobotFormat& format, const std::string& ending) {
+  return !ending.empty() && fmt::format(" {} ", format.endings).find(fmt::format(" {} ", ending)) != std::string::npos;
+}
+
+/// "mjcf (<mujoco>), lump (.lump)"
+std::string known_formats() {
+  std::vector<std::string> all;
+  for (const RobotFormat& format : robot_formats()) {
+    all.push_back(fmt::format("{} ({})", format.name, format.root.empty() ? format.endings : "<" + format.root + ">"));
+  }
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
+/// What is no XML and has an ending of no format is probably of a format that nobody has registered.
+std::unique_ptr<files::XmlFile> open_xml(const std::filesystem::path& file, const std::string& ending) {
+  try {
+    return std::make_unique<files::XmlFile>(file);
+  } catch (const SetupError& error) {
+    const auto& all = robot_formats();
+    const bool known =
+        std::any_of(all.begin(), all.end(), [&](const auto& format) { return has_ending(format, ending); });
+    std::error_code none;
+    if (known || ending.empty() || !std::filesystem::is_regular_file(file, none)) throw;
+    throw SetupError(fmt::format("{}; or is its format unknown? known: {}", error.what(), known_formats()));
+  }
+}
+
+}  // namespace
+
+Registry<RobotFormat>& robot_format_registry() {
+  static Registry<RobotFormat> registry("format of robot files", built_in_formats());
+  return registry;
+}
+
+const Registry<RobotFormat>& robot_formats() { return robot_format_registry(); }
+
+const RobotFormat& format_of(const std::filesystem::path& file) {
+  const std::string ending = ending_of(file);
+  for (const RobotFormat& format : robot_formats()) {
+    if (format.root.empty() && has_ending(format, ending)) return format;
+  }
+  const auto xml = open_xml(file, ending);
+  const std::string root = xml->root().tag();
+  for (const RobotFormat& format : robot_formats()) {
+    if (!format.root.empty() && format.root == root) return format;
+  }
+  xml->root().fail(fmt::format("unknown format of a robot file: its root is <{}>; known: {}", root, known_formats()));
+}
+
+}  // namespace murosimf::robot

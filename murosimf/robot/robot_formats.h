@@ -1,0 +1,31 @@
+/// robot_formats.h - formats of robot files: names, how a file shows which it has, and who reads it.
+///
+/// A new format is one more line in robot_formats.cpp; programs and plug-ins add to the registry.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "murosimf/description/reader_options.h"
+#include "murosimf/description/robot_description.h"
+#include "murosimf/model/registry.h"
+
+namespace murosimf::robot {
+
+struct RobotFormat {
+  std::string name, meaning;
+  std::string endings;  ///< of files, small letters: ".xml .urdf"
+  std::string root;     ///< first element, which tells the format of XML files; empty: no XML, the ending tells it
+  /// Throws SetupError: file, line, what is wrong, what to do.
+  std::function<description::RobotDescription(const std::filesystem::path&, const description::ReaderOptions&)> read;
+};
+
+[[nodiscard]] Registry<RobotFormat>& robot_format_registry();
+/// The same to read.
+[[nodiscard]] const Registry<RobotFormat>& robot_formats();
+
+/// The format of a file. Throws SetupError with all known ones if it is none of them, or the file cannot be read.
+[[nodiscard]] const RobotFormat& format_of(const std::filesystem::path& file);
+
+}  // namespace murosimf::robot

@@ -1,0 +1,97 @@
+// Every option of a controller, level or law acts, and its default is what happens without it.
+#include <gtest/gtest.h>
+
+#include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/scene/scene.h"
+
+namespace murosimf::scene {
+namespace {
+
+struct Play {
+  std::string scene;
+  double duration;  ///< [s]
+  std::vector<std::string> set = {};
+};
+
+std::uint64_t hash_of(const Play& play, const std::string& option = {}) {
+  SceneOptions options{.overrides = play.set, .cameras = false};
+  if (!option.empty()) options.overrides.push_back(option);
+  Scene scene(play.scene, options);
+  scene.simulation().run(from_seconds(play.duration));
+  return scene.simulation().world().state_hash();
+}
+
+OptionValue other_than(const OptionValue& usual) {
+  if (const bool* truth = std::get_if<bool>(&usual)) return !*truth;
+  return 0.7 * std::get<double>(usual);
+}
+
+/// `table`: where they stand, "walker.options".
+void expect_options_act(const std::vector<OptionInfo>& options, const std::string& table, const Play& play) {
+  const std::uint64_t plain = hash_of(play);
+  for (const OptionInfo& option : options) {
+    const std::string path = table + "." + option.name + "=";
+    EXPECT_EQ(hash_of(play, path + value_text(option.fallback)), plain) << path;
+    EXPECT_NE(hash_of(play, path + value_text(other_than(option.fallback))), plain) << path;
+  }
+}
+
+void expect_options_act(const std::string& controller, const std::string& robots, const Play& play) {
+  expect_options_act(catalog::controllers().find(controller).options, robots + ".options", play);
+}
+
+TEST(ControllerOptions, OfTheBallChaserAct) { expect_options_act("ball_chaser", "*", {"three_on_three", 20}); }
+
+TEST(ControllerOptions, OfDriveAct) {
+  expect_options_act("drive", "car", {"car_crash", 1, {"car.command=[1, 0, 0.5]"}});
+}
+
+TEST(ControllerOptions, OfBalanceAct) {
+  expect_options_act("balance", "robot", {"push", 3, {"robot.controller=balance"}});
+}
+
+TEST(LawOptions, OfThePapersLawsAct) {
+  for (const std::string law : {"paper", "paper_multipoint"}) {
+    expect_options_act(catalog::contacts().find(law).options, "walker.contact_options",
+                       {"walk", 2, {"walker.level=simplified_dynamics", "walker.contact=" + law}});
+  }
+}
+
+TEST(LawOptions, OfIslandsAct) {
+  expect_options_act(catalog::body_contacts().find("island_gauss_seidel").options, "body_contact_options", {"heap", 1});
+}
+
+// The filter of joint targets, or their linear way, at whatever level; corrections act in flight, which an upward start is.
+TEST(LevelOptions, OfJointsAct) {
+  for (const std::string level : {"kinematic_walking", "simplified_dynamics", "full_dynamics"}) {
+    const std::vector<OptionInfo>& options = catalog::levels().find(level).options;
+    expect_options_act({options.at(0)}, "walker.level_options", {"walk", 1, {"walker.level=" + level}});
+    expect_options_act({options.at(1)}, "walker.level_options",
+                       {"walk", 1, {"walker.level=" + level, "walker.joint_reference=linear"}});
+  }
+}
+
+TEST(LevelOptions, OfFlightAct) {
+  for (const std::string level : {"full_dynamics", "articulated_dynamics"}) {
+    const OptionInfo& correction = catalog::levels().find(level).options.back();
+    expect_options_act({correction}, "walker.level_options",
+                       {"walk", 0.3, {"walker.level=" + level, "walker.position=[0, 0, 1]"}});
+  }
+}
+
+// A law that comes while the scene runs takes its options too: what it does not have is kept for it.
+TEST(LawOptions, ActAlsoOnALawThatComesLater) {
+  const auto hash = [](const std::string& friction) {
+    Scene scene("walk",
+                {.overrides = {"walker.level=simplified_dynamics", "walker.contact_options.friction=" + friction},
+                 .events = {"0.5:walker.contact=paper"},
+                 .cameras = false});
+    scene.simulation().run(from_seconds(1.5));
+    return scene.simulation().world().state_hash();
+  };
+  EXPECT_EQ(hash("5"), hash("5"));
+  EXPECT_NE(hash("5"), hash("3"));
+}
+
+}  // namespace
+}  // namespace murosimf::scene
