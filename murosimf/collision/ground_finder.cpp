@@ -63,12 +63,12 @@ void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3
   std::uint64_t feature = 0;
   for (const GroundPlane& plane : planes_) {
     for (const GroundShape& shape : shapes_) {
-      const std::size_t first = found.size();
       ++tests.volumes;
-      if (!(all_touch_planes_ || may_touch(shape.placed, plane))) {
+      if (is_out_of_reach(shape, r[shape.object], plane) || !(all_touch_planes_ || may_touch(shape.placed, plane))) {
         ++surface;
         continue;
       }
+      const std::size_t first = found.size();
       if (find_ground_contacts(shape, r[shape.object], R[shape.object], plane, found)) ++tests.objects;
       for (std::size_t i = first; i < found.size(); ++i) {
         found[i].surface = surface;
