@@ -63,12 +63,12 @@ void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3
   std::uint64_t feature = 0;
   for (const GroundPlane& plane : planes_) {
     for (const GroundShape& shape : shapes_) {
-      const std::size_t first = found.size();
       ++tests.volumes;
-      if (!(all_touch_planes_ || may_touch(shape.placed, plane))) {
+      if (is_out_of_reach(shape, r[shape.object], plane) || !(all_touch_planes_ || may_touch(shape.placed, plane))) {
         ++surface;
         continue;
       }
+      const std::size_t first = found.size();
       if (find_ground_contacts(shape, r[shape.object], R[shape.object], plane, found)) ++tests.objects;
       for (std::size_t i = first; i < found.size(); ++i) {
         found[i].surface = surface;
@@ -80,20 +80,9 @@ void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3
   }
 }
 
-/// The answer holds while the base has not moved far: it was asked for a sphere that is bigger by as much.
-bool GroundFinder::is_near_statics(const Vec3d& base, TestCounts& tests) noexcept {
-  constexpr double margin = 0.05;  // [m]
-  const Vec3d way = asked_at_ ? base - *asked_at_ : Vec3d{};
-  if (!asked_at_ || !(dot(way, way) < margin * margin)) {
-    asked_at_ = base;
-    near_ = environment_.is_near(base, own_.reach() + margin, tests.volumes);
-  }
-  return near_;
-}
-
 void GroundFinder::find_on_statics(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                                    TestCounts& tests) noexcept {
-  if (!is_near_statics(r[0], tests)) return;
+  if (!is_near_statics_(environment_, r[0], own_.reach(), tests.volumes)) return;
   own_.refit(r, R);
   candidates_.clear();
   const auto add = [&](int other, int own) {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -43,7 +42,6 @@ class GroundFinder {
  private:
   void find_on_planes(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                       TestCounts& tests) const noexcept;
-  [[nodiscard]] bool is_near_statics(const Vec3d& base, TestCounts& tests) noexcept;
   void find_on_statics(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                        TestCounts& tests) noexcept;
   void add_contacts(int own, int other, const geometry::Manifold& manifold,
@@ -54,8 +52,7 @@ class GroundFinder {
   Compound own_;
   StaticCompound environment_;
   bool all_touch_planes_;
-  std::optional<Vec3d> asked_at_;                // [m] of the base, when it was last asked whether anything is near
-  bool near_ = false;                            // the answer
+  NearStatics is_near_statics_;
   std::vector<std::pair<int, int>> candidates_;  // shapes, of the environment and its own, whose volumes overlap
 };
 

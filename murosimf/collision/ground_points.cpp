@@ -26,7 +26,7 @@ std::vector<GroundShape> ground_shapes(const Model& model) {
 
 bool find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane,
                           std::vector<ContactPoint>& found) {
-  if (dot(plane.normal, r) - plane.height > shape.object_reach) return false;
+  if (is_out_of_reach(shape, r, plane)) return false;
   const Vec3d center = r + R * shape.placed.position;
   if (dot(plane.normal, center) - plane.height > shape.reach) return false;
   const geometry::LowPoints points{center, R * shape.placed.orientation, plane.normal, plane.height};

@@ -37,6 +37,11 @@ struct GroundShape {
 /// Numbers that the features of one shape take: eight, more for a polyhedron of more vertices.
 [[nodiscard]] std::uint32_t features_of(const Shape& shape);
 
+/// In any attitude, with its object at r [m]: most shapes are, and this takes but one product.
+[[nodiscard]] inline bool is_out_of_reach(const GroundShape& shape, const Vec3d& r, const GroundPlane& plane) {
+  return dot(plane.normal, r) - plane.height > shape.object_reach;
+}
+
 /// Appends the contacts of `shape` with `plane`. False if bounding spheres already tell that there are none. r [m], R: pose of its object, world frame. The caller fills in what
 /// depends on the pair: `surface`, velocities and memory.
 bool find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane,

@@ -9,6 +9,7 @@ namespace murosimf::collision {
 
 template <class IslandOf>
 void Islands::Rows::sort(int things, int islands, const IslandOf& island_of) {
+  if (islands == 0) return;  // nobody asks for a row
   end_.assign(static_cast<std::size_t>(islands) + 2, 0);
   for (int i = 0; i < things; ++i) {
     if (island_of(i) >= 0) ++end_[island_of(i) + 2];

@@ -51,7 +51,9 @@ void see_feet(MovingEntity& a, MovingEntity& b, Deepest& deepest, TestCounts& te
 }
 
 void leave(MovingEntity& moving_entity, const StaticCompound& environment, TestCounts& tests) noexcept {
-  if (!environment.is_near(moving_entity.r[0], moving_entity.compound.reach(), tests.volumes)) return;
+  if (!moving_entity.is_near_statics(environment, moving_entity.r[0], moving_entity.compound.reach(), tests.volumes)) {
+    return;
+  }
   moving_entity.refit();
   Deepest deepest;
   tests.volumes += for_pairs(moving_entity.compound, environment.compound(), [&](int i, int j) {

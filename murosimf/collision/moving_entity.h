@@ -7,6 +7,7 @@
 #include "murosimf/collision/body_pairs.h"
 #include "murosimf/collision/compound.h"
 #include "murosimf/collision/contact_seam.h"
+#include "murosimf/collision/static_compound.h"
 #include "murosimf/model/setup.h"
 
 namespace murosimf::collision {
@@ -47,6 +48,7 @@ struct MovingEntity {
   int number;  ///< of the entity in the world (World::index_of)
   Compound compound;
   std::vector<int> feet;  ///< shapes of the links that have a sole
+  NearStatics is_near_statics;
   std::span<const Vec3d> r, v, w;
   std::span<const Mat3d> R;
   std::span<const double> dynamic;

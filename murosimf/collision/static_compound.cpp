@@ -1,5 +1,7 @@
 #include "murosimf/collision/static_compound.h"
 
+#include "murosimf/geometry/sphere_contact.h"
+
 namespace murosimf::collision {
 namespace {
 
@@ -27,13 +29,26 @@ StaticCompound::StaticCompound(const Entity* environment) : compound_(make_compo
 bool StaticCompound::is_near(const Vec3d& center, double radius, std::int64_t& tests) const noexcept {
   bool found = false;
   const geometry::BoundingSphere sphere{center, radius};
-  const auto stop = [&](int) {
-    found = true;
-    return false;
+  const auto look = [&](int i) {
+    const auto& [position, orientation] = places_[i];
+    const Vec3d inside = transposed_times(orientation, center - position);
+    found = geometry::sphere_contact(inside, radius, shape(i).placed.shape).has_value();
+    return !found;
   };
   const auto wanted = [&](const auto& volume) { return overlap(volume, sphere); };
-  tests += std::visit([&](const auto& tree) { return geometry::for_leaves(tree, wanted, stop); }, compound_.tree());
+  tests += std::visit([&](const auto& tree) { return geometry::for_leaves(tree, wanted, look); }, compound_.tree());
   return found;
+}
+
+bool NearStatics::operator()(const StaticCompound& environment, const Vec3d& base, double reach,
+                             std::int64_t& tests) noexcept {
+  constexpr double margin = 0.05;  // [m]
+  const Vec3d way = asked_at_ ? base - *asked_at_ : Vec3d{};
+  if (!asked_at_ || !(dot(way, way) < margin * margin)) {
+    asked_at_ = base;
+    near_ = environment.is_near(base, reach + margin, tests);
+  }
+  return near_;
 }
 
 }  // namespace murosimf::collision

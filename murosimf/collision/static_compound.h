@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,12 +21,25 @@ class StaticCompound {
   [[nodiscard]] const CollidingShape& shape(int i) const { return compound_.shapes()[i]; }
   [[nodiscard]] const Transformd& pose(int i) const { return places_[i]; }
 
-  /// True if the sphere about `center` [m] meets the bounding volume of any shape; adds the tests of volumes to `tests`.
+  /// True if the sphere about `center` [m] meets any shape; adds the tests of volumes to `tests`.
   [[nodiscard]] bool is_near(const Vec3d& center, double radius, std::int64_t& tests) const noexcept;
 
  private:
   Compound compound_;
   std::vector<Transformd> places_;  // of each shape, world
+};
+
+/// Whether an entity may touch something static. An answer holds while the base has not moved far: it is asked for a sphere that is
+/// bigger by as much.
+class NearStatics {
+ public:
+  /// `reach` [m]: of the entity about its `base` [m], always the same.
+  [[nodiscard]] bool operator()(const StaticCompound& environment, const Vec3d& base, double reach,
+                                std::int64_t& tests) noexcept;
+
+ private:
+  std::optional<Vec3d> asked_at_;  // [m] of the base, when it was last asked
+  bool near_ = false;              // the answer
 };
 
 }  // namespace murosimf::collision

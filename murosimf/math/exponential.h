@@ -14,7 +14,7 @@ inline constexpr double ln_2_low = 1.90821492927058770002e-10;
 /// Method: x = n ln 2 + r, |r| <= ln 2/2 (Cody and Waite); Taylor's series of e^r to degree 12, whose rest is below 2e-16,
 /// added up in pairs, so that the processor can do several at once. No division.
 template <class S>
-[[gnu::always_inline]] inline S exponential(const S& x) {
+MUROSIMF_INLINE S exponential(const S& x) {
   const S n = (x * std::numbers::log2e + round_bias) - round_bias;
   const S r = (x - n * ln_2_high) - n * ln_2_low;
   const S r2 = r * r;
@@ -32,7 +32,7 @@ template <class S>
 /// Method: x = f 2^n with f in [sqrt(1/2), sqrt(2)); log f = 2 artanh(s), s = (f - 1)/(f + 1), an odd function whose
 /// minimax polynomial has the public figures of fdlibm's e_log.c (Sun Microsystems 1993).
 template <class S>
-[[gnu::always_inline]] inline S logarithm(const S& x) {
+MUROSIMF_INLINE S logarithm(const S& x) {
   const S fraction = binary_fraction(x);
   const auto large = fraction > S(std::numbers::sqrt2);
   const S f = select(large, fraction * 0.5, fraction) - 1.0;

@@ -16,21 +16,21 @@ struct Mat3 {
 using Mat3d = Mat3<double>;
 
 template <class A, class B>
-auto operator*(const Mat3<A>& m, const Vec3<B>& v) -> Vec3<Product<A, B>> {
+MUROSIMF_INLINE auto operator*(const Mat3<A>& m, const Vec3<B>& v) -> Vec3<Product<A, B>> {
   return {m.x.x * v.x + m.y.x * v.y + m.z.x * v.z, m.x.y * v.x + m.y.y * v.y + m.z.y * v.z,
           m.x.z * v.x + m.y.z * v.y + m.z.z * v.z};
 }
 template <class A, class B>
-auto operator*(const Mat3<A>& m, const Mat3<B>& n) -> Mat3<Product<A, B>> {
+MUROSIMF_INLINE auto operator*(const Mat3<A>& m, const Mat3<B>& n) -> Mat3<Product<A, B>> {
   return {m * n.x, m * n.y, m * n.z};
 }
 template <class S>
-Mat3<S> transpose(const Mat3<S>& m) {
+MUROSIMF_INLINE Mat3<S> transpose(const Mat3<S>& m) {
   return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}};
 }
 /// m^T v: takes a vector of the outer frame into the inner one.
 template <class A, class B>
-auto transposed_times(const Mat3<A>& m, const Vec3<B>& v) -> Vec3<Product<A, B>> {
+MUROSIMF_INLINE auto transposed_times(const Mat3<A>& m, const Vec3<B>& v) -> Vec3<Product<A, B>> {
   return {dot(m.x, v), dot(m.y, v), dot(m.z, v)};
 }
 
@@ -69,24 +69,24 @@ struct SymMat3 {
 using SymMat3d = SymMat3<double>;
 
 template <class A, class B>
-auto operator*(const SymMat3<A>& m, const Vec3<B>& v) -> Vec3<Product<A, B>> {
+MUROSIMF_INLINE auto operator*(const SymMat3<A>& m, const Vec3<B>& v) -> Vec3<Product<A, B>> {
   return {m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,
           m.xz * v.x + m.yz * v.y + m.zz * v.z};
 }
 template <class S>
-SymMat3<S> operator+(const SymMat3<S>& a, const SymMat3<S>& b) {
+MUROSIMF_INLINE SymMat3<S> operator+(const SymMat3<S>& a, const SymMat3<S>& b) {
   return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
 }
 template <class S>
-SymMat3<S> operator-(const SymMat3<S>& a, const SymMat3<S>& b) {
+MUROSIMF_INLINE SymMat3<S> operator-(const SymMat3<S>& a, const SymMat3<S>& b) {
   return {a.xx - b.xx, a.yy - b.yy, a.zz - b.zz, a.xy - b.xy, a.xz - b.xz, a.yz - b.yz};
 }
 template <class A, class S>
-SymMat3<S> operator*(const A& s, const SymMat3<S>& a) {
+MUROSIMF_INLINE SymMat3<S> operator*(const A& s, const SymMat3<S>& a) {
   return {s * a.xx, s * a.yy, s * a.zz, s * a.xy, s * a.xz, s * a.yz};
 }
 template <class S>
-SymMat3<S>& operator+=(SymMat3<S>& a, const SymMat3<S>& b) {
+MUROSIMF_INLINE SymMat3<S>& operator+=(SymMat3<S>& a, const SymMat3<S>& b) {
   // by members: a whole temporary would go through memory
   a.xx = a.xx + b.xx;
   a.yy = a.yy + b.yy;
@@ -99,17 +99,17 @@ SymMat3<S>& operator+=(SymMat3<S>& a, const SymMat3<S>& b) {
 
 /// s times the identity.
 template <class S>
-SymMat3<S> diagonal(S s) {
+MUROSIMF_INLINE SymMat3<S> diagonal(S s) {
   return {s, s, s, S{}, S{}, S{}};
 }
 /// v v^T.
 template <class S>
-SymMat3<S> outer(const Vec3<S>& v) {
+MUROSIMF_INLINE SymMat3<S> outer(const Vec3<S>& v) {
   return {v.x * v.x, v.y * v.y, v.z * v.z, v.x * v.y, v.x * v.z, v.y * v.z};
 }
 /// -v^ v^ = |v|^2 1 - v v^T: the inertia of a unit mass at v (parallel-axis term).
 template <class S>
-SymMat3<S> inertia_of_point(const Vec3<S>& v) {
+MUROSIMF_INLINE SymMat3<S> inertia_of_point(const Vec3<S>& v) {
   const S xx = v.x * v.x, yy = v.y * v.y, zz = v.z * v.z;
   return {yy + zz, xx + zz, xx + yy, -(v.x * v.y), -(v.x * v.z), -(v.y * v.z)};
 }
@@ -131,7 +131,7 @@ inline bool is_positive_definite(const SymMat3d& m) {
 
 /// R m R^T: the symmetric tensor `m` of the inner frame seen in the outer one.
 template <class S, class A>
-[[gnu::always_inline]] inline SymMat3<S> rotated(const Mat3<S>& R, const SymMat3<A>& m) {
+MUROSIMF_INLINE SymMat3<S> rotated(const Mat3<S>& R, const SymMat3<A>& m) {
   const Vec3<S> a = m.xx * R.x + m.xy * R.y + m.xz * R.z;  // columns of R m
   const Vec3<S> b = m.xy * R.x + m.yy * R.y + m.yz * R.z;
   const Vec3<S> c = m.xz * R.x + m.yz * R.y + m.zz * R.z;

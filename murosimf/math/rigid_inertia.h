@@ -19,7 +19,7 @@ struct RigidInertia {
 };
 
 template <class S>
-RigidInertia<S>& operator+=(RigidInertia<S>& a, const RigidInertia<S>& b) {
+MUROSIMF_INLINE RigidInertia<S>& operator+=(RigidInertia<S>& a, const RigidInertia<S>& b) {
   a.mass += b.mass;
   a.first += b.first;
   a.second += b.second;
@@ -27,13 +27,13 @@ RigidInertia<S>& operator+=(RigidInertia<S>& a, const RigidInertia<S>& b) {
 }
 
 template <class S>
-[[gnu::always_inline]] inline Wrench<S> operator*(const RigidInertia<S>& a, const Twist<S>& m) {
+MUROSIMF_INLINE Wrench<S> operator*(const RigidInertia<S>& a, const Twist<S>& m) {
   return {a.second * m.w + cross(a.first, m.v), a.mass * m.v - cross(a.first, m.w)};
 }
 
 /// The same map as a general symmetric matrix.
 template <class S>
-Sym6<S> to_sym6(const RigidInertia<S>& a) {
+MUROSIMF_INLINE Sym6<S> to_sym6(const RigidInertia<S>& a) {
   return {a.second, cross_matrix(a.first), diagonal(S(a.mass))};
 }
 

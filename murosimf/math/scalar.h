@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "murosimf/math/inline.h"
+
 namespace murosimf {
 
 inline constexpr double pi = std::numbers::pi;
@@ -54,7 +56,7 @@ struct SinCos {
 /// Method: reduce by multiples of pi/2 in three parts (Cody and Waite), then the minimax polynomials of the Cephes
 /// library's sin.c (S. L. Moshier, public figures) on +-pi/4.
 template <class S>
-[[gnu::always_inline]] inline SinCos<S> sin_cos(S angle) {
+MUROSIMF_INLINE SinCos<S> sin_cos(S angle) {
   constexpr double half_pi_a = 1.57079625129699707031;
   constexpr double half_pi_b = 7.54978941586159635335e-8;
   constexpr double half_pi_c = 5.39030252995776476554e-15;

@@ -24,55 +24,55 @@ using Twistd = Twist<double>;
 using Wrenchd = Wrench<double>;
 
 template <class S>
-Wrench<S> operator+(const Wrench<S>& a, const Wrench<S>& b) {
+MUROSIMF_INLINE Wrench<S> operator+(const Wrench<S>& a, const Wrench<S>& b) {
   return {a.n + b.n, a.f + b.f};
 }
 template <class S>
-Wrench<S> operator-(const Wrench<S>& a, const Wrench<S>& b) {
+MUROSIMF_INLINE Wrench<S> operator-(const Wrench<S>& a, const Wrench<S>& b) {
   return {a.n - b.n, a.f - b.f};
 }
 template <class S>
-Wrench<S>& operator+=(Wrench<S>& a, const Wrench<S>& b) {
+MUROSIMF_INLINE Wrench<S>& operator+=(Wrench<S>& a, const Wrench<S>& b) {
   a.n += b.n;
   a.f += b.f;
   return a;
 }
 
 template <class S>
-Wrench<S>& operator-=(Wrench<S>& a, const Wrench<S>& b) {
+MUROSIMF_INLINE Wrench<S>& operator-=(Wrench<S>& a, const Wrench<S>& b) {
   a.n -= b.n;
   a.f -= b.f;
   return a;
 }
 template <class A, class S>
-Wrench<S> operator*(const A& s, const Wrench<S>& a) {
+MUROSIMF_INLINE Wrench<S> operator*(const A& s, const Wrench<S>& a) {
   return {s * a.n, s * a.f};
 }
 
 template <class S>
-Twist<S> operator+(const Twist<S>& a, const Twist<S>& b) {
+MUROSIMF_INLINE Twist<S> operator+(const Twist<S>& a, const Twist<S>& b) {
   return {a.w + b.w, a.v + b.v};
 }
 template <class S>
-Twist<S>& operator+=(Twist<S>& a, const Twist<S>& b) {
+MUROSIMF_INLINE Twist<S>& operator+=(Twist<S>& a, const Twist<S>& b) {
   a.w += b.w;
   a.v += b.v;
   return a;
 }
 template <class A, class S>
-Twist<S> operator*(const A& s, const Twist<S>& a) {
+MUROSIMF_INLINE Twist<S> operator*(const A& s, const Twist<S>& a) {
   return {s * a.w, s * a.v};
 }
 
 /// Power [W] of a force on a motion, both at the same point.
 template <class S>
-S dot(const Twist<S>& m, const Wrench<S>& f) {
+MUROSIMF_INLINE S dot(const Twist<S>& m, const Wrench<S>& f) {
   return dot(m.w, f.n) + dot(m.v, f.f);
 }
 
 /// The same force, its moment taken about a point that lies `offset` away from the old one.
 template <class S>
-Wrench<S> moved(const Wrench<S>& force, const Vec3<S>& offset) {
+MUROSIMF_INLINE Wrench<S> moved(const Wrench<S>& force, const Vec3<S>& offset) {
   return {force.n - cross(offset, force.f), force.f};
 }
 
@@ -87,11 +87,11 @@ struct Sym6 {
 using Sym6d = Sym6<double>;
 
 template <class S>
-[[gnu::always_inline]] inline Wrench<S> operator*(const Sym6<S>& a, const Twist<S>& m) {
+MUROSIMF_INLINE Wrench<S> operator*(const Sym6<S>& a, const Twist<S>& m) {
   return {a.J * m.w + a.H * m.v, transposed_times(a.H, m.w) + a.M * m.v};
 }
 template <class S>
-Sym6<S>& operator+=(Sym6<S>& a, const Sym6<S>& b) {
+MUROSIMF_INLINE Sym6<S>& operator+=(Sym6<S>& a, const Sym6<S>& b) {
   a.J += b.J;
   a.H.x += b.H.x;
   a.H.y += b.H.y;
@@ -100,7 +100,7 @@ Sym6<S>& operator+=(Sym6<S>& a, const Sym6<S>& b) {
   return a;
 }
 template <class S>
-Sym6<S> operator*(double s, const Sym6<S>& a) {
+MUROSIMF_INLINE Sym6<S> operator*(double s, const Sym6<S>& a) {
   return {s * a.J, {s * a.H.x, s * a.H.y, s * a.H.z}, s * a.M};
 }
 
@@ -173,12 +173,12 @@ inline bool is_zero(const Sym6d& m) {
 
 /// x^ as a matrix: x^ y = x cross y.
 template <class S>
-Mat3<S> cross_matrix(const Vec3<S>& x) {
+MUROSIMF_INLINE Mat3<S> cross_matrix(const Vec3<S>& x) {
   return {{S{}, x.z, -x.y}, {-x.z, S{}, x.x}, {x.y, -x.x, S{}}};
 }
 
 template <class S>
-Mat3<S> full(const SymMat3<S>& m) {
+MUROSIMF_INLINE Mat3<S> full(const SymMat3<S>& m) {
   return {{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}};
 }
 

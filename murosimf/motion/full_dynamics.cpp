@@ -132,12 +132,11 @@ bool FullDynamics::advance_joints(double dt) noexcept {
 }
 
 void FullDynamics::prepare_base() noexcept {
-  inertia_ = multibody::composite_inertia<double>(tree_.links);
   bias_ = multibody::base_bias<double>(tree_.columns.model.tree(), tree_.links, joint_acceleration_, joint_motion_);
 }
 
 void FullDynamics::solve_base(double dt) noexcept {
-  Sym6d inertia = to_sym6(inertia_);
+  Sym6d inertia = to_sym6(tree_.composite_inertia());
   Wrenchd force = -1.0 * bias_;
   tree_.for_loads(dt, [&](int link, const Wrenchd& load, const Sym6d& damping) {
     inertia += damping;

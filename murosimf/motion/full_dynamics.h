@@ -68,7 +68,6 @@ class FullDynamics final : public MotionLevel, private collision::ImpulseRespons
   std::vector<Twistd> joint_motion_;        // J_i qdd by link: a' that the joints alone make
   std::vector<Wrenchd> link_force_;         // [N m, N] about O, by link
   std::vector<bool> has_servo_;             // by object
-  RigidInertia<double> inertia_;            // of all links
   Wrenchd bias_;                            // [N m, N] force that the joints take of the base
   double dt_ = 0;                           // [s] of the present step
   bool joints_sane_ = true;                 // in the present step

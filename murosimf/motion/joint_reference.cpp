@@ -38,7 +38,7 @@ void JointReference::take_over(const PoseColumns& columns) noexcept {
   for (std::size_t i = 0; i < cycle_target_.size(); ++i) cycle_target_[i] = columns.q[i];
 }
 
-double JointReference::target(int joint) const noexcept {
+MUROSIMF_INLINE double JointReference::target(int joint) const noexcept {
   const auto& [lowest, highest] = coupled_.range(joint);
   return std::clamp(target_[joint], lowest, highest);
 }

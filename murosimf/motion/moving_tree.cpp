@@ -86,12 +86,12 @@ void MovingTree::refresh() noexcept {
 
 void MovingTree::update_links() noexcept {
   multibody::link_motions<double>(columns.model.tree(), columns.r, columns.R, columns.w[0], columns.qd, links);
-  const auto whole = multibody::composite_inertia<double>(links);
-  const Vec3d c = (1 / whole.mass) * whole.first;
-  total_mass_ = whole.mass;
+  whole_ = multibody::composite_inertia<double>(links);
+  const Vec3d c = (1 / whole_.mass) * whole_.first;
+  total_mass_ = whole_.mass;
   center_ = columns.r[0] + c;
-  common_inertia_ = whole.second - whole.mass * inertia_of_point(c);
-  center_velocity_ = columns.v[0] + (1 / whole.mass) * multibody::linear_momentum<double>(links);
+  common_inertia_ = whole_.second - whole_.mass * inertia_of_point(c);
+  center_velocity_ = columns.v[0] + (1 / whole_.mass) * multibody::linear_momentum<double>(links);
 }
 
 Twistd MovingTree::base_acceleration(const Sym6d& inertia, const Wrenchd& force) noexcept {
@@ -174,8 +174,7 @@ void MovingTree::correct_momentum(const CenterMotion& wanted) noexcept {
   const Vec3d linear = wanted.linear - now.linear;
   const Vec3d angular = wanted.angular - now.angular;
   const Vec3d c = center_ - columns.r[0];
-  const Twistd change =
-      solve(to_sym6(multibody::composite_inertia<double>(links)), {angular + cross(c, linear), linear});
+  const Twistd change = solve(to_sym6(whole_), {angular + cross(c, linear), linear});
   columns.w[0] += change.w;
   columns.v[0] += change.v;
   columns.r[0] += wanted.center - now.center;

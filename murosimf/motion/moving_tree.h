@@ -92,6 +92,8 @@ class MovingTree {
   [[nodiscard]] bool advance_rk4(double dt, const Solve& solve, const JointAcceleration& qdd) noexcept;
   [[nodiscard]] bool is_free() const { return !options_.fixed_base; }
   [[nodiscard]] Integrator integrator() const { return options_.integrator; }
+  /// Of all links, about O.
+  [[nodiscard]] const RigidInertia<double>& composite_inertia() const { return whole_; }
   /// To be called last in a step: poses, velocities, links, common mass.
   void finish_step() noexcept;
   void halt(const char* reason) noexcept;
@@ -128,8 +130,9 @@ class MovingTree {
   double& dynamic_;
   RungeKutta4 runge_kutta_;
   std::vector<double> start_row_;
-  std::vector<double> row_;  // the state while Runge-Kutta works on it
-  WrittenState written_;     // when poses, velocities and links were last worked out
+  std::vector<double> row_;     // the state while Runge-Kutta works on it
+  WrittenState written_;        // when poses, velocities and links were last worked out
+  RigidInertia<double> whole_;  // of the links
   Sym6d base_inertia_;
   std::optional<Cholesky6<double>> factor_;      // of it, for responses
   std::optional<CenterMotion> wanted_momentum_;  // after the present step, in flight

@@ -9,7 +9,7 @@ namespace murosimf::multibody::parts {
 
 /// to = (or +=) rigid. By members: whole temporaries would go through memory, and wait for it.
 template <class S>
-[[gnu::always_inline]] inline void add_rigid(const RigidInertia<S>& rigid, Sym6<S>& to) {
+MUROSIMF_INLINE void add_rigid(const RigidInertia<S>& rigid, Sym6<S>& to) {
   const Vec3<S>& h = rigid.first;
   to.J += rigid.second;
   to.H.x.y = to.H.x.y + h.z;
@@ -24,7 +24,7 @@ template <class S>
 }
 
 template <class S>
-[[gnu::always_inline]] inline void set_rigid(const RigidInertia<S>& rigid, Sym6<S>& to) {
+MUROSIMF_INLINE void set_rigid(const RigidInertia<S>& rigid, Sym6<S>& to) {
   const Vec3<S>& h = rigid.first;
   const S zero{}, mass{rigid.mass};
   to.J = rigid.second;
@@ -41,7 +41,7 @@ template <class S>
 
 /// A -= s F F^T.
 template <class S>
-[[gnu::always_inline]] inline void subtract_outer(Sym6<S>& A, const S& s, const Wrench<S>& F) {
+MUROSIMF_INLINE void subtract_outer(Sym6<S>& A, const S& s, const Wrench<S>& F) {
   const Vec3<S> n = s * F.n, f = s * F.f;
   A.J.xx = A.J.xx - n.x * F.n.x;
   A.J.yy = A.J.yy - n.y * F.n.y;
@@ -62,7 +62,7 @@ template <class S>
 
 /// The link itself joins what its children and loads have left.
 template <class S>
-[[gnu::always_inline]] inline void add_link(const LinkMotion<S>& link, ArticulatedLink<S>& body) {
+MUROSIMF_INLINE void add_link(const LinkMotion<S>& link, ArticulatedLink<S>& body) {
   if (body.loaded) {
     add_rigid(link.inertia, body.inertia);
     body.force += link.bias_force;
@@ -74,7 +74,7 @@ template <class S>
 
 /// What a link leaves to its parent once U, 1/D and u/D (`share`) are known; `body.inertia` is used up.
 template <class S>
-[[gnu::always_inline]] inline void hand_over(ArticulatedLink<S>& body, const S& share, ArticulatedLink<S>& parent) {
+MUROSIMF_INLINE void hand_over(ArticulatedLink<S>& body, const S& share, ArticulatedLink<S>& parent) {
   subtract_outer(body.inertia, body.inverse_D, body.U);
   if (parent.loaded) {
     parent.inertia += body.inertia;

@@ -22,7 +22,7 @@ struct Axle {
 
 /// Decides about a joint of the inertia D, and takes its friction into account.
 template <class S>
-[[gnu::always_inline]] inline Axle<S> decide(FrictionalJoint<S>& j, const S& D, Loads loads, double dt) {
+MUROSIMF_INLINE Axle<S> decide(FrictionalJoint<S>& j, const S& D, Loads loads, double dt) {
   j.drive = D * j.rate * (1 / dt) + j.torque;
   if (loads != Loads::of_repeated_pass) {  // F follows the load, and would make joints change their minds once more
     j.budget = j.coulomb;
@@ -45,7 +45,7 @@ template <class S>
 
 /// Whether friction is off by more than the tolerated share of F, as p stands now.
 template <class S>
-[[gnu::always_inline]] inline auto is_wrong(const FrictionalJoint<S>& j) {
+MUROSIMF_INLINE auto is_wrong(const FrictionalJoint<S>& j) {
   const S push = j.drive + j.load;
   const S along = select(j.direction == S(0.0), j.budget - abs(push), j.direction * push - j.budget);
   return (along < -tolerated * j.budget) & (j.budget > S(0.0));

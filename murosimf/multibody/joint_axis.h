@@ -7,7 +7,7 @@ namespace murosimf::multibody {
 
 /// R * link.axis for the link's orientation R; coordinate axes cost nothing.
 template <class S>
-Vec3<S> joint_axis(const Mat3<S>& R, const Link& link) {
+MUROSIMF_INLINE Vec3<S> joint_axis(const Mat3<S>& R, const Link& link) {
   switch (link.axis_kind) {
     case AxisKind::x: return R.x;
     case AxisKind::y: return R.y;

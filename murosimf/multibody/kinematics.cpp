@@ -11,7 +11,7 @@ namespace {
 
 /// R rot(axis, q). About a coordinate axis two columns turn in their plane and the third stays.
 template <class S>
-[[gnu::always_inline]] inline Mat3<S> turned(const Mat3<S>& R, const Link& link, S q) {
+MUROSIMF_INLINE Mat3<S> turned(const Mat3<S>& R, const Link& link, S q) {
   const SinCos<S> a = sin_cos(q);
   const auto& [s, c] = a;
   switch (link.axis_kind) {
@@ -25,8 +25,8 @@ template <class S>
 
 /// Pose (r, R) of a joint's frame from its parent link's pose.
 template <class S>
-[[gnu::always_inline]] inline void place_joint(const Link& link, const S& q, const Vec3<S>& r_parent,
-                                               const Mat3<S>& R_parent, Vec3<S>& r, Mat3<S>& R) {
+MUROSIMF_INLINE void place_joint(const Link& link, const S& q, const Vec3<S>& r_parent, const Mat3<S>& R_parent,
+                                 Vec3<S>& r, Mat3<S>& R) {
   const Mat3<S> at_zero = link.turned ? R_parent * link.turn : R_parent;
   r = r_parent + R_parent * link.offset;
   if (link.kind == LinkKind::revolute) {
@@ -38,7 +38,8 @@ template <class S>
 }
 
 template <class S>
-void place_fixed(const FixedObject& fixed, const Vec3<S>& r_link, const Mat3<S>& R_link, Vec3<S>& r, Mat3<S>& R) {
+MUROSIMF_INLINE void place_fixed(const FixedObject& fixed, const Vec3<S>& r_link, const Mat3<S>& R_link, Vec3<S>& r,
+                                 Mat3<S>& R) {
   r = r_link + R_link * fixed.offset;
   R = fixed.turned ? R_link * fixed.turn : R_link;
 }

@@ -11,7 +11,7 @@ namespace {
 
 /// R m R^T; a diagonal m, as primitive shapes have it, costs half.
 template <class S>
-[[gnu::always_inline]] inline SymMat3<S> seen_in_world(const Mat3<S>& R, const Link& link) {
+MUROSIMF_INLINE SymMat3<S> seen_in_world(const Mat3<S>& R, const Link& link) {
   const SymMat3d& m = link.inertia;
   if (!link.diagonal_inertia) return rotated(R, m);
   const Vec3<S> a = m.xx * R.x, b = m.yy * R.y, c = m.zz * R.z;
@@ -23,7 +23,7 @@ template <class S>
 /// Writes member by member; a whole vector would be copied in pieces of other size than it was computed in, and the
 /// processor waits for such.
 template <class S>
-[[gnu::always_inline]] inline void store(const Vec3<S>& from, Vec3<S>& to) {
+MUROSIMF_INLINE void store(const Vec3<S>& from, Vec3<S>& to) {
   to.x = from.x;
   to.y = from.y;
   to.z = from.z;
@@ -31,7 +31,7 @@ template <class S>
 
 /// The inertia of a link and the force p; d [m] from O to its origin, R its orientation.
 template <class S>
-[[gnu::always_inline]] inline void add_mass(const Link& link, const Vec3<S>& d, const Mat3<S>& R, LinkMotion<S>& to) {
+MUROSIMF_INLINE void add_mass(const Link& link, const Vec3<S>& d, const Mat3<S>& R, LinkMotion<S>& to) {
   if (link.mass == 0) {
     to.inertia = {};
     to.bias_force = {};

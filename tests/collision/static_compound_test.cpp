@@ -50,8 +50,8 @@ TEST(StaticCompound, WithoutAnEnvironmentItIsEmpty) {
   EXPECT_TRUE(StaticCompound(&flat).empty()) << "planes stand apart";
 }
 
-// The ball alone decides here: its bounding volume is itself.
-TEST(StaticCompound, IsNearWhatItsVolumesMeet) {
+// The ball alone decides at first; then the box, whose bounding volume is much larger.
+TEST(StaticCompound, IsNearWhatASphereMeets) {
   const StaticCompound compound(&field());
   std::int64_t tests = 0;
   EXPECT_TRUE(compound.is_near({0.5, 1, 0.5}, 0.301, tests));
@@ -60,7 +60,21 @@ TEST(StaticCompound, IsNearWhatItsVolumesMeet) {
   EXPECT_FALSE(compound.is_near({0.5, 1, 0.5}, 0.299, tests));
   EXPECT_GT(tests, before) << "they are added up";
   EXPECT_TRUE(compound.is_near({2, 1.3, 0.5}, 0.01, tests)) << "in the box";
+  EXPECT_TRUE(compound.is_near({2.5, 1.3, 0.5}, 0.401, tests)) << "beside the box, which is turned";
+  EXPECT_FALSE(compound.is_near({2.5, 1.3, 0.5}, 0.399, tests)) << "in its bounding volume";
   EXPECT_FALSE(compound.is_near({9, 9, 9}, 1, tests));
+}
+
+TEST(StaticCompound, AnAnswerHoldsForFiveCentimeters) {
+  const StaticCompound compound(&field());
+  NearStatics near;
+  std::int64_t tests = 0;
+  EXPECT_TRUE(near(compound, {2.5, 1.3, 0.5}, 0.351, tests)) << "the margin is in it";
+  std::int64_t before = tests;
+  EXPECT_TRUE(near(compound, {2.549, 1.3, 0.5}, 0.351, tests));
+  EXPECT_EQ(tests, before) << "nobody asked again";
+  EXPECT_FALSE(near(compound, {2.551, 1.3, 0.5}, 0.351, tests));
+  EXPECT_GT(tests, before);
 }
 
 }  // namespace
