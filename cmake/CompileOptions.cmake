@@ -9,6 +9,10 @@ target_compile_options(murosimf_options INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 sees overlapping copies in the concatenation of std::string where there are none (GCC bug 105651)
   target_compile_options(murosimf_options INTERFACE -Wno-restrict)
+  if(MUROSIMF_UNITY)
+    # collects garbage less often: 6 % less processor time for a fifth to a third more memory, at most 1 GB for one compiler
+    target_compile_options(murosimf_options INTERFACE --param=ggc-min-expand=1000)
+  endif()
   if(MUROSIMF_PRECOMPILE)
     # and more of that kind where the headers of the library come out of a precompiled one, so are no system headers
     target_compile_options(murosimf_options INTERFACE -Wno-stringop-overflow -Wno-array-bounds)
