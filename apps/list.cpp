@@ -148,7 +148,8 @@ void define(const Command& command, ListOptions& options) {
   const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",    "integrators",
                                        "servo_laws", "controllers", "sensors",       "parts",      "lenses",
                                        "materials",  "scenes",      "models",        "properties", "keys",
-                                       "options",    "formats",     "commands",      "plan"};
+                                       "options",    "formats",     "commands",      "plan",
+                                       "joint_references"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
   command.add("scene", options.scene, "of 'plan': whose algorithms, in the order of a tick");
   add_plugins(command, options.plugins);
@@ -169,6 +170,7 @@ int list(const ListOptions& options, const CommandLine& line) {
     for (const auto& name : geometry::volume_names()) text += fmt::format("{}\n", name);
   }
   if (what == "integrators") text = names_and_meanings(motion::integrators());
+  if (what == "joint_references") text = names_and_meanings(motion::joint_references());
   if (what == "servo_laws") text = names_and_meanings(motion::servo_laws());
   if (what == "controllers") text = names_and_meanings(catalog::controllers());
   if (what == "sensors") text = sensors_text();

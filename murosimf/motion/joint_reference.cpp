@@ -8,6 +8,17 @@
 #include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::motion {
+namespace {
+
+constexpr ReferenceEntry reference_entries[] = {
+    {"filter", "a critically damped filter follows the target", ReferenceKind::filter},
+    {"linear", "at constant rate, in one control cycle (paper 4.3)", ReferenceKind::linear},
+    {"exact", "the target is the position (paper 4.1, 4.2)", ReferenceKind::exact},
+};
+
+}  // namespace
+
+std::span<const ReferenceEntry> joint_references() { return reference_entries; }
 
 JointReference::JointReference(Setup& setup, const JointReferenceOptions& options)
     : options_(options),
@@ -63,10 +74,10 @@ bool JointReference::is_sane(const PoseColumns& columns) const noexcept {
 
 bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
   if (!is_sane(columns)) return false;
-  if (options_.kind == ReferenceKind::filter) {
-    filter(columns, dt);
-  } else {
-    linear(columns, dt);
+  switch (options_.kind) {
+    case ReferenceKind::filter: filter(columns, dt); break;
+    case ReferenceKind::linear: linear(columns, dt); break;
+    case ReferenceKind::exact: follow_exactly(columns, dt); break;
   }
   turn(columns, dt);
   stop_at_limits(columns);
@@ -83,7 +94,7 @@ double JointReference::acceleration(const PoseColumns& columns, int joint) const
 
 void JointReference::check(Integrator integrator) const {
   if (integrator == Integrator::rk4 && options_.kind != ReferenceKind::filter) {
-    throw SetupError("integrator 'rk4' needs the joint reference 'filter': 'linear' jumps from rate to rate");
+    throw SetupError("integrator 'rk4' needs the joint reference 'filter': the others jump from rate to rate");
   }
 }
 
@@ -95,6 +106,14 @@ void JointReference::filter(PoseColumns& columns, double dt) const noexcept {
     double& qd = columns.qd[i];
     qd += dt * (wf * wf * (target(i) - q - dt * qd) - 2 * wf * qd) * inverse;
     q += dt * qd;
+  }
+}
+
+void JointReference::follow_exactly(PoseColumns& columns, double dt) const noexcept {
+  for (const int i : turning_.others()) {
+    const double goal = target(i);
+    columns.qd[i] = (goal - columns.q[i]) / dt;
+    columns.q[i] = goal;
   }
 }
 

@@ -3,9 +3,12 @@
 ///
 ///     filter:  qdd = (wf^2 (target - q - dt qd) - 2 wf qd) / (1 + 2 wf dt + wf^2 dt^2)
 ///     linear:  q reaches the target at constant rate within one control cycle
+///     exact:   q = target at the end of the step, qd = (target - q) / dt
 ///
 /// The filter is implicit Euler of the critically damped q'' = wf^2 (target - q) - 2 wf q'; wf = 120 rad/s lags 17 ms
-/// behind. `linear` is the paper's assumption (4.3): the target is reached within one control cycle.
+/// behind. `linear` is the paper's assumption for dynamics (4.3): the target is reached within one control cycle; `exact` the one
+/// for kinematic walking and the rigid body (4.1, 4.2): the desired position is the present one. A target that jumps is then a
+/// rate of one step; a controller at a lower rate than the steps makes such jumps in every cycle.
 /// A joint whose servo follows a rate (velocity_joints.h) comes to its rate target within 1 / wf, also with `linear`:
 ///
 ///     qdd = wf (rate target - qd) / (1 + wf dt)
@@ -15,6 +18,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "murosimf/motion/integrator.h"
@@ -24,7 +28,14 @@
 
 namespace murosimf::motion {
 
-enum class ReferenceKind { filter, linear };
+enum class ReferenceKind { filter, linear, exact };
+
+struct ReferenceEntry {
+  std::string_view name, meaning;
+  ReferenceKind kind;
+};
+
+[[nodiscard]] std::span<const ReferenceEntry> joint_references();
 
 struct JointReferenceOptions {
   ReferenceKind kind = ReferenceKind::filter;
@@ -57,6 +68,7 @@ class JointReference {
   [[nodiscard]] double target(int joint) const noexcept;
   void filter(PoseColumns& columns, double dt) const noexcept;
   void linear(PoseColumns& columns, double dt) noexcept;
+  void follow_exactly(PoseColumns& columns, double dt) const noexcept;
   void turn(PoseColumns& columns, double dt) const noexcept;
 
   JointReferenceOptions options_;

@@ -95,11 +95,8 @@ const Section<RobotSpec>& robot_section() {
         turns},
        {"present", &RobotSpec::present, "", "at the start; an event 'NAME.present = true' brings it"},
        {"joint_reference",
-        Name{&RobotSpec::joint_reference, "joint reference",
-             [] {
-               return std::vector<std::string_view>{"filter", "linear"};
-             }},
-        "", "how joints follow their targets without servos; linear: as in the paper"},
+        Name{&RobotSpec::joint_reference, "joint reference", [] { return entry_names(motion::joint_references()); }},
+        "", "murosimf list joint_references: how joints follow their targets without servos"},
        {"integrator",
         read_integrator,
         "",

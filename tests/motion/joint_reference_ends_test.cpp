@@ -57,6 +57,20 @@ TEST(JointReferenceEnds, StopsThereAtRest) {
   }
 }
 
+TEST(JointReferenceEnds, ExactGoesNoFartherThanTheEnd) {
+  Reference reference(ReferenceKind::exact);
+  reference.part->take_over(reference.columns);
+  reference.want("limited", 3);
+  reference.want("free", 0.4);
+  EXPECT_TRUE(reference.part->advance(reference.columns, h));
+  EXPECT_EQ(reference.q("limited"), 0.8);
+  EXPECT_DOUBLE_EQ(reference.qd("limited"), 0.8 / h);
+  EXPECT_DOUBLE_EQ(reference.q("follower"), -2 * 0.4 + 0.1) << "whoever follows goes along";
+  EXPECT_TRUE(reference.part->advance(reference.columns, h));
+  EXPECT_EQ(reference.q("limited"), 0.8);
+  EXPECT_EQ(reference.qd("limited"), 0);
+}
+
 TEST(JointReferenceEnds, InsideNothingIsCut) {
   Reference reference;
   reference.q("limited") = 0.8;

@@ -6,6 +6,7 @@
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/odometer.h"
 #include "tests/law.h"
+#include "tests/physics/mechanics.h"
 #include "tests/physics/rig.h"
 
 namespace murosimf::motion {
@@ -55,9 +56,10 @@ TEST(JointReference, FilterFollowsTheCriticallyDampedStep) {
                    arm.q(), 1, 1e-6, "rad");
 }
 
-// qd' = w (rate - qd), the same for both references; implicit Euler as above.
+// qd' = w (rate - qd), the same for all references; implicit Euler as above.
 TEST(JointReference, WheelComesToItsRateAndTurnsForEver) {
-  for (const ReferenceKind kind : {ReferenceKind::filter, ReferenceKind::linear}) {
+  for (const ReferenceEntry& entry : joint_references()) {
+    const ReferenceKind kind = entry.kind;
     Arm arm({.kind = kind}, {.law = "ideal_pd", .velocity_gain = 0.5});
     arm.entity.object("hinge").set(properties::joint_velocity_target, 20);
     arm.entity.object("hinge").set(properties::joint_target, 3);  // means nothing to a wheel
@@ -67,7 +69,7 @@ TEST(JointReference, WheelComesToItsRateAndTurnsForEver) {
       error.see(std::abs(arm.qd() / 20 - (1 - std::exp(-120e-3 * i))), "time", 1e-3 * i);
       EXPECT_LE(std::abs(arm.q()), pi);
     }
-    const std::string name = kind == ReferenceKind::filter ? "filter" : "linear";
+    const std::string name(entry.name);
     law::expect_below({.law = "a wheel comes to its rate: error on the way, as a part of the rate",
                        .level = "joint reference, " + name,
                        .source = "1 - exp(-w t), w = 120 rad/s"},
@@ -111,6 +113,56 @@ TEST(JointReference, LinearReachesTheTargetWithinOneCycle) {
   arm.rig.simulation.step();
   EXPECT_EQ(arm.q(), 0.2);
   EXPECT_EQ(arm.qd(), 0);
+}
+
+// Paper 4.1 and 4.2: the desired position is used as the current one; its rate is what the step makes of it.
+TEST(JointReference, ExactIsWhereTheTargetIs) {
+  Arm arm({.kind = ReferenceKind::exact});
+  law::Worst angle, rate;
+  double before = 0;
+  for (int i = 1; i <= 200; ++i) {
+    const double target = 0.3 * std::sin(0.05 * i);
+    arm.entity.object("hinge").set(properties::joint_target, target);
+    arm.rig.simulation.step();
+    angle.see(std::abs(arm.q() - target), "step", i);
+    rate.see(std::abs(arm.qd() - (target - before) / 1e-3), "step", i);
+    before = target;
+  }
+  law::expect_below({.law = "a joint that is moved exactly: distance from its target after each step",
+                     .level = "joint reference, exact",
+                     .source = "paper 4.1, 4.2"},
+                    angle, 1e-15, "rad");
+  law::expect_below({.law = "a joint that is moved exactly: error of its rate",
+                     .level = "joint reference, exact",
+                     .source = "difference of the targets by the step"},
+                    rate, 1e-9, "rad/s");
+  arm.rig.simulation.step();
+  EXPECT_EQ(arm.qd(), 0) << "and it rests when its target does";
+}
+
+// Law: nothing outside acts, so the momentum of all links together stays, whatever rate the joints begin with.
+TEST(JointReference, ExactKeepsMomentum) {
+  test::Rig rig;
+  rig.simulation.world().gravity = {};
+  Entity& robot = rig.add("robot", test::kid21());
+  rig.attach_dynamics(robot, {.level = "full_dynamics",
+                              .on_ground = false,
+                              .options = {.reference = {.kind = ReferenceKind::exact}}});
+  rig.simulation.initialize();
+  law::Worst moment;
+  for (int i = 1; i <= 100; ++i) {
+    for (const int joint : robot.model().joints()) {
+      ObjectAccess(robot, joint).set(properties::joint_target, 0.2 * std::sin(0.012 * i));
+    }
+    rig.simulation.step();
+    moment.see(norm(test::momentum(robot).n), "step", i);
+    EXPECT_LT(norm(test::momentum(robot).f), 1e-9) << i;
+  }
+  law::expect_below({.law = "joints that are moved exactly swing by 0.2 rad, with 2.4 rad/s from the first step on, in "
+                            "free flight: angular momentum",
+                     .level = "full_dynamics, exact",
+                     .source = "nothing outside acts: none"},
+                    moment, 1e-9, "N m s");
 }
 
 TEST(Odometer, CountsAFallOnce) {
