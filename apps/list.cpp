@@ -148,8 +148,7 @@ void define(const Command& command, ListOptions& options) {
   const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",    "integrators",
                                        "servo_laws", "controllers", "sensors",       "parts",      "lenses",
                                        "materials",  "scenes",      "models",        "properties", "keys",
-                                       "options",    "formats",     "commands",      "plan",
-                                       "joint_references"};
+                                       "options",    "formats",     "commands",      "plan",       "joint_references"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
   command.add("scene", options.scene, "of 'plan': whose algorithms, in the order of a tick");
   add_plugins(command, options.plugins);

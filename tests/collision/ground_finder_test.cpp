@@ -186,7 +186,8 @@ ContactSet set_after_a_step(double height) {
   EXPECT_EQ(points.size(), 1U);
   if (points.size() != 1) return {};
   // the force is the law's at the end of the step: k (depth - theta h v) - d v
-  const ContactParameters& p = rig.simulation.world().common().find(pair_contacts)->values[0].parameters[points[0].surface];
+  const ContactParameters& p =
+      rig.simulation.world().common().find(pair_contacts)->values[0].parameters[points[0].surface];
   const double v = std::abs(test::Rig::velocity(low).z - test::Rig::velocity(high).z) * -1;
   EXPECT_NEAR(norm(points[0].force), p.stiffness * (points[0].depth - p.theta * 1e-3 * v) - p.damping * v,
               1e-3 * norm(points[0].force));

@@ -209,8 +209,7 @@ TEST(PathRecorder, KeepsNoMoreThanItsShareHoweverLongARunIs) {
   Simulation simulation;
   Entity& a = simulation.world().add("a", dot());
   simulation.attach<Tell>("tell", a, PathRecorder::rate_hz);
-  const auto& recorder =
-      simulation.attach<PathRecorder>("recorder", PathRecorder::rate_hz, std::vector<Entity*>{&a});
+  const auto& recorder = simulation.attach<PathRecorder>("recorder", PathRecorder::rate_hz, std::vector<Entity*>{&a});
   simulation.run(200s);
   const auto& points = recorder.paths()[0].points;
   EXPECT_EQ(points.size(), 4001U) << "all of them";
