@@ -1,5 +1,7 @@
 #include "murosimf/scene/scene.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "murosimf/files/data_path.h"
@@ -45,8 +47,8 @@ void Scene::exchange_servo_law(std::string_view robot, std::string_view law) {
   scene::exchange_servo_law(parts_, robot, law);
 }
 
-Entity& Scene::add(const scene_file::RobotSpec& robot) { return scene::add(parts_, robot); }
-Entity& Scene::add(const scene_file::BodySpec& body) { return scene::add(parts_, body); }
+Entity& Scene::add(scene_file::RobotSpec robot) { return scene::add(parts_, std::move(robot)); }
+Entity& Scene::add(scene_file::BodySpec body) { return scene::add(parts_, std::move(body)); }
 
 void Scene::enter(std::string_view entity) { scene::enter(parts_, entity); }
 void Scene::leave(std::string_view entity) { scene::leave(parts_, entity); }

@@ -52,8 +52,8 @@ class Scene {
   // level. Sensors that were there before see it by rays and in pictures; the outputs of detectors and ground truth are those
   // of the start. Initializes. A reset then begins with it, too, and states of before no longer fit. Throw SetupError, and change
   // nothing, for what a file could not say either. The entity stays where it is.
-  Entity& add(const scene_file::RobotSpec& robot);
-  Entity& add(const scene_file::BodySpec& body);
+  Entity& add(scene_file::RobotSpec robot);
+  Entity& add(scene_file::BodySpec body);
 
   /// From any thread: changes a level, law, command, property or who is present at the beginning of the next step, by PATH = VALUE as in the scene's
   /// events ("blue1.level = full_dynamics"). The future says when it was done, and throws SetupError if it could not be. What was done

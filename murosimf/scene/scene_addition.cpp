@@ -64,7 +64,7 @@ void finish(SceneParts& parts, Entity& entity) {
 
 }  // namespace
 
-Entity& add(SceneParts& parts, const scene_file::RobotSpec& robot) {
+Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
   parts.simulation->initialize();
   check_team(parts.spec, robot);
   ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.remarks);
@@ -87,7 +87,7 @@ Entity& add(SceneParts& parts, const scene_file::RobotSpec& robot) {
   return entity;
 }
 
-Entity& add(SceneParts& parts, const scene_file::BodySpec& body) {
+Entity& add(SceneParts& parts, scene_file::BodySpec body) {
   if (body.is_static)
     throw SetupError(fmt::format("'{}' is static: it is part of the field from the start", body.name));
   parts.simulation->initialize();

@@ -6,7 +6,7 @@
 namespace murosimf::scene {
 
 /// With their algorithms, as if the scene had had them last; see Scene::add. Throw SetupError, and change nothing.
-Entity& add(SceneParts& parts, const scene_file::RobotSpec& robot);
-Entity& add(SceneParts& parts, const scene_file::BodySpec& body);
+Entity& add(SceneParts& parts, scene_file::RobotSpec robot);
+Entity& add(SceneParts& parts, scene_file::BodySpec body);
 
 }  // namespace murosimf::scene

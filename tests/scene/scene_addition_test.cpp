@@ -249,6 +249,7 @@ TEST(SceneAddition, OfSomebodyRefusedLeavesNoTrace) {
   EXPECT_TRUE(says(refused([](auto& r) { r.controller = "keyframes"; }), {"keyframes"}));
   EXPECT_TRUE(says(refused([](auto& r) { r.collision.volume = "cube"; }), {"cube"}));
   EXPECT_TRUE(says(refused([](auto& r) { r.position.x = std::nan(""); }), {"red1", "finite"}));
+  EXPECT_TRUE(says(error_of([&] { (void)scene.add(scene.spec().robots[0]); }), {"two entities", "blue1"}));
   EXPECT_EQ(scene.spec().robots.size(), 1u);
   EXPECT_EQ(scene.moving_entities().size(), 2u);
   EXPECT_EQ(scene.save(), twin.save());
