@@ -17,6 +17,7 @@ constexpr double penetration = -1e-6;       // [m] rounding of a foot that just 
 constexpr double fading_time = 0.1;         // [s] of what a robot is away from its pinned pose when it is taken over
 constexpr double steepest = 30 * pi / 180;  // [rad] lean of a robot that can be taken over
 constexpr double highest_sole = 0.02;       // [m] of its lower foot, from the plane
+constexpr double largest_margin = 1e-3;     // [m] by which a foot must be lower than one that still turns flat
 
 std::vector<Foot> two_feet(const Model& model) {
   auto feet = feet_of(model);
@@ -58,8 +59,8 @@ void KinematicWalking::initialize() {
   reference_.initialize(columns_);
   place_at_start(columns_, entity_);
   dynamic_ = 0;
-  remaining_shift_ = remaining_turn_ = {};
   stand_on(lower_foot());
+  remaining_shift_ = remaining_turn_ = {};
   pin();
   columns_.remember_base();
 }
@@ -89,17 +90,11 @@ std::string KinematicWalking::refusal() const {
 }
 
 void KinematicWalking::take_over(const Momentum&) {
-  const Vec3d place = columns_.r[0];
-  const Mat3d attitude = columns_.R[0];
   reference_.take_over(columns_);
   dynamic_ = 0;
+  columns_.update_poses();
   stand_on(lower_foot());
-  pin();
-  swap_if_other_foot_penetrates();
   set_base_twist();
-  remaining_shift_ = place - columns_.r[0];
-  remaining_turn_ = rotation_vector(from_matrix(attitude * transpose(columns_.R[0])));
-  add_remainder();
   columns_.update_velocities();
   columns_.remember_base();
 }
@@ -111,12 +106,12 @@ void KinematicWalking::step(const Instant& instant) noexcept {
   }
   const Vec3d moved = columns_.take_displacement();  // somebody moved the base: the standing foot goes with it
   stance_pose_ += Vec3d{moved.x + separation_.x, moved.y + separation_.y, 0};
-  pin();
-  swap_if_other_foot_penetrates();
-  set_base_twist();
   fade_remainder(seconds(instant.period));
+  pin();
+  set_base_twist();
   columns_.update_velocities();
   columns_.remember_base();
+  swap_if_other_foot_lands();
   const Vec3d& r = columns_.r[0];
   if (!(dot(r, r) < farthest * farthest)) {
     columns_.stop();
@@ -132,37 +127,43 @@ void KinematicWalking::pin() noexcept {
   const Foot& foot = standing_foot();
   const Tree& tree = columns_.model.tree();
   const auto sole = multibody::pose_in_base<double>(tree, foot.path, foot.place, columns_.q);
-  const Mat3d R = rotation_z(stance_pose_.z) * transpose(sole.orientation);
+  const Mat3d R = to_matrix(exponential(remaining_turn_)) * rotation_z(stance_pose_.z) * transpose(sole.orientation);
   columns_.Q[0] = from_matrix(R);
   columns_.R[0] = R;
-  columns_.r[0] = Vec3d{stance_pose_.x, stance_pose_.y, 0} - R * sole.position;
+  columns_.r[0] = Vec3d{stance_pose_.x, stance_pose_.y, 0} + remaining_shift_ - R * sole.position;
   columns_.update_poses();
 }
 
 void KinematicWalking::stand_on(int foot) noexcept {
-  const int sole = feet_[foot].object;
+  const Vec3d& r = columns_.r[feet_[foot].object];
+  const Mat3d& R = columns_.R[feet_[foot].object];
   stance_foot_ = foot;
-  stance_pose_ = {columns_.r[sole].x, columns_.r[sole].y, heading(columns_.R[sole])};
+  stance_pose_ = {r.x, r.y, heading(R)};
+  remaining_shift_ = {0, 0, r.z};
+  remaining_turn_ = rotation_vector(from_matrix(R * rotation_z(-stance_pose_.z)));
 }
 
-void KinematicWalking::swap_if_other_foot_penetrates() noexcept {
+/// The pose of this step and its velocity stay: the next step begins there.
+void KinematicWalking::swap_if_other_foot_lands() noexcept {
   const int other = stance_foot_ != 0 ? 0 : 1;
-  if (lowest_corner(feet_[other]) >= penetration) return;
-  stand_on(other);
-  pin();
+  const double still_to_turn = norm(remaining_turn_) * standing_foot().sole.half_length;
+  const double lower = penetration - std::min(largest_margin, still_to_turn);
+  if (lowest_corner(feet_[other]) < lowest_corner(standing_foot()) + lower) stand_on(other);
 }
 
 double KinematicWalking::lowest_corner(const Foot& foot) const noexcept {
   return murosimf::lowest_corner(foot.sole, columns_.r[foot.object], columns_.R[foot.object]);
 }
 
+/// The standing sole comes to rest flat on the plane.
 void KinematicWalking::set_base_twist() noexcept {
   const Foot& foot = standing_foot();
   const Tree& tree = columns_.model.tree();
   const Twistd sole = multibody::twist_against_base<double>(tree, foot.path, columns_.r[foot.object], columns_.qd,
                                                             columns_.r, columns_.R);
-  columns_.w[0] = -sole.w;
-  columns_.v[0] = -sole.v - cross(columns_.w[0], columns_.r[foot.object] - columns_.r[0]);
+  columns_.w[0] = -(1 / fading_time) * remaining_turn_ - sole.w;
+  columns_.v[0] =
+      -(1 / fading_time) * remaining_shift_ - sole.v - cross(columns_.w[0], columns_.r[foot.object] - columns_.r[0]);
 }
 
 void KinematicWalking::fade_remainder(double dt) noexcept {
@@ -172,18 +173,6 @@ void KinematicWalking::fade_remainder(double dt) noexcept {
   const double rest = size > nothing * nothing ? 1 / (1 + dt / fading_time) : 0;
   remaining_shift_ = rest * remaining_shift_;
   remaining_turn_ = rest * remaining_turn_;
-  add_remainder();
-}
-
-/// On top of the pinned pose and its twist.
-void KinematicWalking::add_remainder() noexcept {
-  const Quaterniond turn = exponential(remaining_turn_);
-  columns_.r[0] += remaining_shift_;
-  columns_.Q[0] = normalized(turn * columns_.Q[0]);
-  columns_.R[0] = to_matrix(columns_.Q[0]);
-  columns_.v[0] -= (1 / fading_time) * remaining_shift_;
-  columns_.w[0] = to_matrix(turn) * columns_.w[0] - (1 / fading_time) * remaining_turn_;
-  columns_.update_poses();
 }
 
 }  // namespace murosimf::motion

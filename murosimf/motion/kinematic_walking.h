@@ -1,26 +1,27 @@
 /// kinematic_walking.h - level `kinematic_walking`: the standing foot stays fixed on the plane.
 ///
-/// Each step: joints follow their targets; the base is placed so that the standing sole lies flat at its fixed place
-/// (x, y, heading); if the other foot then penetrates the plane, the feet swap roles and the new one is fixed where
-/// it is. External forces are ignored; the robot cannot fall.
+/// Each step: joints follow their targets; the base is placed so that the standing sole is at its fixed place (x, y,
+/// heading), where it turns flat; if then the other foot is lower, the feet swap roles and the new one is fixed where it
+/// is. External forces are ignored; the robot cannot fall.
 ///
-///     R_0 = Rz(psi) R_S^T      r_0 = x_S - R_0 r_S            S: sole in base axes
-///     w_0 = -w_S               v_0 = -v_S - w_0 x (r_S - r_0)      so that the standing sole is at rest
+///     R_0 = exp(t) Rz(psi) R_S^T    r_0 = x_S + s - R_0 r_S               S: sole in base axes
+///     w_0 = t' - w_S                v_0 = s' - v_S - w_0 x (r_S - r_0)
+///     t' = -t / 0.1 s               s' = -s / 0.1 s
 ///
-/// The twist is that of the present stance, analytic; it is never differentiated across a swap.
-///
-/// Taking over a robot that moves (model/motion_level.h): the lower foot stands from now on. It is hardly ever exactly
-/// flat and at height 0, so what the base is away from its pinned pose stays as a remainder on top of that pose and
-/// decays,
-///
-///     r_0 = r_pinned + s      R_0 = exp(t) R_pinned      s' = -s / 0.1 s      t' = -t / 0.1 s
-///
-/// and nobody sees a jump. A robot that leans more than 30 degrees, or whose soles are both more than 20 mm away from
-/// the plane, is not taken over: only a jump could make it stand.
+/// A foot is hardly ever exactly flat and at height 0 when it lands, or when this level takes over a robot that moves
+/// (model/motion_level.h; the lower foot stands then). Its tilt t and height s are what remains; they decay, x and y stay,
+/// and nobody sees a jump: the velocity says where the base goes. It is analytic, and in the step in which the feet swap
+/// that of the stance before, which has led there. The other foot is lower when its lowest corner is 1 um below that of the
+/// standing one, and as long as that one turns also below what this moves the ends of the sole by, |t| half_length, at
+/// most 1 mm: else two feet that cannot both be flat would swap roles in every step.
+/// A robot that leans more than 30 degrees, or whose soles are both more than 20 mm away from the plane, is not taken over:
+/// only a jump could make it stand.
 /// Source:  paper 4.1.
 /// Differs: the paper leaves open the heading (here: that of the foot when it lands), the tested point (lowest corner
-///          of the other sole, below -1 um), and the first stance (the lower foot).
-/// Limits:  the plane is z = 0; both feet in the air cannot occur; a jump looks like standing.
+///          of the other sole), and the first stance (the lower foot); it keeps the pose of a foot that lands, here its
+///          tilt decays, so that tilts do not add up.
+/// Limits:  the plane is z = 0; both feet in the air cannot occur; a jump looks like standing; what joints do right after
+///          a take-over is motion of the base: a dynamic level that takes over within 0.1 s gets its momentum.
 #pragma once
 
 #include <array>
@@ -57,11 +58,10 @@ class KinematicWalking final : public MotionLevel {
   [[nodiscard]] int lower_foot() const noexcept;
   void pin() noexcept;
   void stand_on(int foot) noexcept;
-  void swap_if_other_foot_penetrates() noexcept;
+  void swap_if_other_foot_lands() noexcept;
   [[nodiscard]] double lowest_corner(const Foot& foot) const noexcept;
   void set_base_twist() noexcept;
   void fade_remainder(double dt) noexcept;
-  void add_remainder() noexcept;
 
   Entity& entity_;
   PoseColumns columns_;
@@ -70,8 +70,8 @@ class KinematicWalking final : public MotionLevel {
   Vec3d up_;                // [1] axis of the base that is vertical when the robot stands with its joints at 0
   Vec3d& stance_pose_;      // [m, m, rad] x, y, heading of the standing sole
   double& stance_foot_;     // 0 or 1
-  Vec3d& remaining_shift_;  // [m] s
-  Vec3d& remaining_turn_;   // [rad] t
+  Vec3d& remaining_shift_;  // [m] s, of the standing sole
+  Vec3d& remaining_turn_;   // [rad] t, of the standing sole
   const Vec3d& separation_;
   double& dynamic_;
 };

@@ -49,8 +49,8 @@ inline constexpr Property<Vec3d>  common_center_of_mass {{"common_center_of_mass
 inline constexpr Property<Vec3d>  common_center_of_mass_velocity {{"common_center_of_mass_velocity", "m/s", "world", "of all objects", Scope::base}};
 inline constexpr Property<SymMat3d> common_inertia   {{"common_inertia", "kg m^2", "world, at the common center of mass", "xx yy zz xy xz yz", Scope::base}};
 inline constexpr Property<Vec3d>  stance_pose        {{"stance_pose", "m, m, rad", "world", "x, y and heading of the standing sole", Scope::base}};
-inline constexpr Property<Vec3d>  remaining_shift    {{"remaining_shift", "m", "world", "of the base from its pinned place, since kinematic walking took over", Scope::base}};
-inline constexpr Property<Vec3d>  remaining_turn     {{"remaining_turn", "rad", "world", "of the base from its pinned attitude, likewise, as rotation vector", Scope::base}};
+inline constexpr Property<Vec3d>  remaining_shift    {{"remaining_shift", "m", "world", "of the standing sole from its place on the plane at kinematic_walking, until it has faded", Scope::base}};
+inline constexpr Property<Vec3d>  remaining_turn     {{"remaining_turn", "rad", "world", "of the standing sole from lying flat, likewise, as rotation vector", Scope::base}};
 inline constexpr Property<double> distance_walked    {{"distance_walked", "m", "world, horizontal", "length of the base's path, sampled twice a second", Scope::base}};
 inline constexpr Property<double> falls              {{"falls", "1", "-", "how often the base tilted over 60 degrees", Scope::base}};
 inline constexpr Property<double> lying              {{"lying", "1", "-", "1 while the base leans over after a fall", Scope::base}};

@@ -45,7 +45,8 @@ struct Pinned {
   Base before;
 };
 
-// s' = -s / 0.1 s, implicit: what the columns say is exactly the way of the step to them.
+// s' = -s / 0.1 s, implicit: what the columns say is exactly the way of the step to them. The sole does not turn about the
+// base, so on the way of the base differ arc and tangent, w^2 |r_S| dt / 2 = 2e-4.
 TEST(KinematicTakeOver, VelocityIsThatOfTheFadingRemainder) {
   Pinned pinned;
   Base last = base_of(*pinned.robot);
@@ -57,7 +58,7 @@ TEST(KinematicTakeOver, VelocityIsThatOfTheFadingRemainder) {
   for (int i = 0; i < 300; ++i) {
     pinned.rig.simulation.step();
     const Base now = base_of(*pinned.robot);
-    EXPECT_LT(difference(now.v, 1e3 * (now.r - last.r)), 1e-6) << i;
+    EXPECT_LT(difference(now.v, 1e3 * (now.r - last.r)), 4e-4) << i;
     EXPECT_LT(difference(now.w, 1e3 * rotation_vector(from_matrix(now.R * transpose(last.R)))), 1e-6) << i;
     last = now;
   }
@@ -68,15 +69,20 @@ TEST(KinematicTakeOver, RemainderIsGoneAfterAWhile) {
   const Base start = base_of(*pinned.robot);
   const Vec3d shift = pinned.robot->base().get(properties::remaining_shift);
   const Vec3d turn = pinned.robot->base().get(properties::remaining_turn);
+  const auto soles = pinned.robot->model().having(properties::sole);
+  const int sole = soles[static_cast<std::size_t>(pinned.robot->base().get(properties::stance_foot))];
+  const Vec3d stood = pinned.robot->column(properties::position).values[sole];
   pinned.rig.run(0.1);
   const Base later = base_of(*pinned.robot);
   pinned.rig.run(3);
   const Base end = base_of(*pinned.robot);
-  EXPECT_NEAR(norm(later.r - end.r) / norm(start.r - end.r), std::pow(1.01, -100), 1e-3);
+  EXPECT_NEAR(norm(later.r - end.r) / norm(start.r - end.r), std::pow(1.01, -100), 0.03) << "on an arc";
+  EXPECT_NEAR(pinned.robot->base().get(properties::remaining_shift).z / shift.z, 0, 1e-9);
   EXPECT_LT(norm(end.v), 1e-8);
   EXPECT_NEAR(end.R.z.z, 1, 1e-12);
   EXPECT_NEAR(end.r.z, 0.31, 1e-9) << "it stands on its soles";
-  EXPECT_LT(difference(shift, start.r - end.r), 1e-9) << "what was to fade stood in the column";
+  EXPECT_LT(difference(shift, {0, 0, stood.z}), 1e-9) << "what was to fade stood in the column";
+  EXPECT_LT(difference(pinned.robot->column(properties::position).values[sole], {stood.x, stood.y, 0}), 1e-9);
   EXPECT_LT(difference(turn, rotation_vector(from_matrix(start.R * transpose(end.R)))), 1e-9);
 }
 

@@ -47,7 +47,7 @@ struct Walk {
   double turned = 0;        // [rad] of the base, summed
   double lean = 0;          // [deg] largest lean of the pelvis
   double center_range = 0;  // [m] highest minus lowest base after 2 s
-  double slip = 0;          // [m] largest motion of a standing sole between two swaps (kinematic walking)
+  double slip = 0;          // [m] largest way of a standing sole on the plane between two swaps (kinematic walking)
 };
 
 namespace detail {
@@ -57,13 +57,13 @@ class StandingSole {
  public:
   explicit StandingSole(Entity& robot) : robot_(robot), soles_(robot.model().having(properties::sole)) {}
 
-  /// [m] how far it has moved since the feet swapped roles.
+  /// [m] how far it has moved on the plane since the feet swapped roles.
   double slip() {
     const double foot = robot_.base().get(properties::stance_foot);
     const Vec3d sole = robot_.find(properties::position)->values[soles_[static_cast<std::size_t>(foot)]];
     if (foot != foot_) landed_ = sole;
     foot_ = foot;
-    return norm(sole - landed_);
+    return std::hypot(sole.x - landed_.x, sole.y - landed_.y);
   }
 
  private:

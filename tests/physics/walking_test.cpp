@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 TEST(KinematicWalking, StandingSoleIsFixed) {
-  law::expect_below({.law = "walk in a curve: motion of the standing sole between two swaps",
+  law::expect_below({.law = "walk in a curve: way of the standing sole on the plane between two swaps",
                      .level = "kinematic_walking",
                      .source = "it is fixed, up to rounding"},
                     walk("kinematic_walking", {0.2, 0, 0.2}).slip, 1e-9, "m");
