@@ -68,7 +68,7 @@ Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
   parts.simulation->initialize();
   check_team(parts.spec, robot);
   ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.remarks);
-  const EntityKind kind = robot_kind(parts, models, robot);
+  const EntitySpec kind = robot_entity(parts, models, robot);
   Lengths lengths(parts);
   parts.spec.robots.push_back(robot);
   const auto furnish = [&](Entity& entity) {
@@ -92,7 +92,7 @@ Entity& add(SceneParts& parts, scene_file::BodySpec body) {
     throw SetupError(fmt::format("'{}' is static: it is part of the field from the start", body.name));
   parts.simulation->initialize();
   ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.remarks);
-  const EntityKind kind = body_kind(models, body);
+  const EntitySpec kind = body_entity(models, body);
   Lengths lengths(parts);
   parts.spec.bodies.push_back(body);
   const auto furnish = [&](Entity& entity) {

@@ -46,11 +46,11 @@ EntityOptions options_of(const scene_file::SceneSpec& spec, const scene_file::Ro
 
 }  // namespace
 
-EntityKind robot_kind(const SceneParts& parts, ModelSource& models, const scene_file::RobotSpec& robot) {
+EntitySpec robot_entity(const SceneParts& parts, ModelSource& models, const scene_file::RobotSpec& robot) {
   return {models.changed_for(robot.name, models.robot(robot.model, robot.where).model), options_of(parts.spec, robot)};
 }
 
-EntityKind body_kind(ModelSource& models, const scene_file::BodySpec& body) {
+EntitySpec body_entity(ModelSource& models, const scene_file::BodySpec& body) {
   EntityOptions options;
   options.position = body.position;
   options.heading = body.heading;
@@ -81,13 +81,13 @@ void add_entities(SceneParts& parts, ModelSource& models) {
   if (parts.spec.ball) add_ball(parts, models);
   World& world = parts.simulation->world();
   for (const scene_file::RobotSpec& robot : parts.spec.robots) {
-    const EntityKind kind = robot_kind(parts, models, robot);
+    const EntitySpec kind = robot_entity(parts, models, robot);
     with_context(robot.where, [&] { enlist(parts, robot, world.add(robot.name, kind.model, kind.options)); });
   }
   for (const scene_file::BodySpec& body : parts.spec.bodies) {
     if (body.is_static) continue;
     with_context(body.where, [&] {
-      const EntityKind kind = body_kind(models, body);
+      const EntitySpec kind = body_entity(models, body);
       enlist(parts, body, world.add(body.name, kind.model, kind.options));
     });
   }

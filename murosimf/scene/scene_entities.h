@@ -10,13 +10,13 @@ namespace murosimf::scene {
 void add_entities(SceneParts& parts, ModelSource& models);
 
 /// What the world needs to know of an entity.
-struct EntityKind {
+struct EntitySpec {
   ModelPtr model;
   EntityOptions options;
 };
 /// Throw SetupError for files and materials that there are none of.
-[[nodiscard]] EntityKind robot_kind(const SceneParts& parts, ModelSource& models, const scene_file::RobotSpec& robot);
-[[nodiscard]] EntityKind body_kind(ModelSource& models, const scene_file::BodySpec& body);
+[[nodiscard]] EntitySpec robot_entity(const SceneParts& parts, ModelSource& models, const scene_file::RobotSpec& robot);
+[[nodiscard]] EntitySpec body_entity(ModelSource& models, const scene_file::BodySpec& body);
 
 /// Counts one that the world has now among the robots, the bodies of the scene.
 void enlist(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity);
