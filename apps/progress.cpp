@@ -31,7 +31,9 @@ std::string time_left(double share, double elapsed) {
 
 Progress::Progress() : shown_(isatty(STDERR_FILENO) != 0) {}
 
-Progress::~Progress() {
+Progress::~Progress() { hide(); }
+
+void Progress::hide() {
   if (shown_) show_on_terminal("\r\033[K");
 }
 

@@ -19,6 +19,8 @@ class Progress {
 
   /// `share` of the work is done, 0 to 1. At most ten lines a second are drawn, so it may be called as often as one likes.
   void show(double share, const std::string& words);
+  /// Takes the line away until it is next shown.
+  void hide();
 
  private:
   using WallClock = std::chrono::steady_clock;

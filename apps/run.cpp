@@ -9,6 +9,7 @@
 
 #include "apps/command_line.h"
 #include "apps/interruption.h"
+#include "apps/last_words.h"
 #include "apps/picture_sequence.h"
 #include "apps/progress.h"
 #include "apps/scene_arguments.h"
@@ -88,6 +89,10 @@ class RunProgress {
     const double share = end_ > 0 ? seconds(now) / end_ : 1;
     line_.show(share, fmt::format("{:.1f} of {:.1f} s", seconds(now), end_));
   }
+  void warn(const Overrun& overrun) {
+    line_.hide();
+    say_warning(fmt::format("{:.1f} s: {}", seconds(overrun.simulated), scene::to_text(overrun.lateness)));
+  }
 
  private:
   Progress line_;
@@ -134,6 +139,7 @@ int run(const RunOptions& options) {
   Duration wall{};  // without that for pictures
   {
     RunProgress progress(duration);
+    clock.tell_of_overruns([&](const Overrun& overrun) { progress.warn(overrun); });
     const auto advance_to = [&](Duration time) {
       const auto start = WallClock::now();
       simulation.run(std::max(Duration{}, time - simulation.now()), clock, [&](Duration now) { progress.show(now); });
@@ -145,6 +151,7 @@ int run(const RunOptions& options) {
       pictures->take();
     }
     advance_to(duration);
+    clock.tell_of_overruns({});
   }
   scene::RunReport report = make_report(scene, wall, clock.lateness());
   if (simulation.now() < duration) report.stopped = {signal_name(), options.duration.value_or(scene.spec().duration)};

@@ -62,7 +62,7 @@ void Localize::step(const Instant& instant) noexcept {
   const double before = particles_.heading;
   if (!body_.sense()) return;
   particles_.heading = body_.heading();
-  const auto number = static_cast<std::uint64_t>(instant.now / instant.period);
+  const auto number = static_cast<std::uint64_t>((instant.now + instant.period / 2) / instant.period);
   if (std::isfinite(before)) {
     const double dt = seconds(instant.period);
     filter_.move(particles_.all, perception::step_along(velocity_, perception::wrapped(body_.heading() - before), dt),

@@ -51,32 +51,40 @@ std::unique_ptr<MotionLevel> make_articulated_dynamics(Setup& setup, const Level
   return std::make_unique<motion::ArticulatedDynamics>(setup, options.tree, options.servo_law);
 }
 
+/// [Hz] What the robot's file says, or else what a controller of type C wants.
+template <class C>
+double rate_of(const ControllerOptions& options) {
+  return options.rate > 0 ? options.rate : C::rate_hz;
+}
+
 void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
 
 void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz, options.command);
+  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, rate_of<locomotion::WalkEngine>(options),
+                                            options.command);
 }
 
 void attach_balance(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   locomotion::AnkleStrategyOptions strategy;
   balance_options().apply(options.own, strategy);
-  simulation.attach<locomotion::AnkleStrategy>("ankle_strategy", robot, locomotion::AnkleStrategy::rate_hz, strategy);
+  simulation.attach<locomotion::AnkleStrategy>("ankle_strategy", robot, rate_of<locomotion::AnkleStrategy>(options),
+                                               strategy);
 }
 
 void attach_keyframes(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   if (!options.motion) throw SetupError("controller 'keyframes' needs a motion: motion = \"get_up_front\"");
-  simulation.attach<locomotion::KeyframePlayer>("keyframe_player", robot, locomotion::KeyframePlayer::rate_hz,
+  simulation.attach<locomotion::KeyframePlayer>("keyframe_player", robot, rate_of<locomotion::KeyframePlayer>(options),
                                                 *options.motion);
 }
 
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
   locomotion::DriveOptions drive;
   drive_options().apply(options.own, drive);
-  simulation.attach<locomotion::Drive>("drive", car, locomotion::Drive::rate_hz, options.command, drive);
+  simulation.attach<locomotion::Drive>("drive", car, rate_of<locomotion::Drive>(options), options.command, drive);
 }
 
 void attach_trot(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  simulation.attach<locomotion::Trot>("trot", robot, locomotion::Trot::rate_hz, options.command);
+  simulation.attach<locomotion::Trot>("trot", robot, rate_of<locomotion::Trot>(options), options.command);
 }
 
 void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
@@ -85,11 +93,13 @@ void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerO
                                      .half_field = options.half_field};
   ball_chaser_options().apply(options.own, chaser);
   if (!sensors::find_reading(robot, "ground_truth")) {
-    const sensors::SensorSpec truth{.name = "ground_truth", .type = "ground_truth", .rate = BallChaser::rate_hz};
-    simulation.attach<sensors::GroundTruth>("ground_truth", robot, BallChaser::rate_hz, truth,
+    const sensors::SensorSpec truth{.name = "ground_truth",
+                                    .type = "ground_truth",
+                                    .rate = rate_of<BallChaser>(options)};
+    simulation.attach<sensors::GroundTruth>("ground_truth", robot, rate_of<BallChaser>(options), truth,
                                             sensors::SensorSurroundings{.moving_entities = options.everybody});
   }
-  simulation.attach<BallChaser>("ball_chaser", robot, BallChaser::rate_hz, chaser);
+  simulation.attach<BallChaser>("ball_chaser", robot, rate_of<BallChaser>(options), chaser);
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 
@@ -100,7 +110,7 @@ void attach_localize(Simulation& simulation, Entity& robot, const ControllerOpti
                                      .way = {{0, -y, 0}, {x, 0, 0}, {0, y, 0}, {-x, 0, 0}},
                                      .seed = options.seed};
   localize_options().apply(options.own, localize);
-  simulation.attach<behavior::Localize>("localize", robot, behavior::Localize::rate_hz, localize);
+  simulation.attach<behavior::Localize>("localize", robot, rate_of<behavior::Localize>(options), localize);
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 
@@ -110,7 +120,7 @@ void attach_obstacle_course(Simulation& simulation, Entity& robot, const Control
                                          .goal_x = options.attacks * options.half_field.x,
                                          .half_width = options.half_field.y};
   obstacle_course_options().apply(options.own, course);
-  simulation.attach<ObstacleCourse>("obstacle_course", robot, ObstacleCourse::rate_hz, course);
+  simulation.attach<ObstacleCourse>("obstacle_course", robot, rate_of<ObstacleCourse>(options), course);
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
 

@@ -70,6 +70,7 @@ struct ControllerOptions {
   Vec3d start;             ///< [m, m, rad] x, y and heading that the scene's file gives the robot, without its jitter
   Markings markings;       ///< of the field
   std::uint64_t seed = 1;  ///< of the scene
+  double rate = 0;         ///< [Hz] of it; 0: what it wants
   OptionValues own;        ///< what the robot's [robots.options] gives, of those in ControllerType::options
 };
 

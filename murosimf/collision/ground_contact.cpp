@@ -19,7 +19,7 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       law_(std::move(law)),
       finder_(setup.entity(), environment),
       environment_(setup.world().index_of(environment)),
-      terms_{{}, seconds(setup.period())},
+      terms_{{}, setup.entity().options().own_steps * seconds(setup.period())},
       r_(setup.read(properties::position)),
       R_(setup.read(properties::orientation)),
       v_(setup.read(properties::linear_velocity)),
@@ -76,8 +76,9 @@ void GroundContact::rest() noexcept {
   set_.loaded.clear();
 }
 
-void GroundContact::step(const Instant&) noexcept {
+void GroundContact::step(const Instant& instant) noexcept {
   if (dynamic_ == 0) return rest();
+  seam_.terms.dt = seconds(instant.period);
   clear_loads();
   for (const int object : model_.bodies()) {
     external_force_[object] = set_.rest_force[object] = applied_force_[object];

@@ -4,7 +4,8 @@
 /// its feature had in the step before, lets the law linearize them, and writes external_force (pushes of users, ground) and external_damping.
 /// Contacts with other moving bodies come on top of that (body_contact.h). The motion algorithm that comes after it
 /// settles the rest with the law (contact.h). While forces do not move the entity (`dynamic` 0: kinematic walking) it
-/// has no contacts and costs nothing.
+/// has no contacts and costs nothing. An entity with longer steps of its own (own_steps.h) has contacts as they fit these, also while
+/// it makes those of the scene: what it stands on does not become stiffer when somebody comes near.
 #pragma once
 
 #include <memory>

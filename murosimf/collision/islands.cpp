@@ -45,8 +45,7 @@ void Islands::find(const std::vector<MovingEntity>& moving_entities, const PairS
   }
   for (int i = 0; i < static_cast<int>(size); ++i) {
     const ContactLaw* law = moving_entities[i].seam.law;
-    if (law && law->island_use() == IslandUse::always && solvable(i) && !moving_entities[i].entity->idle())
-      wanted_[i] = true;
+    if (law && law->island_use() == IslandUse::always && solvable(i) && !moving_entities[i].apart()) wanted_[i] = true;
   }
   number_.assign(size, -1);
   count_ = 0;

@@ -24,6 +24,11 @@ std::vector<int> find_feet(const Model& model, const Compound& compound) {
   return feet;
 }
 
+std::span<const double> step_ratio_of(Setup& setup) {
+  const int own_steps = setup.entity().options().own_steps;
+  return own_steps > 1 ? setup.input(properties::step_ratio, own_steps) : std::span<const double>{};
+}
+
 Compound make_compound(const Entity& entity) {
   const CollisionOptions& options = entity.options().collision;
   return compound_of(
@@ -42,6 +47,7 @@ MovingEntity::MovingEntity(Setup setup)
       w(setup.read(properties::angular_velocity)),
       R(setup.read(properties::orientation)),
       dynamic(setup.read(properties::dynamic)),
+      step_ratio(step_ratio_of(setup)),
       interaction_force(setup.write(properties::interaction_force)),
       external_force(setup.write(properties::external_force)),
       external_damping(setup.write(properties::external_damping)),

@@ -18,6 +18,8 @@ struct MovingEntity {
 
   [[nodiscard]] const Model& model() const { return entity->model(); }
   [[nodiscard]] bool can_be_pushed() const { return dynamic[0] != 0; }
+  /// It touches nobody: not there, frozen, or alone with steps of its own (own_steps.h).
+  [[nodiscard]] bool apart() const { return entity->idle() || (!step_ratio.empty() && step_ratio[0] > 1); }
   /// Self-collision is wanted and can move something: where joints are given, it could not.
   [[nodiscard]] bool limbs_can_touch() const;
   /// Around it in any posture.
@@ -52,6 +54,7 @@ struct MovingEntity {
   std::span<const Vec3d> r, v, w;
   std::span<const Mat3d> R;
   std::span<const double> dynamic;
+  std::span<const double> step_ratio;    ///< empty: its steps are the scene's
   std::span<Wrenchd> interaction_force;  ///< [N m, N] of the pushes alone, for reports
   std::span<Wrenchd> external_force;
   std::span<Sym6d> external_damping;

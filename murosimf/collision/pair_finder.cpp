@@ -95,11 +95,11 @@ void PairFinder::find(std::vector<MovingEntity>& moving_entities, PairSet& set) 
   renew_neighbors();
   std::size_t pair = 0;
   for (int a = 0; a < static_cast<int>(moving_entities.size()); ++a) {
-    const bool out = moving_entities[a].entity->idle();
+    const bool out = moving_entities[a].apart();
     if (!out && moving_entities[a].limbs_can_touch()) find_between(moving_entities, a, a, limbs_[a], set);
     for (; pair < pairs_.size() && pairs_[pair].first == a; ++pair) {
       const int b = pairs_[pair].second;
-      if (!out && !moving_entities[b].entity->idle()) find_between(moving_entities, a, b, neighbors_[pair], set);
+      if (!out && !moving_entities[b].apart()) find_between(moving_entities, a, b, neighbors_[pair], set);
     }
   }
   remember(set);

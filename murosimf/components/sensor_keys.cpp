@@ -15,7 +15,8 @@ using sensors::SensorSpec;
 using sensors::SignalSpec;
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double farthest_place = 1e4;                    // [m]
+constexpr double farthest_place = 1e4;  // [m]
+constexpr double latest_phase = 0.999;
 constexpr double lowest_rate = 1e-3, highest_rate = 1e6;  // [Hz] nanoseconds count them exactly
 constexpr double longest_delay = 10;                      // [s]
 
@@ -100,6 +101,8 @@ const OptionTable<SensorSpec>& sensor_keys() {
        [](const OptionValue& value, SensorSpec& of) { of.mounting_error = degree * std::get<Vec3d>(value); }, "deg",
        "roll, pitch, yaw by which its true axes are turned from these"},
       {"rate", &SensorSpec::rate, "Hz", "of samples; without it one in every step", lowest_rate, highest_rate},
+      {"phase", &SensorSpec::phase, "1", "of the time between two samples, when the first one is taken", 0,
+       latest_phase},
       {"delay", &SensorSpec::delay, "s", "from the sample until control software can read it", 0, longest_delay},
   };
   return table;

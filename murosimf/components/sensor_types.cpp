@@ -94,7 +94,7 @@ sensors::Sensor& attach(Simulation& simulation, Entity& robot, const sensors::Se
   const auto make = [&](Setup& setup) -> std::unique_ptr<Algorithm> {
     return murosimf::with_context(spec.name, [&] { return type.make(setup, spec, surroundings); });
   };
-  const double rate = sensors::task_rate(spec, type.watch, step_rate);
+  const Rate rate = sensors::task_rate(spec, type.watch, step_rate);
   return static_cast<sensors::Sensor&>(simulation.attach(type.name, robot, rate, make));
 }
 

@@ -45,6 +45,7 @@ inline constexpr Property<double> motor_torque     {{"motor_torque", "N m | N", 
 inline constexpr Property<double> supply_voltage   {{"supply_voltage", "V", "joint", "of a servo, set by users or a battery; starts with the servo's own"}};
 inline constexpr Property<double> torque_enabled   {{"torque_enabled", "1", "joint", "0: the servo's torque is switched off, nothing but friction brakes"}};
 inline constexpr Property<double> servo_temperature {{"servo_temperature", "C", "joint", "of a servo's winding"}};
+inline constexpr Property<double> step_ratio       {{"step_ratio", "1", "-", "length of the next step of motion and contact, over that of the scene's", Scope::base}};
 
 // clang-format on
 

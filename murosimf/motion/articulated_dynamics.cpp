@@ -116,7 +116,7 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
 
 void ArticulatedDynamics::step_rk4(double dt) noexcept {
   tree_.take_changes();
-  if (!drives_.take_targets()) return tree_.halt("a joint position or target is no sensible number");
+  if (!drives_.take_targets(dt)) return tree_.halt("a joint position or target is no sensible number");
   recall_loads();
   bool first = true;
   const auto accelerations = [&] {
@@ -145,7 +145,7 @@ void ArticulatedDynamics::predict_contacts(double dt) noexcept {
 void ArticulatedDynamics::begin_step(double dt) noexcept {
   dt_ = dt;
   tree_.take_changes();
-  targets_sane_ = drives_.take_targets();
+  targets_sane_ = drives_.take_targets(dt);
   drive_joints(dt);
   couplings_.drive(friction_);
   recall_loads();

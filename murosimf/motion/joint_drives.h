@@ -41,8 +41,8 @@ class JointDrives {
   void initialize(std::span<double> q, std::span<double> qd) noexcept;
   /// Joints stay as they are; all motors know the present targets. qd [rad/s | m/s] by object.
   void take_over(std::span<const double> qd) noexcept;
-  /// To be called once per step: takes the targets on their way to the motors. False if one is no sensible number.
-  [[nodiscard]] bool take_targets() noexcept { return bus_.step(); }
+  /// To be called once per step of dt [s]: takes the targets on their way to the motors. False if one is no sensible number.
+  [[nodiscard]] bool take_targets(double dt) noexcept { return bus_.step(dt); }
   /// Takes whole turns out of the positions [rad] of wheels (velocity_joints.h).
   void wrap(std::span<double> q) const noexcept { bus_.turning().wrap(q); }
 

@@ -12,18 +12,18 @@ ServoBus::ServoBus(Setup& setup)
     : turning_(setup),
       coupled_(setup.model()),
       objects_(setup.model().joints()),
+      step_(seconds(setup.period())),
       period_(static_cast<std::size_t>(setup.model().size())),
       delay_(period_.size()),
       target_(setup.input(properties::joint_target, 0.0)),
       delayed_(setup.write(delayed_target)),
       present_(period_.size()) {
-  const double step = seconds(setup.period());
   bool holds = false;
   for (const int i : objects_) {
     const Servo* servo = setup.model().find(properties::servo, i);
-    if (servo) delay_[i] = static_cast<std::size_t>(std::lround(servo->command_delay / step));
+    if (servo) delay_[i] = static_cast<std::size_t>(std::lround(servo->command_delay / step_));
     if (!servo || servo->command_period <= 0) continue;
-    period_[i] = std::max(1.0, std::round(servo->command_period / step));
+    period_[i] = std::max(1.0, std::round(servo->command_period / step_));
     holds = true;
   }
   if (!holds) return;
@@ -60,13 +60,16 @@ double ServoBus::sent(int i) noexcept {
   return sent_[i];
 }
 
-bool ServoBus::step() noexcept {
+bool ServoBus::step(double dt) noexcept {
   constexpr double largest = 1e4;  // [rad | m | rad/s | m/s]
+  const std::int64_t steps = std::llround(dt / step_);
   bool sane = true;
   for (const int i : objects_) {
-    const double now = sent(i);
-    sane &= std::abs(now) < largest;  // NaN is not less
-    present_[i] = delayed_[i].pass(now);
+    for (std::int64_t step = 0; step < steps; ++step) {
+      const double now = sent(i);
+      sane &= std::abs(now) < largest;  // NaN is not less
+      present_[i] = delayed_[i].pass(now);
+    }
   }
   couple();
   return sane;

@@ -20,8 +20,9 @@ class ServoBus {
 
   /// All motors know the present targets.
   void start() noexcept;
-  /// To be called once per step. False if a target is no sensible number.
-  [[nodiscard]] bool step() noexcept;
+  /// To be called once per step of dt [s], a whole number of the simulation's steps: what is sent arrives as if it were called in each
+  /// of them. False if a target is no sensible number.
+  [[nodiscard]] bool step(double dt) noexcept;
   /// What the motor of a joint (an object of the model) knows: its position [rad | m], or the rate [rad/s | m/s] of one
   /// that follows a rate.
   [[nodiscard]] double target(int object) const noexcept { return present_[static_cast<std::size_t>(object)]; }
@@ -41,6 +42,7 @@ class ServoBus {
   VelocityJoints turning_;
   MimicJoints coupled_;
   std::span<const int> objects_;
+  double step_;                     // [s] of the simulation
   std::vector<double> period_;      // [steps] by object; 0: every step
   std::vector<std::size_t> delay_;  // [steps] by object
   std::span<const double> target_;

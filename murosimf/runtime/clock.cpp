@@ -12,6 +12,7 @@ namespace murosimf {
 namespace {
 
 constexpr Duration patience = std::chrono::milliseconds(100);
+constexpr Duration longest_silence = std::chrono::seconds(64);
 constexpr Duration nap = std::chrono::milliseconds(20);
 
 class SteadyTime final : public WallTime {
@@ -35,7 +36,7 @@ Clock::Clock(std::optional<double> speed, std::unique_ptr<WallTime> wall) : spee
 
 void Clock::start(Duration simulated) {
   simulated_start_ = simulated;
-  wall_start_ = wall_->now();
+  wall_start_ = told_at_ = wall_->now();
 }
 
 void Clock::sleep_until(Duration due, const StopRequest& stop) {
@@ -44,16 +45,32 @@ void Clock::sleep_until(Duration due, const StopRequest& stop) {
   }
 }
 
+void Clock::count(Duration behind) {
+  for (Lateness* lateness : {&lateness_, &untold_}) {
+    ++lateness->steps;
+    if (behind <= tolerance) continue;
+    ++lateness->late_steps;
+    lateness->worst = std::max(lateness->worst, behind);
+  }
+}
+
+void Clock::tell_of(Duration simulated, Duration wall) {
+  if (!tell_ || wall - told_at_ < silence_) return;
+  if (untold_.late_steps > 0) {
+    tell_({simulated, untold_});
+    silence_ = std::min(2 * silence_, longest_silence);
+  }
+  told_at_ = wall;
+  untold_ = {};
+}
+
 void Clock::wait_until(Duration simulated, const StopRequest& stop) {
   if (!speed_) return;
-  ++lateness_.steps;
   const Duration due = wall_start_ + from_seconds(seconds(simulated - simulated_start_) / *speed_);
-  const Duration behind = wall_->now() - due;
+  const Duration now = wall_->now(), behind = now - due;
+  count(behind);
+  tell_of(simulated, now);
   if (behind <= Duration{}) return sleep_until(due, stop);
-  if (behind > tolerance) {
-    ++lateness_.late_steps;
-    lateness_.worst = std::max(lateness_.worst, behind);
-  }
   if (behind > patience) wall_start_ += behind;
 }
 

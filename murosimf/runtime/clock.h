@@ -1,6 +1,7 @@
 /// clock.h - pacer: how simulated time follows the wall clock: in real time, slower, faster, or as fast as possible.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -23,6 +24,12 @@ struct Lateness {
   Duration worst{};             ///< largest overrun
 };
 
+/// Of the steps since it was last told.
+struct Overrun {
+  Duration simulated{};  ///< present simulated time
+  Lateness lateness;
+};
+
 class Clock final : public Pacer {
  public:
   /// `speed`: simulated seconds per wall second (1: real time); nothing: as fast as possible. Throws SetupError if it
@@ -38,18 +45,27 @@ class Clock final : public Pacer {
 
   void after_step(Duration simulated, const StopRequest& stop) override { wait_until(simulated, stop); }
 
+  /// Has `tell` called by wait_until() when steps were late: after the first second of wall time that had any, then after at least
+  /// 2, 4, ... 64 s, so that a long run is not drowned.
+  void tell_of_overruns(std::function<void(const Overrun&)> tell) { tell_ = std::move(tell); }
+
+  /// Of all steps.
   [[nodiscard]] const Lateness& lateness() const { return lateness_; }
 
   static constexpr Duration tolerance = std::chrono::milliseconds(2);
 
  private:
   void sleep_until(Duration due, const StopRequest& stop);
+  void count(Duration behind);
+  void tell_of(Duration simulated, Duration wall);
 
   std::optional<double> speed_;
   std::unique_ptr<WallTime> wall_;
   Duration wall_start_{};
   Duration simulated_start_{};
-  Lateness lateness_;
+  Lateness lateness_, untold_;
+  std::function<void(const Overrun&)> tell_;
+  Duration told_at_{}, silence_ = std::chrono::seconds(1);  // wall time
 };
 
 }  // namespace murosimf

@@ -21,6 +21,31 @@ double nearest_rate(std::int64_t period, std::int64_t tick) {
   return 1e9 / static_cast<double>(multiples * divisor);
 }
 
+/// [ns] The divisor of `tick` and the period of `task`.
+std::int64_t with_period_of(const PlannedTask& task, std::int64_t tick) {
+  const auto period = static_cast<std::int64_t>(task.rate.period().count());
+  const std::int64_t common = std::gcd(tick, period);
+  if (common >= shortest_tick.count()) return common;
+  throw SetupError(
+      fmt::format("the rate of '{}', {:.6g} Hz, does not fit the rates of the others; the nearest that "
+                  "does is {:.6g} Hz",
+                  task.name, 1e9 / static_cast<double>(period), nearest_rate(period, tick)));
+}
+
+/// [ns] 0 if there are no tasks.
+std::int64_t common_tick(std::span<const PlannedTask> tasks) {
+  const bool something_steps = std::any_of(tasks.begin(), tasks.end(), [](const auto& task) { return task.steps; });
+  std::int64_t tick = 0;
+  for (const PlannedTask& task : tasks) {
+    if (task.steps || !something_steps) tick = with_period_of(task, tick);
+  }
+  const std::int64_t step = tick;
+  for (const PlannedTask& task : tasks) {
+    if (task.rate.period().count() < step) tick = with_period_of(task, tick);
+  }
+  return tick;
+}
+
 /// The first wave after those of all earlier algorithms with which one conflicts, by what these touch: asking each pair of
 /// algorithms takes too long where hundreds of robots see each other.
 class FirstFreeWaves {
@@ -74,32 +99,36 @@ std::vector<Wave> make_waves(std::span<const std::size_t> due, std::span<const A
   return waves;
 }
 
-Plan::Plan(std::vector<const AccessSet*> access, std::span<const Duration> periods, std::span<const std::string> names,
-           Duration now)
-    : access_(std::move(access)) {
-  std::int64_t tick = 0;
-  for (std::size_t i = 0; i < periods.size(); ++i) {
-    const std::int64_t common = std::gcd(tick, static_cast<std::int64_t>(periods[i].count()));
-    if (common < shortest_tick.count()) {
-      throw SetupError(
-          fmt::format("the rate of '{}', {:.6g} Hz, does not fit the rates of the others; the nearest that "
-                      "does is {:.6g} Hz",
-                      names[i], 1e9 / static_cast<double>(periods[i].count()), nearest_rate(periods[i].count(), tick)));
-    }
-    tick = common;
-  }
+Plan::Plan(std::span<const PlannedTask> tasks, Duration now) {
+  const std::int64_t tick = common_tick(tasks);
   if (tick > 0) tick_ = Duration(std::gcd(tick, static_cast<std::int64_t>(now.count())));
 
-  std::map<Duration, std::vector<std::size_t>> by_period;
-  for (std::size_t i = 0; i < periods.size(); ++i) by_period[periods[i]].push_back(i);
-  if (by_period.size() > most_groups) throw SetupError(fmt::format("more than {} different rates", most_groups));
-  for (auto& [period, algorithms] : by_period) groups_.push_back({period / tick_, std::move(algorithms)});
+  std::map<Rate, std::vector<std::size_t>> by_rate;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    access_.push_back(tasks[i].access);
+    by_rate[tasks[i].rate].push_back(i);
+  }
+  if (by_rate.size() > most_groups) throw SetupError(fmt::format("more than {} different rates", most_groups));
+  for (auto& [rate, algorithms] : by_rate) {
+    const bool multiples = rate.phase == 0 && rate.period() % tick_ == Duration{};
+    groups_.push_back({rate, multiples ? rate.period() / tick_ : 0, std::move(algorithms)});
+  }
+}
+
+bool Plan::is_due(const Group& group, std::int64_t n) const {
+  return group.ticks > 0 ? n % group.ticks == 0 : group.rate.falls_on(n * tick_, tick_);
+}
+
+std::vector<Wave> Plan::all() const {
+  std::vector<std::size_t> everybody(access_.size());
+  std::iota(everybody.begin(), everybody.end(), 0U);
+  return make_waves(everybody, access_);
 }
 
 const std::vector<Wave>& Plan::due(std::int64_t n) {
   std::uint64_t pattern = 0;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
-    if (n % groups_[g].ticks == 0) pattern |= std::uint64_t{1} << g;
+    if (is_due(groups_[g], n)) pattern |= std::uint64_t{1} << g;
   }
   const auto found = waves_.find(pattern);
   if (found != waves_.end()) return found->second;

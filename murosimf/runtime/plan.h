@@ -1,4 +1,7 @@
-/// plan.h - which algorithms run together: waves from declared access.
+/// plan.h - which algorithms run when, and which together: the tick, and waves from declared access.
+///
+/// The tick is the time that all steps of motion have in common. What is done more rarely than these is done in the tick that
+/// begins nearest to its instants (rate.h), so that a camera with 30 Hz goes with steps of 1 ms.
 ///
 /// Walk the due algorithms in their order, by phase and then as they were attached; put each into the first wave after every earlier
 /// one that it conflicts with. The same for one thread and for many.
@@ -7,10 +10,11 @@
 #include <cstddef>
 #include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "murosimf/model/access.h"
-#include "murosimf/model/time.h"
+#include "murosimf/model/rate.h"
 
 namespace murosimf {
 
@@ -20,27 +24,38 @@ using Wave = std::vector<std::size_t>;
 /// Waves of the due algorithms, given by index in their order.
 [[nodiscard]] std::vector<Wave> make_waves(std::span<const std::size_t> due, std::span<const AccessSet* const> access);
 
+/// What is to be planned of an algorithm.
+struct PlannedTask {
+  std::string name;  ///< for messages
+  const AccessSet* access = nullptr;
+  Rate rate;
+  bool steps = false;  ///< it makes steps in time, whose length may not vary: motion, and what works on its steps
+};
+
 /// The waves of every tick of a simulation.
 class Plan {
  public:
   Plan() = default;
-  /// One access set and one period per algorithm, in their order. Throws SetupError if the periods have no
-  /// common tick of at least 10 microseconds; `names` are for the message. `now`: where the simulation is, a multiple of the tick too.
-  Plan(std::vector<const AccessSet*> access, std::span<const Duration> periods, std::span<const std::string> names,
-       Duration now = {});
+  /// In the order of the tasks. `now`: where the simulation is, a multiple of the tick too. Throws SetupError if the periods of all that
+  /// steps, or of all if nothing does, and those that are shorter, have no common divisor of at least 10 microseconds.
+  explicit Plan(std::span<const PlannedTask> tasks, Duration now = {});
 
-  /// Greatest common divisor of all periods, and of the time at which it was planned: one step of the simulation.
+  /// Greatest common divisor of these periods and of the time at which it was planned: one step of the simulation.
   [[nodiscard]] Duration tick() const { return tick_; }
 
-  /// Waves that are due at tick number `n`. An algorithm with period p is due at 0, p, 2p, ...
+  /// Waves that are due at tick number `n`.
   [[nodiscard]] const std::vector<Wave>& due(std::int64_t n);
+  /// Those of a tick in which everybody is due.
+  [[nodiscard]] std::vector<Wave> all() const;
 
  private:
-  /// Algorithms with the same period are due together.
+  /// Algorithms with the same rate are due together.
   struct Group {
-    std::int64_t ticks = 1;
+    Rate rate;
+    std::int64_t ticks = 0;  ///< of its period, if it is due at whole multiples of that; else 0
     std::vector<std::size_t> algorithms;
   };
+  [[nodiscard]] bool is_due(const Group& group, std::int64_t n) const;
 
   Duration tick_ = std::chrono::milliseconds(1);
   std::vector<const AccessSet*> access_;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/access_guard.h"
+#include "murosimf/model/properties.h"
 
 namespace murosimf {
 namespace {
@@ -13,6 +14,11 @@ namespace {
 using WallClock = std::chrono::steady_clock;
 
 constexpr std::int64_t all_timed = 64, timed_every = 8;  // calls
+
+/// Motion, and what works on its steps.
+bool makes_steps(Phase phase) {
+  return phase == Phase::contact || phase == Phase::interaction || phase == Phase::motion;
+}
 
 #ifdef NDEBUG
 constexpr bool checked = false;
@@ -43,11 +49,11 @@ void Simulation::add_in_order(std::unique_ptr<Task> task) {
 std::vector<PlannedAlgorithm> Simulation::order_of_tick() {
   initialize();
   std::vector<PlannedAlgorithm> order;
-  const std::vector<Wave>& waves = plan_.due(0);
+  const std::vector<Wave> waves = plan_.all();
   for (std::size_t i = 0; i < waves.size(); ++i) {
     for (const std::size_t number : waves[i]) {
       const Task& task = *tasks_[number];
-      order.push_back({i, task.algorithm->phase(), task.name, task.entity->name(), 1 / seconds(task.period)});
+      order.push_back({i, task.algorithm->phase(), task.name, task.entity->name(), task.rate.hz});
     }
   }
   return order;
@@ -151,17 +157,13 @@ void Simulation::restart_checks() {
 
 void Simulation::check_and_plan() {
   std::vector<NamedAccess> named;
-  std::vector<const AccessSet*> access;
-  std::vector<Duration> periods;
-  std::vector<std::string> names;
+  std::vector<PlannedTask> planned;
   for (const auto& task : tasks_) {
     named.push_back({full_name(*task), &task->access});
-    access.push_back(&task->access);
-    periods.push_back(task->period);
-    names.push_back(task->name);
+    planned.push_back({task->name, &task->access, task->rate, makes_steps(task->algorithm->phase())});
   }
   check_every_read_is_written(named);
-  plan_ = Plan(std::move(access), periods, names, now_);
+  plan_ = Plan(planned, now_);
   ticks_ = now_ / plan_.tick();
   planned_at_ = now_;
 }
@@ -172,26 +174,41 @@ void Simulation::align_plan() {
   ticks_ = now_ / plan_.tick();
 }
 
-std::unique_ptr<Simulation::Task> Simulation::new_task(std::string name, const Entity& entity, double rate_hz) const {
-  if (!(rate_hz >= slowest_rate && rate_hz <= fastest_rate)) {
+std::unique_ptr<Simulation::Task> Simulation::new_task(std::string name, const Entity& entity, const Rate& rate) const {
+  if (!(rate.hz >= slowest_rate && rate.hz <= fastest_rate)) {
     throw SetupError(
-        fmt::format("the rate of '{}', {} Hz, is not between {} and {} Hz", name, rate_hz, slowest_rate, fastest_rate));
+        fmt::format("the rate of '{}', {} Hz, is not between {} and {} Hz", name, rate.hz, slowest_rate, fastest_rate));
+  }
+  if (!(rate.phase >= 0 && rate.phase < 1)) {
+    throw SetupError(fmt::format("the phase of '{}', {}, is not from 0 to below 1", name, rate.phase));
   }
   auto task = std::make_unique<Task>();
   task->name = std::move(name);
   task->entity = &entity;
-  task->period = from_seconds(1.0 / rate_hz);
+  task->rate = rate;
+  task->period = rate.period();
   return task;
+}
+
+/// What moves the entity reads how long its steps are.
+void Simulation::follow_own_steps(Task& task, Setup& setup) {
+  const int own_steps = setup.entity().options().own_steps;
+  if (own_steps > 1 && makes_steps(task.algorithm->phase())) {
+    task.step_ratio = setup.input(properties::step_ratio, own_steps).data();
+  }
 }
 
 std::string Simulation::full_name(const Task& task) { return fmt::format("{} of {}", task.name, task.entity->name()); }
 
 void Simulation::execute(Task& task) noexcept {
   if (task.idle) return;
+  const std::int64_t steps = task.step_ratio ? std::lround(*task.step_ratio) : 1;
+  const Duration period = steps * task.period;
+  if (task.step_ratio && now_ % period != Duration{}) return;
 #ifndef NDEBUG
   const AccessGuard guard(task.access);
 #endif
-  const Instant instant{now_, task.period};
+  const Instant instant{now_, period};
   const std::int64_t call = task.calls++;
   if (call >= all_timed && call % timed_every != 0) return task.algorithm->step(instant);
   const auto start = WallClock::now();
@@ -228,7 +245,7 @@ std::vector<AlgorithmStatistics> Simulation::statistics() const {
   };
   std::vector<Sum> sums;
   const auto add = [&](const std::unique_ptr<Task>& task) {
-    const double rate = 1.0 / seconds(task->period);
+    const double rate = task->rate.hz;
     auto sum = std::find_if(sums.begin(), sums.end(),
                             [&](const Sum& s) { return s.row.name == task->name && s.row.rate_hz == rate; });
     if (sum == sums.end()) sum = sums.insert(sums.end(), Sum{{task->name, rate, 0, 0}, 0, {}});

@@ -27,6 +27,7 @@
 
 #include "murosimf/model/algorithm.h"
 #include "murosimf/model/motion_level.h"
+#include "murosimf/model/rate.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/model/world.h"
 #include "murosimf/runtime/command_queue.h"
@@ -78,23 +79,23 @@ class Simulation {
   [[nodiscard]] World& world() { return *world_; }
   [[nodiscard]] const World& world() const { return *world_; }
 
-  /// Adds an algorithm: constructs an A with (Setup&, arguments...) for `entity` and executes it `rate_hz` times per
-  /// simulated second. `name` is what reports and messages call it. Algorithms that conflict run by phase, then
+  /// Adds an algorithm: constructs an A with (Setup&, arguments...) for `entity` and executes it at `rate` (a number: [Hz]) of
+  /// simulated time, in the ticks that begin nearest to its instants (plan.h). `name` is what reports and messages call it. Algorithms that conflict run by phase, then
   /// in the order of attaching. In a running simulation, between two steps, it is initialized at once and is due from the next step
   /// on. Throws SetupError, and leaves everything as it was, if the rate is not positive and finite or does not fit to the others,
   /// if the constructor or initialize() throws, or if nobody writes what it reads.
   template <class A, class... Arguments>
-  A& attach(std::string name, Entity& entity, double rate_hz, Arguments&&... arguments) {
+  A& attach(std::string name, Entity& entity, const Rate& rate, Arguments&&... arguments) {
     const auto make = [&](Setup& setup) { return std::make_unique<A>(setup, std::forward<Arguments>(arguments)...); };
-    return static_cast<A&>(attach(std::move(name), entity, rate_hz, Maker<Algorithm>(make)));
+    return static_cast<A&>(attach(std::move(name), entity, rate, Maker<Algorithm>(make)));
   }
   /// The same for an algorithm that make(setup) constructs.
-  Algorithm& attach(std::string name, Entity& entity, double rate_hz, const Maker<Algorithm>& make);
+  Algorithm& attach(std::string name, Entity& entity, const Rate& rate, const Maker<Algorithm>& make);
 
   /// The same for algorithms that belong to no entity: those of the whole world, whose columns are world().common()'s.
   template <class A, class... Arguments>
-  A& attach(std::string name, double rate_hz, Arguments&&... arguments) {
-    return attach<A>(std::move(name), world_->common(), rate_hz, std::forward<Arguments>(arguments)...);
+  A& attach(std::string name, const Rate& rate, Arguments&&... arguments) {
+    return attach<A>(std::move(name), world_->common(), rate, std::forward<Arguments>(arguments)...);
   }
 
   /// Adds an entity with all its algorithms, which furnish(entity) attaches, between two steps or before the first; in a running
@@ -203,12 +204,14 @@ class Simulation {
   struct Task {
     std::string name;
     const Entity* entity = nullptr;
-    Duration period{};
+    Rate rate{usual_step_rate};
+    Duration period{};  ///< of it
     std::unique_ptr<Algorithm> algorithm;
     MotionLevel* level = nullptr;  ///< the algorithm, if it is one
     AccessSet access;
-    bool comes_along = false;  ///< with the entity that is being added
-    bool idle = false;         ///< of the entity, taken over between ticks so that it cannot change during one
+    bool comes_along = false;            ///< with the entity that is being added
+    const double* step_ratio = nullptr;  ///< properties::step_ratio, if the entity makes steps of its own length
+    bool idle = false;  ///< of the entity, taken over between ticks so that it cannot change during one
     std::int64_t calls = 0;
     std::int64_t timed_calls = 0;  ///< that `time` stands for
     Duration time{};
@@ -219,8 +222,9 @@ class Simulation {
     std::function<void()> call;
   };
 
-  [[nodiscard]] std::unique_ptr<Task> new_task(std::string name, const Entity& entity, double rate_hz) const;
+  [[nodiscard]] std::unique_ptr<Task> new_task(std::string name, const Entity& entity, const Rate& rate) const;
   [[nodiscard]] static std::string full_name(const Task& task);
+  static void follow_own_steps(Task& task, Setup& setup);
   void add_in_order(std::unique_ptr<Task> task);
   [[nodiscard]] std::vector<std::unique_ptr<Task>>::iterator task_of_level(const Entity& entity);
   void construct(Task& task, Entity& entity, const Maker<Algorithm>& make);

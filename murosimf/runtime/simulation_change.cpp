@@ -7,8 +7,8 @@
 
 namespace murosimf {
 
-Algorithm& Simulation::attach(std::string name, Entity& entity, double rate_hz, const Maker<Algorithm>& make) {
-  auto task = new_task(std::move(name), entity, rate_hz);
+Algorithm& Simulation::attach(std::string name, Entity& entity, const Rate& rate, const Maker<Algorithm>& make) {
+  auto task = new_task(std::move(name), entity, rate);
   construct(*task, entity, make);
   const Task& added = *task;
   task->comes_along = adds_;
@@ -23,6 +23,7 @@ void Simulation::construct(Task& task, Entity& entity, const Maker<Algorithm>& m
   try {
     Setup setup(*world_, entity, task.access, task.period);
     task.algorithm = make(setup);
+    follow_own_steps(task, setup);
     task.level = dynamic_cast<MotionLevel*>(task.algorithm.get());
     if (task.level && task_of_level(entity) != tasks_.end()) {
       throw SetupError(
@@ -97,8 +98,7 @@ MotionLevel& Simulation::exchange(std::string name, Entity& entity, const Maker<
   if (present == tasks_.end()) {
     throw SetupError(fmt::format("'{}' has no level that could be exchanged", entity.name()));
   }
-  auto next = new_task(name, entity, 1 / seconds((*present)->period));
-  next->period = (*present)->period;  // without rounding
+  auto next = new_task(name, entity, (*present)->rate);
   try {
     if (entity.frozen() && start == LevelStart::in_motion)
       throw SetupError(fmt::format("it was frozen ({})", *entity.frozen_reason()));
@@ -129,6 +129,7 @@ void Simulation::construct_level(Task& task, Entity& entity, const Maker<MotionL
     auto level = make(setup);
     task.level = level.get();
     task.algorithm = std::move(level);
+    follow_own_steps(task, setup);
   } catch (const SetupError&) {
     if (initialized_) world_->freeze_columns();
     throw;

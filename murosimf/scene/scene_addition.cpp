@@ -38,12 +38,14 @@ class Lengths {
     parts_.moving_entities.resize(moving_);
     parts_.ground_contacts.resize(moving_);
     parts_.queries = queries_;
+    parts_.own_steps = own_steps_;
   }
 
   SceneParts& parts_;
   std::size_t robots_ = parts_.spec.robots.size(), bodies_ = parts_.spec.bodies.size();
   std::size_t moving_bodies_ = parts_.bodies.size(), moving_ = parts_.moving_entities.size();
-  sensors::WorldQueries* queries_ = parts_.queries;  // may have come with its sensors
+  sensors::WorldQueries* queries_ = parts_.queries;    // may have come with its sensors
+  collision::OwnSteps* own_steps_ = parts_.own_steps;  // may have come with it
   bool done_ = false;
 };
 
@@ -73,6 +75,7 @@ Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
   parts.spec.robots.push_back(robot);
   const auto furnish = [&](Entity& entity) {
     enlist(parts, robot, entity);
+    attach_own_steps(parts, entity);
     attach_sensors(parts, models, parts.robots.size() - 1);
     attach_controller(parts, robot, entity);
     attach_ground_contact(parts, entity, robot.level, robot.contact, robot.contact_options);

@@ -2,6 +2,7 @@
 
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
+#include "murosimf/collision/own_steps.h"
 #include "murosimf/motion/odometer.h"
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene_file/field.h"
@@ -17,6 +18,7 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   options.everybody = parts.moving_entities;
   options.command = robot.command;
   options.own = robot.options;
+  options.rate = robot.control_rate;
   const scene_file::FieldSize& field = scene_file::field_size(spec.field.size);
   options.half_field = {0.5 * field.length, 0.5 * field.width, 0};
   options.start = {robot.position.x, robot.position.y, robot.heading};
@@ -58,6 +60,11 @@ void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions
 void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
   warn_about_level(parts, robot);
   with_context(robot.where, [&] { attach_level(parts, entity, scene_file::level_options(robot)); });
+}
+
+void attach_own_steps(SceneParts& parts, const Entity& entity) {
+  if (parts.own_steps || entity.options().own_steps == 1) return;
+  parts.own_steps = &parts.simulation->attach<collision::OwnSteps>("own_steps", parts.spec.rate, parts.moving_entities);
 }
 
 void attach_odometer(SceneParts& parts, Entity& entity) {

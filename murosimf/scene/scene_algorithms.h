@@ -25,6 +25,8 @@ void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions
 void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity);
 
 /// Counts its way and its falls.
+/// Steps of its own for an entity that has them; does nothing for others, and for all but the first.
+void attach_own_steps(SceneParts& parts, const Entity& entity);
 void attach_odometer(SceneParts& parts, Entity& entity);
 
 }  // namespace murosimf::scene

@@ -66,6 +66,7 @@ void build(SceneParts& parts, const SceneOptions& options) {
   parts.lenient = options.lenient;
   ModelSource models(parts.spec, *parts.assets, options.lenient, parts.remarks);
   add_entities(parts, models);
+  for (const Entity* robot : parts.robots) attach_own_steps(parts, *robot);
   attach_control(parts, models);
   attach_pushes(parts);
   attach_contact(parts);

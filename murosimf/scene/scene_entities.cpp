@@ -1,5 +1,10 @@
 #include "murosimf/scene/scene_entities.h"
 
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene_file/field.h"
 
@@ -32,12 +37,27 @@ void add_ball(SceneParts& parts, ModelSource& models) {
   parts.moving_entities.push_back(parts.ball);
 }
 
+int own_steps_of(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot) {
+  if (robot.rate == 0) return 1;
+  const double steps = spec.rate / robot.rate;
+  if (!(std::round(steps) >= 1) || std::abs(steps - std::round(steps)) > 1e-6 * steps) {
+    throw SetupError(fmt::format("'rate' of robot '{}', {} Hz: the scene's steps, {} Hz, are no whole multiple of it",
+                                 robot.name, robot.rate, spec.rate));
+  }
+  if (steps > 1.5 && robot.collision.self_collision) {
+    throw SetupError(
+        fmt::format("'rate' of robot '{}' does not go with self_collision, which needs the scene's steps", robot.name));
+  }
+  return static_cast<int>(std::lround(steps));
+}
+
 EntityOptions options_of(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& robot) {
   EntityOptions options;
   options.position = robot.position;
   options.present = robot.present;
   options.collision = robot.collision;
   options.team = robot.team;
+  options.own_steps = with_context(robot.where, [&] { return own_steps_of(spec, robot); });
   for (const scene_file::TeamSpec& team : spec.teams) {
     if (team.name == robot.team) options.color = team.color;
   }

@@ -17,7 +17,8 @@
 
 namespace murosimf::collision {
 class GroundContact;
-}
+class OwnSteps;
+}  // namespace murosimf::collision
 namespace murosimf::sensors {
 class WorldQueries;
 }
@@ -58,6 +59,7 @@ struct SceneParts {
   std::vector<Entity*> bodies;                               ///< those of [[bodies]] that move
   std::vector<Entity*> moving_entities;                      ///< robots, ball and bodies
   std::vector<collision::GroundContact*> ground_contacts;    ///< by moving entity
+  collision::OwnSteps* own_steps = nullptr;                  ///< null: all make the scene's steps
   sensors::WorldQueries* queries = nullptr;                  ///< null: no sensor asks for them
   const PathRecorder* recorder = nullptr;                    ///< null: nobody asked for paths
   std::shared_ptr<Assets> assets;                            ///< for robots that come later

@@ -38,14 +38,16 @@ std::vector<std::string> warnings_of(const Scene& scene, const Lateness& latenes
   for (const Entity* entity : scene.moving_entities()) {
     if (auto line = motion::overload_message(*entity); !line.empty()) all.push_back(std::move(line));
   }
-  if (lateness.late_steps > 0) {
-    all.push_back(fmt::format("late: {} of {} steps ended behind schedule, the worst {:.1f} ms", lateness.late_steps,
-                              lateness.steps, 1e3 * seconds(lateness.worst)));
-  }
+  if (lateness.late_steps > 0) all.push_back(to_text(lateness));
   return all;
 }
 
 }  // namespace
+
+std::string to_text(const Lateness& lateness) {
+  return fmt::format("late: {} of {} steps ended behind schedule, the worst {:.1f} ms", lateness.late_steps,
+                     lateness.steps, 1e3 * seconds(lateness.worst));
+}
 
 RunReport make_report(const Scene& scene, Duration wall, const Lateness& lateness) {
   const Simulation& simulation = scene.simulation();

@@ -1,6 +1,7 @@
 #include "murosimf/scene/scene_sensors.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -30,10 +31,9 @@ bool fits(const sensors::SensorSpec& spec, double step_rate) {
   return true;
 }
 
-/// [Hz] The highest rate up to `rate` that steps divide into.
-double rate_of_whole_steps(double rate, double step_rate) {
-  const Duration step = from_seconds(1 / step_rate), period = from_seconds(1 / rate);
-  return 1 / seconds((period + step - Duration{1}) / step * step);
+/// [Hz] Of the robot's longest steps: what it has between them would be the same.
+double step_rate(const SceneParts& parts, const scene_file::RobotSpec& robot) {
+  return robot.rate > 0 ? robot.rate : parts.spec.rate;
 }
 
 /// Gives a sensor of a robot's file a rate that the scene's steps allow, if steps of usual length would allow its own. What
@@ -41,11 +41,8 @@ double rate_of_whole_steps(double rate, double step_rate) {
 std::string fit_to_steps(sensors::SensorSpec& spec, double step_rate) {
   // a rate that steps of usual length do not allow either is a mistake of the file
   if (fits(spec, step_rate) || !fits(spec, usual_step_rate)) return {};
-  const double rate = rate_of_whole_steps(spec.rate, step_rate);
-  const std::string remark = fmt::format("samples at {:.4g} Hz, not {:.4g}, because steps are {:.4g} ms long", rate,
-                                         spec.rate, 1e3 / step_rate);
-  spec.rate = rate;
-  return remark;
+  return fmt::format("samples at {:.4g} Hz, not {:.4g}, because steps are {:.4g} ms long", step_rate,
+                     std::exchange(spec.rate, step_rate), 1e3 / step_rate);
 }
 
 std::vector<sensors::SensorSpec> sensors_of(SceneParts& parts, ModelSource& models,
@@ -53,7 +50,7 @@ std::vector<sensors::SensorSpec> sensors_of(SceneParts& parts, ModelSource& mode
   std::vector<sensors::SensorSpec> specs;
   if (!robot.sensors.none) specs = models.robot(robot.model, robot.where).sensors;
   std::vector<SharedRemark> remarks;
-  for (sensors::SensorSpec& spec : specs) add_remark(fit_to_steps(spec, parts.spec.rate), spec.name, remarks);
+  for (sensors::SensorSpec& spec : specs) add_remark(fit_to_steps(spec, step_rate(parts, robot)), spec.name, remarks);
   for (const SharedRemark& remark : remarks) parts.remarks.note(robot.name, to_text(remark));
   components::change_sensors(specs, robot.sensors.tables, parts.spec.file.parent_path());
   return specs;
@@ -90,8 +87,8 @@ void attach_sensors(SceneParts& parts, ModelSource& models, std::size_t robot) {
   std::vector<const sensors::Sensor*>& attached = parts.sensors.emplace_back();
   about(parts.spec.robots[robot].name, [&] {
     for (const sensors::SensorSpec& spec : sensors_of(parts, models, parts.spec.robots[robot])) {
-      attached.push_back(
-          &components::attach_sensor(*parts.simulation, *parts.robots[robot], spec, surroundings, parts.spec.rate));
+      attached.push_back(&components::attach_sensor(*parts.simulation, *parts.robots[robot], spec, surroundings,
+                                                    step_rate(parts, parts.spec.robots[robot])));
     }
   });
 }

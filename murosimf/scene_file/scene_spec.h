@@ -82,6 +82,8 @@ struct RobotSpec {
   std::string level = "kinematic_walking";
   std::string contact = "implicit_stick";
   std::string controller = "walk";
+  double rate = 0;                              ///< [Hz] of its motion and contact while nobody is near; 0: the scene's
+  double control_rate = 0;                      ///< [Hz] of its controller; 0: what that wants
   OptionValues options;                         ///< of the controller, those that are given
   OptionValues level_options, contact_options;  ///< the same of the level and of the law of contact with the ground
   std::string servo_law;                        ///< instead of what the model's servos say; empty: those

@@ -10,8 +10,8 @@
 namespace murosimf::sensors {
 namespace {
 
-Duration sample_period(const SensorSpec& spec, Duration execution) {
-  return spec.rate > 0 ? from_seconds(1 / spec.rate) : execution;
+Rate sample_rate(const SensorSpec& spec, Duration execution) {
+  return {spec.rate > 0 ? spec.rate : 1 / seconds(execution), spec.phase};
 }
 
 void check_signal_names(const SensorSpec& spec, const std::vector<Output>& outputs) {
@@ -38,19 +38,21 @@ void for_outputs(const SensorInfo& info, std::span<double> values, const Call& c
 
 Sensor::Sensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings,
                std::vector<Output> outputs, Watch watch)
-    : reading_(write_reading(setup, {spec.name, spec.type, spec.frame, sample_period(spec, setup.period()),
+    : reading_(write_reading(setup, {spec.name, spec.type, spec.frame, sample_rate(spec, setup.period()).period(),
                                      std::move(outputs)})),
       watch_(watch),
-      period_(reading_.info->period),
+      rate_(sample_rate(spec, setup.period())),
+      execution_(setup.period()),
       delay_(from_seconds(spec.delay)) {
-  if (period_ <= Duration{} || period_ % setup.period() != Duration{}) {
-    throw SetupError(fmt::format("sensor '{}' with {} Hz does not fit into executions at {:.6g} Hz", spec.name,
-                                 spec.rate, 1 / seconds(setup.period())));
+  const Duration period = rate_.period();
+  if (period < execution_) {
+    throw SetupError(fmt::format("sensor '{}' with {} Hz is executed at {:.6g} Hz only", spec.name, spec.rate,
+                                 1 / seconds(execution_)));
   }
   check_signal_names(spec, reading_.info->outputs);
-  make_signals(spec, surroundings.seed, setup.entity().name(), {seconds(setup.period()), seconds(period_)});
+  make_signals(spec, surroundings.seed, setup.entity().name(), {seconds(execution_), seconds(period)});
   values_.resize(reading_.values.size());
-  on_the_way_.assign(static_cast<std::size_t>(delay_ / period_) + 2, {Duration{}, values_});
+  on_the_way_.assign(static_cast<std::size_t>((delay_ + execution_) / period) + 2, {Duration{}, values_});
 }
 
 void Sensor::make_signals(const SensorSpec& spec, std::uint64_t seed, const std::string& robot,
@@ -77,7 +79,7 @@ void Sensor::initialize() {
 }
 
 void Sensor::step(const Instant& instant) noexcept {
-  const bool due = instant.now % period_ == Duration{};
+  const bool due = rate_.falls_on(instant.now, execution_);
   if (due || filters_ || watch_ == Watch::always) {
     measure(values_);
     for_outputs(*reading_.info, values_,
@@ -132,11 +134,11 @@ void Sensor::deliver(const Instant& instant) noexcept {
   }
 }
 
-double task_rate(const SensorSpec& spec, Watch watch, double step_rate) {
+Rate task_rate(const SensorSpec& spec, Watch watch, double step_rate) {
   const auto filters = [](const auto& signal) { return signal.second.low_pass > 0; };
   const bool every_step = spec.rate == 0 || spec.delay > 0 || watch == Watch::always ||
                           std::any_of(spec.signals.begin(), spec.signals.end(), filters);
-  return every_step ? step_rate : spec.rate;
+  return every_step ? Rate(step_rate) : Rate(spec.rate, spec.phase);
 }
 
 void check_rate(const SensorSpec& spec, double step_rate) {
@@ -145,16 +147,10 @@ void check_rate(const SensorSpec& spec, double step_rate) {
     throw SetupError(fmt::format("the rate of sensor '{}' is {} Hz; it must be {} Hz or more, or 0 for every step",
                                  spec.name, spec.rate, slowest_rate));
   }
-  const Duration step = from_seconds(1 / step_rate), period = from_seconds(1 / spec.rate);
   if (spec.rate > step_rate * (1 + 1e-9)) {
     throw SetupError(fmt::format("sensor '{}' with {} Hz is faster than the simulation's {} steps per second",
                                  spec.name, spec.rate, step_rate));
   }
-  if (period % step == Duration{}) return;
-  const auto steps = std::max<Duration::rep>(1, period / step);
-  throw SetupError(fmt::format("sensor '{}' with {} Hz: {} Hz is not a whole multiple of that; {} or {} Hz would do",
-                               spec.name, spec.rate, step_rate, step_rate / static_cast<double>(steps),
-                               step_rate / static_cast<double>(steps + 1)));
 }
 
 }  // namespace murosimf::sensors

@@ -3,9 +3,9 @@
 /// A new sensor derives from Sensor and says in `measure` how properties become numbers; errors, noise, filter,
 /// saturation, A/D conversion (signal.h), rate and delay are its for nothing (paper 6.1).
 ///
-/// A sensor is executed at the rate at which it is attached and samples whenever that comes to its own period. Its
-/// filter works in every execution, so one with a low-pass, or that looks at how things change (Watch::always), is
-/// attached at the rate of the simulation's steps; task_rate says which.
+/// A sensor is executed at the rate at which it is attached and samples in the execution nearest to each instant of its own
+/// rate (rate.h). Its filter works in every execution, so one with a low-pass, or that looks at how things change
+/// (Watch::always), is attached at the rate of the simulation's steps; task_rate says which.
 /// Sensors are attached first (docs/add_an_algorithm.md): a sample shows the state at the beginning of the step, and
 /// its time is that instant. A delayed sample is shown by the first execution at or after that time plus the delay.
 #pragma once
@@ -13,6 +13,7 @@
 #include <string>
 
 #include "murosimf/model/motion_level.h"
+#include "murosimf/model/rate.h"
 #include "murosimf/model/state_archive.h"
 #include "murosimf/sensors/reading.h"
 #include "murosimf/sensors/sensor_spec.h"
@@ -39,7 +40,7 @@ class Sensor : public Algorithm {
   [[nodiscard]] const Reading& reading() const { return reading_; }
 
  protected:
-  /// Throws SetupError: the rate is none of the rate of execution, two sensors have one name, a signal is impossible or
+  /// Throws SetupError: the rate is more than that of execution, two sensors have one name, a signal is impossible or
   /// of an output that there is none of.
   Sensor(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroundings, std::vector<Output> outputs,
          Watch watch = Watch::samples);
@@ -82,7 +83,8 @@ class Sensor : public Algorithm {
 
   Reading& reading_;
   Watch watch_;
-  Duration period_, delay_;
+  Rate rate_;  // of samples
+  Duration execution_, delay_;
   std::vector<Signal> signals_;  // by output
   bool filters_ = false;
   std::vector<double> values_;      // of this execution
@@ -90,10 +92,10 @@ class Sensor : public Algorithm {
   std::uint64_t taken_ = 0, delivered_ = 0;
 };
 
-/// [Hz] at which a sensor is to be attached in a simulation with `step_rate` [Hz] steps per second.
-[[nodiscard]] double task_rate(const SensorSpec& spec, Watch watch, double step_rate);
+/// At which a sensor is to be attached in a simulation with `step_rate` [Hz] steps per second.
+[[nodiscard]] Rate task_rate(const SensorSpec& spec, Watch watch, double step_rate);
 
-/// Throws SetupError that says which rates are possible if `spec` asks for one that steps do not divide into.
+/// Throws SetupError if `spec` asks for samples that are faster than steps, or too rare.
 void check_rate(const SensorSpec& spec, double step_rate);
 
 }  // namespace murosimf::sensors

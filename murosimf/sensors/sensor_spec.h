@@ -17,17 +17,18 @@ class ViewSource;    // view_source.h
 class WorldQueries;  // world_queries.h
 
 struct SensorSpec {
-  std::string name{};                           ///< unique on the robot
-  std::string type{};                           ///< name in components/sensor_types.h: "imu"
-  std::string where{};                          ///< place in the file, for messages
-  std::string frame{};                          ///< object of the model that it is mounted on; empty: the base
-  Vec3d position{};                             ///< [m] of the sensor in that frame
-  Mat3d orientation{};                          ///< its axes to those of the frame
-  Vec3d mounting_error{};                       ///< [rad] roll, pitch, yaw by which its true axes are turned from these
-  double rate = 0;                              ///< [Hz] of samples; 0: one in every step of the simulation
-  double delay = 0;                             ///< [s] from the sample until control software can read it
-  std::vector<std::string> objects{};           ///< joints, feet or other entities that it looks at; empty: all
-  std::map<std::string, double> numbers{};      ///< what only some types have, by key; missing: the type's default
+  std::string name{};                       ///< unique on the robot
+  std::string type{};                       ///< name in components/sensor_types.h: "imu"
+  std::string where{};                      ///< place in the file, for messages
+  std::string frame{};                      ///< object of the model that it is mounted on; empty: the base
+  Vec3d position{};                         ///< [m] of the sensor in that frame
+  Mat3d orientation{};                      ///< its axes to those of the frame
+  Vec3d mounting_error{};                   ///< [rad] roll, pitch, yaw by which its true axes are turned from these
+  double rate = 0;                          ///< [Hz] of samples; 0: one in every step of the simulation
+  double phase = 0;                         ///< [1] of the time between two samples, from 0 to below 1: the first one
+  double delay = 0;                         ///< [s] from the sample until control software can read it
+  std::vector<std::string> objects{};       ///< joints, feet or other entities that it looks at; empty: all
+  std::map<std::string, double> numbers{};  ///< what only some types have, by key; missing: the type's default
   std::map<std::string, std::string> texts{};   ///< the same of words
   std::map<std::string, SignalSpec> signals{};  ///< what becomes of the true values, by output; "": of all outputs
   std::string part{};                           ///< name of the ready-made part that it is; empty: none

@@ -175,7 +175,7 @@ std::vector<Mistake> mistakes() {
       {"RateZero", imu("rate = 0\n"), 3, "'rate' is 0; it must be in the range 0.001 to 1e+06 Hz"},
       {"NegativeRate", imu("rate = -5\n"), 3, "'rate' is -5; it must be in the range"},
       {"RateAboveTheSteps", imu("rate = 2000\n"), 1, "faster than"},
-      {"RateThatDoesNotDivide", imu("rate = 300\n"), 1, "is not a whole multiple"},
+      {"RateAboveThatOfSteps", imu("rate = 1200\n"), 1, "is faster than the simulation's"},
       {"RateIsAText", imu("rate = 'fast'\n"), 3, "'rate' is a text; it must be a number"},
       {"NanRate", imu("rate = nan\n"), 3, "'rate' is nan; it must be"},
       {"NegativeDelay", imu("delay = -1\n"), 3, "'delay' is -1; it must be in the range 0 to 10 s"},

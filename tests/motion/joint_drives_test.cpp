@@ -52,7 +52,7 @@ struct Drives : test::Alone<JointDrives> {
 TEST(JointDrives, AnswerIsTheSumOfItsParts) {
   Drives drives;
   drives.object("all").set(properties::joint_target, 0.5);
-  ASSERT_TRUE(drives.part->take_targets());
+  ASSERT_TRUE(drives.part->take_targets(0.001));
   const double q = 0.3, qd = -0.7;
   const auto answer = drives.drive("all", q, qd);
   const double now = 40 * (0.5 - q) - 1.5 * qd;

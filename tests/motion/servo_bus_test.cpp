@@ -48,7 +48,7 @@ struct Bus : Alone<ServoBus> {
   /// In how many steps from now the motor knows the target, which must stay at `before` until then.
   int arrival(const char* name, double before, double target) {
     for (int steps = 1; steps < 20; ++steps) {
-      EXPECT_TRUE(part->step());
+      EXPECT_TRUE(part->step(0.001));
       if (knows(name) == target) return steps;
       EXPECT_EQ(knows(name), before) << name;
     }
@@ -90,8 +90,26 @@ TEST(ServoBus, TargetsAreSentEverySoOftenAndHeld) {
   bus.part->start();
   for (int i = 0; i < 23; ++i) {
     bus.want("rare", i);
-    EXPECT_TRUE(bus.part->step());
+    EXPECT_TRUE(bus.part->step(0.001));
     EXPECT_EQ(bus.knows("rare"), i - i % 5);
+  }
+}
+
+// Law: while targets stay, a step of 3 ms is three of 1 ms.
+TEST(ServoBus, ALongStepIsAsManyShortOnes) {
+  Bus by_long_steps, by_short_steps;
+  by_long_steps.part->start();
+  by_short_steps.part->start();
+  for (int i = 1; i < 20; ++i) {
+    for (const char* name : {"late", "odd", "rare", "both", "free"}) {
+      by_long_steps.want(name, i);
+      by_short_steps.want(name, i);
+    }
+    EXPECT_TRUE(by_long_steps.part->step(0.003));
+    for (int k = 0; k < 3; ++k) EXPECT_TRUE(by_short_steps.part->step(0.001));
+    for (const char* name : {"late", "odd", "rare", "both", "free"}) {
+      EXPECT_EQ(by_long_steps.knows(name), by_short_steps.knows(name)) << name << ", " << i;
+    }
   }
 }
 
@@ -100,7 +118,7 @@ TEST(ServoBus, PeriodsBelowAStepAreOneStep) {
   bus.part->start();
   for (int i = 0; i < 5; ++i) {
     bus.want("quick", i);
-    EXPECT_TRUE(bus.part->step());
+    EXPECT_TRUE(bus.part->step(0.001));
     EXPECT_EQ(bus.knows("quick"), i);
   }
 }
@@ -111,7 +129,7 @@ TEST(ServoBus, WhatIsSentNowAndThenArrivesLate) {
   bus.part->start();
   for (int i = 0; i < 19; ++i) {
     bus.want("both", i);
-    EXPECT_TRUE(bus.part->step());
+    EXPECT_TRUE(bus.part->step(0.001));
     EXPECT_EQ(bus.knows("both"), i < 2 ? -1 : (i - 2) - (i - 2) % 4) << i;
   }
 }
@@ -121,11 +139,11 @@ TEST(ServoBus, StartForgetsWhatIsOnItsWay) {
   bus.part->start();
   bus.want("late", 5);
   bus.want("rare", 5);
-  EXPECT_TRUE(bus.part->step());
+  EXPECT_TRUE(bus.part->step(0.001));
   bus.want("late", 6);
   bus.want("rare", 6);
   bus.part->start();
-  EXPECT_TRUE(bus.part->step());
+  EXPECT_TRUE(bus.part->step(0.001));
   EXPECT_EQ(bus.knows("late"), 6);
   EXPECT_EQ(bus.knows("rare"), 6);
 }
@@ -136,7 +154,7 @@ TEST(ServoBus, FollowerKnowsWhereItsLeaderIsTaken) {
   bus.want("late", 0.4);
   bus.want("follower", 3);  // means nothing
   for (int i = 0; i < 6; ++i) {
-    EXPECT_TRUE(bus.part->step());
+    EXPECT_TRUE(bus.part->step(0.001));
     EXPECT_DOUBLE_EQ(bus.knows("follower"), 0.2 - 1.5 * (i < 3 ? 0 : 0.4)) << i;
   }
 }
@@ -155,12 +173,12 @@ TEST(ServoBus, TargetsThatAreNoSensibleNumbersAreRefused) {
     Bus bus;
     bus.part->start();
     bus.want("rare", target);
-    EXPECT_FALSE(bus.part->step()) << target;
+    EXPECT_FALSE(bus.part->step(0.001)) << target;
   }
   Bus bus;
   bus.part->start();
   for (const char* name : {"late", "rare", "free"}) bus.want(name, -9999);
-  EXPECT_TRUE(bus.part->step());
+  EXPECT_TRUE(bus.part->step(0.001));
 }
 
 }  // namespace

@@ -74,6 +74,37 @@ TEST(Clock, LongDelaysMoveTheScheduleInsteadOfRacing) {
   EXPECT_EQ(p.clock.lateness().late_steps, 1);
 }
 
+// Ten seconds in which every tenth step takes 3 ms too long: told after the first second, and then after 2 and 4 more.
+TEST(Clock, TellsOfOverrunsWhileItRunsMoreAndMoreRarely) {
+  Paced p(1.0);
+  std::vector<Overrun> told;
+  p.clock.tell_of_overruns([&](const Overrun& overrun) { told.push_back(overrun); });
+  for (int i = 1; i <= 10000; ++i) {
+    if (i % 10 == 0) p.wall += 4ms;
+    p.clock.wait_until(i * 1ms);
+  }
+  ASSERT_EQ(told.size(), 3U);
+  EXPECT_EQ(told[0].simulated, 1s);
+  EXPECT_EQ(told[1].simulated, 3s);
+  EXPECT_EQ(told[2].simulated, 7s);
+  std::int64_t steps = 0;
+  for (const Overrun& overrun : told) {
+    EXPECT_EQ(overrun.lateness.late_steps, overrun.lateness.steps / 10);
+    EXPECT_EQ(overrun.lateness.worst, 3ms);
+    steps += overrun.lateness.steps;
+  }
+  EXPECT_EQ(steps, 7000) << "each step is told of once";
+  EXPECT_EQ(p.clock.lateness().late_steps, 1000);
+}
+
+TEST(Clock, SaysNothingWhileNobodyIsLate) {
+  Paced p(1.0);
+  bool told = false;
+  p.clock.tell_of_overruns([&](const Overrun&) { told = true; });
+  for (int i = 1; i <= 5000; ++i) p.clock.wait_until(i * 1ms);
+  EXPECT_FALSE(told);
+}
+
 // A step that takes a thousand seconds of wall time is left soon after somebody asks for that.
 TEST(Clock, StopsWaitingWhenAsked) {
   Paced p(1e-6);

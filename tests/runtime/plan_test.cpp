@@ -120,39 +120,72 @@ TEST_F(PlanTest, EveryWaveIsFreeOfConflictsAndAsEarlyAsPossible) {
   }
 }
 
+const AccessSet nothing;
+
 TEST_F(PlanTest, DueFollowsThePeriods) {
-  AccessSet none;
-  const std::vector<Duration> periods{1ms, 10ms, 4ms};
-  const std::vector<std::string> names{"motion", "walk", "sensor"};
-  Plan plan({&none, &none, &none}, periods, names);
+  const std::vector<PlannedTask> tasks{{"motion", &nothing, 1000, true},
+                                       {"walk", &nothing, 100},
+                                       {"sensor", &nothing, 250}};
+  Plan plan(tasks);
   EXPECT_EQ(plan.tick(), 1ms);
   EXPECT_EQ(plan.due(0), (std::vector<Wave>{{0, 1, 2}}));
   EXPECT_EQ(plan.due(1), (std::vector<Wave>{{0}}));
   EXPECT_EQ(plan.due(4), (std::vector<Wave>{{0, 2}}));
   EXPECT_EQ(plan.due(10), (std::vector<Wave>{{0, 1}}));
   EXPECT_EQ(plan.due(20), (std::vector<Wave>{{0, 1, 2}}));
+  EXPECT_EQ(plan.all(), plan.due(0));
+}
+
+/// Ticks in which the last one of two tasks is due.
+std::vector<std::int64_t> ticks_of_last(Plan& plan, std::int64_t ticks) {
+  std::vector<std::int64_t> due;
+  for (std::int64_t n = 0; n < ticks; ++n) {
+    for (const Wave& wave : plan.due(n)) {
+      if (std::find(wave.begin(), wave.end(), 1U) != wave.end()) due.push_back(n);
+    }
+  }
+  return due;
+}
+
+// Instant n of 30 Hz is 33.33 n ms: by hand.
+TEST_F(PlanTest, WhatDoesNotDivideIsDoneInTheNearestTick) {
+  const std::vector<PlannedTask> tasks{{"motion", &nothing, 1000, true}, {"camera", &nothing, 30}};
+  Plan plan(tasks);
+  EXPECT_EQ(plan.tick(), 1ms);
+  EXPECT_EQ(ticks_of_last(plan, 201), (std::vector<std::int64_t>{0, 33, 67, 100, 133, 167, 200}));
+}
+
+TEST_F(PlanTest, ThePhaseMovesTheInstants) {
+  const std::vector<PlannedTask> tasks{{"motion", &nothing, 1000, true}, {"camera", &nothing, Rate(100, 0.5)}};
+  Plan plan(tasks);
+  EXPECT_EQ(ticks_of_last(plan, 30), (std::vector<std::int64_t>{5, 15, 25}));
+}
+
+TEST_F(PlanTest, OnlyWhatStepsMakesTheTick) {
+  const std::vector<PlannedTask> tasks{{"control", &nothing, 400}, {"motion", &nothing, 1000, true}};
+  EXPECT_EQ(Plan(tasks).tick(), 1ms);
+  const std::vector<PlannedTask> faster{{"control", &nothing, 2000}, {"motion", &nothing, 1000, true}};
+  EXPECT_EQ(Plan(faster).tick(), 500us) << "nothing is done more than once in a tick";
+  const std::vector<PlannedTask> alone{{"control", &nothing, 400}, {"sensor", &nothing, 1000}};
+  EXPECT_EQ(Plan(alone).tick(), 500us);
 }
 
 TEST_F(PlanTest, RatesThatDoNotFitAreRefusedWithTheNearestThatDoes) {
-  AccessSet none;
-  const std::vector<Duration> periods{1ms, from_seconds(1.0 / 30)};
-  const std::vector<std::string> names{"motion", "camera"};
+  const std::vector<PlannedTask> tasks{{"motion", &nothing, 1000, true}, {"other motion", &nothing, 30, true}};
   try {
-    Plan plan({&none, &none}, periods, names);
+    Plan plan(tasks);
     FAIL() << "30 Hz does not fit 1 ms";
   } catch (const SetupError& error) {
-    EXPECT_NE(std::string(error.what()).find("'camera'"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("'other motion'"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("30.003 Hz"), std::string::npos) << error.what();
   }
 }
 
 // A faster rate than the tick so far is refused with a fast one, not with the tick.
 TEST_F(PlanTest, TheNearestRateMayBeFasterThanTheTick) {
-  AccessSet none;
-  const std::vector<Duration> periods{10ms, from_seconds(1.0 / 333)};
-  const std::vector<std::string> names{"walk", "motion"};
+  const std::vector<PlannedTask> tasks{{"walk", &nothing, 100}, {"motion", &nothing, 333}};
   try {
-    Plan plan({&none, &none}, periods, names);
+    Plan plan(tasks);
     FAIL() << "333 Hz does not fit 10 ms";
   } catch (const SetupError& error) {
     EXPECT_NE(std::string(error.what()).find("333.333 Hz"), std::string::npos) << error.what();
