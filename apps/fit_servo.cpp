@@ -1,6 +1,7 @@
 // `murosimf fit-servo`: finds the numbers of a servo that explain logs of it.
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <thread>
 
 #include <fmt/format.h>
@@ -19,12 +20,14 @@
 #include "murosimf/identification/bench_servo.h"
 #include "murosimf/identification/folds.h"
 #include "murosimf/identification/search.h"
+#include "murosimf/identification/window_choice.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
 namespace {
 
 namespace fs = std::filesystem;
+using identification::Fold;
 using identification::ServoLog;
 using Logs = std::vector<ServoLog>;
 
@@ -38,9 +41,9 @@ struct FitServoOptions {
   std::string cross_validate;         ///< "trajectory" or "gain"; empty: no
   std::int64_t seed = 1;
   int starts = 4;
-  double windows = 0.5;  ///< share of windows in what is minimized, 0 to 1
-  int threads = 0;       ///< 0: as many as the machine has
-  std::string json;      ///< file, "-" for standard output
+  std::optional<double> windows;  ///< share of windows in what is minimized, 0 to 1; nothing: what foresees best
+  int threads = 0;                ///< 0: as many as the machine has
+  std::string json;               ///< file, "-" for standard output
 };
 
 void define(const Command& command, FitServoOptions& options) {
@@ -56,9 +59,11 @@ void define(const Command& command, FitServoOptions& options) {
       .within(0, 1000000000)
       .shows_default();
   command.add("--starts", options.starts, "Searches from different points").within(1, 1000).shows_default();
-  command.add("--windows", options.windows, "Share of short windows in what is minimized, against whole recordings")
-      .within(0.0, 1.0)
-      .shows_default();
+  command
+      .add("--windows", options.windows,
+           "Share of short windows in what is minimized, against whole recordings, instead of the one that foresees "
+           "best")
+      .within(0.0, 1.0);
   command.add("--threads", options.threads, "Threads, instead of all; results do not depend on their number")
       .within(1, 256);
   add_json(command, options.json);
@@ -93,9 +98,18 @@ Task task_of(const FitServoOptions& options, const Logs& logs) {
           base,    formats::servo_log::read_prior(prior)};
 }
 
-int threads_of(const FitServoOptions& options) {
+/// How long a fit searches.
+struct Effort {
+  int starts = 1;
+  int evaluations = 8000, refinement = 1500;
+};
+
+/// Of fits that only choose between windows: they take as long together as one fit to all logs, nearly.
+Effort short_effort(const FitServoOptions& options) { return {std::max(1, options.starts / 2), 4000, 500}; }
+
+int threads_of(const FitServoOptions& options, int starts) {
   const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return std::min(options.starts, options.threads > 0 ? options.threads : all);
+  return std::min(starts, options.threads > 0 ? options.threads : all);
 }
 
 struct Result {
@@ -103,27 +117,28 @@ struct Result {
   std::vector<double> costs;
 };
 
-Result fit(const Task& task, const Logs& logs, const std::string& what) {
+/// `windows`: their share.
+Result fit(const Task& task, const Logs& logs, double windows, const Effort& effort, const std::string& what) {
   const auto bench = identification::bench_servo(task.base, 0);
   identification::ObjectiveOptions objective_options{.duty_per_gain = identification::duty_per_gain(task.base),
                                                      .duty_limit = bench.duty_limit,
                                                      .current_limit = bench.current_limit,
-                                                     .window_share = task.options.windows};
+                                                     .window_share = windows};
   const identification::Objective objective(task.model, task.prior, logs, objective_options);
   Progress line;
   const auto coarse = identification::search(objective,
                                              {.seed = static_cast<std::uint64_t>(task.options.seed),
-                                              .starts = task.options.starts,
-                                              .threads = threads_of(task.options),
+                                              .starts = effort.starts,
+                                              .evaluations = effort.evaluations,
+                                              .threads = threads_of(task.options, effort.starts),
                                               .stop = interrupted},
                                              [&](double share, double best) {
                                                line.show(share, fmt::format("{}, cost {:.1f} mrad", what, 1e3 * best));
                                              });
   // with the step of a replay: where an arm stops must not depend on the step of the search
-  constexpr int refinement = 1500;
   objective_options.step = replay_step;
   const identification::Objective fine(task.model, task.prior, logs, objective_options);
-  const auto found = identification::refine(coarse, fine, refinement, interrupted);
+  const auto found = identification::refine(coarse, fine, effort.refinement, interrupted);
   return {{.servo = identification::servo_of(found.servo, task.base),
            .friction_model = std::string(task.model.name),
            .encoder_offset = found.servo.encoder_offset,
@@ -131,6 +146,54 @@ Result fit(const Task& task, const Logs& logs, const std::string& what) {
            .prior = fs::path(task.prior_name).stem().string(),
            .fitted = {}},
           found.costs};
+}
+
+/// What fits to the other folds foresee of each; as far as they come before an interruption.
+std::vector<formats::servo_log::UnseenGroup> foresee(const Task& task, const std::vector<Fold>& folds, double windows,
+                                                     const Effort& effort) {
+  std::vector<formats::servo_log::UnseenGroup> groups;
+  for (const Fold& fold : folds) {
+    const Result other =
+        fit(task, fold.fitted, windows, effort, fmt::format("windows {:g}, without {}", windows, fold.unseen));
+    if (interrupted()) break;
+    groups.push_back({fold.unseen, ServoReplay(other.servo, fold.left_out).errors()});
+  }
+  return groups;
+}
+
+identification::WindowTrial trial_of(double share, const std::vector<formats::servo_log::UnseenGroup>& groups) {
+  identification::WindowTrial trial{share, {}};
+  for (const auto& group : groups) {
+    for (const auto& log : group.logs) trial.errors.push_back(log.error);
+  }
+  return trial;
+}
+
+/// The share of windows that foresees other trajectories best; `usual` if an interruption comes first.
+double choose_windows(const Task& task, const std::vector<Fold>& folds, double usual,
+                      formats::servo_log::FitReport& report) {
+  std::vector<identification::WindowTrial> trials;
+  for (const double share : identification::window_shares) {
+    trials.push_back(trial_of(share, foresee(task, folds, share, short_effort(task.options))));
+    if (interrupted()) return usual;
+    report.tried_windows.push_back({share, identification::mean_error(trials.back())});
+  }
+  return trials[identification::best_trial(trials)].share;
+}
+
+/// The servo, with the share of windows that was asked for or foresees best. One is there already when an interruption
+/// comes while others are tried.
+Result fit_with_best_windows(const Task& task, const Logs& logs, formats::servo_log::FitReport& report) {
+  const Effort full{.starts = task.options.starts};
+  report.window_share = task.options.windows.value_or(identification::usual_window_share(task.model));
+  Result result = fit(task, logs, report.window_share, full, "fit");
+  if (task.options.windows || !identification::has_other_trajectories(logs)) return result;
+  const double best = choose_windows(task, identification::folds(logs, "trajectory"), report.window_share, report);
+  if (best == report.window_share) return result;
+  Result other = fit(task, logs, best, full, "fit again");
+  if (interrupted()) return result;
+  report.window_share = best;
+  return other;
 }
 
 int fit_servo(const FitServoOptions& options) {
@@ -141,22 +204,17 @@ int fit_servo(const FitServoOptions& options) {
   const Logs logs = formats::servo_log::read_servo_logs(options.logs);
   const Logs unseen = options.validate.empty() ? Logs{} : formats::servo_log::read_servo_logs(options.validate);
   const Task task = task_of(options, logs);
-  std::vector<identification::Fold> folds;
+  std::vector<Fold> folds;
   if (!options.cross_validate.empty()) folds = identification::folds(logs, options.cross_validate);
 
   end_gently();
-  const Result result = fit(task, logs, "fit");
-  formats::servo_log::FitReport report{.servo = result.servo,
-                                       .seed = static_cast<std::uint64_t>(options.seed),
-                                       .costs = result.costs};
+  formats::servo_log::FitReport report{.servo = {}, .seed = static_cast<std::uint64_t>(options.seed)};
+  const Result result = fit_with_best_windows(task, logs, report);
+  report.servo = result.servo;
+  report.costs = result.costs;
   report.servo.fitted = ServoReplay(report.servo, logs).errors();
   if (!unseen.empty()) report.validated = ServoReplay(report.servo, unseen).errors();
-  for (const identification::Fold& fold : folds) {
-    if (interrupted()) break;
-    const Result other = fit(task, fold.fitted, "without " + fold.unseen);
-    if (interrupted()) break;
-    report.cross_validated.push_back({fold.unseen, ServoReplay(other.servo, fold.left_out).errors()});
-  }
+  if (!interrupted()) report.cross_validated = foresee(task, folds, report.window_share, {.starts = options.starts});
   report.stopped = interrupted();
   files::write_file(options.out, formats::servo_log::to_toml(report.servo));
   write_result(options.json, formats::servo_log::to_text(report), formats::servo_log::to_json(report));

@@ -19,7 +19,7 @@ multibody::Bench<double> bench_of(const ServoLog& log, double duty_per_gain) {
           .gain = duty_per_gain * log.firmware_gain};
 }
 
-/// Goal, voltage and switch of a log at growing times.
+/// Goal, voltage and switch of a log at growing times: goal and switch are held.
 class InputReader {
  public:
   explicit InputReader(const Piece& piece) : samples_(piece.log->samples), i_(piece.first) {}
@@ -30,7 +30,6 @@ class InputReader {
     if (i_ + 1 == samples_.size()) return sample;
     const ServoSample& next = samples_[i_ + 1];
     const double share = (time - sample.time) / (next.time - sample.time);
-    sample.goal += share * (next.goal - sample.goal);
     sample.voltage += share * (next.voltage - sample.voltage);
     return sample;
   }

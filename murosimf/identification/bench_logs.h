@@ -1,8 +1,8 @@
 /// bench_logs.h - logs made ready for simulation: eight of them step through one kernel.
 ///
 /// Every log, or piece of one, is run open loop: it starts at the measured state, then only goal, voltage and torque
-/// switch of the log go in, sampled on the grid of the simulation's steps (goal and voltage linear in between, the switch
-/// as of the last entry).
+/// switch of the log go in, sampled on the grid of the simulation's steps: goal and switch as of the last entry, since a servo
+/// holds what its driver sent last; the voltage, which was measured, linear in between.
 #pragma once
 
 #include <span>

@@ -1,5 +1,7 @@
 #include "murosimf/identification/folds.h"
 
+#include <algorithm>
+#include <functional>
 #include <set>
 
 #include <fmt/format.h>
@@ -14,6 +16,10 @@ std::string group_of(const ServoLog& log, std::string_view by) {
 }
 
 }  // namespace
+
+bool has_other_trajectories(std::span<const ServoLog> logs) {
+  return std::ranges::adjacent_find(logs, std::ranges::not_equal_to{}, &ServoLog::trajectory) != logs.end();
+}
 
 std::vector<Fold> folds(std::span<const ServoLog> logs, std::string_view by) {
   if (by != "trajectory" && by != "gain") throw SetupError(unknown_name("split", by, {"trajectory", "gain"}));

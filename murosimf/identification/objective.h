@@ -18,11 +18,11 @@ namespace murosimf::identification {
 
 /// What is known of the servo's firmware, and how errors are counted.
 struct ObjectiveOptions {
-  double duty_per_gain = 0;   ///< [1/rad] duty cycle per firmware gain and angle of error
-  double duty_limit = 1;      ///< [1]
-  double current_limit = 0;   ///< [A]; 0: none
-  double window_share = 0.5;  ///< s, 0 to 1
-  double step = 2.5e-3;       ///< [s] of the simulation
+  double duty_per_gain = 0;  ///< [1/rad] duty cycle per firmware gain and angle of error
+  double duty_limit = 1;     ///< [1]
+  double current_limit = 0;  ///< [A]; 0: none
+  double window_share = 0;   ///< s, 0 to 1; window_choice.h says which
+  double step = 2.5e-3;      ///< [s] of the simulation
 };
 
 class Objective {

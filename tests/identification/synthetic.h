@@ -43,7 +43,8 @@ struct Setting {
   double gain = 400, voltage = 7.4, duration = 6, period = 5e-3, mass = 0.49;
 };
 
-/// What a perfect encoder records, every `period`, or every 5 to 8 ms if that is 0.
+/// What a perfect encoder records, every `period`, or every 5 to 8 ms if that is 0. With each entry the driver sends goal and
+/// torque switch, which the servo holds until the next.
 inline identification::ServoLog record(const multibody::BenchServo& servo, const Course& course,
                                        const Setting& setting = {}) {
   constexpr double fine = 2.5e-4, length = 0.1;
@@ -59,15 +60,17 @@ inline identification::ServoLog record(const multibody::BenchServo& servo, const
                                        .weight = setting.mass * 9.80665 * length,
                                        .gain = duty_per_gain * setting.gain};
   multibody::BenchState<double> state;
+  multibody::BenchInput<double> input{.goal = 0, .voltage = setting.voltage, .enabled = 1};
   double next = 0;
   for (int k = 0; k * fine <= setting.duration; ++k) {
     const double t = k * fine;
-    const bool on = course.enabled(t);
     if (t >= next - 1e-9) {
-      log.samples.push_back({t, state.position, state.rate, setting.voltage, course.goal(t), on});
+      const bool on = course.enabled(t);
+      input.goal = course.goal(t);
+      input.enabled = on ? 1 : 0;
+      log.samples.push_back({t, state.position, state.rate, setting.voltage, input.goal, on});
       next = t + (setting.period > 0 ? setting.period : 5e-3 + 1e-3 * static_cast<double>(log.samples.size() % 4));
     }
-    const multibody::BenchInput<double> input{course.goal(t + fine / 2), setting.voltage, on ? 1.0 : 0.0};
     multibody::advance(servo, bench, input, fine, state);
   }
   return log;

@@ -8,25 +8,13 @@
 
 #include "murosimf/math/pack.h"
 #include "tests/fixtures.h"
+#include "tests/physics/friction_sets.h"
 
 namespace murosimf::multibody {
 namespace {
 
 using fixtures::Dice;
 using fixtures::same_bits;
-
-/// The published M6 of the XL-330 (bam), as an example with every term.
-const GearFriction m6{.coulomb = 0.00477,
-                      .viscous = 0.00536,
-                      .stribeck = 0.00468,
-                      .stribeck_rate = 2.890,
-                      .stribeck_exponent = 8.683,
-                      .motor_load = 0.2668,
-                      .external_load = 9e-6,
-                      .stribeck_motor_load = 1e-5,
-                      .stribeck_external_load = 0.0808,
-                      .quadratic_motor_load = 0.00997,
-                      .quadratic_external_load = 0.00490};
 
 /// The budget as the paper writes it, with the library's exp and pow.
 double by_the_book(const GearFriction& k, double w, double m, double e) {
@@ -139,7 +127,7 @@ TEST(JointFriction, LanesAreScalars) {
   Dice dice("friction lanes");
   const std::array rates{0.0, -0.0, 1e-12, 1.0, -3.0, 200.0, std::numeric_limits<double>::quiet_NaN(), 40.0};
   for (int i = 0; i < 20000; ++i) {
-    const GearFriction k = i == 0 ? m6 : random_friction(dice);
+    const GearFriction k = i == 0 ? test::published_m6 : random_friction(dice);
     Pack8 w, m, e;
     for (int lane = 0; lane < Pack8::lanes; ++lane) {
       w.set_lane(lane, dice.chance(0.7) ? rates[static_cast<std::size_t>(dice.pick(8))] : dice.uniform(-3, 3));

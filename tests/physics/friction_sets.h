@@ -13,6 +13,19 @@ struct FrictionSet {
   Servo servo;
 };
 
+/// M6 of an XL-330, with every term; its motor is in friction_sets.
+inline constexpr GearFriction published_m6{.coulomb = 0.00477,
+                                           .viscous = 0.00536,
+                                           .stribeck = 0.00468,
+                                           .stribeck_rate = 2.890,
+                                           .stribeck_exponent = 8.683,
+                                           .motor_load = 0.2668,
+                                           .external_load = 9e-6,
+                                           .stribeck_motor_load = 1e-5,
+                                           .stribeck_external_load = 0.0808,
+                                           .quadratic_motor_load = 0.00997,
+                                           .quadratic_external_load = 0.00490};
+
 /// An XL-330 at 7.5 V with P gain 400. M1, M4 and M6 are published together with their motors (Duclusaud et al., ICRA 2025,
 /// parameter files of github.com/Rhoban/bam); the others leave away what their model does not have.
 inline std::vector<FrictionSet> friction_sets() {
@@ -37,18 +50,7 @@ inline std::vector<FrictionSet> friction_sets() {
                         .external_load = 0.0680,
                         .stribeck_motor_load = 0.0738,
                         .stribeck_external_load = 0.0738};
-  const GearFriction m6{.coulomb = 0.00477,
-                        .viscous = 0.00536,
-                        .stribeck = 0.00468,
-                        .stribeck_rate = 2.890,
-                        .stribeck_exponent = 8.683,
-                        .motor_load = 0.2668,
-                        .external_load = 9e-6,
-                        .stribeck_motor_load = 1e-5,
-                        .stribeck_external_load = 0.0808,
-                        .quadratic_motor_load = 0.00997,
-                        .quadratic_external_load = 0.00490};
-  GearFriction m2 = m1, m3 = m1, m5 = m6;
+  GearFriction m2 = m1, m3 = m1, m5 = published_m6;
   m2.stribeck = 0.00468;
   m2.stribeck_rate = 2.890;
   m2.stribeck_exponent = 8.683;
@@ -56,7 +58,7 @@ inline std::vector<FrictionSet> friction_sets() {
   m5.quadratic_motor_load = m5.quadratic_external_load = 0;
   return {{"M1", servo(0.3867, 4.017, 0.001814, m1)}, {"M2", servo(0.3867, 4.017, 0.001814, m2)},
           {"M3", servo(0.3867, 4.017, 0.001814, m3)}, {"M4", servo(0.3862, 3.403, 0.001895, m4)},
-          {"M5", servo(0.3660, 2.811, 0.001808, m5)}, {"M6", servo(0.3660, 2.811, 0.001808, m6)}};
+          {"M5", servo(0.3660, 2.811, 0.001808, m5)}, {"M6", servo(0.3660, 2.811, 0.001808, published_m6)}};
 }
 
 }  // namespace murosimf::test

@@ -60,6 +60,26 @@ double mean_of_groups(const std::vector<UnseenGroup>& groups) {
   return mean_error(all);
 }
 
+std::string windows_row(const FitReport& report) {
+  std::string text = fmt::format("share of windows {:g}", report.window_share);
+  std::string_view before = ", by what fits foresee of other trajectories: ";
+  for (const TriedWindows& tried : report.tried_windows) {
+    text += fmt::format("{}{:g}: {:.1f} mrad", before, tried.share, mrad * tried.error);
+    before = ", ";
+  }
+  return text + "\n";
+}
+
+void add_windows(const FitReport& report, json& root) {
+  root["window_share"] = report.window_share;
+  if (report.tried_windows.empty()) return;
+  json tried = json::array();
+  for (const TriedWindows& one : report.tried_windows) {
+    tried.push_back({{"share", one.share}, {"error_rad", one.error}});
+  }
+  root["tried_windows"] = std::move(tried);
+}
+
 void add_cross_validation(const FitReport& report, json& root) {
   if (report.cross_validated.empty()) return;
   json groups = json::array();
@@ -89,8 +109,9 @@ std::string to_text(const FitReport& report) {
     text += mean_row(fmt::format("mean of {}, fitted to the others", group.name), mean_error(group.logs));
   }
   text += fmt::format("\n{}", parameter_rows(report.servo));
-  return text + fmt::format("\nmodel {}, prior {}, seed {}; cost of each start [mrad]: {:.1f}\n",
-                            report.servo.friction_model, report.servo.prior, report.seed, fmt::join(costs, " "));
+  text += fmt::format("\nmodel {}, prior {}, seed {}; cost of each start [mrad]: {:.1f}\n", report.servo.friction_model,
+                      report.servo.prior, report.seed, fmt::join(costs, " "));
+  return text + windows_row(report);
 }
 
 std::string to_text(const ReplayReport& report) {
@@ -117,6 +138,7 @@ std::string to_json(const FitReport& report) {
     root["validated"] = json_of(report.validated);
     root["mean_validated_error_rad"] = mean_error(report.validated);
   }
+  add_windows(report, root);
   add_cross_validation(report, root);
   return files::json_text(std::move(root));
 }

@@ -15,8 +15,16 @@ struct UnseenGroup {
   std::vector<LogError> logs;
 };
 
+/// A share of windows that was tried, and what fits with it foresaw.
+struct TriedWindows {
+  double share = 0;
+  double error = 0;  ///< [rad] mean of all logs, each by the fit that has not seen its trajectory
+};
+
 struct FitReport {
   FittedServo servo;
+  double window_share = 0;                  ///< of the fit
+  std::vector<TriedWindows> tried_windows;  ///< empty: the share was given, or nothing could be tried
   std::uint64_t seed = 0;
   std::vector<double> costs;                 ///< [rad] that the starts of the search reached
   std::vector<LogError> validated;           ///< logs that were not fitted
@@ -35,7 +43,8 @@ struct ReplayReport {
 [[nodiscard]] std::string to_text(const FitReport& report);
 [[nodiscard]] std::string to_text(const ReplayReport& report);
 
-/// One JSON object: model, base, prior, seed, stopped, costs_rad [], parameters {name: value}, mean_error_rad,
+/// One JSON object: model, base, prior, seed, stopped, costs_rad [], window_share, tried_windows [{share, error_rad}] (if any),
+/// parameters {name: value}, mean_error_rad,
 /// logs [{name, trajectory, firmware_gain, error_rad}], validated [the same], mean_validated_error_rad (if any),
 /// cross_validated [{unseen, error_rad, logs}], mean_cross_validated_error_rad (if any).
 [[nodiscard]] std::string to_json(const FitReport& report);
