@@ -1,6 +1,8 @@
-// `murosimf bench collision`: what collision detection tests and costs, in the paper's scene, on a full field, in a heap.
+// `murosimf bench collision`: what collision detection tests and costs, in the paper's scene, on a full field, in a heap, or in the
+// scenes that are named.
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
@@ -19,11 +21,18 @@ namespace {
 
 struct BenchOptions {
   std::string what;
-  std::string json;  ///< file, "-" for standard output
+  std::vector<std::string> scenes, overrides;
+  std::optional<double> duration;  ///< [s]
+  std::string json;                ///< file, "-" for standard output
 };
 
 void define(const Command& command, BenchOptions& options) {
   command.add("what", options.what, "collision").required().one_of({"collision"});
+  command.add("scenes", options.scenes, "Scene files (TOML), or names; none: those of docs/collision.md")
+      .offers_list("scenes");
+  command.add("--set", options.overrides, "PATH=VALUE: change the scenes that are named").one_at_a_time();
+  command.add("--duration", options.duration, "Simulated seconds of the scenes that are named, instead of their own")
+      .within(0.001, scene_file::longest_duration);
   add_json(command, options.json);
 }
 
@@ -34,7 +43,7 @@ struct Case {
   std::vector<std::string> overrides;
 };
 
-std::vector<Case> cases() {
+std::vector<Case> usual_cases() {
   return {{"duel", "duel", 0, 60, {}},
           {"duel, aabb", "duel", 0, 60, {"blue1.volume=aabb", "red1.volume=aabb"}},
           {"duel, standing",
@@ -44,6 +53,22 @@ std::vector<Case> cases() {
            {"blue1.controller=none", "red1.controller=none", "blue1.position=[-1, 0]", "red1.position=[1, 0]"}},
           {"eleven a side", "eleven_a_side", 1, 4, {}},
           {"heap", "heap", 4, 8, {}}};
+}
+
+std::vector<Case> cases_of(const BenchOptions& options) {
+  if (options.scenes.empty()) {
+    if (options.duration || !options.overrides.empty())
+      throw SetupError(
+          "--set and --duration are for scenes that are named: murosimf bench collision duel --duration 10");
+    return usual_cases();
+  }
+  std::vector<Case> cases;
+  for (const std::string& name : options.scenes) {
+    const scene::Scene scene(name, {.overrides = options.overrides, .stop = interrupted});
+    cases.push_back({std::filesystem::path(name).stem().string(), name, 0,
+                     options.duration.value_or(scene.spec().duration), options.overrides});
+  }
+  return cases;
 }
 
 double median(std::vector<double> numbers) {
@@ -57,10 +82,14 @@ scene::CollisionReport summed_up(const std::vector<CollisionProbe::Sample>& samp
   report.steps = static_cast<std::int64_t>(samples.size());
   report.naive_tests = naive;
   std::vector<double> pairs, ground;
+  std::vector<std::int64_t> volumes_anew, objects;
   for (const CollisionProbe::Sample& sample : samples) {
     const double share = static_cast<double>(sample.volumes + sample.objects) / static_cast<double>(naive);
     report.mean_volume_tests += static_cast<double>(sample.volumes);
     report.mean_object_tests += static_cast<double>(sample.objects);
+    report.mean_volume_tests_anew += static_cast<double>(sample.volumes_anew);
+    volumes_anew.push_back(sample.volumes_anew);
+    objects.push_back(sample.objects);
     report.mean_contacts += static_cast<double>(sample.contacts);
     report.worst_share = std::max(report.worst_share, share);
     ++report.histogram[std::min(scene::CollisionReport::bins - 1,
@@ -68,9 +97,12 @@ scene::CollisionReport summed_up(const std::vector<CollisionProbe::Sample>& samp
     pairs.push_back(sample.pairs_us);
     ground.push_back(sample.ground_us);
   }
-  for (double* sum : {&report.mean_volume_tests, &report.mean_object_tests, &report.mean_contacts}) {
+  for (double* sum :
+       {&report.mean_volume_tests, &report.mean_object_tests, &report.mean_volume_tests_anew, &report.mean_contacts}) {
     *sum /= static_cast<double>(samples.size());
   }
+  report.volume_tests_anew = scene::histogram_of(volumes_anew);
+  report.object_tests = scene::histogram_of(objects);
   report.pairs_us = median(pairs);
   report.ground_us = median(ground);
   return report;
@@ -87,17 +119,17 @@ std::vector<Entity*> moving_entities_of(World& world, const Entity& environment)
 /// Shows how far all cases are: each counts the same, and its run with the probe as much as that without.
 class BenchProgress {
  public:
+  explicit BenchProgress(std::size_t cases) : cases_(static_cast<double>(cases)) {}
   void begin(const Case& measured) {
     until_ = measured.until;
     what_ = measured.name;
   }
   void end_half() { ++halves_; }
-  void show(Duration now) {
-    line_.show((halves_ + seconds(now) / until_) / (2 * static_cast<double>(cases().size())), what_);
-  }
+  void show(Duration now) { line_.show((halves_ + seconds(now) / until_) / (2 * cases_), what_); }
 
  private:
   Progress line_;
+  double cases_;
   std::string what_;
   double until_ = 1;  // [s]
   int halves_ = 0;
@@ -150,16 +182,17 @@ std::optional<scene::CollisionReport> measure(const Case& measured, BenchProgres
 int bench(const BenchOptions& options) {
   check_json_file(options.json);
   end_gently();
+  const std::vector<Case> cases = cases_of(options);
   std::vector<scene::CollisionReport> reports;
   {
-    BenchProgress progress;
-    for (const Case& measured : cases()) {
+    BenchProgress progress(cases.size());
+    for (const Case& measured : cases) {
       if (auto report = measure(measured, progress)) reports.push_back(*report);
       if (interrupted()) break;
     }
   }
   if (interrupted()) {
-    say_error(fmt::format("stopped by {} after {} of {} scenes", signal_name(), reports.size(), cases().size()));
+    say_error(fmt::format("stopped by {} after {} of {} scenes", signal_name(), reports.size(), cases.size()));
   }
   write_result(options.json, scene::to_text(reports), scene::to_json(reports));
   return exit_code();

@@ -34,22 +34,32 @@ CollisionProbe::CollisionProbe(Setup& setup, const std::vector<Entity*>& moving_
   for (const Entity* entity : moving_entities) ground_finders_.emplace_back(*entity, &setup.entity());
 }
 
+/// Leaves the points in points_.
+collision::TestCounts CollisionProbe::find_on_ground() noexcept {
+  collision::TestCounts counts;
+  points_.clear();
+  for (std::size_t i = 0; i < moving_entities_.size(); ++i) {
+    ground_finders_[i].find(moving_entities_[i].r, moving_entities_[i].R, points_, counts);
+  }
+  return counts;
+}
+
 void CollisionProbe::step(const Instant&) noexcept {
   using Clock = std::chrono::steady_clock;
+  for (collision::MovingEntity& moving_entity : moving_entities_) moving_entity.start_step();
   const auto start = Clock::now();
-  collision::TestCounts ground;
-  std::size_t contacts = 0;
-  for (std::size_t i = 0; i < moving_entities_.size(); ++i) {
-    moving_entities_[i].start_step();
-    points_.clear();
-    ground_finders_[i].find(moving_entities_[i].r, moving_entities_[i].R, points_, ground);
-    contacts += points_.size();
-  }
+  const collision::TestCounts ground = find_on_ground();
   const auto middle = Clock::now();
   pair_finder_.find(moving_entities_, pairs_);
   const std::chrono::duration<double, std::micro> on_ground = middle - start, among = Clock::now() - middle;
-  samples_.push_back({ground.volumes + pairs_.tests.volumes, ground.objects + pairs_.tests.objects,
-                      contacts + pairs_.points.size(), among.count(), on_ground.count()});
+  const collision::TestCounts pairs = pairs_.tests;
+  const std::size_t contacts = points_.size() + pairs_.points.size();
+  for (collision::GroundFinder& finder : ground_finders_) finder.forget_nearness();
+  pair_finder_.forget_neighbors();
+  const std::int64_t anew_on_ground = find_on_ground().volumes;
+  pair_finder_.find(moving_entities_, pairs_);
+  samples_.push_back({ground.volumes + pairs.volumes, ground.objects + pairs.objects,
+                      anew_on_ground + pairs_.tests.volumes, contacts, among.count(), on_ground.count()});
 }
 
 }  // namespace murosimf::app

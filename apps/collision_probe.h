@@ -16,6 +16,7 @@ class CollisionProbe final : public Algorithm {
  public:
   struct Sample {
     std::int64_t volumes = 0, objects = 0;  ///< tests
+    std::int64_t volumes_anew = 0;          ///< the same if nothing were remembered of the step before
     std::size_t contacts = 0;
     double pairs_us = 0, ground_us = 0;  ///< all transforms and tests: among moving entities; with goals and ground
   };
@@ -31,6 +32,8 @@ class CollisionProbe final : public Algorithm {
   [[nodiscard]] std::int64_t naive_tests() const { return naive_; }
 
  private:
+  [[nodiscard]] collision::TestCounts find_on_ground() noexcept;
+
   std::vector<collision::MovingEntity> moving_entities_;
   std::vector<collision::GroundFinder> ground_finders_;
   collision::PairFinder pair_finder_;

@@ -88,7 +88,7 @@ void draw(const std::string& course_file, const std::string& camera_file, double
   char title[80];
   std::snprintf(title, sizeof title, "%s: %.1f s", scene.spec().name.c_str(), time);
   files::write_file(course_file,
-                    render::field_picture_png(scene_file::field_markings(scene_file::kid_size_2008), {},
+                    render::field_picture_png(scene_file::field_markings(scene_file::kid_size_2008, false), {},
                                               {.pixels_per_meter = 100, .title = title, .overlay = overlay}));
   files::write_file(camera_file, render::image_png(sensors::frames_of(robot).front()->color));
 }

@@ -144,7 +144,7 @@ extern "C" const char* murosimf_plugin_version() { return catalog::plugin_versio
 extern "C" void murosimf_register(catalog::Registries& registries) {
   registries.controllers.add({"circle", "walks in a circle", "", attach_circle, circle_options().infos()});
   registries.contacts.add({"ice", "a damped spring without friction; explicit, for steps of 1 ms",
-                           [](const OptionValues&) { return std::make_shared<Ice>(); }, 0.002, 0.001});
+                           [](const OptionValues&) { return std::make_shared<Ice>(); }, {0.002, 0.001}});
   registries.sensors.add({"altimeter", "of the sensor: its height above the plane z = 0, world", "",
                           sensors::Watch::samples, make_altimeter});
   registries.formats.add({"lump", "a ball: two numbers, radius [m] and mass [kg]", ".lump", "", read_lump});

@@ -8,6 +8,7 @@
 #include "murosimf/collision/body_carry_law.h"
 #include "murosimf/collision/body_island_law.h"
 #include "murosimf/collision/body_kelvin_voigt_law.h"
+#include "murosimf/collision/body_paper_law.h"
 #include "murosimf/collision/implicit_stick_law.h"
 #include "murosimf/collision/kelvin_voigt_law.h"
 #include "murosimf/collision/paper_law.h"
@@ -161,6 +162,14 @@ std::shared_ptr<const collision::ContactLaw> make_paper_multipoint(const OptionV
   return std::make_shared<collision::PaperLaw>(options);
 }
 
+constexpr LongestSteps bounded_steps{0.01, 0.01}, literal_steps{0.002, 0.001};
+
+LongestSteps paper_steps(const OptionValues& given) {
+  collision::PaperLawOptions options;
+  paper_law_options().apply(values_among(paper_law_options().infos(), given), options);
+  return options.bounded ? bounded_steps : literal_steps;
+}
+
 // Keys: what stands in a scene file; "position.z" is the height in `position`.
 std::vector<LevelType> built_in_levels() {
   return {
@@ -190,16 +199,22 @@ std::vector<LevelType> built_in_levels() {
 
 std::vector<ContactLawType> built_in_contacts() {
   return {
-      ContactLawType{"implicit_stick", "compliant, implicit, with a tangential spring that sticks; the default",
-                     make_law<collision::ImplicitStick>, 0.01, 0.01},
-      ContactLawType{"island_gauss_seidel", "the same force, settled together with all contacts of what is touched",
-                     make_law<collision::IslandGaussSeidel>, 0.01, 0.01},
-      ContactLawType{"kelvin_voigt", "spring, damper and a tangential spring that sticks; explicit, for steps of 1 ms",
-                     make_law<collision::KelvinVoigt>, 0.002, 0.001},
+      ContactLawType{"implicit_stick",
+                     "compliant, implicit, with a tangential spring that sticks; the default",
+                     make_law<collision::ImplicitStick>,
+                     {0.01, 0.01}},
+      ContactLawType{"island_gauss_seidel",
+                     "the same force, settled together with all contacts of what is touched",
+                     make_law<collision::IslandGaussSeidel>,
+                     {0.01, 0.01}},
+      ContactLawType{"kelvin_voigt",
+                     "spring, damper and a tangential spring that sticks; explicit, for steps of 1 ms",
+                     make_law<collision::KelvinVoigt>,
+                     {0.002, 0.001}},
       ContactLawType{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)", make_paper,
-                     0.002, 0.001, paper_law_options().infos()},
+                     bounded_steps, paper_law_options().infos(), paper_steps},
       ContactLawType{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint,
-                     0.002, 0.001, paper_law_options().infos()},
+                     bounded_steps, paper_law_options().infos(), paper_steps},
   };
 }
 
@@ -214,6 +229,18 @@ std::unique_ptr<collision::BodyContactLaw> make_body_island(const OptionValues& 
   return std::make_unique<collision::BodyIslandLaw>(options);
 }
 
+std::unique_ptr<collision::BodyContactLaw> make_body_paper(const OptionValues& given) {
+  collision::PaperLawOptions options;
+  paper_law_options().apply(given, options);
+  return std::make_unique<collision::BodyPaperLaw>(options);
+}
+
+std::unique_ptr<collision::BodyContactLaw> make_body_paper_multipoint(const OptionValues& given) {
+  collision::PaperLawOptions options{.one_point_per_body = false};
+  paper_law_options().apply(given, options);
+  return std::make_unique<collision::BodyPaperLaw>(options);
+}
+
 std::vector<BodyContactLawType> built_in_body_contacts() {
   return {
       BodyContactLawType{"island_gauss_seidel", "all contacts of touching entities settled together; the default",
@@ -222,6 +249,10 @@ std::vector<BodyContactLawType> built_in_body_contacts() {
                          make_body_law<collision::BodyCarryLaw>},
       BodyContactLawType{"kelvin_voigt", "explicit spring, damper and viscous friction; 1 ms",
                          make_body_law<collision::BodyKelvinVoigtLaw>},
+      BodyContactLawType{"paper", "spring and viscous friction at one point of two bodies (paper 5.3); 1 ms",
+                         make_body_paper, paper_law_options().infos()},
+      BodyContactLawType{"paper_multipoint", "the same spring and viscous friction at every point; 1 ms",
+                         make_body_paper_multipoint, paper_law_options().infos()},
   };
 }
 

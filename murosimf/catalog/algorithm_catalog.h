@@ -44,13 +44,19 @@ struct LevelType {
   std::vector<OptionInfo> options{};  ///< of its own
 };
 
+/// Lengths of steps [s] with which a robot stands and walks under a law (docs/scenes.md).
+struct LongestSteps {
+  double without_servos, with_servos;
+};
+
 /// Law of contact with the ground.
 struct ContactLawType {
   std::string name, meaning;
   std::function<std::shared_ptr<const collision::ContactLaw>(const OptionValues&)> make;
-  double longest_step;        ///< [s] with which a robot stands and walks at levels without servos (docs/scenes.md)
-  double longest_servo_step;  ///< [s] the same at articulated_dynamics
+  LongestSteps longest_steps;
   std::vector<OptionInfo> options{};  ///< of its own
+  /// Where options change the steps; null: they do not.
+  std::function<LongestSteps(const OptionValues&)> longest_steps_with{};
 };
 
 /// Law between moving bodies.

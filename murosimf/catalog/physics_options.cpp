@@ -43,10 +43,14 @@ const OptionTable<LevelOptions>& reference_and_tree_options() {
 const OptionTable<collision::PaperLawOptions>& paper_law_options() {
   using Options = collision::PaperLawOptions;
   static const OptionTable<Options> table{
-      {"rebound", &Options::rebound, "1", "share of the spring's force while bodies part (s_b)", 0, 1},
-      {"friction", &Options::friction, "s/m", "force per normal force and velocity (s_mu); above 10 unstable at 1 ms",
-       0, 100},
-      {"spin_friction", &Options::spin_friction, "m s", "moment per normal force and turning rate (s_nu)", 0, 1},
+      {"rebound", &Options::rebound, "1",
+       "share of the spring's force while bodies part (s_b); not given: by materials", 0, 1},
+      {"friction", &Options::friction, "s/m",
+       "force per normal force and velocity (s_mu); not given: viscous_friction of materials", 0, 100},
+      {"spin_friction", &Options::spin_friction, "m s",
+       "moment per normal force and turning rate (s_nu); not given: by materials", 0, 1},
+      {"bounded", &Options::bounded, "",
+       "friction stops at most what it rubs; false: the paper's letter, docs/scenes.md has the steps"},
   };
   return table;
 }

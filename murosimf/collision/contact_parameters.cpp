@@ -55,6 +55,9 @@ ContactParameters contact_parameters(const Model& model, const PairSurface& pair
   p.tangent_damping = 0.5 * p.damping;
   p.friction = pair.friction;
   p.rolling = pair.rolling;
+  p.rebound = pair.rebound;
+  p.viscous_friction = pair.viscous_friction;
+  p.spin_friction = pair.spin_friction;
   // implicit in the depth only where it does not spoil a bounce: dt^2 k / m < 0.25 resolves the impact of a ball
   p.theta = is_round(model) && dt * dt * p.stiffness / mass < 0.25 ? 0.0 : 1.0;
   return p;

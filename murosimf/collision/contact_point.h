@@ -32,6 +32,9 @@ struct ContactParameters {
   double rolling = 0;            ///< [1] rolling resistance
   Vec3d friction_direction;  ///< [1] world frame: friction towards the unit vector d is mu (1 - friction_direction . d)
   double theta = 1;          ///< [1] 1: depth after the step counts, 0: depth before it
+  double rebound = 1;        ///< [1] s_b of the paper's laws (paper_law.h)
+  double viscous_friction = 0;  ///< [s/m] s_mu of these
+  double spin_friction = 0;     ///< [m s] s_nu of these
 };
 
 /// What a law knows besides the points: the constants of one entity's contacts, the same in every step.

@@ -35,6 +35,8 @@ class GroundFinder {
   /// How many contacts there can be with planes.
   [[nodiscard]] std::size_t most_on_planes() const;
 
+  /// The next find() asks anew whether something that stands is near; what it finds is the same.
+  void forget_nearness() noexcept { is_near_statics_ = {}; }
   /// Appends contacts, sorted by feature; geometry and `surface` only. r [m], R: poses of the entity's objects.
   void find(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
             TestCounts& tests) noexcept;

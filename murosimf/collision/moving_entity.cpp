@@ -104,7 +104,15 @@ void MovingEntity::push(int object, const Vec3d& point, const Vec3d& force, doub
     ledger[0] += Wrenchd{cross(point, dt * force), dt * force};
     return;
   }
-  const Wrenchd at_origin{cross(point - r[object], force), force};
+  add(object, {cross(point - r[object], force), force});
+}
+
+void MovingEntity::turn(int object, const Vec3d& moment, double dt) noexcept {
+  if (can_be_pushed()) return add(object, {moment, {}});
+  ledger[0].n += dt * moment;
+}
+
+void MovingEntity::add(int object, const Wrenchd& at_origin) noexcept {
   interaction_force[object] += at_origin;
   external_force[object] += at_origin;
   if (seam.law) contacts.rest_force[object] += at_origin;

@@ -43,6 +43,8 @@ struct MovingEntity {
   void start_step() noexcept;
   /// A force [N] at a point [m] of a body, world frame; what cannot be pushed adds its impulse to the ledger.
   void push(int object, const Vec3d& point, const Vec3d& force, double dt) noexcept;
+  /// The same of a moment [N m], world axes.
+  void turn(int object, const Vec3d& moment, double dt) noexcept;
   /// The force falls with the velocity of the point, by `damping` [N s/m]; world frame.
   void damp(int object, const Vec3d& point, const SymMat3d& damping) noexcept;
 
@@ -64,6 +66,8 @@ struct MovingEntity {
   ContactSeam& seam;
 
  private:
+  void add(int object, const Wrenchd& at_origin) noexcept;
+
   std::vector<int> pushed_;  // objects with an interaction force
   bool refitted_ = false;    // in this step
   std::uint64_t fits_ = 0;

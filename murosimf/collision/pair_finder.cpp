@@ -105,6 +105,12 @@ void PairFinder::find(std::vector<MovingEntity>& moving_entities, PairSet& set) 
   remember(set);
 }
 
+void PairFinder::forget_neighbors() noexcept {
+  for (auto* all : {&neighbors_, &limbs_}) {
+    for (Neighbors& near : *all) near.fits_a = near.fits_b = 0;
+  }
+}
+
 /// What was known of pairs that are still within reach goes on; most times these are the pairs of the step before.
 void PairFinder::renew_neighbors() {
   const auto& next = sweep_.pairs();

@@ -32,6 +32,8 @@ class PairFinder {
   [[nodiscard]] std::vector<ContactParameters> parameters() const;
   /// Renews set.points and set.blocked; points of the step before go to set.previous.
   void find(std::vector<MovingEntity>& moving_entities, PairSet& set) noexcept;
+  /// The next find() looks for shapes that are near each other as if everything had moved; what it finds is the same.
+  void forget_neighbors() noexcept;
   /// Entities whose spheres of reach met in the last find(), sorted; a < b.
   [[nodiscard]] const std::vector<std::pair<int, int>>& within_reach() const { return pairs_; }
 

@@ -1,40 +1,39 @@
 #include "murosimf/collision/paper_law.h"
 
-#include <algorithm>
-
 #include "murosimf/collision/contact_law_parts.h"
+#include "murosimf/collision/deepest_points.h"
 
 namespace murosimf::collision {
-namespace {
-
-/// Keeps the deepest point of every body.
-void keep_deepest(std::vector<ContactPoint>& points) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto same_body = [&](const ContactPoint& other) { return other.object == points[i].object; };
-    const auto best = std::find_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(kept), same_body);
-    if (best == points.begin() + static_cast<std::ptrdiff_t>(kept)) {
-      points[kept++] = points[i];
-    } else if (points[i].depth > best->depth) {
-      *best = points[i];
-    }
-  }
-  points.resize(kept);
-  std::sort(points.begin(), points.end(),
-            [](const ContactPoint& a, const ContactPoint& b) { return a.feature < b.feature; });
+PaperForce paper_force(const ContactPoint& c, const ContactParameters& p, const PaperLawOptions& options) noexcept {
+  const double gain = dot(c.velocity, c.normal) < 0 ? 1.0 : options.rebound.value_or(p.rebound);
+  const double f_n = gain * p.stiffness * c.depth;
+  return {f_n, options.friction.value_or(p.viscous_friction) * f_n,
+          options.spin_friction.value_or(p.spin_friction) * f_n};
 }
 
-}  // namespace
-
 void PaperLaw::prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept {
-  if (options_.one_point_per_body) keep_deepest(points);
+  if (options_.one_point_per_body) {
+    keep_deepest(
+        points, [](const ContactPoint& a, const ContactPoint& b) { return a.object == b.object; },
+        [](const ContactPoint& a, const ContactPoint& b) { return a.feature < b.feature; });
+  }
   for (ContactPoint& c : points) {
     clear_force(c);
-    const double v_n = dot(c.velocity, c.normal);
-    const double gain = v_n < 0 ? 1.0 : options_.rebound;
-    const double f_n = gain * terms.parameters[c.surface].stiffness * c.depth;
-    c.force = f_n * c.normal - (options_.friction * f_n) * tangential(c.velocity, c.normal);
-    c.moment = (-options_.spin_friction * f_n) * c.angular_velocity;
+    const PaperForce f = paper_force(c, terms.parameters[c.surface], options_);
+    c.force = f.normal * c.normal - f.rub * tangential(c.velocity, c.normal);
+    c.moment = -f.spin * c.angular_velocity;
+    if (!options_.bounded) continue;
+    c.slip_direction = {};
+    c.tangent_damping = f.rub;
+    c.angular_damping = f.spin;
+  }
+}
+
+void PaperLaw::commit(std::span<ContactPoint> points, const ContactTerms&,
+                      std::span<const Vec3d> next_velocity) const noexcept {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ContactPoint& c = points[i];
+    c.force -= c.tangent_damping * tangential(next_velocity[i] - c.velocity, c.normal);
   }
 }
 

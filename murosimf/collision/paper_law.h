@@ -5,24 +5,41 @@
 ///            = s_b s_c depth n      separating
 ///     f_fric = -s_mu |f_n| v_t      n_fric = -s_nu |f_n| w
 ///
-/// Source:  paper 5.3. Explicit: external_damping stays zero.
+/// Source:  paper 5.3. s_mu, s_nu and s_b are numbers of the pair of materials, s_c is its stiffness.
 /// Differs: the paper leaves open the signs (friction must oppose the motion), which velocity rubs (only the
 ///          tangential part; the whole would damp the normal direction too), and which point stands for the pair
 ///          (the deepest). One point is no support polygon: a box rocks on it.
-/// Limits:  friction is viscous, so on a slope of angle a everything creeps with tan(a)/s_mu; s_mu above about
-///          10 s/m is unstable with steps of 1 ms. Both are properties of the law.
+///          With `bounded`, our addition, v_t and w are those that the step ends with: friction can stop what it rubs, not turn
+///          it back. By the letter (`bounded` off) they are those at its beginning: with an effective mass m at the point,
+///          velocities grow from step to step where dt s_mu |f_n| / m exceeds 2, as under any hard impact of a light limb.
+/// Limits:  friction is viscous, so on a slope of angle a everything creeps with tan(a)/s_mu: a property of the law.
 #pragma once
+
+#include <optional>
 
 #include "murosimf/collision/contact_law.h"
 
 namespace murosimf::collision {
 
+/// Empty: of the pair of materials.
 struct PaperLawOptions {
-  double rebound = 0.4;         ///< [1] s_b
-  double friction = 5.0;        ///< [s/m] s_mu
-  double spin_friction = 0.01;  ///< [m s] s_nu
+  std::optional<double> rebound;        ///< [1] s_b
+  std::optional<double> friction;       ///< [s/m] s_mu
+  std::optional<double> spin_friction;  ///< [m s] s_nu
+  bool bounded = true;                  ///< friction by the velocity after the step
   bool one_point_per_body = true;
 };
+
+/// Normal force and dampers of one contact.
+struct PaperForce {
+  double normal = 0;  ///< [N] |f_n|
+  double rub = 0;     ///< [N s/m] s_mu |f_n|
+  double spin = 0;    ///< [N m s] s_nu |f_n|
+};
+
+/// Of a contact at the depth of `contact`, by its velocity.
+[[nodiscard]] PaperForce paper_force(const ContactPoint& contact, const ContactParameters& parameters,
+                                     const PaperLawOptions& options) noexcept;
 
 class PaperLaw final : public ContactLaw {
  public:
@@ -33,7 +50,8 @@ class PaperLaw final : public ContactLaw {
                             std::span<const Vec3d>) const noexcept override {
     return true;
   }
-  void commit(std::span<ContactPoint>, const ContactTerms&, std::span<const Vec3d>) const noexcept override {}
+  void commit(std::span<ContactPoint> points, const ContactTerms& terms,
+              std::span<const Vec3d> next_velocity) const noexcept override;
 
  private:
   PaperLawOptions options_;

@@ -48,6 +48,10 @@ void MaterialTable::set(const std::string& a, const std::string& b, const PairSu
     refuse(a, b, "friction, rolling and stiffness must be finite and at least 0");
   }
   if (!(pair.restitution >= 0 && pair.restitution <= 1)) refuse(a, b, "restitution must be from 0 to 1");
+  if (!(pair.rebound >= 0 && pair.rebound <= 1)) refuse(a, b, "rebound must be from 0 to 1");
+  const bool viscous = std::isfinite(pair.viscous_friction + pair.spin_friction);
+  if (!viscous || pair.viscous_friction < 0 || pair.spin_friction < 0)
+    refuse(a, b, "viscous_friction and spin_friction must be finite and at least 0");
   if (!(pair.friction_anisotropy >= 0 && pair.friction_anisotropy < 1))
     refuse(a, b, "friction_anisotropy must be at least 0 and below 1");
   pairs_[key(a, b)] = pair;

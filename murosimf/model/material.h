@@ -20,6 +20,10 @@ struct PairSurface {
   double stiffness = 0.0;    ///< [N/m] per contact point; 0: chosen from the weight (contact_parameters.h)
   double friction_anisotropy =
       0;  ///< [1] g, 0 <= g < 1: friction (1 - g) along the pile of the ground, (1 + g) against it
+  // of the paper's laws (paper_law.h); figures of the project's prototype, the paper gives none
+  double rebound = 0.4;         ///< [1] s_b: share of the spring's force while bodies part, 0..1
+  double viscous_friction = 5;  ///< [s/m] s_mu: force per normal force and velocity
+  double spin_friction = 0.01;  ///< [m s] s_nu: moment per normal force and turning rate
 };
 
 class MaterialTable {

@@ -113,6 +113,7 @@ struct Sole {
 struct Stroke {
   std::vector<Vec3d> points;  ///< [m] polygon, object frame
   double width = 0.05;        ///< [m]
+  Color color{1, 1, 1};       ///< of a goal: of its posts and bars, for pictures from above
 };
 
 /// What is painted on the ground, and how far it reaches.

@@ -74,7 +74,7 @@ void draw_goal(cairo_t* canvas, const Stroke& goal) {
   set_color(canvas, {0.45, 0.5, 0.47});
   cairo_stroke_preserve(canvas);
   cairo_set_line_width(canvas, 0.72 * goal.width);
-  set_color(canvas, white);
+  set_color(canvas, goal.color);
   cairo_stroke(canvas);
 }
 

@@ -16,7 +16,7 @@ struct LegendEntry {
 /// "blue_2" belongs to "blue".
 std::string team_name(const Path& path) {
   const std::size_t end = path.name.find_last_not_of("0123456789");
-  if (path.is_ball || end == std::string::npos) return path.name;
+  if (end == std::string::npos) return path.name;
   const std::size_t last = path.name.find_last_not_of("_-. ", end);
   return last == std::string::npos ? path.name : path.name.substr(0, last + 1);
 }

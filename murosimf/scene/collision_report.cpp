@@ -14,19 +14,33 @@ using nlohmann::json;
 
 constexpr int bar_width = 50;
 
-std::string histogram_text(const CollisionReport& report) {
-  std::string text =
-      fmt::format("\n{}: steps by their share of the {} naive tests\n", report.scene, report.naive_tests);
-  int last = CollisionReport::bins - 1;
-  while (last > 0 && report.histogram[last] == 0) --last;
-  const double most = static_cast<double>(*std::max_element(report.histogram.begin(), report.histogram.end()));
-  for (int i = 0; i <= last; ++i) {
-    const double part = most > 0 ? static_cast<double>(report.histogram[i]) / most : 0;
-    text += fmt::format("{:>3} to {:>3} % {:>9} {}\n", 5 * i, 5 * (i + 1), report.histogram[i],
+/// One line for each bin up to the last that is not empty; `width` tests or percent each.
+std::string bars(const auto& steps, std::int64_t width, const std::string& unit) {
+  std::size_t last = steps.size();
+  while (last > 1 && steps[last - 1] == 0) --last;
+  const double most = static_cast<double>(*std::max_element(steps.begin(), steps.end()));
+  std::string text;
+  for (std::size_t i = 0; i < last; ++i) {
+    const double part = most > 0 ? static_cast<double>(steps[i]) / most : 0;
+    const auto from = width * static_cast<std::int64_t>(i);
+    text += fmt::format("{:>5} to {:>5}{} {:>9} {}\n", from, from + width, unit, steps[i],
                         std::string(static_cast<std::size_t>(bar_width * part), '#'));
   }
   return text;
 }
+
+std::string histograms_text(const CollisionReport& report) {
+  std::string text =
+      fmt::format("\n{}: steps by their share of the {} naive tests\n", report.scene, report.naive_tests);
+  text += bars(report.histogram, 100 / CollisionReport::bins, " %");
+  if (report.volume_tests_anew.steps.empty()) return text;
+  text += fmt::format("\n{}: steps by their tests of volumes, if nothing is remembered\n", report.scene);
+  text += bars(report.volume_tests_anew.steps, report.volume_tests_anew.bin, "");
+  text += fmt::format("\n{}: steps by their tests of shapes\n", report.scene);
+  return text + bars(report.object_tests.steps, report.object_tests.bin, "");
+}
+
+json object_of(const TestHistogram& histogram) { return {{"bin", histogram.bin}, {"steps", histogram.steps}}; }
 
 json object_of(const CollisionReport& report) {
   return {{"scene", report.scene},
@@ -36,6 +50,10 @@ json object_of(const CollisionReport& report) {
           {"mean_volume_tests", report.mean_volume_tests},
           {"mean_object_tests", report.mean_object_tests},
           {"mean_share", report.mean_share()},
+          {"mean_volume_tests_anew", report.mean_volume_tests_anew},
+          {"mean_share_anew", report.mean_share_anew()},
+          {"volume_tests_anew", object_of(report.volume_tests_anew)},
+          {"object_tests", object_of(report.object_tests)},
           {"worst_share", report.worst_share},
           {"histogram", report.histogram},
           {"mean_contacts", report.mean_contacts},
@@ -46,17 +64,35 @@ json object_of(const CollisionReport& report) {
 
 }  // namespace
 
+TestHistogram histogram_of(const std::vector<std::int64_t>& tests) {
+  TestHistogram histogram;
+  const std::int64_t most = tests.empty() ? 0 : *std::max_element(tests.begin(), tests.end());
+  constexpr std::array<std::int64_t, 3> nice{1, 2, 5};
+  std::int64_t power = 1;
+  for (std::size_t i = 0; most / histogram.bin >= CollisionReport::bins; histogram.bin = power * nice[i]) {
+    if (++i == nice.size()) {
+      i = 0;
+      power *= 10;
+    }
+  }
+  histogram.steps.resize(static_cast<std::size_t>(most / histogram.bin) + 1);
+  for (const std::int64_t count : tests) ++histogram.steps[static_cast<std::size_t>(count / histogram.bin)];
+  return histogram;
+}
+
 std::string to_text(const std::vector<CollisionReport>& reports) {
-  std::string text =
-      fmt::format("{:<16} {:>6} {:>8} {:>8} {:>8} {:>7} {:>7} {:>9} {:>11} {:>11} {:>11}\n", "scene", "robots", "naive",
-                  "volumes", "objects", "share", "worst", "contacts", "pairs", "ground", "step");
+  std::string text = fmt::format("{:<16} {:>6} {:>8} {:>8} {:>8} {:>7} {:>7} {:>8} {:>7} {:>9} {:>11} {:>11} {:>11}\n",
+                                 "scene", "robots", "naive", "volumes", "objects", "share", "worst", "v. anew", "share",
+                                 "contacts", "pairs", "ground", "step");
   for (const CollisionReport& r : reports) {
     text += fmt::format(
-        "{:<16} {:>6} {:>8} {:>8.1f} {:>8.1f} {:>5.1f} % {:>5.1f} % {:>9.1f} {:>8.2f} us {:>8.2f} us {:>8.1f} us\n",
+        "{:<16} {:>6} {:>8} {:>8.1f} {:>8.1f} {:>5.1f} % {:>5.1f} % {:>8.1f} {:>5.1f} % {:>9.1f} {:>8.2f} us {:>8.2f} "
+        "us {:>8.1f} us\n",
         r.scene, r.robots, r.naive_tests, r.mean_volume_tests, r.mean_object_tests, 100 * r.mean_share(),
-        100 * r.worst_share, r.mean_contacts, r.pairs_us, r.ground_us, r.step_us);
+        100 * r.worst_share, r.mean_volume_tests_anew, 100 * r.mean_share_anew(), r.mean_contacts, r.pairs_us,
+        r.ground_us, r.step_us);
   }
-  if (!reports.empty()) text += histogram_text(reports.front());
+  if (!reports.empty()) text += histograms_text(reports.front());
   return text;
 }
 

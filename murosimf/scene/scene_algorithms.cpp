@@ -22,7 +22,7 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   const scene_file::FieldSize& field = scene_file::field_size(spec.field.size);
   options.half_field = {0.5 * field.length, 0.5 * field.width, 0};
   options.start = {robot.position.x, robot.position.y, robot.heading};
-  options.markings = scene_file::field_markings(field);
+  options.markings = scene_file::field_markings(field, spec.field.goals);
   options.seed = spec.seed;
   for (const scene_file::TeamSpec& team : spec.teams) {
     if (team.name == robot.team) options.attacks = team.attacks;

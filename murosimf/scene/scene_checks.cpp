@@ -61,7 +61,9 @@ void check_property(SceneParts& parts, const scene_file::PropertySetting& settin
 
 void warn_about_steps(SceneParts& parts, const scene_file::RobotSpec& robot, bool servos) {
   const catalog::ContactLawType& law = find_entry(catalog::contacts(), "contact law", robot.contact);
-  const double longest = servos ? law.longest_servo_step : law.longest_step;
+  const catalog::LongestSteps steps =
+      law.longest_steps_with ? law.longest_steps_with(robot.contact_options) : law.longest_steps;
+  const double longest = servos ? steps.with_servos : steps.without_servos;
   if (1 / parts.spec.rate <= longest * (1 + 1e-9)) return;
   parts.remarks.warn(robot.name,
                      fmt::format("{} under {} is stable with steps up to {:.0f} ms; these are {:.3g} ms long",

@@ -18,8 +18,9 @@ void add_field(SceneParts& parts, const ModelSource& models) {
     if (body.is_static) standing.push_back(scene_file::static_body(body));
   }
   const scene_file::FieldSpec& field = parts.spec.field;
-  const ModelPtr model = scene_file::field_model(scene_file::field_size(field.size), field.surface,
-                                                 field.friction_direction, field.goals, standing);
+  const ModelPtr model =
+      scene_file::field_model(scene_file::field_size(field.size), field.surface, field.friction_direction,
+                              {.goals = field.goals, .poles = field.landmark_poles}, standing);
   parts.field = &parts.simulation->world().add("field", model);
   models.check_materials(*model);
 }

@@ -1,6 +1,7 @@
 #include "murosimf/scene/scene_pictures.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -23,6 +24,14 @@ std::vector<Vec3d> points_of(const SceneParts& parts, Entity& entity) {
   return points;
 }
 
+/// [m] of what stands as its shape is made: cylinders and capsules upright.
+double radius_from_above(const Shape& shape) {
+  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) return cylinder->radius;
+  if (const Capsule* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
+  if (const Box* box = std::get_if<Box>(&shape)) return std::hypot(box->half_size.x, box->half_size.y);
+  return bounding_radius(shape);
+}
+
 render::Path path_of(const SceneParts& parts, Entity& entity) {
   render::Path path;
   path.name = entity.name();
@@ -34,7 +43,7 @@ render::Path path_of(const SceneParts& parts, Entity& entity) {
   if (path.is_ball) path.size = parts.spec.ball->radius;
   if (const scene_file::BodySpec* body = body_spec(parts.spec, entity)) {  // as round things, too
     path.is_ball = true;
-    if (body->shape) path.size = bounding_radius(*body->shape);
+    if (body->shape) path.size = radius_from_above(*body->shape);
   }
   return path;
 }

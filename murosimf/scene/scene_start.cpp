@@ -19,13 +19,20 @@ Mat3d random_tilt(const RandomStream& random, double largest) {
                   random.uniform(5, -largest, largest));
 }
 
-void place_robot(const SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
-  const scene_file::SceneSpec& spec = parts.spec;
+/// A start in the scene's file.
+struct Start {
+  const std::string& name;
+  Vec3d position;
+  double heading;
+  Mat3d attitude;
+};
+
+void place(const scene_file::SceneSpec& spec, const Start& start, Entity& entity) {
   const double j = spec.jitter_position;
-  const RandomStream random(spec.seed, robot.name + "/start");
-  entity.place(robot.position + Vec3d{random.uniform(0, -j, j), random.uniform(1, -j, j), 0},
-               robot.heading + random.uniform(2, -spec.jitter_heading, spec.jitter_heading),
-               random_tilt(random, spec.jitter_tilt) * rotation_y(robot.pitch) * rotation_x(robot.roll));
+  const RandomStream random(spec.seed, start.name + "/start");
+  entity.place(start.position + Vec3d{random.uniform(0, -j, j), random.uniform(1, -j, j), 0},
+               start.heading + random.uniform(2, -spec.jitter_heading, spec.jitter_heading),
+               random_tilt(random, spec.jitter_tilt) * start.attitude);
 }
 
 /// Turns joint targets away from zero, by up to jitter_posture; controllers that set them are stronger.
@@ -45,8 +52,13 @@ void scatter_posture(const SceneParts& parts, Entity& robot) {
 
 void place_at_start(const SceneParts& parts, Entity& entity) {
   const auto robot = std::ranges::find(parts.spec.robots, entity.name(), &scene_file::RobotSpec::name);
+  const scene_file::BodySpec* body = body_spec(parts.spec, entity);
+  if (body && body->jitters)
+    place(parts.spec, {body->name, body->position, body->heading, rotation_y(body->pitch) * rotation_x(body->roll)},
+          entity);
   if (robot == parts.spec.robots.end()) return;
-  place_robot(parts, *robot, entity);
+  place(parts.spec, {robot->name, robot->position, robot->heading, rotation_y(robot->pitch) * rotation_x(robot->roll)},
+        entity);
   scatter_posture(parts, entity);
 }
 
@@ -60,7 +72,7 @@ void start_moving(const SceneParts& parts, Entity& entity) {
 
 void begin_at_every_start(SceneParts& parts) {
   parts.simulation->before_start([&parts] {
-    for (Entity* robot : parts.robots) place_at_start(parts, *robot);
+    for (Entity* entity : parts.moving_entities) place_at_start(parts, *entity);
   });
   parts.simulation->after_start([&parts] {
     if (!parts.at_start.remarks)

@@ -95,7 +95,8 @@ BodySpec read_body(const toml::table& node) {
   require(!body.name.empty(), table, "name", "of the body is missing");
   read_kind(table, body);
   if (body.is_static) {
-    refuse_keys(table, "static body", {"mass", "density", "velocity", "angular_velocity", "contact", "present"});
+    refuse_keys(table, "static body",
+                {"mass", "density", "jitter", "velocity", "angular_velocity", "contact", "present"});
     return body;
   }
   if (body.shape) read_mass(table, body);
@@ -138,6 +139,7 @@ const Section<BodySpec>& body_section() {
        {"roll_deg", Turn{&BodySpec::roll}, "deg", "about x, before the heading", turns},
        {"pitch_deg", Turn{&BodySpec::pitch}, "deg", "about y, before roll and heading; below 0 raises the +x end",
         turns},
+       {"jitter", &BodySpec::jitters, "", "its place and heading vary as [start] says of robots"},
        {"velocity", &BodySpec::velocity, "m/s", "world, at the start"},
        {"angular_velocity", &BodySpec::angular_velocity, "rad/s", "world, at the start"},
        {"contact", Choice<BodySpec>{&BodySpec::contact, "contact law", [] { return entry_names(catalog::contacts()); }},

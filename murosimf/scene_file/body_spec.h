@@ -23,6 +23,7 @@ struct BodySpec {
   double roll = 0, pitch = 0;  ///< [rad] about its x, then its y
   Vec3d velocity;              ///< [m/s] world, at the start
   Vec3d angular_velocity;      ///< [rad/s] world, at the start
+  bool jitters = false;        ///< its place varies from seed to seed as robots' do
   bool is_static = false;      ///< it stands there for good, like a goal
   std::string contact = "implicit_stick";
   bool present = true;  ///< at the start

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::array all_fields{&kid_size_2008, &kid_size_2023};
 constexpr Color carpet_green{0.16, 0.47, 0.22};
-constexpr Color goal_white{0.93, 0.93, 0.9};
 
 // a polygon of 72 sides leaves the circle of 1.5 m by less than 1 mm
 constexpr int circle_sides = 72;
@@ -45,13 +44,15 @@ Stroke area(const FieldSize& size, double side, double depth, double width) {
   return {{{line, y, 0}, {front, y, 0}, {front, -y, 0}, {line, -y, 0}}, size.line_width};
 }
 
+Color goal_color(const FieldSize& size, double side) { return side > 0 ? size.goal_right : size.goal_left; }
+
 /// Posts and the back of the goal on the ground; the front of the posts is flush with the goal line's outer edge.
 Stroke goal(const FieldSize& size, double side) {
   const double half_post = size.post_width / 2;
   const double line = side * size.length / 2;
   const double back = side * (size.length / 2 + size.goal_depth - half_post);
   const double y = size.goal_width / 2 + half_post;
-  return {{{line, y, 0}, {back, y, 0}, {back, -y, 0}, {line, -y, 0}}, size.post_width};
+  return {{{line, y, 0}, {back, y, 0}, {back, -y, 0}, {line, -y, 0}}, size.post_width, goal_color(size, side)};
 }
 
 Stroke bar(const FieldSize& size, double x, const Vec3d& direction) {
@@ -68,17 +69,34 @@ void add_side(std::vector<Stroke>& strokes, const FieldSize& size, double side) 
   const double mark = side * (size.length / 2 - size.penalty_mark_distance);
   strokes.push_back(bar(size, mark, {1, 0, 0}));
   strokes.push_back(bar(size, mark, {0, 1, 0}));
-  strokes.push_back(goal(size, side));
 }
 
-Chain goal_box(const GoalBox& part, std::string_view goal) {
+Chain goal_box(const GoalBox& part, std::string_view goal, const Color& color) {
   PlacedShape shape;
   shape.shape = part.box;
   shape.surface.material = "plastic";
-  shape.color = goal_white;
+  shape.color = color;
   Chain chain;
   chain.translation(part.center, std::string(goal) + "_" + std::string(part.name));
   return chain.with(properties::shapes, {shape}).endpoint();
+}
+
+/// At y > 0 for `side` 1. Whoever looks from there onto the field has the goal at `side` x > 0 to the left.
+Chain landmark_pole(const FieldSize& size, double side) {
+  const double y = size.width / 2 + size.pole_distance;
+  const Color outer = goal_color(size, side), inner = goal_color(size, -side);
+  Shapes parts;
+  for (const int segment : {-1, 0, 1}) {
+    PlacedShape part;
+    part.shape = Cylinder{size.pole_diameter / 2, size.pole_segment / 2};
+    part.position.z = segment * size.pole_segment;
+    part.surface.material = "plastic";
+    part.color = segment == 0 ? inner : outer;
+    parts.push_back(part);
+  }
+  Chain chain;
+  chain.translation({0, side * y, 1.5 * size.pole_segment}, side > 0 ? "landmark_left" : "landmark_right");
+  return chain.with(properties::shapes, parts).endpoint();
 }
 
 }  // namespace
@@ -96,14 +114,16 @@ const FieldSize& field_size(std::string_view name) {
   throw SetupError(unknown_name("field", name, field_names()));
 }
 
-Markings field_markings(const FieldSize& size) {
+Markings field_markings(const FieldSize& size, bool goals) {
   Markings markings;
   markings.half_length = size.length / 2 + size.border;
   markings.half_width = size.width / 2 + size.border;
   // the half line is one bar of the center mark
   markings.strokes = {outer_lines(size), half_line(size), center_circle(size), bar(size, 0, {1, 0, 0})};
-  add_side(markings.strokes, size, 1);
-  add_side(markings.strokes, size, -1);
+  for (const double side : {1.0, -1.0}) {
+    add_side(markings.strokes, size, side);
+    if (goals) markings.strokes.push_back(goal(size, side));
+  }
   return markings;
 }
 
@@ -123,18 +143,23 @@ std::vector<GoalBox> goal_boxes(const FieldSize& size, double side) {
 }
 
 ModelPtr field_model(const FieldSize& size, const std::string& ground_material, const Vec3d& friction_direction,
-                     bool goals, const std::vector<Chain>& standing) {
+                     const FieldFurniture& furniture, const std::vector<Chain>& standing) {
   PlacedShape ground;
   ground.shape = Plane{};
   ground.surface.material = ground_material;
   ground.surface.friction_direction = friction_direction;
   ground.color = carpet_green;
   Chain chain;
-  chain.base("field").with(properties::shapes, {ground}).with(properties::markings, field_markings(size));
+  chain.base("field")
+      .with(properties::shapes, {ground})
+      .with(properties::markings, field_markings(size, furniture.goals));
   std::vector<Chain> boxes = standing;
-  if (goals) {
-    for (const GoalBox& part : goal_boxes(size, -1)) boxes.push_back(goal_box(part, "goal_left"));
-    for (const GoalBox& part : goal_boxes(size, 1)) boxes.push_back(goal_box(part, "goal_right"));
+  if (furniture.goals) {
+    for (const GoalBox& part : goal_boxes(size, -1)) boxes.push_back(goal_box(part, "goal_left", size.goal_left));
+    for (const GoalBox& part : goal_boxes(size, 1)) boxes.push_back(goal_box(part, "goal_right", size.goal_right));
+  }
+  if (furniture.poles) {
+    for (const double side : {1.0, -1.0}) boxes.push_back(landmark_pole(size, side));
   }
   chain.fork(boxes);
   return std::make_shared<const Model>(std::string(size.name), std::move(chain));

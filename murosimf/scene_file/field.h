@@ -14,7 +14,9 @@
 
 namespace murosimf::scene_file {
 
-/// All in meters.
+inline constexpr Color goal_white{0.93, 0.93, 0.9}, goal_yellow{0.93, 0.78, 0.08}, goal_blue{0.1, 0.25, 0.75};
+
+/// Lengths in meters.
 struct FieldSize {
   std::string_view name;
   double length = 0, width = 0;
@@ -29,24 +31,37 @@ struct FieldSize {
   double line_width = 0.05;
   double post_width = 0.1;
   double mark_size = 0.2;  ///< length of the bars of the penalty and center marks; the rules leave it open
+  Color goal_right = goal_white, goal_left = goal_white;  ///< of the goals at x > 0 and x < 0
+  double pole_diameter = 0;  ///< of the two landmark poles beside the half line; 0: there are none
+  double pole_segment = 0;   ///< height of each of the three parts of a pole
+  double pole_distance = 0;  ///< from the touch line to the middle of a pole
 };
 
 /// The field of the paper's time.
 /// Source: RoboCup Soccer Humanoid League, Rules and Setup for 2008, table 1, from memory: no copy was at hand. Length,
 ///         width and goal width are sure. Goal depth, depth of the goal area and border agree with a team's file for
-///         the 6 m x 4 m field of 2009. Height of the goal, width of the goal area, penalty mark and center circle are
-///         unchecked; a height of 0.9 m is remembered from later years.
+///         the 6 m x 4 m field of 2009. Width of the goal area, penalty mark and center circle are unchecked.
+///         Goals, one yellow and one blue, with a crossbar at 0.9 m, and landmark poles of 20 cm with three parts of 20 cm, of
+///         which the lowest and the highest have the color of the goal to the left, are those of the rules of 2009, as told by the
+///         paper IEEE 5420187 (whether the edition of 2008 had other heights is not known). That paper puts poles at the ends of the
+///         half line; 0.4 m outside of the touch line, with yellow at x > 0 and the yellow-blue-yellow pole at y > 0, is how the
+///         files of a team of 2010 have it (world.landmarkYellow = {0, 2.4}): to the left of who looks onto the field.
 inline constexpr FieldSize kid_size_2008{.name = "kid_size_2008",
                                          .length = 6,
                                          .width = 4,
                                          .goal_width = 1.5,
-                                         .goal_height = 0.8,
+                                         .goal_height = 0.9,
                                          .goal_depth = 0.5,
                                          .goal_area_depth = 0.6,
                                          .goal_area_width = 2.2,
                                          .penalty_mark_distance = 1.8,
                                          .center_circle_diameter = 1.2,
-                                         .border = 0.7};
+                                         .border = 0.7,
+                                         .goal_right = goal_yellow,
+                                         .goal_left = goal_blue,
+                                         .pole_diameter = 0.2,
+                                         .pole_segment = 0.2,
+                                         .pole_distance = 0.4};
 
 /// Source: RoboCup Humanoid League, Laws of the Game, law 1, table 1, column KidSize. The edition of 2023 was
 ///         not at hand; those of 2021 (as in RobocupSoccerField.proto of Webots) and of 2025 (as quoted by users)
@@ -73,8 +88,9 @@ inline constexpr FieldSize kid_size_2023{.name = "kid_size_2023",
 [[nodiscard]] const FieldSize& field_size(std::string_view name);
 
 /// What is painted on the field. A closed stroke repeats its first point; the first stroke is the outer line. Goals
-/// are the two strokes that reach beyond it; their posts stand on the goal line, outside `goal_width`.
-[[nodiscard]] Markings field_markings(const FieldSize& size);
+/// are the two strokes that reach beyond it; their posts stand on the goal line, outside `goal_width`. Without `goals` these two
+/// are missing; goal areas are lines of the field, and stay.
+[[nodiscard]] Markings field_markings(const FieldSize& size, bool goals = true);
 
 /// Boxes of a goal, for `side` 1 (the goal at x > 0) or -1: two posts, crossbar, two bars from the posts backwards and
 /// the rear bar, on the ground; all of post_width. Field frame. There is no net: a ball that flies over the bars goes on.
@@ -86,12 +102,19 @@ struct GoalBox {
 };
 [[nodiscard]] std::vector<GoalBox> goal_boxes(const FieldSize& size, double side);
 
+/// What stands on a field, besides bodies of the scene.
+struct FieldFurniture {
+  bool goals = true;
+  bool poles = false;  ///< "landmark_left" at y > 0, "landmark_right" at y < 0: three cylinders each
+};
+
 /// A model named after the field. Its base, "field", is a plane of `ground_material` with the markings; `friction_direction`: where
 /// the pile of the ground leans (model/shape.h), in the field's axes. Each box of a goal is an object of its own, of
 /// plastic, with its frame in its middle: "goal_right_crossbar" belongs to the goal at x > 0, "goal_left_post_left" is
-/// the post at y > 0 of the goal at x < 0. `standing`: more that stands on the field. The goals are the 13 objects of the field in the paper (7.5).
+/// the post at y > 0 of the goal at x < 0. `standing`: more that stands on the field. Ground and
+/// goals are the 13 objects of the field in the paper (7.5).
 [[nodiscard]] ModelPtr field_model(const FieldSize& size, const std::string& ground_material,
-                                   const Vec3d& friction_direction = {}, bool goals = true,
+                                   const Vec3d& friction_direction = {}, const FieldFurniture& furniture = {},
                                    const std::vector<Chain>& standing = {});
 
 }  // namespace murosimf::scene_file

@@ -1,4 +1,6 @@
 // [field] of a scene file.
+#include <fmt/format.h>
+
 #include "murosimf/model/error.h"
 #include "murosimf/scene_file/all_sections.h"
 #include "murosimf/scene_file/field.h"
@@ -7,19 +9,20 @@
 namespace murosimf::scene_file {
 
 const Section<FieldSpec>& field_section() {
-  static const Section<FieldSpec> section("[field]",
-                                          {{"size", Choice<FieldSpec>{&FieldSpec::size, "field", field_names}, "",
-                                            "lines and goals by the rules of a year"},
-                                           {"surface", &FieldSpec::surface, "", "material of the ground"},
-                                           {"friction_direction",
-                                            &FieldSpec::friction_direction,
-                                            "",
-                                            "[x, y]: where the pile of the ground leans",
-                                            {},
-                                            "nowhere"},
-                                           {"goals", &FieldSpec::goals, "", "false: none stand there"},
-                                           {"friction", &FieldSpec::friction, "", "between the ground and everything",
-                                            not_negative, "by materials"}});
+  static const Section<FieldSpec> section(
+      "[field]",
+      {{"size", Choice<FieldSpec>{&FieldSpec::size, "field", field_names}, "",
+        "lines and goals by the rules of a year"},
+       {"surface", &FieldSpec::surface, "", "material of the ground"},
+       {"friction_direction",
+        &FieldSpec::friction_direction,
+        "",
+        "[x, y]: where the pile of the ground leans",
+        {},
+        "nowhere"},
+       {"goals", &FieldSpec::goals, "", "false: none stand there, nor are their posts painted"},
+       {"landmark_poles", &FieldSpec::landmark_poles, "", "true: two stand beside the half line, by the rules of 2008"},
+       {"friction", &FieldSpec::friction, "", "between the ground and everything", not_negative, "by materials"}});
   return section;
 }
 
@@ -27,6 +30,10 @@ void read_field(const files::TomlTable& scene, SceneSpec& spec) {
   const toml::table* node = scene.table("field");
   if (!node) return;
   field_section().read(*node, spec.field);
+  if (spec.field.landmark_poles) {
+    require(field_size(spec.field.size).pole_diameter > 0, files::TomlTable(*node, field_section().names()),
+            "landmark_poles", fmt::format("cannot stand: the rules of {} have none", spec.field.size));
+  }
   require(spec.field.friction_direction.z == 0, files::TomlTable(*node, field_section().names()), "friction_direction",
           "lies in the ground: [x, y]");
 }

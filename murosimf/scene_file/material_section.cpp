@@ -82,13 +82,19 @@ GivenPair read_pair(const files::TomlTable& table, const toml::node* node) {
 
 const Section<PairSurface>& material_section() {
   static const Section<PairSurface> section(
-      "[[materials]]", {{"pair", {}, "", "two names of materials", {}, "(needed)"},
-                        {"friction", &PairSurface::friction, "", "Coulomb coefficient"},
-                        {"rolling", &PairSurface::rolling, "", "resistance: moment = rolling * radius * normal force"},
-                        {"restitution", &PairSurface::restitution, "", "speed that round bodies keep when they bounce"},
-                        {"stiffness", &PairSurface::stiffness, "N/m", "of a contact point; 0: by weight"},
-                        {"friction_anisotropy", &PairSurface::friction_anisotropy, "",
-                         "g from 0 to below 1: friction (1 - g) along the pile of the ground, (1 + g) against it"}});
+      "[[materials]]",
+      {{"pair", {}, "", "two names of materials", {}, "(needed)"},
+       {"friction", &PairSurface::friction, "", "Coulomb coefficient"},
+       {"rolling", &PairSurface::rolling, "", "resistance: moment = rolling * radius * normal force"},
+       {"restitution", &PairSurface::restitution, "", "speed that round bodies keep when they bounce"},
+       {"stiffness", &PairSurface::stiffness, "N/m", "of a contact point; 0: by weight"},
+       {"friction_anisotropy", &PairSurface::friction_anisotropy, "",
+        "g from 0 to below 1: friction (1 - g) along the pile of the ground, (1 + g) against it"},
+       {"rebound", &PairSurface::rebound, "", "paper's laws: share of the spring's force while bodies part (s_b)"},
+       {"viscous_friction", &PairSurface::viscous_friction, "s/m",
+        "paper's laws: force per normal force and velocity (s_mu)"},
+       {"spin_friction", &PairSurface::spin_friction, "m s",
+        "paper's laws: moment per normal force and turning rate (s_nu)"}});
   return section;
 }
 

@@ -28,6 +28,7 @@ struct FieldSpec {
   std::string surface = "carpet";
   Vec3d friction_direction;  ///< [1] where its pile leans, in the ground; zero: nowhere
   bool goals = true;
+  bool landmark_poles = false;
   std::optional<double> friction;  ///< [1] between the ground and everything; empty: by the pairs of materials
 };
 

@@ -51,8 +51,8 @@ int expect_options_told(const Registry<Entry>& registry) {
 TEST(AlgorithmCatalog, OptionsAreToldAndTheirDefaultsAllowed) {
   EXPECT_GT(expect_options_told(controllers()), 20);
   EXPECT_EQ(expect_options_told(levels()), 2 + 2 + 3 + 1);
-  EXPECT_EQ(expect_options_told(contacts()), 3 + 3);
-  EXPECT_EQ(expect_options_told(body_contacts()), 1);
+  EXPECT_EQ(expect_options_told(contacts()), 4 + 4);
+  EXPECT_EQ(expect_options_told(body_contacts()), 1 + 4 + 4);
   EXPECT_GT(expect_options_told(components::sensor_types()), 60);
 }
 

@@ -112,6 +112,25 @@ TEST(PairFinder, SmallStepsMissNothing) {
 }
 
 // Three in a row, given in another order: contacts come by the places of the list.
+// Rule: what is remembered of a step spares tests of volumes, and changes nothing else.
+TEST(PairFinder, ForgettingNeighborsFindsTheSameWithMoreTests) {
+  Found pair;
+  pair.add("a", two_arms());
+  pair.add("b", two_arms(), {0.05, 0, 0});
+  pair.find();
+  pair.find();
+  const TestCounts kept = pair.set.tests;
+  const std::size_t points = pair.set.points.size();
+  pair.finder->forget_neighbors();
+  pair.find();
+  EXPECT_GT(points, 0U);
+  EXPECT_EQ(pair.set.points.size(), points);
+  EXPECT_EQ(pair.set.tests.objects, kept.objects);
+  EXPECT_GT(pair.set.tests.volumes, kept.volumes);
+  pair.find();
+  EXPECT_EQ(pair.set.tests.volumes, kept.volumes);
+}
+
 TEST(PairFinder, ContactsComeInTheOrderOfTheList) {
   Found found;
   found.add("middle", ball(0.1, 1));

@@ -29,9 +29,26 @@ TEST(PaperLawTest, Equations4And5) {
              difference(c.moment, {-0.08, -0.16, -0.24}), 1e-15, "N m");
 }
 
-// Rule: the law is explicit: no damping is handed to motion, and every trial is accepted as it is.
-TEST(PaperLawTest, IsExplicit) {
-  const PaperLaw law;
+// Rule: the numbers are those of the pair of materials, and those of an option that is given.
+TEST(PaperLawTest, NumbersAreThoseOfThePairUnlessGiven) {
+  ContactParameters pair = parameters();
+  pair.rebound = 0.2;
+  pair.viscous_friction = 3;
+  pair.spin_friction = 0.05;
+  LawCase set = one_point(2e-3, {0.1, 0, 0.3}, pair);
+  ContactPoint& c = set.points[0];
+  c.angular_velocity = {0, 0, 2};
+  set.prepare(PaperLaw());
+  EXPECT_LT(difference(c.force, {-3 * 4 * 0.1, 0, 4}), 1e-14);
+  EXPECT_LT(difference(c.moment, {0, 0, -0.05 * 4 * 2}), 1e-14);
+  set.prepare(PaperLaw({.rebound = 0.5, .friction = 0, .spin_friction = 0.1}));
+  EXPECT_LT(difference(c.force, {0, 0, 10}), 1e-14);
+  EXPECT_LT(difference(c.moment, {0, 0, -0.1 * 10 * 2}), 1e-14);
+}
+
+// Rule: by the letter the law is explicit: no damping is handed to motion, and every trial is accepted as it is.
+TEST(PaperLawTest, IsExplicitByTheLetter) {
+  const PaperLaw law({.bounded = false});
   LawCase set = one_point(1e-3, {1, 0, 0});
   set.points[0].normal_damping = set.points[0].tangent_damping = set.points[0].angular_damping = 7;
   set.prepare(law);
@@ -43,6 +60,42 @@ TEST(PaperLawTest, IsExplicit) {
   EXPECT_TRUE(set.accepted_by(law));
   set.commit(law);
   EXPECT_EQ(difference(set.points[0].force, before), 0);
+}
+
+/// Speed along x after one step of a block of `mass` [kg] at 1 m/s that is pressed down with 50 N, with s_mu = 20 s/m.
+double speed_after_a_step(double mass, bool bounded) {
+  Block block(parameters());
+  block.mass = mass;
+  block.position.z = -50 / parameters().stiffness;
+  block.push.z = -50;
+  block.velocity = {1, 0, -1e-12};  // it approaches
+  block.step(PaperLaw({.friction = 20, .bounded = bounded}));
+  return block.velocity.x;
+}
+
+// With x = dt s_mu f_n / m: 1 / (1 + x) bounded, 1 - x by the letter, which turns back beyond 1 and grows beyond 2.
+TEST(PaperLawTest, BoundedFrictionTakesTheVelocityAfterTheStep) {
+  law::Worst error, literal;
+  for (const double mass : {4.0, 0.5, 0.1}) {
+    const double x = 1e-3 * 20 * 50 / mass;
+    error.see(std::abs(speed_after_a_step(mass, true) - 1 / (1 + x)), "mass", mass);
+    literal.see(std::abs(speed_after_a_step(mass, false) - (1 - x)), "mass", mass);
+  }
+  expect_law("paper", "block on viscous friction: error of its speed after a step",
+             "bounded: v / (1 + dt s_mu f_n / m)", error, 1e-12, "m/s");
+  expect_law("paper", "block on viscous friction, by the letter: error of its speed after a step",
+             "explicit: v (1 - dt s_mu f_n / m)", literal, 1e-12, "m/s");
+  EXPECT_LT(speed_after_a_step(0.1, false), -1) << "by the letter it would be faster than before";
+}
+
+// What acted in the step is reported: the friction of the velocity at its end.
+TEST(PaperLawTest, CommitsTheFrictionThatActed) {
+  const PaperLaw law({.friction = 20});
+  LawCase set = one_point(5e-3, {1, 0, -0.1});
+  set.prepare(law);
+  set.next_velocity[0] = {0.25, 0.1, 3};
+  set.commit(law);
+  EXPECT_LT(difference(set.points[0].force, {-20 * 50 * 0.25, -20 * 50 * 0.1, 50}), 1e-11);
 }
 
 // The normal may point anywhere. Tolerance: rounding of forces up to 200 N.

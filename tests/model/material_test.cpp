@@ -66,7 +66,14 @@ TEST(Material, ImpossibleNumbers) {
   EXPECT_NE(refused({.stiffness = -1}), "no error");
   EXPECT_TRUE(says(refused({.friction_anisotropy = 1}), {"'wood'", "'felt'", "friction_anisotropy", "below 1"}));
   EXPECT_NE(refused({.friction_anisotropy = -0.1}), "no error");
+  EXPECT_TRUE(says(refused({.rebound = 1.1}), {"'wood'", "'felt'", "rebound", "0 to 1"}));
+  EXPECT_NE(refused({.rebound = -0.1}), "no error");
+  EXPECT_TRUE(says(refused({.viscous_friction = -0.1}), {"'wood'", "'felt'", "viscous_friction", "at least 0"}));
+  EXPECT_NE(refused({.spin_friction = -0.1}), "no error");
   for (const double bad : {nan_value, infinity}) {
+    EXPECT_NE(refused({.rebound = bad}), "no error");
+    EXPECT_NE(refused({.viscous_friction = bad}), "no error");
+    EXPECT_NE(refused({.spin_friction = bad}), "no error");
     EXPECT_NE(refused({.friction = bad}), "no error");
     EXPECT_NE(refused({.rolling = bad}), "no error");
     EXPECT_NE(refused({.restitution = bad}), "no error");

@@ -122,31 +122,40 @@ TEST_P(Coulomb, StopsAfterTheRightDistance) {
 class Viscous : public testing::TestWithParam<LevelAndLaw> {};
 INSTANTIATE_TEST_SUITE_P(Contact, Viscous, at_every_level({"paper", "paper_multipoint"}), test_name);
 
-/// The paper's law with another viscosity s_mu [s/m].
-LawPtr paper_law(const std::string& name, double s_mu) {
-  return std::make_shared<collision::PaperLaw>(
-      collision::PaperLawOptions{.friction = s_mu, .one_point_per_body = name == "paper"});
+/// Relative error of a box's creep down 3 degrees under the paper's law with the viscosity s_mu [s/m].
+double creep_error(const LevelAndLaw& names, double s_mu, bool bounded, double rate_hz) {
+  const auto& [level, law] = names;
+  const double slope = 3 * degree;
+  const collision::PaperLawOptions options{.friction = s_mu, .bounded = bounded, .one_point_per_body = law == "paper"};
+  Rig rig(0.8, slope, rate_hz);
+  Entity& box = rig.add("box", box_model());
+  rig.attach_dynamics(box, {.level = level, .law = std::make_shared<collision::PaperLaw>(options)});
+  rig.run(4.0);
+  const double before = Rig::place(box).x;
+  rig.run(6.0);
+  const double creep = (Rig::place(box).x - before) / 6.0;
+  return std::abs(creep / (std::tan(slope) / s_mu) - 1);
 }
 
-// 2 %.
+// By the letter 2 %. Bounded, a box that rocks on its deepest point is rubbed by what it moves like a step later: 5 % at 1 ms, and
+// less with shorter steps.
 TEST_P(Viscous, CreepsDownTheSlope) {
-  const auto& [level, law] = GetParam();
-  const double slope = 3 * degree;
-  law::Worst error;
+  law::Worst letter, bounded;
   for (const double s_mu : {1.0, 3.0, 5.0}) {
-    Rig rig(0.8, slope);
-    Entity& box = rig.add("box", box_model());
-    rig.attach_dynamics(box, {.level = level, .law = paper_law(law, s_mu)});
-    rig.run(4.0);
-    const double before = Rig::place(box).x;
-    rig.run(6.0);
-    const double creep = (Rig::place(box).x - before) / 6.0;
-    error.see(std::abs(creep / (std::tan(slope) / s_mu) - 1), "s_mu", s_mu);
+    letter.see(creep_error(GetParam(), s_mu, false, 1000), "s_mu", s_mu);
+    bounded.see(creep_error(GetParam(), s_mu, true, 1000), "s_mu", s_mu);
   }
+  const std::string source = "viscous friction, eq. (5): tan(a) / s_mu";
+  law::expect_below({.law = "box on a slope of 3 degrees, by the letter: relative error of its creep",
+                     .level = words_of(GetParam()),
+                     .source = source},
+                    letter, 0.02, "");
+  const bool rocks = std::get<1>(GetParam()) == "paper";
   law::expect_below({.law = "box on a slope of 3 degrees: relative error of its creep",
                      .level = words_of(GetParam()),
-                     .source = "viscous friction, eq. (5): tan(a) / s_mu"},
-                    error, 0.02, "");
+                     .source = source},
+                    bounded, rocks ? 0.05 : 0.02, "");
+  EXPECT_LT(creep_error(GetParam(), 5, true, 4000), 0.02);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ struct DrawnWorld {
     return add(name, std::make_shared<const Model>(fixtures::ball_model(radius, 0.4)), place);
   }
   void add_field(bool goals = true) {
-    world.add("field", scene_file::field_model(scene_file::kid_size_2008, "carpet", {}, goals));
+    world.add("field", scene_file::field_model(scene_file::kid_size_2008, "carpet", {}, {.goals = goals}));
   }
 
   /// `view`: a sensors::Perspective or a render::ParallelView.

@@ -50,10 +50,42 @@ TEST(ControllerOptions, OfBalanceAct) {
   expect_options_act("balance", "robot", {"push", 3, {"robot.controller=balance"}});
 }
 
+/// The paper's numbers of all pairs of materials, and others: of the key of a pair, and of the option that comes before it.
+struct PaperNumber {
+  std::string key, option, usual, other;
+};
+const PaperNumber paper_numbers[] = {{"rebound", "rebound", "0.4", "0.3"},
+                                     {"viscous_friction", "friction", "5", "3.5"},
+                                     {"spin_friction", "spin_friction", "0.01", "0.02"}};
+
+/// An option of the law wins over the pair of materials; without it the pair's number counts, whose default is the old option's.
+void expect_paper_numbers_act(const std::string& table, const Play& play) {
+  const std::uint64_t plain = hash_of(play);
+  for (const auto& [key, option, usual, other] : paper_numbers) {
+    const std::string of_option = table + "." + option + "=", of_pairs = "materials." + key + "=";
+    EXPECT_EQ(hash_of(play, of_option + usual), plain) << option;
+    const std::uint64_t changed = hash_of(play, of_option + other);
+    EXPECT_NE(changed, plain) << option;
+    EXPECT_EQ(hash_of(play, of_pairs + other), changed) << key;
+    Play both = play;
+    both.set.push_back(of_pairs + other);
+    EXPECT_EQ(hash_of(both, of_option + usual), plain) << key;
+  }
+}
+
 TEST(LawOptions, OfThePapersLawsAct) {
   for (const std::string law : {"paper", "paper_multipoint"}) {
-    expect_options_act(catalog::contacts().find(law).options, "walker.contact_options",
-                       {"walk", 2, {"walker.level=simplified_dynamics", "walker.contact=" + law}});
+    const Play play{"walk", 2, {"walker.level=simplified_dynamics", "walker.contact=" + law}};
+    expect_paper_numbers_act("walker.contact_options", play);
+    expect_options_act({catalog::contacts().find(law).options.back()}, "walker.contact_options", play);
+  }
+}
+
+TEST(LawOptions, OfThePapersLawsBetweenBodiesAct) {
+  for (const std::string law : {"paper", "paper_multipoint"}) {
+    const Play play{"heap", 0.6, {"body_contact=" + law}};
+    expect_paper_numbers_act("body_contact_options", play);
+    expect_options_act({catalog::body_contacts().find(law).options.back()}, "body_contact_options", play);
   }
 }
 

@@ -189,7 +189,8 @@ TEST(SceneMistakes, ThatOnlyWeakenAResultAreWarnings) {
   EXPECT_TRUE(warned({"blue2.fixed_base=true"}, "blue2: simplified_dynamics has no 'fixed_base'; it changes nothing"));
   EXPECT_TRUE(warned({"red1.integrator=rk4"}, "red1: kinematic_walking has no 'integrator'"));
   EXPECT_FALSE(warned({"blue2.base_rigid=true"}, "blue2"));
-  EXPECT_TRUE(warned({"blue2.contact=paper", "rate=100"},
+  EXPECT_FALSE(warned({"blue2.contact=paper", "rate=100"}, "blue2"));
+  EXPECT_TRUE(warned({"blue2.contact=paper", "blue2.contact_options.bounded=false", "rate=100"},
                      "blue2: paper under simplified_dynamics is stable with steps up "
                      "to 2 ms; these are 10 ms long"));
   EXPECT_FALSE(warned({"rate=100"}, "blue2"));

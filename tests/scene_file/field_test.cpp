@@ -222,8 +222,63 @@ TEST(Field, UnknownNameSuggestsTheNearest) {
   }
 }
 
+std::string colors_of(const Shapes& shapes) {
+  std::string text;
+  for (const PlacedShape& placed : shapes) {
+    const Color& c = placed.color;
+    text += c.red > 0.7 && c.blue > 0.7 ? 'w' : c.red > 2 * c.blue ? 'y' : 'b';
+  }
+  return text;
+}
+
+// Rule: of 2008 yellow at x > 0, blue at x < 0; of 2023 white.
+TEST(FieldModel, GoalsHaveTheColorsOfTheirYear) {
+  for (const auto& [size, right, left] : {std::tuple{&kid_size_2008, "y", "b"}, {&kid_size_2023, "w", "w"}}) {
+    const ModelPtr model = field_model(*size, "carpet");
+    for (const std::string part : {"crossbar", "post_left", "bar_rear"}) {
+      EXPECT_EQ(colors_of(*model->find(properties::shapes, model->object_index("goal_right_" + part))), right) << part;
+      EXPECT_EQ(colors_of(*model->find(properties::shapes, model->object_index("goal_left_" + part))), left) << part;
+    }
+  }
+}
+
+// Rule: 60 cm high, 20 cm thick, beside the half line; the outer parts have the color of the goal to the left of who looks from
+// the pole onto the field: at y > 0 that of x > 0.
+TEST(FieldModel, LandmarkPolesStandBesideTheHalfLine) {
+  const ModelPtr model = field_model(kid_size_2008, "carpet", {}, {.goals = false, .poles = true});
+  ASSERT_EQ(model->bodies().size(), 3u);
+  for (const auto& [name, y, colors] : {std::tuple{"landmark_left", 2.4, "yby"}, {"landmark_right", -2.4, "byb"}}) {
+    const int pole = model->object_index(name);
+    const Shapes& parts = *model->find(properties::shapes, pole);
+    EXPECT_EQ(colors_of(parts), colors);
+    const Vec3d middle = model->placement(pole).offset;
+    EXPECT_LT(norm(middle - Vec3d{0, y, 0.3}), tolerance);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(middle.z + parts[i].position.z, 0.1 + 0.2 * i, tolerance);
+      EXPECT_NEAR(std::get<Cylinder>(parts[i].shape).radius, 0.1, tolerance);
+      EXPECT_NEAR(std::get<Cylinder>(parts[i].shape).half_length, 0.1, tolerance);
+    }
+  }
+}
+
+// Rule: without goals nothing of them is painted; goal areas are lines and stay.
+TEST(FieldMarkings, LeaveOutGoalsThatDoNotStand) {
+  for (const FieldSize* size : {&kid_size_2008, &kid_size_2023}) {
+    const Markings all = field_markings(*size), without = field_markings(*size, false);
+    EXPECT_EQ(without.strokes.size(), all.strokes.size() - 2);
+    for (const Stroke& stroke : without.strokes) EXPECT_LT(reach_x(stroke), size->length / 2);
+    const double front = size->length / 2 - size->goal_area_depth + size->line_width / 2;
+    EXPECT_EQ(std::ranges::count_if(without.strokes,
+                                    [&](const Stroke& s) {
+                                      return s.points.size() == 4 &&
+                                             std::abs(std::abs(s.points[1].x) - front) < tolerance;
+                                    }),
+              2);
+  }
+}
+
 TEST(FieldModel, StandsWithoutGoalsIfAsked) {
-  const ModelPtr model = field_model(kid_size_2008, "carpet", {}, false);
+  const ModelPtr model = field_model(kid_size_2008, "carpet", {}, {.goals = false});
   EXPECT_EQ(model->bodies().size(), 1u);
 }
 
