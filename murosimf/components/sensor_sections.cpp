@@ -50,6 +50,7 @@ std::string numbers_of(const SensorSpec& spec) {
 std::string section(const SensorSpec& spec) {
   std::string text = fmt::format("\n[sensors.{}]\ntype = {}\n", spec.name, toml_quoted(spec.type)) + place_of(spec);
   if (spec.rate > 0) text += fmt::format("rate = {}\n", spec.rate);
+  if (spec.phase > 0) text += fmt::format("phase = {}\n", spec.phase);
   if (spec.delay > 0) text += fmt::format("delay = {}\n", spec.delay);
   text += objects_of(spec);
   text += numbers_of(spec);

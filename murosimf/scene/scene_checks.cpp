@@ -64,10 +64,11 @@ void warn_about_steps(SceneParts& parts, const scene_file::RobotSpec& robot, boo
   const catalog::LongestSteps steps =
       law.longest_steps_with ? law.longest_steps_with(robot.contact_options) : law.longest_steps;
   const double longest = servos ? steps.with_servos : steps.without_servos;
-  if (1 / parts.spec.rate <= longest * (1 + 1e-9)) return;
+  const double step = 1 / step_rate(parts.spec, robot);
+  if (step <= longest * (1 + 1e-9)) return;
   parts.remarks.warn(robot.name,
                      fmt::format("{} under {} is stable with steps up to {:.0f} ms; these are {:.3g} ms long",
-                                 robot.contact, robot.level, 1e3 * longest, 1e3 / parts.spec.rate));
+                                 robot.contact, robot.level, 1e3 * longest, 1e3 * step));
 }
 
 void warn_about_missing_servos(SceneParts& parts, const scene_file::RobotSpec& robot) {

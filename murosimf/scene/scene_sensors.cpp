@@ -31,11 +31,6 @@ bool fits(const sensors::SensorSpec& spec, double step_rate) {
   return true;
 }
 
-/// [Hz] Of the robot's longest steps: what it has between them would be the same.
-double step_rate(const SceneParts& parts, const scene_file::RobotSpec& robot) {
-  return robot.rate > 0 ? robot.rate : parts.spec.rate;
-}
-
 /// Gives a sensor of a robot's file a rate that the scene's steps allow, if steps of usual length would allow its own. What
 /// has changed; empty: nothing.
 std::string fit_to_steps(sensors::SensorSpec& spec, double step_rate) {
@@ -50,7 +45,8 @@ std::vector<sensors::SensorSpec> sensors_of(SceneParts& parts, ModelSource& mode
   std::vector<sensors::SensorSpec> specs;
   if (!robot.sensors.none) specs = models.robot(robot.model, robot.where).sensors;
   std::vector<SharedRemark> remarks;
-  for (sensors::SensorSpec& spec : specs) add_remark(fit_to_steps(spec, step_rate(parts, robot)), spec.name, remarks);
+  for (sensors::SensorSpec& spec : specs)
+    add_remark(fit_to_steps(spec, step_rate(parts.spec, robot)), spec.name, remarks);
   for (const SharedRemark& remark : remarks) parts.remarks.note(robot.name, to_text(remark));
   components::change_sensors(specs, robot.sensors.tables, parts.spec.file.parent_path());
   return specs;
@@ -88,7 +84,7 @@ void attach_sensors(SceneParts& parts, ModelSource& models, std::size_t robot) {
   about(parts.spec.robots[robot].name, [&] {
     for (const sensors::SensorSpec& spec : sensors_of(parts, models, parts.spec.robots[robot])) {
       attached.push_back(&components::attach_sensor(*parts.simulation, *parts.robots[robot], spec, surroundings,
-                                                    step_rate(parts, parts.spec.robots[robot])));
+                                                    step_rate(parts.spec, parts.spec.robots[robot])));
     }
   });
 }

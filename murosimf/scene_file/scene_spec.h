@@ -164,6 +164,11 @@ struct SceneSpec {
   std::vector<PushSpec> pushes;
 };
 
+/// [Hz] Of the longest steps that a robot makes.
+[[nodiscard]] inline double step_rate(const SceneSpec& scene, const RobotSpec& robot) {
+  return robot.rate > 0 ? robot.rate : scene.rate;
+}
+
 /// Reads a scene file (docs/scenes.md). `overrides` are PATH=VALUE as for --set: a key of the file ("duration=5",
 /// "field.surface=grass"), a key of robots ("blue1.level=...", "blue.*.options.speed=..."), or a property
 /// ("blue1.pelvis.applied_force=[5,0,0,0,0,0]"). `at_options` are TIME:PATH=VALUE as for --at (event_section.h),

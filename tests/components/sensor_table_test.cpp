@@ -80,7 +80,8 @@ TEST(SensorTable, ATableWithoutTypeChangesTheSensorOfTheFile) {
 TEST(SensorTable, SectionsReadBackAsTheSameSensors) {
   const std::string text =
       "[sensors.a]\npart = 'bmi088'\nframe = 'imu'\nposition = [0.1, 0, -0.25]\nrpy_deg = [10, -20, 150]\nrate = 200\n"
-      "[sensors.b]\ntype = 'joint_velocity'\njoints = ['elbow']\ndelay = 0.5\nlowest = -1\nhighest = 3\n"
+      "[sensors.b]\ntype = 'joint_velocity'\njoints = ['elbow']\nrate = 30\nphase = 0.25\ndelay = 0.5\nlowest = "
+      "-1\nhighest = 3\n"
       "[sensors.c]\ntype = 'contact_force'\nthreshold = 2.5\nrange = inf\n";
   const robot::RobotFile before = read_with(text);
   const robot::RobotFile after = read_with(sensor_sections(before.sensors));
@@ -95,6 +96,8 @@ TEST(SensorTable, SectionsReadBackAsTheSameSensors) {
   EXPECT_EQ(a2.signal("accelerometer").highest, a.signal("accelerometer").highest);
   EXPECT_EQ(sensor_of(after, "b").signal("rate").lowest, -1);
   EXPECT_EQ(sensor_of(after, "b").delay, 0.5);
+  EXPECT_EQ(sensor_of(after, "b").rate, 30);
+  EXPECT_EQ(sensor_of(after, "b").phase, 0.25);
   EXPECT_EQ(sensor_of(after, "c").number("threshold", 0), 2.5);
   EXPECT_EQ(sensor_sections(after.sensors), sensor_sections(read_with(sensor_sections(after.sensors)).sensors));
 }
