@@ -173,12 +173,14 @@ identification::WindowTrial trial_of(double share, const std::vector<formats::se
 double choose_windows(const Task& task, const std::vector<Fold>& folds, double usual,
                       formats::servo_log::FitReport& report) {
   std::vector<identification::WindowTrial> trials;
+  std::size_t usual_trial = 0;
   for (const double share : identification::window_shares) {
+    if (share == usual) usual_trial = trials.size();
     trials.push_back(trial_of(share, foresee(task, folds, share, short_effort(task.options))));
     if (interrupted()) return usual;
     report.tried_windows.push_back({share, identification::mean_error(trials.back())});
   }
-  return trials[identification::best_trial(trials)].share;
+  return trials[identification::best_trial(trials, usual_trial)].share;
 }
 
 /// The servo, with the share of windows that was asked for or foresees best. One is there already when an interruption

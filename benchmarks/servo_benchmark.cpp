@@ -22,6 +22,18 @@ const GearFriction m4{.coulomb = 0.01,
                       .stribeck_motor_load = 0.1,
                       .stribeck_external_load = 0.1};
 
+const GearFriction m6{.coulomb = 6e-7,  // of an MX-64 (Duclusaud et al., ICRA 2025; github.com/Rhoban/bam)
+                      .viscous = 0.02534,
+                      .stribeck = 0.1227,
+                      .stribeck_rate = 2.575,
+                      .stribeck_exponent = 0.841,
+                      .motor_load = 0.3115,
+                      .external_load = 2e-8,
+                      .stribeck_motor_load = 0.1877,
+                      .stribeck_external_load = 0.0141,
+                      .quadratic_motor_load = 0.00691,
+                      .quadratic_external_load = 0.0100};
+
 template <class S>
 void count_per_joint(benchmark::State& bench, int calls) {
   using benchmark::Counter;
@@ -44,6 +56,23 @@ void friction(benchmark::State& bench, const GearFriction& model) {
     benchmark::DoNotOptimize(budget);
   }
   count_per_joint<S>(bench, 20);
+}
+
+/// The same for joints one by one, with the Stribeck shares of all in lanes before, as in a step of a robot.
+void friction_shares_in_lanes(benchmark::State& bench, const GearFriction& model) {
+  std::array<double, 20> rates, shares{}, budget{};
+  for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = 0.1 * static_cast<double>(i) - 0.55;
+  for (auto _ : bench) {
+    benchmark::DoNotOptimize(rates);
+    multibody::StribeckShares lanes;
+    for (std::size_t i = 0; i < rates.size(); ++i) lanes.add(model, rates[i], shares[i]);
+    lanes.write();
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+      budget[i] = multibody::dry_friction_with_share(model, shares[i], 0.3, -0.2);
+    }
+    benchmark::DoNotOptimize(budget);
+  }
+  count_per_joint<double>(bench, 20);
 }
 
 template <class S>
@@ -73,6 +102,8 @@ void pendulum_step_lanes(benchmark::State& bench, const GearFriction& model) { p
 BENCHMARK_CAPTURE(friction_one, m1, m1);
 BENCHMARK_CAPTURE(friction_one, m3, m3);
 BENCHMARK_CAPTURE(friction_one, m4, m4);
+BENCHMARK_CAPTURE(friction_one, m6, m6);
+BENCHMARK_CAPTURE(friction_shares_in_lanes, m6, m6);
 BENCHMARK_CAPTURE(friction_lanes, m1, m1);
 BENCHMARK_CAPTURE(friction_lanes, m3, m3);
 BENCHMARK_CAPTURE(friction_lanes, m4, m4);

@@ -28,10 +28,10 @@ bool clearly_lower(const std::vector<double>& other, const std::vector<double>& 
 
 double mean_error(const WindowTrial& trial) { return mean_of(trial.errors); }
 
-std::size_t best_trial(std::span<const WindowTrial> trials) {
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < trials.size(); ++i) {
-    if (!clearly_lower(trials[i].errors, trials[0].errors)) continue;
+std::size_t best_trial(std::span<const WindowTrial> trials, std::size_t usual) {
+  std::size_t best = usual;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (!clearly_lower(trials[i].errors, trials[usual].errors)) continue;
     if (mean_error(trials[i]) < mean_error(trials[best])) best = i;
   }
   return best;

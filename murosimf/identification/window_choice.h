@@ -1,10 +1,10 @@
 /// window_choice.h - whether a fit should look at windows of the logs, by what fits foresee.
 ///
 /// Fits with each share of windows (objective.h) are made to the logs of all trajectories but one, and asked for those that
-/// were left out. Whole logs are what counts, so windows have to be clearly better: of the shares whose errors on the same
-/// logs are lower than those of whole logs by more than two standard errors of the mean difference, the one with the lowest
-/// mean error is taken; otherwise none. Source of the rule: the paired t-test, and the habit of taking the plainer model
-/// within what cannot be told apart (Breiman et al., "Classification and Regression Trees", 1984, 3.4.3).
+/// were left out. A model has a usual share, and other shares have to be clearly better: of those whose errors on the same
+/// logs are lower by more than two standard errors of the mean difference, the one with the lowest mean error is taken.
+/// Source of the rule: the paired t-test, and the habit of not leaving what cannot be told apart (Breiman et al.,
+/// "Classification and Regression Trees", 1984, 3.4.3).
 #pragma once
 
 #include <array>
@@ -27,11 +27,12 @@ struct WindowTrial {
 /// [rad]
 [[nodiscard]] double mean_error(const WindowTrial& trial);
 
-/// Index of the trial to go by. The first is that of whole logs; all have the errors of the same logs, in the same order.
-[[nodiscard]] std::size_t best_trial(std::span<const WindowTrial> trials);
+/// Index of the trial to go by; `usual` is that of the usual share. All have the errors of the same logs, in the same order.
+[[nodiscard]] std::size_t best_trial(std::span<const WindowTrial> trials, std::size_t usual);
 
-/// Where nothing can be tried, because all logs have the same trajectory: 0.8 for models in which friction follows the load,
-/// otherwise 0: windows cannot tell such friction from an arm that sticks elsewhere (docs/servos.md has the measurement).
+/// One of window_shares: 0.8 for models in which friction follows the load, otherwise 0. Such friction shows in every part of
+/// a log, where an arm stops is a matter of chance; without it only whole logs keep friction from hiding in the motor
+/// (docs/servos.md has the measurement).
 [[nodiscard]] double usual_window_share(const FrictionModel& model);
 
 }  // namespace murosimf::identification

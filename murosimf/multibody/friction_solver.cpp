@@ -26,7 +26,7 @@ MUROSIMF_INLINE Axle<S> decide(FrictionalJoint<S>& j, const S& D, Loads loads, d
   j.drive = D * j.rate * (1 / dt) + j.torque;
   if (loads != Loads::of_repeated_pass) {  // F follows the load, and would make joints change their minds once more
     j.budget = j.coulomb;
-    if (j.gear) j.budget = j.budget + dry_friction(*j.gear, j.rate, j.motor_torque, j.load);
+    if (j.gear) j.budget = j.budget + dry_friction_with_share(*j.gear, j.share, j.motor_torque, j.load);
   }
   const S push = j.drive + j.load;
   const S size = abs(push);
@@ -43,6 +43,20 @@ MUROSIMF_INLINE Axle<S> decide(FrictionalJoint<S>& j, const S& D, Loads loads, d
           select(sticks, stop, j.torque - damping * j.rate + j.own_load)};
 }
 
+/// s of all joints, which their rates alone decide.
+void find_shares(std::span<FrictionalJoint<double>> joints) {
+  StribeckShares shares;
+  for (FrictionalJoint<double>& j : joints) {
+    if (j.gear) shares.add(*j.gear, j.rate, j.share);
+  }
+  shares.write();
+}
+void find_shares(std::span<FrictionalJoint<Pack8>> joints) {
+  for (FrictionalJoint<Pack8>& j : joints) {
+    if (j.gear) j.share = stribeck_share(*j.gear, j.rate);
+  }
+}
+
 /// Whether friction is off by more than the tolerated share of F, as p stands now.
 template <class S>
 MUROSIMF_INLINE auto is_wrong(const FrictionalJoint<S>& j) {
@@ -57,6 +71,7 @@ template <class S>
 void sweep_with_friction(const Tree& tree, std::span<const LinkMotion<S>> links, std::span<ArticulatedLink<S>> bodies,
                          std::span<FrictionalJoint<S>> joints, Loads loads, double dt) noexcept {
   assert(one_row_per_link(tree, links, bodies, joints));
+  if (loads != Loads::of_repeated_pass) find_shares(joints);
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     ArticulatedLink<S>& body = bodies[l];
     ArticulatedLink<S>& parent = bodies[tree.links[l].parent];

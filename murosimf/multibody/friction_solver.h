@@ -37,6 +37,7 @@ struct FrictionalJoint {
   S torque{};                          ///< tau [N m | N] without dry friction; in
   S inertia{};                         ///< A [kg m^2 | kg]; in
   S load{};                            ///< tau_e [N m | N]; in for `Loads::of_last_step`; out
+  S share{};                           ///< s of gear_friction.h at this rate; out
   S own_load{};                        ///< -s . pA [N m | N]; out
   S drive{};                           ///< p - tau_e [N m | N]; out
   S budget{};                          ///< F [N m | N]; out

@@ -1,6 +1,8 @@
 #include "murosimf/multibody/gear_friction.h"
 
 #include <algorithm>
+#include <cmath>
+#include <type_traits>
 
 #include "murosimf/math/exponential.h"
 #include "murosimf/math/pack.h"
@@ -24,30 +26,31 @@ bool rises_at_rest(const GearFriction& k) {
                                  k.quadratic_motor_load > 0 || k.quadratic_external_load > 0);
 }
 
-/// ratio^alpha for ratio >= 0, at most `decayed`.
-template <class S>
-S power(const S& ratio, double alpha) {
-  if (alpha == 1) return select(ratio > S(decayed), S(decayed), ratio);
+/// ratio^alpha for ratio >= 0, at most `decayed`. A: double or S.
+template <class S, class A>
+S power(const S& ratio, const A& alpha) {
+  const S linear = select(ratio > S(decayed), S(decayed), ratio);
+  if constexpr (std::is_same_v<A, double>) {
+    if (alpha == 1) return linear;
+  }
   const S positive = select(ratio < S(1e-30), S(1e-30), ratio);
   const S exponent = alpha * logarithm(positive);
   const S largest = 2.9957322735539909;  // log(decayed)
-  return exponential(select(exponent > largest, largest, exponent));
+  const S any_power = exponential(select(exponent > largest, largest, exponent));
+  if constexpr (std::is_same_v<A, double>) return any_power;
+  return select(S(alpha) == S(1.0), linear, any_power);
 }
 
-/// s = exp(-|w/v_s|^alpha): 1 at rest, 0 when fast. The shortcuts give what the long way gives.
-template <class S>
-S stribeck_share(const GearFriction& k, const S& rate) {
-  const double alpha = std::clamp(k.stribeck_exponent, least_exponent, largest_exponent);
-  const S ratio = abs(rate) * (1 / std::max(least_rate, k.stribeck_rate));
-  const auto moves = ratio > S(0.0);
-  if (!any(moves)) return 1.0;
-  S share = 0.0;
-  if (any(ratio < S(fast_ratio(alpha)))) {
-    const S x = power(ratio, alpha);
-    share = select(x < S((1 - 1e-9) * decayed), exponential(-x), S(0.0));
-  }
-  return select(moves, share, S(1.0));
+/// exp(-ratio^alpha) for ratio >= 0.
+template <class S, class A>
+S decay(const S& ratio, const A& alpha) {
+  const S x = power(ratio, alpha);
+  const S share = select(x < S((1 - 1e-9) * decayed), exponential(-x), S(0.0));
+  return select(ratio > S(0.0), share, S(1.0));
 }
+
+double exponent_of(const GearFriction& k) { return std::clamp(k.stribeck_exponent, least_exponent, largest_exponent); }
+double inverse_rate_of(const GearFriction& k) { return 1 / std::max(least_rate, k.stribeck_rate); }
 
 /// |a tau_m - b tau_e|
 template <class S>
@@ -66,8 +69,20 @@ S quadratic(const GearFriction& k, const S& motor, const S& external) {
 
 }  // namespace
 
+/// s, the same bits as decay's. The shortcuts give what the long way gives.
 template <class S>
-S dry_friction(const GearFriction& k, const S& rate, const S& motor, const S& external) noexcept {
+S stribeck_share(const GearFriction& k, const S& rate) noexcept {
+  if (!rises_at_rest(k)) return 0.0;
+  const double alpha = exponent_of(k);
+  const S ratio = abs(rate) * inverse_rate_of(k);
+  const auto moves = ratio > S(0.0);
+  if (!any(moves)) return 1.0;
+  if (!any(ratio < S(fast_ratio(alpha)))) return select(moves, S(0.0), S(1.0));
+  return decay(ratio, alpha);
+}
+
+template <class S>
+S dry_friction_with_share(const GearFriction& k, const S& share, const S& motor, const S& external) noexcept {
   S budget = k.coulomb;
   if (k.motor_load > 0 || k.external_load > 0)
     budget = budget + of_loads(k.motor_load, motor, k.external_load, external);
@@ -77,10 +92,35 @@ S dry_friction(const GearFriction& k, const S& rate, const S& motor, const S& ex
     more = more + of_loads(k.stribeck_motor_load, motor, k.stribeck_external_load, external);
   }
   if (k.quadratic_motor_load > 0 || k.quadratic_external_load > 0) more = more + quadratic(k, motor, external);
-  return budget + stribeck_share(k, rate) * more;
+  return budget + share * more;
 }
 
-template double dry_friction<double>(const GearFriction&, const double&, const double&, const double&) noexcept;
-template Pack8 dry_friction<Pack8>(const GearFriction&, const Pack8&, const Pack8&, const Pack8&) noexcept;
+template <class S>
+S dry_friction(const GearFriction& k, const S& rate, const S& motor, const S& external) noexcept {
+  return dry_friction_with_share(k, stribeck_share(k, rate), motor, external);
+}
+
+void StribeckShares::add(const GearFriction& k, double rate, double& share) noexcept {
+  if (!rises_at_rest(k)) return;
+  ratio_.set_lane(count_, std::abs(rate) * inverse_rate_of(k));
+  exponent_.set_lane(count_, exponent_of(k));
+  shares_[static_cast<std::size_t>(count_)] = &share;
+  if (++count_ == Pack8::lanes) write();
+}
+
+void StribeckShares::write() noexcept {
+  if (count_ == 0) return;
+  const Pack8 all = decay(ratio_, exponent_);
+  for (int lane = 0; lane < count_; ++lane) *shares_[static_cast<std::size_t>(lane)] = all.lane(lane);
+  count_ = 0;
+}
+
+#define MUROSIMF_INSTANTIATE(S)                                                                      \
+  template S stribeck_share<S>(const GearFriction&, const S&) noexcept;                              \
+  template S dry_friction_with_share<S>(const GearFriction&, const S&, const S&, const S&) noexcept; \
+  template S dry_friction<S>(const GearFriction&, const S&, const S&, const S&) noexcept;
+MUROSIMF_INSTANTIATE(double)
+MUROSIMF_INSTANTIATE(Pack8)
+#undef MUROSIMF_INSTANTIATE
 
 }  // namespace murosimf::multibody

@@ -15,6 +15,9 @@
 /// fitted, only against a load; so has this one: numbers mean what they meant where they come from.
 #pragma once
 
+#include <array>
+
+#include "murosimf/math/pack.h"
 #include "murosimf/model/servo.h"
 
 namespace murosimf::multibody {
@@ -25,5 +28,29 @@ namespace murosimf::multibody {
 template <class S>
 [[nodiscard]] S dry_friction(const GearFriction& friction, const S& rate, const S& motor_torque,
                              const S& external_torque) noexcept;
+
+/// s of the same, 0 to 1; 0 for a gear without Stribeck part.
+template <class S>
+[[nodiscard]] S stribeck_share(const GearFriction& friction, const S& rate) noexcept;
+
+/// F, where s is known.
+template <class S>
+[[nodiscard]] S dry_friction_with_share(const GearFriction& friction, const S& share, const S& motor_torque,
+                                        const S& external_torque) noexcept;
+
+/// Computes s of many joints, eight in lanes: one alone waits for each of its operations in turn. The bits are those of
+/// stribeck_share.
+class StribeckShares {
+ public:
+  /// `share` is written now or by write(), unless the gear has no Stribeck part.
+  void add(const GearFriction& friction, double rate, double& share) noexcept;
+  /// Those that have been added and not yet written.
+  void write() noexcept;
+
+ private:
+  Pack8 ratio_ = 0.0, exponent_ = 1.0;  // |w|/v_s, alpha
+  std::array<double*, Pack8::lanes> shares_{};
+  int count_ = 0;
+};
 
 }  // namespace murosimf::multibody

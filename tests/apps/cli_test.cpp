@@ -281,8 +281,8 @@ TEST(Cli, SaysWhatAFitHasNotSeen) {
       murosimf("fit-servo " + folder.string() + " --model m1 --starts 1 --prior none --cross-validate trajectory" +
                " --validate " + (folder / "b.json").string() + " --out " + scratch("servo.toml").string());
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  for (const char* part :
-       {"mean of step, fitted to the others", "mean of logs that were not fitted", "left out: jump"}) {
+  for (const char* part : {"mean of step, fitted to the others", "mean of logs that were not fitted", "left out: jump",
+                           "share of windows 0, by what fits foresee of other trajectories: 0: "}) {
     EXPECT_NE(result.output.find(part), std::string::npos) << part << " in\n" << result.output;
   }
 }

@@ -5,20 +5,23 @@
 namespace murosimf::identification {
 namespace {
 
-std::size_t choice(const std::vector<double>& whole, const std::vector<double>& half, const std::vector<double>& all) {
-  const std::vector<WindowTrial> trials{{0, whole}, {0.5, half}, {0.8, all}};
-  return best_trial(trials);
+std::size_t choice(const std::vector<double>& whole, const std::vector<double>& half, const std::vector<double>& most,
+                   std::size_t usual = 0) {
+  const std::vector<WindowTrial> trials{{0, whole}, {0.5, half}, {0.8, most}};
+  return best_trial(trials, usual);
 }
 
-// Rule: of the shares that foresee clearly better than whole logs, the best; the order of the shares does not matter.
+// Rule: of the shares that foresee clearly better than the usual one, the best; their order does not matter.
 TEST(WindowChoice, TakesTheBestOfWhatIsClearlyBetter) {
   EXPECT_EQ(choice({0.09, 0.10, 0.11, 0.12}, {0.06, 0.07, 0.08, 0.10}, {0.04, 0.06, 0.05, 0.08}), 2U);
   EXPECT_EQ(choice({0.09, 0.10, 0.11, 0.12}, {0.04, 0.06, 0.05, 0.08}, {0.06, 0.07, 0.08, 0.10}), 1U);
+  EXPECT_EQ(choice({0.04, 0.06, 0.05, 0.08}, {0.06, 0.07, 0.08, 0.10}, {0.09, 0.10, 0.11, 0.12}, 2), 0U);
 }
 
 // Rule: what one log alone decides is chance. Differences 80, -10, -10 and 0 mrad: mean 15, standard error 21.8.
-TEST(WindowChoice, StaysWithWholeLogsWhereTheDifferenceMayBeChance) {
+TEST(WindowChoice, StaysWithTheUsualShareWhereTheDifferenceMayBeChance) {
   EXPECT_EQ(choice({0.17, 0.05, 0.06, 0.07}, {0.09, 0.06, 0.07, 0.07}, {0.18, 0.06, 0.06, 0.07}), 0U);
+  EXPECT_EQ(choice({0.09, 0.06, 0.07, 0.07}, {0.18, 0.06, 0.06, 0.07}, {0.17, 0.05, 0.06, 0.07}, 2), 2U);
 }
 
 // Law: two standard errors. Differences of mean m and of deviations +d and -d in equal numbers, four in all: the standard

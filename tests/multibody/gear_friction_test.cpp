@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -137,6 +138,28 @@ TEST(JointFriction, LanesAreScalars) {
     const Pack8 budget = dry_friction(k, w, m, e);
     for (int lane = 0; lane < Pack8::lanes; ++lane) {
       ASSERT_TRUE(same_bits(budget.lane(lane), dry_friction(k, w.lane(lane), m.lane(lane), e.lane(lane)))) << lane;
+    }
+  }
+}
+
+// Rule: shares that are computed eight at a time, of joints with gears of their own, have the bits of those computed alone; a
+// gear without Stribeck part writes none. No tolerance.
+TEST(JointFriction, SharesOfManyJointsAreThoseOfEach) {
+  Dice dice("shares");
+  const std::array rates{0.0, -0.0, 1e-12, 1.0, -3.0, 200.0, std::numeric_limits<double>::quiet_NaN(), 40.0};
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<GearFriction> gears(static_cast<std::size_t>(1 + dice.pick(21)));
+    std::vector<double> rate(gears.size()), share(gears.size(), -1.0);
+    StribeckShares shares;
+    for (std::size_t i = 0; i < gears.size(); ++i) {
+      gears[i] = dice.chance(0.2) ? GearFriction{.coulomb = 0.1} : random_friction(dice);
+      rate[i] = dice.chance(0.3) ? rates[static_cast<std::size_t>(dice.pick(8))] : dice.uniform(-3, 3);
+      shares.add(gears[i], rate[i], share[i]);
+    }
+    shares.write();
+    for (std::size_t i = 0; i < gears.size(); ++i) {
+      const double alone = gears[i].stribeck_rate > 0 ? stribeck_share(gears[i], rate[i]) : -1.0;
+      ASSERT_TRUE(same_bits(share[i], alone)) << i << " of " << gears.size() << ", rate " << rate[i];
     }
   }
 }
