@@ -5,7 +5,8 @@
 ///
 ///     u = fx x' + s y' + cx,  v = fy y' + cy
 ///
-/// with the skew s of a sensor whose rows and columns are not at right angles, and the models differ in how (x', y') follows from the ray:
+/// with the skew s of a sensor whose rows and columns are not at right angles, and the models differ in how (x', y') follows
+/// from the ray:
 ///
 ///     perspective          none                      x' = x / z, y' = y / z
 ///     plumb_bob            k1 k2 p1 p2 [k3]          imaging/plane_distortion.h
@@ -55,7 +56,8 @@ struct Fov {
 class Lens {
  public:
   /// Throws SetupError: unknown model, size not 1 to 8192 px, focal length not positive, center more than a picture's
-  /// size outside of it, skew not below fx, wrong number of coefficients, numbers that are not finite, or a lens that folds at its center.
+  /// size outside of it, skew not below fx, wrong number of coefficients, numbers that are not finite, or a lens that folds at
+  /// its center.
   explicit Lens(const LensSpec& spec);
 
   [[nodiscard]] const LensSpec& spec() const noexcept { return spec_; }
