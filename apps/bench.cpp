@@ -1,5 +1,5 @@
-// `murosimf bench collision`: what collision detection tests and costs, in the paper's scene, on a full field, in a heap, or in the
-// scenes that are named.
+// `murosimf bench collision`: what collision detection tests and costs, in the paper's scene, on a full field, in a heap, or in
+// the scenes that are named.
 #include <algorithm>
 #include <chrono>
 #include <filesystem>

@@ -20,7 +20,8 @@ struct LensOptions {
 
 void define(const Command& command, LensOptions& options) {
   command
-      .add("file", options.file, "Calibration (YAML as ROS writes it), or the name of one that comes with the program")
+      .add("file", options.file,
+           "Calibration (YAML as ROS writes it, or Calib_Results.m), or the name of one that comes with the program")
       .required()
       .offers_list("lenses");
   command.add("--as", options.model,
@@ -42,6 +43,7 @@ std::string text_of(const imaging::Lens& lens) {
   text += line("picture", fmt::format("{} x {} px", spec.width, spec.height));
   text += line("focal length", fmt::format("{:.2f} x {:.2f} px", spec.fx, spec.fy));
   text += line("center", fmt::format("{:.2f}, {:.2f} px", spec.cx, spec.cy));
+  if (spec.skew != 0) text += line("skew", fmt::format("{:.4g} px", spec.skew));
   text += line("field of view", fmt::format("horizontal {:.1f}, vertical {:.1f}, diagonal {:.1f} deg",
                                             degrees(horizontal), degrees(vertical), degrees(diagonal)));
   text += line("sees up to", fmt::format("{:.1f} deg from the axis, in the picture {:.1f} deg",
@@ -59,7 +61,7 @@ std::string text_of(const imaging::LensFit& fit) {
 int lens(const LensOptions& options) {
   if (!options.out.empty()) files::check_writable(options.out);
   const auto file = components::find_lens_file(options.file);
-  components::CameraCalibration info = components::read_camera_info(file);
+  components::CameraCalibration info = components::read_calibration(file);
   const imaging::Lens read(info.lens);
   std::string text = line("calibration", info.name.empty() ? file.string() : info.name) + text_of(read);
   if (!options.model.empty()) {

@@ -1,5 +1,5 @@
-// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, materials, properties, keys of scene files, formats,
-// commands; and the order of a tick.
+// `murosimf list`: names of levels, laws, controllers, sensors, parts, lenses, materials, properties, keys of scene files,
+// formats, commands; and the order of a tick.
 #include <algorithm>
 #include <array>
 

@@ -60,6 +60,7 @@ class Eye final : public PictureSource {
     light.shadows = !options.no_shadows;
     light.samples = std::max(light.samples, 4);
     renderer_ = make_renderer(scene, light);
+    if (options.stance) renderer_->mark_standing_feet({1, 0.85, 0});
   }
   [[nodiscard]] double fps() const override { return fps_; }
   [[nodiscard]] double rate() const override { return fps_ * slow_; }

@@ -28,6 +28,9 @@ void define(const Command& command, RenderOptions& options) {
   command.add("--layer", options.layer, "color, depth or labels").shows_default();
   command.add("--light", options.light, "hall, day or night, instead of the scene's");
   command.add("--no-shadows", options.no_shadows, "No shadows in pictures from a view").excludes(camera);
+  command
+      .add("--stance", options.stance, "Yellow feet where a robot stands at kinematic_walking, in pictures from a view")
+      .excludes(camera);
   command.add("--out", options.out, "PNG file to write");
   const Option video = command.add("--video", options.video, "Video file to write, .mp4, .webm or .gif (needs ffmpeg)");
   command.add("--fps", options.fps, "Pictures per second of a video; a camera has its own")

@@ -16,6 +16,7 @@ struct RenderOptions {
   std::string size;                ///< WIDTHxHEIGHT; empty: 1280x720
   std::string layer = "color";     ///< or depth, labels
   std::string light;               ///< instead of the scene's
+  bool stance = false;             ///< standing feet of kinematic walkers are yellow
   bool no_shadows = false;         ///< in pictures for people; cameras have what the scene says
   std::string out;                 ///< PNG file
   std::string video;               ///< video file

@@ -1,5 +1,5 @@
-// A plug-in: a controller, a contact law, a sensor, a format of robot files and a command of one's own, loaded by the program that is
-// there (docs/add_an_algorithm.md).
+// A plug-in: a controller, a contact law, a sensor, a format of robot files and a command of one's own, loaded by the program
+// that is there (docs/add_an_algorithm.md).
 //   murosimf list options --plugin build/release/own_plugin.so
 //   murosimf run walk --plugin build/release/own_plugin.so --set walker.controller=circle --set walker.options.radius=0.5
 //   murosimf --plugin build/release/own_plugin.so weigh kid21 --gravity 1.62
@@ -143,8 +143,10 @@ extern "C" const char* murosimf_plugin_version() { return catalog::plugin_versio
 
 extern "C" void murosimf_register(catalog::Registries& registries) {
   registries.controllers.add({"circle", "walks in a circle", "", attach_circle, circle_options().infos()});
-  registries.contacts.add({"ice", "a damped spring without friction; explicit, for steps of 1 ms",
-                           [](const OptionValues&) { return std::make_shared<Ice>(); }, {0.002, 0.001}});
+  registries.contacts.add({"ice",
+                           "a damped spring without friction; explicit, for steps of 1 ms",
+                           [](const OptionValues&) { return std::make_shared<Ice>(); },
+                           {0.002, 0.001}});
   registries.sensors.add({"altimeter", "of the sensor: its height above the plane z = 0, world", "",
                           sensors::Watch::samples, make_altimeter});
   registries.formats.add({"lump", "a ball: two numbers, radius [m] and mass [kg]", ".lump", "", read_lump});

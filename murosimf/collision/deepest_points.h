@@ -1,4 +1,5 @@
-/// deepest_points.h - one point for everything that touches: the deepest, as in the paper (5.3, "there is only one contact point").
+/// deepest_points.h - one point for everything that touches: the deepest, as in the paper (5.3, "there is only one contact
+/// point").
 #pragma once
 
 #include <algorithm>

@@ -19,8 +19,8 @@ class GroundFinder {
   /// `environment`: null for none.
   GroundFinder(const Entity& entity, const Entity* environment);
 
-  /// Calls add(surface of the entity, surface of the environment, friction_direction, object of the environment) for each value that
-  /// Contact::surface can take.
+  /// Calls add(surface of the entity, surface of the environment, friction_direction, object of the environment) for each value
+  /// that Contact::surface can take.
   template <class Add>
   void for_surfaces(const Add& add) const {
     for (const GroundPlane& plane : planes_) {

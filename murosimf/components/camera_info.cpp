@@ -95,12 +95,13 @@ class Fields {
 void read_matrix(const Fields& fields, LensSpec& lens) {
   const std::vector<double> m = fields.numbers("camera_matrix", 9);
   lens.fx = m[0];
+  lens.skew = m[1];
   lens.cx = m[2];
   lens.fy = m[4];
   lens.cy = m[5];
-  if (m[1] == 0 && m[3] == 0 && m[6] == 0 && m[7] == 0 && m[8] == 1) return;
-  throw SetupError(fmt::format("{}: 'camera_matrix' must be [fx, 0, cx, 0, fy, cy, 0, 0, 1]; skew is not supported",
-                               fields.where("camera_matrix")));
+  if (m[3] == 0 && m[6] == 0 && m[7] == 0 && m[8] == 1) return;
+  throw SetupError(
+      fmt::format("{}: 'camera_matrix' must be [fx, skew, cx, 0, fy, cy, 0, 0, 1]", fields.where("camera_matrix")));
 }
 
 /// Throws what Lens has against the numbers that are read so far, with the line of `key`.
@@ -165,11 +166,11 @@ std::string camera_info_yaml(const CameraCalibration& info) {
   out << YAML::Key << "image_width" << YAML::Value << lens.width;
   out << YAML::Key << "image_height" << YAML::Value << lens.height;
   out << YAML::Key << "camera_name" << YAML::Value << info.name;
-  put_matrix(out, "camera_matrix", 3, {lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1});
+  put_matrix(out, "camera_matrix", 3, {lens.fx, lens.skew, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1});
   out << YAML::Key << "distortion_model" << YAML::Value << lens.model;
   put_matrix(out, "distortion_coefficients", 1, lens.coefficients);
   put_matrix(out, "rectification_matrix", 3, {1, 0, 0, 0, 1, 0, 0, 0, 1});
-  put_matrix(out, "projection_matrix", 3, {lens.fx, 0, lens.cx, 0, 0, lens.fy, lens.cy, 0, 0, 0, 1, 0});
+  put_matrix(out, "projection_matrix", 3, {lens.fx, lens.skew, lens.cx, 0, 0, lens.fy, lens.cy, 0, 0, 0, 1, 0});
   out << YAML::EndMap;
   return std::string(out.c_str()) + "\n";
 }

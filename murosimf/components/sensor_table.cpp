@@ -76,7 +76,7 @@ class Changer {
   void take_calibration(const SensorTable& table, const SensorValue& value, const std::filesystem::path& beside) {
     const std::string name = name_of("calibration", value);
     const auto file = with_context(value.where, [&] { return find_lens_file(name, beside); });
-    const imaging::LensSpec lens = with_context(value.where, [&] { return read_camera_info(file).lens; });
+    const imaging::LensSpec lens = with_context(value.where, [&] { return read_calibration(file).lens; });
     const auto scale = [&](const char* key, int size) {
       const auto other = table.values.find(key);
       return other == table.values.end() ? 1 : finite_number(key, other->second) / size;
@@ -90,6 +90,7 @@ class Changer {
     spec_.numbers["height"] = lens.height;
     spec_.numbers["fx"] = x * lens.fx;
     spec_.numbers["fy"] = y * lens.fy;
+    spec_.numbers["skew"] = x * lens.skew;
     spec_.numbers["cx"] = x * (lens.cx + 0.5) - 0.5;  // pixels begin half of one before their middle
     spec_.numbers["cy"] = y * (lens.cy + 0.5) - 0.5;
     const auto keys = sensors::lens_coefficients(lens.model);

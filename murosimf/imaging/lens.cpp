@@ -46,6 +46,11 @@ void check_center(std::string_view name, double value, int size) {
   throw SetupError(fmt::format("the center {} is {}; it must be {} to {}, in pixels", name, value, -size, 2 * size));
 }
 
+void check_skew(double skew, double fx) {
+  if (std::abs(skew) < fx) return;
+  throw SetupError(fmt::format("the skew is {}; its size must be below the focal length fx, {}, in pixels", skew, fx));
+}
+
 void check_coefficients(const Model& model, const std::vector<double>& numbers) {
   if (numbers.size() < model.least || numbers.size() > model.most) {
     throw SetupError(fmt::format("'{}' has {} coefficients; it needs {}: {}", model.name, numbers.size(),
@@ -67,6 +72,7 @@ const LensSpec& checked(const LensSpec& spec) {
   check_focal_length("fy", spec.fy);
   check_center("cx", spec.cx, spec.width);
   check_center("cy", spec.cy, spec.height);
+  check_skew(spec.skew, spec.fx);
   check_coefficients(model, spec.coefficients);
   if (spec.model == "ray_polynomial" && !(spec.coefficients[0] > 0)) {
     throw SetupError(fmt::format("coefficient a1 of 'ray_polynomial' is {}; it must be above 0", spec.coefficients[0]));
@@ -124,21 +130,26 @@ const std::vector<std::string_view>& lens_models() {
   return names;
 }
 
+Pixel pixel_at(const LensSpec& spec, const PlanePoint& d) noexcept {
+  return {spec.fx * d.x + spec.skew * d.y + spec.cx, spec.fy * d.y + spec.cy};
+}
+
 Lens::Lens(const LensSpec& spec) : spec_(checked(spec)), map_(map_of(spec)) {}
 
 bool Lens::plain() const noexcept {
   const bool none = std::ranges::all_of(spec_.coefficients, [](double x) { return x == 0; });
-  return none && std::holds_alternative<PlaneDistortion>(map_);
+  return none && spec_.skew == 0 && std::holds_alternative<PlaneDistortion>(map_);
 }
 
 std::optional<Pixel> Lens::project(const Vec3d& point) const noexcept {
   const auto d = std::visit([&](const auto& map) { return seen(map, point); }, map_);
   if (!d) return std::nullopt;
-  return Pixel{spec_.fx * d->x + spec_.cx, spec_.fy * d->y + spec_.cy};
+  return pixel_at(spec_, *d);
 }
 
 std::optional<Vec3d> Lens::ray(const Pixel& pixel) const noexcept {
-  const PlanePoint d{(pixel.u - spec_.cx) / spec_.fx, (pixel.v - spec_.cy) / spec_.fy};
+  const double y = (pixel.v - spec_.cy) / spec_.fy;
+  const PlanePoint d{(pixel.u - spec_.cx - spec_.skew * y) / spec_.fx, y};
   return std::visit([&](const auto& map) { return looked(map, d); }, map_);
 }
 

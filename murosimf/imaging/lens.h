@@ -3,9 +3,10 @@
 /// Points and rays are in the optical frame of the camera: x right, y down, z forward (REP 103); pixels are those of
 /// imaging/image.h. With x' and y' the coordinates in the picture at focal length 1,
 ///
-///     u = fx x' + cx,  v = fy y' + cy
+///     u = fx x' + s y' + cx,  v = fy y' + cy
 ///
-/// and the models differ in how (x', y') follows from the ray:
+/// with the skew s of a sensor whose rows and columns are not at right angles, and the models differ in how (x', y') follows
+/// from the ray:
 ///
 ///     perspective          none                      x' = x / z, y' = y / z
 ///     plumb_bob            k1 k2 p1 p2 [k3]          imaging/plane_distortion.h
@@ -38,7 +39,11 @@ struct LensSpec {
   double fx = 0, fy = 0;               ///< focal length [px]
   double cx = 0, cy = 0;               ///< where the optical axis meets the picture [px]
   std::vector<double> coefficients{};  ///< of the model, in the order above
+  double skew = 0;                     ///< s [px]: K[0][1] of the camera matrix, alpha_c fx of the toolbox for Matlab
 };
+
+/// Where a point (x', y') of the picture at focal length 1 is seen.
+[[nodiscard]] Pixel pixel_at(const LensSpec& spec, const PlanePoint& d) noexcept;
 
 /// How far a picture reaches from side to side through its center, and from corner to corner [rad].
 struct Fov {
@@ -51,11 +56,12 @@ struct Fov {
 class Lens {
  public:
   /// Throws SetupError: unknown model, size not 1 to 8192 px, focal length not positive, center more than a picture's
-  /// size outside of it, wrong number of coefficients, numbers that are not finite, or a lens that folds at its center.
+  /// size outside of it, skew not below fx, wrong number of coefficients, numbers that are not finite, or a lens that folds at
+  /// its center.
   explicit Lens(const LensSpec& spec);
 
   [[nodiscard]] const LensSpec& spec() const noexcept { return spec_; }
-  /// Straight lines stay straight: perspective, or a lens of the plane whose coefficients are 0.
+  /// A picture of straight lines and right angles: perspective, or a lens of the plane whose coefficients are 0; without skew.
   [[nodiscard]] bool plain() const noexcept;
 
   /// The pixel in which the point [m, optical frame] is seen, inside the picture or not. Nothing if the lens cannot see

@@ -32,7 +32,8 @@ std::vector<Sample> sampled(const Lens& lens, int most_to_a_side) {
   return samples;
 }
 
-/// Numbers of the model in the order fx fy cx cy and coefficients, without a1 of ray_polynomial.
+/// Numbers of the model in the order fx fy cx cy, the skew if the first lens has one, and coefficients, without a1 of
+/// ray_polynomial.
 class Problem {
  public:
   Problem(const std::vector<Sample>& samples, const LensSpec& start, std::string_view model)
@@ -46,8 +47,9 @@ class Problem {
                              : start_.model == "equidistant"         ? 4
                              : start_.model == "rational_polynomial" ? 8
                                                                      : 5;
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(4 + coefficients);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(before_coefficients() + coefficients);
     x.head(4) << start_.fx, start_.fy, start_.cx, start_.cy;
+    if (skewed()) x[4] = start_.skew;
     return x;
   }
 
@@ -57,8 +59,9 @@ class Problem {
     made.fy = x[1];
     made.cx = x[2];
     made.cy = x[3];
+    if (skewed()) made.skew = x[4];
     if (made.model == "ray_polynomial") made.coefficients.push_back(1);
-    made.coefficients.insert(made.coefficients.end(), x.begin() + 4, x.end());
+    made.coefficients.insert(made.coefficients.end(), x.begin() + before_coefficients(), x.end());
     return made;
   }
 
@@ -84,14 +87,17 @@ class Problem {
   }
 
  private:
+  [[nodiscard]] bool skewed() const { return start_.skew != 0; }
+  [[nodiscard]] Eigen::Index before_coefficients() const { return skewed() ? 5 : 4; }
+
   template <class Seen>
   [[nodiscard]] Eigen::VectorXd collect(const LensSpec& spec, const Seen& seen) const {
     Eigen::VectorXd all(2 * samples_.size());
     Eigen::Index i = 0;
     for (const Sample& sample : samples_) {
-      const PlanePoint d = seen(sample.ray);
-      all[i++] = spec.fx * d.x + spec.cx - sample.pixel.u;
-      all[i++] = spec.fy * d.y + spec.cy - sample.pixel.v;
+      const Pixel pixel = pixel_at(spec, seen(sample.ray));
+      all[i++] = pixel.u - sample.pixel.u;
+      all[i++] = pixel.v - sample.pixel.v;
     }
     return all;
   }

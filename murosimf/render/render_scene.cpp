@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "murosimf/collision/colliding_shapes.h"
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/model/feet.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/sensors/view_source.h"
 
@@ -54,6 +56,19 @@ void RenderScene::locate() {
     owner.R = values(properties::orientation);
     owner.v = values(properties::linear_velocity);
     owner.w = values(properties::angular_velocity);
+    owner.stance_foot = values(properties::stance_foot);
+    owner.dynamic = values(properties::dynamic);
+  }
+}
+
+void RenderScene::mark_standing_feet(const Color& color) {
+  standing_ = color;
+  for (Drawable& drawable : drawables_) {
+    const Model& model = owners_[drawable.owner].entity->model();
+    const std::vector<Foot> feet = feet_of(model);
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+      if (belongs_to(model, feet[i], drawable.object)) drawable.foot = static_cast<int>(i);
+    }
   }
 }
 

@@ -50,6 +50,7 @@ struct Drawable {
   Color color;
   std::uint16_t label = 0;
   double radius = 0;  ///< [m] about its origin, all of it
+  int foot = -1;      ///< 0 or 1: of the model's first or second foot, where standing feet are marked
 };
 
 /// The things of a world that have shapes, all but the ground.
@@ -61,6 +62,9 @@ class RenderScene {
 
   /// Reads the columns that there are; to be called when all of them are there.
   void locate();
+
+  /// From now on the foot on which a kinematic walker stands has this color (paper, Fig. 4).
+  void mark_standing_feet(const Color& color);
 
   [[nodiscard]] const std::vector<Drawable>& drawables() const { return drawables_; }
   [[nodiscard]] const std::vector<RenderMesh>& meshes() const { return meshes_; }
@@ -78,6 +82,12 @@ class RenderScene {
     std::vector<Transformd> rest;    // of what nothing moves
     std::span<const Vec3d> r, v, w;  // none of what nothing moves
     std::span<const Mat3d> R;
+    std::span<const double> stance_foot, dynamic;  // none of what does not stand kinematically, ever
+    /// 0 or 1; none of them if it does not stand kinematically now.
+    [[nodiscard]] int standing_foot() const {
+      const bool stands = !stance_foot.empty() && !dynamic.empty() && dynamic[0] == 0;
+      return !stands ? -2 : stance_foot[0] != 0 ? 1 : 0;
+    }
   };
   void add_entity(Entity& entity, const std::vector<Entity*>& moving_entities, const AppearanceOf& appearance);
   void add_shape(Drawable drawable, const PlacedShape& shape);
@@ -90,6 +100,7 @@ class RenderScene {
   std::vector<RenderMesh> meshes_;
   std::vector<const void*> identities_;  // of meshes that several robots share
   const Markings* markings_ = nullptr;
+  Color standing_{};  // of feet that are marked
 };
 
 // ---- definitions ----
@@ -104,8 +115,15 @@ void RenderScene::for_drawables(double ahead, const Visit& visit) const {
       at = pose_of(owners_[drawable.owner], drawable.object, ahead);
     owner = drawable.owner;
     object = drawable.object;
-    visit(drawable, Transformd{at.position + at.orientation * drawable.place.position,
-                               at.orientation * drawable.place.orientation});
+    const Transformd place{at.position + at.orientation * drawable.place.position,
+                           at.orientation * drawable.place.orientation};
+    if (drawable.foot < 0 || drawable.foot != owners_[drawable.owner].standing_foot()) {
+      visit(drawable, place);
+      continue;
+    }
+    Drawable standing = drawable;
+    standing.color = standing_;
+    visit(standing, place);
   }
 }
 

@@ -37,6 +37,9 @@ class Renderer final : public sensors::ViewSource {
   /// The same by parallel rays. Who looks level sees the ground cut open.
   void draw(const ParallelView& view, const sensors::Layers& layers, double ahead, sensors::View& into) noexcept;
 
+  /// RenderScene::mark_standing_feet; before it draws.
+  void mark_standing_feet(const Color& color) { render_scene_.mark_standing_feet(color); }
+
   /// To be called once when all algorithms are attached: from then on things are seen where they are.
   void locate();
 

@@ -47,7 +47,8 @@ struct CollisionReport {
 [[nodiscard]] std::string to_text(const std::vector<CollisionReport>& reports);
 
 /// One JSON object: scenes [{scene, robots, steps, naive_tests, mean_volume_tests, mean_object_tests, mean_share,
-/// worst_share, histogram [], mean_volume_tests_anew, mean_share_anew, volume_tests_anew {bin, steps []}, object_tests {..}, mean_contacts, pairs_us, ground_us, step_us}].
+/// worst_share, histogram [], mean_volume_tests_anew, mean_share_anew, volume_tests_anew {bin, steps []}, object_tests {..},
+/// mean_contacts, pairs_us, ground_us, step_us}].
 [[nodiscard]] std::string to_json(const std::vector<CollisionReport>& reports);
 
 }  // namespace murosimf::scene

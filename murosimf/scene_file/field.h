@@ -42,10 +42,11 @@ struct FieldSize {
 ///         width and goal width are sure. Goal depth, depth of the goal area and border agree with a team's file for
 ///         the 6 m x 4 m field of 2009. Width of the goal area, penalty mark and center circle are unchecked.
 ///         Goals, one yellow and one blue, with a crossbar at 0.9 m, and landmark poles of 20 cm with three parts of 20 cm, of
-///         which the lowest and the highest have the color of the goal to the left, are those of the rules of 2009, as told by the
-///         paper IEEE 5420187 (whether the edition of 2008 had other heights is not known). That paper puts poles at the ends of the
-///         half line; 0.4 m outside of the touch line, with yellow at x > 0 and the yellow-blue-yellow pole at y > 0, is how the
-///         files of a team of 2010 have it (world.landmarkYellow = {0, 2.4}): to the left of who looks onto the field.
+///         which the lowest and the highest have the color of the goal to the left, are those of the rules of 2009, as told by
+///         the paper IEEE 5420187 (whether the edition of 2008 had other heights is not known). That paper puts poles at the
+///         ends of the half line; 0.4 m outside of the touch line, with yellow at x > 0 and the yellow-blue-yellow pole at y >
+///         0, is how a team's files of later years have it (world.landmarkYellow = {0, 2.4}): to the left of who looks onto the
+///         field.
 inline constexpr FieldSize kid_size_2008{.name = "kid_size_2008",
                                          .length = 6,
                                          .width = 4,
@@ -108,8 +109,8 @@ struct FieldFurniture {
   bool poles = false;  ///< "landmark_left" at y > 0, "landmark_right" at y < 0: three cylinders each
 };
 
-/// A model named after the field. Its base, "field", is a plane of `ground_material` with the markings; `friction_direction`: where
-/// the pile of the ground leans (model/shape.h), in the field's axes. Each box of a goal is an object of its own, of
+/// A model named after the field. Its base, "field", is a plane of `ground_material` with the markings; `friction_direction`:
+/// where the pile of the ground leans (model/shape.h), in the field's axes. Each box of a goal is an object of its own, of
 /// plastic, with its frame in its middle: "goal_right_crossbar" belongs to the goal at x > 0, "goal_left_post_left" is
 /// the post at y > 0 of the goal at x < 0. `standing`: more that stands on the field. Ground and
 /// goals are the 13 objects of the field in the paper (7.5).

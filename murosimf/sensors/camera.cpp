@@ -22,10 +22,14 @@ std::vector<Output> outputs() {
           {"mounting_error", "rad", {"roll", "pitch", "yaw"}}};
 }
 
-using LensKey = std::tuple<std::string, int, int, std::array<double, 5>, std::vector<double>>;
+using LensKey = std::tuple<std::string, int, int, std::array<double, 6>, std::vector<double>>;
 
 LensKey key_of(const imaging::LensSpec& lens, double resolution) {
-  return {lens.model, lens.width, lens.height, {lens.fx, lens.fy, lens.cx, lens.cy, resolution}, lens.coefficients};
+  return {lens.model,
+          lens.width,
+          lens.height,
+          {lens.fx, lens.fy, lens.cx, lens.cy, lens.skew, resolution},
+          lens.coefficients};
 }
 
 /// What make() returns, once for equal lenses as long as somebody uses it.

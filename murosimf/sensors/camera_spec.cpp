@@ -28,11 +28,14 @@ std::vector<Row> lens_rows() {
       {"fov", &Options::fov, "rad", "field of view, from the left to the right border; unless there is fx", 0,
        widest_fov},
       {"lens", &Options::lens, "", "its model; without it as its coefficients say", texts_of(imaging::lens_models())},
-      {"calibration", &Options::calibration, "", "a file in the YAML form of ROS that says size and lens"},
+      {"calibration", &Options::calibration, "",
+       "a file in the YAML form of ROS, or Calib_Results.m, that says size and lens"},
       {"fx", &Options::fx, "px", "focal length; without it as fov says"},
       {"fy", &Options::fy, "px", "focal length; without it fx"},
       {"cx", &Options::cx, "px", "where the axis meets the picture; without it in the middle"},
       {"cy", &Options::cy, "px", "the same, from the top"},
+      {"skew", [](auto& of) -> decltype(auto) { return (of.camera.lens.skew); }, "px",
+       "by which a pixel moves right per unit of y'"},
   };
   for (std::size_t i = 0; i < all_lens_coefficients.size(); ++i) {
     rows.emplace_back(
@@ -101,7 +104,7 @@ std::vector<double> coefficients(const CameraOptions& options, const std::string
 /// [px] The focal length with which the lens sees `fov` [rad] from the left to the right.
 double focal_length(imaging::LensSpec lens, double fov) {
   lens.fx = lens.fy = 1;
-  lens.cx = lens.cy = 0;
+  lens.cx = lens.cy = lens.skew = 0;
   const auto border = imaging::Lens(lens).project({std::sin(0.5 * fov), 0, std::cos(0.5 * fov)});
   if (!border || !(border->u > 0)) {
     throw SetupError(

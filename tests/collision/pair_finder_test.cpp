@@ -334,7 +334,8 @@ TEST(PairFinder, WhoCannotBePushedIsBlocked) {
   EXPECT_EQ(found.set.blocked.size(), 1U);
 }
 
-// Rule: what stands fast pushes with 3 m/s at most, as its standing foot may change within a step; what is pushed is as fast as it is.
+// Rule: what stands fast pushes with 3 m/s at most, as its standing foot may change within a step; what is pushed is as fast as
+// it is.
 TEST(PairFinder, AStandingFootThatChangesDoesNotShoot) {
   Found found;
   found.add("walker", ball(0.1, 1));

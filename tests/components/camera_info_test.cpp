@@ -98,6 +98,12 @@ TEST_F(CameraInfoFile, ComesBackAsItWasWritten) {
   }
 }
 
+TEST_F(CameraInfoFile, KeepsSkew) {
+  const imaging::LensSpec lens = read_camera_info(write(with("[417.5, 0,", "[417.5, -2.25,"))).lens;
+  EXPECT_EQ(lens.skew, -2.25);
+  EXPECT_EQ(read_calibration(write(camera_info_yaml({"", lens}))).lens.skew, -2.25);
+}
+
 TEST_F(CameraInfoFile, IsWrittenAsOthersExpectIt) {
   const imaging::LensSpec plain{.width = 640, .height = 480, .fx = 400, .fy = 400, .cx = 320, .cy = 240};
   EXPECT_EQ(read_camera_info(write(camera_info_yaml({"", plain}))).lens.coefficients, std::vector<double>(5));
@@ -116,8 +122,10 @@ TEST_F(CameraInfoFile, SaysInWhichLineItIsWrong) {
          "camera_info.yaml:2: the picture's height is 100000; it must be 1 to 8192 pixels");
   expect(with("417.5", "0"), "camera_info.yaml:5: the focal length fx is 0; it must be above 0, in pixels");
   expect(with("417.5", ".nan"), "camera_info.yaml:7: data of 'camera_matrix' must be finite numbers");
-  expect(with("[417.5, 0,", "[417.5, 2,"),
-         "camera_info.yaml:5: 'camera_matrix' must be [fx, 0, cx, 0, fy, cy, 0, 0, 1]; skew is not supported");
+  expect(with("317.25, 0, 416", "317.25, 2, 416"),
+         "camera_info.yaml:5: 'camera_matrix' must be [fx, skew, cx, 0, fy, cy, 0, 0, 1]");
+  expect(with("[417.5, 0,", "[417.5, 500,"),
+         "camera_info.yaml:5: the skew is 500; its size must be below the focal length fx, 417.5, in pixels");
   expect(with("227, 0, 0, 1]", "227, 0, 0]"),
          "camera_info.yaml:7: 'camera_matrix' has 8 numbers in data, but 3 rows and 3 cols");
   expect(with("plumb_bob", "plumbob"), "camera_info.yaml:8: unknown lens model 'plumbob'; did you mean 'plumb_bob'?");

@@ -1,13 +1,15 @@
-// Calibrations of cameras, YAML.
+// Calibrations of cameras: YAML, and those of the toolbox for Matlab.
 #include "murosimf/components/camera_info.h"
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace murosimf;
-  fuzz::feed(data, size, ".yaml", [](const auto& file) {
-    const components::CameraCalibration info = components::read_camera_info(file);
+  const auto read = [](const auto& file) {
+    const components::CameraCalibration info = components::read_calibration(file);
     (void)imaging::Lens(info.lens).fold_remark();
     (void)components::camera_info_yaml(info);
-  });
+  };
+  const bool matlab = size > 0 && data[0] == '%';
+  fuzz::feed(data, size, matlab ? ".m" : ".yaml", read);
   return 0;
 }

@@ -69,6 +69,15 @@ TEST(LensFit, FindsTheSameLensWhereTheOtherModelHasIt) {
   }
 }
 
+// The skew of a lens that has one is fitted with the rest.
+TEST(LensFit, KeepsSkew) {
+  LensSpec spec = lens_of("plumb_bob", {-0.28, 0.08, 0.002, -0.001}).spec();
+  spec.skew = 6;
+  const LensFit fit = fit_lens(Lens(spec), "rational_polynomial");
+  EXPECT_LT(fit.largest_error, 1e-3);
+  EXPECT_NEAR(fit.spec.skew, 6, 1e-3);
+}
+
 TEST(LensFit, NamesItsLargestError) {
   const Lens lens = lens_of("plumb_bob", {-0.28, 0.08, 0.002, -0.001});
   for (const char* model : {"perspective", "rational_polynomial", "equidistant", "ray_polynomial"}) {

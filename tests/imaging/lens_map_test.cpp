@@ -23,6 +23,13 @@ Lens barrel() {
                .coefficients = {-0.28, 0.08, 0.0007, -0.0003}});
 }
 
+/// Nothing is bent, but rows and columns are not at right angles.
+Lens sheared() {
+  LensSpec spec{.width = 160, .height = 120, .fx = 104, .fy = 103, .cx = 79, .cy = 57};
+  spec.skew = 9;
+  return Lens(spec);
+}
+
 /// 170 degrees from corner to corner.
 Lens fisheye() {
   return Lens({.model = "equidistant",
@@ -108,7 +115,8 @@ TEST(LensMap, ShowsThePatternWhereTheFormulaHasIt) {
     std::size_t views;
   };
   for (const auto& [name, lens, views] :
-       {Case{"plumb_bob, one view", barrel(), 1}, Case{"equidistant, 170 deg, five faces", fisheye(), 5},
+       {Case{"plumb_bob, one view", barrel(), 1}, Case{"perspective with skew, one view", sheared(), 1},
+        Case{"equidistant, 170 deg, five faces", fisheye(), 5},
         Case{"equidistant, 360 deg, six faces", world_queries(), 6}}) {
     const LensMap map(lens);
     EXPECT_EQ(map.views().size(), views) << name;

@@ -81,6 +81,41 @@ TEST(Lens, ComesBackToTheRayOfEveryPixel) {
   }
 }
 
+LensSpec skewed(LensSpec spec, double skew) {
+  spec.skew = skew;
+  return spec;
+}
+
+// u gets skew times y' = (v - cy) / fy more, whatever the model; v stays.
+TEST(Lens, WithSkewSeesMoreToTheRightTheFartherDown) {
+  law::Worst error, round;
+  for (const LensSpec& spec : lenses()) {
+    const Lens straight(spec), lens(skewed(spec, 7.5));
+    EXPECT_FALSE(lens.plain());
+    for (const Vec3d& point : {Vec3d{0.3, -0.2, 1}, {-0.4, 0.35, 1.1}, {0.05, 0.5, 1.4}}) {
+      const Pixel seen = lens.project(point).value(), before = straight.project(point).value();
+      const double u = before.u + 7.5 * (before.v - spec.cy) / spec.fy;
+      error.see(std::hypot(seen.u - u, seen.v - before.v), spec.model);
+    }
+    const law::Measured back = round_trip(lens);
+    round.see(back.value, spec.model);
+  }
+  law::expect_below({.law = "lens with skew: where points are seen",
+                     .level = "all models",
+                     .source = "u = fx x' + s y' + cx, as K[0][1] of OpenCV and alpha_c of Bouguet's toolbox"},
+                    error, 1e-10, "px");
+  law::expect_below({.law = "lens with skew: ray to pixel to ray, all pixels of 640x480",
+                     .level = "all models",
+                     .source = "the inverse of the inverse"},
+                    round, 1e-11, "rad");
+}
+
+TEST(Lens, WithTooMuchSkewIsRefused) {
+  EXPECT_EQ(message(skewed(spec_of("perspective", {}), 420)),
+            "the skew is 420; its size must be below the focal length fx, 420, in pixels");
+  EXPECT_NE(message(skewed(spec_of("perspective", {}), std::nan(""))), "nothing was thrown");
+}
+
 TEST(Lens, FollowsTheFormulasAtAPoint) {
   const double x = 0.3, y = -0.2, r2 = x * x + y * y, t = std::atan(std::sqrt(r2)), r = std::sqrt(r2);
   const auto seen = [&](std::size_t i) { return Lens(lenses()[i]).project({x, y, 1}).value(); };

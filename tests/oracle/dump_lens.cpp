@@ -1,6 +1,6 @@
 /// dump_lens - a lens as JSON, for lenses_against_opencv.py: where points are seen, and along which rays pixels look.
 ///
-///     dump_lens POINTS MODEL WIDTH HEIGHT FX FY CX CY [COEFFICIENT...]
+///     dump_lens POINTS MODEL WIDTH HEIGHT FX FY CX CY SKEW [COEFFICIENT...]
 ///
 /// POINTS is a file of points x y z [m] in the optical frame. Pixels are those of a grid of 21 x 21 over the picture.
 /// What cannot be seen, or looks nowhere, is null.
@@ -28,7 +28,8 @@ imaging::LensSpec read_lens(const std::vector<std::string>& words) {
                          .fy = number(5),
                          .cx = number(6),
                          .cy = number(7)};
-  for (std::size_t i = 8; i < words.size(); ++i) spec.coefficients.push_back(number(i));
+  spec.skew = number(8);
+  for (std::size_t i = 9; i < words.size(); ++i) spec.coefficients.push_back(number(i));
   return spec;
 }
 

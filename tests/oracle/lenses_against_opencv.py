@@ -5,7 +5,8 @@ Usage: lenses_against_opencv.py <dump_lens>
 Exit: 0 all agree, 1 some differ, 77 OpenCV is not installed (test is skipped).
 
 Our rays go through OpenCV's projection and must come back to their pixels: its own inverse is an iteration that stops
-early. It shows points beyond the fold of a lens, too; ours does not see them, so they are not compared.
+early. Its projectPoints knows no skew, so it projects to focal length 1 and the camera matrix comes after it; for fisheye
+lenses it has a skew of its own (alpha). It shows points beyond the fold of a lens, too; ours does not see them, so they are not compared.
 """
 import pathlib
 import sys
@@ -26,12 +27,13 @@ SEEN = 0.9  # at least this share of rays, or a lens is no test
 
 
 def random_lens(random, model):
-    """Picture, focal lengths and center, and coefficients as calibrations give them."""
+    """Picture, focal lengths, center and skew, and coefficients as calibrations give them."""
     width = random.integers(200, 2000)
     height = round(width * random.uniform(0.5, 0.9))
     focal = random.uniform(0.6, 1.2) * width
     picture = [width, height, focal, focal * random.uniform(0.98, 1.02),
-               width * random.uniform(0.45, 0.55), height * random.uniform(0.45, 0.55)]
+               width * random.uniform(0.45, 0.55), height * random.uniform(0.45, 0.55),
+               focal * random.uniform(-0.02, 0.02)]
     p = random.uniform(-2e-3, 2e-3, 2)
     if model == "plumb_bob":
         k = random.uniform([-0.25, 0.05, 0], [0.1, 0.1, 0.02])
@@ -44,12 +46,14 @@ def random_lens(random, model):
 
 def seen_by_opencv(points, model, picture, coefficients):
     """Pixels of points [m] in the optical frame."""
-    _, _, fx, fy, cx, cy = picture
-    matrix = np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1.0]])
-    project = cv2.fisheye.projectPoints if model == "equidistant" else cv2.projectPoints
-    shape = (-1, 1, 3)
-    none = np.zeros((3, 1))
-    return project(np.reshape(points, shape), none, none, matrix, np.array(coefficients))[0].reshape(-1, 2)
+    _, _, fx, fy, cx, cy, skew = picture
+    points, none = np.reshape(points, (-1, 1, 3)), np.zeros((3, 1))
+    if model == "equidistant":
+        matrix = np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1.0]])
+        seen = cv2.fisheye.projectPoints(points, none, none, matrix, np.array(coefficients), alpha=skew / fx)[0]
+        return seen.reshape(-1, 2)
+    plane = cv2.projectPoints(points, none, none, np.eye(3), np.array(coefficients))[0].reshape(-1, 2)
+    return plane @ np.array([[fx, 0], [skew, fy]]) + [cx, cy]
 
 
 def compare(dump, model, case, random, folder, worst):

@@ -137,8 +137,8 @@ double creep_error(const LevelAndLaw& names, double s_mu, bool bounded, double r
   return std::abs(creep / (std::tan(slope) / s_mu) - 1);
 }
 
-// By the letter 2 %. Bounded, a box that rocks on its deepest point is rubbed by what it moves like a step later: 5 % at 1 ms, and
-// less with shorter steps.
+// By the letter 2 %. Bounded, a box that rocks on its deepest point is rubbed by what it moves like a step later: 5 % at 1 ms,
+// and less with shorter steps.
 TEST_P(Viscous, CreepsDownTheSlope) {
   law::Worst letter, bounded;
   for (const double s_mu : {1.0, 3.0, 5.0}) {

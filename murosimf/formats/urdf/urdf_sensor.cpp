@@ -46,6 +46,7 @@ void read_lens(const files::XmlElement& intrinsics, std::map<std::string, double
   numbers["fy"] = child_number(intrinsics, "fy", 277);
   numbers["cx"] = child_number(intrinsics, "cx", 160) - 0.5;
   numbers["cy"] = child_number(intrinsics, "cy", 120) - 0.5;
+  if (const double skew = child_number(intrinsics, "s", 0); skew != 0) numbers["skew"] = skew;
   if (!(numbers["fx"] > 0 && numbers["fy"] > 0)) intrinsics.fail("fx and fy of a lens must be positive");
 }
 

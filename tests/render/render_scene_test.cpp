@@ -1,0 +1,59 @@
+#include "murosimf/render/render_scene.h"
+
+#include <string>
+
+#include "murosimf/collision/contact_properties.h"
+#include "tests/render/drawn.h"
+
+namespace murosimf::test {
+namespace {
+
+/// A trunk with two feet that have a ball each.
+ModelPtr two_feet() {
+  const auto leg = [](const std::string& name, double y) {
+    return Chain{}
+        .translation({0, y, -0.2})
+        .revolute(name, {0, 1, 0})
+        .with(properties::mass, 0.2)
+        .with(properties::inertia, diagonal(1e-3))
+        .with(properties::sole, Sole{0.05, 0.03})
+        .with(properties::shapes, Shapes{fixtures::placed(Sphere{0.03})});
+  };
+  return std::make_shared<const Model>("walker", Chain{}
+                                                     .base("trunk")
+                                                     .with(properties::mass, 1.0)
+                                                     .with(properties::inertia, diagonal(1e-2))
+                                                     .with(properties::shapes, Shapes{fixtures::placed(Sphere{0.1})})
+                                                     .fork(leg("left", 0.05), leg("right", -0.05)));
+}
+
+/// Names of the objects that are drawn in yellow.
+std::string yellow(const render::RenderScene& render_scene) {
+  std::string names;
+  render_scene.for_drawables(0, [&](const render::Drawable& drawable, const Transformd&) {
+    if (drawable.color.red == 1 && drawable.color.blue == 0) {
+      names += render_scene.owner(drawable)->model().objects()[drawable.object].name + " ";
+    }
+  });
+  return names;
+}
+
+// Rule (paper, Fig. 4): the standing foot is yellow, at kinematic_walking only, and only if it is asked for.
+TEST(RenderScene, MarksTheStandingFoot) {
+  DrawnWorld world;
+  Entity& robot = world.add("robot", two_feet(), {0, 0, 0.3});
+  robot.column(properties::stance_foot).values.assign(1, 0);
+  robot.column(properties::dynamic).values.assign(1, 0);
+  render::RenderScene render_scene(world.world, world.moving_entities);
+  render_scene.locate();
+  EXPECT_EQ(yellow(render_scene), "");
+  render_scene.mark_standing_feet({1, 0.85, 0});
+  EXPECT_EQ(yellow(render_scene), "left ");
+  robot.column(properties::stance_foot).values[0] = 1;
+  EXPECT_EQ(yellow(render_scene), "right ");
+  robot.column(properties::dynamic).values[0] = 1;
+  EXPECT_EQ(yellow(render_scene), "") << "forces move it now";
+}
+
+}  // namespace
+}  // namespace murosimf::test
