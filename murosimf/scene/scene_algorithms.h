@@ -26,5 +26,7 @@ void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Enti
 
 /// Counts its way and its falls.
 void attach_odometer(SceneParts& parts, Entity& entity);
+/// Nothing if the robot does not ask for them.
+void attach_accelerations(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity);
 
 }  // namespace murosimf::scene
