@@ -115,6 +115,7 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
 void SimplifiedDynamics::step_rk4(double dt) noexcept {
   begin_step(dt);
   if (!reference_.is_sane(columns_)) return halt("a joint position or target is no sensible number");
+  reference_.fade_offsets(dt);
   // the row has the angular momentum in the place of the angular velocity
   write_state({center_, velocity_, columns_.Q[0], inertia_ * columns_.w[0]}, columns_, row_);
   const auto place = [&](const multibody::FreeBody<double>& body) {
