@@ -42,7 +42,7 @@ bool is_joint(Kind kind) { return kind == Kind::revolute || kind == Kind::prisma
 void append_property(std::vector<LoggedNumber>& numbers, Entity& entity, std::string_view name,
                      const ColumnBase& column) {
   const int object = entity.model().object_index(name);
-  if (object != 0 && column.info().scope != Scope::object) return;
+  if (object != 0 && !of_every_object(column.info().scope)) return;
   if (column.info().frame == "joint" && !is_joint(entity.model().objects()[object].kind)) return;
   const std::string path = fmt::format("{}.{}.{}", entity.name(), name, column.info().name);
   const bool prismatic = entity.model().objects()[object].kind == Kind::prismatic;

@@ -66,7 +66,7 @@ Column<T>& ColumnStore::column(const Property<T>& property) {
   auto found = columns_.find(property.name);
   if (found == columns_.end()) {
     if (frozen_) refuse_new(property);
-    const std::size_t rows = property.scope == Scope::object ? objects_ : 1;
+    const std::size_t rows = of_every_object(property.scope) ? objects_ : 1;
     auto created = dropped(property, typeid(T));
     if (!created) created = std::make_shared<Column<T>>(property, rows);
     found = columns_.emplace(std::string(property.name), std::move(created)).first;

@@ -23,7 +23,7 @@ const std::string& ObjectAccess::name() const { return model().objects()[object_
 std::string ObjectAccess::where() const { return fmt::format("entity '{}', object '{}'", entity_->name(), name()); }
 
 std::size_t ObjectAccess::row(const ColumnBase& column) const {
-  if (column.info().scope == Scope::object) return static_cast<std::size_t>(object_);
+  if (of_every_object(column.info().scope)) return static_cast<std::size_t>(object_);
   if (object_ != 0) {
     throw SetupError(fmt::format("{} has no '{}': only the base '{}' has it", where(), column.info().name,
                                  model().objects()[0].name));
@@ -40,7 +40,8 @@ std::vector<double> ObjectAccess::structural_numbers(std::string_view property) 
     for (std::size_t i = 0; value && i < ValueTraits<T>::numbers; ++i) all.push_back(ValueTraits<T>::get(*value, i));
     return all;
   };
-  for (const auto& wanted : {properties::position, properties::linear_velocity, properties::angular_velocity}) {
+  for (const auto& wanted : {properties::position, properties::linear_velocity, properties::angular_velocity,
+                             properties::linear_acceleration, properties::angular_acceleration}) {
     if (auto all = numbers(wanted); !all.empty()) return all;
   }
   return numbers(properties::orientation);
@@ -71,7 +72,7 @@ void ObjectAccess::set(std::string_view property, std::span<const double> number
     }
     throw SetupError(fmt::format("{}: {}", where(), unknown_name("property", property, properties())));
   }
-  if (model().objects()[object_].structural && column->info().scope == Scope::object) {
+  if (model().objects()[object_].structural && of_every_object(column->info().scope)) {
     throw SetupError(fmt::format("{} cannot be set: it only gives the tree its shape and follows '{}'", where(),
                                  model().objects()[model().tree().links[model().tree().link_of[object_]].object].name));
   }
@@ -90,7 +91,7 @@ void ObjectAccess::set(std::string_view property, std::span<const double> number
 std::vector<std::string_view> ObjectAccess::properties() const {
   std::vector<std::string_view> names;
   for (const auto& [name, column] : columns()) {
-    if (column->numbers() > 0 && (object_ == 0 || column->info().scope == Scope::object)) names.push_back(name);
+    if (column->numbers() > 0 && (object_ == 0 || of_every_object(column->info().scope))) names.push_back(name);
   }
   for (const auto& [name, column] : model().constants().columns()) {
     if (!column->numbers(object_).empty()) names.push_back(name);

@@ -38,6 +38,9 @@ inline constexpr Property<Vec3d>  linear_velocity    {{"linear_velocity", "m/s",
 inline constexpr Property<Vec3d>  angular_velocity   {{"angular_velocity", "rad/s", "world", "of the object"}};
 inline constexpr Property<double> joint_position     {{"joint_position", "rad | m", "joint", "angle or shift along the axis"}};
 inline constexpr Property<double> joint_velocity         {{"joint_velocity", "rad/s | m/s", "joint", "rate of joint_position"}};
+inline constexpr Property<Vec3d>  linear_acceleration  {{"linear_acceleration", "m/s^2", "world", "of the object's origin, mean over the last step", Scope::shown}};
+inline constexpr Property<Vec3d>  angular_acceleration {{"angular_acceleration", "rad/s^2", "world", "of the object, mean over the last step", Scope::shown}};
+inline constexpr Property<double> joint_acceleration   {{"joint_acceleration", "rad/s^2 | m/s^2", "joint", "rate of joint_velocity, mean over the last step", Scope::shown}};
 inline constexpr Property<double> joint_target       {{"joint_target", "rad | m", "joint", "desired position, set by control software"}};
 inline constexpr Property<double> joint_velocity_target {{"joint_velocity_target", "rad/s | m/s", "joint", "desired rate of a joint whose servo has no position gain, set by control software"}};
 inline constexpr Property<double> joint_torque     {{"joint_torque", "N m | N", "joint", "of servo and gear; at full_dynamics what the motion would take"}};

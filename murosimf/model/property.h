@@ -10,10 +10,14 @@ namespace murosimf {
 
 enum class Scope {
   object,  ///< every object of the entity has one
+  shown,   ///< every object has one; worked out of the others by who only looks, so it is not in the state hash
   base,    ///< one for the whole entity; it belongs to the base
   sensor,  ///< one for the whole entity, shown by a sensor; looking changes nothing, so it is not in the state hash
   wiring,  ///< one for the whole entity, by which its algorithms know each other; made anew, never stored or hashed
 };
+
+/// Whether a column of that scope has a row for every object, else one for the base.
+[[nodiscard]] constexpr bool of_every_object(Scope scope) { return scope == Scope::object || scope == Scope::shown; }
 
 /// Whether columns of that scope are what a step goes on from.
 [[nodiscard]] constexpr bool is_state(Scope scope) { return scope == Scope::object || scope == Scope::base; }
@@ -25,6 +29,7 @@ struct PropertyInfo {
   std::string_view frame;    ///< axes and reference point; "-" where there are none
   std::string_view meaning;  ///< one line
   Scope scope = Scope::object;
+  bool fades = false;  ///< it comes to 0 by itself, and is no part of the state hash while all of it is 0
 };
 
 template <class T>

@@ -15,6 +15,16 @@ bool append_if(Hasher& hasher, const Entity& entity, const ColumnBase& column, c
   return true;
 }
 
+bool has_faded(const ColumnBase& column) {
+  if (!column.info().fades) return false;
+  for (std::size_t row = 0; row < column.rows(); ++row) {
+    for (std::size_t i = 0; i < column.numbers(); ++i) {
+      if (column.get(row, i) != 0) return false;
+    }
+  }
+  return true;
+}
+
 void append_rows(Hasher& hasher, const Entity& entity, const ColumnBase& column) {
   if (append_if(hasher, entity, column, properties::position) ||
       append_if(hasher, entity, column, properties::orientation) ||
@@ -31,7 +41,7 @@ void append_state(Hasher& hasher, const Entity& entity) {
   hasher.add(std::string_view(entity.name()));
   hasher.add(std::uint64_t{(entity.frozen() ? 1u : 0u) + (entity.present() ? 0u : 2u)});
   for (const auto& [name, column] : entity.columns()) {
-    if (!is_state(column->info().scope)) continue;
+    if (!is_state(column->info().scope) || has_faded(*column)) continue;
     hasher.add(std::string_view(name));
     append_rows(hasher, entity, *column);
   }

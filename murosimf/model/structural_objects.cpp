@@ -41,6 +41,14 @@ std::optional<Vec3d> structural_value(const Model& model, const ColumnStore& col
   if (is(property, properties::angular_velocity)) return (*w)[link];
   // by the difference of rounded positions, as hashes have always had it
   if (is(property, properties::linear_velocity)) return (*v)[link] + cross((*w)[link], position() - (*r)[link]);
+  const auto *a = rows_of(columns, properties::linear_acceleration),
+             *alpha = rows_of(columns, properties::angular_acceleration);
+  if (!a || !alpha) return std::nullopt;
+  if (is(property, properties::angular_acceleration)) return (*alpha)[link];
+  const Vec3d arm = position() - (*r)[link];
+  if (is(property, properties::linear_acceleration)) {
+    return (*a)[link] + cross((*alpha)[link], arm) + cross((*w)[link], cross((*w)[link], arm));
+  }
   return std::nullopt;
 }
 

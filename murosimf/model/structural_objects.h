@@ -4,6 +4,7 @@
 /// turn T in that link's axes, so that
 ///
 ///     r = r_l + R_l d     R = R_l T     w = w_l     v = v_l + w_l x (r - r_l)
+///     alpha = alpha_l     a = a_l + alpha_l x (r - r_l) + w_l x (w_l x (r - r_l))
 ///
 /// Its own rows in the columns hold nothing. Asking only reads: any number of threads may, while nobody steps.
 #pragma once

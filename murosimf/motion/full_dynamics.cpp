@@ -65,6 +65,7 @@ void FullDynamics::step(const Instant& instant) noexcept {
 void FullDynamics::step_rk4(const Instant& instant) noexcept {
   tree_.take_changes();
   if (!reference_.is_sane(tree_.columns)) return tree_.halt("a joint position or target is no sensible number");
+  reference_.fade_offsets(seconds(instant.period));
   bool first = true;
   const auto accelerations = [&] {
     const auto& links = tree_.columns.model.tree().links;

@@ -10,11 +10,19 @@
 namespace murosimf::motion {
 namespace {
 
+constexpr double offset_fading_time = 0.1;  // [s] of what a joint is away from its reference when that takes over
+
 constexpr ReferenceEntry reference_entries[] = {
     {"filter", "a critically damped filter follows the target", ReferenceKind::filter},
     {"linear", "at constant rate, in one control cycle (paper 4.3)", ReferenceKind::linear},
     {"exact", "the target is the position (paper 4.1, 4.2)", ReferenceKind::exact},
 };
+
+/// What is left of an offset [rad | m] after dt [s]; implicit Euler.
+double faded(double offset, double dt) {
+  constexpr double nothing = 1e-9;
+  return std::abs(offset) > nothing ? offset / (1 + dt / offset_fading_time) : 0;
+}
 
 }  // namespace
 
@@ -25,6 +33,7 @@ JointReference::JointReference(Setup& setup, const JointReferenceOptions& option
       turning_(setup),
       coupled_(setup.model()),
       target_(setup.input(properties::joint_target, 0.0)),
+      offset_(setup.write(properties::joint_offset)),
       leader_(target_.size()),
       ratio_(target_.size()) {
   std::iota(leader_.begin(), leader_.end(), 0);
@@ -36,6 +45,7 @@ JointReference::JointReference(Setup& setup, const JointReferenceOptions& option
 }
 
 void JointReference::initialize(PoseColumns& columns) noexcept {
+  std::fill(offset_.begin(), offset_.end(), 0.0);
   for (std::size_t i = 0; i < target_.size(); ++i) {
     columns.q[i] = target(static_cast<int>(i));
     columns.qd[i] = 0;
@@ -45,13 +55,28 @@ void JointReference::initialize(PoseColumns& columns) noexcept {
 }
 
 void JointReference::take_over(const PoseColumns& columns) noexcept {
-  // no cycle has begun: the next step begins one for every joint that is not where it should be
-  for (std::size_t i = 0; i < cycle_target_.size(); ++i) cycle_target_[i] = columns.q[i];
+  const double lag = options_.kind == ReferenceKind::filter ? 2 / options_.filter_frequency : 0;  // [s]
+  std::fill(offset_.begin(), offset_.end(), 0.0);
+  for (const int i : turning_.others()) {
+    if (leader_[i] == i) offset_[i] = columns.q[i] + lag * columns.qd[i] - limited_target(i);
+    if (!std::isfinite(offset_[i])) offset_[i] = 0;
+    if (!cycle_target_.empty()) cycle_target_[i] = limited_target(i);
+  }
+}
+
+MUROSIMF_INLINE double JointReference::limited_target(int joint) const noexcept {
+  const auto& [lowest, highest] = coupled_.range(joint);
+  return std::clamp(target_[joint], lowest, highest);
 }
 
 MUROSIMF_INLINE double JointReference::target(int joint) const noexcept {
-  const auto& [lowest, highest] = coupled_.range(joint);
-  return std::clamp(target_[joint], lowest, highest);
+  return limited_target(joint) + offset_[joint];
+}
+
+void JointReference::fade_offsets(double dt) noexcept {
+  for (double& offset : offset_) {
+    if (offset != 0) offset = faded(offset, dt);
+  }
 }
 
 void JointReference::stop_at_limits(PoseColumns& columns) const noexcept {
@@ -75,9 +100,15 @@ bool JointReference::is_sane(const PoseColumns& columns) const noexcept {
 bool JointReference::advance(PoseColumns& columns, double dt) noexcept {
   if (!is_sane(columns)) return false;
   switch (options_.kind) {
-    case ReferenceKind::filter: filter(columns, dt); break;
+    case ReferenceKind::filter:
+      fade_offsets(dt);
+      filter(columns, dt);
+      break;
     case ReferenceKind::linear: linear(columns, dt); break;
-    case ReferenceKind::exact: follow_exactly(columns, dt); break;
+    case ReferenceKind::exact:
+      fade_offsets(dt);
+      follow_exactly(columns, dt);
+      break;
   }
   turn(columns, dt);
   stop_at_limits(columns);
@@ -128,17 +159,20 @@ void JointReference::turn(PoseColumns& columns, double dt) const noexcept {
 
 void JointReference::linear(PoseColumns& columns, double dt) noexcept {
   for (const int i : turning_.others()) {
-    double& q = columns.q[i];
-    double& qd = columns.qd[i];
-    const double goal = target(i);
+    const double goal = limited_target(i);
+    double q = columns.q[i] - offset_[i];
+    double qd = columns.qd[i] + offset_[i] / offset_fading_time;
+    offset_[i] = faded(offset_[i], dt);
     if (goal != cycle_target_[i]) {
       cycle_target_[i] = goal;
       qd = (goal - q) / options_.control_period;
-    } else if (q == goal) {
+    } else if (std::abs(goal - q) < 1e-12) {
       qd = 0;
     }
     const double rest = goal - q;
     q = std::abs(rest) <= std::abs(qd) * dt * (1 + 1e-9) ? goal : q + dt * qd;
+    columns.q[i] = q + offset_[i];
+    columns.qd[i] = qd - offset_[i] / offset_fading_time;
   }
 }
 

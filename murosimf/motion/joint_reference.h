@@ -13,6 +13,11 @@
 ///
 ///     qdd = wf (rate target - qd) / (1 + wf dt)
 ///
+/// A level that takes over finds joints beside their reference: servos have let them sag. The offset o = q - reference then,
+///
+///     o = q + lag - target        lag = 2 qd / wf (filter: its acceleration begins at 0), 0 (linear, exact)      o' = -o / 0.1 s
+///
+/// is added to the target (filter, exact) or to the line (linear), and fades: nothing jerks the base. Implicit Euler.
 /// A joint that follows another one (mimic_joints.h) is where that takes it; its own target means nothing.
 /// Joints stop at the ends of their range (joint_range), at rest. Same state (q, qd) as a simulated servo, so levels can be exchanged.
 #pragma once
@@ -49,7 +54,7 @@ class JointReference {
 
   /// Joints start at their targets, at rest.
   void initialize(PoseColumns& columns) noexcept;
-  /// Goes on from the joints as they are.
+  /// Goes on from the joints as they are; what they are away from their reference fades.
   void take_over(const PoseColumns& columns) noexcept;
   /// Positions and targets are sensible numbers.
   [[nodiscard]] bool is_sane(const PoseColumns& columns) const noexcept;
@@ -58,6 +63,8 @@ class JointReference {
   /// Acceleration [rad/s^2 | m/s^2] of the filter's differential equation, q'' = wf^2 (target - q) - 2 wf q'; of a joint
   /// that follows a rate, q'' = wf (rate target - q').
   [[nodiscard]] double acceleration(const PoseColumns& columns, int joint) const noexcept;
+  /// Less is left of the offsets after dt [s]; advance() does it itself.
+  void fade_offsets(double dt) noexcept;
   /// Joints beyond the ends of their range stand there, coupled ones where their leaders take them.
   void stop_at_limits(PoseColumns& columns) const noexcept;
   [[nodiscard]] const MimicJoints& coupled() const { return coupled_; }
@@ -65,6 +72,7 @@ class JointReference {
   void check(Integrator integrator) const;
 
  private:
+  [[nodiscard]] double limited_target(int joint) const noexcept;
   [[nodiscard]] double target(int joint) const noexcept;
   void filter(PoseColumns& columns, double dt) const noexcept;
   void linear(PoseColumns& columns, double dt) noexcept;
@@ -75,6 +83,7 @@ class JointReference {
   VelocityJoints turning_;
   MimicJoints coupled_;
   std::span<const double> target_;  // [rad | m] desired positions
+  std::span<double> offset_;        // [rad | m] o, by object
   std::vector<int> leader_;         // [objects] whom a joint follows; itself if nobody
   std::vector<double> ratio_;       // [objects] to that one
   std::span<double> cycle_target_;  // [rad | m] the target that the present cycle runs to (linear only)

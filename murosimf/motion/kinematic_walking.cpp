@@ -15,6 +15,7 @@ namespace {
 
 constexpr double penetration = -1e-6;       // [m] rounding of a foot that just touches is no landing
 constexpr double fading_time = 0.1;         // [s] of what a robot is away from its pinned pose when it is taken over
+constexpr double stopping_time = 0.02;      // [s] of the motion of its standing sole then
 constexpr double steepest = 30 * pi / 180;  // [rad] lean of a robot that can be taken over
 constexpr double highest_sole = 0.02;       // [m] of its lower foot, from the plane
 constexpr double largest_margin = 1e-3;     // [m] by which a foot must be lower than one that still turns flat
@@ -40,6 +41,7 @@ KinematicWalking::KinematicWalking(Setup& setup, const JointReferenceOptions& re
       stance_foot_(setup.write(properties::stance_foot)[0]),
       remaining_shift_(setup.write(properties::remaining_shift)[0]),
       remaining_turn_(setup.write(properties::remaining_turn)[0]),
+      remaining_twist_(setup.write(properties::remaining_twist)[0]),
       separation_(setup.input(properties::separation, {})[0]),
       dynamic_(setup.write(properties::dynamic)[0]) {
   const auto feet = two_feet(setup.model());
@@ -93,9 +95,9 @@ void KinematicWalking::take_over(const Momentum&) {
   reference_.take_over(columns_);
   dynamic_ = 0;
   columns_.update_poses();
-  stand_on(lower_foot());
-  set_base_twist();
   columns_.update_velocities();
+  stand_on(lower_foot());
+  keep_moving();
   columns_.remember_base();
 }
 
@@ -141,6 +143,14 @@ void KinematicWalking::stand_on(int foot) noexcept {
   stance_pose_ = {r.x, r.y, heading(R)};
   remaining_shift_ = {0, 0, r.z};
   remaining_turn_ = rotation_vector(from_matrix(R * rotation_z(-stance_pose_.z)));
+  remaining_twist_ = {};
+}
+
+/// The standing sole stops from the motion that it has.
+void KinematicWalking::keep_moving() noexcept {
+  const Foot& foot = standing_foot();
+  remaining_twist_ = {columns_.w[foot.object] + (1 / fading_time) * remaining_turn_,
+                      columns_.v[foot.object] + (1 / fading_time) * remaining_shift_};
 }
 
 /// The pose of this step and its velocity stay: the next step begins there.
@@ -161,13 +171,19 @@ void KinematicWalking::set_base_twist() noexcept {
   const Tree& tree = columns_.model.tree();
   const Twistd sole = multibody::twist_against_base<double>(tree, foot.path, columns_.r[foot.object], columns_.qd,
                                                             columns_.r, columns_.R);
-  columns_.w[0] = -(1 / fading_time) * remaining_turn_ - sole.w;
-  columns_.v[0] =
-      -(1 / fading_time) * remaining_shift_ - sole.v - cross(columns_.w[0], columns_.r[foot.object] - columns_.r[0]);
+  columns_.w[0] = remaining_twist_.w - (1 / fading_time) * remaining_turn_ - sole.w;
+  columns_.v[0] = remaining_twist_.v - (1 / fading_time) * remaining_shift_ - sole.v -
+                  cross(columns_.w[0], columns_.r[foot.object] - columns_.r[0]);
 }
 
 void KinematicWalking::fade_remainder(double dt) noexcept {
-  constexpr double nothing = 1e-9;  // [m | rad]
+  constexpr double nothing = 1e-9;  // [m | rad], also in a second
+  if (const double rate = dot(remaining_twist_.w, remaining_twist_.w) + dot(remaining_twist_.v, remaining_twist_.v);
+      rate != 0) {
+    remaining_twist_ = (rate > nothing * nothing ? 1 / (1 + dt / stopping_time) : 0) * remaining_twist_;
+    remaining_turn_ += dt * remaining_twist_.w;
+    remaining_shift_ += dt * remaining_twist_.v;
+  }
   const double size = dot(remaining_shift_, remaining_shift_) + dot(remaining_turn_, remaining_turn_);
   if (size == 0) return;
   const double rest = size > nothing * nothing ? 1 / (1 + dt / fading_time) : 0;

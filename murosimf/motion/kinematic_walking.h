@@ -6,11 +6,13 @@
 ///
 ///     R_0 = exp(t) Rz(psi) R_S^T    r_0 = x_S + s - R_0 r_S               S: sole in base axes
 ///     w_0 = t' - w_S                v_0 = s' - v_S - w_0 x (r_S - r_0)
-///     t' = -t / 0.1 s               s' = -s / 0.1 s
+///     t' = u_t - t / 0.1 s          s' = u_s - s / 0.1 s          u' = -u / 0.02 s
 ///
 /// A foot is hardly ever exactly flat and at height 0 when it lands, or when this level takes over a robot that moves
 /// (model/motion_level.h; the lower foot stands then). Its tilt t and height s are what remains; they decay, x and y stay,
-/// and nobody sees a jump: the velocity says where the base goes. It is analytic, and in the step in which the feet swap
+/// and nobody sees a jump: the velocity says where the base goes. A sole that moves when the robot is taken over stops within
+/// 0.02 s: u is what its velocity is then more than that decay, so base and limbs go on as they were, and a level that takes
+/// over a few steps later finds the momentum that was there. The foot that lands has u = 0. The velocity is analytic, and in the step in which the feet swap
 /// that of the stance before, which has led there. The other foot is lower when its lowest corner is 1 um below that of the
 /// standing one, and as long as that one turns also below what this moves the ends of the sole by, |t| half_length, at
 /// most 1 mm: else two feet that cannot both be flat would swap roles in every step.
@@ -20,8 +22,7 @@
 /// Differs: the paper leaves open the heading (here: that of the foot when it lands), the tested point (lowest corner
 ///          of the other sole), and the first stance (the lower foot); it keeps the pose of a foot that lands, here its
 ///          tilt decays, so that tilts do not add up.
-/// Limits:  the plane is z = 0; both feet in the air cannot occur; a jump looks like standing; what joints do right after
-///          a take-over is motion of the base: a dynamic level that takes over within 0.1 s gets its momentum.
+/// Limits:  the plane is z = 0; both feet in the air cannot occur; a jump looks like standing.
 #pragma once
 
 #include <array>
@@ -58,6 +59,7 @@ class KinematicWalking final : public MotionLevel {
   [[nodiscard]] int lower_foot() const noexcept;
   void pin() noexcept;
   void stand_on(int foot) noexcept;
+  void keep_moving() noexcept;
   void swap_if_other_foot_lands() noexcept;
   [[nodiscard]] double lowest_corner(const Foot& foot) const noexcept;
   void set_base_twist() noexcept;
@@ -67,11 +69,12 @@ class KinematicWalking final : public MotionLevel {
   PoseColumns columns_;
   JointReference reference_;
   std::array<Foot, 2> feet_;
-  Vec3d up_;                // [1] axis of the base that is vertical when the robot stands with its joints at 0
-  Vec3d& stance_pose_;      // [m, m, rad] x, y, heading of the standing sole
-  double& stance_foot_;     // 0 or 1
-  Vec3d& remaining_shift_;  // [m] s, of the standing sole
-  Vec3d& remaining_turn_;   // [rad] t, of the standing sole
+  Vec3d up_;                 // [1] axis of the base that is vertical when the robot stands with its joints at 0
+  Vec3d& stance_pose_;       // [m, m, rad] x, y, heading of the standing sole
+  double& stance_foot_;      // 0 or 1
+  Vec3d& remaining_shift_;   // [m] s, of the standing sole
+  Vec3d& remaining_turn_;    // [rad] t, of the standing sole
+  Twistd& remaining_twist_;  // [rad/s; m/s] u, of the standing sole
   const Vec3d& separation_;
   double& dynamic_;
 };

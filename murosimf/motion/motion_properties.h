@@ -41,6 +41,7 @@ inline constexpr Property<double> rotor_rate       {{"rotor_rate", "rad/s", "joi
 inline constexpr Property<double> torque_need      {{"torque_need", "N m | N", "joint", "joint_torque, smoothed over 20 ms"}};
 inline constexpr Property<Overload> overload       {{"overload", "N m, N m, rad/s, s", "joint", "where torque_need exceeded the servo the most: needed, given, rate, time"}};
 inline constexpr Property<double> cycle_target       {{"cycle_target", "rad | m", "joint", "target that the present control cycle runs to"}};
+inline constexpr Property<double> joint_offset     {{"joint_offset", "rad | m", "joint", "what is left of its way from its reference when a level without servos took it over", Scope::object, true}};
 
 // ---- variable: one for the whole entity ----
 inline constexpr Property<Quaterniond> base_quaternion {{"base_quaternion", "1", "base axes to world axes", "w x y z", Scope::base}};
@@ -51,6 +52,7 @@ inline constexpr Property<SymMat3d> common_inertia   {{"common_inertia", "kg m^2
 inline constexpr Property<Vec3d>  stance_pose        {{"stance_pose", "m, m, rad", "world", "x, y and heading of the standing sole", Scope::base}};
 inline constexpr Property<Vec3d>  remaining_shift    {{"remaining_shift", "m", "world", "of the standing sole from its place on the plane at kinematic_walking, until it has faded", Scope::base}};
 inline constexpr Property<Vec3d>  remaining_turn     {{"remaining_turn", "rad", "world", "of the standing sole from lying flat, likewise, as rotation vector", Scope::base}};
+inline constexpr Property<Twistd>   remaining_twist    {{"remaining_twist", "rad/s, m/s", "world, at the sole", "what is left of the standing sole's motion when kinematic_walking took over", Scope::base, true}};
 inline constexpr Property<double> distance_walked    {{"distance_walked", "m", "world, horizontal", "length of the base's path, sampled twice a second", Scope::base}};
 inline constexpr Property<double> falls              {{"falls", "1", "-", "how often the base tilted over 60 degrees", Scope::base}};
 inline constexpr Property<double> lying              {{"lying", "1", "-", "1 while the base leans over after a fall", Scope::base}};

@@ -88,21 +88,26 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
     });
   }
   multibody::FreeBody<double> body{center_, velocity_, columns_.Q[0], columns_.w[0]};
+  const Vec3d angular_momentum = inertia_ * columns_.w[0] + dt_ * outer_moment();
   multibody::advance(body, acceleration_, dt_);
   if (!is_sane(body)) return halt(too_fast);
   if (!reference_.advance(columns_, dt_)) return halt("a joint position or target is no sensible number");
   contacts_.commit();
+  if (!options_.base_rigid && in_flight()) {
+    const Vec3d middle_rate = columns_.w[0] + (0.5 * dt_) * acceleration_.w;
+    body.turn = normalized(exponential(dt_ * middle_rate) * columns_.Q[0]);
+  }
 
   contacts_.renew();
 
   const Mat3d R_before = columns_.R[0];
   columns_.Q[0] = body.turn;
   columns_.R[0] = to_matrix(body.turn);
-  columns_.w[0] = body.rate;
   if (options_.base_rigid) {
+    columns_.w[0] = body.rate;
     follow_base(body, R_before);
   } else {
-    follow_center(body);
+    follow_center(body, angular_momentum);
   }
   columns_.remember_base();
 }
@@ -110,25 +115,28 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
 void SimplifiedDynamics::step_rk4(double dt) noexcept {
   begin_step(dt);
   if (!reference_.is_sane(columns_)) return halt("a joint position or target is no sensible number");
-  write_state({center_, velocity_, columns_.Q[0], columns_.w[0]}, columns_, row_);
+  reference_.fade_offsets(dt);
+  // the row has the angular momentum in the place of the angular velocity
+  write_state({center_, velocity_, columns_.Q[0], inertia_ * columns_.w[0]}, columns_, row_);
   const auto place = [&](const multibody::FreeBody<double>& body) {
     columns_.Q[0] = body.turn;
     columns_.R[0] = to_matrix(body.turn);
-    columns_.w[0] = body.rate;
-    follow_center(body);
+    follow_center(body, body.rate);
   };
   bool first = true;
   const std::vector<double> start = row_;
   runge_kutta_.step(row_, dt, [&](const std::vector<double>& y, std::vector<double>& dy) {
-    const auto body = read_state(y, columns_);
+    auto body = read_state(y, columns_);
     place(body);
+    body.rate = columns_.w[0];
     solve(0);
     if (std::exchange(first, false)) {
       predict_contacts();
       contacts_.commit();
     }
     write_rate(
-        body, acceleration_, columns_, [&](int joint) { return reference_.acceleration(columns_, joint); }, dy);
+        body, {outer_moment(), acceleration_.v}, columns_,
+        [&](int joint) { return reference_.acceleration(columns_, joint); }, dy);
   });
   const bool sane = is_sane_state(row_);
   const auto end = read_state(sane ? row_ : start, columns_);
@@ -186,15 +194,30 @@ void SimplifiedDynamics::apply(std::span<const double> z) noexcept {
   acceleration_ += (1 / dt_) * factor_->backward({z[0], z[1], z[2], z[3], z[4], z[5]});
 }
 
-void SimplifiedDynamics::follow_center(const multibody::FreeBody<double>& body) noexcept {
+Vec3d SimplifiedDynamics::outer_moment() const noexcept {
+  const Vec3d& w = columns_.w[0];
+  return inertia_ * acceleration_.w + cross(w, inertia_ * w);
+}
+
+bool SimplifiedDynamics::in_flight() const noexcept {
+  return contacts_.none() &&
+         std::all_of(external_damping_.begin(), external_damping_.end(), [](const Sym6d& d) { return is_zero(d); });
+}
+
+void SimplifiedDynamics::follow_center(const multibody::FreeBody<double>& body,
+                                       const Vec3d& angular_momentum) noexcept {
   // everything relative to a base at rest at the origin; then the base goes where the center of mass wants it
-  columns_.r[0] = {};
-  columns_.v[0] = {};
+  columns_.r[0] = columns_.v[0] = columns_.w[0] = {};
   columns_.update_poses();
   columns_.update_velocities();
   auto common = multibody::common_body<double>(columns_.model.tree(), columns_.r, columns_.R, columns_.v, columns_.w);
-  multibody::shift_all(columns_.r, body.position - common.center);
-  multibody::shift_all(columns_.v, body.velocity - common.velocity);
+  const Vec3d w = inverse(common.inertia) * angular_momentum;
+  for (std::size_t i = 0; i < columns_.r.size(); ++i) {
+    const Vec3d arm = columns_.r[i] - common.center;
+    columns_.r[i] = body.position + arm;
+    columns_.v[i] += body.velocity - common.velocity + cross(w, arm);
+    columns_.w[i] += w;
+  }
   common.center = body.position;
   common.velocity = body.velocity;
   store_common_body(common);

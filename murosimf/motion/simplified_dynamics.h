@@ -1,7 +1,17 @@
 /// simplified_dynamics.h - level `simplified_dynamics`: the robot moves as one rigid body with its common mass,
 /// center of mass and inertia; joints follow their targets.
 ///
-///     m vc' = m g + sum f            I w' + w x I w = sum ((r - c) x f + n)
+///     m vc' = m g + sum f            L' = sum ((r - c) x f + n)            w = I^-1 L
+///
+/// L is the angular momentum of the composite body about its center of mass. It changes by forces from outside only, also
+/// while limbs change the inertia I(q): a robot that draws its limbs in turns faster. With joints at rest these are Euler's
+/// equations, I w' + w x I w = sum ((r - c) x f + n); a step solves these for w' and takes the moment from them,
+///
+///     L_k+1 = I_k w_k + dt (I_k w' + w_k x I_k w_k)      Q_k+1 = exp(dt (w_k + dt w')) Q_k      w_k+1 = I_k+1^-1 L_k+1
+///
+/// so that L is kept to rounding. In flight the base turns with the rate in the middle of the step, w_k + dt w'/2, as in
+/// moving_tree.h: else a tumbling body would gain energy. With Runge-Kutta L is a part of its state, in the place of w.
+/// L is not the sum over the links: what limbs turn against the base does not count, and never turns it.
 ///
 /// External forces enter implicitly through their damping D (contact.h): (diag(I, m) + dt D_c) a = forces at the
 /// beginning of the step, with D_c the damping of all bodies moved to the center of mass. A ball is the same thing
@@ -11,7 +21,7 @@
 ///  * center-continuous (default): c and vc are integrated, the base follows from them: r_0 = c - R c_B(q),
 ///    v_0 = vc - w x R c_B - R c_B'. Limbs moving in free flight do not move the center of mass.
 ///  * base-rigid (the paper's literal reading): the base is integrated as part of the rigid body, limbs then move the
-///    center of mass (55 mm in the project's flight test).
+///    center of mass (55 mm in the project's flight test), and w by Euler's equations, whatever they do to I.
 /// Joint motion never turns the base: that is the simplification; `full_dynamics` has it.
 /// Source: paper 4.2.
 #pragma once
@@ -64,7 +74,10 @@ class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseR
   void solve(double dt) noexcept;
   [[nodiscard]] Vec3d next_velocity(const Vec3d& point, const Vec3d& velocity) const noexcept;
   void predict_contacts() noexcept;
-  void follow_center(const multibody::FreeBody<double>& body) noexcept;
+  /// [N m] that forces from outside make about the center of mass in the present step.
+  [[nodiscard]] Vec3d outer_moment() const noexcept;
+  [[nodiscard]] bool in_flight() const noexcept;
+  void follow_center(const multibody::FreeBody<double>& body, const Vec3d& angular_momentum) noexcept;
   void follow_base(const multibody::FreeBody<double>& body, const Mat3d& R_before) noexcept;
   void store_common_body(const multibody::CommonBody<double>& common) noexcept;
   void halt(const char* reason) noexcept;

@@ -112,7 +112,7 @@ bool can_be_set(Entity& entity, ObjectAccess object, int index, const scene_file
     throw SetupError(fmt::format("{}: nobody here uses '{}': neither {} nor its controller and sensors",
                                  called(entity, index), setting.property, entity.level));
   }
-  const bool whole = column && column->info().scope != Scope::object;
+  const bool whole = column && !of_every_object(column->info().scope);
   const bool fits = column && column->numbers() > 0 && column->numbers() == setting.numbers.size() &&
                     std::ranges::all_of(setting.numbers, [](double x) { return std::isfinite(x); }) &&
                     (whole ? index == 0 : !entity.model().objects()[index].structural);

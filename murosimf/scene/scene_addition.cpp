@@ -81,6 +81,7 @@ Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
     attach_ground_contact(parts, entity, robot.level, robot.contact, robot.contact_options);
     attach_level_of(parts, robot, entity);
     attach_odometer(parts, entity);
+    attach_accelerations(parts, robot, entity);
   };
   const auto prepare = [&](Entity& entity) { place_at_start(parts, entity); };
   Entity& entity = parts.simulation->add(robot.name, kind.model, kind.options, furnish, prepare);

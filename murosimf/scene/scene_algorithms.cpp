@@ -3,6 +3,7 @@
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/collision/own_steps.h"
+#include "murosimf/motion/accelerations.h"
 #include "murosimf/motion/odometer.h"
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene_file/field.h"
@@ -69,6 +70,10 @@ void attach_own_steps(SceneParts& parts, const Entity& entity) {
 
 void attach_odometer(SceneParts& parts, Entity& entity) {
   parts.simulation->attach<motion::Odometer>("odometer", entity, motion::Odometer::rate_hz);
+}
+
+void attach_accelerations(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
+  if (robot.accelerations) parts.simulation->attach<motion::Accelerations>("accelerations", entity, parts.spec.rate);
 }
 
 }  // namespace murosimf::scene

@@ -28,5 +28,7 @@ void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Enti
 /// Steps of its own for an entity that has them; does nothing for others, and for all but the first.
 void attach_own_steps(SceneParts& parts, const Entity& entity);
 void attach_odometer(SceneParts& parts, Entity& entity);
+/// Nothing if the robot does not ask for them.
+void attach_accelerations(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity);
 
 }  // namespace murosimf::scene

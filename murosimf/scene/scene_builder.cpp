@@ -50,6 +50,9 @@ void attach_motion(SceneParts& parts) {
 
 void attach_observers(SceneParts& parts, bool paths) {
   for (Entity* entity : parts.moving_entities) attach_odometer(parts, *entity);
+  for (std::size_t i = 0; i < parts.robots.size(); ++i) {
+    attach_accelerations(parts, parts.spec.robots[i], *parts.robots[i]);
+  }
   if (!paths) return;
   parts.recorder =
       &parts.simulation->attach<PathRecorder>("path_recorder", PathRecorder::rate_hz, parts.moving_entities);

@@ -129,6 +129,7 @@ const Section<RobotSpec>& robot_section() {
         "pairs of objects that never touch: [[a, b]]",
         {},
         "none"},
+       {"accelerations", &RobotSpec::accelerations, "", "whether they are worked out, for logs and programs"},
        {"sensors",
         [](const TomlTable& table, std::string_view key, RobotSpec& robot) {
           components::read_sensor_changes(table.find(key), robot.sensors);

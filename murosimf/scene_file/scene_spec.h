@@ -98,6 +98,7 @@ struct RobotSpec {
   double roll = 0, pitch = 0;  ///< [rad] about the level robot's x, then its y; before the heading
   Vec3d command;               ///< [m/s, m/s, rad/s]
   bool present = true;         ///< at the start
+  bool accelerations = false;  ///< are worked out (motion/accelerations.h)
   CollisionOptions collision;
   components::SensorChanges sensors;
   std::map<std::string, GivenKey> given;  ///< its keys that somebody has set

@@ -124,21 +124,28 @@ TEST(JointReferenceFilter, StepIsThatOfItsEquation) {
   EXPECT_NEAR(reference.q("wheel"), 0.2 + h * rate, 1e-15);
 }
 
-// Rule: after a take-over a cycle begins for every joint that is not where it should be, and for no other.
-TEST(JointReferenceLinear, BeginsACycleAfterATakeOver) {
+// Rule: after a take-over a joint comes to its line as its offset from it fades; a new target begins a cycle all the same.
+TEST(JointReferenceLinear, OffsetOfATakeOverFadesBesideTheCycles) {
   Reference reference(ReferenceKind::linear);
   reference.part->initialize(reference.columns);
   reference.want("free", 0.4);
   reference.q("free") = 0.3;
   reference.qd("free") = -7;
   reference.part->take_over(reference.columns);
+  const auto offset = [](int step) { return -0.1 * std::pow(1 + h / 0.1, -step); };
   for (int i = 1; i <= 10; ++i) {
     ASSERT_TRUE(reference.part->advance(reference.columns, h));
-    EXPECT_NEAR(reference.q("free"), 0.3 + 0.01 * i, 1e-12);
-    EXPECT_NEAR(reference.qd("free"), 5, 1e-12);
+    EXPECT_NEAR(reference.q("free"), 0.4 + offset(i), 1e-12);
+    EXPECT_NEAR(reference.qd("free"), -offset(i) / 0.1, 1e-12);
   }
+  reference.want("free", 0.5);
   ASSERT_TRUE(reference.part->advance(reference.columns, h));
-  EXPECT_EQ(reference.q("free"), 0.4);
+  EXPECT_NEAR(reference.qd("free"), 0.1 / 0.02 - offset(11) / 0.1, 1e-9);
+  EXPECT_NEAR(reference.q("free"), 0.4 + h * 0.1 / 0.02 + offset(11), 1e-9);
+  for (int i = 0; i < 1500; ++i) ASSERT_TRUE(reference.part->advance(reference.columns, h));
+  EXPECT_NEAR(reference.q("free"), 0.5, 1e-6);
+  for (int i = 0; i < 3000; ++i) ASSERT_TRUE(reference.part->advance(reference.columns, h));
+  EXPECT_EQ(reference.q("free"), 0.5);
   EXPECT_EQ(reference.qd("free"), 0);
   EXPECT_EQ(reference.qd("limited"), 0);
 }

@@ -165,6 +165,33 @@ TEST(JointReference, ExactKeepsMomentum) {
                     moment, 1e-9, "N m s");
 }
 
+// A joint hangs beside its target when a level without servos takes it over: this fades by itself, and not the filter's way.
+TEST(JointReference, OffsetOfATakeOverFades) {
+  for (const ReferenceEntry& entry : joint_references()) {
+    Arm arm({.kind = entry.kind});
+    arm.entity.object("hinge").set(properties::joint_target, 0.4);
+    arm.entity.object("hinge").set(properties::joint_position, 0.3);
+    for (const char* level : {"full_dynamics", "simplified_dynamics"}) {
+      arm.rig.exchange(arm.entity, level, {.reference = {.kind = entry.kind}});
+    }
+    law::Worst way, target;
+    double before = arm.q();
+    for (int i = 1; i <= 500; ++i) {
+      if (i > 250) arm.entity.object("hinge").set(properties::joint_target, 0.7);
+      arm.rig.simulation.step();
+      EXPECT_NEAR(arm.qd(), (arm.q() - before) / 1e-3, 1e-9) << entry.name << i;
+      before = arm.q();
+      if (i <= 250) way.see(std::abs(arm.q() - (0.4 - 0.1 * std::exp(-0.01 * i))), "step", i);
+    }
+    EXPECT_NEAR(arm.q(), 0.7 - 0.1 * std::exp(-5), 3e-4) << entry.name << ": it follows all the while";
+    law::expect_below({.law = "a joint that a level without servos takes over 0.1 rad beside its target: way less that "
+                              "of an offset which fades in 0.1 s",
+                       .level = "joint reference, " + std::string(entry.name),
+                       .source = "0.1 exp(-t / 0.1 s); the filter lags 17 ms"},
+                      way, 0.015, "rad");
+  }
+}
+
 TEST(Odometer, CountsAFallOnce) {
   test::Rig rig;
   Entity& robot = rig.add("robot", test::kid21());
