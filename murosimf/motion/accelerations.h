@@ -2,7 +2,7 @@
 ///
 ///     a_i = (v_i(t) - v_i(t - h)) / h     alpha_i = (w_i(t) - w_i(t - h)) / h     qdd_i = (qd_i(t) - qd_i(t - h)) / h
 ///
-/// with h the simulation's step: the mean over the step that has just ended, of every object's origin in world axes. Under
+/// with h the time between two calls, the longest step of the entity: the mean over the step that has just ended, of every object's origin in world axes. Under
 /// semi-implicit Euler that is, for the base and the joints, the acceleration that the level has solved for; it is the one of
 /// which accelerometers show the specific force (sensors/inertial.h). Each level's velocities define it, so it is there at
 /// kinematic_walking as well, where nobody solves for one.
@@ -25,7 +25,7 @@ namespace murosimf::motion {
 
 class Accelerations final : public Algorithm {
  public:
-  /// To be attached with the rate of the entity's level.
+  /// To be attached with the rate of the longest steps of the entity.
   explicit Accelerations(Setup& setup);
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::observe; }

@@ -73,7 +73,8 @@ void attach_odometer(SceneParts& parts, Entity& entity) {
 }
 
 void attach_accelerations(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
-  if (robot.accelerations) parts.simulation->attach<motion::Accelerations>("accelerations", entity, parts.spec.rate);
+  if (!robot.accelerations) return;
+  parts.simulation->attach<motion::Accelerations>("accelerations", entity, step_rate(parts.spec, robot));
 }
 
 }  // namespace murosimf::scene
