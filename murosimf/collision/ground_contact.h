@@ -5,6 +5,9 @@
 /// Contacts with other moving bodies come on top of that (body_contact.h). The motion algorithm that comes after it
 /// settles the rest with the law (contact.h). While forces do not move the entity (`dynamic` 0: kinematic walking) it
 /// has no contacts and costs nothing.
+///
+/// Constants (contact_parameters.h) are those of implicit laws where the law is one and joints give way. Where they move exactly as told, soft
+/// ground stands for the give of legs and servos: with stiff ground open-loop walks of such levels slip and fall.
 #pragma once
 
 #include <memory>
@@ -36,6 +39,8 @@ class GroundContact final : public Algorithm {
   void exchange_law(std::shared_ptr<const ContactLaw> law);
 
  private:
+  [[nodiscard]] bool wants_stiff_terms() const noexcept;
+  void choose_terms() noexcept;
   void clear_loads() noexcept;
   void rest() noexcept;
   void find_contacts();
@@ -44,9 +49,9 @@ class GroundContact final : public Algorithm {
   const Model& model_;
   std::shared_ptr<const ContactLaw> law_;
   GroundFinder finder_;
-  int environment_;                     // its number in the world, -1 for none
-  std::vector<ContactPoint> previous_;  // of the step before
-  ContactTerms terms_;
+  int environment_;                         // its number in the world, -1 for none
+  std::vector<ContactPoint> previous_;      // of the step before
+  ContactTerms soft_terms_, stiff_terms_;   // for explicit laws, for implicit ones
   std::vector<int> environment_objects_;    // by Contact::surface
   std::span<const Vec3d> r_;                // [m] origins, world
   std::span<const Mat3d> R_;                // orientations
@@ -56,6 +61,7 @@ class GroundContact final : public Algorithm {
   const double& dynamic_;
   std::span<Wrenchd> external_force_;
   std::span<Sym6d> external_damping_;
+  bool terms_are_stiff_ = false;  // those of the seam
   ContactSet& set_;
   ContactSeam& seam_;
 };

@@ -23,6 +23,7 @@ namespace murosimf::collision {
 class ImplicitStick : public ContactLaw {
  public:
   [[nodiscard]] IslandUse island_use() const noexcept override { return IslandUse::when_touching; }
+  [[nodiscard]] bool implicit() const noexcept override { return true; }
   void prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept override;
   [[nodiscard]] bool accept(std::span<ContactPoint> points, const ContactTerms& terms,
                             std::span<const Vec3d> next_velocity) const noexcept override;

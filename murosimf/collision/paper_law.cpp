@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "murosimf/collision/contact_law_parts.h"
+#include "murosimf/collision/soft_start.h"
 
 namespace murosimf::collision {
 namespace {
@@ -32,7 +33,8 @@ void PaperLaw::prepare(std::vector<ContactPoint>& points, const ContactTerms& te
     clear_force(c);
     const double v_n = dot(c.velocity, c.normal);
     const double gain = v_n < 0 ? 1.0 : options_.rebound;
-    const double f_n = gain * terms.parameters[c.surface].stiffness * c.depth;
+    const ContactParameters& p = terms.parameters[c.surface];
+    const double f_n = std::min(gain * p.stiffness * c.depth, explicit_limit(c, p, terms.dt, v_n));
     c.force = f_n * c.normal - (options_.friction * f_n) * tangential(c.velocity, c.normal);
     c.moment = (-options_.spin_friction * f_n) * c.angular_velocity;
   }
