@@ -13,6 +13,7 @@ constexpr double robot_damping_ratio = 0.5;
 // c: dt^2 k / m at a point under an implicit law
 constexpr double resolved_on_ground = 0.25;
 constexpr double resolved_between_bodies = 1;
+constexpr double bounce_resolution = 0.15;
 // dt^2 k / m at a point: that of kid21 (4.3 kg, 13 kN/m at 8 points, 1 ms), with room for limbs that weigh less than it
 constexpr double explicit_resolution = 0.02;
 
@@ -38,8 +39,19 @@ double stiffness_of(const Masses& masses, const ContactConditions& given) {
   // without gravity the weight on Earth still gives a sensible stiffness
   const double weight = masses.resting * (given.gravity > 0.1 ? given.gravity : 9.81);
   const double by_weight = weight / (masses.points * static_sink);
-  if (masses.round || !given.implicit_law) return by_weight;
+  if (masses.round) return std::min(by_weight, bounce_resolution * masses.moved / (given.dt * given.dt));
+  if (!given.implicit_law) return by_weight;
   return std::max(by_weight, masses.resolved * mass_at_point(masses) / (given.dt * given.dt));
+}
+
+/// Gives the spring and damper of a round body the numbers with which steps of dt follow the oscillation of those that it has. An
+/// implicit law takes the damper at the velocity after the step.
+void resolve_bounce(ContactParameters& p, double dt, bool implicit_law) {
+  const double w = std::sqrt(p.stiffness / p.mass), z = p.damping / (2 * p.mass * w);
+  const double decay = std::exp(-z * w * dt);
+  const double scale = implicit_law ? p.mass / (decay * decay) : p.mass;
+  p.stiffness = scale * (1 + decay * decay - 2 * decay * std::cos(w * std::sqrt(1 - z * z) * dt)) / (dt * dt);
+  p.damping = scale * (1 - decay * decay) / dt;
 }
 
 ContactParameters parameters_of(const Masses& masses, const PairSurface& pair, const ContactConditions& given) {
@@ -52,8 +64,9 @@ ContactParameters parameters_of(const Masses& masses, const PairSurface& pair, c
   p.tangent_damping = 0.5 * p.damping;
   p.friction = pair.friction;
   p.rolling = pair.rolling;
-  // implicit in the depth only where it does not spoil a bounce: dt^2 k / m < 0.25 resolves the impact of a ball
-  p.theta = masses.round && given.dt * given.dt * p.stiffness / p.mass < 0.25 ? 0.0 : 1.0;
+  if (!masses.round || !resolves_bounce(p.stiffness, p.mass, given.dt)) return p;
+  p.theta = 0;
+  resolve_bounce(p, given.dt, given.implicit_law);
   return p;
 }
 
@@ -72,6 +85,8 @@ double damping_ratio(double e) {
   }
   return 0.5 * (low + high);
 }
+
+bool resolves_bounce(double stiffness, double mass, double dt) { return dt * dt * stiffness / mass < 0.36; }
 
 ContactParameters contact_parameters(const Model& model, const PairSurface& pair, const ContactConditions& conditions) {
   const double mass = model.tree().mass;

@@ -24,7 +24,11 @@
 ///
 /// Source: Schwager and Poeschel, "Coefficient of restitution and linear-dashpot model revisited", Granular Matter 9
 /// (2007), eq. for the force-zero condition. A bounce must be resolved by steps, so round bodies have the spring of explicit
-/// laws under every law.
+/// laws under every law, and k <= 0.15 m / dt^2: a bounce lasts for eight steps and more. Semi-implicit Euler gets another decay and
+/// frequency than the spring has; k and d are therefore those with which the trace and the determinant of its step,
+/// 2 - dt^2 k/m - dt d/m and 1 - dt d/m, are those of the exact flow, 2 E cos(w dt) and E^2 with E = exp(-zeta omega dt) (pole
+/// matching; Franklin, Powell, Workman, "Digital Control of Dynamic Systems", 3rd ed., sec. 6.1). What is left is where in a step the
+/// bounce begins: e scatters by 5 % at dt^2 k/m = 0.15 and e = 0.8. theta is 0 for what bounces, 1 for all else.
 #pragma once
 
 #include "murosimf/collision/contact.h"
@@ -37,6 +41,9 @@ namespace murosimf::collision {
 [[nodiscard]] double restitution(double z);
 /// Damping ratio in [0, 1) with restitution `e`; restitutions below 0.15 give the largest ratio, 0.95.
 [[nodiscard]] double damping_ratio(double e);
+
+/// Whether steps of dt [s] are short enough for a bounce of `mass` [kg] on `stiffness` [N/m]; it is dead if not.
+[[nodiscard]] bool resolves_bounce(double stiffness, double mass, double dt);
 
 /// What the constants follow from besides models and surfaces.
 struct ContactConditions {
