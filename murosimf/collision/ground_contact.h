@@ -1,13 +1,14 @@
 /// ground_contact.h - algorithm: contact of one dynamic entity with the ground and all that stands on it for good.
 ///
 /// Finds the points of every shape below the ground planes and inside static shapes (goals), gives each the memory that
-/// its feature had in the step before, lets the law linearize them, and writes external_force (pushes of users, ground) and external_damping.
-/// Contacts with other moving bodies come on top of that (body_contact.h). The motion algorithm that comes after it
-/// settles the rest with the law (contact.h). While forces do not move the entity (`dynamic` 0: kinematic walking) it
-/// has no contacts and costs nothing.
+/// its feature had in the step before, lets the law linearize them, and writes external_force (pushes of users,
+/// ground) and external_damping. Contacts with other moving bodies come on top of that (body_contact.h). The motion
+/// algorithm that comes after it settles the rest with the law (contact.h). While forces do not move the entity
+/// (`dynamic` 0: kinematic walking) it has no contacts and costs nothing.
 ///
-/// Constants (contact_parameters.h) are those of implicit laws where the law is one and joints give way. Where they move exactly as told, soft
-/// ground stands for the give of legs and servos: with stiff ground open-loop walks of such levels slip and fall.
+/// Constants (contact_parameters.h) are those of implicit laws where the law is one and joints give way. Where they
+/// move exactly as told, soft ground stands for the give of legs and servos: with stiff ground open-loop walks of
+/// such levels slip and fall.
 #pragma once
 
 #include <memory>

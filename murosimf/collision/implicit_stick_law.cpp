@@ -61,8 +61,8 @@ Vec3d tangential_force(const ContactPoint& c, const Vec3d& v_t) {
   return tangential(c.force, c.normal) - c.tangent_damping * change;
 }
 
-/// A point that closes, with the velocity v: it slides if it moves along the surface, and sticks if not. A trial step that stops in
-/// vain what slides would tell nothing about its neighbors.
+/// A point that closes, with the velocity v: it slides if it moves along the surface, and sticks if not. A trial step
+/// that stops in vain what slides would tell nothing about its neighbors.
 void close(ContactPoint& c, const ContactParameters& p, double dt, const Vec3d& v) {
   const double v_n = dot(v, c.normal);
   const Vec3d v_t = v - v_n * c.normal;

@@ -1,13 +1,15 @@
 /// soft_start.h - what is found deep inside something is lifted out slowly instead of being shot out by its spring.
 ///
 /// A point is deep if its first depth is more than its approach explains: depth > 1.5 |v_n| dt + 2 mm. It was put there: at the
-/// start, by an event, by a kinematic robot, by other constants. While its spring would let it out faster than `lift`, its damping is
+/// start, by an event, by a kinematic robot, by other constants. While its spring would let it out faster than
+/// `lift`, its damping is
 ///
 ///     b = k depth / lift > b_n        f_n = k depth - b v_n = k depth (1 - v_n / lift)
 ///
-/// so that contact does not push what already leaves with that speed. The force stays linear in the velocity, and the law and the island
-/// solver take it as any other. An explicit law would overshoot within a step: there a point pushes no harder than brings a tenth of the
-/// mass m_p (contact_parameters.h) to that speed, since many more than n_c points may be deep, and points of light limbs.
+/// so that contact does not push what already leaves with that speed. The force stays linear in the velocity, and the
+/// law and the island solver take it as any other. An explicit law would overshoot within a step: there a point
+/// pushes no harder than brings a tenth of the mass m_p (contact_parameters.h) to that speed, since many more than
+/// n_c points may be deep, and points of light limbs.
 #pragma once
 
 #include <algorithm>

@@ -184,7 +184,8 @@ TEST(ContactParametersTest, BallBouncesInLongSteps) {
   }
 }
 
-// With short steps the constants are those of the spring: the weight at 0.4 mm, and a restitution of 0.6. Tolerance: k dt^2 / m = 2e-8, and its root.
+// With short steps the constants are those of the spring: the weight at 0.4 mm, and a restitution of 0.6. Tolerance:
+// k dt^2 / m = 2e-8, and its root.
 TEST(ContactParametersTest, Ball) {
   const Model ball = fixtures::ball_model(0.05, 0.1);
   const ContactParameters p = contact_parameters(ball, {.restitution = 0.6}, {.dt = 1e-6});
@@ -205,8 +206,8 @@ TEST(ContactParametersTest, WhereTheStiffnessComesFrom) {
   EXPECT_NEAR(p.damping, std::sqrt(5000 * 3 / 4.0), 1e-11);
 }
 
-// Rule: a bounce is explicit in the depth (theta 0) as long as steps resolve it, dt^2 k / m < 0.36; robots and balls that somebody
-// made too stiff are implicit (theta 1).
+// Rule: a bounce is explicit in the depth (theta 0) as long as steps resolve it, dt^2 k / m < 0.36; robots and balls
+// that somebody made too stiff are implicit (theta 1).
 TEST(ContactParametersTest, Theta) {
   const Model ball = fixtures::ball_model(0.05, 0.1);
   const double k = 4000;  // dt^2 k / m = 0.04 (1 ms), 0.3596 (2.998 ms), 0.3605 (3.002 ms)

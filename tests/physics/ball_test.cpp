@@ -70,7 +70,8 @@ double bounce(const LevelAndLaw& names, double restitution, double height, doubl
   return Rig::velocity(ball).z / 3;
 }
 
-// 3 % at 1 ms on the average over where in a step the ball touches (contact_parameters.h has the form). A single bounce scatters by up to 8 %: steps are 1/20 of a bounce.
+// 3 % at 1 ms on the average over where in a step the ball touches (contact_parameters.h has the form). A single
+// bounce scatters by up to 8 %: steps are 1/20 of a bounce.
 TEST_P(Ball, BouncesWithTheRestitutionOfItsMaterials) {
   for (const double e : {0.4, 0.6, 0.8}) {
     double sum = 0;

@@ -23,7 +23,8 @@ law::Worst rise(Rig& rig, const std::vector<Entity*>& entities) {
   return speed;
 }
 
-// Tolerance: servos let the base move against the limbs, and ten sweeps do not settle some forty deep points of a moving tree at once.
+// Tolerance: servos let the base move against the limbs, and ten sweeps do not settle some forty deep points of a
+// moving tree at once.
 TEST_P(SoftStartLevels, OutOfTheGround) {
   const LevelAndLaw unsettled{"articulated_dynamics", "island_gauss_seidel"};
   for (const double depth : {0.05, 0.2}) {
