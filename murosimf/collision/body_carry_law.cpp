@@ -1,6 +1,7 @@
 #include "murosimf/collision/body_carry_law.h"
 
 #include "murosimf/collision/contact_law_parts.h"
+#include "murosimf/collision/soft_start.h"
 
 namespace murosimf::collision {
 namespace {
@@ -17,7 +18,7 @@ void find_carry_force(PairContact& c, const ContactParameters& p, double dt) {
   c.stretch = tangential(c.stretch, c.normal);
   if (c.state == ContactState::stick) c.stretch += dt * v_t;
   clear_force(c);
-  const double b_n = p.damping + p.theta * dt * p.stiffness, b_t = p.tangent_damping + dt * p.tangent_stiffness;
+  const double b_n = implicit_damping(c, p, dt), b_t = p.tangent_damping + dt * p.tangent_stiffness;
   const double f_n = p.stiffness * c.depth - b_n * v_n;
   if (f_n <= 0) {
     c.state = ContactState::open;

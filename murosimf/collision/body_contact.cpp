@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "murosimf/collision/kinematic_separation.h"
+#include "murosimf/collision/soft_start.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
@@ -27,7 +28,7 @@ BodyContact::BodyContact(Setup& setup, const Entity* environment, const std::vec
                          const MaterialTable& materials, std::unique_ptr<BodyContactLaw> law)
     : law_(std::move(law)),
       moving_entities_(make_moving_entities(setup, moving_entities)),
-      finder_(materials, norm(setup.world().gravity), seconds(setup.period())),
+      finder_(materials, {norm(setup.world().gravity), seconds(setup.period()), law_->implicit()}),
       period_(seconds(setup.period())),
       set_(setup.write(pair_contacts)[0]),
       environment_(environment) {
@@ -99,6 +100,7 @@ void BodyContact::step(const Instant& instant) noexcept {
   const double dt = seconds(instant.period);
   for (MovingEntity& moving_entity : moving_entities_) moving_entity.start_step();
   finder_.find(moving_entities_, set_);
+  for (PairContact& c : set_.points) end_lift(c, set_.parameters[c.surface], dt);
   kinematic_separation(moving_entities_, environment_, finder_.within_reach(), set_);
   law_->push(moving_entities_, set_, dt);
 }

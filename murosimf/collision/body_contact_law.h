@@ -14,6 +14,8 @@ class BodyContactLaw {
  public:
   virtual ~BodyContactLaw() = default;
 
+  /// Whether it bears the stiffest contacts that a step resolves (contact_parameters.h).
+  [[nodiscard]] virtual bool implicit() const noexcept { return false; }
   /// Whether its forces fall with the velocities that a step ends with (MovingEntity::damp): levels must then answer damping
   /// even without a ground law that does so (ContactSeam::damped_by_others).
   [[nodiscard]] virtual bool damps() const noexcept { return false; }

@@ -4,6 +4,7 @@
 
 #include "murosimf/collision/body_kelvin_voigt_law.h"
 #include "murosimf/collision/contact_law.h"
+#include "murosimf/collision/contact_parameters.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
@@ -21,7 +22,8 @@ void BodyIslandLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& se
   islands_.find(moving_entities, set);
   for (PairContact& c : set.points) {
     // levels that cannot answer an island solver
-    if (islands_.of(c) < 0) push_by_kelvin_voigt(moving_entities, c, set.parameters[c.surface], dt);
+    if (islands_.of(c) < 0)
+      push_by_kelvin_voigt(moving_entities, c, for_explicit_step(set.parameters[c.surface], dt), dt);
   }
   member_.assign(moving_entities.size(), outside);
   for (int island = 0; island < islands_.count(); ++island) solve(island, moving_entities, set, dt);

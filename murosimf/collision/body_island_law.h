@@ -23,6 +23,7 @@ class BodyIslandLaw final : public BodyContactLaw {
  public:
   explicit BodyIslandLaw(const BodyIslandOptions& options = {}) : sweeps_(options.sweeps) {}
 
+  [[nodiscard]] bool implicit() const noexcept override { return true; }
   void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept override;
 
  private:

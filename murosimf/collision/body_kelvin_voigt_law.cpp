@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "murosimf/collision/contact_law_parts.h"
+#include "murosimf/collision/soft_start.h"
 
 namespace murosimf::collision {
 
@@ -15,7 +16,7 @@ void push_by_kelvin_voigt(std::vector<MovingEntity>& moving_entities, PairContac
   const double v_n = dot(c.velocity, c.normal);
   const Vec3d v_t = c.velocity - v_n * c.normal;
   const double slide = norm(v_t);
-  const double f_n = spring_force(p, c.depth, v_n);
+  const double f_n = std::min(spring_force(p, c.depth, v_n), explicit_limit(c, p, dt, v_n));
   c.force = f_n * c.normal;
   if (slide > 0) c.force -= (std::min(p.friction * f_n, p.tangent_damping * slide) / slide) * v_t;
   moving_entities[c.a].push(c.object, c.point, c.force, dt);

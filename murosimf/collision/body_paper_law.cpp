@@ -39,7 +39,7 @@ void BodyPaperLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set
     MovingEntity &a = moving_entities[c.a], &b = moving_entities[c.b];
     c.angular_velocity = a.w[c.object] - b.w[c.object_b];
     const Vec3d v_t = tangential(c.velocity, c.normal);
-    PaperForce f = paper_force(c, set.parameters[c.surface], options_);
+    PaperForce f = paper_force(c, set.parameters[c.surface], dt, options_);
     if (options_.bounded) {
       const Vec3d along = direction_of(v_t), about = direction_of(c.angular_velocity);
       const auto [at_a, at_b] = touched_[i];

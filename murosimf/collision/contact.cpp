@@ -11,7 +11,7 @@ void append_hash(Hasher& hasher, const ContactSet& set) {
 }
 
 void state(StateArchive& archive, ContactSet& set) {
-  archive(set.points, set.environment, set.environment_objects, set.tests, set.solved, set.island_stands,
+  archive(set.points, set.environment, set.environment_objects, set.stiff, set.tests, set.solved, set.island_stands,
           set.rest_force, set.rest_damping, set.loaded);
 }
 

@@ -25,6 +25,8 @@ class ContactLaw {
   virtual ~ContactLaw() = default;
 
   [[nodiscard]] virtual IslandUse island_use() const noexcept { return IslandUse::never; }
+  /// Whether it bears the stiffest contacts that a step resolves (contact_parameters.h).
+  [[nodiscard]] virtual bool implicit() const noexcept { return false; }
 
   /// May drop points (a law that wants one per body).
   virtual void prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept = 0;

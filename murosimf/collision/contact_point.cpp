@@ -10,6 +10,7 @@ void append_hash(Hasher& hasher, const ContactPoint& point) {
   hasher.add(point.last_normal_force);
   append_hash(hasher, point.stretch);
   append_hash(hasher, point.slip_direction);
+  if (point.lift > 0) hasher.add(point.lift);
 }
 
 void recall(const ContactPoint& old, ContactPoint& point) noexcept {
@@ -17,6 +18,7 @@ void recall(const ContactPoint& old, ContactPoint& point) noexcept {
   point.state = old.state;
   point.last_normal_force = old.last_normal_force;
   point.slip_direction = old.slip_direction;
+  point.lift = old.lift;
 }
 
 }  // namespace murosimf::collision

@@ -31,6 +31,7 @@ struct ContactParameters {
   double friction = 0;           ///< [1] mu
   double rolling = 0;            ///< [1] rolling resistance
   Vec3d friction_direction;  ///< [1] world frame: friction towards the unit vector d is mu (1 - friction_direction . d)
+  double mass = 0;           ///< [kg] that moves at the point, as the constants were chosen for
   double theta = 1;          ///< [1] 1: depth after the step counts, 0: depth before it
   double rebound = 1;        ///< [1] s_b of the paper's laws (paper_law.h)
   double viscous_friction = 0;  ///< [s/m] s_mu of these
@@ -59,6 +60,7 @@ struct ContactPoint : Contact {
   double angular_damping = 0;                      ///< [N m s] b_w
   double last_normal_force = 0;                    ///< [N] of the pass before: a sliding force follows it
   Vec3d slip_direction;                            ///< [1] d, unit or zero
+  double lift = 0;  ///< [m/s] contact lets the point out no faster (soft_start.h); 0: no bound
 };
 
 static_assert(std::is_trivially_copyable_v<ContactPoint>);

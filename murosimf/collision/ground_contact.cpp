@@ -4,11 +4,14 @@
 
 #include "murosimf/collision/contact_parameters.h"
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/collision/impulse_response.h"
+#include "murosimf/collision/soft_start.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::collision {
 namespace {
 
+constexpr double exchange_speed = 0.05;   // [m/s] 0.05 mm in a step of 1 ms is not seen
 constexpr std::size_t usual_points = 32;  // two feet and both hands; memory for more is taken when they come
 
 }  // namespace
@@ -19,7 +22,8 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       law_(std::move(law)),
       finder_(setup.entity(), environment),
       environment_(setup.world().index_of(environment)),
-      terms_{{}, setup.entity().options().own_steps * seconds(setup.period())},
+      soft_terms_{{}, setup.entity().options().own_steps * seconds(setup.period())},
+      stiff_terms_(soft_terms_),
       r_(setup.read(properties::position)),
       R_(setup.read(properties::orientation)),
       v_(setup.read(properties::linear_velocity)),
@@ -33,14 +37,18 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
   const double gravity = norm(setup.world().gravity);
   finder_.for_surfaces([&](const Surface& own, const Surface& other, const Vec3d& friction_direction, int object) {
     const PairSurface pair = materials.find(own, other);
-    terms_.parameters.push_back(contact_parameters(model_, pair, gravity, terms_.dt));
-    terms_.parameters.back().friction_direction = pair.friction_anisotropy * friction_direction;
+    for (ContactTerms* terms : {&soft_terms_, &stiff_terms_}) {
+      ContactParameters p = contact_parameters(model_, pair, {gravity, terms->dt, terms == &stiff_terms_});
+      p.friction_direction = pair.friction_anisotropy * friction_direction;
+      terms->parameters.push_back(p);
+    }
     environment_objects_.push_back(object);
   });
 }
 
 void GroundContact::initialize() {
-  seam_ = ContactSeam{.law = law_.get(), .terms = terms_};
+  terms_are_stiff_ = false;
+  seam_ = ContactSeam{.law = law_.get(), .terms = soft_terms_};
   const ContactSet none;
   set_ = none;  // a copy: it keeps its memory for the next start
   set_.environment = environment_;
@@ -61,6 +69,28 @@ void GroundContact::exchange_law(std::shared_ptr<const ContactLaw> law) {
   if (!same_memory) set_.points.clear();
 }
 
+/// Six coordinates are those of a rigid body.
+bool GroundContact::wants_stiff_terms() const noexcept {
+  return law_->implicit() && (model_.joints().empty() || (seam_.response && seam_.response->coordinates() > 6));
+}
+
+/// Points of other constants keep their tangential force, and come to their new depth slowly.
+void GroundContact::choose_terms() noexcept {
+  const bool stiff = wants_stiff_terms();
+  const ContactTerms& wanted = stiff ? stiff_terms_ : soft_terms_;
+  if (stiff != set_.stiff) {
+    const ContactTerms& before = stiff ? soft_terms_ : stiff_terms_;
+    for (ContactPoint& c : set_.points) {
+      const double kt = wanted.parameters[c.surface].tangent_stiffness;
+      c.stretch = (before.parameters[c.surface].tangent_stiffness / kt) * c.stretch;
+      c.lift = exchange_speed;
+    }
+    set_.stiff = stiff;
+  }
+  if (stiff != terms_are_stiff_) seam_.terms = wanted;  // they are not state
+  terms_are_stiff_ = stiff;
+}
+
 void GroundContact::clear_loads() noexcept {
   for (const int object : set_.loaded) external_damping_[object] = Sym6d{};
   for (const auto& [object, damping] : set_.rest_damping) external_damping_[object] = Sym6d{};
@@ -78,11 +108,12 @@ void GroundContact::rest() noexcept {
 
 void GroundContact::step(const Instant& instant) noexcept {
   if (dynamic_ == 0) return rest();
-  seam_.terms.dt = seconds(instant.period);
   clear_loads();
   for (const int object : model_.bodies()) {
     external_force_[object] = set_.rest_force[object] = applied_force_[object];
   }
+  choose_terms();
+  seam_.terms.dt = seconds(instant.period);
   find_contacts();
   remember();
   law_->prepare(set_.points, seam_.terms);
@@ -109,8 +140,12 @@ void GroundContact::remember() {
   auto old = previous_.begin();
   for (ContactPoint& c : set_.points) {
     while (old != previous_.end() && old->feature < c.feature) ++old;
-    if (old == previous_.end() || old->feature != c.feature) continue;
-    recall(*old, c);
+    if (old == previous_.end() || old->feature != c.feature) {
+      lift_if_deep(c, seam_.terms.dt);
+    } else {
+      recall(*old, c);
+      end_lift(c, seam_.terms.parameters[c.surface], seam_.terms.dt);
+    }
   }
 }
 

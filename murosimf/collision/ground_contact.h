@@ -1,11 +1,17 @@
 /// ground_contact.h - algorithm: contact of one dynamic entity with the ground and all that stands on it for good.
 ///
 /// Finds the points of every shape below the ground planes and inside static shapes (goals), gives each the memory that
-/// its feature had in the step before, lets the law linearize them, and writes external_force (pushes of users, ground) and external_damping.
-/// Contacts with other moving bodies come on top of that (body_contact.h). The motion algorithm that comes after it
-/// settles the rest with the law (contact.h). While forces do not move the entity (`dynamic` 0: kinematic walking) it
-/// has no contacts and costs nothing. An entity with longer steps of its own (own_steps.h) has contacts as they fit these, also while
-/// it makes those of the scene: what it stands on does not become stiffer when somebody comes near.
+/// its feature had in the step before, lets the law linearize them, and writes external_force (pushes of users,
+/// ground) and external_damping. Contacts with other moving bodies come on top of that (body_contact.h). The motion
+/// algorithm that comes after it settles the rest with the law (contact.h). While forces do not move the entity
+/// (`dynamic` 0: kinematic walking) it has no contacts and costs nothing.
+///
+/// Constants (contact_parameters.h) are those of implicit laws where the law is one and joints give way. Where they
+/// move exactly as told, soft ground stands for the give of legs and servos: with stiff ground open-loop walks of
+/// such levels slip and fall.
+///
+/// An entity with longer steps of its own (own_steps.h) has contacts as they fit these, also while it makes those of the scene: what
+/// it stands on does not become stiffer when somebody comes near.
 #pragma once
 
 #include <memory>
@@ -37,6 +43,8 @@ class GroundContact final : public Algorithm {
   void exchange_law(std::shared_ptr<const ContactLaw> law);
 
  private:
+  [[nodiscard]] bool wants_stiff_terms() const noexcept;
+  void choose_terms() noexcept;
   void clear_loads() noexcept;
   void rest() noexcept;
   void find_contacts();
@@ -45,9 +53,9 @@ class GroundContact final : public Algorithm {
   const Model& model_;
   std::shared_ptr<const ContactLaw> law_;
   GroundFinder finder_;
-  int environment_;                     // its number in the world, -1 for none
-  std::vector<ContactPoint> previous_;  // of the step before
-  ContactTerms terms_;
+  int environment_;                         // its number in the world, -1 for none
+  std::vector<ContactPoint> previous_;      // of the step before
+  ContactTerms soft_terms_, stiff_terms_;   // for explicit laws, for implicit ones
   std::vector<int> environment_objects_;    // by Contact::surface
   std::span<const Vec3d> r_;                // [m] origins, world
   std::span<const Mat3d> R_;                // orientations
@@ -57,6 +65,7 @@ class GroundContact final : public Algorithm {
   const double& dynamic_;
   std::span<Wrenchd> external_force_;
   std::span<Sym6d> external_damping_;
+  bool terms_are_stiff_ = false;  // those of the seam
   ContactSet& set_;
   ContactSeam& seam_;
 };

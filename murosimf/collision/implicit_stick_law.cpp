@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "murosimf/collision/contact_law_parts.h"
+#include "murosimf/collision/soft_start.h"
 
 namespace murosimf::collision {
 namespace {
@@ -11,11 +12,9 @@ namespace {
 constexpr double slow = 0.005;             // [m/s] below this the direction of sliding is not trusted
 constexpr double normal_tolerance = 0.05;  // a sliding force is renewed if the normal force moved by more than this
 
-double normal_damping(const ContactParameters& p, double dt) { return p.damping + p.theta * dt * p.stiffness; }
-
 /// Normal force after a step that ends with normal velocity v_n.
 double normal_force(const ContactPoint& c, const ContactParameters& p, double dt, double v_n) {
-  return p.stiffness * c.depth - normal_damping(p, dt) * v_n;
+  return p.stiffness * c.depth - implicit_damping(c, p, dt) * v_n;
 }
 
 Vec3d stick_force(const ContactPoint& c, const ContactParameters& p, double dt, const Vec3d& v_t) {
@@ -25,7 +24,7 @@ Vec3d stick_force(const ContactPoint& c, const ContactParameters& p, double dt, 
 void linearize_stick(ContactPoint& c, const ContactParameters& p, double dt) {
   const double v_n = dot(c.velocity, c.normal);
   const Vec3d v_t = c.velocity - v_n * c.normal;
-  c.normal_damping = normal_damping(p, dt);
+  c.normal_damping = implicit_damping(c, p, dt);
   c.tangent_damping = p.tangent_damping + dt * p.tangent_stiffness;
   c.force = normal_force(c, p, dt, v_n) * c.normal + stick_force(c, p, dt, v_t);
 }
@@ -38,7 +37,7 @@ void linearize_slip(ContactPoint& c, const ContactParameters& p, double dt) {
   const double speed = norm(v_t);
   if (speed > slow) c.slip_direction = (1.0 / speed) * v_t;
   const double limit = friction_limit(p, c.last_normal_force, c.slip_direction);
-  c.normal_damping = normal_damping(p, dt);
+  c.normal_damping = implicit_damping(c, p, dt);
   c.tangent_damping = limit / std::max(speed, slow);
   const Vec3d across = v_t - dot(v_t, c.slip_direction) * c.slip_direction;
   c.force = normal_force(c, p, dt, v_n) * c.normal - limit * c.slip_direction - c.tangent_damping * across;
@@ -62,6 +61,21 @@ Vec3d tangential_force(const ContactPoint& c, const Vec3d& v_t) {
   return tangential(c.force, c.normal) - c.tangent_damping * change;
 }
 
+/// A point that closes, with the velocity v: it slides if it moves along the surface, and sticks if not. A trial step
+/// that stops in vain what slides would tell nothing about its neighbors.
+void close(ContactPoint& c, const ContactParameters& p, double dt, const Vec3d& v) {
+  const double v_n = dot(v, c.normal);
+  const Vec3d v_t = v - v_n * c.normal;
+  const double speed = norm(v_t);
+  if (speed <= slow) {
+    c.state = ContactState::stick;
+    return;
+  }
+  c.state = ContactState::slip;
+  c.slip_direction = (1 / speed) * v_t;
+  c.last_normal_force = std::max(0.0, normal_force(c, p, dt, v_n));
+}
+
 /// Decides about one point; true if it agrees with the trial step.
 bool accept_point(ContactPoint& c, const ContactParameters& p, double dt, const Vec3d& next) {
   const double v_n = dot(next, c.normal);
@@ -74,7 +88,7 @@ bool accept_point(ContactPoint& c, const ContactParameters& p, double dt, const 
     return before == ContactState::open;
   }
   if (before == ContactState::open) {
-    c.state = ContactState::stick;
+    close(c, p, dt, next);
     return false;
   }
   if (before == ContactState::stick) {
@@ -104,7 +118,7 @@ void ImplicitStick::prepare(std::vector<ContactPoint>& points, const ContactTerm
   for (ContactPoint& c : points) {
     const ContactParameters& p = terms.parameters[c.surface];
     c.stretch = tangential(c.stretch, c.normal);
-    if (c.state == ContactState::open) c.state = ContactState::stick;
+    if (c.state == ContactState::open) close(c, p, terms.dt, c.velocity);
     if (c.last_normal_force == 0) c.last_normal_force = p.stiffness * c.depth;
     linearize(c, p, terms.dt);
   }

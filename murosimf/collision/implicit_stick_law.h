@@ -9,8 +9,10 @@
 ///     after the step: s += dt v_t+ (stick);  s = -(f_t + ct v_t+) / kt (slip: return to the cone)
 ///
 /// so that f = f0 - B a with b_n = d + theta dt k, b_t = ct + dt kt. A robot on a slope does not creep, and steps up
-/// to 10 ms are stable. mu may depend on the direction of sliding, and a round body also feels a rolling resistance
-/// (contact_law_parts.h).
+/// to 10 ms are stable. A point that was open and closes while it moves along the surface begins sliding: to try
+/// whether it sticks would upset what its neighbors decide, and with corners that open and close six passes then end
+/// with friction beyond its cone. mu may depend on the direction of sliding, and a round body also feels a rolling
+/// resistance (contact_law_parts.h).
 /// Source: measured with the project's prototype; elastoplastic friction as in Dupont, Hayward, Armstrong,
 /// Altpeter, IEEE Trans. Automatic Control 47(5), 2002, with a rigid-plastic cone.
 /// theta = 0 keeps a ball's bounce; theta = 1 damps stiff feet.
@@ -23,6 +25,7 @@ namespace murosimf::collision {
 class ImplicitStick : public ContactLaw {
  public:
   [[nodiscard]] IslandUse island_use() const noexcept override { return IslandUse::when_touching; }
+  [[nodiscard]] bool implicit() const noexcept override { return true; }
   void prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept override;
   [[nodiscard]] bool accept(std::span<ContactPoint> points, const ContactTerms& terms,
                             std::span<const Vec3d> next_velocity) const noexcept override;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "murosimf/collision/contact_law_parts.h"
+#include "murosimf/collision/soft_start.h"
 
 namespace murosimf::collision {
 namespace {
@@ -80,7 +81,7 @@ void IslandSolver::add(ContactPoint& point, const ContactParameters& p, const Si
   if (a.member >= 0 && a.member == b.member) merge_equal(rows_, c.first, middle);
   c.last = rows_.index.size();
   for (std::size_t k = c.first; k < c.last; ++k) c.W += outer(rows_.value[k]);
-  const double b_n = std::max(least_damping, p.damping + p.theta * dt_ * p.stiffness);
+  const double b_n = std::max(least_damping, implicit_damping(point, p, dt_));
   const double b_t = std::max(least_damping, p.tangent_damping + dt_ * p.tangent_stiffness);
   c.R_n = 1 / (dt_ * b_n);
   c.R_t = 1 / (dt_ * b_t);

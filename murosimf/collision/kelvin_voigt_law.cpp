@@ -1,8 +1,10 @@
 #include "murosimf/collision/kelvin_voigt_law.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "murosimf/collision/contact_law_parts.h"
+#include "murosimf/collision/soft_start.h"
 
 namespace murosimf::collision {
 namespace {
@@ -17,11 +19,11 @@ Vec3d friction(ContactPoint& c, const ContactParameters& p, double f_n, const Ve
   return c.state == ContactState::stick ? sticking : -limit * direction;
 }
 
-void find_force(ContactPoint& c, const ContactParameters& p) {
+void find_force(ContactPoint& c, const ContactParameters& p, double dt) {
   clear_force(c);
   c.stretch = tangential(c.stretch, c.normal);
   const double v_n = dot(c.velocity, c.normal);
-  const double f_n = spring_force(p, c.depth, v_n);
+  const double f_n = std::min(spring_force(p, c.depth, v_n), explicit_limit(c, p, dt, v_n));
   c.last_normal_force = f_n;
   if (f_n == 0) {
     c.state = ContactState::open;
@@ -34,7 +36,7 @@ void find_force(ContactPoint& c, const ContactParameters& p) {
 }  // namespace
 
 void KelvinVoigt::prepare(std::vector<ContactPoint>& points, const ContactTerms& terms) const noexcept {
-  for (ContactPoint& c : points) find_force(c, terms.parameters[c.surface]);
+  for (ContactPoint& c : points) find_force(c, terms.parameters[c.surface], terms.dt);
 }
 
 void KelvinVoigt::commit(std::span<ContactPoint> points, const ContactTerms& terms,

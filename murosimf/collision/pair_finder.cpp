@@ -2,19 +2,13 @@
 
 #include <algorithm>
 
-#include "murosimf/collision/contact_parameters.h"
+#include "murosimf/collision/soft_start.h"
 #include "murosimf/geometry/four_points.h"
 
 namespace murosimf::collision {
 namespace {
 
 constexpr double fastest_walker = 3.0;  // [m/s] speed of an not_dynamic body's point that counts
-
-/// The one of less mass; a model without any can only be moved kinematically and does not count.
-const Model& lighter(const Model& a, const Model& b) {
-  const double mass_a = a.tree().mass, mass_b = b.tree().mass;
-  return mass_b > 0 && (mass_b < mass_a || mass_a == 0) ? b : a;
-}
 
 std::uint64_t number_of(int a, int b, int shape_a, int shape_b) {
   return static_cast<std::uint64_t>(a) << 48 | static_cast<std::uint64_t>(b) << 32 |
@@ -32,19 +26,22 @@ Vec3d velocity_that_counts(const MovingEntity& moving_entity, int object, const 
   return moving_entity.can_be_pushed() || speed <= fastest_walker ? v : (fastest_walker / speed) * v;
 }
 
-void remember(PairSet& set) {
+void remember(PairSet& set, double dt) {
   auto old = set.previous.begin();
   for (PairContact& c : set.points) {
     while (old != set.previous.end() && comes_before(*old, c)) ++old;
-    if (old == set.previous.end() || comes_before(c, *old)) continue;
-    recall(*old, c);
+    if (old == set.previous.end() || comes_before(c, *old)) {
+      lift_if_deep(c, dt);
+    } else {
+      recall(*old, c);
+    }
   }
 }
 
 }  // namespace
 
-PairFinder::PairFinder(const MaterialTable& materials, double gravity, double dt)
-    : materials_(materials), gravity_(gravity), dt_(dt) {}
+PairFinder::PairFinder(const MaterialTable& materials, const ContactConditions& conditions)
+    : materials_(materials), conditions_(conditions) {}
 
 void PairFinder::add(const MovingEntity& moving_entity) {
   limbs_.emplace_back();
@@ -67,8 +64,7 @@ std::vector<ContactParameters> PairFinder::parameters() const {
   std::vector<ContactParameters> parameters;
   for (const Kind& a : kinds_) {
     for (const Kind& b : kinds_) {
-      parameters.push_back(contact_parameters(lighter(*a.model, *b.model), materials_.find(a.surface, b.surface),
-                                              gravity_, dt_, Partner::body));
+      parameters.push_back(contact_parameters(*a.model, *b.model, materials_.find(a.surface, b.surface), conditions_));
     }
   }
   return parameters;
@@ -102,7 +98,7 @@ void PairFinder::find(std::vector<MovingEntity>& moving_entities, PairSet& set) 
       if (!out && !moving_entities[b].apart()) find_between(moving_entities, a, b, neighbors_[pair], set);
     }
   }
-  remember(set);
+  remember(set, conditions_.dt);
 }
 
 void PairFinder::forget_neighbors() noexcept {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "murosimf/collision/contact_parameters.h"
 #include "murosimf/collision/moving_entity.h"
 #include "murosimf/geometry/collide.h"
 #include "murosimf/geometry/sweep_and_prune.h"
@@ -21,7 +22,7 @@ namespace murosimf::collision {
 class PairFinder {
  public:
   /// gravity [m/s^2] magnitude, dt [s] of the step.
-  PairFinder(const MaterialTable& materials, double gravity, double dt);
+  PairFinder(const MaterialTable& materials, const ContactConditions& conditions);
 
   /// Of those that find() will be called with, in their order.
   void add(const MovingEntity& moving_entity);
@@ -57,7 +58,7 @@ class PairFinder {
                     geometry::Manifold& manifold, PairSet& set) const noexcept;
 
   MaterialTable materials_;
-  double gravity_, dt_;
+  ContactConditions conditions_;
   std::vector<Kind> kinds_;
   std::vector<std::vector<std::size_t>> kinds_of_shapes_;  // by moving entity and shape
   std::vector<std::pair<int, int>> pairs_;                 // of the last find(): within_reach()

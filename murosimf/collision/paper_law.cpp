@@ -1,12 +1,17 @@
 #include "murosimf/collision/paper_law.h"
 
+#include <algorithm>
+
 #include "murosimf/collision/contact_law_parts.h"
 #include "murosimf/collision/deepest_points.h"
+#include "murosimf/collision/soft_start.h"
 
 namespace murosimf::collision {
-PaperForce paper_force(const ContactPoint& c, const ContactParameters& p, const PaperLawOptions& options) noexcept {
-  const double gain = dot(c.velocity, c.normal) < 0 ? 1.0 : options.rebound.value_or(p.rebound);
-  const double f_n = gain * p.stiffness * c.depth;
+PaperForce paper_force(const ContactPoint& c, const ContactParameters& p, double dt,
+                       const PaperLawOptions& options) noexcept {
+  const double v_n = dot(c.velocity, c.normal);
+  const double gain = v_n < 0 ? 1.0 : options.rebound.value_or(p.rebound);
+  const double f_n = std::min(gain * p.stiffness * c.depth, explicit_limit(c, p, dt, v_n));
   return {f_n, options.friction.value_or(p.viscous_friction) * f_n,
           options.spin_friction.value_or(p.spin_friction) * f_n};
 }
@@ -19,7 +24,7 @@ void PaperLaw::prepare(std::vector<ContactPoint>& points, const ContactTerms& te
   }
   for (ContactPoint& c : points) {
     clear_force(c);
-    const PaperForce f = paper_force(c, terms.parameters[c.surface], options_);
+    const PaperForce f = paper_force(c, terms.parameters[c.surface], terms.dt, options_);
     c.force = f.normal * c.normal - f.rub * tangential(c.velocity, c.normal);
     c.moment = -f.spin * c.angular_velocity;
     if (!options_.bounded) continue;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/collision/contact_parameters.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/model_constants.h"
@@ -59,16 +60,46 @@ void check_property(SceneParts& parts, const scene_file::PropertySetting& settin
   }
 }
 
-void warn_about_steps(SceneParts& parts, const scene_file::RobotSpec& robot, bool servos) {
-  const catalog::ContactLawType& law = find_entry(catalog::contacts(), "contact law", robot.contact);
-  const catalog::LongestSteps steps =
-      law.longest_steps_with ? law.longest_steps_with(robot.contact_options) : law.longest_steps;
-  const double longest = servos ? steps.with_servos : steps.without_servos;
-  const double step = 1 / step_rate(parts.spec, robot);
-  if (step <= longest * (1 + 1e-9)) return;
-  parts.remarks.warn(robot.name,
-                     fmt::format("{} under {} is stable with steps up to {:.0f} ms; these are {:.3g} ms long",
-                                 robot.contact, robot.level, 1e3 * longest, 1e3 * step));
+/// Of an entity, with the ground.
+struct ContactUse {
+  std::string contact;
+  OptionValues options;
+  std::string level;
+  double step;  ///< [s]
+  bool servos = false;
+};
+
+void warn_about_steps(SceneParts& parts, const std::string& entity, const ContactUse& use) {
+  const catalog::ContactLawType& law = find_entry(catalog::contacts(), "contact law", use.contact);
+  const catalog::LongestSteps steps = law.longest_steps_with ? law.longest_steps_with(use.options) : law.longest_steps;
+  const double longest = use.servos ? steps.with_servos : steps.without_servos;
+  if (use.step <= longest * (1 + 1e-9)) return;
+  parts.remarks.warn(entity, fmt::format("{} under {} is stable with steps up to {:.0f} ms; these are {:.3g} ms long",
+                                         use.contact, use.level, 1e3 * longest, 1e3 * use.step));
+}
+
+/// Of a sphere on the ground.
+void warn_about_bounce(SceneParts& parts, const std::string& entity, const std::string& material, double mass) {
+  const double stiffness = parts.spec.materials.find({material}, {parts.spec.field.surface}).stiffness;
+  if (stiffness == 0 || collision::resolves_bounce(stiffness, mass, 1 / parts.spec.rate)) return;
+  parts.remarks.warn(
+      entity, fmt::format("steps of {:.3g} ms are too long for its bounce on a 'stiffness' of {:g} N/m: it has no "
+                          "restitution",
+                          1e3 / parts.spec.rate, stiffness));
+}
+
+void warn_about_things(SceneParts& parts) {
+  const double step = 1 / parts.spec.rate;
+  if (const auto& ball = parts.spec.ball) {
+    warn_about_steps(parts, "ball", {ball->contact, {}, "simplified_dynamics", step});
+    warn_about_bounce(parts, "ball", ball->material, ball->mass);
+  }
+  for (const scene_file::BodySpec& body : parts.spec.bodies) {
+    if (body.is_static) continue;
+    warn_about_steps(parts, body.name, {body.contact, {}, "simplified_dynamics", step});
+    const bool sphere = body.shape && std::holds_alternative<Sphere>(*body.shape);
+    if (sphere) warn_about_bounce(parts, body.name, body.material, body.mass);
+  }
 }
 
 void warn_about_missing_servos(SceneParts& parts, const scene_file::RobotSpec& robot) {
@@ -92,6 +123,7 @@ void warn_about_settings(SceneParts& parts) {
   const std::vector<std::string> used(materials.begin(), materials.end());
   parts.remarks.warn(scene_file::unused_pairs(spec, used));
   if (auto line = scene_file::unused_friction_direction(spec, used); !line.empty()) parts.remarks.warn(std::move(line));
+  warn_about_things(parts);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
     const scene_file::RobotSpec& robot = spec.robots[i];
     const Model& model = parts.robots[i]->model();
@@ -126,7 +158,10 @@ void warn_about_static_bodies(SceneParts& parts) {
 
 void warn_about_level(SceneParts& parts, const scene_file::RobotSpec& robot) {
   const LevelTraits level = find_entry(catalog::levels(), "level", robot.level).traits;
-  if (level.dynamic) warn_about_steps(parts, robot, level.servos);
+  if (level.dynamic)
+    warn_about_steps(parts, robot.name,
+                     {robot.contact, robot.contact_options, robot.level, 1 / step_rate(parts.spec, robot),
+                      level.servos});
   if (level.servos) warn_about_missing_servos(parts, robot);
 }
 

@@ -87,7 +87,7 @@ const Section<PairSurface>& material_section() {
        {"friction", &PairSurface::friction, "", "Coulomb coefficient"},
        {"rolling", &PairSurface::rolling, "", "resistance: moment = rolling * radius * normal force"},
        {"restitution", &PairSurface::restitution, "", "speed that round bodies keep when they bounce"},
-       {"stiffness", &PairSurface::stiffness, "N/m", "of a contact point; 0: by weight"},
+       {"stiffness", &PairSurface::stiffness, "N/m", "of a contact point; 0: by weight and step"},
        {"friction_anisotropy", &PairSurface::friction_anisotropy, "",
         "g from 0 to below 1: friction (1 - g) along the pile of the ground, (1 + g) against it"},
        {"rebound", &PairSurface::rebound, "", "paper's laws: share of the spring's force while bodies part (s_b)"},

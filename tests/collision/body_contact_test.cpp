@@ -71,13 +71,14 @@ TEST(BodyContact, KeepsWalkersApart) {
   EXPECT_LT(difference(balls.column(1, properties::separation), {0.5e-3, 0, 0}), 1e-9);
 }
 
-// Constants of a pair are those of the lighter one, on a body.
-TEST(BodyContact, ConstantsAreThoseOfTheLighterBody) {
+// Constants of a pair are those of both models, for a law that is explicit.
+TEST(BodyContact, ConstantsAreThoseOfTheLaw) {
   Meeting meeting("kelvin_voigt");
   meeting.rig.simulation.step();
   const ContactParameters& found = meeting.set().parameters[meeting.set().points[0].surface];
   const PairSurface pair = meeting.rig.materials.find({"", 0.4}, {"", 0.6});
-  const ContactParameters expected = contact_parameters(meeting.small->model(), pair, 0, 1e-3, Partner::body);
+  const ContactParameters expected =
+      contact_parameters(meeting.small->model(), meeting.big->model(), pair, {0, 1e-3, false});
   EXPECT_EQ(found.stiffness, expected.stiffness);
   EXPECT_EQ(found.damping, expected.damping);
   EXPECT_EQ(found.friction, expected.friction);

@@ -16,7 +16,7 @@ using fixtures::placed;
 struct Found : Movers {
   void find() {
     if (!finder) {
-      finder.emplace(materials, 9.81, 1e-3);
+      finder.emplace(materials, ContactConditions{});
       for (const MovingEntity& one : all) finder->add(one);
       set.parameters = finder->parameters();
     }
@@ -187,8 +187,8 @@ TEST(PairFinder, ContactsComeInTheOrderOfShapes) {
   EXPECT_NEAR(found.set.points[3].point.x, -0.5, 1e-9);
 }
 
-// Rule: constants are those of the lighter of the two on a body, with the surfaces of both.
-TEST(PairFinder, ConstantsAreThoseOfTheLighterOne) {
+// Rule: constants are those of the two models, whatever their order, with the surfaces of both.
+TEST(PairFinder, ConstantsAreThoseOfBoth) {
   for (const bool light_first : {true, false}) {
     Found found;
     found.materials.set("felt", "steel", {.friction = 0.37, .restitution = 0.3});
@@ -199,7 +199,7 @@ TEST(PairFinder, ConstantsAreThoseOfTheLighterOne) {
     ASSERT_EQ(found.set.points.size(), 1U);
     const ContactParameters& p = found.set.parameters[found.set.points[0].surface];
     const PairSurface pair = found.materials.find({"felt"}, {"steel"});
-    const ContactParameters expected = contact_parameters(*light, pair, 9.81, 1e-3, Partner::body);
+    const ContactParameters expected = contact_parameters(*light, *heavy, pair, {});
     EXPECT_EQ(p.stiffness, expected.stiffness) << light_first;
     EXPECT_EQ(p.damping, expected.damping) << light_first;
     EXPECT_EQ(p.friction, 0.37);
@@ -218,8 +218,7 @@ TEST(PairFinder, WhatHasNoMassGivesNoConstants) {
     Movers::stand_fast(found.all[ghost_first ? 0 : 1]);
     found.find();
     ASSERT_EQ(found.set.points.size(), 1U);
-    const ContactParameters expected =
-        contact_parameters(*real, found.materials.find({}, {}), 9.81, 1e-3, Partner::body);
+    const ContactParameters expected = contact_parameters(*ghost, *real, found.materials.find({}, {}), {});
     EXPECT_EQ(found.set.parameters[found.set.points[0].surface].stiffness, expected.stiffness) << ghost_first;
   }
 }

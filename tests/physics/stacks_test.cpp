@@ -10,7 +10,7 @@
 namespace murosimf::test {
 namespace {
 
-constexpr double least = 1e-4;      // [m] mean overlap of two bodies that carry weight, below which nothing was carried
+constexpr double least = 1e-5;      // [m] mean overlap of two bodies that carry weight, below which nothing was carried
 constexpr double deepest = 1.3e-3;  // [m] three boxes on the lowest one: 0.4 mm each, and rounding of 10 sweeps
 constexpr double box_mass = 4.3, box_height = 0.1;
 
@@ -38,12 +38,13 @@ Shape frustum() {
 
 /// Things one on top of the other, the lowest on the ground.
 struct Stack {
-  Stack(const std::string& level, double rate_hz, const std::vector<ModelPtr>& models, double slope = 0)
+  Stack(const std::string& level, double rate_hz, const std::vector<ModelPtr>& models, double slope = 0,
+        double offset = 0.005)
       : rig(0.8, slope, rate_hz) {
     std::vector<Rig::Together> all;
     for (std::size_t i = 0; i < models.size(); ++i) {
       Entity& entity = rig.add("part" + std::to_string(i), models[i],
-                               {.position = {0.005 * static_cast<double>(i), 0, box_height * static_cast<double>(i)}});
+                               {.position = {offset * static_cast<double>(i), 0, box_height * static_cast<double>(i)}});
       parts.push_back(&entity);
       all.push_back({&entity, {.level = level}});
     }
@@ -131,6 +132,74 @@ TEST_P(Stacks, DoNotCreepOnASlope) {
                        .source = "friction holds: none"},
                       norm(Rig::place(*stack.parts[1]) - before) / 2, 1e-5, "m/s");
   }
+}
+
+/// A cube of 0.1 m.
+ModelPtr cube(double mass) {
+  PlacedShape placed;
+  placed.shape = Box{{0.05, 0.05, 0.05}};
+  return std::make_shared<const Model>("cube", Chain{}
+                                                   .base("cube")
+                                                   .with(properties::mass, mass)
+                                                   .with(properties::inertia, diagonal(mass * 0.01 / 6))
+                                                   .with(properties::shapes, {placed}));
+}
+
+/// How far [m] the top of the stack has come from where it was put, in any direction.
+double drift_of_top(Stack& stack, double seconds) {
+  stack.rig.simulation.initialize();
+  const Vec3d before = Rig::place(*stack.parts.back());
+  stack.rig.run(seconds);
+  return norm(Rig::place(*stack.parts.back()) - before);
+}
+
+// Greenhill's column (contact_parameters.h) stands up to 7 cubes with springs that the weight of one presses by 0.4 mm.
+// Tolerance: a tenth of an edge; the one that buckled lay 1 m away.
+TEST(TallStacks, OfTenCubesStandAMinute) {
+  for (const int rate : {1000, 500}) {
+    Stack stack("simplified_dynamics", rate, std::vector<ModelPtr>(10, cube(1)), 0, 0);
+    law::expect_below({.law = "stack of ten cubes: way of the topmost in 60 s",
+                       .level = fmt::format("simplified_dynamics, {} ms", 1000 / rate),
+                       .source = "its springs are stiffer than those that buckle"},
+                      drift_of_top(stack, 60), 0.01, "m");
+  }
+}
+
+// Tolerance: 0.4 mm under the heavy one, and the ground's springs, which are chosen for the light one alone.
+TEST(TallStacks, LightCubeCarriesAHeavyOne) {
+  for (const double mass : {30.0, 100.0}) {
+    Stack stack("simplified_dynamics", 1000, {cube(1), cube(mass)}, 0, 0);
+    law::expect_below({.law = fmt::format("cube of {} kg on one of 1 kg: way in 10 s", mass),
+                       .level = "simplified_dynamics, 1 ms",
+                       .source = "it stands"},
+                      drift_of_top(stack, 10), 3e-3, "m");
+  }
+}
+
+// Tolerance: as above, and what its pelvis goes down on its servos is seen without a crate, too.
+TEST(TallStacks, ALightCrateCarriesARobot) {
+  const auto pelvis = [](const std::vector<ModelPtr>& below) {
+    Rig rig(0.8, 0, 1000);
+    std::vector<Rig::Together> all;
+    for (const ModelPtr& model : below) all.push_back({&rig.add("crate", model), {.level = "simplified_dynamics"}});
+    const double height = below.empty() ? 0 : 0.1;
+    Entity& robot = rig.add("robot", kid21(), {.position = {0, 0, height}});
+    all.push_back({&robot, {.level = "articulated_dynamics"}});
+    rig.attach_together(all);
+    rig.run(3);
+    return Rig::place(robot).z - height;
+  };
+  PlacedShape placed;
+  placed.shape = Box{{0.2, 0.2, 0.05}};
+  const auto crate = std::make_shared<const Model>("crate", Chain{}
+                                                                .base("crate")
+                                                                .with(properties::mass, 0.1)
+                                                                .with(properties::inertia, diagonal(1.5e-3))
+                                                                .with(properties::shapes, {placed}));
+  law::expect_near({.law = "kid21 on a crate of 100 g: its pelvis above the crate, less the same on the ground",
+                    .level = "articulated_dynamics, 1 ms",
+                    .source = "0.4 mm at each of two faces at most"},
+                   pelvis({crate}) - pelvis({}), 0, 1e-3, "m");
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, Stacks,

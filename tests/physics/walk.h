@@ -38,6 +38,7 @@ struct WalkTask {
   Vec3d command;  // [m/s, m/s, rad/s]
   double seconds = 18;
   double friction = 0.8;  // of the ground under the feet
+  double slope = 0;       // [rad] uphill in x
   double push = 0;        // [N] rms every 10 ms
   ModelPtr model = kid21();
 };
@@ -76,7 +77,7 @@ class StandingSole {
 }  // namespace detail
 
 inline Walk walk(const WalkTask& task) {
-  Rig rig(task.friction);
+  Rig rig(task.friction, -task.slope);
   rig.materials.set("rubber", "", {.friction = task.friction});
   Entity& robot = rig.add("robot", task.model);
   rig.simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz, task.command);

@@ -194,6 +194,14 @@ TEST(SceneMistakes, ThatOnlyWeakenAResultAreWarnings) {
                      "blue2: paper under simplified_dynamics is stable with steps up "
                      "to 2 ms; these are 10 ms long"));
   EXPECT_FALSE(warned({"rate=100"}, "blue2"));
+  EXPECT_FALSE(warned({"rate=100"}, "ball: "));
+  EXPECT_TRUE(
+      warned({"ball.contact=kelvin_voigt", "rate=100"},
+             "ball: kelvin_voigt under simplified_dynamics is stable with steps up to 2 ms; these are 10 ms long"));
+  EXPECT_FALSE(warned({"materials.stiffness=3500"}, "restitution"));
+  EXPECT_TRUE(
+      warned({"materials.stiffness=3500", "rate=200"},
+             "ball: steps of 5 ms are too long for its bounce on a 'stiffness' of 3500 N/m: it has no restitution"));
 }
 
 TEST(SceneMistakes, InOverridesNameTheOverride) {
