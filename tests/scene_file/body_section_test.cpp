@@ -124,6 +124,27 @@ TEST(SceneBodies, CanBeModelsAndAreInTheReport) {
   EXPECT_EQ(report.entities[0].level, "simplified_dynamics");
 }
 
+// With `jitter` the place varies from seed to seed, within what [start] says; without it stays.
+TEST(SceneBodies, StandElsewhereForOtherSeedsIfAsked) {
+  const auto place = [](const std::string& keys, std::uint64_t seed) {
+    const std::string ball = one_body("shape = \"sphere\"\nradius = 0.1\nmass = 1\nposition = [1, 2]\n" + keys);
+    scene::Scene scene(body_scene(ball + "[start]\njitter_position = 0.2\n"), {.seed = seed});
+    scene.simulation().initialize();
+    return scene.simulation().world().entity("b").base().get(properties::position) - Vec3d{1, 2, 0.1};
+  };
+  EXPECT_LT(norm(place("", 1)), 1e-9);
+  const Vec3d one = place("jitter = true\n", 1), other = place("jitter = true\n", 2);
+  EXPECT_GT(norm(one - other), 0.01);
+  for (const Vec3d& away : {one, other}) {
+    EXPECT_LE(std::abs(away.x), 0.2);
+    EXPECT_LE(std::abs(away.y), 0.2);
+    EXPECT_GT(norm(away), 1e-3);
+    EXPECT_NEAR(away.z, 0, 1e-9);
+  }
+  EXPECT_TRUE(
+      has(body_mistake(one_body("shape = \"sphere\"\nradius = 0.1\nstatic = true\njitter = true\n")), "jitter"));
+}
+
 TEST(SceneBodies, OfDynamicRobotsAreSteps) {
   const std::string scene_text = R"([[bodies]]
 name = "step"
