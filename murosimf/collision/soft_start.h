@@ -45,7 +45,7 @@ inline void lift_if_deep(ContactPoint& c, double dt) noexcept {
 
 /// Frees a point again where its spring is slower by itself.
 inline void end_lift(ContactPoint& c, const ContactParameters& p, double dt) noexcept {
-  if (p.stiffness * c.depth <= c.lift * (p.damping + p.theta * dt * p.stiffness)) c.lift = 0;
+  if (c.depth < felt_depth && p.stiffness * c.depth <= c.lift * (p.damping + p.theta * dt * p.stiffness)) c.lift = 0;
   if (c.lift > 0) c.depth = std::min(c.depth, felt_depth);
 }
 
