@@ -6,7 +6,7 @@
 ///
 ///     b = k depth / lift > b_n        f_n = k depth - b v_n = k depth (1 - v_n / lift)
 ///
-/// so that contact does not push what already leaves with that speed. The force stays linear in the velocity, and the
+/// with the depth taken for 2 mm at most, so that contact does not push what already leaves with that speed. The force stays linear in the velocity, and the
 /// law and the island solver take it as any other. An explicit law would overshoot within a step: there a point
 /// pushes no harder than brings a tenth of the mass m_p (contact_parameters.h) to that speed, since many more than
 /// n_c points may be deep, and points of light limbs.
@@ -19,7 +19,8 @@
 
 namespace murosimf::collision {
 
-inline constexpr double lift_speed = 0.5;  ///< [m/s] of what was found deep inside something
+inline constexpr double felt_depth = 2e-3;  ///< [m] more than curved shapes and turning edges have of themselves
+inline constexpr double lift_speed = 0.5;   ///< [m/s] of what was found deep inside something
 
 /// b_n [N s/m] of a law that is implicit in the velocity after the step.
 [[nodiscard]] inline double implicit_damping(const ContactPoint& c, const ContactParameters& p, double dt) noexcept {
@@ -37,14 +38,15 @@ inline constexpr double lift_speed = 0.5;  ///< [m/s] of what was found deep ins
 
 /// For a point that was not there in the step before; its velocity and depth are known.
 inline void lift_if_deep(ContactPoint& c, double dt) noexcept {
-  constexpr double margin = 2e-3;  // [m] of curved shapes and of edges that turn
   const double approach = std::max(0.0, -dot(c.velocity, c.normal));
-  if (c.depth > 1.5 * approach * dt + margin) c.lift = lift_speed;
+  if (c.depth > 1.5 * approach * dt + felt_depth) c.lift = lift_speed;
+  if (c.lift > 0) c.depth = std::min(c.depth, felt_depth);
 }
 
 /// Frees a point again where its spring is slower by itself.
 inline void end_lift(ContactPoint& c, const ContactParameters& p, double dt) noexcept {
-  if (p.stiffness * c.depth <= c.lift * (p.damping + p.theta * dt * p.stiffness)) c.lift = 0;
+  if (c.depth < felt_depth && p.stiffness * c.depth <= c.lift * (p.damping + p.theta * dt * p.stiffness)) c.lift = 0;
+  if (c.lift > 0) c.depth = std::min(c.depth, felt_depth);
 }
 
 }  // namespace murosimf::collision

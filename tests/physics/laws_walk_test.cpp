@@ -26,7 +26,7 @@ TEST_P(Walker, GetsWhereItIsTold) {
                    result.moved.x, 0.2 * 18, 0.15 * 0.2 * 18, "m");
 }
 
-// Uphill as far as MuJoCo with the same servos: up to 4.5 degrees. On springs that sink 0.4 mm under the weight it
+// Uphill nearly as far as MuJoCo, which falls from 5 degrees. On springs that sink 0.4 mm under the weight it
 // fell from 3.5 degrees.
 TEST(WalkerUphill, ClimbsFourDegrees) {
   const Walk result =
