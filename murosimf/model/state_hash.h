@@ -1,7 +1,8 @@
 /// state_hash.h - one number for the state of an entity, by which runs are compared.
 ///
 /// State are the columns from which the next step goes on (property.h, is_state): what sensors show and what connects
-/// algorithms is left out, and what has faded to 0 (PropertyInfo::fades). Columns come in the order of their names, so it does not matter who asked for them first.
+/// algorithms is left out, and what has faded to 0 (PropertyInfo::fades). Columns come in the order of their names, so it
+/// does not matter who asked for them first.
 #pragma once
 
 #include "murosimf/math/hash.h"

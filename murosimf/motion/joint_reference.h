@@ -19,7 +19,8 @@
 ///
 /// is added to the target (filter, exact) or to the line (linear), and fades: nothing jerks the base. Implicit Euler.
 /// A joint that follows another one (mimic_joints.h) is where that takes it; its own target means nothing.
-/// Joints stop at the ends of their range (joint_range), at rest. Same state (q, qd) as a simulated servo, so levels can be exchanged.
+/// Joints stop at the ends of their range (joint_range), at rest. Same state (q, qd) as a simulated servo, so levels can be
+/// exchanged.
 #pragma once
 
 #include <span>

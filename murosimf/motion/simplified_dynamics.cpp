@@ -79,7 +79,8 @@ void SimplifiedDynamics::take_over(const Momentum& momentum) {
 
 void SimplifiedDynamics::step(const Instant& instant) noexcept {
   if (options_.integrator == Integrator::rk4 && !contacts_.solved()) return step_rk4(seconds(instant.period));
-  if (!contacts_.solved()) {
+  const bool in_island = contacts_.solved();
+  if (!in_island) {
     begin_step(seconds(instant.period));
     contacts_.settle([&] {
       solve(dt_);
@@ -88,14 +89,18 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
     });
   }
   multibody::FreeBody<double> body{center_, velocity_, columns_.Q[0], columns_.w[0]};
-  const Vec3d angular_momentum = inertia_ * columns_.w[0] + dt_ * outer_moment();
+  Vec3d angular_momentum = inertia_ * columns_.w[0] + dt_ * outer_moment();
   multibody::advance(body, acceleration_, dt_);
   if (!is_sane(body)) return halt(too_fast);
   if (!reference_.advance(columns_, dt_)) return halt("a joint position or target is no sensible number");
   contacts_.commit();
-  if (!options_.base_rigid && in_flight()) {
+  if (!options_.base_rigid && !in_island && in_flight()) {
     const Vec3d middle_rate = columns_.w[0] + (0.5 * dt_) * acceleration_.w;
     body.turn = normalized(exponential(dt_ * middle_rate) * columns_.Q[0]);
+  } else {
+    // contacts were solved for this rate: only the joints' motion changes it
+    const SymMat3d turned = rotated(to_matrix(body.turn) * transpose(columns_.R[0]), inertia_);
+    angular_momentum = turned * body.rate;
   }
 
   contacts_.renew();

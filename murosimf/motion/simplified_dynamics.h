@@ -9,7 +9,10 @@
 ///
 ///     L_k+1 = I_k w_k + dt (I_k w' + w_k x I_k w_k)      Q_k+1 = exp(dt (w_k + dt w')) Q_k      w_k+1 = I_k+1^-1 L_k+1
 ///
-/// so that L is kept to rounding. In flight the base turns with the rate in the middle of the step, w_k + dt w'/2, as in
+/// so that L is kept to rounding. While anything touches it, L_k+1 = I(Q_k+1, q_k) (w_k + dt w') instead: contacts have
+/// been solved
+/// for that rate, and a stack of boxes comes to rest; the difference is one of dt^2. In flight the base turns with the rate
+/// in the middle of the step, w_k + dt w'/2, as in
 /// moving_tree.h: else a tumbling body would gain energy. With Runge-Kutta L is a part of its state, in the place of w.
 /// L is not the sum over the links: what limbs turn against the base does not count, and never turns it.
 ///
