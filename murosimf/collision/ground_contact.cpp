@@ -136,12 +136,20 @@ void GroundContact::find_contacts() {
   }
 }
 
+/// A body that touched the ground already was not put there, whatever point of it a law has kept: that comes out as fast as the others.
+void GroundContact::begin_lift(ContactPoint& point) const noexcept {
+  const auto same_body = [&](const ContactPoint& other) { return other.object == point.object; };
+  const auto other = std::find_if(previous_.begin(), previous_.end(), same_body);
+  if (other == previous_.end()) return lift_if_deep(point, seam_.terms.dt);
+  point.lift = other->lift;
+}
+
 void GroundContact::remember() {
   auto old = previous_.begin();
   for (ContactPoint& c : set_.points) {
     while (old != previous_.end() && old->feature < c.feature) ++old;
     if (old == previous_.end() || old->feature != c.feature) {
-      lift_if_deep(c, seam_.terms.dt);
+      begin_lift(c);
     } else {
       recall(*old, c);
       end_lift(c, seam_.terms.parameters[c.surface], seam_.terms.dt);

@@ -48,6 +48,7 @@ class GroundContact final : public Algorithm {
   void clear_loads() noexcept;
   void rest() noexcept;
   void find_contacts();
+  void begin_lift(ContactPoint& point) const noexcept;
   void remember();
 
   const Model& model_;

@@ -26,12 +26,22 @@ Vec3d velocity_that_counts(const MovingEntity& moving_entity, int object, const 
   return moving_entity.can_be_pushed() || speed <= fastest_walker ? v : (fastest_walker / speed) * v;
 }
 
+/// Bodies that touched already were not put there, whatever points of them are kept: this one comes out as fast as the others.
+void begin_lift(PairContact& point, const std::vector<PairContact>& previous, double dt) {
+  const auto same_bodies = [&](const PairContact& other) {
+    return other.a == point.a && other.b == point.b && other.object == point.object && other.object_b == point.object_b;
+  };
+  const auto other = std::find_if(previous.begin(), previous.end(), same_bodies);
+  if (other == previous.end()) return lift_if_deep(point, dt);
+  point.lift = other->lift;
+}
+
 void remember(PairSet& set, double dt) {
   auto old = set.previous.begin();
   for (PairContact& c : set.points) {
     while (old != set.previous.end() && comes_before(*old, c)) ++old;
     if (old == set.previous.end() || comes_before(c, *old)) {
-      lift_if_deep(c, dt);
+      begin_lift(c, set.previous, dt);
     } else {
       recall(*old, c);
     }

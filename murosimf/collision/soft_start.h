@@ -6,8 +6,8 @@
 ///
 ///     b = k depth / lift > b_n        f_n = k depth - b v_n = k depth (1 - v_n / lift)
 ///
-/// with the depth taken for 2 mm at most, so that contact does not push what already leaves with that speed. The force stays linear in the velocity, and the
-/// law and the island solver take it as any other. An explicit law would overshoot within a step: there a point
+/// with the depth taken for 2 mm at most, so that contact does not push what already leaves with that speed. The force stays linear
+/// in the velocity, and the law and the island solver take it as any other. An explicit law would overshoot within a step: there a point
 /// pushes no harder than brings a tenth of the mass m_p (contact_parameters.h) to that speed, since many more than
 /// n_c points may be deep, and points of light limbs.
 #pragma once
@@ -36,7 +36,7 @@ inline constexpr double lift_speed = 0.5;   ///< [m/s] of what was found deep in
   return std::max(0.0, share * p.mass * (c.lift - v_n) / dt);
 }
 
-/// For a point that was not there in the step before; its velocity and depth are known.
+/// For a point of something that touched nothing there in the step before; its velocity and depth are known.
 inline void lift_if_deep(ContactPoint& c, double dt) noexcept {
   const double approach = std::max(0.0, -dot(c.velocity, c.normal));
   if (c.depth > 1.5 * approach * dt + felt_depth) c.lift = lift_speed;
