@@ -62,8 +62,9 @@ Vec3d tangential_force(const ContactPoint& c, const Vec3d& v_t) {
 }
 
 /// A point that closes, with the velocity v: it slides if it moves along the surface, and sticks if not. A trial step
-/// that stops in vain what slides would tell nothing about its neighbors.
-void close(ContactPoint& c, const ContactParameters& p, double dt, const Vec3d& v) {
+/// that stops in vain what slides would tell nothing about its neighbors. Its friction begins with the normal force of that trial:
+/// what spring and damper make of v is what a body of infinite mass would feel, and would throw a light foot back.
+void close(ContactPoint& c, const Vec3d& v) {
   const double v_n = dot(v, c.normal);
   const Vec3d v_t = v - v_n * c.normal;
   const double speed = norm(v_t);
@@ -73,7 +74,7 @@ void close(ContactPoint& c, const ContactParameters& p, double dt, const Vec3d& 
   }
   c.state = ContactState::slip;
   c.slip_direction = (1 / speed) * v_t;
-  c.last_normal_force = std::max(0.0, normal_force(c, p, dt, v_n));
+  c.last_normal_force = 0;
 }
 
 /// Decides about one point; true if it agrees with the trial step.
@@ -88,7 +89,7 @@ bool accept_point(ContactPoint& c, const ContactParameters& p, double dt, const 
     return before == ContactState::open;
   }
   if (before == ContactState::open) {
-    close(c, p, dt, next);
+    close(c, next);
     return false;
   }
   if (before == ContactState::stick) {
@@ -118,8 +119,7 @@ void ImplicitStick::prepare(std::vector<ContactPoint>& points, const ContactTerm
   for (ContactPoint& c : points) {
     const ContactParameters& p = terms.parameters[c.surface];
     c.stretch = tangential(c.stretch, c.normal);
-    if (c.state == ContactState::open) close(c, p, terms.dt, c.velocity);
-    if (c.last_normal_force == 0) c.last_normal_force = p.stiffness * c.depth;
+    if (c.state == ContactState::open) close(c, c.velocity);
     linearize(c, p, terms.dt);
   }
 }
