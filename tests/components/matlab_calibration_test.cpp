@@ -39,7 +39,7 @@ nx = 640;
 ny = 480;
 
 %-- Various other variables (may be ignored if you do not use the Matlab Calibration Toolbox):
-n_ima = 1;						% Number of calibration images
+n_ima = 1;)" "\t\t" R"(% Number of calibration images
 est_dist = [ 1 ; 1 ; 1 ; 1 ; 0 ];
 
 omc_1 = [ NaN ; NaN ; NaN ];

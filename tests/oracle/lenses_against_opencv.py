@@ -6,7 +6,8 @@ Exit: 0 all agree, 1 some differ, 77 OpenCV is not installed (test is skipped).
 
 Our rays go through OpenCV's projection and must come back to their pixels: its own inverse is an iteration that stops
 early. Its projectPoints knows no skew, so it projects to focal length 1 and the camera matrix comes after it; for fisheye
-lenses it has a skew of its own (alpha). It shows points beyond the fold of a lens, too; ours does not see them, so they are not compared.
+lenses it has a skew of its own (alpha). It shows points beyond the fold of a lens, too; ours does not see them, so they are
+not compared.
 """
 import pathlib
 import sys
