@@ -217,8 +217,9 @@ void SimplifiedDynamics::follow_center(const multibody::FreeBody<double>& body,
   columns_.update_velocities();
   auto common = multibody::common_body<double>(columns_.model.tree(), columns_.r, columns_.R, columns_.v, columns_.w);
   const Vec3d w = inverse(common.inertia) * angular_momentum;
-  for (const Link& link : columns_.model.tree().links) {
-    const auto i = static_cast<std::size_t>(link.object);
+  const auto& objects = columns_.model.objects();
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i].structural) continue;  // its rows hold no numbers
     const Vec3d arm = columns_.r[i] - common.center;
     columns_.r[i] = body.position + arm;
     columns_.v[i] += body.velocity - common.velocity + cross(w, arm);
