@@ -102,6 +102,7 @@ TEST(JointReferenceEnds, StartsAtItsTargetsWithinTheRange) {
 // One step of the filter by hand; the follower and the wheel by their own rules.
 TEST(JointReferenceFilter, StepIsThatOfItsEquation) {
   Reference reference;
+  reference.part->initialize(reference.columns);
   reference.want("free", 0.5);
   reference.object("wheel").set(properties::joint_velocity_target, -8);
   reference.q("free") = 0.1;
