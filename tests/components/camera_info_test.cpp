@@ -1,19 +1,13 @@
 #include "murosimf/components/camera_info.h"
 
-#include <filesystem>
-#include <fstream>
-
 #include <gtest/gtest.h>
 
-#include "murosimf/model/error.h"
-#include "tests/temp_folder.h"
+#include "tests/components/calibration_file.h"
 
 namespace murosimf::components {
 namespace {
 
-namespace fs = std::filesystem;
-
-const char* const good = R"(image_width: 640
+const CalibrationFile info_file{"camera_info.yaml", R"(image_width: 640
 image_height: 480
 camera_name: left
 camera_matrix:
@@ -33,43 +27,23 @@ projection_matrix:
   rows: 3
   cols: 4
   data: [400, 0, 310, 0, 0, 400, 220, 0, 0, 0, 1, 0]
-)";
-
-fs::path write(const std::string& text) {
-  const fs::path file = fixtures::temp_folder() / "camera_info.yaml";
-  std::ofstream(file) << text;
-  return file;
-}
-
-/// The file with one text in place of another.
-std::string with(const std::string& old, const std::string& replacement) {
-  std::string text = good;
-  const auto place = text.find(old);
-  EXPECT_NE(place, std::string::npos) << old;
-  return text.replace(place, old.size(), replacement);
-}
+)"};
 
 /// What reading says, without the name of the folder.
 std::string message(const std::string& text) {
-  try {
-    static_cast<void>(read_camera_info(write(text)));
-  } catch (const SetupError& error) {
-    const std::string said = error.what();
-    const auto name = said.find("camera_info.yaml");
-    return name == std::string::npos ? said : said.substr(name);
-  }
-  return "nothing was thrown";
+  return info_file.message(text, [](const std::filesystem::path& file) { return read_camera_info(file); });
 }
 
 class CameraInfoFile : public testing::Test {
  protected:
   void SetUp() override {
-    if (message(good).find("yaml-cpp was missing") != std::string::npos) GTEST_SKIP() << "this build has no yaml-cpp";
+    if (message(info_file.good).find("yaml-cpp was missing") != std::string::npos)
+      GTEST_SKIP() << "this build has no yaml-cpp";
   }
 };
 
 TEST_F(CameraInfoFile, IsReadAsRosWritesIt) {
-  const auto [name, lens] = read_camera_info(write(good));
+  const auto [name, lens] = read_camera_info(info_file.write(info_file.good));
   EXPECT_EQ(name, "left");
   EXPECT_EQ(lens.model, "plumb_bob");
   EXPECT_EQ(lens.width, 640);
@@ -88,7 +62,7 @@ TEST_F(CameraInfoFile, ComesBackAsItWasWritten) {
       {"equidistant", 1280, 1024, 435.2, 435.2, 613, 513, {-0.0445, 0.00385, -0.0003, 1.0 / 3}},
       {"ray_polynomial", 640, 480, 417, 416, 317, 227, {1, 0, 0.08, 0, -0.02, 0.001}}};
   for (const imaging::LensSpec& lens : lenses) {
-    const auto [name, again] = read_camera_info(write(camera_info_yaml({"blue 1: left", lens})));
+    const auto [name, again] = read_camera_info(info_file.write(camera_info_yaml({"blue 1: left", lens})));
     EXPECT_EQ(name, "blue 1: left");
     EXPECT_EQ(again.model, lens.model);
     EXPECT_EQ(again.width, lens.width);
@@ -99,42 +73,45 @@ TEST_F(CameraInfoFile, ComesBackAsItWasWritten) {
 }
 
 TEST_F(CameraInfoFile, KeepsSkew) {
-  const imaging::LensSpec lens = read_camera_info(write(with("[417.5, 0,", "[417.5, -2.25,"))).lens;
+  const imaging::LensSpec lens = read_camera_info(info_file.write(info_file.with("[417.5, 0,", "[417.5, -2.25,"))).lens;
   EXPECT_EQ(lens.skew, -2.25);
-  EXPECT_EQ(read_calibration(write(camera_info_yaml({"", lens}))).lens.skew, -2.25);
+  EXPECT_EQ(read_calibration(info_file.write(camera_info_yaml({"", lens}))).lens.skew, -2.25);
 }
 
 TEST_F(CameraInfoFile, IsWrittenAsOthersExpectIt) {
   const imaging::LensSpec plain{.width = 640, .height = 480, .fx = 400, .fy = 400, .cx = 320, .cy = 240};
-  EXPECT_EQ(read_camera_info(write(camera_info_yaml({"", plain}))).lens.coefficients, std::vector<double>(5));
+  EXPECT_EQ(read_camera_info(info_file.write(camera_info_yaml({"", plain}))).lens.coefficients, std::vector<double>(5));
   const imaging::LensSpec fisheye{"equidistant", 640, 480, 400, 400, 320, 240, {0.1}};
-  EXPECT_EQ(read_camera_info(write(camera_info_yaml({"", fisheye}))).lens.coefficients,
+  EXPECT_EQ(read_camera_info(info_file.write(camera_info_yaml({"", fisheye}))).lens.coefficients,
             (std::vector<double>{0.1, 0, 0, 0}));
 }
 
 TEST_F(CameraInfoFile, SaysInWhichLineItIsWrong) {
   const auto expect = [](const std::string& text, const std::string& said) { EXPECT_EQ(message(text), said); };
-  expect(with("image_width: 640\n", ""), "camera_info.yaml:1: 'image_width' is missing");
-  expect(with("image_width: 640", "image_width: wide"), "camera_info.yaml:1: 'image_width' must be a whole number");
-  expect(with("image_width: 640", "image_width: 0"),
+  expect(info_file.with("image_width: 640\n", ""), "camera_info.yaml:1: 'image_width' is missing");
+  expect(info_file.with("image_width: 640", "image_width: wide"),
+         "camera_info.yaml:1: 'image_width' must be a whole number");
+  expect(info_file.with("image_width: 640", "image_width: 0"),
          "camera_info.yaml:1: the picture's width is 0; it must be 1 to 8192 pixels");
-  expect(with("image_height: 480", "image_height: 100000"),
+  expect(info_file.with("image_height: 480", "image_height: 100000"),
          "camera_info.yaml:2: the picture's height is 100000; it must be 1 to 8192 pixels");
-  expect(with("417.5", "0"), "camera_info.yaml:5: the focal length fx is 0; it must be above 0, in pixels");
-  expect(with("417.5", ".nan"), "camera_info.yaml:7: data of 'camera_matrix' must be finite numbers");
-  expect(with("317.25, 0, 416", "317.25, 2, 416"),
+  expect(info_file.with("417.5", "0"), "camera_info.yaml:5: the focal length fx is 0; it must be above 0, in pixels");
+  expect(info_file.with("417.5", ".nan"), "camera_info.yaml:7: data of 'camera_matrix' must be finite numbers");
+  expect(info_file.with("317.25, 0, 416", "317.25, 2, 416"),
          "camera_info.yaml:5: 'camera_matrix' must be [fx, skew, cx, 0, fy, cy, 0, 0, 1]");
-  expect(with("[417.5, 0,", "[417.5, 500,"),
+  expect(info_file.with("[417.5, 0,", "[417.5, 500,"),
          "camera_info.yaml:5: the skew is 500; its size must be below the focal length fx, 417.5, in pixels");
-  expect(with("227, 0, 0, 1]", "227, 0, 0]"),
+  expect(info_file.with("227, 0, 0, 1]", "227, 0, 0]"),
          "camera_info.yaml:7: 'camera_matrix' has 8 numbers in data, but 3 rows and 3 cols");
-  expect(with("plumb_bob", "plumbob"), "camera_info.yaml:8: unknown lens model 'plumbob'; did you mean 'plumb_bob'?");
-  expect(with("plumb_bob", "rational_polynomial"),
+  expect(info_file.with("plumb_bob", "plumbob"),
+         "camera_info.yaml:8: unknown lens model 'plumbob'; did you mean 'plumb_bob'?");
+  expect(info_file.with("plumb_bob", "rational_polynomial"),
          "camera_info.yaml:10: 'rational_polynomial' has 5 coefficients; it needs 8: k1 k2 p1 p2 k3 k4 k5 k6");
-  expect(with("  data: [-0.286, 0.0815, -0.0001, -0.0003, 0]\n", ""), "camera_info.yaml:10: 'data' is missing");
-  expect(with("-0.0003, 0]", "-0.0003, x]"),
+  expect(info_file.with("  data: [-0.286, 0.0815, -0.0001, -0.0003, 0]\n", ""),
+         "camera_info.yaml:10: 'data' is missing");
+  expect(info_file.with("-0.0003, 0]", "-0.0003, x]"),
          "camera_info.yaml:12: data of 'distortion_coefficients' must be finite numbers");
-  expect(with("0, 0, 0, 1, 0]", "0, 0, 0, 1, inf]"),
+  expect(info_file.with("0, 0, 0, 1, 0]", "0, 0, 0, 1, inf]"),
          "camera_info.yaml:20: data of 'projection_matrix' must be finite numbers");
   expect("", "camera_info.yaml:1: this is no camera calibration: there are no fields");
   expect("just a text", "camera_info.yaml:1: this is no camera calibration: there are no fields");

@@ -1,21 +1,15 @@
 #include "murosimf/components/matlab_calibration.h"
 
-#include <filesystem>
-#include <fstream>
-
 #include <gtest/gtest.h>
 
-#include "murosimf/model/error.h"
+#include "tests/components/calibration_file.h"
 #include "tests/law.h"
-#include "tests/temp_folder.h"
 
 namespace murosimf::components {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// As the toolbox saves it, with numbers of our own.
-const char* const good = R"(% Intrinsic and Extrinsic Camera Parameters
+const CalibrationFile calib_results{"Calib_Results.m", R"(% Intrinsic and Extrinsic Camera Parameters
 %
 % fc = [ 1 ; 1 ];   in a comment
 
@@ -39,40 +33,21 @@ nx = 640;
 ny = 480;
 
 %-- Various other variables (may be ignored if you do not use the Matlab Calibration Toolbox):
-n_ima = 1;)" "\t\t" R"(% Number of calibration images
+n_ima = 1;)"
+                                                       "\t\t"
+                                                       R"(% Number of calibration images
 est_dist = [ 1 ; 1 ; 1 ; 1 ; 0 ];
 
 omc_1 = [ NaN ; NaN ; NaN ];
-)";
-
-fs::path write(const std::string& text) {
-  const fs::path file = fixtures::temp_folder() / "Calib_Results.m";
-  std::ofstream(file) << text;
-  return file;
-}
-
-/// The file with one text in place of another.
-std::string with(const std::string& old, const std::string& replacement) {
-  std::string text = good;
-  const auto place = text.find(old);
-  EXPECT_NE(place, std::string::npos) << old;
-  return text.replace(place, old.size(), replacement);
-}
+)"};
 
 /// What reading says, without the name of the folder.
 std::string message(const std::string& text) {
-  try {
-    static_cast<void>(read_calibration(write(text)));
-  } catch (const SetupError& error) {
-    const std::string said = error.what();
-    const auto name = said.find("Calib_Results.m");
-    return name == std::string::npos ? said : said.substr(name);
-  }
-  return "nothing was thrown";
+  return calib_results.message(text, [](const std::filesystem::path& file) { return read_calibration(file); });
 }
 
 TEST(MatlabCalibration, IsReadAsTheToolboxWritesIt) {
-  const imaging::LensSpec lens = read_calibration(write(good)).lens;
+  const imaging::LensSpec lens = read_calibration(calib_results.write(calib_results.good)).lens;
   EXPECT_EQ(lens.model, "plumb_bob");
   EXPECT_EQ(lens.width, 640);
   EXPECT_EQ(lens.height, 480);
@@ -86,7 +61,7 @@ TEST(MatlabCalibration, IsReadAsTheToolboxWritesIt) {
 
 // The formulas of the toolbox's page, with its own letters.
 TEST(MatlabCalibration, SeesPointsWhereTheToolboxHasThem) {
-  const imaging::Lens lens(read_calib_results(write(good)).lens);
+  const imaging::Lens lens(read_calib_results(calib_results.write(calib_results.good)).lens);
   law::Worst error;
   for (const Vec3d& point : {Vec3d{0.3, -0.2, 1}, {-0.4, 0.3, 1.2}, {0.1, 0.35, 0.9}}) {
     const double x = point.x / point.z, y = point.y / point.z, r2 = x * x + y * y;
@@ -105,31 +80,39 @@ TEST(MatlabCalibration, SeesPointsWhereTheToolboxHasThem) {
 }
 
 TEST(MatlabCalibration, MayLackSkewAndTheLastCoefficient) {
-  std::string text = with("alpha_c = 0.004000000000000;\n", "");
+  std::string text = calib_results.with("alpha_c = 0.004000000000000;\n", "");
   text.replace(text.find(" ; +0.01"), 20, "");
-  const imaging::LensSpec lens = read_calibration(write(text)).lens;
+  const imaging::LensSpec lens = read_calibration(calib_results.write(text)).lens;
   EXPECT_EQ(lens.skew, 0);
   EXPECT_EQ(lens.coefficients.size(), 4U);
-  const auto spread = with("fc = [ 657.500000000000000 ; 658.250000000000000 ];", "fc=[657.5 % x\n 658.25] % y");
-  EXPECT_EQ(read_calibration(write(spread)).lens.fy, 658.25) << "without semicolons, over two lines";
+  const auto spread =
+      calib_results.with("fc = [ 657.500000000000000 ; 658.250000000000000 ];", "fc=[657.5 % x\n 658.25] % y");
+  EXPECT_EQ(read_calibration(calib_results.write(spread)).lens.fy, 658.25) << "without semicolons, over two lines";
 }
 
 TEST(MatlabCalibration, SaysInWhichLineItIsWrong) {
-  EXPECT_EQ(message(with("nx = 640;\n", "")), "Calib_Results.m: 'nx' is missing");
-  EXPECT_EQ(message(with("nx = 640", "nx = wide")), "Calib_Results.m:21: 'nx' must be finite numbers, not 'wide'");
-  EXPECT_EQ(message(with("nx = 640", "nx = 640.5")), "Calib_Results.m:21: 'nx' is 640.5; it must be a whole number");
-  EXPECT_EQ(message(with("ny = 480", "ny = 0")),
+  EXPECT_EQ(message(calib_results.with("nx = 640;\n", "")), "Calib_Results.m: 'nx' is missing");
+  EXPECT_EQ(message(calib_results.with("nx = 640", "nx = wide")),
+            "Calib_Results.m:21: 'nx' must be finite numbers, not 'wide'");
+  EXPECT_EQ(message(calib_results.with("nx = 640", "nx = 640.5")),
+            "Calib_Results.m:21: 'nx' is 640.5; it must be a whole number");
+  EXPECT_EQ(message(calib_results.with("ny = 480", "ny = 0")),
             "Calib_Results.m:22: the picture's height is 0; it must be 1 to 8192 pixels");
-  EXPECT_EQ(message(with("658.250000000000000", "NaN")), "Calib_Results.m:6: 'fc' must be finite numbers, not 'NaN'");
-  EXPECT_EQ(message(with("657.5", "-657.5")),
+  EXPECT_EQ(message(calib_results.with("658.250000000000000", "NaN")),
+            "Calib_Results.m:6: 'fc' must be finite numbers, not 'NaN'");
+  EXPECT_EQ(message(calib_results.with("657.5", "-657.5")),
             "Calib_Results.m:6: the focal length fx is -657.5; it must be above 0, in pixels");
-  EXPECT_EQ(message(with(" ; 242.500000000000000", "")), "Calib_Results.m:9: 'cc' has 1 numbers; it needs 2");
-  EXPECT_EQ(message(with("alpha_c = 0.004", "alpha_c = 1.004")).substr(0, 35), "Calib_Results.m:12: the skew is 660");
-  EXPECT_EQ(message(with(" ; 3.5e-05 ; +0.010000000000000", "")),
+  EXPECT_EQ(message(calib_results.with(" ; 242.500000000000000", "")),
+            "Calib_Results.m:9: 'cc' has 1 numbers; it needs 2");
+  EXPECT_EQ(message(calib_results.with("alpha_c = 0.004", "alpha_c = 1.004")).substr(0, 35),
+            "Calib_Results.m:12: the skew is 660");
+  EXPECT_EQ(message(calib_results.with(" ; 3.5e-05 ; +0.010000000000000", "")),
             "Calib_Results.m:15: 'kc' has 3 numbers; it needs 4 or 5");
-  EXPECT_EQ(message(with("3.5e-05", "3.5e-05x")), "Calib_Results.m:15: 'kc' must be finite numbers, not '3.5e-05x'");
-  EXPECT_EQ(message(with("+0.010000000000000 ]", "0")), "Calib_Results.m:15: the list has no end: ']' is missing");
-  EXPECT_EQ(message(std::string(good) + "nx = 320;\n"), "Calib_Results.m:29: 'nx' is there twice, first in line 21");
+  EXPECT_EQ(message(calib_results.with("3.5e-05", "3.5e-05x")),
+            "Calib_Results.m:15: 'kc' must be finite numbers, not '3.5e-05x'");
+  EXPECT_EQ(message(calib_results.with("+0.010000000000000 ]", "0")),
+            "Calib_Results.m:15: the list has no end: ']' is missing");
+  EXPECT_EQ(message(calib_results.good + "nx = 320;\n"), "Calib_Results.m:29: 'nx' is there twice, first in line 21");
   EXPECT_EQ(message(""), "Calib_Results.m: 'nx' is missing");
   EXPECT_THROW(static_cast<void>(read_calibration("/no/such/Calib_Results.m")), SetupError);
 }
