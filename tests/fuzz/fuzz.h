@@ -22,7 +22,7 @@ inline std::filesystem::path scratch_file(const std::string& extension) {
 /// Calls read(file) for a file with these bytes. A refusal must say something.
 template <class Read>
 void feed(const std::uint8_t* data, std::size_t size, const std::string& extension, const Read& read) {
-  static const std::filesystem::path file = scratch_file(extension);
+  const std::filesystem::path file = scratch_file(extension);
   std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   try {
     read(file);
