@@ -82,6 +82,13 @@ class Pack8 {
     }
     return bits != 0;
   }
+  friend bool all(const Mask& mask) {
+    std::int64_t bits = -1;
+    for (const auto& p : mask.part) {
+      for (int i = 0; i < register_lanes; ++i) bits &= p[i];
+    }
+    return bits != 0;
+  }
   friend Pack8 sqrt(const Pack8& a) {
     return each<Pack8>([&](int i) {
       Register root;

@@ -5,12 +5,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 
 #include "murosimf/model/time.h"
 
 namespace murosimf {
 
 class Entity;
+class LaneGroup;
 class Setup;
 class StateArchive;
 
@@ -61,6 +64,11 @@ class Algorithm {
 
   /// One step. Never throws: numbers that go bad freeze their entity instead.
   virtual void step(const Instant& instant) noexcept = 0;
+
+  /// Whether both may be members of one group that steps them in lanes (lane_group.h); asked before each is planned.
+  [[nodiscard]] virtual bool goes_with(const Algorithm&) const { return false; }
+  /// A group of these, up to eight of which each goes with this one, which is the first. They outlive it.
+  [[nodiscard]] virtual std::unique_ptr<LaneGroup> join(std::span<Algorithm* const> members) const;
 };
 
 }  // namespace murosimf

@@ -6,20 +6,16 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/motion/articulated_lanes.h"
 #include "murosimf/motion/coulomb_damping.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/gear_friction.h"
 
 namespace murosimf::motion {
-namespace {
-
-constexpr double fastest_joint = 1e4;   // [rad/s | m/s] beyond this the numbers have gone bad
-constexpr double farthest_joint = 1e4;  // [rad | m] sines lose their precision far beyond
-
-}  // namespace
 
 ArticulatedDynamics::ArticulatedDynamics(Setup& setup, const MovingTreeOptions& options, const std::string& servo_law)
     : tree_(setup, options, "articulated_dynamics"),
+      servo_law_(servo_law),
       drives_(setup, servo_law),
       couplings_(setup),
       joint_torque_(setup.write(properties::joint_torque)),
@@ -66,6 +62,19 @@ void ArticulatedDynamics::start_loads() {
   std::fill(felt_acceleration_.begin(), felt_acceleration_.end(), Twistd{{}, -tree_.gravity});
 }
 
+/// Wheels, play, heat and couplings have branches of their own in each robot.
+bool ArticulatedDynamics::goes_with(const Algorithm& other) const {
+  const auto* same = dynamic_cast<const ArticulatedDynamics*>(&other);
+  return same && tree_.goes_with(same->tree_) && servo_law_ == same->servo_law_ && couplings_.empty() &&
+         drives_.are_alike() && motor_torque_.empty() == same->motor_torque_.empty();
+}
+
+std::unique_ptr<LaneGroup> ArticulatedDynamics::join(std::span<Algorithm* const> members) const {
+  std::vector<ArticulatedDynamics*> levels;
+  for (Algorithm* member : members) levels.push_back(static_cast<ArticulatedDynamics*>(member));
+  return std::make_unique<ArticulatedLanes>(std::move(levels));
+}
+
 void ArticulatedDynamics::check_inertias() {
   const auto& links = tree_.columns.model.tree().links;
   std::vector<RigidInertia<double>> composite;
@@ -102,6 +111,11 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
       return settled;
     });
   }
+  end_step();
+}
+
+/// All that is left once the accelerations of the step stand.
+void ArticulatedDynamics::end_step() noexcept {
   if (!targets_sane_) return tree_.halt("a joint position or target is no sensible number");
   if (!accelerations_are_sane()) return tree_.halt(too_fast);
   report_torques();

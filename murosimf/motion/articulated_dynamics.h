@@ -31,8 +31,12 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void step(const Instant& instant) noexcept override;
   [[nodiscard]] Momentum hand_over() noexcept override { return tree_.hand_over(); }
   void take_over(const Momentum& momentum) override;
+  [[nodiscard]] bool goes_with(const Algorithm& other) const override;
+  [[nodiscard]] std::unique_ptr<LaneGroup> join(std::span<Algorithm* const> members) const override;
 
  private:
+  friend class ArticulatedLanes;
+
   [[nodiscard]] bool free_pass(double dt) noexcept override;
   [[nodiscard]] std::size_t coordinates() const noexcept override { return 5 + bodies_.size(); }
   [[nodiscard]] Vec3d free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept override;
@@ -41,6 +45,7 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void apply(std::span<const double> z) noexcept override;
 
   void step_rk4(double dt) noexcept;
+  void end_step() noexcept;
   void begin_step(double dt) noexcept;
   void drive_joints(double dt) noexcept;
   void recall_loads() noexcept;
@@ -62,6 +67,7 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void check_inertias();
 
   MovingTree tree_;
+  std::string servo_law_;
   JointDrives drives_;
   CouplingForces couplings_;
   std::span<double> joint_torque_;

@@ -50,6 +50,10 @@ class ContactTrials {
     }
   }
 
+  /// Whether the law agrees with the velocities of the last predict(). False if it has changed its mind: loads are others, and the
+  /// step must be repeated.
+  [[nodiscard]] bool accept() noexcept;
+
   /// The step is settled: memory of the law, and the forces that acted in the column, by the velocities of the last
   /// predict(). Does nothing if an island solver has done it already.
   void commit() noexcept;
@@ -57,9 +61,6 @@ class ContactTrials {
   void renew() noexcept { set_.solved = false; }
 
  private:
-  /// False if the law has changed its mind: loads are others, and the step must be repeated.
-  [[nodiscard]] bool accept() noexcept;
-
   collision::ContactSet& set_;
   collision::ContactSeam& seam_;
   std::span<const Vec3d> r_;  // [m] origins of the objects, world

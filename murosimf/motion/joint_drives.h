@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/math/pack.h"
 #include "murosimf/motion/backlash.h"
 #include "murosimf/motion/joint_stop.h"
 #include "murosimf/motion/passive_joint.h"
@@ -27,10 +28,13 @@
 
 namespace murosimf::motion {
 
-struct JointDrive {
-  double torque = 0;   ///< [N m | N]
-  double inertia = 0;  ///< [kg m^2 | kg] how fast the torque falls with the joint's acceleration
+template <class S>
+struct DriveOf {
+  S torque{};   ///< [N m | N]
+  S inertia{};  ///< [kg m^2 | kg] how fast the torque falls with the joint's acceleration
 };
+
+using JointDrive = DriveOf<double>;
 
 class JointDrives {
  public:
@@ -46,17 +50,25 @@ class JointDrives {
   /// Takes whole turns out of the positions [rad] of wheels (velocity_joints.h).
   void wrap(std::span<double> q) const noexcept { bus_.turning().wrap(q); }
 
+  /// Whether copies of the robot differ in numbers only: no wheels, and no servos with play or a temperature.
+  [[nodiscard]] bool are_alike() const noexcept { return remembering_.empty() && bus_.turning().joints().empty(); }
+
   /// What acts in a joint.
-  struct Answer {
-    double motor_torque = 0;             ///< [N m] of the motor, now
-    JointDrive motor;                    ///< of the motor alone
-    JointDrive servo;                    ///< motor and viscous friction of the gear, without rotor
-    JointDrive all;                      ///< with rotor, damper, spring, and the end of the range
+  template <class S>
+  struct AnswerOf {
+    S motor_torque{};                    ///< [N m] of the motor, now
+    DriveOf<S> motor;                    ///< of the motor alone
+    DriveOf<S> servo;                    ///< motor and viscous friction of the gear, without rotor
+    DriveOf<S> all;                      ///< with rotor, damper, spring, and the end of the range
     const GearFriction* gear = nullptr;  ///< dry friction of the servo; null: none
     double coulomb = 0;                  ///< [N m | N] dry friction of the joint itself
   };
+  using Answer = AnswerOf<double>;
   /// Joint `i` (an object of the model), for a step of `dt` [s].
   [[nodiscard]] Answer drive(int i, double q, double qd, double dt) const noexcept;
+  /// The same for robots that are alike, each in the lane of its place in `robots`.
+  [[nodiscard]] static AnswerOf<Pack8> drive(std::span<const JointDrives* const> robots, int i, const Pack8& q,
+                                             const Pack8& qd, double dt) noexcept;
   /// The inertia [kg m^2 | kg] that always turns with the joint, besides links.
   [[nodiscard]] double firm_inertia(int i) const noexcept { return backlash_.at(i) ? 0 : joints_[i].rotor; }
 

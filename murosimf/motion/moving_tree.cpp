@@ -58,6 +58,7 @@ void MovingTree::take_over(const Momentum& momentum) {
 }
 
 Momentum MovingTree::hand_over() noexcept {
+  take_links_back();
   contacts.answer_by(nullptr);
   return momentum();
 }
@@ -70,8 +71,18 @@ void MovingTree::state(StateArchive& archive) {
   changed ? written_.forget() : written_.remember(columns);
 }
 
+bool MovingTree::goes_with(const MovingTree& other) const noexcept {
+  return &columns.model == &other.columns.model && options_ == other.options_ && !options_.fixed_base &&
+         options_.integrator == Integrator::semi_implicit_euler;
+}
+
+/// Lanes leave the tree's own links as they were.
+void MovingTree::take_links_back() noexcept {
+  if (lanes_) update_links();
+}
+
 void MovingTree::take_changes() noexcept {
-  if (!written_.differs(columns)) return;
+  if (!written_.differs(columns)) return take_links_back();
   columns.R[0] = to_matrix(columns.Q[0]);
   if (options_.fixed_base) columns.v[0] = columns.w[0] = {};
   refresh();
@@ -85,6 +96,7 @@ void MovingTree::refresh() noexcept {
 }
 
 void MovingTree::update_links() noexcept {
+  lanes_ = nullptr;
   multibody::link_motions<double>(columns.model.tree(), columns.r, columns.R, columns.w[0], columns.qd, links);
   whole_ = multibody::composite_inertia<double>(links);
   const Vec3d c = (1 / whole_.mass) * whole_.first;
@@ -122,7 +134,7 @@ Twistd MovingTree::base_change(std::span<const double> z, double dt) const noexc
 bool MovingTree::advance_base(const Twistd& acceleration, double dt) noexcept {
   wanted_momentum_.reset();
   if (options_.fixed_base) return true;
-  if (options_.momentum_correction && in_flight()) wanted_momentum_ = momentum_after(dt);
+  if (is_in_flight()) wanted_momentum_ = momentum_after(dt);
   multibody::FreeBody<double> next = base();
   multibody::advance(next, {acceleration.w, acceleration.v + gravity}, dt);
   if (wanted_momentum_) {
@@ -146,8 +158,8 @@ void MovingTree::place_base(const multibody::FreeBody<double>& base) noexcept {
   columns.R[0] = to_matrix(base.turn);
 }
 
-bool MovingTree::in_flight() const noexcept {
-  return contacts.none() &&
+bool MovingTree::is_in_flight() const noexcept {
+  return options_.momentum_correction && contacts.none() &&
          std::all_of(external_damping.begin(), external_damping.end(), [](const Sym6d& d) { return is_zero(d); });
 }
 

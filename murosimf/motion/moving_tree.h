@@ -34,13 +34,21 @@
 
 namespace murosimf::motion {
 
+class TreeLanes;
+
 struct MovingTreeOptions {
+  friend bool operator==(const MovingTreeOptions&, const MovingTreeOptions&) = default;
   Integrator integrator = Integrator::semi_implicit_euler;
   bool fixed_base = false;          ///< the base is bolted to the world
   bool momentum_correction = true;  ///< in flight
 };
 
 class MovingTree {
+  struct OwnLinks {
+    std::span<const multibody::LinkMotion<double>> rows;
+    const auto& operator()(int link) const { return rows[static_cast<std::size_t>(link)]; }
+  };
+
  public:
   /// Throws SetupError if the model has no mass; `level` is for the message.
   MovingTree(Setup& setup, const MovingTreeOptions& options, std::string_view level);
@@ -57,13 +65,21 @@ class MovingTree {
   void take_changes() noexcept;
 
   /// Calls add(link, force, damping) for every body that feels anything: Wrenchd [N m, N] at a' = 0 and Sym6d h D, both
-  /// about O.
+  /// about O. motion_of(link) has `velocity` and `bias` of a link, as its LinkMotion does.
+  template <class MotionOf, class Add>
+  void for_loads(double dt, const MotionOf& motion_of, const Add& add) const noexcept;
   template <class Add>
-  void for_loads(double dt, const Add& add) const noexcept;
+  void for_loads(double dt, const Add& add) const noexcept {
+    for_loads(dt, OwnLinks{links}, add);
+  }
 
   /// Velocities of the contact points after the step; acceleration_of(link) is a' of a link.
+  template <class MotionOf, class Acceleration>
+  void predict_contacts(double dt, const MotionOf& motion_of, const Acceleration& acceleration_of) noexcept;
   template <class Acceleration>
-  void predict_contacts(double dt, const Acceleration& acceleration_of) noexcept;
+  void predict_contacts(double dt, const Acceleration& acceleration_of) noexcept {
+    predict_contacts(dt, OwnLinks{links}, acceleration_of);
+  }
 
   /// a'_0 of the base for the force [N m, N] about O that is left for `inertia`; zero acceleration if it is fixed.
   [[nodiscard]] Twistd base_acceleration(const Sym6d& inertia, const Wrenchd& force) noexcept;
@@ -82,7 +98,9 @@ class MovingTree {
 
   /// Velocity [m/s] after the step of a body's point [m] that has `velocity` now, for a' = `acceleration` of its link.
   [[nodiscard]] Vec3d next_velocity(int object, const Vec3d& point, const Vec3d& velocity, const Twistd& acceleration,
-                                    double dt) const noexcept;
+                                    double dt) const noexcept {
+    return next_velocity(object, point, velocity, OwnLinks{links}, acceleration, dt);
+  }
 
   /// The base after the step, by its a'. False, and nothing changed, if that is no sensible number.
   [[nodiscard]] bool advance_base(const Twistd& acceleration, double dt) noexcept;
@@ -90,6 +108,8 @@ class MovingTree {
   /// returns a'_0 and has qdd(joint object) ready. False if the state is no sensible number.
   template <class Solve, class JointAcceleration>
   [[nodiscard]] bool advance_rk4(double dt, const Solve& solve, const JointAcceleration& qdd) noexcept;
+  /// Its momentum is to be kept: nothing holds it, and it is corrected in flight.
+  [[nodiscard]] bool is_in_flight() const noexcept;
   [[nodiscard]] bool is_free() const { return !options_.fixed_base; }
   [[nodiscard]] Integrator integrator() const { return options_.integrator; }
   /// Of all links, about O.
@@ -97,6 +117,9 @@ class MovingTree {
   /// To be called last in a step: poses, velocities, links, common mass.
   void finish_step() noexcept;
   void halt(const char* reason) noexcept;
+
+  /// Whether both trees may step in lanes (tree_lanes.h): copies of one model, free, and stepped in the same way.
+  [[nodiscard]] bool goes_with(const MovingTree& other) const noexcept;
 
   PoseColumns columns;
   std::vector<multibody::LinkMotion<double>> links;
@@ -106,12 +129,18 @@ class MovingTree {
   const Vec3d gravity;  // [m/s^2]
 
  private:
+  friend TreeLanes;
+
   struct CenterMotion : Momentum {
     Vec3d center;  // [m] common center of mass
   };
   void check_inertia() const;
-  [[nodiscard]] Vec3d reference_acceleration(int object, const Twistd& extra, Vec3d& alpha) const noexcept;
-  [[nodiscard]] bool in_flight() const noexcept;
+  template <class MotionOf>
+  [[nodiscard]] Vec3d reference_acceleration(int object, const MotionOf& motion_of, const Twistd& extra,
+                                             Vec3d& alpha) const noexcept;
+  template <class MotionOf>
+  [[nodiscard]] Vec3d next_velocity(int object, const Vec3d& point, const Vec3d& velocity, const MotionOf& motion_of,
+                                    const Twistd& acceleration, double dt) const noexcept;
   [[nodiscard]] CenterMotion momentum() const noexcept;
   [[nodiscard]] CenterMotion momentum_after(double dt) const noexcept;
   void correct_momentum(const CenterMotion& wanted) noexcept;
@@ -119,6 +148,7 @@ class MovingTree {
   void place_base(const multibody::FreeBody<double>& base) noexcept;
   void refresh() noexcept;
   void update_links() noexcept;
+  void take_links_back() noexcept;
 
   Entity& entity_;
   MovingTreeOptions options_;
@@ -130,9 +160,10 @@ class MovingTree {
   double& dynamic_;
   RungeKutta4 runge_kutta_;
   std::vector<double> start_row_;
-  std::vector<double> row_;     // the state while Runge-Kutta works on it
-  WrittenState written_;        // when poses, velocities and links were last worked out
-  RigidInertia<double> whole_;  // of the links
+  std::vector<double> row_;           // the state while Runge-Kutta works on it
+  const TreeLanes* lanes_ = nullptr;  // that have worked out the links of the present state; null: they are here
+  WrittenState written_;              // when poses, velocities and links were last worked out
+  RigidInertia<double> whole_;        // of the links
   Sym6d base_inertia_;
   std::optional<Cholesky6<double>> factor_;      // of it, for responses
   std::optional<CenterMotion> wanted_momentum_;  // after the present step, in flight
@@ -141,16 +172,18 @@ class MovingTree {
 // ---- definitions ----
 
 /// Acceleration [m/s^2] of a body's origin and its angular acceleration for a' = `extra` of its link.
-inline Vec3d MovingTree::reference_acceleration(int object, const Twistd& extra, Vec3d& alpha) const noexcept {
-  const auto& link = links[columns.model.tree().link_of[object]];
+template <class MotionOf>
+Vec3d MovingTree::reference_acceleration(int object, const MotionOf& motion_of, const Twistd& extra,
+                                         Vec3d& alpha) const noexcept {
+  const auto& link = motion_of(columns.model.tree().link_of[object]);
   const Vec3d d = columns.r[object] - columns.r[0];
   const auto& [w, v] = link.velocity;
   alpha = link.bias.w + extra.w;
   return link.bias.v + gravity + extra.v + cross(alpha, d) + cross(w, v + cross(w, d));
 }
 
-template <class Add>
-void MovingTree::for_loads(double dt, const Add& add) const noexcept {
+template <class MotionOf, class Add>
+void MovingTree::for_loads(double dt, const MotionOf& motion_of, const Add& add) const noexcept {
   for (const int object : columns.model.bodies()) {
     const bool damped = !is_zero(external_damping[object]);
     if (!damped && is_zero(external_force[object])) continue;
@@ -160,7 +193,7 @@ void MovingTree::for_loads(double dt, const Add& add) const noexcept {
     if (damped) {
       damping = dt * external_damping[object];
       Twistd a;
-      a.v = reference_acceleration(object, {}, a.w);
+      a.v = reference_acceleration(object, motion_of, {}, a.w);
       force -= damping * a;
       damping = moved(damping, to_base);
     }
@@ -168,18 +201,19 @@ void MovingTree::for_loads(double dt, const Add& add) const noexcept {
   }
 }
 
-inline Vec3d MovingTree::next_velocity(int object, const Vec3d& point, const Vec3d& velocity,
-                                       const Twistd& acceleration, double dt) const noexcept {
+template <class MotionOf>
+Vec3d MovingTree::next_velocity(int object, const Vec3d& point, const Vec3d& velocity, const MotionOf& motion_of,
+                                const Twistd& acceleration, double dt) const noexcept {
   Vec3d alpha;
-  const Vec3d a = reference_acceleration(object, acceleration, alpha);
+  const Vec3d a = reference_acceleration(object, motion_of, acceleration, alpha);
   return velocity + dt * (a + cross(alpha, point - columns.r[object]));
 }
 
-template <class Acceleration>
-void MovingTree::predict_contacts(double dt, const Acceleration& acceleration_of) noexcept {
+template <class MotionOf, class Acceleration>
+void MovingTree::predict_contacts(double dt, const MotionOf& motion_of, const Acceleration& acceleration_of) noexcept {
   contacts.predict([&](const collision::ContactPoint& c) {
     const Twistd& a = acceleration_of(columns.model.tree().link_of[c.object]);
-    return next_velocity(c.object, c.point, c.velocity, a, dt);
+    return next_velocity(c.object, c.point, c.velocity, motion_of, a, dt);
   });
 }
 

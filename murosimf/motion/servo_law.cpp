@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/lanes.h"
 #include "murosimf/model/error.h"
 #include "murosimf/multibody/gear_friction.h"
 
@@ -28,6 +29,7 @@ class IdealPd final : public ServoLaw {
         by_rate_(follows_rate(servo)),
         limit_(servo.stall_torque > 0 ? servo.stall_torque : std::numeric_limits<double>::infinity()) {}
 
+  using ServoLaw::torque;
   [[nodiscard]] MotorTorque torque(const MotorInput& in, double dt) const noexcept override {
     if (in.enabled == 0) return {};
     const double kp = servo_.position_gain, kd = servo_.velocity_gain;
@@ -59,6 +61,10 @@ class DcMotor final : public ServoLaw {
   [[nodiscard]] MotorTorque torque(const MotorInput& in, double dt) const noexcept override {
     return multibody::motor_torque(motor_, in, dt);
   }
+  [[nodiscard]] multibody::MotorTorque<Pack8> torque(const multibody::MotorInput<Pack8>& in,
+                                                     double dt) const noexcept override {
+    return multibody::motor_torque(motor_, in, dt);
+  }
   [[nodiscard]] double available(double qd, double direction) const noexcept override {
     return behind_gear(servo_, std::min(motor_.torque_limit, motor_.most - direction * motor_.line * qd), qd);
   }
@@ -80,6 +86,14 @@ constexpr std::array entries{
 };
 
 }  // namespace
+
+multibody::MotorTorque<Pack8> ServoLaw::torque(const multibody::MotorInput<Pack8>& input, double dt) const noexcept {
+  multibody::MotorTorque<Pack8> result;
+  for (int lane = 0; lane < Pack8::lanes; ++lane) {
+    set_lane(result, lane, torque(lane_of(input, lane), dt));
+  }
+  return result;
+}
 
 bool follows_rate(const Servo& servo) {
   return servo.law == "ideal_pd" && servo.position_gain == 0 && servo.velocity_gain > 0;

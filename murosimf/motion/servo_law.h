@@ -23,6 +23,7 @@
 #include <span>
 #include <string_view>
 
+#include "murosimf/math/pack.h"
 #include "murosimf/multibody/servo_motor.h"
 
 namespace murosimf::motion {
@@ -37,6 +38,9 @@ class ServoLaw {
   /// At the beginning of a step of `dt` [s]; the target is a rate [rad/s] if the servo follows one. Rotor inertia and
   /// friction are not in the answer.
   [[nodiscard]] virtual MotorTorque torque(const MotorInput& input, double dt) const noexcept = 0;
+  /// The same for eight servos with the numbers of this one, each in its lane, with the same bits.
+  [[nodiscard]] virtual multibody::MotorTorque<Pack8> torque(const multibody::MotorInput<Pack8>& input,
+                                                             double dt) const noexcept;
   /// Largest torque [N m] that the servo can give to a joint that it drives, friction of its gear taken off, in the direction of `direction` (+1 or -1) at rate `qd` [rad/s].
   [[nodiscard]] virtual double available(double qd, double direction) const noexcept = 0;
 };

@@ -1,6 +1,7 @@
 #include "murosimf/runtime/simulation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -129,7 +130,9 @@ void Simulation::step() {
   make_timed_calls();
   queue_.carry_out(now_);
   take_over_frozen();
-  for (const Wave& wave : plan_.due(ticks_)) run_wave(wave);
+  const std::vector<Wave>& waves = plan_.due(ticks_);
+  const auto& jobs = lane_jobs_.of(waves);
+  for (std::size_t i = 0; i < waves.size(); ++i) run_wave(waves[i], jobs[i]);
   if constexpr (checked) checks_.after_tick();
   now_ += plan_.tick();
   ++ticks_;
@@ -137,9 +140,9 @@ void Simulation::step() {
   poses_.publish(*world_, now_, ticks_);
 }
 
-void Simulation::run_wave(const Wave& wave) {
+void Simulation::run_wave(const Wave& wave, const std::vector<Job>& jobs) {
   if constexpr (checked) checks_.before_wave(*world_, ticks_);
-  pool_.for_each(wave.size(), [&](std::size_t i) { execute(*tasks_[wave[i]]); });
+  pool_.for_each(jobs.size(), [&](std::size_t i) { execute(jobs[i]); });
   if constexpr (checked) {
     std::vector<const AccessSet*> access;
     for (const std::size_t task : wave) access.push_back(&tasks_[task]->access);
@@ -164,6 +167,7 @@ void Simulation::check_and_plan() {
   }
   check_every_read_is_written(named);
   plan_ = Plan(planned, now_);
+  lane_jobs_ = plan_lanes();
   ticks_ = now_ / plan_.tick();
   planned_at_ = now_;
 }
@@ -200,6 +204,21 @@ void Simulation::follow_own_steps(Task& task, Setup& setup) {
 
 std::string Simulation::full_name(const Task& task) { return fmt::format("{} of {}", task.name, task.entity->name()); }
 
+void Simulation::use_lanes(bool use) {
+  use_lanes_ = use;
+  if (initialized_) lane_jobs_ = plan_lanes();
+}
+
+/// Who makes steps of its own length is due when the others are not.
+LaneJobs Simulation::plan_lanes() const {
+  std::vector<LaneJobs::Member> members;
+  for (const auto& task : tasks_) {
+    const bool alone = !use_lanes_ || task->step_ratio;
+    members.push_back({alone ? nullptr : task->algorithm.get(), task->period});
+  }
+  return {std::move(members), pool_.threads()};
+}
+
 void Simulation::execute(Task& task) noexcept {
   if (task.idle) return;
   const std::int64_t steps = task.step_ratio ? std::lround(*task.step_ratio) : 1;
@@ -208,14 +227,39 @@ void Simulation::execute(Task& task) noexcept {
 #ifndef NDEBUG
   const AccessGuard guard(task.access);
 #endif
-  const Instant instant{now_, period};
-  const std::int64_t call = task.calls++;
-  if (call >= all_timed && call % timed_every != 0) return task.algorithm->step(instant);
+  Task* const alone = &task;
+  take_time({&alone, 1}, [&] { task.algorithm->step({now_, period}); });
+}
+
+void Simulation::execute(const Job& job) noexcept {
+  if (!job.lanes) return execute(*tasks_[job.algorithms.front()]);
+  std::array<Task*, Pack8::lanes> due{};
+  std::size_t count = 0;
+  LaneMask lanes = 0;
+  for (std::size_t i = 0; i < job.algorithms.size(); ++i) {
+    Task& task = *tasks_[job.algorithms[i]];
+    if (task.idle) continue;
+    due[count++] = &task;
+    lanes |= lane_bit(static_cast<int>(i));
+  }
+  if (count == 0) return;
+  take_time({due.data(), count}, [&] { job.lanes->step(lanes, {now_, due[0]->period}); });
+}
+
+/// Executes a step of these tasks, and shares its time out among them.
+template <class Step>
+void Simulation::take_time(std::span<Task* const> tasks, const Step& step) noexcept {
+  const std::int64_t call = tasks.front()->calls;
+  for (Task* task : tasks) ++task->calls;
+  if (call >= all_timed && call % timed_every != 0) return step();
   const auto start = WallClock::now();
-  task.algorithm->step(instant);
+  step();
   const std::int64_t stands_for = call < all_timed ? 1 : timed_every;  // the first call is dear, and happens once
-  task.time += stands_for * (WallClock::now() - start);
-  task.timed_calls += stands_for;
+  const auto time = stands_for * (WallClock::now() - start) / static_cast<std::int64_t>(tasks.size());
+  for (Task* task : tasks) {
+    task->time += time;
+    task->timed_calls += stands_for;
+  }
 }
 
 void Simulation::take_over_idle() {

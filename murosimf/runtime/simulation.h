@@ -31,6 +31,7 @@
 #include "murosimf/model/setup.h"
 #include "murosimf/model/world.h"
 #include "murosimf/runtime/command_queue.h"
+#include "murosimf/runtime/lane_jobs.h"
 #include "murosimf/runtime/pacer.h"
 #include "murosimf/runtime/plan.h"
 #include "murosimf/runtime/pose_feed.h"
@@ -177,6 +178,8 @@ class Simulation {
   [[nodiscard]] Duration now() const { return now_; }
   [[nodiscard]] Duration tick() const { return plan_.tick(); }
   [[nodiscard]] int threads() const { return pool_.threads(); }
+  /// Whether equal robots step together in lanes (lane_jobs.h), as they do unless told otherwise. Only how long it takes depends on it.
+  void use_lanes(bool use);
   [[nodiscard]] std::uint64_t state_hash() const { return world_->state_hash(); }
 
   /// Everything that decides how it goes on, between two steps: all columns, sensors' memory and readings, pictures on their way,
@@ -237,7 +240,7 @@ class Simulation {
   void check_and_plan();
   void align_plan();
   void restart_checks();
-  void run_wave(const Wave& wave);
+  void run_wave(const Wave& wave, const std::vector<Job>& jobs);
   void make_timed_calls();
   void make(const TimedCall& call);
   void start();
@@ -251,7 +254,11 @@ class Simulation {
   static void keep_memory(Task& task);
   static void recall_first(Task& task);
   void state(StateArchive& archive);
+  [[nodiscard]] LaneJobs plan_lanes() const;
   void execute(Task& task) noexcept;
+  void execute(const Job& job) noexcept;
+  template <class Step>
+  void take_time(std::span<Task* const> tasks, const Step& step) noexcept;
   void take_over_frozen();
   void take_over_idle();
   void start_again(Entity& entity, const std::function<void(Entity&)>& prepare);
@@ -271,6 +278,8 @@ class Simulation {
   CommandQueue queue_;
   PoseFeed poses_;
   Plan plan_;
+  LaneJobs lane_jobs_;  // of the plan
+  bool use_lanes_ = true;
   Duration planned_at_{};
   StepChecks checks_;  // used in debug builds only
   ThreadPool pool_;

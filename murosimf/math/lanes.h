@@ -1,0 +1,77 @@
+/// lanes.h - the numbers of up to eight equal things, each in its own lane of packs, and back again.
+///
+/// Numbers of one thing stand in a row of doubles; the same numbers of eight things are a row of packs of the same length. A
+/// structure T<S> of nothing but numbers is such a row: T<double> has as many doubles as T<Pack8> has packs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "murosimf/math/pack.h"
+
+namespace murosimf {
+
+/// Lanes of a pack, one bit each: bit i is lane i.
+using LaneMask = std::uint32_t;
+
+[[nodiscard]] constexpr bool has_lane(LaneMask mask, int lane) { return (mask >> lane & 1U) != 0; }
+[[nodiscard]] constexpr LaneMask lane_bit(int lane) { return LaneMask{1} << lane; }
+
+/// Calls visit(lane) for each lane of the mask, in their order.
+template <class Visit>
+void for_lanes(LaneMask mask, const Visit& visit) {
+  for (int lane = 0; mask >> lane != 0; ++lane) {
+    if (has_lane(mask, lane)) visit(lane);
+  }
+}
+
+/// 1.0 in the lanes of the mask, 0.0 in the others.
+[[nodiscard]] inline Pack8 ones_in(LaneMask mask) {
+  Pack8 ones = 0.0;
+  for_lanes(mask, [&](int lane) { ones.set_lane(lane, 1.0); });
+  return ones;
+}
+
+/// The same row of numbers of each thing, by lane.
+template <class Number>
+using LaneRows = std::array<Number*, Pack8::lanes>;
+
+/// to[k] gets from[lane][k] in each lane, for `count` numbers.
+inline void gather(const LaneRows<const double>& from, std::size_t count, Pack8* to) {
+  auto* numbers = reinterpret_cast<double*>(to);
+  for (std::size_t k = 0; k < count; ++k, numbers += Pack8::lanes) {
+    for (std::size_t lane = 0; lane < from.size(); ++lane) numbers[lane] = from[lane][k];
+  }
+}
+
+/// to[lane][k] gets that lane of from[k], for `count` numbers.
+inline void scatter(const Pack8* from, std::size_t count, const LaneRows<double>& to) {
+  const auto* numbers = reinterpret_cast<const double*>(from);
+  for (std::size_t k = 0; k < count; ++k, numbers += Pack8::lanes) {
+    for (std::size_t lane = 0; lane < to.size(); ++lane) to[lane][k] = numbers[lane];
+  }
+}
+
+template <template <class> class T>
+inline constexpr std::size_t numbers_of = sizeof(T<double>) / sizeof(double);
+
+/// One lane of a structure of numbers.
+template <template <class> class T>
+void set_lane(T<Pack8>& to, int lane, const T<double>& from) {
+  static_assert(sizeof(T<Pack8>) == numbers_of<T> * sizeof(Pack8), "nothing but numbers");
+  auto* packs = reinterpret_cast<double*>(&to) + lane;
+  const auto* numbers = reinterpret_cast<const double*>(&from);
+  for (std::size_t k = 0; k < numbers_of<T>; ++k) packs[k * Pack8::lanes] = numbers[k];
+}
+
+template <template <class> class T>
+[[nodiscard]] T<double> lane_of(const T<Pack8>& from, int lane) {
+  static_assert(sizeof(T<Pack8>) == numbers_of<T> * sizeof(Pack8), "nothing but numbers");
+  T<double> result;
+  const auto* packs = reinterpret_cast<const double*>(&from) + lane;
+  auto* numbers = reinterpret_cast<double*>(&result);
+  for (std::size_t k = 0; k < numbers_of<T>; ++k) numbers[k] = packs[k * Pack8::lanes];
+  return result;
+}
+
+}  // namespace murosimf

@@ -1,0 +1,20 @@
+/// lane_group.h - algorithms of one kind that step together, each in its own lane of packs (math/pack.h).
+///
+/// Eight equal robots cost little more than one if one kernel steps them all. The scheduler joins algorithms that may run at the
+/// same time, have the same rate, and say that they go together (Algorithm::goes_with).
+#pragma once
+
+#include "murosimf/math/lanes.h"
+#include "murosimf/model/algorithm.h"
+
+namespace murosimf {
+
+class LaneGroup {
+ public:
+  virtual ~LaneGroup() = default;
+  /// One step of the members in `due`, by their numbers; bit for bit what Algorithm::step() would make of each. The others are left
+  /// alone.
+  virtual void step(LaneMask due, const Instant& instant) noexcept = 0;
+};
+
+}  // namespace murosimf

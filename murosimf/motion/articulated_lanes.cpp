@@ -1,0 +1,267 @@
+#include "murosimf/motion/articulated_lanes.h"
+
+#include <bit>
+
+namespace murosimf::motion {
+namespace {
+
+/// With fewer robots, one after the other is faster.
+constexpr int fewest = Pack8::registers + 1;
+
+constexpr double minus_zero = -0.0;  // x + -0 has the bits of x, also for x = 0 and -0
+
+/// A body that a pack counts as loaded because some of its lanes are: what the others have is as if nothing were there.
+void fill_unloaded(multibody::ArticulatedLink<Pack8>& body, bool leaf) {
+  const Pack8 none = minus_zero;
+  const Vec3<Pack8> no_vector{none, none, none};
+  body.force = {no_vector, no_vector};
+  body.inertia = {{none, none, none, none, none, none},
+                  {no_vector, no_vector, no_vector},
+                  {none, none, none, none, none, none}};
+  body.loaded = true;
+  if (!leaf) return;
+  // where a rigid body's inertia is 0, a link without children has exactly that
+  body.inertia.H.x.x = body.inertia.H.y.y = body.inertia.H.z.z = 0.0;
+  body.inertia.M.xy = body.inertia.M.xz = body.inertia.M.yz = 0.0;
+}
+
+}  // namespace
+
+ArticulatedLanes::ArticulatedLanes(std::vector<ArticulatedDynamics*> members)
+    : members_(std::move(members)),
+      trees_([&] {
+        std::vector<MovingTree*> trees;
+        for (ArticulatedDynamics* member : members_) trees.push_back(&member->tree_);
+        return trees;
+      }()),
+      leaf_(trees_.links.size(), true),
+      drives_(trees_.links.size()),
+      friction_(trees_.links.size()),
+      bodies_(trees_.links.size()),
+      outcome_(trees_.links.size()) {
+  for (const ArticulatedDynamics* member : members_) robots_.push_back(&member->drives_);
+  for (const Link& link : trees_.structure.links) {
+    if (link.parent >= 0) leaf_[static_cast<std::size_t>(link.parent)] = false;
+  }
+}
+
+void ArticulatedLanes::step(LaneMask due, const Instant& instant) noexcept {
+  LaneMask lanes = 0;
+  for_lanes(due, [&](int lane) {
+    if (!member(lane).tree_.contacts.solved()) lanes |= lane_bit(lane);
+  });
+  if (std::popcount(lanes) < fewest) lanes = 0;
+  for_lanes(due & ~lanes, [&](int lane) { member(lane).step(instant); });
+  if (lanes == 0) return;
+  dt_ = seconds(instant.period);
+  for_lanes(lanes, [&](int lane) { begin(lane); });
+  drive_joints();
+  settle(lanes);
+  end(lanes);
+}
+
+void ArticulatedLanes::begin(int lane) noexcept {
+  ArticulatedDynamics& robot = member(lane);
+  trees_.take(lane);
+  robot.dt_ = dt_;
+  robot.targets_sane_ = robot.drives_.take_targets(dt_);
+  const auto& links = trees_.structure.links;
+  for (std::size_t l = 0; l < links.size(); ++l) {
+    set_lane(bodies_[l].acceleration, lane, robot.felt_acceleration_[links[l].object]);
+    friction_[l].load.set_lane(lane, robot.joint_load_[links[l].object]);
+  }
+}
+
+void ArticulatedLanes::drive_joints() noexcept {
+  const auto& links = trees_.structure.links;
+  for (std::size_t l = 1; l < links.size(); ++l) {
+    const auto i = static_cast<std::size_t>(links[l].object);
+    drives_[l] = JointDrives::drive(robots_, links[l].object, trees_.q[i], trees_.qd[i], dt_);
+    auto& joint = friction_[l];
+    joint.gear = drives_[l].gear;
+    joint.coulomb = drives_[l].coulomb;
+    joint.rate = trees_.qd[i];
+    joint.motor_torque = drives_[l].motor_torque;
+    joint.torque = drives_[l].all.torque;
+    joint.inertia = drives_[l].all.inertia;
+  }
+}
+
+/// ContactTrials::settle, in all lanes at once.
+void ArticulatedLanes::settle(LaneMask lanes) noexcept {
+  LaneMask open = lanes;
+  auto loads = multibody::Loads::of_last_pass;
+  for (int passes_left = collision::max_passes - 1;; --passes_left) {
+    gather_loads(open);
+    const bool some_are_settled = open != lanes;
+    if (some_are_settled) keep_outcomes();
+    const Pack8 wrong = pass(loads);
+    if (some_are_settled) recall_outcomes(open);
+    for_lanes(open, [&](int lane) {
+      predict_contacts(lane);
+      if (passes_left > 0 && member(lane).tree_.contacts.accept() && wrong.lane(lane) == 0) open &= ~lane_bit(lane);
+    });
+    if (passes_left == 0 || open == 0) return;
+    loads = multibody::Loads::of_repeated_pass;
+  }
+}
+
+void ArticulatedLanes::gather_loads(LaneMask lanes) noexcept {
+  multibody::clear_loads<Pack8>(bodies_);
+  for_lanes(lanes, [&](int lane) {
+    const auto motion_of = [&](int link) { return trees_.motion(lane, static_cast<std::size_t>(link)); };
+    loaded_links_.clear();
+    member(lane).tree_.for_loads(dt_, motion_of, [&](int link, const Wrenchd& force, const Sym6d& damping) {
+      add_load(static_cast<std::size_t>(link), lane, force, damping);
+    });
+  });
+}
+
+/// Bit for bit multibody::add_load of one robot.
+void ArticulatedLanes::add_load(std::size_t link, int lane, const Wrenchd& force, const Sym6d& damping) noexcept {
+  auto& body = bodies_[link];
+  if (!body.loaded) fill_unloaded(body, leaf_[link]);
+  const bool first = std::find(loaded_links_.begin(), loaded_links_.end(), link) == loaded_links_.end();
+  if (first) loaded_links_.push_back(link);
+  Sym6d inertia = first ? Sym6d{} : lane_of(body.inertia, lane);
+  Wrenchd left = first ? Wrenchd{} : lane_of(body.force, lane);
+  inertia += damping;
+  left -= force;
+  set_lane(body.inertia, lane, inertia);
+  set_lane(body.force, lane, left);
+}
+
+/// A trial step. Returns how many joints of each robot have been decided wrongly.
+Pack8 ArticulatedLanes::pass(multibody::Loads loads) noexcept {
+  const Tree& tree = trees_.structure;
+  multibody::sweep_with_friction<Pack8>(tree, trees_.links, bodies_, friction_, loads, dt_);
+  const Twist<Pack8> base = solve(bodies_[0].inertia, -1.0 * bodies_[0].force);
+  return multibody::accelerate_with_friction<Pack8>(tree, trees_.links, bodies_, friction_, base);
+}
+
+void ArticulatedLanes::predict_contacts(int lane) noexcept {
+  const auto motion_of = [&](int link) { return trees_.motion(lane, static_cast<std::size_t>(link)); };
+  const auto acceleration_of = [&](int link) {
+    return lane_of(bodies_[static_cast<std::size_t>(link)].acceleration, lane);
+  };
+  member(lane).tree_.predict_contacts(dt_, motion_of, acceleration_of);
+}
+
+void ArticulatedLanes::keep_outcomes() noexcept {
+  for (std::size_t l = 0; l < bodies_.size(); ++l) {
+    const auto& joint = friction_[l];
+    outcome_[l] = {bodies_[l].acceleration, bodies_[l].joint_acceleration, joint.load, joint.drive, joint.budget,
+                   joint.direction};
+  }
+}
+
+/// Lanes that are settled have what they had.
+void ArticulatedLanes::recall_outcomes(LaneMask open) noexcept {
+  const auto is_open = ones_in(open) == Pack8(1.0);
+  const auto choose = [&](Pack8& now, const Pack8& kept) { now = select(is_open, now, kept); };
+  for (std::size_t l = 0; l < bodies_.size(); ++l) {
+    const Outcome<Pack8>& kept = outcome_[l];
+    Twist<Pack8>& a = bodies_[l].acceleration;
+    choose(a.w.x, kept.acceleration.w.x), choose(a.w.y, kept.acceleration.w.y), choose(a.w.z, kept.acceleration.w.z);
+    choose(a.v.x, kept.acceleration.v.x), choose(a.v.y, kept.acceleration.v.y), choose(a.v.z, kept.acceleration.v.z);
+    choose(bodies_[l].joint_acceleration, kept.joint_acceleration);
+    choose(friction_[l].load, kept.load);
+    choose(friction_[l].drive, kept.drive);
+    choose(friction_[l].budget, kept.budget);
+    choose(friction_[l].direction, kept.direction);
+  }
+}
+
+void ArticulatedLanes::end(LaneMask lanes) noexcept {
+  LaneMask together = lanes & lanes_of_sane_rates();
+  for_lanes(lanes, [&](int lane) {
+    ArticulatedDynamics& robot = member(lane);
+    const bool base_is_sane = is_sane(lane_of(bodies_[0].acceleration, lane), dt_);
+    if (has_lane(together, lane) && robot.targets_sane_ && base_is_sane && !robot.tree_.is_in_flight()) return;
+    together &= ~lane_bit(lane);
+    give_back(lane);
+    robot.end_step();
+  });
+  report(together);
+  for_lanes(together, [&](int lane) { member(lane).tree_.contacts.commit(); });
+  const LaneMask moved = trees_.advance_bases(bodies_[0].acceleration, dt_, together);
+  for_lanes(together & ~moved, [&](int lane) { member(lane).tree_.halt(too_fast); });
+  advance_joints(moved);
+  trees_.finish_step(moved);
+}
+
+/// As ArticulatedDynamics::accelerations_are_sane, but for the base.
+LaneMask ArticulatedLanes::lanes_of_sane_rates() const noexcept {
+  Pack8 rates = 0.0, positions = 0.0;
+  for (std::size_t l = 1; l < bodies_.size(); ++l) {
+    const auto i = static_cast<std::size_t>(trees_.structure.links[l].object);
+    rates = rates + abs(trees_.qd[i] + dt_ * bodies_[l].joint_acceleration);
+    positions = positions + abs(trees_.q[i]);
+  }
+  LaneMask sane = 0;
+  for (int lane = 0; lane < Pack8::lanes; ++lane) {
+    if (rates.lane(lane) < fastest_joint && positions.lane(lane) < farthest_joint) sane |= lane_bit(lane);
+  }
+  return sane;
+}
+
+/// What passes have found goes into the robot's own memory, and it ends its step alone.
+void ArticulatedLanes::give_back(int lane) noexcept {
+  ArticulatedDynamics& robot = member(lane);
+  trees_.give_back(lane);
+  for (std::size_t l = 0; l < bodies_.size(); ++l) {
+    robot.bodies_[l].acceleration = lane_of(bodies_[l].acceleration, lane);
+    robot.bodies_[l].joint_acceleration = bodies_[l].joint_acceleration.lane(lane);
+    robot.motor_[l] = lane_of(drives_[l].motor, lane);
+    robot.servo_[l] = lane_of(drives_[l].servo, lane);
+    auto& joint = robot.friction_[l];
+    joint.gear = friction_[l].gear;
+    joint.coulomb = friction_[l].coulomb;
+    joint.load = friction_[l].load.lane(lane);
+    joint.drive = friction_[l].drive.lane(lane);
+    joint.budget = friction_[l].budget.lane(lane);
+    joint.direction = friction_[l].direction.lane(lane);
+  }
+}
+
+/// Torques, and what friction expects of the next step (ArticulatedDynamics::report_torques, keep_loads).
+void ArticulatedLanes::report(LaneMask lanes) noexcept {
+  const auto& links = trees_.structure.links;
+  for (std::size_t l = 0; l < links.size(); ++l) {
+    const auto i = static_cast<std::size_t>(links[l].object);
+    const auto& joint = friction_[l];
+    const auto& [motor, servo] = std::tie(drives_[l].motor, drives_[l].servo);
+    const Pack8& acceleration = bodies_[l].joint_acceleration;
+    Pack8 torque = servo.torque - servo.inertia * acceleration;
+    if (joint.gear) {
+      const Pack8 more = torque + (1.0 - joint.coulomb / joint.budget) * multibody::friction_torque(joint);
+      torque = select(joint.budget > Pack8(0.0), more, torque);
+    }
+    const Pack8 motor_torque = motor.torque - motor.inertia * acceleration;
+    for_lanes(lanes, [&](int lane) {
+      ArticulatedDynamics& robot = member(lane);
+      robot.felt_acceleration_[i] = lane_of(bodies_[l].acceleration, lane);
+      robot.joint_load_[i] = joint.load.lane(lane);
+      if (l == 0) return;
+      robot.joint_torque_[i] = torque.lane(lane);
+      if (!robot.motor_torque_.empty()) robot.motor_torque_[i] = motor_torque.lane(lane);
+    });
+  }
+}
+
+void ArticulatedLanes::advance_joints(LaneMask lanes) noexcept {
+  const auto& links = trees_.structure.links;
+  for (std::size_t l = 1; l < links.size(); ++l) {
+    const auto i = static_cast<std::size_t>(links[l].object);
+    const Pack8 rate = trees_.qd[i] + dt_ * bodies_[l].joint_acceleration;
+    trees_.qd[i] = select(friction_[l].direction == Pack8(0.0), Pack8(0.0), rate);
+    trees_.q[i] = trees_.q[i] + dt_ * trees_.qd[i];
+    for_lanes(lanes, [&](int lane) {
+      PoseColumns& columns = member(lane).tree_.columns;
+      columns.q[i] = trees_.q[i].lane(lane);
+      columns.qd[i] = trees_.qd[i].lane(lane);
+    });
+  }
+}
+
+}  // namespace murosimf::motion

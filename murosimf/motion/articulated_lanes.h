@@ -1,0 +1,60 @@
+/// articulated_lanes.h - up to eight copies of one robot at level `articulated_dynamics`, stepped together in lanes.
+///
+/// The step of articulated_dynamics.h with packs in the place of numbers. What differs from robot to robot in kind goes lane by lane:
+/// contacts and their law, targets on their way. A robot whose contacts agree keeps what its pass has given while others repeat
+/// theirs; one that an island solver has settled, or that is in flight, ends its step alone.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "murosimf/model/lane_group.h"
+#include "murosimf/motion/articulated_dynamics.h"
+#include "murosimf/motion/tree_lanes.h"
+
+namespace murosimf::motion {
+
+class ArticulatedLanes final : public LaneGroup {
+ public:
+  explicit ArticulatedLanes(std::vector<ArticulatedDynamics*> members);
+  void step(LaneMask due, const Instant& instant) noexcept override;
+
+ private:
+  /// What passes make of a link and of the friction of its joint, as far as the end of the step reads it.
+  template <class S>
+  struct Outcome {
+    Twist<S> acceleration;
+    S joint_acceleration, load, drive, budget, direction;
+  };
+
+  [[nodiscard]] ArticulatedDynamics& member(int lane) const noexcept {
+    return *members_[static_cast<std::size_t>(lane)];
+  }
+  void begin(int lane) noexcept;
+  void drive_joints() noexcept;
+  void settle(LaneMask lanes) noexcept;
+  void gather_loads(LaneMask lanes) noexcept;
+  void add_load(std::size_t link, int lane, const Wrenchd& force, const Sym6d& damping) noexcept;
+  [[nodiscard]] Pack8 pass(multibody::Loads loads) noexcept;
+  void predict_contacts(int lane) noexcept;
+  void keep_outcomes() noexcept;
+  void recall_outcomes(LaneMask open) noexcept;
+  void end(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask lanes_of_sane_rates() const noexcept;
+  void give_back(int lane) noexcept;
+  void report(LaneMask lanes) noexcept;
+  void advance_joints(LaneMask lanes) noexcept;
+
+  std::vector<ArticulatedDynamics*> members_;
+  TreeLanes trees_;
+  std::vector<const JointDrives*> robots_;                   // by lane
+  std::vector<bool> leaf_;                                   // by link: no other link hangs on it
+  std::vector<JointDrives::AnswerOf<Pack8>> drives_;         // by link
+  std::vector<multibody::FrictionalJoint<Pack8>> friction_;  // by link
+  std::vector<multibody::ArticulatedLink<Pack8>> bodies_;    // by link
+  std::vector<Outcome<Pack8>> outcome_;                      // by link
+  std::vector<std::size_t> loaded_links_;                    // of one robot; working memory
+  double dt_ = 0;                                            // [s] of the present step
+};
+
+}  // namespace murosimf::motion

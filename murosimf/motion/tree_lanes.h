@@ -1,0 +1,66 @@
+/// tree_lanes.h - up to eight copies of one robot, each in its own lane: what moving_tree.h is for one.
+///
+/// Poses, velocities and links are worked out in packs, with the kernels and so with the bits of a robot alone. Columns get what
+/// others read of them. Links stay here from step to step: whoever needs those of one robot alone works them out again
+/// (MovingTree::take_changes). A robot whose columns somebody has changed is taken in anew.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "murosimf/math/lanes.h"
+#include "murosimf/motion/moving_tree.h"
+
+namespace murosimf::motion {
+
+class TreeLanes {
+ public:
+  /// One to eight, of which each goes with each (MovingTree::goes_with); they outlive this.
+  explicit TreeLanes(std::vector<MovingTree*> trees);
+
+  /// To be called first in a step, in the place of MovingTree::take_changes: the lane has the robot as its columns are.
+  void take(int lane) noexcept;
+  /// The tree's own links are those of the lane: it goes on alone.
+  void give_back(int lane) noexcept;
+
+  /// Velocity and bias of a link of one robot, as LinkMotion has them.
+  struct Motion {
+    Twistd velocity, bias;
+  };
+  [[nodiscard]] Motion motion(int lane, std::size_t link) const noexcept {
+    return {lane_of(links[link].velocity, lane), lane_of(links[link].bias, lane)};
+  }
+
+  /// Advances the bases by a'_0 for a step of dt [s], and puts those of the lanes that have come to a sensible state back into their
+  /// columns; of the others nothing is changed. Returns these lanes. None may be in flight (MovingTree::advance_base).
+  [[nodiscard]] LaneMask advance_bases(const Twist<Pack8>& acceleration, double dt, LaneMask lanes) noexcept;
+  /// The end of a step of these lanes, once bases and joints stand where they will: as MovingTree::finish_step.
+  void finish_step(LaneMask lanes) noexcept;
+
+  [[nodiscard]] MovingTree& tree(int lane) const noexcept { return *trees_[static_cast<std::size_t>(lane)]; }
+
+  const Tree& structure;
+  std::vector<Pack8> q,
+      qd;  ///< [rad | m], [rad/s | m/s] by object, as in the columns of the lanes that have been taken
+  std::vector<multibody::LinkMotion<Pack8>> links;
+  RigidInertia<Pack8> whole;  ///< of all links, about O
+
+ private:
+  struct Run {
+    std::size_t begin, size;  // objects that move, one after the other
+  };
+  [[nodiscard]] std::vector<Run> runs_of_moving_objects() const;
+  template <class T, class Column>
+  void put_back(const std::vector<T>& rows, LaneMask lanes, const Column& column) noexcept;
+  void put_back_whole(LaneMask lanes) noexcept;
+
+  std::vector<MovingTree*> trees_;
+  LaneMask fresh_ = 0;  // lanes that have their robot as this left it
+  std::vector<Run> runs_;
+  std::vector<double> nobody_;  // gets what lanes without robot have
+  multibody::FreeBody<Pack8> base_;
+  std::vector<Vec3<Pack8>> r_, v_, w_;  // by object, as in the columns
+  std::vector<Mat3<Pack8>> R_;
+};
+
+}  // namespace murosimf::motion

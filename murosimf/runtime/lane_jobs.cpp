@@ -1,0 +1,69 @@
+#include "murosimf/runtime/lane_jobs.h"
+
+#include <algorithm>
+
+namespace murosimf {
+namespace {
+
+/// Into how many groups `members` are shared out: no more than eight each, at least two.
+std::size_t number_of_groups(std::size_t members, std::size_t threads) {
+  constexpr std::size_t lanes = Pack8::lanes;
+  const std::size_t needed = (members + lanes - 1) / lanes;
+  const std::size_t even = (needed + threads - 1) / threads * threads;
+  return std::clamp(even, needed, std::max(needed, members / 2));
+}
+
+}  // namespace
+
+const std::vector<std::vector<Job>>& LaneJobs::of(const std::vector<Wave>& waves) {
+  const auto [place, added] = jobs_.try_emplace(&waves);
+  if (added) {
+    for (const Wave& wave : waves) place->second.push_back(jobs_of(wave));
+  }
+  return place->second;
+}
+
+std::vector<Job> LaneJobs::jobs_of(const Wave& wave) {
+  std::vector<Job> jobs;
+  for (const Wave& family : families(wave)) {
+    const std::size_t groups = number_of_groups(family.size(), threads_);
+    for (std::size_t g = 0; g < groups; ++g) {
+      const auto at = [&](std::size_t part) {
+        return family.begin() + static_cast<std::ptrdiff_t>(part * family.size() / groups);
+      };
+      Job job{{at(g), at(g + 1)}, nullptr};
+      if (job.algorithms.size() > 1) job.lanes = group(job.algorithms);
+      jobs.push_back(std::move(job));
+    }
+  }
+  return jobs;
+}
+
+/// In the order of their first members.
+std::vector<Wave> LaneJobs::families(const Wave& wave) const {
+  std::vector<Wave> result;
+  for (const std::size_t algorithm : wave) {
+    const auto family = std::find_if(result.begin(), result.end(),
+                                     [&](const Wave& other) { return go_together(other.front(), algorithm); });
+    family == result.end() ? result.push_back({algorithm}) : family->push_back(algorithm);
+  }
+  return result;
+}
+
+bool LaneJobs::go_together(std::size_t a, std::size_t b) const {
+  const Member &first = members_[a], &second = members_[b];
+  return first.algorithm && second.algorithm && first.period == second.period &&
+         first.algorithm->goes_with(*second.algorithm);
+}
+
+LaneGroup* LaneJobs::group(const std::vector<std::size_t>& algorithms) {
+  auto& group = groups_[algorithms];
+  if (!group) {
+    std::vector<Algorithm*> members;
+    for (const std::size_t a : algorithms) members.push_back(members_[a].algorithm);
+    group = members.front()->join(members);
+  }
+  return group.get();
+}
+
+}  // namespace murosimf
