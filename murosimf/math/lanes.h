@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "murosimf/math/pack.h"
 
@@ -36,19 +37,30 @@ void for_lanes(LaneMask mask, const Visit& visit) {
 template <class Number>
 using LaneRows = std::array<Number*, Pack8::lanes>;
 
-/// to[k] gets from[lane][k] in each lane, for `count` numbers.
-inline void gather(const LaneRows<const double>& from, std::size_t count, Pack8* to) {
-  auto* numbers = reinterpret_cast<double*>(to);
-  for (std::size_t k = 0; k < count; ++k, numbers += Pack8::lanes) {
-    for (std::size_t lane = 0; lane < from.size(); ++lane) numbers[lane] = from[lane][k];
+/// The rows with these numbers, each of one T, into packs: to(k) gets that with the number rows[k], where T is the structure of packs
+/// that to(k) refers to.
+template <class To>
+MUROSIMF_INLINE void gather(const LaneRows<const double>& from, std::span<const std::size_t> rows, const To& to) {
+  constexpr std::size_t numbers = sizeof(to(0)) / sizeof(Pack8);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    auto* packs = reinterpret_cast<double*>(&to(k));
+    const std::size_t first = numbers * rows[k];
+    for (std::size_t lane = 0; lane < Pack8::lanes; ++lane) {
+      for (std::size_t n = 0; n < numbers; ++n) packs[n * Pack8::lanes + lane] = from[lane][first + n];
+    }
   }
 }
 
-/// to[lane][k] gets that lane of from[k], for `count` numbers.
-inline void scatter(const Pack8* from, std::size_t count, const LaneRows<double>& to) {
-  const auto* numbers = reinterpret_cast<const double*>(from);
-  for (std::size_t k = 0; k < count; ++k, numbers += Pack8::lanes) {
-    for (std::size_t lane = 0; lane < to.size(); ++lane) to[lane][k] = numbers[lane];
+/// And back.
+template <class From>
+MUROSIMF_INLINE void scatter(const From& from, std::span<const std::size_t> rows, const LaneRows<double>& to) {
+  constexpr std::size_t numbers = sizeof(from(0)) / sizeof(Pack8);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const auto* packs = reinterpret_cast<const double*>(&from(k));
+    const std::size_t first = numbers * rows[k];
+    for (std::size_t lane = 0; lane < Pack8::lanes; ++lane) {
+      for (std::size_t n = 0; n < numbers; ++n) to[lane][first + n] = packs[n * Pack8::lanes + lane];
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 #include "murosimf/motion/articulated_lanes.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace murosimf::motion {
@@ -34,13 +35,19 @@ ArticulatedLanes::ArticulatedLanes(std::vector<ArticulatedDynamics*> members)
         for (ArticulatedDynamics* member : members_) trees.push_back(&member->tree_);
         return trees;
       }()),
+      motors_([&] {
+        std::vector<const JointDrives*> robots;
+        for (const ArticulatedDynamics* member : members_) robots.push_back(&member->drives_);
+        return robots;
+      }()),
       leaf_(trees_.links.size(), true),
       drives_(trees_.links.size()),
       friction_(trees_.links.size()),
       bodies_(trees_.links.size()),
+      joint_torque_(trees_.links.size()),
+      motor_torque_(trees_.links.size()),
       outcome_(trees_.links.size()) {
-  for (const ArticulatedDynamics* member : members_) robots_.push_back(&member->drives_);
-  for (const Link& link : trees_.structure.links) {
+  for (const Link& link : trees_.poses.structure.links) {
     if (link.parent >= 0) leaf_[static_cast<std::size_t>(link.parent)] = false;
   }
 }
@@ -54,33 +61,42 @@ void ArticulatedLanes::step(LaneMask due, const Instant& instant) noexcept {
   for_lanes(due & ~lanes, [&](int lane) { member(lane).step(instant); });
   if (lanes == 0) return;
   dt_ = seconds(instant.period);
-  for_lanes(lanes, [&](int lane) { begin(lane); });
-  drive_joints();
+  begin(lanes);
   settle(lanes);
   end(lanes);
 }
 
-void ArticulatedLanes::begin(int lane) noexcept {
-  ArticulatedDynamics& robot = member(lane);
-  trees_.take(lane);
-  robot.dt_ = dt_;
-  robot.targets_sane_ = robot.drives_.take_targets(dt_);
-  const auto& links = trees_.structure.links;
-  for (std::size_t l = 0; l < links.size(); ++l) {
-    set_lane(bodies_[l].acceleration, lane, robot.felt_acceleration_[links[l].object]);
-    friction_[l].load.set_lane(lane, robot.joint_load_[links[l].object]);
-  }
+void ArticulatedLanes::begin(LaneMask lanes) noexcept {
+  for_lanes(lanes, [&](int lane) {
+    ArticulatedDynamics& robot = member(lane);
+    robot.dt_ = dt_;
+    robot.targets_sane_ = robot.drives_.take_targets(dt_);
+    trees_.take(lane);
+  });
+  recall_loads(lanes);
+  motors_.take_inputs(trees_.poses, lanes);
+  drive_joints();
+}
+
+void ArticulatedLanes::recall_loads(LaneMask lanes) noexcept {
+  PoseLanes& poses = trees_.poses;
+  poses.take(
+      poses.links(), lanes, [&](std::size_t l) -> Twist<Pack8>& { return bodies_[l].acceleration; },
+      [&](int lane) { return member(lane).felt_acceleration_.data(); });
+  poses.take(
+      poses.links(), lanes, [&](std::size_t l) -> Pack8& { return friction_[l].load; },
+      [&](int lane) { return member(lane).joint_load_.data(); });
 }
 
 void ArticulatedLanes::drive_joints() noexcept {
-  const auto& links = trees_.structure.links;
+  const auto& links = trees_.poses.structure.links;
   for (std::size_t l = 1; l < links.size(); ++l) {
     const auto i = static_cast<std::size_t>(links[l].object);
-    drives_[l] = JointDrives::drive(robots_, links[l].object, trees_.q[i], trees_.qd[i], dt_);
+    drives_[l] = motors_.drive(l, links[l].object, trees_.poses.q[i], trees_.poses.qd[i], dt_);
     auto& joint = friction_[l];
     joint.gear = drives_[l].gear;
     joint.coulomb = drives_[l].coulomb;
-    joint.rate = trees_.qd[i];
+    joint.rate = trees_.poses.qd[i];
     joint.motor_torque = drives_[l].motor_torque;
     joint.torque = drives_[l].all.torque;
     joint.inertia = drives_[l].all.inertia;
@@ -133,7 +149,7 @@ void ArticulatedLanes::add_load(std::size_t link, int lane, const Wrenchd& force
 
 /// A trial step. Returns how many joints of each robot have been decided wrongly.
 Pack8 ArticulatedLanes::pass(multibody::Loads loads) noexcept {
-  const Tree& tree = trees_.structure;
+  const Tree& tree = trees_.poses.structure;
   multibody::sweep_with_friction<Pack8>(tree, trees_.links, bodies_, friction_, loads, dt_);
   const Twist<Pack8> base = solve(bodies_[0].inertia, -1.0 * bodies_[0].force);
   return multibody::accelerate_with_friction<Pack8>(tree, trees_.links, bodies_, friction_, base);
@@ -182,7 +198,8 @@ void ArticulatedLanes::end(LaneMask lanes) noexcept {
     give_back(lane);
     robot.end_step();
   });
-  report(together);
+  report_torques(together);
+  keep_loads(together);
   for_lanes(together, [&](int lane) { member(lane).tree_.contacts.commit(); });
   const LaneMask moved = trees_.advance_bases(bodies_[0].acceleration, dt_, together);
   for_lanes(together & ~moved, [&](int lane) { member(lane).tree_.halt(too_fast); });
@@ -194,9 +211,9 @@ void ArticulatedLanes::end(LaneMask lanes) noexcept {
 LaneMask ArticulatedLanes::lanes_of_sane_rates() const noexcept {
   Pack8 rates = 0.0, positions = 0.0;
   for (std::size_t l = 1; l < bodies_.size(); ++l) {
-    const auto i = static_cast<std::size_t>(trees_.structure.links[l].object);
-    rates = rates + abs(trees_.qd[i] + dt_ * bodies_[l].joint_acceleration);
-    positions = positions + abs(trees_.q[i]);
+    const auto i = static_cast<std::size_t>(trees_.poses.structure.links[l].object);
+    rates = rates + abs(trees_.poses.qd[i] + dt_ * bodies_[l].joint_acceleration);
+    positions = positions + abs(trees_.poses.q[i]);
   }
   LaneMask sane = 0;
   for (int lane = 0; lane < Pack8::lanes; ++lane) {
@@ -224,44 +241,50 @@ void ArticulatedLanes::give_back(int lane) noexcept {
   }
 }
 
-/// Torques, and what friction expects of the next step (ArticulatedDynamics::report_torques, keep_loads).
-void ArticulatedLanes::report(LaneMask lanes) noexcept {
-  const auto& links = trees_.structure.links;
-  for (std::size_t l = 0; l < links.size(); ++l) {
-    const auto i = static_cast<std::size_t>(links[l].object);
+/// ArticulatedDynamics::report_torques.
+void ArticulatedLanes::report_torques(LaneMask lanes) noexcept {
+  for (std::size_t l = 1; l < bodies_.size(); ++l) {
     const auto& joint = friction_[l];
-    const auto& [motor, servo] = std::tie(drives_[l].motor, drives_[l].servo);
+    const DriveOf<Pack8>&motor = drives_[l].motor, &servo = drives_[l].servo;
     const Pack8& acceleration = bodies_[l].joint_acceleration;
     Pack8 torque = servo.torque - servo.inertia * acceleration;
     if (joint.gear) {
       const Pack8 more = torque + (1.0 - joint.coulomb / joint.budget) * multibody::friction_torque(joint);
       torque = select(joint.budget > Pack8(0.0), more, torque);
     }
-    const Pack8 motor_torque = motor.torque - motor.inertia * acceleration;
-    for_lanes(lanes, [&](int lane) {
-      ArticulatedDynamics& robot = member(lane);
-      robot.felt_acceleration_[i] = lane_of(bodies_[l].acceleration, lane);
-      robot.joint_load_[i] = joint.load.lane(lane);
-      if (l == 0) return;
-      robot.joint_torque_[i] = torque.lane(lane);
-      if (!robot.motor_torque_.empty()) robot.motor_torque_[i] = motor_torque.lane(lane);
-    });
+    joint_torque_[l] = torque;
+    motor_torque_[l] = motor.torque - motor.inertia * acceleration;
   }
+  PoseLanes& poses = trees_.poses;
+  const auto put_back = [&](const std::vector<Pack8>& by_link, const auto& column) {
+    poses.put_back(
+        poses.joints(), lanes, [&](std::size_t k) -> const Pack8& { return by_link[k + 1]; }, column);
+  };
+  put_back(joint_torque_, [&](int lane) { return member(lane).joint_torque_.data(); });
+  if (members_.front()->motor_torque_.empty()) return;
+  put_back(motor_torque_, [&](int lane) { return member(lane).motor_torque_.data(); });
+}
+
+void ArticulatedLanes::keep_loads(LaneMask lanes) noexcept {
+  PoseLanes& poses = trees_.poses;
+  poses.put_back(
+      poses.links(), lanes, [&](std::size_t l) -> const Twist<Pack8>& { return bodies_[l].acceleration; },
+      [&](int lane) { return member(lane).felt_acceleration_.data(); });
+  poses.put_back(
+      poses.links(), lanes, [&](std::size_t l) -> const Pack8& { return friction_[l].load; },
+      [&](int lane) { return member(lane).joint_load_.data(); });
 }
 
 void ArticulatedLanes::advance_joints(LaneMask lanes) noexcept {
-  const auto& links = trees_.structure.links;
+  PoseLanes& poses = trees_.poses;
+  const auto& links = poses.structure.links;
   for (std::size_t l = 1; l < links.size(); ++l) {
     const auto i = static_cast<std::size_t>(links[l].object);
-    const Pack8 rate = trees_.qd[i] + dt_ * bodies_[l].joint_acceleration;
-    trees_.qd[i] = select(friction_[l].direction == Pack8(0.0), Pack8(0.0), rate);
-    trees_.q[i] = trees_.q[i] + dt_ * trees_.qd[i];
-    for_lanes(lanes, [&](int lane) {
-      PoseColumns& columns = member(lane).tree_.columns;
-      columns.q[i] = trees_.q[i].lane(lane);
-      columns.qd[i] = trees_.qd[i].lane(lane);
-    });
+    const Pack8 rate = poses.qd[i] + dt_ * bodies_[l].joint_acceleration;
+    poses.qd[i] = select(friction_[l].direction == Pack8(0.0), Pack8(0.0), rate);
+    poses.q[i] = poses.q[i] + dt_ * poses.qd[i];
   }
+  poses.put_back_joints(lanes);
 }
 
 }  // namespace murosimf::motion

@@ -10,6 +10,7 @@
 
 #include "murosimf/model/lane_group.h"
 #include "murosimf/motion/articulated_dynamics.h"
+#include "murosimf/motion/joint_drive_lanes.h"
 #include "murosimf/motion/tree_lanes.h"
 
 namespace murosimf::motion {
@@ -30,7 +31,8 @@ class ArticulatedLanes final : public LaneGroup {
   [[nodiscard]] ArticulatedDynamics& member(int lane) const noexcept {
     return *members_[static_cast<std::size_t>(lane)];
   }
-  void begin(int lane) noexcept;
+  void begin(LaneMask lanes) noexcept;
+  void recall_loads(LaneMask lanes) noexcept;
   void drive_joints() noexcept;
   void settle(LaneMask lanes) noexcept;
   void gather_loads(LaneMask lanes) noexcept;
@@ -42,16 +44,18 @@ class ArticulatedLanes final : public LaneGroup {
   void end(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask lanes_of_sane_rates() const noexcept;
   void give_back(int lane) noexcept;
-  void report(LaneMask lanes) noexcept;
+  void report_torques(LaneMask lanes) noexcept;
+  void keep_loads(LaneMask lanes) noexcept;
   void advance_joints(LaneMask lanes) noexcept;
 
   std::vector<ArticulatedDynamics*> members_;
   TreeLanes trees_;
-  std::vector<const JointDrives*> robots_;                   // by lane
+  JointDriveLanes motors_;
   std::vector<bool> leaf_;                                   // by link: no other link hangs on it
-  std::vector<JointDrives::AnswerOf<Pack8>> drives_;         // by link
+  std::vector<JointDriveLanes::Answer> drives_;              // by link
   std::vector<multibody::FrictionalJoint<Pack8>> friction_;  // by link
   std::vector<multibody::ArticulatedLink<Pack8>> bodies_;    // by link
+  std::vector<Pack8> joint_torque_, motor_torque_;           // by link
   std::vector<Outcome<Pack8>> outcome_;                      // by link
   std::vector<std::size_t> loaded_links_;                    // of one robot; working memory
   double dt_ = 0;                                            // [s] of the present step

@@ -21,7 +21,7 @@ class DelayLine {
   [[nodiscard]] double pass(double value) noexcept {
     if (values_.empty()) return value;
     std::swap(values_[next_], value);
-    next_ = (next_ + 1) % values_.size();
+    if (++next_ == values_.size()) next_ = 0;
     return value;
   }
   void state(StateArchive& archive) { archive(values_, next_); }

@@ -17,31 +17,6 @@ bool has_dry_part(const GearFriction& k) {
          k.stribeck_external_load > 0 || k.quadratic_motor_load > 0 || k.quadratic_external_load > 0;
 }
 
-template <class S>
-void damp(DriveOf<S>& drive, double damping, const S& qd, double dt) {
-  drive.torque = drive.torque - damping * qd;
-  drive.inertia = drive.inertia + dt * damping;
-}
-
-/// Torque of this instant, and the inertia that makes the step that of the average force (joint_drives.h).
-template <class S>
-void pull(DriveOf<S>& drive, const PassiveJoint& spring, const S& q, double dt) {
-  drive.torque = drive.torque - spring.stiffness * (q - spring.rest);
-  drive.inertia = drive.inertia + 0.25 * dt * dt * spring.stiffness;
-}
-
-template <class S>
-void stop(DriveOf<S>& drive, const JointStop& end, const S& q, const S& qd, double dt) {
-  const S next = q + dt * qd;
-  const S beyond = next - multibody::clamped<S>(next, end.lowest, end.highest);
-  const auto inside = beyond == S(0.0);
-  if (all(inside)) return;
-  const S torque = drive.torque - (end.stiffness * beyond + end.damping * qd);
-  const S inertia = drive.inertia + (dt * end.damping + dt * dt * end.stiffness);
-  drive.torque = select(inside, drive.torque, torque);
-  drive.inertia = select(inside, drive.inertia, inertia);
-}
-
 }  // namespace
 
 JointDrives::JointDrives(Setup& setup, const std::string& law)
@@ -118,35 +93,6 @@ JointDrives::Answer JointDrives::drive(int i, double q, double qd, double dt) co
   damp(all, joint.passive.damping, qd, dt);
   if (joint.passive.stiffness > 0) pull(all, joint.passive, q, dt);
   if (joint.end.stiffness > 0) stop(all, joint.end, q, qd, dt);
-  return answer;
-}
-
-JointDrives::AnswerOf<Pack8> JointDrives::drive(std::span<const JointDrives* const> robots, int i, const Pack8& q,
-                                                const Pack8& qd, double dt) noexcept {
-  const JointDrives& first = *robots.front();
-  const Joint& joint = first.joints_[i];
-  AnswerOf<Pack8> answer{.coulomb = joint.coulomb};
-  if (joint.law) {
-    multibody::MotorInput<Pack8> input{.q = q, .rate = qd};
-    for (std::size_t lane = 0; lane < robots.size(); ++lane) {
-      MotorInput own;
-      robots[lane]->condition_.fill(i, own);
-      input.target.set_lane(static_cast<int>(lane), robots[lane]->bus_.target(i));
-      input.supply.set_lane(static_cast<int>(lane), own.supply);
-      input.enabled.set_lane(static_cast<int>(lane), own.enabled);
-    }
-    const auto torque = joint.law->torque(input, dt);
-    answer.gear = joint.gear;
-    answer.motor_torque = torque.now;
-    answer.motor = {torque.torque, torque.inertia};
-    answer.servo = answer.motor;
-    damp(answer.servo, joint.viscous, qd, dt);
-    answer.all = answer.servo;
-  }
-  answer.all.inertia = answer.all.inertia + joint.rotor;
-  damp(answer.all, joint.passive.damping, qd, dt);
-  if (joint.passive.stiffness > 0) pull(answer.all, joint.passive, q, dt);
-  if (joint.end.stiffness > 0) stop(answer.all, joint.end, q, qd, dt);
   return answer;
 }
 

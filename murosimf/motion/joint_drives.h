@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/math/pack.h"
 #include "murosimf/motion/backlash.h"
+#include "murosimf/motion/joint_drive.h"
 #include "murosimf/motion/joint_stop.h"
 #include "murosimf/motion/passive_joint.h"
 #include "murosimf/motion/servo_bus.h"
@@ -27,14 +27,6 @@
 #include "murosimf/motion/servo_law.h"
 
 namespace murosimf::motion {
-
-template <class S>
-struct DriveOf {
-  S torque{};   ///< [N m | N]
-  S inertia{};  ///< [kg m^2 | kg] how fast the torque falls with the joint's acceleration
-};
-
-using JointDrive = DriveOf<double>;
 
 class JointDrives {
  public:
@@ -66,9 +58,6 @@ class JointDrives {
   using Answer = AnswerOf<double>;
   /// Joint `i` (an object of the model), for a step of `dt` [s].
   [[nodiscard]] Answer drive(int i, double q, double qd, double dt) const noexcept;
-  /// The same for robots that are alike, each in the lane of its place in `robots`.
-  [[nodiscard]] static AnswerOf<Pack8> drive(std::span<const JointDrives* const> robots, int i, const Pack8& q,
-                                             const Pack8& qd, double dt) noexcept;
   /// The inertia [kg m^2 | kg] that always turns with the joint, besides links.
   [[nodiscard]] double firm_inertia(int i) const noexcept { return backlash_.at(i) ? 0 : joints_[i].rotor; }
 
@@ -84,6 +73,8 @@ class JointDrives {
   void finish(int i, const Outcome& outcome, double dt) noexcept;
 
  private:
+  friend class JointDriveLanes;
+
   struct Joint {
     std::unique_ptr<ServoLaw> law;
     double rotor = 0;                    // [kg m^2 | kg]

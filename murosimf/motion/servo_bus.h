@@ -26,6 +26,8 @@ class ServoBus {
   /// What the motor of a joint (an object of the model) knows: its position [rad | m], or the rate [rad/s | m/s] of one
   /// that follows a rate.
   [[nodiscard]] double target(int object) const noexcept { return present_[static_cast<std::size_t>(object)]; }
+  /// The same of all, by object.
+  [[nodiscard]] std::span<const double> targets() const noexcept { return present_; }
   /// What control software wants of it.
   [[nodiscard]] double wanted(int object) const noexcept {
     return turning_.contains(object) ? turning_.target(object) : target_[static_cast<std::size_t>(object)];

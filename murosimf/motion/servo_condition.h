@@ -26,6 +26,11 @@ class ServoCondition {
   /// Supply, conductance, heat and switch of a servo (an object of the model).
   void fill(int object, MotorInput& input) const noexcept;
   [[nodiscard]] bool heats(int object) const noexcept { return motors_[static_cast<std::size_t>(object)].heats; }
+  /// By object, empty without servos: [V], and 0 where torque is switched off.
+  [[nodiscard]] std::span<const double> supply() const noexcept { return supply_; }
+  [[nodiscard]] std::span<const double> enabled() const noexcept { return enabled_; }
+  /// [1/V] of the nominal voltage of a servo; 0: not known, the supply does not matter.
+  [[nodiscard]] double per_volt(std::size_t object) const noexcept { return motors_[object].per_volt; }
   /// Warms the winding for a step of `dt` [s] with this torque [N m].
   void warm(int object, double torque, double dt) noexcept;
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "murosimf/math/lanes.h"
 #include "murosimf/motion/moving_tree.h"
+#include "murosimf/motion/pose_lanes.h"
 
 namespace murosimf::motion {
 
@@ -39,28 +39,17 @@ class TreeLanes {
 
   [[nodiscard]] MovingTree& tree(int lane) const noexcept { return *trees_[static_cast<std::size_t>(lane)]; }
 
-  const Tree& structure;
-  std::vector<Pack8> q,
-      qd;  ///< [rad | m], [rad/s | m/s] by object, as in the columns of the lanes that have been taken
+  /// As in the columns of the lanes that have been taken.
+  PoseLanes poses;
   std::vector<multibody::LinkMotion<Pack8>> links;
   RigidInertia<Pack8> whole;  ///< of all links, about O
 
  private:
-  struct Run {
-    std::size_t begin, size;  // objects that move, one after the other
-  };
-  [[nodiscard]] std::vector<Run> runs_of_moving_objects() const;
-  template <class T, class Column>
-  void put_back(const std::vector<T>& rows, LaneMask lanes, const Column& column) noexcept;
   void put_back_whole(LaneMask lanes) noexcept;
 
   std::vector<MovingTree*> trees_;
   LaneMask fresh_ = 0;  // lanes that have their robot as this left it
-  std::vector<Run> runs_;
-  std::vector<double> nobody_;  // gets what lanes without robot have
   multibody::FreeBody<Pack8> base_;
-  std::vector<Vec3<Pack8>> r_, v_, w_;  // by object, as in the columns
-  std::vector<Mat3<Pack8>> R_;
 };
 
 }  // namespace murosimf::motion

@@ -1,0 +1,47 @@
+#include "murosimf/motion/joint_drive_lanes.h"
+
+namespace murosimf::motion {
+
+JointDriveLanes::JointDriveLanes(std::vector<const JointDrives*> robots)
+    : robots_(std::move(robots)),
+      target_(robots_.front()->objects_.size() + 1),
+      supply_(target_.size()),
+      enabled_(target_.size()) {}
+
+void JointDriveLanes::take_inputs(PoseLanes& poses, LaneMask lanes) noexcept {
+  const auto robot = [&](int lane) -> const JointDrives& { return *robots_[static_cast<std::size_t>(lane)]; };
+  const auto take = [&](std::vector<Pack8>& numbers, const auto& column) {
+    poses.take(
+        poses.joints(), lanes, [&](std::size_t k) -> Pack8& { return numbers[k + 1]; }, column);
+  };
+  take(target_, [&](int lane) { return robot(lane).bus_.targets().data(); });
+  if (robots_.front()->condition_.supply().empty()) return;  // no servos
+  take(supply_, [&](int lane) { return robot(lane).condition_.supply().data(); });
+  take(enabled_, [&](int lane) { return robot(lane).condition_.enabled().data(); });
+}
+
+JointDriveLanes::Answer JointDriveLanes::drive(std::size_t link, int object, const Pack8& q, const Pack8& qd,
+                                               double dt) const noexcept {
+  const JointDrives& first = *robots_.front();
+  const JointDrives::Joint& joint = first.joints_[static_cast<std::size_t>(object)];
+  Answer answer{.coulomb = joint.coulomb};
+  if (joint.law) {
+    multibody::MotorInput<Pack8> input{.target = target_[link], .q = q, .rate = qd, .enabled = enabled_[link]};
+    const double per_volt = first.condition_.per_volt(static_cast<std::size_t>(object));
+    if (per_volt > 0) input.supply = supply_[link] * per_volt;
+    const auto torque = joint.law->torque(input, dt);
+    answer.gear = joint.gear;
+    answer.motor_torque = torque.now;
+    answer.motor = {torque.torque, torque.inertia};
+    answer.servo = answer.motor;
+    damp(answer.servo, joint.viscous, qd, dt);
+    answer.all = answer.servo;
+  }
+  answer.all.inertia = answer.all.inertia + joint.rotor;
+  damp(answer.all, joint.passive.damping, qd, dt);
+  if (joint.passive.stiffness > 0) pull(answer.all, joint.passive, q, dt);
+  if (joint.end.stiffness > 0) stop(answer.all, joint.end, q, qd, dt);
+  return answer;
+}
+
+}  // namespace murosimf::motion

@@ -1,0 +1,28 @@
+/// joint_drive_lanes.h - the drives of up to eight copies of one robot, each in its own lane: what joint_drives.h is for one.
+#pragma once
+
+#include <vector>
+
+#include "murosimf/motion/joint_drives.h"
+#include "murosimf/motion/pose_lanes.h"
+
+namespace murosimf::motion {
+
+class JointDriveLanes {
+ public:
+  using Answer = JointDrives::AnswerOf<Pack8>;
+
+  /// Robots that are alike (JointDrives::are_alike); they outlive this.
+  explicit JointDriveLanes(std::vector<const JointDrives*> robots);
+
+  /// To be called once per step, after JointDrives::take_targets of these lanes: what their motors know, and have before them.
+  void take_inputs(PoseLanes& poses, LaneMask lanes) noexcept;
+  /// JointDrives::drive, for the joint of a link: an object of the model.
+  [[nodiscard]] Answer drive(std::size_t link, int object, const Pack8& q, const Pack8& qd, double dt) const noexcept;
+
+ private:
+  std::vector<const JointDrives*> robots_;
+  std::vector<Pack8> target_, supply_, enabled_;  // by link: [rad | m | rad/s], [V], [1]
+};
+
+}  // namespace murosimf::motion

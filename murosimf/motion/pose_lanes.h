@@ -1,0 +1,69 @@
+/// pose_lanes.h - poses and velocities of up to eight copies of one robot, each in its own lane: what pose_columns.h is for one.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "murosimf/math/lanes.h"
+#include "murosimf/motion/pose_columns.h"
+
+namespace murosimf::motion {
+
+class PoseLanes {
+ public:
+  /// One to eight robots of one model; their columns outlive this.
+  explicit PoseLanes(std::vector<PoseColumns*> robots);
+
+  /// Joint positions and rates from the columns of these lanes; the other lanes get any numbers.
+  void take_joints(LaneMask lanes) noexcept;
+  void put_back_joints(LaneMask lanes) noexcept;
+
+  /// Poses from row 0 and the joint positions; velocities from row 0, the poses and the joint rates.
+  void update_poses() noexcept;
+  void update_velocities() noexcept;
+  void put_back_poses(LaneMask lanes) noexcept;
+  void put_back_velocities(LaneMask lanes) noexcept;
+
+  /// Rows of a column, by their objects: packs(k) is for objects[k]. column(lane): its first row.
+  template <class Packs, class Column>
+  MUROSIMF_INLINE void take(std::span<const std::size_t> objects, LaneMask lanes, const Packs& packs,
+                            const Column& column) noexcept {
+    LaneRows<const double> from;
+    from.fill(nobody_.data());
+    for_lanes(lanes,
+              [&](int lane) { from[static_cast<std::size_t>(lane)] = reinterpret_cast<const double*>(column(lane)); });
+    gather(from, objects, packs);
+  }
+  template <class Packs, class Column>
+  MUROSIMF_INLINE void put_back(std::span<const std::size_t> objects, LaneMask lanes, const Packs& packs,
+                                const Column& column) noexcept {
+    LaneRows<double> to;
+    to.fill(nobody_.data());
+    for_lanes(lanes, [&](int lane) { to[static_cast<std::size_t>(lane)] = reinterpret_cast<double*>(column(lane)); });
+    scatter(packs, objects, to);
+  }
+
+  [[nodiscard]] std::span<const std::size_t> moving() const { return moving_; }  ///< objects that have a pose
+  [[nodiscard]] std::span<const std::size_t> links() const { return links_; }    ///< by link: their objects
+  [[nodiscard]] std::span<const std::size_t> joints() const { return links().subspan(1); }
+  [[nodiscard]] PoseColumns& columns(int lane) const noexcept { return *robots_[static_cast<std::size_t>(lane)]; }
+  [[nodiscard]] std::size_t objects() const { return q.size(); }
+
+  const Tree& structure;
+  std::vector<Pack8> q, qd;          ///< [rad | m], [rad/s | m/s] by object
+  std::vector<Vec3<Pack8>> r, v, w;  ///< [m], [m/s], [rad/s] by object, world
+  std::vector<Mat3<Pack8>> R;        ///< by object
+
+ private:
+  /// Rows of packs by object.
+  template <class T>
+  [[nodiscard]] static auto of_objects(std::span<const std::size_t> objects, std::vector<T>& rows) {
+    return [objects, &rows](std::size_t k) -> T& { return rows[objects[k]]; };
+  }
+
+  std::vector<PoseColumns*> robots_;
+  std::vector<std::size_t> moving_, links_;
+  std::vector<double> nobody_;  // stands for the columns of lanes without robot
+};
+
+}  // namespace murosimf::motion
