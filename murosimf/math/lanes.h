@@ -21,16 +21,16 @@ using LaneMask = std::uint32_t;
 /// Calls visit(lane) for each lane of the mask, in their order.
 template <class Visit>
 void for_lanes(LaneMask mask, const Visit& visit) {
-  for (int lane = 0; mask >> lane != 0; ++lane) {
+  for (int lane = 0; lane < Pack8::lanes; ++lane) {
     if (has_lane(mask, lane)) visit(lane);
   }
 }
 
-/// 1.0 in the lanes of the mask, 0.0 in the others.
-[[nodiscard]] inline Pack8 ones_in(LaneMask mask) {
-  Pack8 ones = 0.0;
-  for_lanes(mask, [&](int lane) { ones.set_lane(lane, 1.0); });
-  return ones;
+/// The lanes of the mask, for select().
+[[nodiscard]] inline Pack8::Mask where(LaneMask mask) {
+  Pack8 chosen = 0.0;
+  for_lanes(mask, [&](int lane) { chosen.set_lane(lane, 1.0); });
+  return chosen == Pack8(1.0);
 }
 
 /// The same row of numbers of each thing, by lane.
@@ -74,6 +74,15 @@ void set_lane(T<Pack8>& to, int lane, const T<double>& from) {
   auto* packs = reinterpret_cast<double*>(&to) + lane;
   const auto* numbers = reinterpret_cast<const double*>(&from);
   for (std::size_t k = 0; k < numbers_of<T>; ++k) packs[k * Pack8::lanes] = numbers[k];
+}
+
+/// `to` gets these lanes of `from`, number by number.
+template <template <class> class T>
+void assign_where(const Pack8::Mask& mask, const T<Pack8>& from, T<Pack8>& to) {
+  static_assert(sizeof(T<Pack8>) == numbers_of<T> * sizeof(Pack8), "nothing but numbers");
+  const auto* source = reinterpret_cast<const Pack8*>(&from);
+  auto* packs = reinterpret_cast<Pack8*>(&to);
+  for (std::size_t k = 0; k < numbers_of<T>; ++k) packs[k] = select(mask, source[k], packs[k]);
 }
 
 template <template <class> class T>

@@ -4,10 +4,21 @@
 /// same time, have the same rate, and say that they go together (Algorithm::goes_with).
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "murosimf/math/lanes.h"
 #include "murosimf/model/algorithm.h"
 
 namespace murosimf {
+
+/// The same, as what they are.
+template <class A>
+[[nodiscard]] std::vector<A*> members_of(std::span<Algorithm* const> members) {
+  std::vector<A*> result;
+  for (Algorithm* member : members) result.push_back(static_cast<A*>(member));
+  return result;
+}
 
 class LaneGroup {
  public:

@@ -70,9 +70,7 @@ bool ArticulatedDynamics::goes_with(const Algorithm& other) const {
 }
 
 std::unique_ptr<LaneGroup> ArticulatedDynamics::join(std::span<Algorithm* const> members) const {
-  std::vector<ArticulatedDynamics*> levels;
-  for (Algorithm* member : members) levels.push_back(static_cast<ArticulatedDynamics*>(member));
-  return std::make_unique<ArticulatedLanes>(std::move(levels));
+  return std::make_unique<ArticulatedLanes>(members_of<ArticulatedDynamics>(members));
 }
 
 void ArticulatedDynamics::check_inertias() {

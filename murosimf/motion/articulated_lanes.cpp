@@ -6,9 +6,6 @@
 namespace murosimf::motion {
 namespace {
 
-/// With fewer robots, one after the other is faster.
-constexpr int fewest = Pack8::registers + 1;
-
 constexpr double minus_zero = -0.0;  // x + -0 has the bits of x, also for x = 0 and -0
 
 /// A body that a pack counts as loaded because some of its lanes are: what the others have is as if nothing were there.
@@ -46,7 +43,8 @@ ArticulatedLanes::ArticulatedLanes(std::vector<ArticulatedDynamics*> members)
       bodies_(trees_.links.size()),
       joint_torque_(trees_.links.size()),
       motor_torque_(trees_.links.size()),
-      outcome_(trees_.links.size()) {
+      outcome_(trees_.links.size()),
+      loaded_(trees_.links.size()) {
   for (const Link& link : trees_.poses.structure.links) {
     if (link.parent >= 0) leaf_[static_cast<std::size_t>(link.parent)] = false;
   }
@@ -57,7 +55,7 @@ void ArticulatedLanes::step(LaneMask due, const Instant& instant) noexcept {
   for_lanes(due, [&](int lane) {
     if (!member(lane).tree_.contacts.solved()) lanes |= lane_bit(lane);
   });
-  if (std::popcount(lanes) < fewest) lanes = 0;
+  if (std::popcount(lanes) < fewest_in_lanes) lanes = 0;
   for_lanes(due & ~lanes, [&](int lane) { member(lane).step(instant); });
   if (lanes == 0) return;
   dt_ = seconds(instant.period);
@@ -124,27 +122,27 @@ void ArticulatedLanes::settle(LaneMask lanes) noexcept {
 
 void ArticulatedLanes::gather_loads(LaneMask lanes) noexcept {
   multibody::clear_loads<Pack8>(bodies_);
-  for_lanes(lanes, [&](int lane) {
-    const auto motion_of = [&](int link) { return trees_.motion(lane, static_cast<std::size_t>(link)); };
-    loaded_links_.clear();
-    member(lane).tree_.for_loads(dt_, motion_of, [&](int link, const Wrenchd& force, const Sym6d& damping) {
-      add_load(static_cast<std::size_t>(link), lane, force, damping);
-    });
+  std::fill(loaded_.begin(), loaded_.end(), LaneMask{0});
+  trees_.for_loads(lanes, dt_, [&](std::size_t link, LaneMask some, const auto& force, const auto& damping) {
+    add_load(link, some, force, damping);
   });
 }
 
 /// Bit for bit multibody::add_load of one robot.
-void ArticulatedLanes::add_load(std::size_t link, int lane, const Wrenchd& force, const Sym6d& damping) noexcept {
+void ArticulatedLanes::add_load(std::size_t link, LaneMask lanes, const Wrench<Pack8>& force,
+                                const Sym6<Pack8>& damping) noexcept {
   auto& body = bodies_[link];
   if (!body.loaded) fill_unloaded(body, leaf_[link]);
-  const bool first = std::find(loaded_links_.begin(), loaded_links_.end(), link) == loaded_links_.end();
-  if (first) loaded_links_.push_back(link);
-  Sym6d inertia = first ? Sym6d{} : lane_of(body.inertia, lane);
-  Wrenchd left = first ? Wrenchd{} : lane_of(body.force, lane);
+  Sym6<Pack8> inertia = body.inertia;
+  Wrench<Pack8> left = body.force;
+  const Pack8::Mask first = where(lanes & ~loaded_[link]);
+  assign_where(first, Sym6<Pack8>{}, inertia);
+  assign_where(first, Wrench<Pack8>{}, left);
   inertia += damping;
   left -= force;
-  set_lane(body.inertia, lane, inertia);
-  set_lane(body.force, lane, left);
+  assign_where(where(lanes), inertia, body.inertia);
+  assign_where(where(lanes), left, body.force);
+  loaded_[link] |= lanes;
 }
 
 /// A trial step. Returns how many joints of each robot have been decided wrongly.
@@ -156,11 +154,9 @@ Pack8 ArticulatedLanes::pass(multibody::Loads loads) noexcept {
 }
 
 void ArticulatedLanes::predict_contacts(int lane) noexcept {
-  const auto motion_of = [&](int link) { return trees_.motion(lane, static_cast<std::size_t>(link)); };
-  const auto acceleration_of = [&](int link) {
+  trees_.predict_contacts(lane, dt_, [&](int link) {
     return lane_of(bodies_[static_cast<std::size_t>(link)].acceleration, lane);
-  };
-  member(lane).tree_.predict_contacts(dt_, motion_of, acceleration_of);
+  });
 }
 
 void ArticulatedLanes::keep_outcomes() noexcept {
@@ -173,13 +169,11 @@ void ArticulatedLanes::keep_outcomes() noexcept {
 
 /// Lanes that are settled have what they had.
 void ArticulatedLanes::recall_outcomes(LaneMask open) noexcept {
-  const auto is_open = ones_in(open) == Pack8(1.0);
-  const auto choose = [&](Pack8& now, const Pack8& kept) { now = select(is_open, now, kept); };
+  const Pack8::Mask settled = where(~open);
+  const auto choose = [&](Pack8& now, const Pack8& kept) { now = select(settled, kept, now); };
   for (std::size_t l = 0; l < bodies_.size(); ++l) {
     const Outcome<Pack8>& kept = outcome_[l];
-    Twist<Pack8>& a = bodies_[l].acceleration;
-    choose(a.w.x, kept.acceleration.w.x), choose(a.w.y, kept.acceleration.w.y), choose(a.w.z, kept.acceleration.w.z);
-    choose(a.v.x, kept.acceleration.v.x), choose(a.v.y, kept.acceleration.v.y), choose(a.v.z, kept.acceleration.v.z);
+    assign_where(settled, kept.acceleration, bodies_[l].acceleration);
     choose(bodies_[l].joint_acceleration, kept.joint_acceleration);
     choose(friction_[l].load, kept.load);
     choose(friction_[l].drive, kept.drive);

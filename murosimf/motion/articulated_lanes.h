@@ -36,7 +36,7 @@ class ArticulatedLanes final : public LaneGroup {
   void drive_joints() noexcept;
   void settle(LaneMask lanes) noexcept;
   void gather_loads(LaneMask lanes) noexcept;
-  void add_load(std::size_t link, int lane, const Wrenchd& force, const Sym6d& damping) noexcept;
+  void add_load(std::size_t link, LaneMask lanes, const Wrench<Pack8>& force, const Sym6<Pack8>& damping) noexcept;
   [[nodiscard]] Pack8 pass(multibody::Loads loads) noexcept;
   void predict_contacts(int lane) noexcept;
   void keep_outcomes() noexcept;
@@ -57,7 +57,7 @@ class ArticulatedLanes final : public LaneGroup {
   std::vector<multibody::ArticulatedLink<Pack8>> bodies_;    // by link
   std::vector<Pack8> joint_torque_, motor_torque_;           // by link
   std::vector<Outcome<Pack8>> outcome_;                      // by link
-  std::vector<std::size_t> loaded_links_;                    // of one robot; working memory
+  std::vector<LaneMask> loaded_;                             // by link: lanes that have a load in the present pass
   double dt_ = 0;                                            // [s] of the present step
 };
 

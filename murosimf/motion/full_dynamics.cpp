@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "murosimf/motion/full_lanes.h"
 #include "murosimf/multibody/inverse_dynamics.h"
 
 namespace murosimf::motion {
@@ -40,6 +41,15 @@ void FullDynamics::take_over(const Momentum& momentum) {
   tree_.contacts.answer_by(this);
 }
 
+bool FullDynamics::goes_with(const Algorithm& other) const {
+  const auto* same = dynamic_cast<const FullDynamics*>(&other);
+  return same && tree_.goes_with(same->tree_);
+}
+
+std::unique_ptr<LaneGroup> FullDynamics::join(std::span<Algorithm* const> members) const {
+  return std::make_unique<FullLanes>(members_of<FullDynamics>(members));
+}
+
 void FullDynamics::start_observing() noexcept {
   watch_.initialize();
   std::fill(joint_torque_.begin(), joint_torque_.end(), 0.0);
@@ -55,6 +65,11 @@ void FullDynamics::step(const Instant& instant) noexcept {
       return true;
     });
   }
+  end_step(instant);
+}
+
+/// All that is left once the accelerations of the step stand.
+void FullDynamics::end_step(const Instant& instant) noexcept {
   if (!joints_sane_) return tree_.halt("a joint position or target is no sensible number");
   find_torques(instant);
   tree_.contacts.commit();
@@ -160,6 +175,10 @@ void FullDynamics::find_torques(const Instant& instant) noexcept {
                        passive_[l].torque(tree_.columns.q[i], tree_.columns.qd[i]);
     link_force_[links[l].parent] += link_force_[l];
   }
+  watch_torques(instant);
+}
+
+void FullDynamics::watch_torques(const Instant& instant) noexcept {
   load_leaders();
   watch_.look(instant, joint_torque_, old_rate_);
 }

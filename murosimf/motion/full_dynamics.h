@@ -38,8 +38,12 @@ class FullDynamics final : public MotionLevel, private collision::ImpulseRespons
   void step(const Instant& instant) noexcept override;
   [[nodiscard]] Momentum hand_over() noexcept override { return tree_.hand_over(); }
   void take_over(const Momentum& momentum) override;
+  [[nodiscard]] bool goes_with(const Algorithm& other) const override;
+  [[nodiscard]] std::unique_ptr<LaneGroup> join(std::span<Algorithm* const> members) const override;
 
  private:
+  friend class FullLanes;
+
   void start_observing() noexcept;
   [[nodiscard]] bool free_pass(double dt) noexcept override;
   [[nodiscard]] std::size_t coordinates() const noexcept override { return 6; }
@@ -49,6 +53,7 @@ class FullDynamics final : public MotionLevel, private collision::ImpulseRespons
   void apply(std::span<const double> z) noexcept override;
 
   void step_rk4(const Instant& instant) noexcept;
+  void end_step(const Instant& instant) noexcept;
   void predict_contacts(double dt) noexcept;
   void begin_step(double dt) noexcept;
   [[nodiscard]] bool advance_joints(double dt) noexcept;
@@ -56,6 +61,7 @@ class FullDynamics final : public MotionLevel, private collision::ImpulseRespons
   void solve_base(double dt) noexcept;
   void find_torques(const Instant& instant) noexcept;
   void load_leaders() noexcept;
+  void watch_torques(const Instant& instant) noexcept;
 
   MovingTree tree_;
   JointReference reference_;

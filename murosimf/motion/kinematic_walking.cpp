@@ -8,6 +8,7 @@
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/sanity.h"
+#include "murosimf/motion/walking_lanes.h"
 #include "murosimf/multibody/kinematics.h"
 
 namespace murosimf::motion {
@@ -64,6 +65,7 @@ void KinematicWalking::initialize() {
   stand_on(lower_foot());
   remaining_shift_ = remaining_turn_ = {};
   pin();
+  columns_.update_poses();
   columns_.remember_base();
 }
 
@@ -102,16 +104,28 @@ void KinematicWalking::take_over(const Momentum&) {
 }
 
 void KinematicWalking::step(const Instant& instant) noexcept {
-  if (!reference_.advance(columns_, seconds(instant.period))) {
+  if (!begin_step(seconds(instant.period))) return;
+  columns_.update_poses();
+  set_base_twist();
+  columns_.update_velocities();
+  end_step();
+}
+
+/// Up to the pose of the base. False if the entity was frozen.
+bool KinematicWalking::begin_step(double dt) noexcept {
+  if (!reference_.advance(columns_, dt)) {
     columns_.stop();
-    return entity_.freeze("a joint position or target is no sensible number");
+    entity_.freeze("a joint position or target is no sensible number");
+    return false;
   }
   const Vec3d moved = columns_.take_displacement();  // somebody moved the base: the standing foot goes with it
   stance_pose_ += Vec3d{moved.x + separation_.x, moved.y + separation_.y, 0};
-  fade_remainder(seconds(instant.period));
+  fade_remainder(dt);
   pin();
-  set_base_twist();
-  columns_.update_velocities();
+  return true;
+}
+
+void KinematicWalking::end_step() noexcept {
   columns_.remember_base();
   swap_if_other_foot_lands();
   const Vec3d& r = columns_.r[0];
@@ -121,10 +135,20 @@ void KinematicWalking::step(const Instant& instant) noexcept {
   }
 }
 
+bool KinematicWalking::goes_with(const Algorithm& other) const {
+  const auto* same = dynamic_cast<const KinematicWalking*>(&other);
+  return same && &columns_.model == &same->columns_.model;
+}
+
+std::unique_ptr<LaneGroup> KinematicWalking::join(std::span<Algorithm* const> members) const {
+  return std::make_unique<WalkingLanes>(members_of<KinematicWalking>(members));
+}
+
 const KinematicWalking::Foot& KinematicWalking::standing_foot() const noexcept {
   return feet_[stance_foot_ != 0 ? 1 : 0];
 }
 
+/// The base, so that the standing sole is where it is to be.
 void KinematicWalking::pin() noexcept {
   const Foot& foot = standing_foot();
   const Tree& tree = columns_.model.tree();
@@ -133,7 +157,6 @@ void KinematicWalking::pin() noexcept {
   columns_.Q[0] = from_matrix(R);
   columns_.R[0] = R;
   columns_.r[0] = Vec3d{stance_pose_.x, stance_pose_.y, 0} + remaining_shift_ - R * sole.position;
-  columns_.update_poses();
 }
 
 void KinematicWalking::stand_on(int foot) noexcept {

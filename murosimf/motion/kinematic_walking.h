@@ -48,8 +48,12 @@ class KinematicWalking final : public MotionLevel {
   [[nodiscard]] std::string refusal() const override;
   [[nodiscard]] Momentum hand_over() noexcept override { return columns_.momentum(); }
   void take_over(const Momentum& momentum) override;
+  [[nodiscard]] bool goes_with(const Algorithm& other) const override;
+  [[nodiscard]] std::unique_ptr<LaneGroup> join(std::span<Algorithm* const> members) const override;
 
  private:
+  friend class WalkingLanes;
+
   struct Foot : murosimf::Foot {
     std::vector<int> path;  // links from the base outwards, base excluded
   };
@@ -58,6 +62,8 @@ class KinematicWalking final : public MotionLevel {
   [[nodiscard]] const Foot& standing_foot() const noexcept;
   [[nodiscard]] Vec3d upright_axis() const;
   [[nodiscard]] int lower_foot() const noexcept;
+  [[nodiscard]] bool begin_step(double dt) noexcept;
+  void end_step() noexcept;
   void pin() noexcept;
   void stand_on(int foot) noexcept;
   void keep_moving() noexcept;

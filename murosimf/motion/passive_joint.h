@@ -15,7 +15,10 @@ struct PassiveJoint {
   double rest = 0;       ///< [rad | m] where the spring is slack
 
   /// [N m | N] at a position and rate.
-  [[nodiscard]] double torque(double q, double qd) const noexcept { return -damping * qd - stiffness * (q - rest); }
+  template <class S>
+  [[nodiscard]] S torque(const S& q, const S& qd) const noexcept {
+    return -damping * qd - stiffness * (q - rest);
+  }
 };
 
 /// Of a joint (an object of the model). Throws SetupError if its spring is no spring.

@@ -9,6 +9,9 @@
 
 namespace murosimf::motion {
 
+/// With fewer robots, one after the other is faster.
+inline constexpr int fewest_in_lanes = Pack8::registers + 1;
+
 class PoseLanes {
  public:
   /// One to eight robots of one model; their columns outlive this.

@@ -8,6 +8,7 @@
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/motion/free_state.h"
 #include "murosimf/motion/motion_properties.h"
+#include "murosimf/motion/rigid_lanes.h"
 #include "murosimf/motion/sanity.h"
 #include "murosimf/multibody/kinematics.h"
 
@@ -77,8 +78,34 @@ void SimplifiedDynamics::take_over(const Momentum& momentum) {
   contacts_.answer_by(this);
 }
 
+bool SimplifiedDynamics::goes_with(const Algorithm& other) const {
+  const auto* same = dynamic_cast<const SimplifiedDynamics*>(&other);
+  const auto keeps_center = [](const SimplifiedDynamicsOptions& options) {
+    return options.integrator == Integrator::semi_implicit_euler && !options.base_rigid;
+  };
+  return same && &columns_.model == &same->columns_.model && keeps_center(options_) && keeps_center(same->options_);
+}
+
+std::unique_ptr<LaneGroup> SimplifiedDynamics::join(std::span<Algorithm* const> members) const {
+  return std::make_unique<RigidLanes>(members_of<SimplifiedDynamics>(members));
+}
+
 void SimplifiedDynamics::step(const Instant& instant) noexcept {
   if (options_.integrator == Integrator::rk4 && !contacts_.solved()) return step_rk4(seconds(instant.period));
+  const Course course = find_course(instant);
+  if (!course.sane) return;
+  const Mat3d R_before = columns_.R[0];
+  turn(course.body);
+  if (options_.base_rigid) {
+    columns_.w[0] = course.body.rate;
+    follow_base(course.body, R_before);
+  } else {
+    follow_center(course.body, course.angular_momentum);
+  }
+  columns_.remember_base();
+}
+
+SimplifiedDynamics::Course SimplifiedDynamics::find_course(const Instant& instant) noexcept {
   const bool in_island = contacts_.solved();
   if (!in_island) {
     begin_step(seconds(instant.period));
@@ -91,8 +118,14 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
   multibody::FreeBody<double> body{center_, velocity_, columns_.Q[0], columns_.w[0]};
   Vec3d angular_momentum = inertia_ * columns_.w[0] + dt_ * outer_moment();
   multibody::advance(body, acceleration_, dt_);
-  if (!is_sane(body)) return halt(too_fast);
-  if (!reference_.advance(columns_, dt_)) return halt("a joint position or target is no sensible number");
+  if (!is_sane(body)) {
+    halt(too_fast);
+    return {};
+  }
+  if (!reference_.advance(columns_, dt_)) {
+    halt("a joint position or target is no sensible number");
+    return {};
+  }
   contacts_.commit();
   if (!options_.base_rigid && !in_island && in_flight()) {
     const Vec3d middle_rate = columns_.w[0] + (0.5 * dt_) * acceleration_.w;
@@ -102,19 +135,13 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
     const SymMat3d turned = rotated(to_matrix(body.turn) * transpose(columns_.R[0]), inertia_);
     angular_momentum = turned * body.rate;
   }
-
   contacts_.renew();
+  return {body, angular_momentum, true};
+}
 
-  const Mat3d R_before = columns_.R[0];
+void SimplifiedDynamics::turn(const multibody::FreeBody<double>& body) noexcept {
   columns_.Q[0] = body.turn;
   columns_.R[0] = to_matrix(body.turn);
-  if (options_.base_rigid) {
-    columns_.w[0] = body.rate;
-    follow_base(body, R_before);
-  } else {
-    follow_center(body, angular_momentum);
-  }
-  columns_.remember_base();
 }
 
 void SimplifiedDynamics::step_rk4(double dt) noexcept {
@@ -124,8 +151,7 @@ void SimplifiedDynamics::step_rk4(double dt) noexcept {
   // the row has the angular momentum in the place of the angular velocity
   write_state({center_, velocity_, columns_.Q[0], inertia_ * columns_.w[0]}, columns_, row_);
   const auto place = [&](const multibody::FreeBody<double>& body) {
-    columns_.Q[0] = body.turn;
-    columns_.R[0] = to_matrix(body.turn);
+    turn(body);
     follow_center(body, body.rate);
   };
   bool first = true;

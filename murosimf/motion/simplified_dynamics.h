@@ -62,8 +62,18 @@ class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseR
   [[nodiscard]] Momentum hand_over() noexcept override;
   /// The base turns from now on as a rigid body with this angular momentum does.
   void take_over(const Momentum& momentum) override;
+  [[nodiscard]] bool goes_with(const Algorithm& other) const override;
+  [[nodiscard]] std::unique_ptr<LaneGroup> join(std::span<Algorithm* const> members) const override;
 
  private:
+  friend class RigidLanes;
+
+  /// Where a step takes the body and the base's attitude.
+  struct Course {
+    multibody::FreeBody<double> body;
+    Vec3d angular_momentum;  // [N m s] about the center of mass
+    bool sane = false;       // false: the entity was frozen
+  };
   [[nodiscard]] bool free_pass(double dt) noexcept override;
   [[nodiscard]] std::size_t coordinates() const noexcept override { return 6; }
   [[nodiscard]] Vec3d free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept override;
@@ -73,6 +83,8 @@ class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseR
 
   void check() const;
   void step_rk4(double dt) noexcept;
+  [[nodiscard]] Course find_course(const Instant& instant) noexcept;
+  void turn(const multibody::FreeBody<double>& body) noexcept;
   void begin_step(double dt) noexcept;
   void solve(double dt) noexcept;
   [[nodiscard]] Vec3d next_velocity(const Vec3d& point, const Vec3d& velocity) const noexcept;

@@ -16,6 +16,7 @@ void TreeLanes::take(int lane) noexcept {
   if (has_lane(fresh_, lane) && tree.lanes_ == this && !tree.written_.differs(tree.columns)) return;
   tree.take_changes();
   set_lane(base_, lane, tree.base());
+  for (const std::size_t i : poses.moving()) set_lane(poses.r[i], lane, tree.columns.r[i]);
   for (const std::size_t i : poses.joints()) {
     poses.q[i].set_lane(lane, tree.columns.q[i]);
     poses.qd[i].set_lane(lane, tree.columns.qd[i]);
@@ -37,6 +38,40 @@ void TreeLanes::take(int lane) noexcept {
 }
 
 void TreeLanes::give_back(int lane) noexcept { tree(lane).take_links_back(); }
+
+TreeLanes::Load TreeLanes::load_of(std::size_t object, LaneMask lanes) const noexcept {
+  Load load;
+  for_lanes(lanes, [&](int lane) {
+    const Wrenchd& force = tree(lane).external_force[object];
+    const Sym6d& damping = tree(lane).external_damping[object];
+    const bool damped = !is_zero(damping);
+    if (!damped && is_zero(force)) return;
+    load.loaded |= lane_bit(lane);
+    if (damped) load.damped |= lane_bit(lane);
+    set_lane(load.force, lane, force);
+    set_lane(load.damping, lane, damping);
+  });
+  return load;
+}
+
+/// From force and damping at the body's origin to those at O, as MovingTree::for_loads has them.
+void TreeLanes::see_from_base(int link, std::size_t object, double dt, Load& load) const noexcept {
+  const auto& motion = links[static_cast<std::size_t>(link)];
+  const Vec3<Pack8> to_base = poses.r[0] - poses.r[object];
+  const Vec3<Pack8> d = poses.r[object] - poses.r[0];
+  const auto& [w, v] = motion.velocity;
+  const Vec3<Pack8> zero;
+  const Vec3<Pack8> alpha = motion.bias.w + zero;
+  const Vec3<Pack8> a = motion.bias.v + trees_.front()->gravity + zero + cross(alpha, d) + cross(w, v + cross(w, d));
+  const Sym6<Pack8> damping = dt * load.damping;
+  Wrench<Pack8> force = load.force;
+  force -= damping * Twist<Pack8>{alpha, a};
+  const Pack8::Mask damped = where(load.damped);
+  assign_where(damped, force, load.force);
+  load.force = moved(load.force, to_base);
+  load.damping = {};
+  assign_where(damped, moved(damping, to_base), load.damping);
+}
 
 LaneMask TreeLanes::advance_bases(const Twist<Pack8>& acceleration, double dt, LaneMask lanes) noexcept {
   multibody::FreeBody<Pack8> next = base_;

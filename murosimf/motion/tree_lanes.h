@@ -23,12 +23,18 @@ class TreeLanes {
   /// The tree's own links are those of the lane: it goes on alone.
   void give_back(int lane) noexcept;
 
-  /// Velocity and bias of a link of one robot, as LinkMotion has them.
-  struct Motion {
-    Twistd velocity, bias;
-  };
-  [[nodiscard]] Motion motion(int lane, std::size_t link) const noexcept {
-    return {lane_of(links[link].velocity, lane), lane_of(links[link].bias, lane)};
+  /// MovingTree::for_loads of these lanes: calls add(link, those of the lanes in which it feels anything, force, damping).
+  template <class Add>
+  void for_loads(LaneMask lanes, double dt, const Add& add) noexcept;
+
+  /// MovingTree::predict_contacts; acceleration_of(link) is a' of a link of this robot.
+  template <class Acceleration>
+  void predict_contacts(int lane, double dt, const Acceleration& acceleration_of) noexcept {
+    const auto motion_of = [&](int l) {
+      const auto& link = links[static_cast<std::size_t>(l)];
+      return Motion{lane_of(link.velocity, lane), lane_of(link.bias, lane)};
+    };
+    tree(lane).predict_contacts(dt, motion_of, acceleration_of);
   }
 
   /// Advances the bases by a'_0 for a step of dt [s], and puts those of the lanes that have come to a sensible state back into their
@@ -45,11 +51,37 @@ class TreeLanes {
   RigidInertia<Pack8> whole;  ///< of all links, about O
 
  private:
+  /// Of a link, as LinkMotion has them.
+  struct Motion {
+    Twistd velocity, bias;
+  };
+  /// What a body feels, by lane.
+  struct Load {
+    LaneMask loaded = 0, damped = 0;
+    Wrench<Pack8> force;
+    Sym6<Pack8> damping;
+  };
+  [[nodiscard]] Load load_of(std::size_t object, LaneMask lanes) const noexcept;
+  void see_from_base(int link, std::size_t object, double dt, Load& load) const noexcept;
   void put_back_whole(LaneMask lanes) noexcept;
 
   std::vector<MovingTree*> trees_;
   LaneMask fresh_ = 0;  // lanes that have their robot as this left it
   multibody::FreeBody<Pack8> base_;
 };
+
+// ---- definitions ----
+
+template <class Add>
+void TreeLanes::for_loads(LaneMask lanes, double dt, const Add& add) noexcept {
+  const Model& model = trees_.front()->columns.model;
+  for (const int object : model.bodies()) {
+    Load load = load_of(static_cast<std::size_t>(object), lanes);
+    if (load.loaded == 0) continue;
+    const int link = model.tree().link_of[static_cast<std::size_t>(object)];
+    see_from_base(link, static_cast<std::size_t>(object), dt, load);
+    add(static_cast<std::size_t>(link), load.loaded, load.force, load.damping);
+  }
+}
 
 }  // namespace murosimf::motion

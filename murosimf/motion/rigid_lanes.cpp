@@ -1,0 +1,56 @@
+#include "murosimf/motion/rigid_lanes.h"
+
+#include <bit>
+
+namespace murosimf::motion {
+
+RigidLanes::RigidLanes(std::vector<SimplifiedDynamics*> members)
+    : members_(std::move(members)), poses_([&] {
+        std::vector<PoseColumns*> columns;
+        for (SimplifiedDynamics* member : members_) columns.push_back(&member->columns_);
+        return columns;
+      }()) {}
+
+void RigidLanes::step(LaneMask due, const Instant& instant) noexcept {
+  if (std::popcount(due) < fewest_in_lanes) {
+    return for_lanes(due, [&](int lane) { member(lane).step(instant); });
+  }
+  LaneMask lanes = 0;
+  for_lanes(due, [&](int lane) {
+    SimplifiedDynamics& robot = member(lane);
+    const auto course = robot.find_course(instant);
+    if (!course.sane) return;
+    lanes |= lane_bit(lane);
+    robot.turn(course.body);
+    set_lane(body_, lane, course.body);
+    set_lane(angular_momentum_, lane, course.angular_momentum);
+    set_lane(poses_.R[0], lane, robot.columns_.R[0]);
+  });
+  if (lanes != 0) follow_centers(lanes);
+}
+
+/// SimplifiedDynamics::follow_center.
+void RigidLanes::follow_centers(LaneMask lanes) noexcept {
+  poses_.r[0] = poses_.v[0] = poses_.w[0] = {};
+  poses_.take_joints(lanes);
+  poses_.update_poses();
+  poses_.update_velocities();
+  auto common = multibody::common_body<Pack8>(poses_.structure, poses_.r, poses_.R, poses_.v, poses_.w);
+  const Vec3<Pack8> w = inverse(common.inertia) * angular_momentum_;
+  for (const std::size_t i : poses_.moving()) {
+    const Vec3<Pack8> arm = poses_.r[i] - common.center;
+    poses_.r[i] = body_.position + arm;
+    poses_.v[i] += body_.velocity - common.velocity + cross(w, arm);
+    poses_.w[i] += w;
+  }
+  poses_.put_back_poses(lanes);
+  poses_.put_back_velocities(lanes);
+  for_lanes(lanes, [&](int lane) {
+    SimplifiedDynamics& robot = member(lane);
+    robot.store_common_body(
+        {common.mass, lane_of(body_.position, lane), lane_of(body_.velocity, lane), lane_of(common.inertia, lane)});
+    robot.columns_.remember_base();
+  });
+}
+
+}  // namespace murosimf::motion

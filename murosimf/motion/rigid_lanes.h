@@ -1,0 +1,31 @@
+/// rigid_lanes.h - up to eight copies of one robot at level `simplified_dynamics`, whose poses, velocities and common body are
+/// worked out together in lanes.
+#pragma once
+
+#include <vector>
+
+#include "murosimf/model/lane_group.h"
+#include "murosimf/motion/pose_lanes.h"
+#include "murosimf/motion/simplified_dynamics.h"
+
+namespace murosimf::motion {
+
+class RigidLanes final : public LaneGroup {
+ public:
+  /// Those that keep the course of their center of mass; with the semi-implicit integrator.
+  explicit RigidLanes(std::vector<SimplifiedDynamics*> members);
+  void step(LaneMask due, const Instant& instant) noexcept override;
+
+ private:
+  [[nodiscard]] SimplifiedDynamics& member(int lane) const noexcept {
+    return *members_[static_cast<std::size_t>(lane)];
+  }
+  void follow_centers(LaneMask lanes) noexcept;
+
+  std::vector<SimplifiedDynamics*> members_;
+  PoseLanes poses_;
+  multibody::FreeBody<Pack8> body_;
+  Vec3<Pack8> angular_momentum_;  // [N m s] about the center of mass
+};
+
+}  // namespace murosimf::motion

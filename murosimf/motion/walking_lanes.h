@@ -1,0 +1,25 @@
+/// walking_lanes.h - up to eight copies of one robot at level `kinematic_walking`, whose poses and velocities are worked out
+/// together in lanes.
+#pragma once
+
+#include <vector>
+
+#include "murosimf/model/lane_group.h"
+#include "murosimf/motion/kinematic_walking.h"
+#include "murosimf/motion/pose_lanes.h"
+
+namespace murosimf::motion {
+
+class WalkingLanes final : public LaneGroup {
+ public:
+  explicit WalkingLanes(std::vector<KinematicWalking*> members);
+  void step(LaneMask due, const Instant& instant) noexcept override;
+
+ private:
+  [[nodiscard]] KinematicWalking& member(int lane) const noexcept { return *members_[static_cast<std::size_t>(lane)]; }
+
+  std::vector<KinematicWalking*> members_;
+  PoseLanes poses_;
+};
+
+}  // namespace murosimf::motion
