@@ -1,8 +1,11 @@
 // The program `murosimf`: reads the command line and calls one of the commands.
+#include <cstdio>
+
 #include "apps/command_line.h"
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/plugin_commands.h"
+#include "apps/processor.h"
 #include "apps/scene_arguments.h"
 #include "murosimf/catalog/algorithm_catalog.h"
 
@@ -41,6 +44,13 @@ void add_commands(CommandLine& line) {
 
 int main(int argc, char** argv) {
   using namespace murosimf::app;
+  if (const char* missing = missing_instructions(instruction_sets())) {
+    std::fprintf(
+        stderr,
+        "murosimf: this processor has no %s, for which the program was built; build it with -DMUROSIMF_NATIVE=OFF\n",
+        missing);
+    return users_mistake;
+  }
   say_last_words_of_everything();
   catch_signals();
   try {

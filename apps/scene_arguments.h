@@ -14,6 +14,7 @@ namespace murosimf::app {
 struct SceneArguments {
   std::string file;
   int threads = 1;
+  bool no_lanes = false;
   std::optional<std::int64_t> seed;  ///< from 0
   std::vector<std::string> overrides, events, pushes, plugins;
   bool lenient = false;

@@ -114,7 +114,7 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
 
 /// All that is left once the accelerations of the step stand.
 void ArticulatedDynamics::end_step() noexcept {
-  if (!targets_sane_) return tree_.halt("a joint position or target is no sensible number");
+  if (!targets_sane_) return tree_.halt(joints_insane);
   if (!accelerations_are_sane()) return tree_.halt(too_fast);
   report_torques();
   keep_loads();
@@ -128,7 +128,7 @@ void ArticulatedDynamics::end_step() noexcept {
 
 void ArticulatedDynamics::step_rk4(double dt) noexcept {
   tree_.take_changes();
-  if (!drives_.take_targets(dt)) return tree_.halt("a joint position or target is no sensible number");
+  if (!drives_.take_targets(dt)) return tree_.halt(joints_insane);
   recall_loads();
   bool first = true;
   const auto accelerations = [&] {

@@ -1,7 +1,6 @@
 #include "murosimf/motion/articulated_lanes.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace murosimf::motion {
 namespace {
@@ -51,11 +50,7 @@ ArticulatedLanes::ArticulatedLanes(std::vector<ArticulatedDynamics*> members)
 }
 
 void ArticulatedLanes::step(LaneMask due, const Instant& instant) noexcept {
-  LaneMask lanes = 0;
-  for_lanes(due, [&](int lane) {
-    if (!member(lane).tree_.contacts.solved()) lanes |= lane_bit(lane);
-  });
-  if (std::popcount(lanes) < fewest_in_lanes) lanes = 0;
+  const LaneMask lanes = trees_.ready(due);
   for_lanes(due & ~lanes, [&](int lane) { member(lane).step(instant); });
   if (lanes == 0) return;
   dt_ = seconds(instant.period);
@@ -71,6 +66,7 @@ void ArticulatedLanes::begin(LaneMask lanes) noexcept {
     robot.targets_sane_ = robot.drives_.take_targets(dt_);
     trees_.take(lane);
   });
+  trees_.look_for_loads(lanes);
   recall_loads(lanes);
   motors_.take_inputs(trees_.poses, lanes);
   drive_joints();
@@ -183,14 +179,14 @@ void ArticulatedLanes::recall_outcomes(LaneMask open) noexcept {
 }
 
 void ArticulatedLanes::end(LaneMask lanes) noexcept {
-  LaneMask together = lanes & lanes_of_sane_rates();
+  const LaneMask of_sane_rates = lanes_of_sane_rates();
+  LaneMask together = 0;
   for_lanes(lanes, [&](int lane) {
     ArticulatedDynamics& robot = member(lane);
     const bool base_is_sane = is_sane(lane_of(bodies_[0].acceleration, lane), dt_);
-    if (has_lane(together, lane) && robot.targets_sane_ && base_is_sane && !robot.tree_.is_in_flight()) return;
-    together &= ~lane_bit(lane);
-    give_back(lane);
-    robot.end_step();
+    if (!robot.targets_sane_) return robot.tree_.halt(joints_insane);
+    if (!has_lane(of_sane_rates, lane) || !base_is_sane) return robot.tree_.halt(too_fast);
+    together |= lane_bit(lane);
   });
   report_torques(together);
   keep_loads(together);
@@ -214,25 +210,6 @@ LaneMask ArticulatedLanes::lanes_of_sane_rates() const noexcept {
     if (rates.lane(lane) < fastest_joint && positions.lane(lane) < farthest_joint) sane |= lane_bit(lane);
   }
   return sane;
-}
-
-/// What passes have found goes into the robot's own memory, and it ends its step alone.
-void ArticulatedLanes::give_back(int lane) noexcept {
-  ArticulatedDynamics& robot = member(lane);
-  trees_.give_back(lane);
-  for (std::size_t l = 0; l < bodies_.size(); ++l) {
-    robot.bodies_[l].acceleration = lane_of(bodies_[l].acceleration, lane);
-    robot.bodies_[l].joint_acceleration = bodies_[l].joint_acceleration.lane(lane);
-    robot.motor_[l] = lane_of(drives_[l].motor, lane);
-    robot.servo_[l] = lane_of(drives_[l].servo, lane);
-    auto& joint = robot.friction_[l];
-    joint.gear = friction_[l].gear;
-    joint.coulomb = friction_[l].coulomb;
-    joint.load = friction_[l].load.lane(lane);
-    joint.drive = friction_[l].drive.lane(lane);
-    joint.budget = friction_[l].budget.lane(lane);
-    joint.direction = friction_[l].direction.lane(lane);
-  }
 }
 
 /// ArticulatedDynamics::report_torques.

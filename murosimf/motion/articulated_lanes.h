@@ -2,7 +2,7 @@
 ///
 /// The step of articulated_dynamics.h with packs in the place of numbers. What differs from robot to robot in kind goes lane by lane:
 /// contacts and their law, targets on their way. A robot whose contacts agree keeps what its pass has given while others repeat
-/// theirs; one that an island solver has settled, or that is in flight, ends its step alone.
+/// theirs; one that an island solver has settled, or that is in flight, steps alone.
 #pragma once
 
 #include <span>
@@ -43,7 +43,6 @@ class ArticulatedLanes final : public LaneGroup {
   void recall_outcomes(LaneMask open) noexcept;
   void end(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask lanes_of_sane_rates() const noexcept;
-  void give_back(int lane) noexcept;
   void report_torques(LaneMask lanes) noexcept;
   void keep_loads(LaneMask lanes) noexcept;
   void advance_joints(LaneMask lanes) noexcept;

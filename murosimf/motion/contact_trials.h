@@ -4,6 +4,7 @@
 /// predict() in each trial; commit() before anything moves; renew() at the end.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,11 @@ class ContactTrials {
   [[nodiscard]] bool solved() const noexcept { return set_.solved; }
   /// Nothing holds the entity in this step: neither points of its own nor those of its island.
   [[nodiscard]] bool none() const noexcept { return set_.points.empty() && !(set_.solved && set_.island_stands); }
+
+  /// A point of this object touches the environment.
+  [[nodiscard]] bool touches(int object) const noexcept {
+    return std::find(set_.loaded.begin(), set_.loaded.end(), object) != set_.loaded.end();
+  }
 
   /// Velocity after the step of every point: next_velocity(point) [m/s], world frame.
   template <class NextVelocity>

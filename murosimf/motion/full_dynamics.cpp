@@ -70,7 +70,7 @@ void FullDynamics::step(const Instant& instant) noexcept {
 
 /// All that is left once the accelerations of the step stand.
 void FullDynamics::end_step(const Instant& instant) noexcept {
-  if (!joints_sane_) return tree_.halt("a joint position or target is no sensible number");
+  if (!joints_sane_) return tree_.halt(joints_insane);
   find_torques(instant);
   tree_.contacts.commit();
   if (!tree_.advance_base(base_, dt_)) return tree_.halt(too_fast);
@@ -79,7 +79,7 @@ void FullDynamics::end_step(const Instant& instant) noexcept {
 
 void FullDynamics::step_rk4(const Instant& instant) noexcept {
   tree_.take_changes();
-  if (!reference_.is_sane(tree_.columns)) return tree_.halt("a joint position or target is no sensible number");
+  if (!reference_.is_sane(tree_.columns)) return tree_.halt(joints_insane);
   reference_.fade_offsets(seconds(instant.period));
   bool first = true;
   const auto accelerations = [&] {

@@ -1,7 +1,5 @@
 #include "murosimf/motion/full_lanes.h"
 
-#include <bit>
-
 #include "murosimf/multibody/inverse_dynamics.h"
 
 namespace murosimf::motion {
@@ -19,11 +17,7 @@ FullLanes::FullLanes(std::vector<FullDynamics*> members)
       link_force_(trees_.links.size()) {}
 
 void FullLanes::step(LaneMask due, const Instant& instant) noexcept {
-  LaneMask lanes = 0;
-  for_lanes(due, [&](int lane) {
-    if (!member(lane).tree_.contacts.solved()) lanes |= lane_bit(lane);
-  });
-  if (std::popcount(lanes) < fewest_in_lanes) lanes = 0;
+  const LaneMask lanes = trees_.ready(due);
   for_lanes(due & ~lanes, [&](int lane) { member(lane).step(instant); });
   if (lanes == 0) return;
   dt_ = seconds(instant.period);
@@ -42,6 +36,7 @@ void FullLanes::begin(LaneMask lanes) noexcept {
       joint_acceleration_[l].set_lane(lane, robot.joint_acceleration_[l]);
     }
   });
+  trees_.look_for_loads(lanes);
   trees_.poses.take_joints(lanes);
   bias_ = multibody::base_bias<Pack8>(trees_.poses.structure, trees_.links, joint_acceleration_, joint_motion_);
 }
@@ -80,11 +75,9 @@ Twist<Pack8> FullLanes::solve_bases(LaneMask lanes) noexcept {
 void FullLanes::end(LaneMask lanes, const Instant& instant) noexcept {
   LaneMask together = lanes;
   for_lanes(lanes, [&](int lane) {
-    FullDynamics& robot = member(lane);
-    if (robot.joints_sane_ && !robot.tree_.is_in_flight()) return;
+    if (member(lane).joints_sane_) return;
     together &= ~lane_bit(lane);
-    give_back(lane);
-    robot.end_step(instant);
+    member(lane).tree_.halt(joints_insane);
   });
   find_torques(together);
   for_lanes(together, [&](int lane) {
@@ -94,14 +87,6 @@ void FullLanes::end(LaneMask lanes, const Instant& instant) noexcept {
   const LaneMask moved = trees_.advance_bases(base_, dt_, together);
   for_lanes(together & ~moved, [&](int lane) { member(lane).tree_.halt(too_fast); });
   trees_.finish_step(moved);
-}
-
-/// What passes have found goes into the robot's own memory, and it ends its step alone.
-void FullLanes::give_back(int lane) noexcept {
-  FullDynamics& robot = member(lane);
-  trees_.give_back(lane);
-  robot.base_ = lane_of(base_, lane);
-  for (std::size_t l = 0; l < joint_motion_.size(); ++l) robot.joint_motion_[l] = lane_of(joint_motion_[l], lane);
 }
 
 /// FullDynamics::find_torques.
@@ -120,7 +105,7 @@ void FullLanes::find_torques(LaneMask lanes) noexcept {
   for (std::size_t l = links.size() - 1; l > 0; --l) {
     const auto i = static_cast<std::size_t>(links[l].object);
     joint_torque_[l] = dot(trees_.links[l].axis, link_force_[l]) + first.rotor_[l] * joint_acceleration_[l] -
-                       first.passive_[l].torque(poses.q[i], poses.qd[i]);
+                       first.passive_[l].torque_as<Pack8>(poses.q[i], poses.qd[i]);
     link_force_[static_cast<std::size_t>(links[l].parent)] += link_force_[l];
   }
   poses.put_back(

@@ -23,7 +23,6 @@ class FullLanes final : public LaneGroup {
   void settle(LaneMask lanes) noexcept;
   [[nodiscard]] Twist<Pack8> solve_bases(LaneMask lanes) noexcept;
   void end(LaneMask lanes, const Instant& instant) noexcept;
-  void give_back(int lane) noexcept;
   void find_torques(LaneMask lanes) noexcept;
 
   std::vector<FullDynamics*> members_;

@@ -29,7 +29,7 @@ JointDriveLanes::Answer JointDriveLanes::drive(std::size_t link, int object, con
     multibody::MotorInput<Pack8> input{.target = target_[link], .q = q, .rate = qd, .enabled = enabled_[link]};
     const double per_volt = first.condition_.per_volt(static_cast<std::size_t>(object));
     if (per_volt > 0) input.supply = supply_[link] * per_volt;
-    const auto torque = joint.law->torque(input, dt);
+    const auto torque = joint.law->torque_in_lanes(input, dt);
     answer.gear = joint.gear;
     answer.motor_torque = torque.now;
     answer.motor = {torque.torque, torque.inertia};

@@ -115,7 +115,7 @@ void KinematicWalking::step(const Instant& instant) noexcept {
 bool KinematicWalking::begin_step(double dt) noexcept {
   if (!reference_.advance(columns_, dt)) {
     columns_.stop();
-    entity_.freeze("a joint position or target is no sensible number");
+    entity_.freeze(joints_insane);
     return false;
   }
   const Vec3d moved = columns_.take_displacement();  // somebody moved the base: the standing foot goes with it

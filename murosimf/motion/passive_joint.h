@@ -15,8 +15,9 @@ struct PassiveJoint {
   double rest = 0;       ///< [rad | m] where the spring is slack
 
   /// [N m | N] at a position and rate.
+  [[nodiscard]] double torque(double q, double qd) const noexcept { return torque_as<double>(q, qd); }
   template <class S>
-  [[nodiscard]] S torque(const S& q, const S& qd) const noexcept {
+  [[nodiscard]] S torque_as(const S& q, const S& qd) const noexcept {
     return -damping * qd - stiffness * (q - rest);
   }
 };

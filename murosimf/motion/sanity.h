@@ -25,6 +25,8 @@ inline constexpr const char* too_fast =
          std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
 }
 
+inline constexpr const char* joints_insane = "a joint position or target is no sensible number";
+
 /// What a step of dt [s] adds to the velocities, written so that NaN is not sane either.
 [[nodiscard]] inline bool is_sane(const Twistd& acceleration, double dt) {
   return dt * norm(acceleration.v) < fastest && dt * norm(acceleration.w) < fastest_turn;

@@ -29,7 +29,6 @@ class IdealPd final : public ServoLaw {
         by_rate_(follows_rate(servo)),
         limit_(servo.stall_torque > 0 ? servo.stall_torque : std::numeric_limits<double>::infinity()) {}
 
-  using ServoLaw::torque;
   [[nodiscard]] MotorTorque torque(const MotorInput& in, double dt) const noexcept override {
     if (in.enabled == 0) return {};
     const double kp = servo_.position_gain, kd = servo_.velocity_gain;
@@ -61,8 +60,8 @@ class DcMotor final : public ServoLaw {
   [[nodiscard]] MotorTorque torque(const MotorInput& in, double dt) const noexcept override {
     return multibody::motor_torque(motor_, in, dt);
   }
-  [[nodiscard]] multibody::MotorTorque<Pack8> torque(const multibody::MotorInput<Pack8>& in,
-                                                     double dt) const noexcept override {
+  [[nodiscard]] multibody::MotorTorque<Pack8> torque_in_lanes(const multibody::MotorInput<Pack8>& in,
+                                                              double dt) const noexcept override {
     return multibody::motor_torque(motor_, in, dt);
   }
   [[nodiscard]] double available(double qd, double direction) const noexcept override {
@@ -87,7 +86,8 @@ constexpr std::array entries{
 
 }  // namespace
 
-multibody::MotorTorque<Pack8> ServoLaw::torque(const multibody::MotorInput<Pack8>& input, double dt) const noexcept {
+multibody::MotorTorque<Pack8> ServoLaw::torque_in_lanes(const multibody::MotorInput<Pack8>& input,
+                                                        double dt) const noexcept {
   multibody::MotorTorque<Pack8> result;
   for (int lane = 0; lane < Pack8::lanes; ++lane) {
     set_lane(result, lane, torque(lane_of(input, lane), dt));

@@ -39,8 +39,8 @@ class ServoLaw {
   /// friction are not in the answer.
   [[nodiscard]] virtual MotorTorque torque(const MotorInput& input, double dt) const noexcept = 0;
   /// The same for eight servos with the numbers of this one, each in its lane, with the same bits.
-  [[nodiscard]] virtual multibody::MotorTorque<Pack8> torque(const multibody::MotorInput<Pack8>& input,
-                                                             double dt) const noexcept;
+  [[nodiscard]] virtual multibody::MotorTorque<Pack8> torque_in_lanes(const multibody::MotorInput<Pack8>& input,
+                                                                      double dt) const noexcept;
   /// Largest torque [N m] that the servo can give to a joint that it drives, friction of its gear taken off, in the direction of `direction` (+1 or -1) at rate `qd` [rad/s].
   [[nodiscard]] virtual double available(double qd, double direction) const noexcept = 0;
 };

@@ -123,7 +123,7 @@ SimplifiedDynamics::Course SimplifiedDynamics::find_course(const Instant& instan
     return {};
   }
   if (!reference_.advance(columns_, dt_)) {
-    halt("a joint position or target is no sensible number");
+    halt(joints_insane);
     return {};
   }
   contacts_.commit();
@@ -146,7 +146,7 @@ void SimplifiedDynamics::turn(const multibody::FreeBody<double>& body) noexcept 
 
 void SimplifiedDynamics::step_rk4(double dt) noexcept {
   begin_step(dt);
-  if (!reference_.is_sane(columns_)) return halt("a joint position or target is no sensible number");
+  if (!reference_.is_sane(columns_)) return halt(joints_insane);
   reference_.fade_offsets(dt);
   // the row has the angular momentum in the place of the angular velocity
   write_state({center_, velocity_, columns_.Q[0], inertia_ * columns_.w[0]}, columns_, row_);

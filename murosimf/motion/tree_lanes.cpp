@@ -1,5 +1,7 @@
 #include "murosimf/motion/tree_lanes.h"
 
+#include <bit>
+
 namespace murosimf::motion {
 
 TreeLanes::TreeLanes(std::vector<MovingTree*> trees)
@@ -37,25 +39,43 @@ void TreeLanes::take(int lane) noexcept {
   set_lane(whole.second, lane, tree.whole_.second);
 }
 
-void TreeLanes::give_back(int lane) noexcept { tree(lane).take_links_back(); }
+LaneMask TreeLanes::ready(LaneMask due) const noexcept {
+  LaneMask lanes = 0;
+  for_lanes(due, [&](int lane) {
+    if (!tree(lane).contacts.solved() && !tree(lane).is_in_flight()) lanes |= lane_bit(lane);
+  });
+  return std::popcount(lanes) < fewest_in_lanes ? 0 : lanes;
+}
 
-TreeLanes::Load TreeLanes::load_of(std::size_t object, LaneMask lanes) const noexcept {
-  Load load;
+void TreeLanes::look_for_loads(LaneMask lanes) noexcept {
+  busy_.clear();
+  for (const int object : trees_.front()->columns.model.bodies()) {
+    LaneMask busy = 0;
+    for_lanes(lanes, [&](int lane) {
+      const MovingTree& robot = tree(lane);
+      const bool rests = is_zero(robot.external_force[object]) && is_zero(robot.external_damping[object]);
+      if (!rests || robot.contacts.touches(object)) busy |= lane_bit(lane);
+    });
+    if (busy != 0) busy_.push_back(static_cast<std::size_t>(object));
+  }
+}
+
+void TreeLanes::gather_load(std::size_t object, LaneMask lanes) noexcept {
+  load_.loaded = load_.damped = 0;
   for_lanes(lanes, [&](int lane) {
     const Wrenchd& force = tree(lane).external_force[object];
     const Sym6d& damping = tree(lane).external_damping[object];
     const bool damped = !is_zero(damping);
     if (!damped && is_zero(force)) return;
-    load.loaded |= lane_bit(lane);
-    if (damped) load.damped |= lane_bit(lane);
-    set_lane(load.force, lane, force);
-    set_lane(load.damping, lane, damping);
+    load_.loaded |= lane_bit(lane);
+    if (damped) load_.damped |= lane_bit(lane);
+    set_lane(load_.force, lane, force);
+    set_lane(load_.damping, lane, damping);
   });
-  return load;
 }
 
 /// From force and damping at the body's origin to those at O, as MovingTree::for_loads has them.
-void TreeLanes::see_from_base(int link, std::size_t object, double dt, Load& load) const noexcept {
+void TreeLanes::see_load_from_base(int link, std::size_t object, double dt) noexcept {
   const auto& motion = links[static_cast<std::size_t>(link)];
   const Vec3<Pack8> to_base = poses.r[0] - poses.r[object];
   const Vec3<Pack8> d = poses.r[object] - poses.r[0];
@@ -63,14 +83,14 @@ void TreeLanes::see_from_base(int link, std::size_t object, double dt, Load& loa
   const Vec3<Pack8> zero;
   const Vec3<Pack8> alpha = motion.bias.w + zero;
   const Vec3<Pack8> a = motion.bias.v + trees_.front()->gravity + zero + cross(alpha, d) + cross(w, v + cross(w, d));
-  const Sym6<Pack8> damping = dt * load.damping;
-  Wrench<Pack8> force = load.force;
+  const Sym6<Pack8> damping = dt * load_.damping;
+  Wrench<Pack8> force = load_.force;
   force -= damping * Twist<Pack8>{alpha, a};
-  const Pack8::Mask damped = where(load.damped);
-  assign_where(damped, force, load.force);
-  load.force = moved(load.force, to_base);
-  load.damping = {};
-  assign_where(damped, moved(damping, to_base), load.damping);
+  const Pack8::Mask damped = where(load_.damped);
+  assign_where(damped, force, load_.force);
+  load_.force = moved(load_.force, to_base);
+  load_.damping = {};
+  assign_where(damped, moved(damping, to_base), load_.damping);
 }
 
 LaneMask TreeLanes::advance_bases(const Twist<Pack8>& acceleration, double dt, LaneMask lanes) noexcept {

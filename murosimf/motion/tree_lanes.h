@@ -20,9 +20,9 @@ class TreeLanes {
 
   /// To be called first in a step, in the place of MovingTree::take_changes: the lane has the robot as its columns are.
   void take(int lane) noexcept;
-  /// The tree's own links are those of the lane: it goes on alone.
-  void give_back(int lane) noexcept;
 
+  /// To be called at the beginning of a step: finds the bodies that may feel something in its passes.
+  void look_for_loads(LaneMask lanes) noexcept;
   /// MovingTree::for_loads of these lanes: calls add(link, those of the lanes in which it feels anything, force, damping).
   template <class Add>
   void for_loads(LaneMask lanes, double dt, const Add& add) noexcept;
@@ -36,6 +36,10 @@ class TreeLanes {
     };
     tree(lane).predict_contacts(dt, motion_of, acceleration_of);
   }
+
+  /// Those of these robots that can step in lanes now: nobody has settled their step already, and they are not in flight, where their
+  /// momentum is kept by other means. None if they are too few.
+  [[nodiscard]] LaneMask ready(LaneMask due) const noexcept;
 
   /// Advances the bases by a'_0 for a step of dt [s], and puts those of the lanes that have come to a sensible state back into their
   /// columns; of the others nothing is changed. Returns these lanes. None may be in flight (MovingTree::advance_base).
@@ -61,26 +65,27 @@ class TreeLanes {
     Wrench<Pack8> force;
     Sym6<Pack8> damping;
   };
-  [[nodiscard]] Load load_of(std::size_t object, LaneMask lanes) const noexcept;
-  void see_from_base(int link, std::size_t object, double dt, Load& load) const noexcept;
+  void gather_load(std::size_t object, LaneMask lanes) noexcept;
+  void see_load_from_base(int link, std::size_t object, double dt) noexcept;
   void put_back_whole(LaneMask lanes) noexcept;
 
   std::vector<MovingTree*> trees_;
   LaneMask fresh_ = 0;  // lanes that have their robot as this left it
   multibody::FreeBody<Pack8> base_;
+  std::vector<std::size_t> busy_;  // objects that may feel something, in the model's order
+  Load load_;                      // working memory
 };
 
 // ---- definitions ----
 
 template <class Add>
 void TreeLanes::for_loads(LaneMask lanes, double dt, const Add& add) noexcept {
-  const Model& model = trees_.front()->columns.model;
-  for (const int object : model.bodies()) {
-    Load load = load_of(static_cast<std::size_t>(object), lanes);
-    if (load.loaded == 0) continue;
-    const int link = model.tree().link_of[static_cast<std::size_t>(object)];
-    see_from_base(link, static_cast<std::size_t>(object), dt, load);
-    add(static_cast<std::size_t>(link), load.loaded, load.force, load.damping);
+  for (const std::size_t object : busy_) {
+    gather_load(object, lanes);
+    if (load_.loaded == 0) continue;
+    const int link = poses.structure.link_of[object];
+    see_load_from_base(link, object, dt);
+    add(static_cast<std::size_t>(link), load_.loaded, load_.force, load_.damping);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "murosimf/runtime/lane_jobs.h"
 
 #include <algorithm>
+#include <set>
 
 namespace murosimf {
 namespace {
@@ -21,6 +22,12 @@ const std::vector<std::vector<Job>>& LaneJobs::of(const std::vector<Wave>& waves
     for (const Wave& wave : waves) place->second.push_back(jobs_of(wave));
   }
   return place->second;
+}
+
+std::size_t LaneJobs::members_in_groups() const {
+  std::set<std::size_t> members;
+  for (const auto& [algorithms, group] : groups_) members.insert(algorithms.begin(), algorithms.end());
+  return members.size();
 }
 
 std::vector<Job> LaneJobs::jobs_of(const Wave& wave) {

@@ -32,6 +32,8 @@ class LaneJobs {
 
   /// The jobs of each of these waves, which are a Plan's. Made once, and kept.
   [[nodiscard]] const std::vector<std::vector<Job>>& of(const std::vector<Wave>& waves);
+  /// How many of the members are in a group; of what has been asked for so far.
+  [[nodiscard]] std::size_t members_in_groups() const;
 
  private:
   [[nodiscard]] std::vector<Job> jobs_of(const Wave& wave);

@@ -180,6 +180,8 @@ class Simulation {
   [[nodiscard]] int threads() const { return pool_.threads(); }
   /// Whether equal robots step together in lanes (lane_jobs.h), as they do unless told otherwise. Only how long it takes depends on it.
   void use_lanes(bool use);
+  /// How many algorithms do so, of those that have been due so far.
+  [[nodiscard]] std::size_t algorithms_in_lanes() const { return lane_jobs_.members_in_groups(); }
   [[nodiscard]] std::uint64_t state_hash() const { return world_->state_hash(); }
 
   /// Everything that decides how it goes on, between two steps: all columns, sensors' memory and readings, pictures on their way,

@@ -32,6 +32,7 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options) : S
 
 Scene::Scene(scene_file::SceneSpec spec, const SceneOptions& options)
     : parts_(with_seed(std::move(spec), options), options.threads) {
+  parts_.simulation->use_lanes(options.lanes);
   build(parts_, options);
 }
 

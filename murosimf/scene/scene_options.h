@@ -20,6 +20,7 @@ struct SceneOptions {
   std::vector<std::string> events;     ///< TIME:PATH=VALUE, as for --at
   std::vector<std::string> pushes;     ///< `OBJECT=FORCE@BEGIN..END`, as for --push
   bool lenient = false;                ///< accept unknown elements in model files
+  bool lanes = true;                   ///< false: equal robots do not step together (Simulation::use_lanes)
   bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames
   bool paths = false;                  ///< remember where everybody has been, for write_picture
   std::shared_ptr<Assets> assets{};    ///< that it shares with other scenes; null: its own

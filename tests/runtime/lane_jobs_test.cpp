@@ -1,0 +1,120 @@
+// Which algorithms step together.
+#include "murosimf/runtime/lane_jobs.h"
+
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+namespace murosimf {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Counting final : public LaneGroup {
+ public:
+  explicit Counting(std::size_t members) : members_(members) {}
+  void step(LaneMask, const Instant&) noexcept override {}
+  [[nodiscard]] std::size_t members() const { return members_; }
+
+ private:
+  std::size_t members_;
+};
+
+/// Goes with those of its kind.
+class OfKind final : public Algorithm {
+ public:
+  explicit OfKind(int kind) : kind_(kind) {}
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::motion; }
+  void step(const Instant&) noexcept override {}
+  [[nodiscard]] bool goes_with(const Algorithm& other) const override {
+    return kind_ == static_cast<const OfKind&>(other).kind_;
+  }
+  [[nodiscard]] std::unique_ptr<LaneGroup> join(std::span<Algorithm* const> members) const override {
+    return std::make_unique<Counting>(members.size());
+  }
+
+ private:
+  int kind_;
+};
+
+/// The jobs of one wave of algorithms of these kinds.
+class Jobs {
+ public:
+  Jobs(const std::vector<int>& kinds, int threads) {
+    std::vector<LaneJobs::Member> members;
+    for (const int kind : kinds) {
+      algorithms_.push_back(std::make_unique<OfKind>(kind));
+      members.push_back({algorithms_.back().get(), 1ms});
+    }
+    use(std::move(members), threads);
+  }
+  /// Of one kind, with these periods. 0: it steps alone.
+  explicit Jobs(const std::vector<Duration>& periods) {
+    std::vector<LaneJobs::Member> members;
+    for (const Duration period : periods) {
+      algorithms_.push_back(std::make_unique<OfKind>(0));
+      members.push_back({period == 0ms ? nullptr : algorithms_.back().get(), period});
+    }
+    use(std::move(members), 1);
+  }
+
+  [[nodiscard]] std::vector<std::vector<std::size_t>> all() const {
+    std::vector<std::vector<std::size_t>> result;
+    for (const Job& job : *jobs_) {
+      result.push_back(job.algorithms);
+      const auto* group = static_cast<const Counting*>(job.lanes);
+      EXPECT_EQ(group ? group->members() : 1, job.algorithms.size());
+    }
+    return result;
+  }
+  [[nodiscard]] std::vector<std::size_t> sizes() const {
+    std::vector<std::size_t> result;
+    for (const Job& job : *jobs_) result.push_back(job.algorithms.size());
+    return result;
+  }
+  [[nodiscard]] std::size_t in_groups() const { return lane_jobs_.members_in_groups(); }
+
+ private:
+  void use(std::vector<LaneJobs::Member> members, int threads) {
+    waves_ = {Wave(members.size())};
+    std::iota(waves_[0].begin(), waves_[0].end(), std::size_t{0});
+    lane_jobs_ = LaneJobs(std::move(members), threads);
+    jobs_ = &lane_jobs_.of(waves_)[0];
+    EXPECT_EQ(&lane_jobs_.of(waves_)[0], jobs_) << "made once";
+  }
+
+  std::vector<std::unique_ptr<OfKind>> algorithms_;
+  std::vector<Wave> waves_;
+  LaneJobs lane_jobs_;
+  const std::vector<Job>* jobs_ = nullptr;
+};
+
+using Sizes = std::vector<std::size_t>;
+
+TEST(LaneJobs, ThoseThatGoTogetherStepTogether) {
+  const Jobs jobs({1, 2, 1, 3, 2, 1}, 1);
+  EXPECT_EQ(jobs.all(), (std::vector<Sizes>{{0, 2, 5}, {1, 4}, {3}}));
+  EXPECT_EQ(jobs.in_groups(), 5);
+}
+
+TEST(LaneJobs, EightAtMostInEvenGroups) {
+  EXPECT_EQ(Jobs(std::vector<int>(8, 1), 1).sizes(), (Sizes{8}));
+  EXPECT_EQ(Jobs(std::vector<int>(9, 1), 1).sizes(), (Sizes{4, 5}));
+  EXPECT_EQ(Jobs(std::vector<int>(22, 1), 1).sizes(), (Sizes{7, 7, 8}));
+}
+
+TEST(LaneJobs, EveryThreadGetsItsShare) {
+  EXPECT_EQ(Jobs(std::vector<int>(8, 1), 2).sizes(), (Sizes{4, 4}));
+  EXPECT_EQ(Jobs(std::vector<int>(22, 1), 2).sizes(), (Sizes{5, 6, 5, 6}));
+  EXPECT_EQ(Jobs(std::vector<int>(6, 1), 16).sizes(), (Sizes{2, 2, 2})) << "at least two each";
+  EXPECT_EQ(Jobs(std::vector<int>(1, 1), 16).sizes(), (Sizes{1}));
+}
+
+TEST(LaneJobs, OtherPeriodsAndLonersStepAlone) {
+  const Jobs jobs(std::vector<Duration>{1ms, 5ms, 0ms, 1ms, 0ms, 5ms});
+  EXPECT_EQ(jobs.all(), (std::vector<Sizes>{{0, 3}, {1, 5}, {2}, {4}}));
+  EXPECT_EQ(jobs.in_groups(), 4);
+}
+
+}  // namespace
+}  // namespace murosimf
