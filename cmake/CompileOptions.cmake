@@ -7,6 +7,8 @@ target_compile_options(murosimf_options INTERFACE
   # products and sums are never fused: the same source gives the same bits on every processor
   -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ 12 makes fused multiply-adds of neighboring sums and differences for all that (vfmaddsub), where it has that instruction
+  target_compile_options(murosimf_options INTERFACE -fno-tree-slp-vectorize)
   # g++ 12 sees overlapping copies in the concatenation of std::string where there are none (GCC bug 105651)
   target_compile_options(murosimf_options INTERFACE -Wno-restrict)
   if(MUROSIMF_UNITY)
@@ -25,11 +27,13 @@ endif()
 if(MUROSIMF_WARNINGS_AS_ERRORS)
   target_compile_options(murosimf_options INTERFACE -Werror)
 endif()
+# Eigen adds in an order that depends on the width of the registers: without it sums have the same bits on every processor
+target_compile_definitions(murosimf_options INTERFACE EIGEN_DONT_VECTORIZE)
 if(MUROSIMF_NATIVE)
   target_compile_options(murosimf_options INTERFACE -march=native)
 endif()
 
-# murosimf_kernel_flags(<target>): full optimization, and with g++ no vectorizer, which changes last bits.
+# murosimf_kernel_flags(<target>): full optimization, and with g++ no vectorizer: kernels bring their own lanes.
 function(murosimf_kernel_flags target)
   target_compile_options(${target} PRIVATE -ffp-contract=off $<$<CONFIG:Release>:-O3>
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize>)

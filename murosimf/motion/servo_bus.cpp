@@ -13,6 +13,7 @@ ServoBus::ServoBus(Setup& setup)
       coupled_(setup.model()),
       objects_(setup.model().joints()),
       step_(seconds(setup.period())),
+      plain_(false),
       period_(static_cast<std::size_t>(setup.model().size())),
       delay_(period_.size()),
       target_(setup.input(properties::joint_target, 0.0)),
@@ -26,6 +27,7 @@ ServoBus::ServoBus(Setup& setup)
     period_[i] = std::max(1.0, std::round(servo->command_period / step_));
     holds = true;
   }
+  plain_ = !holds && turning_.joints().empty();
   if (!holds) return;
   sent_ = setup.write(properties::sent_target);
   age_ = setup.write(properties::sent_target_age);
@@ -60,15 +62,20 @@ double ServoBus::sent(int i) noexcept {
   return sent_[i];
 }
 
-bool ServoBus::step(double dt) noexcept {
+bool ServoBus::pass_on(double now, int i) noexcept {
   constexpr double largest = 1e4;  // [rad | m | rad/s | m/s]
+  present_[i] = delayed_[i].pass(now);
+  return std::abs(now) < largest;  // NaN is not less
+}
+
+bool ServoBus::step(double dt) noexcept {
   const std::int64_t steps = std::llround(dt / step_);
   bool sane = true;
   for (const int i : objects_) {
-    for (std::int64_t step = 0; step < steps; ++step) {
-      const double now = sent(i);
-      sane &= std::abs(now) < largest;  // NaN is not less
-      present_[i] = delayed_[i].pass(now);
+    if (plain_ && steps == 1) {
+      sane &= pass_on(target_[i], i);
+    } else {
+      for (std::int64_t step = 0; step < steps; ++step) sane &= pass_on(sent(i), i);
     }
   }
   couple();

@@ -39,12 +39,14 @@ class ServoBus {
 
  private:
   [[nodiscard]] double sent(int object) noexcept;
+  [[nodiscard]] bool pass_on(double now, int object) noexcept;
   void couple() noexcept;
 
   VelocityJoints turning_;
   MimicJoints coupled_;
   std::span<const int> objects_;
   double step_;                     // [s] of the simulation
+  bool plain_;                      // all are sent a position in every step
   std::vector<double> period_;      // [steps] by object; 0: every step
   std::vector<std::size_t> delay_;  // [steps] by object
   std::span<const double> target_;
