@@ -88,11 +88,19 @@ class ConstantTable {
   /// Null if the object does not have the property.
   template <class T>
   [[nodiscard]] const T* find(const Property<T>& property, int object) const {
-    const auto column = columns_.find(property.name);
-    if (column == columns_.end() || column->second->type() != typeid(T)) return nullptr;
-    const auto& values = static_cast<const ConstantColumn<T>&>(*column->second).values;
-    const auto value = values.find(object);
-    return value == values.end() ? nullptr : &value->second;
+    const ConstantColumn<T>* column = column_of(property);
+    if (!column) return nullptr;
+    const auto value = column->values.find(object);
+    return value == column->values.end() ? nullptr : &value->second;
+  }
+  /// The objects that have the property, in their order.
+  template <class T>
+  [[nodiscard]] std::vector<int> having(const Property<T>& property) const {
+    std::vector<int> objects;
+    if (const ConstantColumn<T>* column = column_of(property)) {
+      for (const auto& [object, value] : column->values) objects.push_back(object);
+    }
+    return objects;
   }
 
   /// Takes over another table whose objects begin at `offset` here.
@@ -110,6 +118,14 @@ class ConstantTable {
   [[nodiscard]] const auto& columns() const { return columns_; }
 
  private:
+  /// Null if no object has the property.
+  template <class T>
+  [[nodiscard]] const ConstantColumn<T>* column_of(const Property<T>& property) const {
+    const auto column = columns_.find(property.name);
+    if (column == columns_.end() || column->second->type() != typeid(T)) return nullptr;
+    return static_cast<const ConstantColumn<T>*>(column->second.get());
+  }
+
   std::map<std::string, std::unique_ptr<ConstantColumnBase>, std::less<>> columns_;
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "murosimf/model/chain.h"
+#include "murosimf/model/derived_data.h"
 #include "murosimf/model/tree.h"
 
 namespace murosimf {
@@ -32,11 +33,7 @@ class Model {
   /// Indices of all objects that have the constant property.
   template <class T>
   [[nodiscard]] std::vector<int> having(const Property<T>& property) const {
-    std::vector<int> result;
-    for (int i = 0; i < size(); ++i) {
-      if (find(property, i)) result.push_back(i);
-    }
-    return result;
+    return constants_.having(property);
   }
 
   /// Index of the object with this name or alias. Throws SetupError with the nearest name.
@@ -54,6 +51,9 @@ class Model {
   /// The same tree with other values of its constants. Throws SetupError if a mass or inertia is impossible.
   [[nodiscard]] Model with(ConstantTable constants) const;
 
+  /// For who works out something that follows from the model alone; it is kept as long as the model.
+  [[nodiscard]] const DerivedData& derived() const { return derived_; }
+
   /// Where an object stands in the frame of the link it is fixed to.
   [[nodiscard]] FixedObject placement(int object) const;
 
@@ -70,6 +70,7 @@ class Model {
   Tree tree_;
   std::vector<int> joints_, bodies_;
   std::map<std::string, int, std::less<>> index_;
+  DerivedData derived_;
 };
 
 using ModelPtr = std::shared_ptr<const Model>;
