@@ -31,7 +31,7 @@ BodyContact::BodyContact(Setup& setup, const Entity* environment, const std::vec
       finder_(materials, {norm(setup.world().gravity), seconds(setup.period()), law_->implicit()}),
       period_(seconds(setup.period())),
       set_(setup.write(pair_contacts)[0]),
-      environment_(environment) {
+      environment_(static_compound_of(environment)) {
   for (const MovingEntity& moving_entity : moving_entities_) finder_.add(moving_entity);
 }
 
@@ -101,7 +101,7 @@ void BodyContact::step(const Instant& instant) noexcept {
   for (MovingEntity& moving_entity : moving_entities_) moving_entity.start_step();
   finder_.find(moving_entities_, set_);
   for (PairContact& c : set_.points) end_lift(c, set_.parameters[c.surface], dt);
-  kinematic_separation(moving_entities_, environment_, finder_.within_reach(), set_);
+  kinematic_separation(moving_entities_, *environment_, finder_.within_reach(), set_);
   law_->push(moving_entities_, set_, dt);
 }
 

@@ -44,7 +44,7 @@ class BodyContact final : public Algorithm {
   PairFinder finder_;
   double period_;  // [s]
   PairSet& set_;
-  StaticCompound environment_;
+  std::shared_ptr<const StaticCompound> environment_;
 };
 
 }  // namespace murosimf::collision

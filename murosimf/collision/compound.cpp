@@ -1,5 +1,9 @@
 #include "murosimf/collision/compound.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "murosimf/collision/robot_tree.h"
 
 namespace murosimf::collision {
@@ -17,13 +21,24 @@ geometry::AnyTree make_tree(const Model& model, std::span<const CollidingShape> 
   return geometry::make_tree(options.volume, parts, layout, options.margin);
 }
 
+std::string key_of(const CompoundOptions& options) {
+  std::string key = fmt::format("{} {} {} {}", options.volume, options.structured, options.inner, options.margin);
+  if (!options.inner) return key;
+  for (const auto& [first, second] : options.excluded) key += fmt::format(" {} {}", first, second);
+  return key;
+}
+
 }  // namespace
 
+Compound::Parts::Parts(const Model& model, const CompoundOptions& options)
+    : shapes(colliding_shapes(model)),
+      tree(make_tree(model, shapes, options)),
+      inner_pairs(options.inner ? InnerPairs(model, shapes, options.excluded) : InnerPairs()),
+      reach(farthest_reach(model)),
+      all_touch(std::ranges::all_of(shapes, is_usual<PlacedShape>, &CollidingShape::placed)) {}
+
 Compound::Compound(const Model& model, const CompoundOptions& options)
-    : shapes_(colliding_shapes(model)), tree_(make_tree(model, shapes_, options)), reach_(farthest_reach(model)) {
-  for (const CollidingShape& shape : shapes_) all_touch_ = all_touch_ && is_usual(shape.placed);
-  if (options.inner) inner_pairs_ = InnerPairs(model, shapes_, options.excluded);
-}
+    : parts_(model.derived().get<Parts>(key_of(options), [&] { return Parts(model, options); })), tree_(parts_->tree) {}
 
 Compound compound_of(const Entity& entity, const CompoundOptions& options) {
   return with_context("entity '" + entity.name() + "'", [&] { return Compound(entity.model(), options); });

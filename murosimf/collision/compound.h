@@ -1,6 +1,7 @@
 /// compound.h - all shapes of one entity that can collide, in a tree of bounding volumes (paper 5).
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <variant>
@@ -23,18 +24,18 @@ struct CompoundOptions {
 
 class Compound {
  public:
-  /// Throws SetupError if there is no such kind of volume or an excluded object does not exist. The
-  /// compound keeps no reference to the model.
+  /// Throws SetupError if there is no such kind of volume or an excluded object does not exist. The compound keeps no reference
+  /// to the model; all of one model with the same options share everything but their volumes.
   explicit Compound(const Model& model, const CompoundOptions& options = {});
 
   /// In the order of colliding_shapes(); shape i is leaf i of the tree.
-  [[nodiscard]] const std::vector<CollidingShape>& shapes() const { return shapes_; }
+  [[nodiscard]] const std::vector<CollidingShape>& shapes() const { return parts_->shapes; }
   [[nodiscard]] const geometry::AnyTree& tree() const { return tree_; }
   /// Every shape is of the one kind that is usual, and touches it.
-  [[nodiscard]] bool all_touch() const { return all_touch_; }
-  [[nodiscard]] const InnerPairs& inner_pairs() const { return inner_pairs_; }
+  [[nodiscard]] bool all_touch() const { return parts_->all_touch; }
+  [[nodiscard]] const InnerPairs& inner_pairs() const { return parts_->inner_pairs; }
   /// No shape is farther [m] from the base's origin, in any posture: who is near nobody needs no refit.
-  [[nodiscard]] double reach() const { return reach_; }
+  [[nodiscard]] double reach() const { return parts_->reach; }
 
   /// About the root of the tree: a cheap first test whatever the kind of volume.
   [[nodiscard]] const geometry::BoundingSphere& around() const { return around_; }
@@ -45,16 +46,23 @@ class Compound {
   void refit(std::span<const Vec3d> r, std::span<const Mat3d> R) noexcept;
   /// Where shape i is in the world.
   [[nodiscard]] Transformd pose(int i, std::span<const Vec3d> r, std::span<const Mat3d> R) const noexcept {
-    const CollidingShape& shape = shapes_[i];
+    const CollidingShape& shape = shapes()[i];
     return Transformd{r[shape.object], R[shape.object]} * shape.placed.place();
   }
 
  private:
-  std::vector<CollidingShape> shapes_;
+  struct Parts {
+    Parts(const Model& model, const CompoundOptions& options);
+
+    std::vector<CollidingShape> shapes;
+    geometry::AnyTree tree;  // never refitted
+    InnerPairs inner_pairs;
+    double reach;  // [m]
+    bool all_touch;
+  };
+
+  std::shared_ptr<const Parts> parts_;
   geometry::AnyTree tree_;
-  InnerPairs inner_pairs_;
-  double reach_ = 0;
-  bool all_touch_ = true;
   geometry::BoundingSphere around_;
 };
 

@@ -46,7 +46,9 @@ GroundFinder::GroundFinder(const Entity& entity, const Entity* environment)
     : shapes_(ground_shapes(entity.model())),
       planes_(ground_planes(environment)),
       own_(compound_of(entity, {.volume = entity.options().collision.volume})),
-      environment_(environment),
+      environment_(static_compound_of(environment)),
+      own_kinds_(own_.shapes(), SurfaceKinds::Of::model),
+      static_kinds_(environment_->compound().shapes(), SurfaceKinds::Of::object),
       all_touch_planes_(own_.all_touch() && std::all_of(planes_.begin(), planes_.end(), is_usual<GroundPlane>)) {}
 
 std::size_t GroundFinder::most_on_planes() const { return 8 * shapes_.size() * planes_.size(); }
@@ -54,27 +56,25 @@ std::size_t GroundFinder::most_on_planes() const { return 8 * shapes_.size() * p
 void GroundFinder::find(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                         TestCounts& tests) noexcept {
   find_on_planes(r, R, found, tests);
-  if (!environment_.empty()) find_on_statics(r, R, found, tests);
+  if (!environment_->empty()) find_on_statics(r, R, found, tests);
 }
 
 void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                                   TestCounts& tests) const noexcept {
-  std::uint32_t surface = 0;
+  const std::span<const GroundShape> shapes(shapes_);
   std::uint64_t feature = 0;
-  for (const GroundPlane& plane : planes_) {
-    for (const GroundShape& shape : shapes_) {
-      ++tests.volumes;
-      if (is_out_of_reach(shape, r[shape.object], plane) || !(all_touch_planes_ || may_touch(shape.placed, plane))) {
-        ++surface;
-        continue;
-      }
+  for (std::size_t k = 0; k < planes_.size(); ++k) {
+    const GroundPlane& plane = planes_[k];
+    tests.volumes += static_cast<std::int64_t>(shapes.size());
+    for (const GroundShape& shape : shapes) {
+      if (is_out_of_reach(shape, r[shape.object], plane)) continue;
+      if (!(all_touch_planes_ || may_touch(shape.placed, plane))) continue;
       const std::size_t first = found.size();
       if (find_ground_contacts(shape, r[shape.object], R[shape.object], plane, found)) ++tests.objects;
       for (std::size_t i = first; i < found.size(); ++i) {
-        found[i].surface = surface;
+        found[i].surface = surface(k, static_cast<std::size_t>(&shape - shapes.data()));
         found[i].feature += feature;
       }
-      ++surface;
     }
     feature += features_of_all(shapes_);
   }
@@ -82,21 +82,21 @@ void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3
 
 void GroundFinder::find_on_statics(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                                    TestCounts& tests) noexcept {
-  if (!is_near_statics_(environment_, r[0], own_.reach(), tests.volumes)) return;
+  if (!is_near_statics_(*environment_, r[0], own_.reach(), tests.volumes)) return;
   own_.refit(r, R);
   candidates_.clear();
   const auto add = [&](int other, int own) {
     candidates_.emplace_back(other, own);
     return true;
   };
-  tests.volumes += for_pairs(environment_.compound(), own_, only_touching(environment_.compound(), own_, add));
+  tests.volumes += for_pairs(environment_->compound(), own_, only_touching(environment_->compound(), own_, add));
   std::sort(candidates_.begin(), candidates_.end());
   geometry::Manifold manifold;
   for (const auto& [other, own] : candidates_) {
     ++tests.objects;
     const Shape& shape = own_.shapes()[own].placed.shape;
-    const Shape& obstacle = environment_.shape(other).placed.shape;
-    if (geometry::collide(shape, own_.pose(own, r, R), obstacle, environment_.pose(other), manifold)) {
+    const Shape& obstacle = environment_->shape(other).placed.shape;
+    if (geometry::collide(shape, own_.pose(own, r, R), obstacle, environment_->pose(other), manifold)) {
       sort_by_feature(manifold);
       add_contacts(own, other, manifold, found);
     }
@@ -106,17 +106,21 @@ void GroundFinder::find_on_statics(std::span<const Vec3d> r, std::span<const Mat
 void GroundFinder::add_contacts(int own, int other, const geometry::Manifold& manifold,
                                 std::vector<ContactPoint>& found) const noexcept {
   const std::size_t pair = static_cast<std::size_t>(other) * own_.shapes().size() + static_cast<std::size_t>(own);
-  const std::size_t on_planes = planes_.size() * shapes_.size();
   for (int k = 0; k < manifold.count; ++k) {
     ContactPoint& c = found.emplace_back();
     c.object = own_.shapes()[own].object;
     c.feature = (1 + pair) * features_of_pair + manifold.points[k].feature;  // after those of planes
-    c.surface = static_cast<std::uint32_t>(on_planes + pair);
+    c.surface = surface(planes_.size() + static_kinds_.of(other), own);
     c.point = manifold.points[k].point;
     c.normal = manifold.normal;
     c.depth = manifold.points[k].depth;
     c.radius = round_radius(own_.shapes()[own].placed.shape);
   }
+}
+
+/// By the environment's kinds, each plane being one, then by the entity's: as for_surfaces() counts.
+std::uint32_t GroundFinder::surface(std::size_t other_kind, std::size_t own_shape) const noexcept {
+  return static_cast<std::uint32_t>(other_kind * own_kinds_.surfaces().size() + own_kinds_.of(own_shape));
 }
 
 }  // namespace murosimf::collision

@@ -11,6 +11,7 @@
 #include "murosimf/collision/contact.h"
 #include "murosimf/collision/ground_points.h"
 #include "murosimf/collision/static_compound.h"
+#include "murosimf/collision/surface_kinds.h"
 
 namespace murosimf::collision {
 
@@ -20,16 +21,15 @@ class GroundFinder {
   GroundFinder(const Entity& entity, const Entity* environment);
 
   /// Calls add(surface of the entity, surface of the environment, friction_direction, object of the environment) for each value
-  /// that Contact::surface can take.
+  /// that Contact::surface can take: one for every pair of kinds, whatever many shapes are of them.
   template <class Add>
   void for_surfaces(const Add& add) const {
     for (const GroundPlane& plane : planes_) {
-      for (const GroundShape& shape : shapes_)
-        add(shape.placed.surface, plane.surface, plane.friction_direction, plane.object);
+      for (const Surface& own : own_kinds_.surfaces()) add(own, plane.surface, plane.friction_direction, plane.object);
     }
-    for (const CollidingShape& other : environment_.compound().shapes()) {
-      for (const CollidingShape& shape : own_.shapes())
-        add(shape.placed.surface, other.placed.surface, Vec3d{}, other.object);
+    for (std::size_t i = 0; i < static_kinds_.surfaces().size(); ++i) {
+      for (const Surface& own : own_kinds_.surfaces())
+        add(own, static_kinds_.surfaces()[i], Vec3d{}, static_kinds_.objects()[i]);
     }
   }
   /// How many contacts there can be with planes.
@@ -48,11 +48,13 @@ class GroundFinder {
                        TestCounts& tests) noexcept;
   void add_contacts(int own, int other, const geometry::Manifold& manifold,
                     std::vector<ContactPoint>& found) const noexcept;
+  [[nodiscard]] std::uint32_t surface(std::size_t other_kind, std::size_t own_shape) const noexcept;
 
-  std::vector<GroundShape> shapes_;
+  const std::vector<GroundShape>& shapes_;  // the model's
   std::vector<GroundPlane> planes_;
   Compound own_;
-  StaticCompound environment_;
+  std::shared_ptr<const StaticCompound> environment_;
+  SurfaceKinds own_kinds_, static_kinds_;
   bool all_touch_planes_;
   NearStatics is_near_statics_;
   std::vector<std::pair<int, int>> candidates_;  // shapes, of the environment and its own, whose volumes overlap

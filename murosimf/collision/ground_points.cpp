@@ -14,7 +14,9 @@ GroundShape ground_shape(int object, const PlacedShape& placed, std::uint32_t fi
   return {object, placed, reach, norm(placed.position) + reach, first_feature};
 }
 
-std::vector<GroundShape> ground_shapes(const Model& model) {
+namespace {
+
+std::vector<GroundShape> make_ground_shapes(const Model& model) {
   std::vector<GroundShape> result;
   std::uint32_t feature = 0;
   for (const CollidingShape& shape : colliding_shapes(model)) {
@@ -22,6 +24,12 @@ std::vector<GroundShape> ground_shapes(const Model& model) {
     feature += features_of(shape.placed.shape);
   }
   return result;
+}
+
+}  // namespace
+
+const std::vector<GroundShape>& ground_shapes(const Model& model) {
+  return *model.derived().get<std::vector<GroundShape>>("ground_shapes", [&] { return make_ground_shapes(model); });
 }
 
 bool find_ground_contacts(const GroundShape& shape, const Vec3d& r, const Mat3d& R, const GroundPlane& plane,

@@ -31,8 +31,8 @@ struct GroundShape {
 
 [[nodiscard]] GroundShape ground_shape(int object, const PlacedShape& placed, std::uint32_t first_feature);
 
-/// Every one of colliding_shapes(model), in that order.
-[[nodiscard]] std::vector<GroundShape> ground_shapes(const Model& model);
+/// Every one of colliding_shapes(model), in that order. The model keeps the list, for all equal robots.
+[[nodiscard]] const std::vector<GroundShape>& ground_shapes(const Model& model);
 
 /// Numbers that the features of one shape take: eight, more for a polyhedron of more vertices.
 [[nodiscard]] std::uint32_t features_of(const Shape& shape);

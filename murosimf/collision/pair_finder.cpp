@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "murosimf/collision/soft_start.h"
+#include "murosimf/collision/surface_kinds.h"
 #include "murosimf/geometry/four_points.h"
 
 namespace murosimf::collision {
@@ -82,8 +83,7 @@ std::vector<ContactParameters> PairFinder::parameters() const {
 
 std::size_t PairFinder::kind_of(const Model& model, const Surface& surface) {
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
-    const Surface& known = kinds_[i].surface;
-    if (kinds_[i].model == &model && known.material == surface.material && known.friction == surface.friction) return i;
+    if (kinds_[i].model == &model && are_alike(kinds_[i].surface, surface)) return i;
   }
   kinds_.push_back({&model, surface});
   return kinds_.size() - 1;

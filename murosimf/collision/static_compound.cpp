@@ -26,6 +26,13 @@ StaticCompound::StaticCompound(const Entity* environment) : compound_(make_compo
   for (int i = 0; i < static_cast<int>(compound_.shapes().size()); ++i) places_.push_back(compound_.pose(i, r, R));
 }
 
+std::shared_ptr<const StaticCompound> static_compound_of(const Entity* environment) {
+  static const auto nothing = std::make_shared<const StaticCompound>(nullptr);
+  if (!environment) return nothing;
+  return environment->model().derived().get<StaticCompound>(environment->options().collision.volume,
+                                                            [&] { return StaticCompound(environment); });
+}
+
 bool StaticCompound::is_near(const Vec3d& center, double radius, std::int64_t& tests) const noexcept {
   bool found = false;
   const geometry::BoundingSphere sphere{center, radius};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -28,6 +29,9 @@ class StaticCompound {
   Compound compound_;
   std::vector<Transformd> places_;  // of each shape, world
 };
+
+/// The one that all who move in this environment share.
+[[nodiscard]] std::shared_ptr<const StaticCompound> static_compound_of(const Entity* environment);
 
 /// Whether an entity may touch something static. An answer holds while the base has not moved far: it is asked for a sphere that is
 /// bigger by as much.

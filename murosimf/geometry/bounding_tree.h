@@ -1,11 +1,12 @@
 /// bounding_tree.h - a binary tree of bounding volumes about shapes that move with the objects of one entity.
 ///
-/// The tree is laid out once; after a motion only its volumes are worked out again (paper 5.1). With a margin they are
-/// that much bigger than they need be, and still right after small motions.
+/// The tree is laid out once, and copies share that; after a motion only its volumes are worked out again (paper 5.1). With a
+/// margin they are that much bigger than they need be, and still right after small motions.
 #pragma once
 
 #include <array>
 #include <cassert>
+#include <memory>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -27,32 +28,33 @@ class BoundingTree {
   BoundingTree() = default;
   /// `leaves` in the order of `layout`, at most TreeLayout::most_depth deep.
   BoundingTree(std::vector<Leaf> leaves, TreeLayout layout, double margin = 0)
-      : leaves_(std::move(leaves)),
-        children_(std::move(layout.children)),
-        volumes_(leaves_.size() + children_.size()),
+      : parts_(std::make_shared<const Parts>(Parts{std::move(leaves), std::move(layout.children)})),
+        volumes_(parts_->leaves.size() + parts_->children.size()),
         margin_(margin),
-        fitted_(leaves_.size()) {
-    assert(leaves_.size() == static_cast<std::size_t>(layout.leaves));
-    assert(leaves_.empty() || children_.size() + 1 == leaves_.size());
+        fitted_(margin > 0 ? parts_->leaves.size() : 0) {
+    assert(parts_->leaves.size() == static_cast<std::size_t>(layout.leaves));
+    assert(parts_->leaves.empty() || parts_->children.size() + 1 == parts_->leaves.size());
   }
 
   /// Moves all volumes; r [m], R: poses of the entity's objects, world frame.
   void refit(std::span<const Vec3d> r, std::span<const Mat3d> R) noexcept {
-    const std::size_t inner = children_.size();
-    for (std::size_t i = 0; i < leaves_.size(); ++i) {
-      const Leaf& leaf = leaves_[i];
+    const auto& [leaves, children] = *parts_;
+    const std::size_t inner = children.size();
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      const Leaf& leaf = leaves[i];
       volumes_[inner + i] = grown(moved(leaf.local, r[leaf.object], R[leaf.object]), margin_);
-      fitted_[i] = {r[leaf.object], R[leaf.object]};
+      if (margin_ > 0) fitted_[i] = {r[leaf.object], R[leaf.object]};
     }
-    for (std::size_t i = inner; i-- > 0;) volumes_[i] = merged(volumes_[children_[i][0]], volumes_[children_[i][1]]);
+    for (std::size_t i = inner; i-- > 0;) volumes_[i] = merged(volumes_[children[i][0]], volumes_[children[i][1]]);
   }
 
   /// True if nothing that the leaves enclosed has moved by more than the margin since they were fitted: the tree still
   /// encloses it. A turn by dR moves what is within rho of a center by less than |dR| rho (Frobenius norm); of a sphere
   /// only its center counts.
   [[nodiscard]] bool still_fits(std::span<const Vec3d> r, std::span<const Mat3d> R) const noexcept {
-    for (std::size_t i = 0; i < leaves_.size(); ++i) {
-      const Leaf& leaf = leaves_[i];
+    if (margin_ <= 0) return empty();
+    for (std::size_t i = 0; i < leaves().size(); ++i) {
+      const Leaf& leaf = leaves()[i];
       const BoundingSphere sphere = sphere_around(leaf.local);
       const Transformd& old = fitted_[i];
       const Mat3d turn{R[leaf.object].x - old.orientation.x, R[leaf.object].y - old.orientation.y,
@@ -67,21 +69,27 @@ class BoundingTree {
     return true;
   }
 
-  [[nodiscard]] bool empty() const { return leaves_.empty(); }
+  [[nodiscard]] bool empty() const { return volumes_.empty(); }
   [[nodiscard]] int nodes() const { return static_cast<int>(volumes_.size()); }
-  [[nodiscard]] const std::vector<Leaf>& leaves() const { return leaves_; }
+  [[nodiscard]] const std::vector<Leaf>& leaves() const { return parts_->leaves; }
 
   /// Of a node; node 0 is the root.
   [[nodiscard]] const V& volume(int node) const { return volumes_[node]; }
-  [[nodiscard]] const std::array<int, 2>& children(int node) const { return children_[node]; }
-  [[nodiscard]] bool is_leaf(int node) const { return node >= static_cast<int>(children_.size()); }
+  [[nodiscard]] const std::array<int, 2>& children(int node) const { return parts_->children[node]; }
+  [[nodiscard]] bool is_leaf(int node) const { return node >= inner_nodes(); }
   /// Which leaf a node is that is_leaf.
-  [[nodiscard]] int leaf_of(int node) const { return node - static_cast<int>(children_.size()); }
-  [[nodiscard]] const V& leaf_volume(int leaf) const { return volumes_[children_.size() + leaf]; }
+  [[nodiscard]] int leaf_of(int node) const { return node - inner_nodes(); }
+  [[nodiscard]] const V& leaf_volume(int leaf) const { return volumes_[inner_nodes() + leaf]; }
 
  private:
-  std::vector<Leaf> leaves_;
-  std::vector<std::array<int, 2>> children_;
+  struct Parts {
+    std::vector<Leaf> leaves;
+    std::vector<std::array<int, 2>> children;  // of the inner nodes
+  };
+  /// There are n leaves and n - 1 inner nodes, or none of either.
+  [[nodiscard]] int inner_nodes() const { return nodes() / 2; }
+
+  std::shared_ptr<const Parts> parts_ = std::make_shared<const Parts>();
   std::vector<V> volumes_;
   double margin_ = 0;               // [m]
   std::vector<Transformd> fitted_;  // of each leaf's object, when it was fitted

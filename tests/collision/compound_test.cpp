@@ -187,6 +187,27 @@ TEST(Compound, KnowsWhetherAllShapesTouchEachOther) {
   }
 }
 
+// Rule: equal robots share what never changes, and nothing that does; other options are another compound.
+TEST(Compound, OfEqualRobotsShareAllButTheirVolumes) {
+  const CompoundOptions options{.inner = true, .excluded = {{"head", "torso"}}};
+  Compound here(kid21(), options), there(kid21(), options);
+  EXPECT_EQ(&here.shapes(), &there.shapes());
+  EXPECT_EQ(&here.inner_pairs(), &there.inner_pairs());
+  Posed robot(kid21());
+  Dice dice("share");
+  robot.pose(dice, 1);
+  here.refit(robot.r, robot.R);
+  robot.pose(dice, 1);
+  there.refit(robot.r, robot.R);
+  EXPECT_NE(here.around().center.x, there.around().center.x);
+
+  const Compound without(kid21(), {}), less(kid21(), {.inner = true});
+  EXPECT_TRUE(without.inner_pairs().off());
+  EXPECT_NE(&less.inner_pairs(), &here.inner_pairs()) << "its limbs may touch others";
+  EXPECT_EQ(Compound(kid21(), {"obb", false}).tree().index(), 2U);
+  EXPECT_EQ(here.tree().index(), 0U);
+}
+
 TEST(Compound, UnknownVolumeNamesTheNearest) {
   EXPECT_TRUE(fixtures::says(fixtures::error_of([] { Compound(kid21(), {"capsul", true}); }), {"'capsule'"}));
 }

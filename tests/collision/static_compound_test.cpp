@@ -50,6 +50,14 @@ TEST(StaticCompound, WithoutAnEnvironmentItIsEmpty) {
   EXPECT_TRUE(StaticCompound(&flat).empty()) << "planes stand apart";
 }
 
+TEST(StaticCompound, IsOneForAllInAnEnvironment) {
+  const auto shared = static_compound_of(&field());
+  EXPECT_EQ(static_compound_of(&field()), shared);
+  EXPECT_EQ(shared->compound().shapes().size(), StaticCompound(&field()).compound().shapes().size());
+  ASSERT_TRUE(static_compound_of(nullptr));
+  EXPECT_TRUE(static_compound_of(nullptr)->empty());
+}
+
 // The ball alone decides at first; then the box, whose bounding volume is much larger.
 TEST(StaticCompound, IsNearWhatASphereMeets) {
   const StaticCompound compound(&field());
