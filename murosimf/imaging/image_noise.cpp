@@ -68,7 +68,10 @@ ImageNoise::ImageNoise(const ImageNoiseSpec& spec, const RandomStream& stream) :
     const double light = light_of_srgb(static_cast<double>(i) / 255);
     deviation_[i] = static_cast<float>(full_light * std::sqrt(spec.shot * spec.shot * light + spec.read * spec.read));
   }
-  static_cast<void>(normals());  // tables are made now, not while stepping
+}
+
+void ImageNoise::make_tables() {
+  static_cast<void>(normals());
   static_cast<void>(value_table());
 }
 

@@ -27,6 +27,9 @@ class ImageNoise {
   /// `stream` tells cameras apart. Throws SetupError if a number is not 0 to 1.
   ImageNoise(const ImageNoiseSpec& spec, const RandomStream& stream);
 
+  /// Makes the tables that all cameras share, unless they are there: before the first picture, so that no step does.
+  static void make_tables();
+
   /// Noise of another seed.
   void reseed(std::uint64_t seed) noexcept { stream_.reseed(seed); }
   void apply(ColorImage& picture, std::uint64_t number) const noexcept;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/imaging/shared_value.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/error.h"
 
@@ -80,17 +81,20 @@ const LensSpec& checked(const LensSpec& spec) {
   return spec;
 }
 
-std::variant<PlaneDistortion, AnglePolynomial> map_of(const LensSpec& spec) {
+using SharedDistortion = std::shared_ptr<const PlaneDistortion>;
+
+std::variant<SharedDistortion, AnglePolynomial> map_of(const LensSpec& spec) {
   if (spec.model == "equidistant") return AnglePolynomial::equidistant(spec.coefficients);
   if (spec.model == "ray_polynomial") return AnglePolynomial::powers(spec.coefficients);
-  return PlaneDistortion(spec.coefficients);
+  // where it folds takes long to find, and a team has a dozen equal cameras
+  return shared_value<PlaneDistortion>(spec.coefficients, [&] { return PlaneDistortion(spec.coefficients); });
 }
 
-std::optional<PlanePoint> seen(const PlaneDistortion& map, const Vec3d& p) {
+std::optional<PlanePoint> seen(const SharedDistortion& map, const Vec3d& p) {
   if (!(p.z > 0)) return std::nullopt;
   const PlanePoint point{p.x / p.z, p.y / p.z};
-  if (!map.reaches(point)) return std::nullopt;
-  return map.at(point).to;
+  if (!map->reaches(point)) return std::nullopt;
+  return map->at(point).to;
 }
 
 std::optional<PlanePoint> seen(const AnglePolynomial& map, const Vec3d& p) {
@@ -102,8 +106,8 @@ std::optional<PlanePoint> seen(const AnglePolynomial& map, const Vec3d& p) {
   return PlanePoint{r * p.x, r * p.y};
 }
 
-std::optional<Vec3d> looked(const PlaneDistortion& map, const PlanePoint& d) {
-  const auto p = map.undistorted(d);
+std::optional<Vec3d> looked(const SharedDistortion& map, const PlanePoint& d) {
+  const auto p = map->undistorted(d);
   if (!p) return std::nullopt;
   const double scale = 1 / std::sqrt(1 + p->x * p->x + p->y * p->y);
   return Vec3d{scale * p->x, scale * p->y, scale};
@@ -117,6 +121,9 @@ std::optional<Vec3d> looked(const AnglePolynomial& map, const PlanePoint& d) {
   const double aside = std::sin(*angle) / r;
   return Vec3d{aside * d.x, aside * d.y, std::cos(*angle)};
 }
+
+double widest(const SharedDistortion& map) { return map->widest_angle(); }
+double widest(const AnglePolynomial& map) { return map.widest_angle(); }
 
 }  // namespace
 
@@ -138,7 +145,7 @@ Lens::Lens(const LensSpec& spec) : spec_(checked(spec)), map_(map_of(spec)) {}
 
 bool Lens::plain() const noexcept {
   const bool none = std::ranges::all_of(spec_.coefficients, [](double x) { return x == 0; });
-  return none && spec_.skew == 0 && std::holds_alternative<PlaneDistortion>(map_);
+  return none && spec_.skew == 0 && std::holds_alternative<SharedDistortion>(map_);
 }
 
 std::optional<Pixel> Lens::project(const Vec3d& point) const noexcept {
@@ -154,7 +161,7 @@ std::optional<Vec3d> Lens::ray(const Pixel& pixel) const noexcept {
 }
 
 double Lens::widest_angle() const noexcept {
-  return std::visit([](const auto& map) { return map.widest_angle(); }, map_);
+  return std::visit([](const auto& map) { return widest(map); }, map_);
 }
 
 double Lens::angle(const Pixel& pixel) const noexcept {

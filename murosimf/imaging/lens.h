@@ -15,6 +15,7 @@
 ///     ray_polynomial       a1 [a2 ... [a6]]          imaging/angle_polynomial.h: r = a1 t + a2 t^2 + ... (the paper's)
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -84,7 +85,7 @@ class Lens {
   [[nodiscard]] double angle(const Pixel& pixel) const noexcept;
 
   LensSpec spec_;
-  std::variant<PlaneDistortion, AnglePolynomial> map_;
+  std::variant<std::shared_ptr<const PlaneDistortion>, AnglePolynomial> map_;  // equal distortions of the plane are one
 };
 
 }  // namespace murosimf::imaging

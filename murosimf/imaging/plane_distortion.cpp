@@ -11,7 +11,22 @@ namespace {
 
 constexpr double grazing = 1e-9;  // [rad] from the plane through the lens, where points are too far out for numbers
 
+constexpr double last = pi / 2 - grazing;
+constexpr int steps = 900;  // in which a fold is looked for, along a direction of the picture
+
+double angle_of(int step) { return last * step / steps; }
+
 double length(const PlanePoint& p) { return std::sqrt(p.x * p.x + p.y * p.y); }
+
+/// Of the angles that are looked at.
+const std::array<double, steps + 1>& tangents() {
+  static const auto table = [] {
+    std::array<double, steps + 1> made{};
+    for (int step = 1; step <= steps; ++step) made[static_cast<std::size_t>(step)] = std::tan(angle_of(step));
+    return made;
+  }();
+  return table;
+}
 
 }  // namespace
 
@@ -31,7 +46,9 @@ void PlaneDistortion::find_widest() {
   const bool tangential = p1_ != 0 || p2_ != 0;
   const int directions = tangential ? 72 : 1;
   widest_ = pi / 2;
-  for (int i = 0; i < directions; ++i) widest_ = std::min(widest_, fold(2 * pi * i / directions));
+  const bool moves = std::ranges::any_of(std::array{k1_, k2_, k3_, k4_, k5_, k6_}, [](double k) { return k != 0; });
+  for (int i = 0; i < directions && (moves || tangential); ++i)
+    widest_ = std::min(widest_, fold(2 * pi * i / directions));
   reach_ = std::tan(std::min(widest_, pi / 2 - grazing));
 }
 
@@ -62,24 +79,24 @@ PlaneMotion PlaneDistortion::at(const PlanePoint& p) const noexcept {
           s.value + 2 * y * y * s.slope + 6 * p1_ * y + 2 * p2_ * x};
 }
 
-bool PlaneDistortion::folds(double angle, double direction) const {
-  const double r = std::tan(angle);
+/// At the point that is `r` from the axis in a direction of length 1.
+bool PlaneDistortion::folds(double r, const PlanePoint& direction) const {
   const Scale s = scale(r * r);
-  const PlaneMotion motion = at({r * std::cos(direction), r * std::sin(direction)});
+  const PlaneMotion motion = at({r * direction.x, r * direction.y});
   return !(s.regular && s.value > 0 && motion.determinant() > 0);
 }
 
 /// The angle from the axis at which the map folds in one direction of the picture [rad].
 double PlaneDistortion::fold(double direction) const {
-  constexpr int steps = 900;
-  constexpr double last = pi / 2 - grazing;
+  const PlanePoint along{std::cos(direction), std::sin(direction)};
+  const auto& r = tangents();
   int step = 1;
-  while (step <= steps && !folds(last * step / steps, direction)) ++step;
+  while (step <= steps && !folds(r[static_cast<std::size_t>(step)], along)) ++step;
   if (step > steps) return pi / 2;
-  double low = last * (step - 1) / steps, high = last * step / steps;
+  double low = angle_of(step - 1), high = angle_of(step);
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
-    (folds(middle, direction) ? high : low) = middle;
+    (folds(std::tan(middle), along) ? high : low) = middle;
   }
   return low;
 }

@@ -53,7 +53,7 @@ class PlaneDistortion {
   [[nodiscard]] Scale scale(double r2) const noexcept;
   [[nodiscard]] Slope radial(double r) const noexcept;
   void find_widest();
-  [[nodiscard]] bool folds(double angle, double direction) const;
+  [[nodiscard]] bool folds(double r, const PlanePoint& direction) const;
   [[nodiscard]] double fold(double direction) const;
   [[nodiscard]] PlanePoint without_tangential(const PlanePoint& distorted) const noexcept;
   [[nodiscard]] std::optional<PlanePoint> refined(PlanePoint p, const PlanePoint& distorted) const noexcept;

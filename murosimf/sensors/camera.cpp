@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <mutex>
 #include <tuple>
 
 #include <fmt/format.h>
 
+#include "murosimf/imaging/shared_value.h"
 #include "murosimf/math/quaternion.h"
 #include "murosimf/model/error.h"
 #include "murosimf/sensors/world_queries.h"
@@ -32,29 +31,14 @@ LensKey key_of(const imaging::LensSpec& lens, double resolution) {
           lens.coefficients};
 }
 
-/// What make() returns, once for equal lenses as long as somebody uses it.
-template <class T, class Make>
-std::shared_ptr<const T> shared(const LensKey& key, const Make& make) {
-  static std::mutex mutex;
-  static std::map<LensKey, std::weak_ptr<const T>> known;
-  const std::scoped_lock lock(mutex);
-  if (auto found = known.find(key); found != known.end()) {
-    if (auto there = found->second.lock()) return there;
-  }
-  std::erase_if(known, [](const auto& item) { return item.second.expired(); });
-  auto made = std::make_shared<const T>(make());
-  known[key] = made;
-  return made;
-}
-
 /// Looking for folds turns the lens round for thousands of pixels.
 std::shared_ptr<const std::string> shared_fold_remark(const imaging::LensSpec& lens) {
-  return shared<std::string>(key_of(lens, 1), [&] { return imaging::Lens(lens).fold_remark(); });
+  return imaging::shared_value<std::string>(key_of(lens, 1), [&] { return imaging::Lens(lens).fold_remark(); });
 }
 
 std::shared_ptr<const imaging::LensMap> shared_map(const imaging::LensSpec& lens, double resolution) {
-  return shared<imaging::LensMap>(key_of(lens, resolution),
-                                  [&] { return imaging::LensMap(imaging::Lens(lens), resolution); });
+  return imaging::shared_value<imaging::LensMap>(key_of(lens, resolution),
+                                                 [&] { return imaging::LensMap(imaging::Lens(lens), resolution); });
 }
 
 CameraInfo info_of(const SensorSpec& spec, const CameraSpec& camera, const Mounting& mounting, Duration period,
@@ -140,6 +124,7 @@ void Camera::start() {
   frame_.number = 0;
   source_ = frame_.wanted && find_source_ ? find_source_() : nullptr;
   if (!source_) return;
+  imaging::ImageNoise::make_tables();
   map_ = shared_map(spec_.lens, spec_.resolution);
   if (!map_->plain()) windows_ = Windows(map_->views());
   if (spec_.exposure_time > 0 && spec_.layers.color) mean_.emplace(spec_.lens.width, spec_.lens.height);
