@@ -131,7 +131,7 @@ Vec3d clipped_command(const Vec3d& v, const Vec3d& fastest) {
 }
 
 Vec3d walks_at(const Model& model, const Vec3d& command) {
-  return clipped_command(command, locomotion::seeded_parameters(locomotion::find_legs(model)).fastest);
+  return clipped_command(command, locomotion::seeded_parameters(model).fastest);
 }
 
 Vec3d trots_at(const Model& model, const Vec3d& command) {

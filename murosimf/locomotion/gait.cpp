@@ -83,6 +83,10 @@ WalkParameters seeded_parameters(const std::array<Leg, 2>& legs) {
   return p;
 }
 
+WalkParameters seeded_parameters(const Model& model) {
+  return *model.derived().get<WalkParameters>("seeded", [&] { return seeded_parameters(find_legs(model)); });
+}
+
 GaitPose home_pose(const std::array<Leg, 2>& legs) noexcept {
   GaitPose pose;
   for (std::size_t side = 0; side < 2; ++side) std::ranges::copy(legs[side].home, pose.q[side].begin());

@@ -5,7 +5,7 @@
 namespace murosimf::locomotion {
 
 WalkEngine::WalkEngine(Setup& setup, const Vec3d& command)
-    : WalkEngine(setup, command, seeded_parameters(find_legs(setup.model()))) {}
+    : WalkEngine(setup, command, seeded_parameters(setup.model())) {}
 
 WalkEngine::WalkEngine(Setup& setup, const Vec3d& command, const WalkParameters& parameters)
     : legs_(find_legs(setup.model())),

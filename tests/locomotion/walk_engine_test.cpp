@@ -37,7 +37,9 @@ TEST(WalkEngine, SlewsAndClipsTheCommand) {
                     .source = "limit of 0.375 m/s^2 times 11 times 0.01 s"},
                    walker.robot.base().get(properties::gait_velocity).x, 11 * 0.01 * 0.375, 1e-9, "m/s");
   walker.rig.run(3.0);
-  const WalkParameters p = seeded_parameters(find_legs(*test::kid21()));
+  const WalkParameters p = seeded_parameters(find_legs(*test::kid21())), kept = seeded_parameters(*test::kid21());
+  EXPECT_EQ(kept.hip_height, p.hip_height);
+  EXPECT_EQ(kept.sway, p.sway);
   const Vec3d v = walker.robot.base().get(properties::gait_velocity);
   EXPECT_EQ(v.x, p.fastest.x);
   EXPECT_EQ(v.y, -p.fastest.y);
