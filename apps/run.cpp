@@ -159,7 +159,7 @@ int run(const RunOptions& options) {
   if (log) log->write(options.out);
   if (!options.save_state.empty()) save(scene, options.save_state);
   if (!options.picture.empty()) write_picture(scene, options.picture);
-  write_result(options.json, scene::to_text(report), scene::to_json(report));
+  write_result(options.json, scene::to_text(report), options.json.empty() ? "" : scene::to_json(report));
   return report.stopped ? exit_code() : 0;
 }
 
