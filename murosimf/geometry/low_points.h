@@ -26,11 +26,10 @@ struct LowPoints {
   }
   template <class Emit>
   void operator()(const Box& s, const Emit& emit) const {
-    for (std::uint32_t i = 0; i < 8; ++i) {
-      const Vec3d corner{i & 1 ? s.half_size.x : -s.half_size.x, i & 2 ? s.half_size.y : -s.half_size.y,
-                         i & 4 ? s.half_size.z : -s.half_size.z};
-      emit(i, center + R * corner, 0.0);
-    }
+    const Vec3d x = s.half_size.x * R.x, y = s.half_size.y * R.y, z = s.half_size.z * R.z;
+    const Vec3d sides[4]{-x - y, x - y, y - x, x + y};
+    for (std::uint32_t i = 0; i < 4; ++i) emit(i, center + (sides[i] - z), 0.0);
+    for (std::uint32_t i = 0; i < 4; ++i) emit(i + 4, center + (sides[i] + z), 0.0);
   }
   template <class Emit>
   void operator()(const Capsule& s, const Emit& emit) const {

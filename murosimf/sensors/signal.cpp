@@ -1,7 +1,6 @@
 #include "murosimf/sensors/signal.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -102,17 +101,26 @@ void Signal::state(StateArchive& archive) {
 }
 
 void Signal::disturb(std::span<double> values) noexcept {
-  const std::size_t count = numbers_.size();
-  std::array<double, 3> other{};
-  if (spec_.misalignment > 0) std::copy_n(values.begin(), 3, other.begin());
-  for (std::size_t i = 0; i < count; ++i) {
-    Number& number = numbers_[i];
-    double x = number.scale * values[i];
-    if (spec_.misalignment > 0) x += number.cross_one * other[(i + 1) % 3] + number.cross_two * other[(i + 2) % 3];
-    x += number.bias;
-    values[i] = filter_ > 0 ? filtered(number, x) : x;
+  if (spec_.misalignment > 0) {
+    misalign(values.first<3>());
+  } else {
+    for (std::size_t i = 0; i < numbers_.size(); ++i) values[i] = numbers_[i].scale * values[i] + numbers_[i].bias;
+  }
+  if (filter_ > 0) {
+    for (std::size_t i = 0; i < numbers_.size(); ++i) values[i] = filtered(numbers_[i], values[i]);
   }
   ++executions_;
+}
+
+/// The constant errors of three axes that see a little of each other.
+void Signal::misalign(std::span<double, 3> values) const noexcept {
+  const double x = values[0], y = values[1], z = values[2];
+  const auto axis = [](const Number& n, double own, double next, double last) {
+    return n.scale * own + (n.cross_one * next + n.cross_two * last) + n.bias;
+  };
+  values[0] = axis(numbers_[0], x, y, z);
+  values[1] = axis(numbers_[1], y, z, x);
+  values[2] = axis(numbers_[2], z, x, y);
 }
 
 double Signal::next_noise(Number& number) const noexcept {

@@ -67,6 +67,7 @@ class Signal {
     double filter_input = 0, filter_output = 0;  // [unit] of the step before
   };
   void draw_constants(Number& number) const noexcept;
+  void misalign(std::span<double, 3> values) const noexcept;
   [[nodiscard]] double filtered(Number& number, double value) const noexcept;
   [[nodiscard]] double next_noise(Number& number) const noexcept;
 
