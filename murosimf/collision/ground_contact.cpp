@@ -12,7 +12,7 @@ namespace murosimf::collision {
 namespace {
 
 constexpr double exchange_speed = 0.05;   // [m/s] 0.05 mm in a step of 1 ms is not seen
-constexpr std::size_t usual_points = 32;  // two feet and both hands; memory for more is taken when they come
+constexpr std::size_t usual_points = 12;  // two feet and more; memory for others is taken when they come
 
 }  // namespace
 

@@ -84,7 +84,7 @@ WalkParameters seeded_parameters(const std::array<Leg, 2>& legs) {
 }
 
 WalkParameters seeded_parameters(const Model& model) {
-  return *model.derived().get<WalkParameters>("seeded", [&] { return seeded_parameters(find_legs(model)); });
+  return *model.derived().get<WalkParameters>("seeded", [&] { return seeded_parameters(legs_of(model)); });
 }
 
 GaitPose home_pose(const std::array<Leg, 2>& legs) noexcept {

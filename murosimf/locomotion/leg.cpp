@@ -131,6 +131,10 @@ std::array<Leg, 2> find_legs(const Model& model) {
   return legs;
 }
 
+const std::array<Leg, 2>& legs_of(const Model& model) {
+  return *model.derived().get<std::array<Leg, 2>>("legs", [&] { return find_legs(model); });
+}
+
 std::array<Leg, 4> find_four_legs(const Model& model) {
   const auto soles = model.having(properties::sole);
   if (soles.size() != 4) refuse(model, fmt::format("it has {} soles, not 4", soles.size()));

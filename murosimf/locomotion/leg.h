@@ -33,6 +33,8 @@ struct Leg {
 /// Left leg first (the one with the greater y at rest). Throws SetupError if the model does not have two soles, or a leg
 /// has less than five hinges.
 [[nodiscard]] std::array<Leg, 2> find_legs(const Model& model);
+/// The same; the model keeps them, for all who walk on it.
+[[nodiscard]] const std::array<Leg, 2>& legs_of(const Model& model);
 
 /// Of a quadruped: front left, front right, hind left, hind right, by their soles at rest. Throws SetupError if the model
 /// does not have four soles.

@@ -8,7 +8,7 @@ WalkEngine::WalkEngine(Setup& setup, const Vec3d& command)
     : WalkEngine(setup, command, seeded_parameters(setup.model())) {}
 
 WalkEngine::WalkEngine(Setup& setup, const Vec3d& command, const WalkParameters& parameters)
-    : legs_(find_legs(setup.model())),
+    : legs_(legs_of(setup.model())),
       parameters_(parameters),
       clock_(setup, command),
       target_(setup.write(properties::joint_target)) {}

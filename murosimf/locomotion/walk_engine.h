@@ -29,7 +29,7 @@ class WalkEngine final : public Algorithm {
   [[nodiscard]] GaitPose last_pose() const noexcept;
   void write_targets(const GaitPose& start) noexcept;
 
-  std::array<Leg, 2> legs_;
+  const std::array<Leg, 2>& legs_;  // the model's
   WalkParameters parameters_;
   GaitClock clock_;
   std::span<double> target_;  // [rad] by object
