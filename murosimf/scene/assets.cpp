@@ -14,4 +14,11 @@ std::shared_ptr<const RobotKind> Assets::robot(const std::filesystem::path& file
   return known;
 }
 
+ModelPtr Assets::model(const std::string& key, const std::function<ModelPtr()>& make) {
+  const std::lock_guard lock(mutex_);
+  ModelPtr& known = models_[key];
+  if (!known) known = make();
+  return known;
+}
+
 }  // namespace murosimf::scene

@@ -1,4 +1,4 @@
-/// assets.h - what scenes of one process share, so that the next scene costs little: robots that were read from their files.
+/// assets.h - what scenes of one process share, so that the next scene costs little: robots that were read from their files, and fields.
 ///
 ///     auto assets = std::make_shared<scene::Assets>();
 ///     for (int i = 0; i < 1000; ++i) worlds.push_back(std::make_unique<scene::Scene>("walk", {.assets = assets}));
@@ -8,6 +8,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -32,9 +33,13 @@ class Assets {
   /// `lenient`: unknown elements are warnings. Throws SetupError: no such file, a mistake in it; nothing is kept then.
   [[nodiscard]] std::shared_ptr<const RobotKind> robot(const std::filesystem::path& file, bool lenient);
 
+  /// What `make` returns for the first who asks with this key, from which it must follow. Throws what make() throws.
+  [[nodiscard]] ModelPtr model(const std::string& key, const std::function<ModelPtr()>& make);
+
  private:
   std::mutex mutex_;
   std::map<std::pair<std::filesystem::path, bool>, std::shared_ptr<const RobotKind>> robots_;
+  std::map<std::string, ModelPtr> models_;
 };
 
 }  // namespace murosimf::scene

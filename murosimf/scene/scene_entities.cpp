@@ -6,21 +6,31 @@
 
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene/assets.h"
 #include "murosimf/scene_file/field.h"
 
 namespace murosimf::scene {
 namespace {
 
-/// Bodies that stand are part of it.
+/// Bodies that stand are part of it; scenes share only fields without.
+ModelPtr field_of(const scene_file::FieldSpec& field, const std::vector<Chain>& standing, Assets& assets) {
+  const auto make = [&] {
+    return scene_file::field_model(scene_file::field_size(field.size), field.surface, field.friction_direction,
+                                   {.goals = field.goals, .poles = field.landmark_poles}, standing);
+  };
+  if (!standing.empty()) return make();
+  const Vec3d& pile = field.friction_direction;
+  return assets.model(fmt::format("field {} {} {} {} {} {} {}", field.size, field.goals, field.landmark_poles, pile.x,
+                                  pile.y, pile.z, field.surface),
+                      make);
+}
+
 void add_field(SceneParts& parts, const ModelSource& models) {
   std::vector<Chain> standing;
   for (const scene_file::BodySpec& body : parts.spec.bodies) {
     if (body.is_static) standing.push_back(scene_file::static_body(body));
   }
-  const scene_file::FieldSpec& field = parts.spec.field;
-  const ModelPtr model =
-      scene_file::field_model(scene_file::field_size(field.size), field.surface, field.friction_direction,
-                              {.goals = field.goals, .poles = field.landmark_poles}, standing);
+  const ModelPtr model = field_of(parts.spec.field, standing, *parts.assets);
   parts.field = &parts.simulation->world().add("field", model);
   models.check_materials(*model);
 }

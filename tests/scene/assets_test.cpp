@@ -1,6 +1,7 @@
 // Scenes share what was read; nobody notices but the clock.
 #include "murosimf/scene/assets.h"
 
+#include <algorithm>
 #include <fstream>
 #include <thread>
 
@@ -26,6 +27,28 @@ TEST(Assets, ScenesHaveTheSameModel) {
   const auto model = [](const Scene& scene) { return scene.simulation().world().entity("one").model_ptr(); };
   EXPECT_EQ(model(a), model(b));
   EXPECT_NE(model(a), model(alone));
+}
+
+// Fields that differ in anything, or that carry bodies, are models of their own.
+TEST(Assets, ScenesOfEqualFieldsShareTheModel) {
+  const auto assets = std::make_shared<Assets>();
+  const auto field = [&](const std::string& text, const std::vector<std::string>& overrides = {}) {
+    const Scene scene(fixtures::write_scene(text + walker), {.overrides = overrides, .assets = assets});
+    return scene.simulation().world().entity("field").model_ptr();
+  };
+  const ModelPtr usual = field("");
+  EXPECT_EQ(field("duration = 3\n"), usual);
+  const std::vector<ModelPtr> others{
+      field("", {"field.surface=grass"}),
+      field("", {"field.size=kid_size_2023"}),
+      field("", {"field.goals=false"}),
+      field("", {"field.landmark_poles=true"}),
+      field("[field]\nfriction_direction = [1, 0, 0]\n"),
+      field("[[bodies]]\nname = 'step'\nshape = 'box'\nsize = [1, 1, 1]\nstatic = true\n")};
+  for (const ModelPtr& other : others) {
+    EXPECT_NE(other, usual);
+    EXPECT_EQ(std::count(others.begin(), others.end(), other), 1);
+  }
 }
 
 TEST(Assets, ChangedConstantsStayWithTheirScene) {
