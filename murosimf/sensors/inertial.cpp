@@ -94,13 +94,13 @@ Imu::Imu(Setup& setup, const SensorSpec& spec, const SensorSurroundings& surroun
       force_(setup, spec, reading().info->period) {}
 
 void Imu::measure(std::span<double> values) noexcept {
-  write(transpose(mounting_.orientation()) * mounting_.angular_velocity(), values);
   write(force_.next(), values.subspan(3));
+  write(transpose(force_.orientation()) * mounting_.angular_velocity(), values);
   std::fill_n(values.begin() + 6, 4, 0.0);
 }
 
 void Imu::expect(std::span<double> values) const noexcept { write(force_.at_rest(), values.subspan(3)); }
 
-void Imu::present(std::span<double> values) noexcept { turn_by_errors(mounting_.orientation(), values.subspan(6)); }
+void Imu::present(std::span<double> values) noexcept { turn_by_errors(force_.orientation(), values.subspan(6)); }
 
 }  // namespace murosimf::sensors

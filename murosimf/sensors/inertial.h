@@ -47,6 +47,8 @@ class SpecificForce {
   /// To be called in every step. The first time it is NaN; then the mean since the start, until a window is full.
   [[nodiscard]] Vec3d next() noexcept;
   [[nodiscard]] bool ready() const noexcept { return calls_ > 1; }
+  /// Sensor axes to world axes when next() was called last.
+  [[nodiscard]] const Mat3d& orientation() const noexcept { return last_orientation_; }
   [[nodiscard]] Vec3d at_rest() const noexcept { return transpose(mounting_.orientation()) * -gravity_; }
 
   void state(StateArchive& archive);
