@@ -1,7 +1,6 @@
 #include "murosimf/collision/body_contact.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "murosimf/collision/kinematic_separation.h"
@@ -15,11 +14,6 @@ std::vector<MovingEntity> make_moving_entities(Setup& setup, const std::vector<E
   std::vector<MovingEntity> moving_entities;
   for (Entity* entity : entities) moving_entities.emplace_back(setup.of(*entity));
   return moving_entities;
-}
-
-/// The constants are those of all pairs of so many.
-std::size_t kinds_in(const std::vector<ContactParameters>& parameters) {
-  return static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(parameters.size()))));
 }
 
 }  // namespace
@@ -67,15 +61,17 @@ void BodyContact::entity_taken_back(const Entity& entity) noexcept {
   renumber_surfaces();
 }
 
-/// Of points that were found with other kinds of surfaces.
 void BodyContact::renumber_surfaces() {
-  const std::size_t before = kinds_in(set_.parameters);
   set_.parameters = finder_.parameters();
-  const std::size_t now = kinds_in(set_.parameters);
-  for (auto* points : {&set_.points, &set_.blocked}) {
-    for (PairContact& c : *points)
-      c.surface = static_cast<std::uint32_t>(c.surface / before * now + c.surface % before);
-  }
+  finder_.number_surfaces(set_);
+}
+
+void BodyContact::model_exchanged(const Entity& entity) {
+  const auto changed = std::ranges::find(moving_entities_, &entity, &MovingEntity::entity);
+  if (changed == moving_entities_.end()) return;
+  changed->take_shapes();
+  finder_.model_exchanged(moving_entities_, entity, set_);
+  set_.parameters = finder_.parameters();
 }
 
 void BodyContact::entity_entered(const Entity& entity) {

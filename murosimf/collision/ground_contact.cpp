@@ -18,7 +18,10 @@ constexpr std::size_t usual_points = 32;  // two feet and both hands; memory for
 
 GroundContact::GroundContact(Setup& setup, const Entity* environment, std::shared_ptr<const ContactLaw> law,
                              const MaterialTable& materials)
-    : model_(setup.model()),
+    : entity_(setup.entity()),
+      environment_entity_(environment),
+      materials_(materials),
+      gravity_(norm(setup.world().gravity)),
       law_(std::move(law)),
       finder_(setup.entity(), environment),
       environment_(setup.world().index_of(environment)),
@@ -34,11 +37,16 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       external_damping_(setup.write(properties::external_damping)),
       set_(setup.write(contacts)[0]),
       seam_(setup.write(contact_seam)[0]) {
-  const double gravity = norm(setup.world().gravity);
+  make_terms();
+}
+
+void GroundContact::make_terms() {
+  for (ContactTerms* terms : {&soft_terms_, &stiff_terms_}) terms->parameters.clear();
+  environment_objects_.clear();
   finder_.for_surfaces([&](const Surface& own, const Surface& other, const Vec3d& friction_direction, int object) {
-    const PairSurface pair = materials.find(own, other);
+    const PairSurface pair = materials_.find(own, other);
     for (ContactTerms* terms : {&soft_terms_, &stiff_terms_}) {
-      ContactParameters p = contact_parameters(model_, pair, {gravity, terms->dt, terms == &stiff_terms_});
+      ContactParameters p = contact_parameters(model(), pair, {gravity_, terms->dt, terms == &stiff_terms_});
       p.friction_direction = pair.friction_anisotropy * friction_direction;
       terms->parameters.push_back(p);
     }
@@ -53,13 +61,25 @@ void GroundContact::initialize() {
   set_ = none;  // a copy: it keeps its memory for the next start
   set_.environment = environment_;
   set_.environment_objects = environment_objects_;
-  set_.rest_force.resize(static_cast<std::size_t>(model_.size()));
+  set_.rest_force.resize(static_cast<std::size_t>(model().size()));
   const std::size_t most = std::min(finder_.most_on_planes(), usual_points);
   set_.points.reserve(most);
   previous_.reserve(most);
   set_.loaded.reserve(most);
   std::fill(external_force_.begin(), external_force_.end(), Wrenchd{});
   std::fill(external_damping_.begin(), external_damping_.end(), Sym6d{});
+}
+
+/// Its points belong to another shape: they begin anew, and what is in the ground now is let out slowly.
+void GroundContact::model_exchanged(const Entity& entity) {
+  if (&entity != &entity_) return;
+  finder_ = GroundFinder(entity_, environment_entity_);
+  make_terms();
+  set_.environment_objects = environment_objects_;
+  set_.points.clear();
+  const double dt = seam_.terms.dt;
+  seam_.terms = terms_are_stiff_ ? stiff_terms_ : soft_terms_;
+  seam_.terms.dt = dt;
 }
 
 void GroundContact::exchange_law(std::shared_ptr<const ContactLaw> law) {
@@ -71,7 +91,7 @@ void GroundContact::exchange_law(std::shared_ptr<const ContactLaw> law) {
 
 /// Six coordinates are those of a rigid body.
 bool GroundContact::wants_stiff_terms() const noexcept {
-  return law_->implicit() && (model_.joints().empty() || (seam_.response && seam_.response->coordinates() > 6));
+  return law_->implicit() && (model().joints().empty() || (seam_.response && seam_.response->coordinates() > 6));
 }
 
 /// Points of other constants keep their tangential force, and come to their new depth slowly.
@@ -101,7 +121,7 @@ void GroundContact::clear_loads() noexcept {
 void GroundContact::rest() noexcept {
   if (set_.loaded.empty() && set_.points.empty()) return;
   clear_loads();
-  for (const int object : model_.bodies()) external_force_[object] = set_.rest_force[object] = Wrenchd{};
+  for (const int object : model().bodies()) external_force_[object] = set_.rest_force[object] = Wrenchd{};
   set_.points.clear();
   set_.loaded.clear();
 }
@@ -109,7 +129,7 @@ void GroundContact::rest() noexcept {
 void GroundContact::step(const Instant& instant) noexcept {
   if (dynamic_ == 0) return rest();
   clear_loads();
-  for (const int object : model_.bodies()) {
+  for (const int object : model().bodies()) {
     external_force_[object] = set_.rest_force[object] = applied_force_[object];
   }
   choose_terms();

@@ -36,6 +36,7 @@ class GroundContact final : public Algorithm {
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::contact; }
   void initialize() override;
+  void model_exchanged(const Entity& entity) override;
   void step(const Instant& instant) noexcept override;
 
   /// From the next step on. Points keep their memory if both laws have the same (contact_law.h, island_use), else it
@@ -43,6 +44,8 @@ class GroundContact final : public Algorithm {
   void exchange_law(std::shared_ptr<const ContactLaw> law);
 
  private:
+  void make_terms();
+  [[nodiscard]] const Model& model() const { return entity_.model(); }
   [[nodiscard]] bool wants_stiff_terms() const noexcept;
   void choose_terms() noexcept;
   void clear_loads() noexcept;
@@ -51,7 +54,10 @@ class GroundContact final : public Algorithm {
   void begin_lift(ContactPoint& point) const noexcept;
   void remember();
 
-  const Model& model_;
+  const Entity& entity_;
+  const Entity* environment_entity_;
+  MaterialTable materials_;
+  double gravity_;  // [m/s^2] magnitude
   std::shared_ptr<const ContactLaw> law_;
   GroundFinder finder_;
   int environment_;                         // its number in the world, -1 for none

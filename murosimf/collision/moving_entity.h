@@ -39,6 +39,9 @@ struct MovingEntity {
   void state(StateArchive& archive) { archive(pushed_); }
   void forget_pushes() { pushed_.clear(); }
 
+  /// Of another model of the same objects.
+  void take_shapes();
+
   /// Takes away what `push` has left of the step before; poses are new.
   void start_step() noexcept;
   /// A force [N] at a point [m] of a body, world frame; what cannot be pushed adds its impulse to the ledger.
@@ -66,6 +69,7 @@ struct MovingEntity {
   ContactSeam& seam;
 
  private:
+  void take_sizes();
   void add(int object, const Wrenchd& at_origin) noexcept;
 
   std::vector<int> pushed_;  // objects with an interaction force
