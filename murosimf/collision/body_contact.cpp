@@ -25,7 +25,8 @@ BodyContact::BodyContact(Setup& setup, const Entity* environment, const std::vec
       finder_(materials, {norm(setup.world().gravity), seconds(setup.period()), law_->implicit()}),
       period_(seconds(setup.period())),
       set_(setup.write(pair_contacts)[0]),
-      environment_(environment) {
+      environment_(environment),
+      environment_number_(setup.world().index_of(environment)) {
   for (const MovingEntity& moving_entity : moving_entities_) finder_.add(moving_entity);
 }
 
@@ -96,6 +97,8 @@ void BodyContact::step(const Instant& instant) noexcept {
   const double dt = seconds(instant.period);
   for (MovingEntity& moving_entity : moving_entities_) moving_entity.start_step();
   finder_.find(moving_entities_, set_);
+  note_interpenetrations(moving_entities_, dt, instant.now, set_);
+  note_jumps(moving_entities_, {environment_, environment_number_}, dt, instant.now, set_);
   for (PairContact& c : set_.points) end_lift(c, set_.parameters[c.surface], dt);
   kinematic_separation(moving_entities_, environment_, finder_.within_reach(), set_);
   law_->push(moving_entities_, set_, dt);

@@ -46,6 +46,7 @@ class BodyContact final : public Algorithm {
   double period_;  // [s]
   PairSet& set_;
   StaticCompound environment_;
+  int environment_number_;  // in the world, -1 for none
 };
 
 }  // namespace murosimf::collision

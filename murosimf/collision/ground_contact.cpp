@@ -24,6 +24,7 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       gravity_(norm(setup.world().gravity)),
       law_(std::move(law)),
       finder_(setup.entity(), environment),
+      number_(setup.world().index_of(&setup.entity())),
       environment_(setup.world().index_of(environment)),
       soft_terms_{{}, setup.entity().options().own_steps * seconds(setup.period())},
       stiff_terms_(soft_terms_),
@@ -43,14 +44,16 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
 void GroundContact::make_terms() {
   for (ContactTerms* terms : {&soft_terms_, &stiff_terms_}) terms->parameters.clear();
   environment_objects_.clear();
-  finder_.for_surfaces([&](const Surface& own, const Surface& other, const Vec3d& friction_direction, int object) {
-    const PairSurface pair = materials_.find(own, other);
+  thicknesses_.clear();
+  finder_.for_meetings([&](const GroundFinder::Meeting& meeting) {
+    const PairSurface pair = materials_.find(meeting.own, meeting.other);
     for (ContactTerms* terms : {&soft_terms_, &stiff_terms_}) {
       ContactParameters p = contact_parameters(model(), pair, {gravity_, terms->dt, terms == &stiff_terms_});
-      p.friction_direction = pair.friction_anisotropy * friction_direction;
+      p.friction_direction = pair.friction_anisotropy * meeting.friction_direction;
       terms->parameters.push_back(p);
     }
-    environment_objects_.push_back(object);
+    environment_objects_.push_back(meeting.object);
+    thicknesses_.push_back(meeting.thickness);
   });
 }
 
@@ -136,6 +139,7 @@ void GroundContact::step(const Instant& instant) noexcept {
   seam_.terms.dt = seconds(instant.period);
   find_contacts();
   remember();
+  note_interpenetration(instant.now);
   law_->prepare(set_.points, seam_.terms);
   set_.loaded.clear();
   for (const ContactPoint& c : set_.points) {
@@ -162,6 +166,26 @@ void GroundContact::begin_lift(ContactPoint& point) const noexcept {
   const auto other = std::find_if(previous_.begin(), previous_.end(), same_body);
   if (other == previous_.end()) return lift_if_deep(point, seam_.terms.dt);
   point.lift = other->lift;
+}
+
+/// True if the same shapes touched from the other side in the step before.
+bool GroundContact::has_crossed(const ContactPoint& c) const noexcept {
+  const auto same = [&](const ContactPoint& other) { return other.surface == c.surface && other.lift == 0; };
+  const auto before = std::find_if(previous_.begin(), previous_.end(), same);
+  return before != previous_.end() && have_turned(before->normal, c.normal);
+}
+
+void GroundContact::note_interpenetration(Duration now) noexcept {
+  if (set_.interpenetration) return;
+  for (const ContactPoint& c : set_.points) {
+    const double thinner = thicknesses_[c.surface];
+    const Depth depth = depth_of(c, thinner, seam_.terms.dt, has_crossed(c));
+    if (depth == Depth::usual) continue;
+    set_.interpenetration = {
+        number_, environment_, c.object, environment_objects_[c.surface], c.depth, thinner, depth == Depth::through,
+        now};
+    return;
+  }
 }
 
 void GroundContact::remember() {

@@ -53,6 +53,8 @@ class GroundContact final : public Algorithm {
   void find_contacts();
   void begin_lift(ContactPoint& point) const noexcept;
   void remember();
+  [[nodiscard]] bool has_crossed(const ContactPoint& point) const noexcept;
+  void note_interpenetration(Duration now) noexcept;
 
   const Entity& entity_;
   const Entity* environment_entity_;
@@ -60,10 +62,12 @@ class GroundContact final : public Algorithm {
   double gravity_;  // [m/s^2] magnitude
   std::shared_ptr<const ContactLaw> law_;
   GroundFinder finder_;
+  int number_;                              // of the entity in the world
   int environment_;                         // its number in the world, -1 for none
   std::vector<ContactPoint> previous_;      // of the step before
   ContactTerms soft_terms_, stiff_terms_;   // for explicit laws, for implicit ones
   std::vector<int> environment_objects_;    // by Contact::surface
+  std::vector<double> thicknesses_;         // [m] of the thinner shape, by Contact::surface
   std::span<const Vec3d> r_;                // [m] origins, world
   std::span<const Mat3d> R_;                // orientations
   std::span<const Vec3d> v_;                // [m/s] of the origins, world

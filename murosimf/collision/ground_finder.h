@@ -3,6 +3,7 @@
 /// Planes stand outside the trees: a plane's sphere of reach is one dot product per shape (paper 5, and ground_points.h).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "murosimf/collision/contact.h"
 #include "murosimf/collision/ground_points.h"
+#include "murosimf/collision/interpenetration.h"
 #include "murosimf/collision/static_compound.h"
 
 namespace murosimf::collision {
@@ -19,17 +21,28 @@ class GroundFinder {
   /// `environment`: null for none.
   GroundFinder(const Entity& entity, const Entity* environment);
 
-  /// Calls add(surface of the entity, surface of the environment, friction_direction, object of the environment) for each value
-  /// that Contact::surface can take.
+  /// What meets at a value of Contact::surface.
+  struct Meeting {
+    const Surface &own, &other;
+    Vec3d friction_direction;  ///< [1] of the environment (GroundPlane)
+    int object = 0;            ///< of the environment
+    double thickness = 0;      ///< [m] of the thinner shape (interpenetration.h)
+  };
+  /// Calls add(meeting) for each of them.
   template <class Add>
-  void for_surfaces(const Add& add) const {
+  void for_meetings(const Add& add) const {
     for (const GroundPlane& plane : planes_) {
       for (const GroundShape& shape : shapes_)
-        add(shape.placed.surface, plane.surface, plane.friction_direction, plane.object);
+        add(Meeting{shape.placed.surface, plane.surface, plane.friction_direction, plane.object,
+                    thickness(shape.placed.shape)});
     }
     for (const CollidingShape& other : environment_.compound().shapes()) {
       for (const CollidingShape& shape : own_.shapes())
-        add(shape.placed.surface, other.placed.surface, Vec3d{}, other.object);
+        add(Meeting{shape.placed.surface,
+                    other.placed.surface,
+                    {},
+                    other.object,
+                    std::min(thickness(shape.placed.shape), thickness(other.placed.shape))});
     }
   }
   /// How many contacts there can be with planes.

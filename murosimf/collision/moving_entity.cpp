@@ -63,7 +63,11 @@ MovingEntity::MovingEntity(Setup setup)
 void MovingEntity::take_sizes() {
   poses_.assign(compound.shapes().size(), {});
   radii_.clear();
-  for (const CollidingShape& shape : compound.shapes()) radii_.push_back(bounding_radius(shape.placed.shape));
+  thicknesses_.clear();
+  for (const CollidingShape& shape : compound.shapes()) {
+    radii_.push_back(bounding_radius(shape.placed.shape));
+    thicknesses_.push_back(collision::thickness(shape.placed.shape));
+  }
 }
 
 void MovingEntity::take_shapes() {

@@ -30,6 +30,8 @@ struct MovingEntity {
   [[nodiscard]] std::uint64_t fits() const { return fits_; }
   /// Around a shape, without margin.
   [[nodiscard]] geometry::BoundingSphere sphere(int shape) const noexcept;
+  /// [m] of a shape (interpenetration.h).
+  [[nodiscard]] double thickness(int shape) const { return thicknesses_[shape]; }
   /// Of a shape in the world; worked out when somebody asks, once in a step.
   [[nodiscard]] const Transformd& pose(int shape) noexcept;
   /// Velocity [m/s] of the point of a body at `arm` [m] from its origin; world axes.
@@ -80,8 +82,8 @@ struct MovingEntity {
     std::uint64_t step = 0;  // of which
     Transformd pose;
   };
-  std::vector<KnownPose> poses_;  // of each shape
-  std::vector<double> radii_;     // [m] of each shape
+  std::vector<KnownPose> poses_;             // of each shape
+  std::vector<double> radii_, thicknesses_;  // [m] of each shape
 };
 
 }  // namespace murosimf::collision

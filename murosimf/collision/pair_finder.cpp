@@ -10,15 +10,6 @@ namespace {
 
 constexpr double fastest_walker = 3.0;  // [m/s] speed of an not_dynamic body's point that counts
 
-std::uint64_t number_of(int a, int b, int shape_a, int shape_b) {
-  return static_cast<std::uint64_t>(a) << 48 | static_cast<std::uint64_t>(b) << 32 |
-         static_cast<std::uint64_t>(shape_a) << 16 | static_cast<std::uint64_t>(shape_b);
-}
-
-/// The shapes of such a number.
-int shape_a_of(std::uint64_t number) { return static_cast<int>(number >> 16 & 0xffff); }
-int shape_b_of(std::uint64_t number) { return static_cast<int>(number & 0xffff); }
-
 bool comes_before(const PairContact& a, const PairContact& b) {
   return a.shapes != b.shapes ? a.shapes < b.shapes : a.feature < b.feature;
 }
@@ -92,7 +83,7 @@ void PairFinder::model_exchanged(const std::vector<MovingEntity>& moving_entitie
 
 void PairFinder::number_surfaces(PairSet& set) const noexcept {
   for (auto* points : {&set.points, &set.blocked}) {
-    for (PairContact& c : *points) c.surface = surface_of(c.a, c.b, shape_a_of(c.shapes), shape_b_of(c.shapes));
+    for (PairContact& c : *points) c.surface = surface_of(c.a, c.b, shape_of_a(c), shape_of_b(c));
   }
 }
 
@@ -199,7 +190,7 @@ void PairFinder::test(std::vector<MovingEntity>& moving_entities, int a, int b,
     }
     pair.object = shape_a.object;
     pair.object_b = shape_b.object;
-    pair.shapes = number_of(a, b, i, j);
+    pair.shapes = number_of_shapes(a, b, i, j);
     pair.surface = surface_of(a, b, i, j);
     add_contacts(moving_entities, pair, manifold, set);
   }
