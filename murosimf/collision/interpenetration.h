@@ -41,7 +41,8 @@ struct Interpenetration {
   return (one.a == a && one.b == b) || (one.a == b && one.b == a);
 }
 
-/// [m] smallest distance of two parallel planes that hold the shape between them; of a polyhedron, of planes along its faces. Infinite for a plane.
+/// [m] smallest distance of two parallel planes that hold the shape between them; of a polyhedron, of planes along its faces.
+/// Infinite for a plane.
 [[nodiscard]] double thickness(const Shape& shape);
 
 /// How a point is found.
@@ -51,7 +52,8 @@ enum class Depth { usual, too_deep, through };
 /// Of the normals of a contact in two successive steps.
 [[nodiscard]] inline bool have_turned(const Vec3d& before, const Vec3d& now) { return dot(before, now) < -0.5; }
 
-/// Adds pairs of entities that are not in set.interpenetrations yet. After the points of the step have been found; set.previous has those of the step before.
+/// Adds pairs of entities that are not in set.interpenetrations yet. After the points of the step have been found; set.previous has
+/// those of the step before.
 void note_interpenetrations(std::span<const MovingEntity> moving_entities, double dt, Duration now, PairSet& set);
 
 /// What stands still: its shapes, and its number in the world.
