@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
 #include "tests/fixtures.h"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/sensors/camera_frame.h"
