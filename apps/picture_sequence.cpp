@@ -9,7 +9,7 @@
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/render/image_png.h"
-#include "murosimf/scene/scene_pictures.h"
+#include "murosimf/render/renderer.h"
 #include "murosimf/scene/scene_viewpoints.h"
 
 namespace murosimf::app {
@@ -36,17 +36,18 @@ PictureSequence::PictureSequence(std::filesystem::path folder, double every)
 }
 
 void PictureSequence::show(scene::Scene& scene) {
-  scene_file::LightSpec light = scene.spec().light;
-  light.shadows = true;
-  light.samples = std::max(light.samples, 4);
-  renderer_ = make_renderer(scene, light);
+  painter_ = std::make_unique<scene::ScenePainter>(scene, [](scene_file::LightSpec& light) {
+    light.shadows = true;
+    light.samples = std::max(light.samples, 4);
+  });
   scene_ = &scene;
 }
 
 void PictureSequence::take() {
   sensors::View view;
-  renderer_->draw(scene::parallel_view(*scene_, columns, rows), {}, 0, view);
-  if (const std::string trouble = renderer_->trouble(); !trouble.empty()) throw SetupError(trouble);
+  render::Renderer& renderer = painter_->renderer();
+  renderer.draw(scene::parallel_view(*scene_, columns, rows), {}, 0, view);
+  if (const std::string trouble = renderer.trouble(); !trouble.empty()) throw SetupError(trouble);
   const std::string title = fmt::format("{}: {:.2f} s", scene_->spec().name, seconds(scene_->simulation().now()));
   files::write_file(file(), render::image_png(view.color, title));
   next_ += every_;

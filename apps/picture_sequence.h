@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "murosimf/render/renderer.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/scene/scene_pictures.h"
 
 namespace murosimf::app {
 
@@ -30,7 +30,7 @@ class PictureSequence {
   Duration every_, next_{};
   int count_ = 0;
   const scene::Scene* scene_ = nullptr;
-  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<scene::ScenePainter> painter_;
 };
 
 }  // namespace murosimf::app

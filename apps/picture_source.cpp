@@ -56,19 +56,23 @@ class Eye final : public PictureSource {
         fps_(options.fps),
         slow_(options.slow) {
     (void)scene::viewpoint_perspective(scene, view_, size_.width, size_.height);
-    scene_file::LightSpec light = scene.spec().light;
-    light.shadows = !options.no_shadows;
-    light.samples = std::max(light.samples, 4);
-    renderer_ = make_renderer(scene, light);
-    if (options.stance) renderer_->mark_standing_feet({1, 0.85, 0});
+    const auto for_people = [shadows = !options.no_shadows](scene_file::LightSpec& light) {
+      light.shadows = shadows;
+      light.samples = std::max(light.samples, 4);
+    };
+    const auto mark_feet = [stance = options.stance](render::Renderer& renderer) {
+      if (stance) renderer.mark_standing_feet({1, 0.85, 0});
+    };
+    painter_ = std::make_unique<scene::ScenePainter>(scene, for_people, mark_feet);
   }
   [[nodiscard]] double fps() const override { return fps_; }
   [[nodiscard]] double rate() const override { return fps_ * slow_; }
   std::optional<imaging::ColorImage> take(Duration /*instant*/) override {
     sensors::View view;
     const sensors::Layers layers{layer_ == Layer::color, layer_ == Layer::depth, layer_ == Layer::labels};
-    renderer_->draw(scene::viewpoint_perspective(scene_, view_, size_.width, size_.height), layers, 0, view);
-    if (const std::string trouble = renderer_->trouble(); !trouble.empty()) throw SetupError(trouble);
+    render::Renderer& renderer = painter_->renderer();
+    renderer.draw(scene::viewpoint_perspective(scene_, view_, size_.width, size_.height), layers, 0, view);
+    if (const std::string trouble = renderer.trouble(); !trouble.empty()) throw SetupError(trouble);
     if (layer_ == Layer::depth) return render::shown(view.depth);
     return layer_ == Layer::labels ? render::shown(view.labels) : std::move(view.color);
   }
@@ -79,7 +83,7 @@ class Eye final : public PictureSource {
   Size size_;
   Layer layer_;
   double fps_, slow_;
-  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<scene::ScenePainter> painter_;
 };
 
 /// A camera that a robot carries.

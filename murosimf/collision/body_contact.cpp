@@ -1,7 +1,6 @@
 #include "murosimf/collision/body_contact.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "murosimf/collision/kinematic_separation.h"
@@ -17,11 +16,6 @@ std::vector<MovingEntity> make_moving_entities(Setup& setup, const std::vector<E
   return moving_entities;
 }
 
-/// The constants are those of all pairs of so many.
-std::size_t kinds_in(const std::vector<ContactParameters>& parameters) {
-  return static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(parameters.size()))));
-}
-
 }  // namespace
 
 BodyContact::BodyContact(Setup& setup, const Entity* environment, const std::vector<Entity*>& moving_entities,
@@ -31,7 +25,8 @@ BodyContact::BodyContact(Setup& setup, const Entity* environment, const std::vec
       finder_(materials, {norm(setup.world().gravity), seconds(setup.period()), law_->implicit()}),
       period_(seconds(setup.period())),
       set_(setup.write(pair_contacts)[0]),
-      environment_(static_compound_of(environment)) {
+      environment_(static_compound_of(environment)),
+      environment_number_(setup.world().index_of(environment)) {
   for (const MovingEntity& moving_entity : moving_entities_) finder_.add(moving_entity);
 }
 
@@ -67,15 +62,17 @@ void BodyContact::entity_taken_back(const Entity& entity) noexcept {
   renumber_surfaces();
 }
 
-/// Of points that were found with other kinds of surfaces.
 void BodyContact::renumber_surfaces() {
-  const std::size_t before = kinds_in(set_.parameters);
   set_.parameters = finder_.parameters();
-  const std::size_t now = kinds_in(set_.parameters);
-  for (auto* points : {&set_.points, &set_.blocked}) {
-    for (PairContact& c : *points)
-      c.surface = static_cast<std::uint32_t>(c.surface / before * now + c.surface % before);
-  }
+  finder_.number_surfaces(set_);
+}
+
+void BodyContact::model_exchanged(const Entity& entity) {
+  const auto changed = std::ranges::find(moving_entities_, &entity, &MovingEntity::entity);
+  if (changed == moving_entities_.end()) return;
+  changed->take_shapes();
+  finder_.model_exchanged(moving_entities_, entity, set_);
+  set_.parameters = finder_.parameters();
 }
 
 void BodyContact::entity_entered(const Entity& entity) {
@@ -100,6 +97,8 @@ void BodyContact::step(const Instant& instant) noexcept {
   const double dt = seconds(instant.period);
   for (MovingEntity& moving_entity : moving_entities_) moving_entity.start_step();
   finder_.find(moving_entities_, set_);
+  note_interpenetrations(moving_entities_, dt, instant.now, set_);
+  note_jumps(moving_entities_, {*environment_, environment_number_}, dt, instant.now, set_);
   for (PairContact& c : set_.points) end_lift(c, set_.parameters[c.surface], dt);
   kinematic_separation(moving_entities_, *environment_, finder_.within_reach(), set_);
   law_->push(moving_entities_, set_, dt);

@@ -32,6 +32,7 @@ class BodyContact final : public Algorithm {
   void entity_added(Setup& setup) override;
   void entity_taken_back(const Entity& entity) noexcept override;
   void entity_entered(const Entity& entity) override;
+  void model_exchanged(const Entity& entity) override;
   void step(const Instant& instant) noexcept override;
   void state(StateArchive& archive) override;
 
@@ -45,6 +46,7 @@ class BodyContact final : public Algorithm {
   double period_;  // [s]
   PairSet& set_;
   std::shared_ptr<const StaticCompound> environment_;
+  int environment_number_;  // in the world, -1 for none
 };
 
 }  // namespace murosimf::collision

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "murosimf/collision/contact.h"
+#include "murosimf/collision/interpenetration.h"
 
 namespace murosimf::collision {
 
@@ -17,6 +18,14 @@ struct PairContact : ContactPoint {
   Vec3d velocity_a, velocity_b;  ///< [m/s] of the point on either body, world frame
 };
 
+/// Which shapes touch, as one number that grows with entities and shapes in this order.
+[[nodiscard]] constexpr std::uint64_t number_of_shapes(int a, int b, int shape_a, int shape_b) {
+  return static_cast<std::uint64_t>(a) << 48 | static_cast<std::uint64_t>(b) << 32 |
+         static_cast<std::uint64_t>(shape_a) << 16 | static_cast<std::uint64_t>(shape_b);
+}
+[[nodiscard]] constexpr int shape_of_a(const PairContact& c) { return static_cast<int>(c.shapes >> 16 & 0xffff); }
+[[nodiscard]] constexpr int shape_of_b(const PairContact& c) { return static_cast<int>(c.shapes & 0xffff); }
+
 /// All contacts between moving entities. One value, in a column of the world (World::common).
 struct PairSet {
   std::vector<int> entities;                  ///< by PairContact::a and b: number in the world (World::index_of)
@@ -24,7 +33,8 @@ struct PairSet {
   std::vector<ContactParameters> parameters;  ///< by Contact::surface
   std::vector<PairContact> blocked;           ///< between two that cannot be pushed: no force (kinematic_separation.h)
   std::vector<PairContact> previous;          ///< of the step before; working memory
-  TestCounts tests;                           ///< of this step
+  std::vector<Interpenetration> interpenetrations;  ///< so far, for warnings
+  TestCounts tests;                                 ///< of this step
 };
 
 void append_hash(Hasher& hasher, const PairSet& set);

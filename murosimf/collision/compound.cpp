@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/collision/interpenetration.h"
 #include "murosimf/collision/robot_tree.h"
 
 namespace murosimf::collision {
@@ -21,6 +22,15 @@ geometry::AnyTree make_tree(const Model& model, std::span<const CollidingShape> 
   return geometry::make_tree(options.volume, parts, layout, options.margin);
 }
 
+std::vector<double> thicknesses_of(const Model& model, std::span<const CollidingShape> shapes) {
+  std::vector<double> result(static_cast<std::size_t>(model.size()));
+  for (const CollidingShape& shape : shapes) {
+    double& thickest = result[static_cast<std::size_t>(shape.object)];
+    thickest = std::max(thickest, thickness(shape.placed.shape));
+  }
+  return result;
+}
+
 std::string key_of(const CompoundOptions& options) {
   std::string key = fmt::format("{} {} {} {}", options.volume, options.structured, options.inner, options.margin);
   if (!options.inner) return key;
@@ -35,6 +45,7 @@ Compound::Parts::Parts(const Model& model, const CompoundOptions& options)
       tree(make_tree(model, shapes, options)),
       inner_pairs(options.inner ? InnerPairs(model, shapes, options.excluded) : InnerPairs()),
       reach(farthest_reach(model)),
+      thicknesses(thicknesses_of(model, shapes)),
       all_touch(std::ranges::all_of(shapes, is_usual<PlacedShape>, &CollidingShape::placed)) {}
 
 Compound::Compound(const Model& model, const CompoundOptions& options)

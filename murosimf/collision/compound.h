@@ -37,6 +37,9 @@ class Compound {
   /// No shape is farther [m] from the base's origin, in any posture: who is near nobody needs no refit.
   [[nodiscard]] double reach() const { return parts_->reach; }
 
+  /// [m] of a body: that of its thickest shape (interpenetration.h); 0 without shapes.
+  [[nodiscard]] double thickness_of(int object) const { return parts_->thicknesses[static_cast<std::size_t>(object)]; }
+
   /// About the root of the tree: a cheap first test whatever the kind of volume.
   [[nodiscard]] const geometry::BoundingSphere& around() const { return around_; }
 
@@ -57,7 +60,8 @@ class Compound {
     std::vector<CollidingShape> shapes;
     geometry::AnyTree tree;  // never refitted
     InnerPairs inner_pairs;
-    double reach;  // [m]
+    double reach;                     // [m]
+    std::vector<double> thicknesses;  // [m] by object
     bool all_touch;
   };
 

@@ -11,8 +11,8 @@ void append_hash(Hasher& hasher, const ContactSet& set) {
 }
 
 void state(StateArchive& archive, ContactSet& set) {
-  archive(set.points, set.environment, set.environment_objects, set.stiff, set.tests, set.solved, set.island_stands,
-          set.rest_force, set.rest_damping, set.loaded);
+  archive(set.points, set.environment, set.environment_objects, set.stiff, set.tests, set.interpenetration, set.solved,
+          set.island_stands, set.rest_force, set.rest_damping, set.loaded);
 }
 
 namespace {

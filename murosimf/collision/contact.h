@@ -7,11 +7,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "murosimf/collision/contact_point.h"
+#include "murosimf/collision/interpenetration.h"
 #include "murosimf/math/spatial.h"
 #include "murosimf/model/property.h"
 #include "murosimf/model/state_archive.h"
@@ -32,6 +34,7 @@ struct ContactSet {
   std::vector<int> environment_objects;  ///< by Contact::surface: which body of the environment
   bool stiff = false;                    ///< what constants the points have (ground_contact.h)
   TestCounts tests;                      ///< of collision detection in this step
+  std::optional<Interpenetration> interpenetration;  ///< the first so far, for a warning
   bool solved = false;         ///< an island solver has settled this step already; motion takes it over and resets this
   bool island_stands = false;  ///< in that case: somebody in the island touches the environment
 

@@ -18,9 +18,13 @@ constexpr std::size_t usual_points = 12;  // two feet and more; memory for other
 
 GroundContact::GroundContact(Setup& setup, const Entity* environment, std::shared_ptr<const ContactLaw> law,
                              const MaterialTable& materials)
-    : model_(setup.model()),
+    : entity_(setup.entity()),
+      environment_entity_(environment),
+      materials_(materials),
+      gravity_(norm(setup.world().gravity)),
       law_(std::move(law)),
       finder_(setup.entity(), environment),
+      number_(setup.world().index_of(&setup.entity())),
       environment_(setup.world().index_of(environment)),
       soft_terms_{{}, setup.entity().options().own_steps * seconds(setup.period())},
       stiff_terms_(soft_terms_),
@@ -34,15 +38,22 @@ GroundContact::GroundContact(Setup& setup, const Entity* environment, std::share
       external_damping_(setup.write(properties::external_damping)),
       set_(setup.write(contacts)[0]),
       seam_(setup.write(contact_seam)[0]) {
-  const double gravity = norm(setup.world().gravity);
-  finder_.for_surfaces([&](const Surface& own, const Surface& other, const Vec3d& friction_direction, int object) {
-    const PairSurface pair = materials.find(own, other);
+  make_terms();
+}
+
+void GroundContact::make_terms() {
+  for (ContactTerms* terms : {&soft_terms_, &stiff_terms_}) terms->parameters.clear();
+  environment_objects_.clear();
+  thicknesses_.clear();
+  finder_.for_meetings([&](const GroundFinder::Meeting& meeting) {
+    const PairSurface pair = materials_.find(meeting.own, meeting.other);
     for (ContactTerms* terms : {&soft_terms_, &stiff_terms_}) {
-      ContactParameters p = contact_parameters(model_, pair, {gravity, terms->dt, terms == &stiff_terms_});
-      p.friction_direction = pair.friction_anisotropy * friction_direction;
+      ContactParameters p = contact_parameters(model(), pair, {gravity_, terms->dt, terms == &stiff_terms_});
+      p.friction_direction = pair.friction_anisotropy * meeting.friction_direction;
       terms->parameters.push_back(p);
     }
-    environment_objects_.push_back(object);
+    environment_objects_.push_back(meeting.object);
+    thicknesses_.push_back(meeting.thickness);
   });
 }
 
@@ -53,13 +64,25 @@ void GroundContact::initialize() {
   set_ = none;  // a copy: it keeps its memory for the next start
   set_.environment = environment_;
   set_.environment_objects = environment_objects_;
-  set_.rest_force.resize(static_cast<std::size_t>(model_.size()));
+  set_.rest_force.resize(static_cast<std::size_t>(model().size()));
   const std::size_t most = std::min(finder_.most_on_planes(), usual_points);
   set_.points.reserve(most);
   previous_.reserve(most);
   set_.loaded.reserve(most);
   std::fill(external_force_.begin(), external_force_.end(), Wrenchd{});
   std::fill(external_damping_.begin(), external_damping_.end(), Sym6d{});
+}
+
+/// Its points belong to another shape: they begin anew, and what is in the ground now is let out slowly.
+void GroundContact::model_exchanged(const Entity& entity) {
+  if (&entity != &entity_) return;
+  finder_ = GroundFinder(entity_, environment_entity_);
+  make_terms();
+  set_.environment_objects = environment_objects_;
+  set_.points.clear();
+  const double dt = seam_.terms.dt;
+  seam_.terms = terms_are_stiff_ ? stiff_terms_ : soft_terms_;
+  seam_.terms.dt = dt;
 }
 
 void GroundContact::exchange_law(std::shared_ptr<const ContactLaw> law) {
@@ -71,7 +94,7 @@ void GroundContact::exchange_law(std::shared_ptr<const ContactLaw> law) {
 
 /// Six coordinates are those of a rigid body.
 bool GroundContact::wants_stiff_terms() const noexcept {
-  return law_->implicit() && (model_.joints().empty() || (seam_.response && seam_.response->coordinates() > 6));
+  return law_->implicit() && (model().joints().empty() || (seam_.response && seam_.response->coordinates() > 6));
 }
 
 /// Points of other constants keep their tangential force, and come to their new depth slowly.
@@ -101,7 +124,7 @@ void GroundContact::clear_loads() noexcept {
 void GroundContact::rest() noexcept {
   if (set_.loaded.empty() && set_.points.empty()) return;
   clear_loads();
-  for (const int object : model_.bodies()) external_force_[object] = set_.rest_force[object] = Wrenchd{};
+  for (const int object : model().bodies()) external_force_[object] = set_.rest_force[object] = Wrenchd{};
   set_.points.clear();
   set_.loaded.clear();
 }
@@ -109,13 +132,14 @@ void GroundContact::rest() noexcept {
 void GroundContact::step(const Instant& instant) noexcept {
   if (dynamic_ == 0) return rest();
   clear_loads();
-  for (const int object : model_.bodies()) {
+  for (const int object : model().bodies()) {
     external_force_[object] = set_.rest_force[object] = applied_force_[object];
   }
   choose_terms();
   seam_.terms.dt = seconds(instant.period);
   find_contacts();
   remember();
+  note_interpenetration(instant.now);
   law_->prepare(set_.points, seam_.terms);
   set_.loaded.clear();
   for (const ContactPoint& c : set_.points) {
@@ -142,6 +166,28 @@ void GroundContact::begin_lift(ContactPoint& point) const noexcept {
   const auto other = std::find_if(previous_.begin(), previous_.end(), same_body);
   if (other == previous_.end()) return lift_if_deep(point, seam_.terms.dt);
   point.lift = other->lift;
+}
+
+/// True if the same shapes touched from the other side in the step before.
+bool GroundContact::has_crossed(const ContactPoint& c) const noexcept {
+  const auto same = [&](const ContactPoint& other) {
+    return GroundFinder::are_of_same_shapes(other, c) && other.lift == 0;
+  };
+  const auto before = std::find_if(previous_.begin(), previous_.end(), same);
+  return before != previous_.end() && have_turned(before->normal, c.normal);
+}
+
+void GroundContact::note_interpenetration(Duration now) noexcept {
+  if (set_.interpenetration) return;
+  for (const ContactPoint& c : set_.points) {
+    const double thinner = std::min(finder_.own_thickness(c.object), thicknesses_[c.surface]);
+    const Depth depth = depth_of(c, thinner, seam_.terms.dt, has_crossed(c));
+    if (depth == Depth::usual) continue;
+    set_.interpenetration = {
+        number_, environment_, c.object, environment_objects_[c.surface], c.depth, thinner, depth == Depth::through,
+        now};
+    return;
+  }
 }
 
 void GroundContact::remember() {

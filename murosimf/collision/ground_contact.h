@@ -36,6 +36,7 @@ class GroundContact final : public Algorithm {
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::contact; }
   void initialize() override;
+  void model_exchanged(const Entity& entity) override;
   void step(const Instant& instant) noexcept override;
 
   /// From the next step on. Points keep their memory if both laws have the same (contact_law.h, island_use), else it
@@ -43,6 +44,8 @@ class GroundContact final : public Algorithm {
   void exchange_law(std::shared_ptr<const ContactLaw> law);
 
  private:
+  void make_terms();
+  [[nodiscard]] const Model& model() const { return entity_.model(); }
   [[nodiscard]] bool wants_stiff_terms() const noexcept;
   void choose_terms() noexcept;
   void clear_loads() noexcept;
@@ -50,14 +53,21 @@ class GroundContact final : public Algorithm {
   void find_contacts();
   void begin_lift(ContactPoint& point) const noexcept;
   void remember();
+  [[nodiscard]] bool has_crossed(const ContactPoint& point) const noexcept;
+  void note_interpenetration(Duration now) noexcept;
 
-  const Model& model_;
+  const Entity& entity_;
+  const Entity* environment_entity_;
+  MaterialTable materials_;
+  double gravity_;  // [m/s^2] magnitude
   std::shared_ptr<const ContactLaw> law_;
   GroundFinder finder_;
+  int number_;                              // of the entity in the world
   int environment_;                         // its number in the world, -1 for none
   std::vector<ContactPoint> previous_;      // of the step before
   ContactTerms soft_terms_, stiff_terms_;   // for explicit laws, for implicit ones
   std::vector<int> environment_objects_;    // by Contact::surface
+  std::vector<double> thicknesses_;         // [m] of the environment, by Contact::surface
   std::span<const Vec3d> r_;                // [m] origins, world
   std::span<const Mat3d> R_;                // orientations
   std::span<const Vec3d> v_;                // [m/s] of the origins, world

@@ -43,7 +43,7 @@ std::vector<GroundPlane> ground_planes(const Entity* environment) {
 }
 
 GroundFinder::GroundFinder(const Entity& entity, const Entity* environment)
-    : shapes_(ground_shapes(entity.model())),
+    : shapes_(&ground_shapes(entity.model())),
       planes_(ground_planes(environment)),
       own_(compound_of(entity, {.volume = entity.options().collision.volume})),
       environment_(static_compound_of(environment)),
@@ -51,7 +51,7 @@ GroundFinder::GroundFinder(const Entity& entity, const Entity* environment)
       static_kinds_(environment_->compound().shapes(), SurfaceKinds::Of::object),
       all_touch_planes_(own_.all_touch() && std::all_of(planes_.begin(), planes_.end(), is_usual<GroundPlane>)) {}
 
-std::size_t GroundFinder::most_on_planes() const { return 8 * shapes_.size() * planes_.size(); }
+std::size_t GroundFinder::most_on_planes() const { return 8 * shapes_->size() * planes_.size(); }
 
 void GroundFinder::find(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                         TestCounts& tests) noexcept {
@@ -61,7 +61,7 @@ void GroundFinder::find(std::span<const Vec3d> r, std::span<const Mat3d> R, std:
 
 void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                                   TestCounts& tests) const noexcept {
-  const std::span<const GroundShape> shapes(shapes_);
+  const std::span<const GroundShape> shapes(*shapes_);
   std::uint64_t feature = 0;
   for (std::size_t k = 0; k < planes_.size(); ++k) {
     const GroundPlane& plane = planes_[k];
@@ -76,7 +76,7 @@ void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3
         found[i].feature += feature;
       }
     }
-    feature += features_of_all(shapes_);
+    feature += features_of_all(*shapes_);
   }
 }
 
@@ -118,7 +118,11 @@ void GroundFinder::add_contacts(int own, int other, const geometry::Manifold& ma
   }
 }
 
-/// By the environment's kinds, each plane being one, then by the entity's: as for_surfaces() counts.
+bool GroundFinder::are_of_same_shapes(const ContactPoint& a, const ContactPoint& b) noexcept {
+  return a.feature / features_of_pair == b.feature / features_of_pair;
+}
+
+/// By the environment's kinds, each plane being one, then by the entity's: as for_meetings() counts.
 std::uint32_t GroundFinder::surface(std::size_t other_kind, std::size_t own_shape) const noexcept {
   return static_cast<std::uint32_t>(other_kind * own_kinds_.surfaces().size() + own_kinds_.of(own_shape));
 }

@@ -3,13 +3,17 @@
 /// Planes stand outside the trees: a plane's sphere of reach is one dot product per shape (paper 5, and ground_points.h).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "murosimf/collision/contact.h"
 #include "murosimf/collision/ground_points.h"
+#include "murosimf/collision/interpenetration.h"
 #include "murosimf/collision/static_compound.h"
 #include "murosimf/collision/surface_kinds.h"
 
@@ -20,18 +24,31 @@ class GroundFinder {
   /// `environment`: null for none.
   GroundFinder(const Entity& entity, const Entity* environment);
 
-  /// Calls add(surface of the entity, surface of the environment, friction_direction, object of the environment) for each value
-  /// that Contact::surface can take: one for every pair of kinds, whatever many shapes are of them.
+  /// What meets at a value of Contact::surface: one for every pair of kinds, whatever many shapes are of them.
+  struct Meeting {
+    const Surface &own, &other;
+    Vec3d friction_direction;  ///< [1] of the environment (GroundPlane)
+    int object = 0;            ///< of the environment
+    double thickness = 0;      ///< [m] of that object (interpenetration.h), infinite for a plane
+  };
+  /// Calls add(meeting) for each of them.
   template <class Add>
-  void for_surfaces(const Add& add) const {
+  void for_meetings(const Add& add) const {
     for (const GroundPlane& plane : planes_) {
-      for (const Surface& own : own_kinds_.surfaces()) add(own, plane.surface, plane.friction_direction, plane.object);
+      for (const Surface& own : own_kinds_.surfaces())
+        add(Meeting{own, plane.surface, plane.friction_direction, plane.object,
+                    std::numeric_limits<double>::infinity()});
     }
     for (std::size_t i = 0; i < static_kinds_.surfaces().size(); ++i) {
+      const int object = static_kinds_.objects()[i];
       for (const Surface& own : own_kinds_.surfaces())
-        add(own, static_kinds_.surfaces()[i], Vec3d{}, static_kinds_.objects()[i]);
+        add(Meeting{own, static_kinds_.surfaces()[i], {}, object, environment_->compound().thickness_of(object)});
     }
   }
+  /// [m] of a body of the entity.
+  [[nodiscard]] double own_thickness(int object) const noexcept { return own_.thickness_of(object); }
+  /// Both points are of the same two shapes that stand or move.
+  [[nodiscard]] static bool are_of_same_shapes(const ContactPoint& a, const ContactPoint& b) noexcept;
   /// How many contacts there can be with planes.
   [[nodiscard]] std::size_t most_on_planes() const;
 
@@ -50,7 +67,7 @@ class GroundFinder {
                     std::vector<ContactPoint>& found) const noexcept;
   [[nodiscard]] std::uint32_t surface(std::size_t other_kind, std::size_t own_shape) const noexcept;
 
-  const std::vector<GroundShape>& shapes_;  // the model's
+  const std::vector<GroundShape>* shapes_;  // the model's
   std::vector<GroundPlane> planes_;
   Compound own_;
   std::shared_ptr<const StaticCompound> environment_;

@@ -55,10 +55,28 @@ MovingEntity::MovingEntity(Setup setup)
       separation(setup.write(properties::separation)),
       contacts(setup.write(collision::contacts)[0]),
       seam(setup.write(contact_seam)[0]) {
-  poses_.resize(compound.shapes().size());
-  for (const CollidingShape& shape : compound.shapes()) radii_.push_back(bounding_radius(shape.placed.shape));
+  take_sizes();
   pushed_.reserve(static_cast<std::size_t>(setup.model().size()));
   setup.claim();  // levels make their free pass for the island solver
+}
+
+void MovingEntity::take_sizes() {
+  poses_.assign(compound.shapes().size(), {});
+  radii_.clear();
+  thicknesses_.clear();
+  for (const CollidingShape& shape : compound.shapes()) {
+    radii_.push_back(bounding_radius(shape.placed.shape));
+    thicknesses_.push_back(collision::thickness(shape.placed.shape));
+  }
+}
+
+void MovingEntity::take_shapes() {
+  compound = make_compound(*entity);
+  feet = find_feet(model(), compound);
+  is_near_statics = {};
+  fits_ = 0;
+  refitted_ = false;
+  take_sizes();
 }
 
 bool MovingEntity::limbs_can_touch() const {

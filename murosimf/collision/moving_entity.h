@@ -30,6 +30,8 @@ struct MovingEntity {
   [[nodiscard]] std::uint64_t fits() const { return fits_; }
   /// Around a shape, without margin.
   [[nodiscard]] geometry::BoundingSphere sphere(int shape) const noexcept;
+  /// [m] of a shape (interpenetration.h).
+  [[nodiscard]] double thickness(int shape) const { return thicknesses_[shape]; }
   /// Of a shape in the world; worked out when somebody asks, once in a step.
   [[nodiscard]] const Transformd& pose(int shape) noexcept;
   /// Velocity [m/s] of the point of a body at `arm` [m] from its origin; world axes.
@@ -38,6 +40,9 @@ struct MovingEntity {
   /// What was pushed in the last step; all else is worked out anew.
   void state(StateArchive& archive) { archive(pushed_); }
   void forget_pushes() { pushed_.clear(); }
+
+  /// Of another model of the same objects.
+  void take_shapes();
 
   /// Takes away what `push` has left of the step before; poses are new.
   void start_step() noexcept;
@@ -66,6 +71,7 @@ struct MovingEntity {
   ContactSeam& seam;
 
  private:
+  void take_sizes();
   void add(int object, const Wrenchd& at_origin) noexcept;
 
   std::vector<int> pushed_;  // objects with an interaction force
@@ -76,8 +82,8 @@ struct MovingEntity {
     std::uint64_t step = 0;  // of which
     Transformd pose;
   };
-  std::vector<KnownPose> poses_;  // of each shape
-  std::vector<double> radii_;     // [m] of each shape
+  std::vector<KnownPose> poses_;             // of each shape
+  std::vector<double> radii_, thicknesses_;  // [m] of each shape
 };
 
 }  // namespace murosimf::collision

@@ -11,11 +11,6 @@ namespace {
 
 constexpr double fastest_walker = 3.0;  // [m/s] speed of an not_dynamic body's point that counts
 
-std::uint64_t number_of(int a, int b, int shape_a, int shape_b) {
-  return static_cast<std::uint64_t>(a) << 48 | static_cast<std::uint64_t>(b) << 32 |
-         static_cast<std::uint64_t>(shape_a) << 16 | static_cast<std::uint64_t>(shape_b);
-}
-
 bool comes_before(const PairContact& a, const PairContact& b) {
   return a.shapes != b.shapes ? a.shapes < b.shapes : a.feature < b.feature;
 }
@@ -56,6 +51,10 @@ PairFinder::PairFinder(const MaterialTable& materials, const ContactConditions& 
 
 void PairFinder::add(const MovingEntity& moving_entity) {
   limbs_.emplace_back();
+  add_kinds(moving_entity);
+}
+
+void PairFinder::add_kinds(const MovingEntity& moving_entity) {
   auto& kinds = kinds_of_shapes_.emplace_back();
   for (const CollidingShape& shape : moving_entity.compound.shapes())
     kinds.push_back(kind_of(moving_entity.model(), shape.placed.surface));
@@ -69,6 +68,28 @@ void PairFinder::take_back() noexcept {
     for (const std::size_t kind : kinds) used = std::max(used, kind + 1);
   }
   kinds_.erase(kinds_.begin() + static_cast<std::ptrdiff_t>(used), kinds_.end());
+}
+
+void PairFinder::model_exchanged(const std::vector<MovingEntity>& moving_entities, const Entity& entity, PairSet& set) {
+  kinds_.clear();
+  kinds_of_shapes_.clear();
+  for (const MovingEntity& moving_entity : moving_entities) add_kinds(moving_entity);
+  forget_neighbors();
+  const auto is_of_it = [&](const PairContact& c) {
+    return moving_entities[c.a].entity == &entity || moving_entities[c.b].entity == &entity;
+  };
+  for (auto* points : {&set.points, &set.blocked}) std::erase_if(*points, is_of_it);
+  number_surfaces(set);
+}
+
+void PairFinder::number_surfaces(PairSet& set) const noexcept {
+  for (auto* points : {&set.points, &set.blocked}) {
+    for (PairContact& c : *points) c.surface = surface_of(c.a, c.b, shape_of_a(c), shape_of_b(c));
+  }
+}
+
+std::uint32_t PairFinder::surface_of(int a, int b, int shape_a, int shape_b) const noexcept {
+  return static_cast<std::uint32_t>(kinds_of_shapes_[a][shape_a] * kinds_.size() + kinds_of_shapes_[b][shape_b]);
 }
 
 std::vector<ContactParameters> PairFinder::parameters() const {
@@ -169,8 +190,8 @@ void PairFinder::test(std::vector<MovingEntity>& moving_entities, int a, int b,
     }
     pair.object = shape_a.object;
     pair.object_b = shape_b.object;
-    pair.shapes = number_of(a, b, i, j);
-    pair.surface = static_cast<std::uint32_t>(kinds_of_shapes_[a][i] * kinds_.size() + kinds_of_shapes_[b][j]);
+    pair.shapes = number_of_shapes(a, b, i, j);
+    pair.surface = surface_of(a, b, i, j);
     add_contacts(moving_entities, pair, manifold, set);
   }
 }

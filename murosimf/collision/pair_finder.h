@@ -28,6 +28,10 @@ class PairFinder {
   void add(const MovingEntity& moving_entity);
   /// The last of them.
   void take_back() noexcept;
+  /// The model of one of them is another one; of the points in `set`, those of the others go on.
+  void model_exchanged(const std::vector<MovingEntity>& moving_entities, const Entity& entity, PairSet& set);
+  /// Says anew of which constants the points are: kinds have come or gone.
+  void number_surfaces(PairSet& set) const noexcept;
 
   /// Constants of all pairs of surfaces that can meet; of kinds i and j at i * kinds + j.
   [[nodiscard]] std::vector<ContactParameters> parameters() const;
@@ -49,6 +53,8 @@ class PairFinder {
     std::uint64_t fits_a = 0, fits_b = 0;
     std::vector<std::pair<int, int>> shapes;
   };
+  void add_kinds(const MovingEntity& moving_entity);
+  [[nodiscard]] std::uint32_t surface_of(int a, int b, int shape_a, int shape_b) const noexcept;
   [[nodiscard]] std::size_t kind_of(const Model& model, const Surface& surface);
   void renew_neighbors();
   void find_between(std::vector<MovingEntity>& moving_entities, int a, int b, Neighbors& near, PairSet& set) noexcept;

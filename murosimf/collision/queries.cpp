@@ -62,6 +62,13 @@ void QueryScene::take_back(const Entity& entity) noexcept {
   refresh();
 }
 
+void QueryScene::model_exchanged(const Entity& entity) {
+  const auto place = std::ranges::find(members_, &entity, [](const auto& member) { return member->entity; });
+  if (place == members_.end()) throw SetupError("entity '" + entity.name() + "' is not in the query scene");
+  *place = std::make_unique<Member>(entity, volume_);
+  refresh();
+}
+
 /// The first who asks after a refresh looks where everybody is.
 void QueryScene::update() noexcept {
   if (!stale_.load(std::memory_order_acquire)) return;

@@ -66,6 +66,9 @@ class QueryScene {
   /// Forgets one again that is the last of all; nothing, if it is not.
   void take_back(const Entity& entity) noexcept;
 
+  /// One has another model of the same objects; spans of its shapes end. Throws SetupError if it is not in the scene.
+  void model_exchanged(const Entity& entity);
+
   /// To be called after something has moved, while nobody asks; the work is done when a question comes near an entity.
   void refresh() noexcept { stale_.store(true, std::memory_order_release); }
 

@@ -54,6 +54,10 @@ class Algorithm {
   /// Between two steps, in place of initialize(), if the algorithm is attached to another entity.
   virtual void entity_entered(const Entity&) {}
 
+  /// An entity has another model of the same objects (Entity::exchange_model), between two steps: works out anew what it has worked
+  /// out of the one before, which ends with this call. The entity's level is made anew instead, and does not get this call.
+  virtual void model_exchanged(const Entity&) {}
+
   /// From now on has the random numbers that `seed` would have given to its constructor. Called between two steps, before
   /// initialize() or a state is loaded.
   virtual void reseed(std::uint64_t) {}

@@ -37,6 +37,17 @@ void Entity::place(const Vec3d& position, double heading, const Mat3d& attitude)
   check_place();
 }
 
+void Entity::exchange_model(ModelPtr model) {
+  const auto same = [](const Object& a, const Object& b) {
+    return a.name == b.name && a.kind == b.kind && a.parent == b.parent;
+  };
+  if (!std::ranges::equal(model_->objects(), model->objects(), same)) {
+    throw SetupError(
+        fmt::format("entity '{}': model '{}' has other objects than '{}'", name_, model->name(), model_->name()));
+  }
+  model_ = std::move(model);
+}
+
 ObjectAccess Entity::object(std::string_view name) {
   const auto found = model_->find_object(name);
   if (!found)

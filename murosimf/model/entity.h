@@ -24,6 +24,12 @@ class Entity {
   [[nodiscard]] const ModelPtr& model_ptr() const { return model_; }
   [[nodiscard]] const EntityOptions& options() const { return options_; }
 
+  /// Another model with the same objects. Told by who knows what else hangs on it (Simulation::exchange_model). Throws
+  /// SetupError, and changes nothing, if the objects are others.
+  void exchange_model(ModelPtr model);
+  /// For pictures; they take it over when they are told to (scene/section_changes.h).
+  void recolor(const Color& color) { options_.color = color; }
+
   /// Where its level puts it at the next start; checked as by the constructor.
   void place(const Vec3d& position, double heading, const Mat3d& attitude);
 

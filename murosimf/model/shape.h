@@ -55,6 +55,7 @@ using Shape = std::variant<Sphere, Box, Capsule, Cylinder, Ellipsoid, Plane, Con
 
 struct Color {
   double red = 0.5, green = 0.5, blue = 0.5;
+  friend bool operator==(const Color&, const Color&) = default;
 };
 
 /// What a surface is made of. The force between two surfaces depends on the pair (material.h).

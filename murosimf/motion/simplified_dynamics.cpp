@@ -106,8 +106,8 @@ void SimplifiedDynamics::step(const Instant& instant) noexcept {
 }
 
 SimplifiedDynamics::Course SimplifiedDynamics::find_course(const Instant& instant) noexcept {
-  const bool in_island = contacts_.solved();
-  if (!in_island) {
+  if (!contacts_.solved()) {
+    pushed_in_island_ = false;
     begin_step(seconds(instant.period));
     contacts_.settle([&] {
       solve(dt_);
@@ -127,7 +127,7 @@ SimplifiedDynamics::Course SimplifiedDynamics::find_course(const Instant& instan
     return {};
   }
   contacts_.commit();
-  if (!options_.base_rigid && !in_island && in_flight()) {
+  if (!options_.base_rigid && !pushed_in_island_ && in_flight()) {
     const Vec3d middle_rate = columns_.w[0] + (0.5 * dt_) * acceleration_.w;
     body.turn = normalized(exponential(dt_ * middle_rate) * columns_.Q[0]);
   } else {
@@ -206,6 +206,7 @@ void SimplifiedDynamics::predict_contacts() noexcept {
 }
 
 bool SimplifiedDynamics::free_pass(double dt) noexcept {
+  pushed_in_island_ = false;
   begin_step(dt);
   solve(dt);
   factor_.emplace(matrix_);
@@ -222,6 +223,7 @@ void SimplifiedDynamics::respond(int, const Vec3d& point, const Mat3d& direction
 }
 
 void SimplifiedDynamics::apply(std::span<const double> z) noexcept {
+  pushed_in_island_ = std::any_of(z.begin(), z.end(), [](double number) { return number != 0; });
   acceleration_ += (1 / dt_) * factor_->backward({z[0], z[1], z[2], z[3], z[4], z[5]});
 }
 

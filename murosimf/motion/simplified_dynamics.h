@@ -115,8 +115,9 @@ class SimplifiedDynamics final : public MotionLevel, private collision::ImpulseR
   std::optional<Cholesky6<double>> factor_;  // of it, for responses
   Twistd acceleration_;                      // [rad/s^2; m/s^2] of the center of mass in the present step
   RungeKutta4 runge_kutta_;
-  std::vector<double> row_;  // the state while Runge-Kutta works on it
-  double dt_ = 0;            // [s] of the present step
+  std::vector<double> row_;        // the state while Runge-Kutta works on it
+  double dt_ = 0;                  // [s] of the present step
+  bool pushed_in_island_ = false;  // in the present step; who is alone in an island flies as others do
 };
 
 }  // namespace murosimf::motion

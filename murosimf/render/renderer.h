@@ -37,6 +37,11 @@ class Renderer final : public sensors::ViewSource {
   /// The same by parallel rays. Who looks level sees the ground cut open.
   void draw(const ParallelView& view, const sensors::Layers& layers, double ahead, sensors::View& into) noexcept;
 
+  /// From the next picture on; while nothing draws.
+  void set_light(const Light& light, int samples) {
+    options_.light = light;
+    options_.samples = samples;
+  }
   /// RenderScene::mark_standing_feet; before it draws.
   void mark_standing_feet(const Color& color) { render_scene_.mark_standing_feet(color); }
 

@@ -121,6 +121,12 @@ class Simulation {
   MotionLevel& exchange(std::string name, Entity& entity, const Maker<MotionLevel>& make,
                         LevelStart start = LevelStart::in_motion);
 
+  /// Gives an entity another model of the same objects, between two steps: its level is exchanged for one that `level`
+  /// constructs, which keeps place and velocities; all other algorithms work out anew what hangs on the model. Throws SetupError,
+  /// and leaves everything as it was, if the objects are others or the level refuses.
+  void exchange_model(Entity& entity, ModelPtr model, const Maker<MotionLevel>& level,
+                      LevelStart start = LevelStart::in_motion);
+
   /// Between two steps: takes an entity out of the world. Its columns, algorithms and place among the entities stay, but nothing
   /// executes these, touches, sees or shows it, until enter(). Initializes. Throws SetupError if it is not there.
   void leave(Entity& entity);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/properties.h"
 #include "murosimf/runtime/simulation.h"
 
 namespace murosimf {
@@ -119,6 +120,27 @@ MotionLevel& Simulation::exchange(std::string name, Entity& entity, const Maker<
   next->algorithm.reset();
   retired_.push_back(std::move(next));
   return *(*present)->level;
+}
+
+void Simulation::exchange_model(Entity& entity, ModelPtr model, const Maker<MotionLevel>& level, LevelStart start) {
+  const ModelPtr before = entity.model_ptr();  // algorithms point into it until they have been told
+  const bool moves = initialized_ && entity.present() && start == LevelStart::in_motion;
+  const Vec3d v = moves ? entity.base().get(properties::linear_velocity) : Vec3d{};
+  const Vec3d w = moves ? entity.base().get(properties::angular_velocity) : Vec3d{};
+  entity.exchange_model(std::move(model));
+  try {
+    exchange(entity.level, entity, level, start);
+  } catch (...) {
+    entity.exchange_model(before);
+    throw;
+  }
+  if (moves) {  // levels hand momentum over, and the mass is another one
+    entity.base().set(properties::linear_velocity, v);
+    entity.base().set(properties::angular_velocity, w);
+  }
+  for (const auto& task : tasks_) {
+    if (!task->level || task->entity != &entity) task->algorithm->model_exchanged(entity);
+  }
 }
 
 /// Leaves `task` without algorithm if that refuses.

@@ -55,14 +55,14 @@ ModelPtr ModelSource::changed_for(const std::string& entity, const ModelPtr& mod
   return known;
 }
 
-void ModelSource::check_materials(const Model& model) const {
+void check_materials(const Model& model, const MaterialTable& materials) {
   for (const int body : model.bodies()) {
     const Shapes* shapes = model.find(properties::shapes, body);
     if (!shapes) continue;
     for (const PlacedShape& placed : *shapes) {
-      if (placed.surface.material.empty() || spec_.materials.knows(placed.surface.material)) continue;
+      if (placed.surface.material.empty() || materials.knows(placed.surface.material)) continue;
       throw SetupError(fmt::format("model '{}', object '{}': {}", model.name(), model.objects()[body].name,
-                                   unknown_name("material", placed.surface.material, spec_.materials.names())));
+                                   unknown_name("material", placed.surface.material, materials.names())));
     }
   }
 }

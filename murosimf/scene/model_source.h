@@ -12,6 +12,9 @@
 
 namespace murosimf::scene {
 
+/// Throws SetupError for a material that the table does not know.
+void check_materials(const Model& model, const MaterialTable& materials);
+
 class ModelSource {
  public:
   ModelSource(const scene_file::SceneSpec& spec, Assets& assets, bool lenient, Remarks& remarks)
@@ -25,7 +28,7 @@ class ModelSource {
   [[nodiscard]] ModelPtr changed_for(const std::string& entity, const ModelPtr& model);
 
   /// Throws SetupError for a material that the scene does not know.
-  void check_materials(const Model& model) const;
+  void check_materials(const Model& model) const { scene::check_materials(model, spec_.materials); }
 
  private:
   const scene_file::SceneSpec& spec_;

@@ -12,6 +12,7 @@
 #include "murosimf/scene/scene_exchange.h"
 #include "murosimf/scene/scene_sensors.h"
 #include "murosimf/scene/scene_start.h"
+#include "murosimf/scene/section_changes.h"
 #include "murosimf/scene/start_overlaps.h"
 
 namespace murosimf::scene {
@@ -60,7 +61,7 @@ void check_team(const scene_file::SceneSpec& spec, const scene_file::RobotSpec& 
 void finish(SceneParts& parts, Entity& entity) {
   start_moving(parts, entity);
   parts.at_start.algorithms.push_back(algorithms_in_force(parts).back());
-  if (parts.cameras) parts.cameras->renew();
+  show_changes(parts);
   parts.remarks.warn(overlaps_of(entity, *parts.field, parts.moving_entities));
 }
 

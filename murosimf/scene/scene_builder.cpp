@@ -13,6 +13,7 @@
 #include "murosimf/scene/scene_pushing.h"
 #include "murosimf/scene/scene_sensors.h"
 #include "murosimf/scene/scene_start.h"
+#include "murosimf/scene/section_changes.h"
 
 namespace murosimf::scene {
 namespace {
@@ -81,6 +82,7 @@ void build(SceneParts& parts, const SceneOptions& options) {
   warn_about_settings(parts);
   begin_at_every_start(parts);
   schedule_events(parts);
+  parts.at_start.sections = sections_in_force(parts);
   parts.at_start.algorithms = algorithms_in_force(parts);
 }
 

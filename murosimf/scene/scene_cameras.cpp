@@ -58,6 +58,11 @@ void CameraRenderer::renew() {
   if (renderer_) renderer_ = make_renderer(parts_, parts_.spec.light);
 }
 
+void CameraRenderer::renew_light() {
+  const scene_file::LightSpec& light = parts_.spec.light;
+  if (renderer_) renderer_->set_light(light_of(light), light.samples);
+}
+
 void CameraRenderer::draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,
                           sensors::View& view) noexcept {
   renderer_->draw(perspective, layers, ahead, view);

@@ -31,8 +31,10 @@ class CameraRenderer final : public sensors::ViewSource {
 
   /// Null if nobody can draw here, which is a warning then.
   [[nodiscard]] sensors::ViewSource* view_source();
-  /// Somebody has been added to the scene, who is to be seen. Between two steps.
+  /// Somebody has been added to the scene, or looks different. Between two steps.
   void renew();
+  /// The light is another one.
+  void renew_light();
 
   void draw(const sensors::Perspective& perspective, const sensors::Layers& layers, double ahead,
             sensors::View& view) noexcept override;

@@ -13,6 +13,7 @@
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/property_checks.h"
 #include "murosimf/scene/start_overlaps.h"
+#include "murosimf/scene_file/section_change.h"
 #include "murosimf/scene_file/setting_targets.h"
 #include "murosimf/scene_file/unused_settings.h"
 
@@ -92,7 +93,7 @@ void warn_about_things(SceneParts& parts) {
   const double step = 1 / parts.spec.rate;
   if (const auto& ball = parts.spec.ball) {
     warn_about_steps(parts, "ball", {ball->contact, {}, "simplified_dynamics", step});
-    warn_about_bounce(parts, "ball", ball->material, ball->mass);
+    warn_about_ball(parts);
   }
   for (const scene_file::BodySpec& body : parts.spec.bodies) {
     if (body.is_static) continue;
@@ -114,12 +115,20 @@ void warn_about_missing_servos(SceneParts& parts, const scene_file::RobotSpec& r
 
 }  // namespace
 
+void warn_about_ball(SceneParts& parts) {
+  const scene_file::BallSpec& ball = *parts.spec.ball;
+  warn_about_bounce(parts, "ball", ball.material, ball.mass);
+}
+
 void warn_about_settings(SceneParts& parts) {
   const scene_file::SceneSpec& spec = parts.spec;
   parts.remarks.warn(scene_file::unused_keys(spec));
   std::set<std::string> materials;
   add_materials(parts.field->model(), materials);
   for (const Entity* moving_entity : parts.moving_entities) add_materials(moving_entity->model(), materials);
+  for (const scene_file::SceneEvent& event : spec.events) {
+    if (event.section == "ball" && event.key == "material") materials.insert(changed(*spec.ball, event).material);
+  }
   const std::vector<std::string> used(materials.begin(), materials.end());
   parts.remarks.warn(scene_file::unused_pairs(spec, used));
   if (auto line = scene_file::unused_friction_direction(spec, used); !line.empty()) parts.remarks.warn(std::move(line));

@@ -41,7 +41,7 @@ void add_ball(SceneParts& parts, ModelSource& models) {
   options.present = parts.spec.ball->present;
   const ModelPtr model = models.changed_for("ball", scene_file::ball_model(*parts.spec.ball));
   models.check_materials(*model);
-  options.color = model->find(properties::shapes, 0)->front().color;
+  options.color = parts.spec.ball->color;
   parts.ball = &parts.simulation->world().add("ball", model, options);
   parts.ball->level = "simplified_dynamics";
   parts.ball->contact = parts.spec.ball->contact;

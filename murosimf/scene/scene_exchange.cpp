@@ -14,6 +14,7 @@
 #include "murosimf/scene/scene_presence.h"
 #include "murosimf/scene/scene_sensors.h"
 #include "murosimf/scene/scene_settings.h"
+#include "murosimf/scene/section_changes.h"
 #include "murosimf/scene_file/level_options.h"
 #include "murosimf/scene_file/setting_targets.h"
 
@@ -144,6 +145,7 @@ void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithm
 }
 
 void check_change(const SceneParts& parts, const scene_file::SceneEvent& change) {
+  if (!change.section.empty()) return check_section_change(parts, change);
   if (!change.setting) return;
   for (const std::string& entity : change.entities) {
     check_setting_of(change, parts.simulation->world().entity(entity).model());
@@ -151,6 +153,7 @@ void check_change(const SceneParts& parts, const scene_file::SceneEvent& change)
 }
 
 void apply_change(SceneParts& parts, const scene_file::SceneEvent& change) {
+  if (!change.section.empty()) return apply_section_change(parts, change);
   std::exception_ptr first;
   for (const std::string& entity : change.entities) {
     try {
@@ -165,6 +168,9 @@ void apply_change(SceneParts& parts, const scene_file::SceneEvent& change) {
 void schedule_events(SceneParts& parts) {
   for (const scene_file::SceneEvent& event : parts.spec.events) {
     check_change(parts, event);
+    if (!event.section.empty()) {
+      parts.simulation->at(from_seconds(event.time), [&parts, &event] { apply_section_change(parts, event); });
+    }
     for (const std::string& entity : event.entities) {
       // a call for everybody: one who refuses does not keep the others from changing
       parts.simulation->at(from_seconds(event.time), [&parts, &event, &entity] { apply(parts, event, entity); });

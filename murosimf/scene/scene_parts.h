@@ -35,8 +35,17 @@ struct Algorithms {
   void state(StateArchive& archive) { archive(level, servo_law, contact); }
 };
 
+/// Light and ball as they are now (section_changes.h).
+struct ChangingSections {
+  scene_file::LightSpec light;
+  scene_file::BallOptions ball;  ///< the usual ones, if there is no ball
+  Color ball_color;
+  void state(StateArchive& archive) { archive(light, ball, ball_color); }
+};
+
 /// What a reset goes back to.
 struct StartOfScene {
+  ChangingSections sections;
   std::vector<Algorithms> algorithms;  ///< by moving entity
   std::optional<Remarks> remarks;      ///< of building
 };
@@ -66,6 +75,7 @@ struct SceneParts {
   bool lenient = false;                                      ///< of their files: unknown elements are warnings
   StartOfScene at_start;
   std::unique_ptr<CameraRenderer> cameras;  ///< null: nothing is drawn for them
+  int changes_to_see = 0;  ///< so far, of what renderers have taken over: light, shapes, colors, who is there
 };
 
 /// Null if the entity is no body of [[bodies]].

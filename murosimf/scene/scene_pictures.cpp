@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -63,6 +64,24 @@ void write_picture(const Scene& scene, const std::filesystem::path& file) {
 
 std::unique_ptr<render::Renderer> make_renderer(Scene& scene, const scene_file::LightSpec& light) {
   return make_renderer(scene.parts(), light);
+}
+
+ScenePainter::ScenePainter(Scene& scene, ForPeople for_people, Prepare prepare)
+    : scene_(scene), for_people_(std::move(for_people)), prepare_(std::move(prepare)) {
+  (void)renderer();
+}
+
+ScenePainter::~ScenePainter() = default;
+
+render::Renderer& ScenePainter::renderer() {
+  const int changes = scene_.parts().changes_to_see;
+  if (renderer_ && changes == changes_seen_) return *renderer_;
+  scene_file::LightSpec light = scene_.spec().light;
+  for_people_(light);
+  renderer_ = make_renderer(scene_, light);
+  if (prepare_) prepare_(*renderer_);
+  changes_seen_ = changes;
+  return *renderer_;
 }
 
 }  // namespace murosimf::scene

@@ -9,6 +9,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/torque_watch.h"
+#include "murosimf/scene/interpenetration_warnings.h"
 
 namespace murosimf::scene {
 namespace {
@@ -38,6 +39,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const Lateness& latenes
   for (const Entity* entity : scene.moving_entities()) {
     if (auto line = motion::overload_message(*entity); !line.empty()) all.push_back(std::move(line));
   }
+  for (auto& line : interpenetration_warnings(scene.simulation().world())) all.push_back(std::move(line));
   if (lateness.late_steps > 0) all.push_back(to_text(lateness));
   return all;
 }

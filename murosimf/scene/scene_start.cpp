@@ -8,6 +8,7 @@
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene/scene_exchange.h"
 #include "murosimf/scene/scene_settings.h"
+#include "murosimf/scene/section_changes.h"
 
 namespace murosimf::scene {
 namespace {
@@ -89,6 +90,7 @@ void reset(SceneParts& parts, std::optional<std::uint64_t> seed) {
   for (std::size_t i = 0; i < parts.moving_entities.size(); ++i) {
     put_in_force(parts, *parts.moving_entities[i], parts.at_start.algorithms[i]);
   }
+  put_in_force(parts, parts.at_start.sections);
   parts.remarks = *parts.at_start.remarks;
   parts.times_set.clear();
   if (seed) {

@@ -1,6 +1,7 @@
 #include "murosimf/scene/scene_state.h"
 
 #include "murosimf/scene/scene_exchange.h"
+#include "murosimf/scene/section_changes.h"
 
 namespace murosimf::scene {
 namespace {
@@ -12,6 +13,9 @@ void load(SceneParts& parts, std::span<const std::byte> bytes) {
   std::vector<Algorithms> algorithms = algorithms_in_force(parts);
   with_context("state of the scene's moving entities", [&] { archive.elements(std::span(algorithms)); });
   for (std::size_t i = 0; i < algorithms.size(); ++i) put_in_force(parts, *parts.moving_entities[i], algorithms[i]);
+  ChangingSections sections;
+  archive(sections);
+  put_in_force(parts, sections);
   if (seed != parts.spec.seed) parts.simulation->reseed(seed);
   parts.spec.seed = seed;
   parts.simulation->load(bytes.last(archive.left()));
@@ -25,6 +29,8 @@ std::vector<std::byte> save_state(SceneParts& parts) {
   archive(parts.spec.seed);
   std::vector<Algorithms> algorithms = algorithms_in_force(parts);
   archive(algorithms);
+  ChangingSections sections = sections_in_force(parts);
+  archive(sections);
   const std::vector<std::byte> simulation = parts.simulation->save();
   bytes.insert(bytes.end(), simulation.begin(), simulation.end());
   return bytes;

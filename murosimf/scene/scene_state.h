@@ -1,4 +1,5 @@
-/// scene_state.h - the state of a scene as bytes: its simulation's, its seed, and the levels and laws that events may have exchanged.
+/// scene_state.h - the state of a scene as bytes: its simulation's, its seed, and what events may have exchanged: levels, laws,
+/// light and ball.
 #pragma once
 
 #include <cstddef>

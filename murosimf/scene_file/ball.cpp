@@ -18,7 +18,6 @@ ModelPtr ball_model(const BallOptions& options) {
   PlacedShape sphere;
   sphere.shape = Sphere{options.radius};
   sphere.surface.material = options.material;
-  sphere.color = {1.0, 0.45, 0.1};
   return std::make_shared<const Model>("ball", Chain{}
                                                    .base("ball")
                                                    .with(properties::mass, options.mass)

@@ -1,9 +1,10 @@
-/// ball.h - the model of a ball: one object, one sphere.
+/// ball.h - the model of a ball: one object, one sphere, drawn in the color of its entity.
 #pragma once
 
 #include <string>
 
 #include "murosimf/model/model.h"
+#include "murosimf/model/state_archive.h"
 
 namespace murosimf::scene_file {
 
@@ -12,6 +13,9 @@ struct BallOptions {
   double mass = 0.1;              ///< [kg]
   bool hollow = false;            ///< inertia 2/3 m r^2 instead of 2/5 m r^2
   std::string material = "ball";  ///< surface, for the pair table
+
+  friend bool operator==(const BallOptions&, const BallOptions&) = default;
+  void state(StateArchive& archive) { archive(radius, mass, hollow, material); }
 };
 
 /// Throws SetupError if radius or mass are not positive.

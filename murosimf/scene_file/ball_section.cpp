@@ -1,5 +1,6 @@
 // [ball] of a scene file.
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/files/toml_color.h"
 #include "murosimf/scene_file/all_sections.h"
 #include "murosimf/scene_file/section_readers.h"
 
@@ -14,6 +15,14 @@ const Section<BallSpec>& ball_section() {
        {"mass", &BallSpec::mass, "kg", "of all of it", positive},
        {"hollow", &BallSpec::hollow, "", "inertia of a shell, 2/3 m r^2, instead of 2/5 m r^2"},
        {"material", &BallSpec::material, "", "of its surface"},
+       {"color",
+        [](const files::TomlTable& table, std::string_view, BallSpec& ball) {
+          ball.color = files::read_color(table, ball.color);
+        },
+        "",
+        "red, green, blue from 0 to 1",
+        {},
+        "orange"},
        {"contact", Choice<BallSpec>{&BallSpec::contact, "contact law", [] { return entry_names(catalog::contacts()); }},
         "", "murosimf list contacts"},
        {"present", &BallSpec::present, "", "at the start; an event 'ball.present = true' brings it"}});

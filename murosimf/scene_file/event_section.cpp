@@ -13,6 +13,7 @@
 #include "murosimf/scene_file/all_sections.h"
 #include "murosimf/scene_file/assignment.h"
 #include "murosimf/scene_file/overrides.h"
+#include "murosimf/scene_file/section_change.h"
 #include "murosimf/scene_file/setting_targets.h"
 
 namespace murosimf::scene_file {
@@ -35,10 +36,34 @@ void check_value(const SceneEvent& event) {
   });
 }
 
+bool is_of_ball(const Assignment& change) {
+  const auto& keys = changeable_ball_keys();
+  return change.path[0] == "ball" && change.path.size() == 2 &&
+         std::find(keys.begin(), keys.end(), change.path[1]) != keys.end();
+}
+
+/// A key of [light], or one of [ball] that makes another ball.
+SceneEvent section_event(const Assignment& change, double time) {
+  if (change.path.size() != 2) throw SetupError(fmt::format("{}: write {}.KEY=VALUE", change.where, change.path[0]));
+  SceneEvent event{time, change.where, {}, change.path[1], change.value, {}, change.path[0]};
+  change.path[0] == "light" ? void(changed(LightSpec{}, event)) : void(changed(BallSpec{}, event));
+  return event;
+}
+
 std::vector<std::string> names_of(const std::vector<toml::table*>& robots) {
   std::vector<std::string> names;
   for (const toml::table* robot : robots) names.push_back(text_of(*robot, "name"));
   return names;
+}
+
+/// Of the ball.
+const std::vector<std::string_view>& ball_keys() {
+  static const std::vector<std::string_view> keys = [] {
+    std::vector<std::string_view> all = changeable_ball_keys();
+    all.insert(all.end(), {"contact", "present"});
+    return all;
+  }();
+  return keys;
 }
 
 }  // namespace
@@ -53,6 +78,9 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
     used = 1;
   }
   const auto bodies = bodies_called(scene, change.path[0]);
+  const bool of_light = change.path[0] == "light" && entities.empty() && bodies.empty();
+  if (of_light || (entities == std::vector<std::string>{"ball"} && is_of_ball(change)))
+    return section_event(change, time);
   if (entities.empty() && !bodies.empty()) {
     entities = names_of(bodies);
     used = 1;
@@ -69,11 +97,11 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
     throw SetupError(
         fmt::format("{}: {}", where, unknown_name("entity", change.path[0], {names.begin(), names.end()})));
   }
-  SceneEvent event{time, where, entities, change.path.back(), change.value, {}};
+  SceneEvent event{time, where, entities, change.path.back(), change.value, {}, {}};
   if (rest > 1 || is_of_joints(event.key)) {
     event.setting = property_setting(change, used, entities);
   } else {
-    check_key(change, event.key, exchangeable_keys());
+    check_key(change, event.key, change.path[0] == "ball" ? ball_keys() : exchangeable_keys());
     if (event.key == "command") {
       event.setting = property_setting(change, used, entities);
       event.setting->property = properties::walk_command.name;

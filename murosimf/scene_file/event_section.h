@@ -2,7 +2,7 @@
 ///
 ///     [[events]]
 ///     time = 3.0                                   # [s]
-///     set = "blue1.level = articulated_dynamics"   # or a list of such texts
+///     set = "blue1.level = articulated_dynamics"   # or a list of such texts; also "light.brightness = 0.3"
 ///
 /// Only for .cpp files: it brings toml++ in.
 #pragma once

@@ -14,6 +14,7 @@
 #include "murosimf/model/entity.h"
 #include "murosimf/model/material.h"
 #include "murosimf/model/option.h"
+#include "murosimf/model/state_archive.h"
 #include "murosimf/model/time.h"
 #include "murosimf/motion/integrator.h"
 #include "murosimf/scene_file/ball.h"
@@ -33,6 +34,7 @@ struct FieldSpec {
 };
 
 struct BallSpec : BallOptions {
+  Color color{1.0, 0.45, 0.1};
   Vec3d position;  ///< [m] z: height of its lowest point
   Vec3d velocity;  ///< [m/s]
   std::string contact = "implicit_stick";
@@ -54,6 +56,8 @@ struct LightSpec {
   double brightness = 1;        ///< [1] of all light
   bool shadows = false;
   int samples = 1;  ///< to a pixel; edges are smooth with 4
+
+  void state(StateArchive& archive) { archive(name, toward, brightness, shadows, samples); }
 };
 
 /// A place from where people look at the scene: [views.NAME].
@@ -118,13 +122,14 @@ struct PropertySetting {
   std::vector<double> numbers;
 };
 
-/// Something that changes while the scene runs: another level, law or command, who is there, or a property.
+/// Something that changes while the scene runs: another level, law or command, who is there, a property, or a key of a section.
 struct SceneEvent {
   double time = 0;  ///< [s]
   std::string where;
-  std::vector<std::string> entities;
-  std::string key, value;  ///< of a robot; with `setting`, only for messages
+  std::vector<std::string> entities;  ///< none, if a section changes
+  std::string key, value;             ///< of a robot or the section; with `setting`, only for messages
   std::optional<PropertySetting> setting;
+  std::string section{};  ///< "light" or "ball" (section_change.h); empty: entities change
 };
 
 /// A force for a while, at the center of mass of a body: --push.

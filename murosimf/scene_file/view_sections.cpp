@@ -16,6 +16,13 @@ void read_samples(const files::TomlTable& table, std::string_view key, LightSpec
   light.samples = static_cast<int>(samples);
 }
 
+void read_toward(const files::TomlTable& table, std::string_view key, LightSpec& light) {
+  Vec3d toward;
+  table.read(key, toward);
+  require(toward.z > 0, table, key, "must point upwards: light comes from above");
+  light.toward = toward;
+}
+
 ViewpointSpec read_viewpoint(std::string_view name, const toml::table& node) {
   const files::TomlTable table(node, viewpoint_section().names());
   ViewpointSpec place{.name = std::string(name)};
@@ -54,7 +61,7 @@ const Section<LightSpec>& light_section() {
   static const Section<LightSpec> section(
       "[light]", {{"name", Choice<LightSpec>{&LightSpec::name, "light", [] { return entry_names(render::lights()); }},
                    "", "hall, day, night"},
-                  {"toward", &LightSpec::toward, "", "[x, y, z]: to the lamp, upwards", {}, "the lamp's own"},
+                  {"toward", read_toward, "", "[x, y, z]: to the lamp, upwards", {}, "the lamp's own"},
                   {"brightness", &LightSpec::brightness, "", "of all light", between(0, 100)},
                   {"shadows", &LightSpec::shadows, "", "whether the lamp casts them"},
                   {"samples", read_samples, "", "to a pixel: 1, 2, 4 or 8; edges are smooth with 4", {}, "1"}});
@@ -78,11 +85,7 @@ void read_viewpoints(const files::TomlTable& scene, SceneSpec& spec) {
 }
 
 void read_light(const files::TomlTable& scene, SceneSpec& spec) {
-  const toml::table* node = scene.table("light");
-  if (!node) return;
-  light_section().read(*node, spec.light);
-  require(!spec.light.toward || spec.light.toward->z > 0, files::TomlTable(*node, light_section().names()), "toward",
-          "must point upwards: light comes from above");
+  if (const toml::table* node = scene.table("light")) light_section().read(*node, spec.light);
 }
 
 }  // namespace murosimf::scene_file

@@ -78,6 +78,13 @@ Detector::Detector(Setup& setup, const SensorSpec& spec, const SensorSurrounding
   draw_offset();
 }
 
+void Detector::model_exchanged(const Entity& entity) {
+  view_.model_exchanged(entity);
+  for (Target& target : targets_) {
+    if (target.seen.entity == &entity) target.seen.shapes = view_.scene().shapes(entity);
+  }
+}
+
 void Detector::draw_offset() noexcept {
   const auto number = [&](std::uint64_t n) { return offsets_.uniform(n, -options_.offset, options_.offset); };
   offset_ = {number(0), number(1), number(2)};

@@ -49,6 +49,7 @@ class Detector final : public Sensor {
 
   void entity_added(Setup& setup) override { view_.add(setup); }
   void entity_taken_back(const Entity& entity) noexcept override { view_.take_back(entity); }
+  void model_exchanged(const Entity& entity) override;
 
  private:
   struct Target {

@@ -42,6 +42,10 @@ void WorldQueries::entity_taken_back(const Entity& entity) noexcept {
   for (const auto& [volume, scene] : scenes_) scene->take_back(entity);
 }
 
+void WorldQueries::model_exchanged(const Entity& entity) {
+  for (const auto& [volume, scene] : scenes_) scene->model_exchanged(entity);
+}
+
 void WorldQueries::refresh() noexcept {
   for (const auto& [volume, scene] : scenes_) scene->refresh();
 }
@@ -64,6 +68,10 @@ void WorldView::add(Setup& setup) {
 
 void WorldView::take_back(const Entity& entity) noexcept {
   if (own_) own_->take_back(entity);
+}
+
+void WorldView::model_exchanged(const Entity& entity) {
+  if (own_) own_->model_exchanged(entity);
 }
 
 collision::QueryScene& WorldView::now() noexcept {

@@ -36,6 +36,7 @@ class WorldQueries final : public Algorithm {
   void entity_added(Setup& setup) override;
   void entity_taken_back(const Entity& entity) noexcept override;
   void entity_entered(const Entity&) override { refresh(); }
+  void model_exchanged(const Entity& entity) override;
   void step(const Instant&) noexcept override { refresh(); }
 
   /// The scene with volumes of this kind, made when it is first asked for: while setting up only. The algorithm of `setup`
@@ -61,6 +62,8 @@ class WorldView {
   /// An entity has been added (Algorithm::entity_added), and taken back.
   void add(Setup& setup);
   void take_back(const Entity& entity) noexcept;
+  /// An entity has another model (Algorithm::model_exchanged).
+  void model_exchanged(const Entity& entity);
   /// The same while setting up: who is there.
   [[nodiscard]] const collision::QueryScene& scene() const { return *scene_; }
 

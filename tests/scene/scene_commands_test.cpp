@@ -52,6 +52,11 @@ std::string random_change(std::mt19937& dice) {
       "two.present = true",
       "ball.present = false",
       "ball.present = true",
+      "ball.radius = 0.08",
+      "ball.radius = 0.05",
+      "ball.mass = 0.3",
+      "ball.material = rubber",
+      "light.brightness = 0.5",
       "nobody.level = full_dynamics",
       "two.level = no_such_level",
   };
