@@ -12,6 +12,9 @@
 #include "murosimf/collision/implicit_stick_law.h"
 #include "murosimf/collision/kelvin_voigt_law.h"
 #include "murosimf/collision/paper_law.h"
+#include "murosimf/connect/trajectory_file.h"
+#include "murosimf/connect/trajectory_player.h"
+#include "murosimf/files/data_path.h"
 #include "murosimf/locomotion/keyframe_player.h"
 #include "murosimf/locomotion/trot.h"
 #include "murosimf/locomotion/walk_engine.h"
@@ -76,6 +79,21 @@ void attach_keyframes(Simulation& simulation, Entity& robot, const ControllerOpt
   if (!options.motion) throw SetupError("controller 'keyframes' needs a motion: motion = \"get_up_front\"");
   simulation.attach<locomotion::KeyframePlayer>("keyframe_player", robot, rate_of<locomotion::KeyframePlayer>(options),
                                                 *options.motion);
+}
+
+void attach_trajectory(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  connect::TrajectoryOptions played;
+  trajectory_options().apply(options.own, played);
+  if (played.file.empty()) {
+    throw SetupError("controller 'trajectory' needs the name of a file: options = {file = \"gait.csv\"}");
+  }
+  const connect::LogColumns columns{.property = played.property,
+                                    .entity = played.entity.empty() ? robot.name() : played.entity};
+  const connect::JointTrajectory trajectory =
+      connect::read_trajectory(files::find_data_file(played.file, "motions", ".csv", options.folder), robot.model(),
+                               columns);
+  const double rate = options.rate > 0 ? options.rate : connect::own_rate(trajectory);
+  simulation.attach<connect::TrajectoryPlayer>("trajectory_player", robot, rate, trajectory, played);
 }
 
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
@@ -265,6 +283,9 @@ std::vector<ControllerType> built_in_controllers() {
       ControllerType{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", "", attach_balance,
                      balance_options().infos()},
       ControllerType{"keyframes", "plays the key frames of a motion once", "motion", attach_keyframes},
+      ControllerType{"trajectory",
+                     "plays joint angles from a table over time (CSV), a team's own or a log of this program", "",
+                     attach_trajectory, trajectory_options().infos()},
       ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
                      drive_options().infos(), drives_at},
       ControllerType{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",

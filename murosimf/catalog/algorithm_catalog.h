@@ -4,6 +4,7 @@
 /// plug-in (plugin.h) adds to `registries()`, before it builds a scene.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -78,6 +79,7 @@ struct ControllerOptions {
   std::uint64_t seed = 1;  ///< of the scene
   double rate = 0;         ///< [Hz] of it; 0: what it wants
   OptionValues own;        ///< what the robot's [robots.options] gives, of those in ControllerType::options
+  std::filesystem::path folder;  ///< of the scene's file, where the files that it names are looked for too
 };
 
 struct ControllerType {
