@@ -12,6 +12,8 @@
 #include "murosimf/collision/implicit_stick_law.h"
 #include "murosimf/collision/kelvin_voigt_law.h"
 #include "murosimf/collision/paper_law.h"
+#include "murosimf/connect/controller_task.h"
+#include "murosimf/connect/library_software.h"
 #include "murosimf/connect/trajectory_file.h"
 #include "murosimf/connect/trajectory_player.h"
 #include "murosimf/files/data_path.h"
@@ -94,6 +96,32 @@ void attach_trajectory(Simulation& simulation, Entity& robot, const ControllerOp
                                columns);
   const double rate = options.rate > 0 ? options.rate : connect::own_rate(trajectory);
   simulation.attach<connect::TrajectoryPlayer>("trajectory_player", robot, rate, trajectory, played);
+}
+
+void attach_library(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  if (options.library.empty()) {
+    throw SetupError("controller 'library' needs the name of a file: library = \"build/libwalk.so\"");
+  }
+  const std::filesystem::path file = files::find_data_file(options.library, "libraries", ".so", options.folder);
+  const auto library = connect::ControllerLibrary::load(file);
+  const connect::LibraryOptions given{.file = file,
+                                      .options = options.own,
+                                      .seed = options.seed,
+                                      .budget = from_seconds(options.call_budget),
+                                      .reload = options.reload};
+  Entity& common = simulation.world().common();
+  const connect::SoftwareMaker make = [&](Setup& setup, connect::RobotPort& port, const connect::SayLine& say) {
+    connect::one_after_the_other(setup, common, *library);
+    return std::make_unique<connect::LibrarySoftware>(setup, port, say, library, given);
+  };
+  constexpr double usual_rate = 100;
+  const double wanted = library->functions().rate > 0 ? library->functions().rate : usual_rate;
+  const auto& task = simulation.attach<connect::ControllerTask>(
+      "control_software", robot, options.rate > 0 ? options.rate : wanted, make,
+      connect::ControllerTaskOptions{.software = file.string(), .budget = given.budget, .crashes = options.crashes});
+  if (task.port().walks()) {
+    simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
+  }
 }
 
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
@@ -277,17 +305,23 @@ std::vector<BodyContactLawType> built_in_body_contacts() {
 std::vector<ControllerType> built_in_controllers() {
   return {
       ControllerType{"none", "joints stay where they are put", "posture", attach_none},
-      ControllerType{"walk", "walks with the velocity in walk_command", "command", attach_walk, {}, walks_at},
+      ControllerType{"walk", "walks with the velocity in walk_command", "command", attach_walk, {}, false, walks_at},
       ControllerType{
-          "trot", "trots on four legs with the velocity in walk_command", "command", attach_trot, {}, trots_at},
+          "trot", "trots on four legs with the velocity in walk_command", "command", attach_trot, {}, false, trots_at},
       ControllerType{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", "", attach_balance,
                      balance_options().infos()},
       ControllerType{"keyframes", "plays the key frames of a motion once", "motion", attach_keyframes},
       ControllerType{"trajectory",
                      "plays joint angles from a table over time (CSV), a team's own or a log of this program", "",
                      attach_trajectory, trajectory_options().infos()},
+      ControllerType{"library",
+                     "control software of one's own in a shared library (murosimf_controller.h)",
+                     "library",
+                     attach_library,
+                     {},
+                     true},
       ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
-                     drive_options().infos(), drives_at},
+                     drive_options().infos(), false, drives_at},
       ControllerType{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",
                      attach_ball_chaser, ball_chaser_options().infos()},
       ControllerType{"localize", "walks a round on the field and finds out from its camera where it is", "",

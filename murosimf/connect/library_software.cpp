@@ -1,0 +1,283 @@
+#include "murosimf/connect/library_software.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <mutex>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::connect {
+namespace {
+
+/// By which the instances of a library know each other.
+struct LibraryTurn {};
+[[maybe_unused]] void append_hash(Hasher&, const LibraryTurn&) {}
+[[maybe_unused]] void state(StateArchive&, LibraryTurn&) {}
+
+constexpr auto reload_period = std::chrono::milliseconds(250);
+
+/// Libraries whose code was left in the middle of a call are never unloaded.
+void keep_for_ever(const std::shared_ptr<const ControllerLibrary>& library) {
+  static std::mutex keeping;
+  static auto* kept = new std::vector<std::shared_ptr<const ControllerLibrary>>;
+  const std::lock_guard lock(keeping);
+  kept->push_back(library);
+}
+
+}  // namespace
+
+Duration longest_call(Duration budget) {
+  using namespace std::chrono_literals;
+  return budget > Duration{} ? std::max<Duration>(1s, 10 * budget) : Duration(10s);
+}
+
+void one_after_the_other(const Setup& setup, Entity& common, const ControllerLibrary& library) {
+  if ((library.functions().flags & MUROSIMF_INDEPENDENT_INSTANCES) != 0) return;
+  const std::string name = "library_turn:" + std::filesystem::canonical(library.file()).string();
+  const Property<LibraryTurn> turn{
+      {name, "-", "-", "instances of a library are called one after the other", Scope::wiring}};
+  (void)setup.of(common).write(turn);
+}
+
+LibrarySoftware::LibrarySoftware(Setup& setup, RobotPort& port, SayLine say,
+                                 std::shared_ptr<const ControllerLibrary> library, LibraryOptions options)
+    : port_(&port),
+      say_(std::move(say)),
+      library_(std::move(library)),
+      options_(std::move(options)),
+      robot_name_(setup.entity().name()),
+      team_(setup.entity().options().team),
+      model_(setup.model().name()),
+      robot_(description(setup)),
+      step_{fmt::format("library '{}' of {}", options_.file.string(), robot_name_), "its step",
+            longest_call(options_.budget)},
+      looked_(WallClock::now()) {
+  instance_ = create(*library_);
+  check_options();
+}
+
+LibrarySoftware::~LibrarySoftware() { destroy(); }
+
+murosimf_robot LibrarySoftware::description(const Setup& setup) const {
+  murosimf_robot robot{};
+  robot.simulator = const_cast<LibrarySoftware*>(this);
+  robot.name = robot_name_.c_str();
+  robot.team = team_.c_str();
+  robot.model = model_.c_str();
+  robot.period = seconds(setup.period());
+  robot.seed = options_.seed;
+  robot.signal = signal;
+  robot.command = command;
+  robot.label = label;
+  robot.number_option = number_option;
+  robot.truth_option = truth_option;
+  robot.vector_option = vector_option;
+  robot.text_option = text_option;
+  robot.say = say;
+  return robot;
+}
+
+CallOutcome LibrarySoftware::guarded(const char* what, const std::function<void()>& call) const {
+  return GuardedCall{step_.who, what, step_.limit}(call);
+}
+
+void* LibrarySoftware::create(const ControllerLibrary& library) {
+  std::array<char, 1000> error{};
+  void* instance = nullptr;
+  not_found_.clear();
+  const CallOutcome outcome =
+      guarded("its create", [&] { instance = library.functions().create(&robot_, error.data(), error.size()); });
+  if (!outcome) {
+    crashed_ = crashed_ || outcome.kind == CallOutcome::crashed;
+    throw SetupError(outcome.text);
+  }
+  if (instance) return instance;
+  error.back() = 0;
+  const std::string reason = error.front() != 0 ? std::string(error.data()) : not_found_;
+  throw SetupError(
+      fmt::format("{}: {}", step_.who, reason.empty() ? "it takes no such robot, and does not say why" : reason));
+}
+
+void LibrarySoftware::check_options() const {
+  const std::vector<std::string_view> known(asked_.begin(), asked_.end());
+  if (!wrong_option_.empty()) throw SetupError(wrong_option_);
+  for (const auto& [name, value] : options_.options) {
+    if (asked_.contains(name)) continue;
+    if (known.empty()) throw SetupError(fmt::format("{} has no options, so '{}' cannot be set", step_.who, name));
+    throw SetupError(unknown_name(fmt::format("option of {},", step_.who), name, known));
+  }
+}
+
+void LibrarySoftware::destroy() noexcept {
+  if (!instance_) return;
+  const CallOutcome outcome = guarded("its destroy", [&] { library_->functions().destroy(instance_); });
+  instance_ = nullptr;
+  if (outcome.kind != CallOutcome::good) keep_for_ever(library_);
+}
+
+void LibrarySoftware::give_up(const CallOutcome& outcome) noexcept {
+  if (outcome) return;
+  if (outcome.kind == CallOutcome::threw) return destroy();
+  crashed_ = crashed_ || outcome.kind == CallOutcome::crashed;
+  instance_ = nullptr;  // nobody knows what it would do now
+  keep_for_ever(library_);
+}
+
+CallOutcome LibrarySoftware::start() {
+  if (crashed_) return {CallOutcome::crashed, fmt::format("{} has crashed before; it cannot begin again", step_.who)};
+  news_.clear();
+  const bool has_start = library_->functions().start != nullptr;
+  if (!instance_ || (!has_start && !fresh_)) {
+    destroy();
+    instance_ = create(*library_);
+  }
+  fresh_ = false;
+  if (!has_start) return {};
+  CallOutcome outcome = guarded("its start", [&] { library_->functions().start(instance_); });
+  give_up(outcome);
+  return outcome;
+}
+
+CallOutcome LibrarySoftware::step(Duration now) noexcept {
+  if (options_.reload) look_for_a_newer_one();
+  if (crashed_) return {CallOutcome::crashed, news_};
+  CallOutcome outcome = step_([this, now] { library_->functions().step(instance_, now.count()); });
+  give_up(outcome);
+  return outcome;
+}
+
+std::string LibrarySoftware::news() { return std::exchange(news_, {}); }
+
+std::vector<std::byte> LibrarySoftware::saved() const {
+  std::vector<std::byte> bytes;
+  if (!instance_ || !library_->functions().save) return bytes;
+  const CallOutcome outcome = guarded("its save", [&] {
+    bytes.resize(library_->functions().save(instance_, nullptr, 0));
+    bytes.resize(std::min(bytes.size(), library_->functions().save(instance_, bytes.data(), bytes.size())));
+  });
+  if (!outcome) throw SetupError(outcome.text);
+  return bytes;
+}
+
+bool LibrarySoftware::loaded(const ControllerLibrary& library, void* instance,
+                             const std::vector<std::byte>& bytes) const {
+  bool taken = false;
+  const CallOutcome outcome =
+      guarded("its load", [&] { taken = library.functions().load(instance, bytes.data(), bytes.size()) != 0; });
+  if (!outcome) throw SetupError(outcome.text);
+  return taken;
+}
+
+void LibrarySoftware::state(StateArchive& archive) {
+  std::vector<std::byte> bytes = archive.loads() ? std::vector<std::byte>{} : saved();
+  archive(bytes);
+  if (!archive.loads() || bytes.empty() || !instance_ || !library_->functions().load) return;
+  if (!loaded(*library_, instance_, bytes)) throw SetupError(fmt::format("{}: its load refuses the state", step_.who));
+}
+
+/// A file that is still being written is left alone until it has had the same time twice.
+void LibrarySoftware::look_for_a_newer_one() {
+  const WallClock::time_point now = WallClock::now();
+  if (now - looked_ < reload_period) return;
+  looked_ = now;
+  const auto written = library_->newer();
+  if (!written || *written == tried_) return;
+  if (*written != seen_) {
+    seen_ = *written;
+    return;
+  }
+  tried_ = *written;
+  exchange();
+}
+
+void LibrarySoftware::exchange() {
+  try {
+    const auto next = ControllerLibrary::load(options_.file);
+    const std::vector<std::byte> memory = saved();
+    void* instance = create(*next);
+    const bool goes_on = !memory.empty() && next->functions().load && loaded(*next, instance, memory);
+    destroy();
+    library_ = next;
+    instance_ = instance;
+    if (!goes_on && next->functions().start) {
+      const CallOutcome outcome = guarded("its start", [&] { next->functions().start(instance_); });
+      if (!outcome) throw SetupError(outcome.text);
+    }
+    news_ = goes_on ? "the library was loaded anew and goes on" : "the library was loaded anew and begins anew";
+  } catch (const SetupError& error) {
+    news_ = fmt::format("the library was not loaded anew: {}", error.what());
+  }
+}
+
+const murosimf_signal* LibrarySoftware::signal(const murosimf_robot* robot, const char* name) noexcept {
+  try {
+    return of(robot).port_->signal(name);
+  } catch (const SetupError& error) {
+    of(robot).not_found_ = error.what();
+    return nullptr;
+  }
+}
+
+murosimf_command* LibrarySoftware::command(const murosimf_robot* robot, const char* name) noexcept {
+  try {
+    return of(robot).port_->command(name);
+  } catch (const SetupError& error) {
+    of(robot).not_found_ = error.what();
+    return nullptr;
+  }
+}
+
+const char* LibrarySoftware::label(const murosimf_robot* robot, const char* name, std::size_t i) noexcept {
+  const std::vector<std::string>* labels = of(robot).port_->labels(name);
+  return labels && i < labels->size() ? (*labels)[i].c_str() : nullptr;
+}
+
+template <class T>
+const T* LibrarySoftware::option(const char* name) {
+  asked_.insert(name);
+  const auto found = options_.options.find(name);
+  if (found == options_.options.end()) return nullptr;
+  const T* value = std::get_if<T>(&found->second);
+  if (!value && wrong_option_.empty()) {
+    wrong_option_ = fmt::format("{}: the option '{}' is a {}; it must be a {}", step_.who, name,
+                                type_name(found->second), type_name(OptionValue(T{})));
+  }
+  return value;
+}
+
+int LibrarySoftware::number_option(const murosimf_robot* robot, const char* name, double* value) noexcept {
+  const double* given = of(robot).option<double>(name);
+  if (given) *value = *given;
+  return given ? 1 : 0;
+}
+
+int LibrarySoftware::truth_option(const murosimf_robot* robot, const char* name, int* value) noexcept {
+  const bool* given = of(robot).option<bool>(name);
+  if (given) *value = *given ? 1 : 0;
+  return given ? 1 : 0;
+}
+
+int LibrarySoftware::vector_option(const murosimf_robot* robot, const char* name, double value[3]) noexcept {
+  const Vec3d* given = of(robot).option<Vec3d>(name);
+  if (!given) return 0;
+  value[0] = given->x;
+  value[1] = given->y;
+  value[2] = given->z;
+  return 1;
+}
+
+const char* LibrarySoftware::text_option(const murosimf_robot* robot, const char* name) noexcept {
+  const std::string* given = of(robot).option<std::string>(name);
+  return given ? given->c_str() : nullptr;
+}
+
+void LibrarySoftware::say(const murosimf_robot* robot, const char* text) noexcept {
+  if (text) of(robot).say_(text);
+}
+
+}  // namespace murosimf::connect
