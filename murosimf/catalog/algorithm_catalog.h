@@ -1,7 +1,7 @@
 /// algorithm_catalog.h - names of algorithms, as files and the command line use them, and how to attach what they mean.
 ///
-/// A new level, contact law or controller is one more line in algorithm_catalog.cpp; sensors have sensor_types.h. A program or a
-/// plug-in (plugin.h) adds to `registries()`, before it builds a scene.
+/// A new level or contact law is one more line in algorithm_catalog.cpp, a controller one in built_in_controllers.cpp; sensors
+/// have sensor_types.h. A program or a plug-in (plugin.h) adds to `registries()`, before it builds a scene.
 #pragma once
 
 #include <filesystem>

@@ -1,34 +1,24 @@
 #include "murosimf/connect/guarded_call.h"
 
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <cerrno>
-#include <condition_variable>
 #include <csetjmp>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
-#include <ctime>
-#include <memory>
-#include <mutex>
-#include <optional>
-#include <thread>
-#include <vector>
 
 #include <fmt/format.h>
+
+#include "murosimf/connect/call_watch.h"
+#include "murosimf/connect/signal_stack.h"
 
 namespace murosimf::connect {
 namespace {
 
 constexpr std::array crash_signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr unsigned longest_end = 60;  // [s] for reports after a crash
-constexpr auto watch_period = std::chrono::milliseconds(50);
-
-int break_off_signal() { return SIGRTMIN + 7; }
 
 const char* name_of(int signal) noexcept {
   switch (signal) {
@@ -38,12 +28,6 @@ const char* name_of(int signal) noexcept {
     case SIGILL: return "SIGILL";
     default: return "SIGABRT";
   }
-}
-
-std::int64_t nanoseconds_now() noexcept {
-  timespec time{};
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return 1'000'000'000 * static_cast<std::int64_t>(time.tv_sec) + time.tv_nsec;
 }
 
 /// A call that is going on; its thread's signal handler finds it by `active`.
@@ -82,7 +66,7 @@ void on_crash(int signal) {
 
 void on_break_off(int signal) {
   Running* running = active;
-  if (!running || nanoseconds_now() - running->began < running->call->limit.count()) return;  // it came back meanwhile
+  if (!running || wall_nanoseconds() - running->began < running->call->limit.count()) return;  // it came back meanwhile
   siglongjmp(running->back, signal);
 }
 
@@ -97,91 +81,15 @@ void handle_signals() {
   sigaction(break_off_signal(), &action, nullptr);
 }
 
-/// A stack for the handler of this thread: that of the call may be the one that has overflowed.
-class SignalStack {
- public:
-  SignalStack() {
-    stack_t present{};
-    if (sigaltstack(nullptr, &present) == 0 && (present.ss_flags & SS_DISABLE) == 0) return;  // somebody's
-    memory_ = std::make_unique<char[]>(size);
-    stack_t stack{};
-    stack.ss_sp = memory_.get();
-    stack.ss_size = size;
-    sigaltstack(&stack, nullptr);
-  }
-  ~SignalStack() {
-    if (!memory_) return;
-    stack_t none{};
-    none.ss_flags = SS_DISABLE;
-    sigaltstack(&none, nullptr);
-  }
-  SignalStack(const SignalStack&) = delete;
-  SignalStack& operator=(const SignalStack&) = delete;
-
- private:
-  static constexpr std::size_t size = 64 * 1024;  // [byte]
-  std::unique_ptr<char[]> memory_;
-};
-
-/// Where threads say that they are in a call. Threads come and go; their places are used again.
-class Watch {
- public:
-  struct Place {
-    std::atomic<std::int64_t> due{0};  // [ns] 0: in no call
-    std::atomic<pid_t> thread{0};
-    bool taken = false;  // guarded by the mutex
-  };
-
-  static Watch& the_one() {
-    static auto* watch = new Watch;  // its thread goes on to the end of the process
-    return *watch;
-  }
-  Place& take() {
-    const std::lock_guard lock(mutex_);
-    const auto free = std::ranges::find_if(places_, [](const auto& place) { return !place->taken; });
-    Place& place = free == places_.end() ? *places_.emplace_back(std::make_unique<Place>()) : **free;
-    place.taken = true;
-    place.thread = static_cast<pid_t>(::syscall(SYS_gettid));
-    return place;
-  }
-  void give_back(Place& place) {
-    const std::lock_guard lock(mutex_);
-    place.taken = false;
-  }
-
- private:
-  Watch() {
-    std::thread([this] { look(); }).detach();
-  }
-
-  [[noreturn]] void look() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, nullptr);  // signals are for the program's threads
-    while (true) {
-      std::this_thread::sleep_for(watch_period);
-      const std::lock_guard lock(mutex_);
-      for (const auto& place : places_) {
-        const std::int64_t due = place->due;
-        if (due != 0 && nanoseconds_now() > due)
-          ::syscall(SYS_tgkill, getpid(), place->thread.load(), break_off_signal());
-      }
-    }
-  }
-
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<Place>> places_;
-};
-
 /// What a thread needs for its calls.
 struct ThreadGuard {
-  ThreadGuard() : place(Watch::the_one().take()) {}
-  ~ThreadGuard() { Watch::the_one().give_back(place); }
+  ThreadGuard() : place(CallWatch::the_one().take()) {}
+  ~ThreadGuard() { CallWatch::the_one().give_back(place); }
   ThreadGuard(const ThreadGuard&) = delete;
   ThreadGuard& operator=(const ThreadGuard&) = delete;
 
   SignalStack stack;
-  Watch::Place& place;
+  CallWatch::Place& place;
 };
 
 CallOutcome without_exceptions(const GuardedCall& guard, const std::function<void()>& call) {
@@ -212,7 +120,7 @@ CallOutcome GuardedCall::operator()(const std::function<void()>& call) const noe
   Running running;
   running.call = this;
   running.outer = active;
-  running.began = nanoseconds_now();
+  running.began = wall_nanoseconds();
   if (const int signal = sigsetjmp(running.back, 0); signal != 0) {
     thread.place.due = 0;
     active = active->outer;

@@ -46,41 +46,17 @@ void one_after_the_other(const Setup& setup, Entity& common, const ControllerLib
 
 LibrarySoftware::LibrarySoftware(Setup& setup, RobotPort& port, SayLine say,
                                  std::shared_ptr<const ControllerLibrary> library, LibraryOptions options)
-    : port_(&port),
-      say_(std::move(say)),
-      library_(std::move(library)),
+    : library_(std::move(library)),
       options_(std::move(options)),
-      robot_name_(setup.entity().name()),
-      team_(setup.entity().options().team),
-      model_(setup.model().name()),
-      robot_(description(setup)),
-      step_{fmt::format("library '{}' of {}", options_.file.string(), robot_name_), "its step",
+      robot_(setup, port, std::move(say), options_.options, options_.seed),
+      step_{fmt::format("library '{}' of {}", options_.file.string(), setup.entity().name()), "its step",
             longest_call(options_.budget)},
       looked_(WallClock::now()) {
   instance_ = create(*library_);
-  check_options();
+  robot_.check_options(step_.who);
 }
 
 LibrarySoftware::~LibrarySoftware() { destroy(); }
-
-murosimf_robot LibrarySoftware::description(const Setup& setup) const {
-  murosimf_robot robot{};
-  robot.simulator = const_cast<LibrarySoftware*>(this);
-  robot.name = robot_name_.c_str();
-  robot.team = team_.c_str();
-  robot.model = model_.c_str();
-  robot.period = seconds(setup.period());
-  robot.seed = options_.seed;
-  robot.signal = signal;
-  robot.command = command;
-  robot.label = label;
-  robot.number_option = number_option;
-  robot.truth_option = truth_option;
-  robot.vector_option = vector_option;
-  robot.text_option = text_option;
-  robot.say = say;
-  return robot;
-}
 
 CallOutcome LibrarySoftware::guarded(const char* what, const std::function<void()>& call) const {
   return GuardedCall{step_.who, what, step_.limit}(call);
@@ -89,28 +65,19 @@ CallOutcome LibrarySoftware::guarded(const char* what, const std::function<void(
 void* LibrarySoftware::create(const ControllerLibrary& library) {
   std::array<char, 1000> error{};
   void* instance = nullptr;
-  not_found_.clear();
-  const CallOutcome outcome =
-      guarded("its create", [&] { instance = library.functions().create(&robot_, error.data(), error.size()); });
+  robot_.forget_names();
+  const CallOutcome outcome = guarded("its create", [&] {
+    instance = library.functions().create(&robot_.description(), error.data(), error.size());
+  });
   if (!outcome) {
     crashed_ = crashed_ || outcome.kind == CallOutcome::crashed;
     throw SetupError(outcome.text);
   }
   if (instance) return instance;
   error.back() = 0;
-  const std::string reason = error.front() != 0 ? std::string(error.data()) : not_found_;
+  const std::string reason = error.front() != 0 ? std::string(error.data()) : robot_.not_found();
   throw SetupError(
       fmt::format("{}: {}", step_.who, reason.empty() ? "it takes no such robot, and does not say why" : reason));
-}
-
-void LibrarySoftware::check_options() const {
-  const std::vector<std::string_view> known(asked_.begin(), asked_.end());
-  if (!wrong_option_.empty()) throw SetupError(wrong_option_);
-  for (const auto& [name, value] : options_.options) {
-    if (asked_.contains(name)) continue;
-    if (known.empty()) throw SetupError(fmt::format("{} has no options, so '{}' cannot be set", step_.who, name));
-    throw SetupError(unknown_name(fmt::format("option of {},", step_.who), name, known));
-  }
 }
 
 void LibrarySoftware::destroy() noexcept {
@@ -212,72 +179,6 @@ void LibrarySoftware::exchange() {
   } catch (const SetupError& error) {
     news_ = fmt::format("the library was not loaded anew: {}", error.what());
   }
-}
-
-const murosimf_signal* LibrarySoftware::signal(const murosimf_robot* robot, const char* name) noexcept {
-  try {
-    return of(robot).port_->signal(name);
-  } catch (const SetupError& error) {
-    of(robot).not_found_ = error.what();
-    return nullptr;
-  }
-}
-
-murosimf_command* LibrarySoftware::command(const murosimf_robot* robot, const char* name) noexcept {
-  try {
-    return of(robot).port_->command(name);
-  } catch (const SetupError& error) {
-    of(robot).not_found_ = error.what();
-    return nullptr;
-  }
-}
-
-const char* LibrarySoftware::label(const murosimf_robot* robot, const char* name, std::size_t i) noexcept {
-  const std::vector<std::string>* labels = of(robot).port_->labels(name);
-  return labels && i < labels->size() ? (*labels)[i].c_str() : nullptr;
-}
-
-template <class T>
-const T* LibrarySoftware::option(const char* name) {
-  asked_.insert(name);
-  const auto found = options_.options.find(name);
-  if (found == options_.options.end()) return nullptr;
-  const T* value = std::get_if<T>(&found->second);
-  if (!value && wrong_option_.empty()) {
-    wrong_option_ = fmt::format("{}: the option '{}' is a {}; it must be a {}", step_.who, name,
-                                type_name(found->second), type_name(OptionValue(T{})));
-  }
-  return value;
-}
-
-int LibrarySoftware::number_option(const murosimf_robot* robot, const char* name, double* value) noexcept {
-  const double* given = of(robot).option<double>(name);
-  if (given) *value = *given;
-  return given ? 1 : 0;
-}
-
-int LibrarySoftware::truth_option(const murosimf_robot* robot, const char* name, int* value) noexcept {
-  const bool* given = of(robot).option<bool>(name);
-  if (given) *value = *given ? 1 : 0;
-  return given ? 1 : 0;
-}
-
-int LibrarySoftware::vector_option(const murosimf_robot* robot, const char* name, double value[3]) noexcept {
-  const Vec3d* given = of(robot).option<Vec3d>(name);
-  if (!given) return 0;
-  value[0] = given->x;
-  value[1] = given->y;
-  value[2] = given->z;
-  return 1;
-}
-
-const char* LibrarySoftware::text_option(const murosimf_robot* robot, const char* name) noexcept {
-  const std::string* given = of(robot).option<std::string>(name);
-  return given ? given->c_str() : nullptr;
-}
-
-void LibrarySoftware::say(const murosimf_robot* robot, const char* text) noexcept {
-  if (text) of(robot).say_(text);
 }
 
 }  // namespace murosimf::connect

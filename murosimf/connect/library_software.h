@@ -5,13 +5,13 @@
 
 #include <chrono>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "murosimf/connect/control_software.h"
 #include "murosimf/connect/controller_library.h"
 #include "murosimf/connect/guarded_call.h"
+#include "murosimf/connect/library_robot.h"
 #include "murosimf/model/option.h"
 
 namespace murosimf::connect {
@@ -48,9 +48,7 @@ class LibrarySoftware final : public ControlSoftware {
  private:
   using WallClock = std::chrono::steady_clock;
 
-  [[nodiscard]] murosimf_robot description(const Setup& setup) const;
   [[nodiscard]] void* create(const ControllerLibrary& library);
-  void check_options() const;
   void destroy() noexcept;
   void give_up(const CallOutcome& outcome) noexcept;
   [[nodiscard]] CallOutcome guarded(const char* what, const std::function<void()>& call) const;
@@ -60,31 +58,12 @@ class LibrarySoftware final : public ControlSoftware {
   void look_for_a_newer_one();
   void exchange();
 
-  // What the library calls; the first argument leads back here.
-  static LibrarySoftware& of(const murosimf_robot* robot) { return *static_cast<LibrarySoftware*>(robot->simulator); }
-  static const murosimf_signal* signal(const murosimf_robot* robot, const char* name) noexcept;
-  static murosimf_command* command(const murosimf_robot* robot, const char* name) noexcept;
-  static const char* label(const murosimf_robot* robot, const char* name, std::size_t i) noexcept;
-  static int number_option(const murosimf_robot* robot, const char* name, double* value) noexcept;
-  static int truth_option(const murosimf_robot* robot, const char* name, int* value) noexcept;
-  static int vector_option(const murosimf_robot* robot, const char* name, double value[3]) noexcept;
-  static const char* text_option(const murosimf_robot* robot, const char* name) noexcept;
-  static void say(const murosimf_robot* robot, const char* text) noexcept;
-  template <class T>
-  [[nodiscard]] const T* option(const char* name);
-
-  RobotPort* port_;
-  SayLine say_;
   std::shared_ptr<const ControllerLibrary> library_;
   LibraryOptions options_;
-  std::string robot_name_, team_, model_;
-  murosimf_robot robot_;
+  LibraryRobot robot_;
   GuardedCall step_;
-  std::set<std::string, std::less<>> asked_;  // names of options
-  std::string wrong_option_;                  // one that was given with another type
-  std::string not_found_;                     // why the last name was none
-  void* instance_ = nullptr;                  // null: it has ended
-  bool fresh_ = true;                         // it has not begun yet
+  void* instance_ = nullptr;  // null: it has ended
+  bool fresh_ = true;         // it has not begun yet
   bool crashed_ = false;
   WallClock::time_point looked_;
   std::filesystem::file_time_type seen_{}, tried_{};  // of a newer file

@@ -1,23 +1,20 @@
-/* murosimf_controller.h - what a shared library has to offer to be the control software of simulated robots.
- *
- * Plain C, and nothing else is needed: no other header, no library to link. The simulator loads the library by
- *
- *     controller = "library"
- *     library = "build/libwalk.so"
- *     [robots.options]
- *     speed = 0.2
- *
- * and asks `murosimf_controller_entry` for its functions. For every robot with this library it makes one instance by `create`, and
- * calls `step` at the instance's rate of simulated time, always between two steps of the simulation: nothing moves meanwhile.
- *
- * All names are looked up in `create`; afterwards reading and setting is an access to memory. Units are SI: m, rad, s, N, N m.
- * docs/library.md lists the names and has examples.
- */
-// clang-format off
+/// murosimf_controller.h - what a shared library has to offer to be the control software of simulated robots.
+///
+/// Plain C, and nothing else is needed: no other header, no library to link. The simulator loads the library by
+///
+///     controller = "library"
+///     library = "build/libwalk.so"
+///     [robots.options]
+///     speed = 0.2
+///
+/// and asks `murosimf_controller_entry` for its functions. For every robot with this library it makes one instance by `create`, and
+/// calls `step` at the instance's rate of simulated time, always between two steps of the simulation: nothing moves meanwhile.
+///
+/// All names are looked up in `create`; afterwards reading and setting is an access to memory. Units are SI: m, rad, s, N, N m.
+/// docs/library.md lists the names and has examples.
 #ifndef MUROSIMF_CONTROLLER_H
 #define MUROSIMF_CONTROLLER_H
 #pragma once
-// clang-format on
 
 // NOLINTBEGIN(modernize-*): C is C
 #include <stddef.h>

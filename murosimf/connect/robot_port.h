@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "murosimf/connect/murosimf_controller.h"
+#include "murosimf/connect/port_commands.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/model/state_archive.h"
 #include "murosimf/sensors/reading.h"
@@ -38,23 +39,23 @@ class RobotPort {
   // there is nothing of that name (with the nearest), or it excludes what was asked for before; a command that nobody
   // asked for before close().
   [[nodiscard]] const murosimf_signal* signal(std::string_view name);
-  [[nodiscard]] murosimf_command* command(std::string_view name);
+  [[nodiscard]] murosimf_command* command(std::string_view name) { return commands_.find(name); }
   /// Of a signal or command that was asked for: what each number is; null if it is none of them.
   [[nodiscard]] const std::vector<std::string>* labels(std::string_view name) const;
 
   /// The algorithm is constructed: from now on no new commands.
-  void close() { setup_ = nullptr; }
+  void close() { commands_.close(); }
   /// Whether the walk engine must be attached, after the algorithm that has this port.
-  [[nodiscard]] bool walks() const;
+  [[nodiscard]] bool walks() const { return commands_.walks(); }
 
   /// All commands as nobody had set them.
-  void restart() noexcept;
+  void restart() noexcept { commands_.restart(); }
   /// Before the software's step that begins at `now`: signals show what holds then.
   void refresh(Duration now) noexcept;
   /// After it: takes over what it has set. How many numbers were refused.
-  std::size_t accept() noexcept;
+  std::size_t accept() noexcept { return commands_.accept(); }
   /// The first number that the last accept() refused: "joint.target of l_knee is 9.5, beyond -0.1 to 2.3".
-  [[nodiscard]] std::string refusal() const;
+  [[nodiscard]] std::string refusal() const { return commands_.refusal(); }
 
   void state(StateArchive& archive);
 
@@ -69,36 +70,14 @@ class RobotPort {
     murosimf_signal shown{};
     bool wanted = false;
   };
-  struct Command {
-    std::string name;
-    std::vector<std::string> labels;
-    double first = 0;                     // value that holds at the start
-    std::vector<double> staged;           // the software's
-    std::vector<double> accepted;         // the robot's
-    std::vector<double> lowest, highest;  // allowed
-    std::vector<double*> places;          // in columns
-    murosimf_command shown{};
-  };
-  struct Refused {
-    const Command* command = nullptr;  // null: nothing was
-    std::size_t number = 0;
-    double value = 0;
-  };
-
   void add_sensor(Setup& setup, const sensors::Reading& reading);
   void add_joints(std::string name, std::span<const double> column, bool in_steps);
   void refresh(Signal& signal, Duration now) noexcept;
-  Command& make_command(std::string_view name);
-  void connect_joints(Command& command, const Property<double>& property, double limit, bool beside_legs);
-  void connect_walk(Command& command);
-  [[nodiscard]] bool has(std::string_view command) const;
   [[nodiscard]] std::vector<std::string_view> signal_names() const;
 
-  Setup* setup_;
   const Model* model_;
-  std::deque<Signal> signals_;    // stay where they are
-  std::deque<Command> commands_;  // likewise
-  Refused refused_;
+  std::deque<Signal> signals_;  // stay where they are
+  PortCommands commands_;
 };
 
 }  // namespace murosimf::connect

@@ -5,20 +5,12 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <string_view>
 
 #include "murosimf/connect/joint_trajectory.h"
+#include "murosimf/connect/trajectory_columns.h"
 #include "murosimf/model/model.h"
 
 namespace murosimf::connect {
-
-/// What is taken of a log: the columns ENTITY.JOINT.PROPERTY. Those of other properties and, if it has some of this entity, of
-/// other entities are not looked at.
-struct LogColumns {
-  std::string property = "joint_target";
-  std::string entity;  ///< if the log has none of it, those of the only other one
-};
 
 /// Angles in rad or deg, sliding joints in m, cm or mm, times in s or ms; cells may be empty. Throws SetupError in one line with
 /// file:line:column: no such joint, one that comes twice, no or another unit, a cell that is no finite number, times that do not

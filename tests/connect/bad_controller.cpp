@@ -39,7 +39,7 @@ extern "C" void nobody_has_defined_this();
 #endif
 
 #ifndef MISTAKE_no_entry
-const murosimf_controller* murosimf_controller_entry() {
+extern "C" const murosimf_controller* murosimf_controller_entry() {
 #ifdef MISTAKE_unknown_symbol
   nobody_has_defined_this();
 #endif

@@ -133,4 +133,4 @@ const murosimf_controller functions{MUROSIMF_CONTROLLER_ABI,
 
 }  // namespace
 
-const murosimf_controller* murosimf_controller_entry() { return &functions; }
+extern "C" const murosimf_controller* murosimf_controller_entry() { return &functions; }

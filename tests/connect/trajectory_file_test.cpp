@@ -80,8 +80,11 @@ TEST_F(TrajectoryFile, TakesItsOwnColumnsOfALog) {
   EXPECT_EQ(read(log, {.property = "joint_position", .entity = "me"}).joints[0].values[0], 3);
   // one robot alone need not be named
   EXPECT_EQ(read("time [s],you.elbow.joint_target [rad]\n0,2\n").joints[0].values[0], 2);
+  EXPECT_NE(refusal("time [s],you.elbow.joint_target [rad]\n0,2\n", {.entity = "me", .no_other = true})
+                .find(":1:1: this log has no column me.JOINT.joint_target"),
+            std::string::npos);
   EXPECT_NE(refusal(log, {.entity = "nobody"}).find(":1:1: this log is of me, you; say whose"), std::string::npos);
-  EXPECT_NE(refusal(log, {.property = "joint_torque", .entity = "me"}).find("no column ENTITY.JOINT.joint_torque"),
+  EXPECT_NE(refusal(log, {.property = "joint_torque", .entity = "me"}).find("no column me.JOINT.joint_torque"),
             std::string::npos);
 }
 
