@@ -9,7 +9,6 @@
 #include <cstring>
 #include <map>
 #include <mutex>
-#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -65,7 +64,7 @@ class CopyInMemory {
   int descriptor_;
 };
 
-/// Under its own name if it is the `first` of that name: then it finds what lies beside it.
+/// Under its own name if it is the `first` file of that name: then it finds what lies beside it.
 files::SharedLibrary open(const fs::path& file, bool first) {
   if (first) return {fs::canonical(file), files::Unloading::when_unused, file.string()};
   return {CopyInMemory(file).path(), files::Unloading::when_unused, file.string()};
@@ -103,7 +102,7 @@ ControllerLibrary::ControllerLibrary(const fs::path& file, fs::file_time_type wr
 
 std::shared_ptr<const ControllerLibrary> ControllerLibrary::load(const fs::path& file) {
   static std::mutex loading;
-  static std::set<fs::path> seen;
+  static std::map<fs::path, fs::file_time_type> first;  // of each name
   static std::map<std::pair<fs::path, fs::file_time_type>, std::weak_ptr<const ControllerLibrary>> loaded;
   const std::lock_guard lock(loading);
   std::erase_if(loaded, [](const auto& one) { return one.second.expired(); });
@@ -112,7 +111,8 @@ std::shared_ptr<const ControllerLibrary> ControllerLibrary::load(const fs::path&
   const fs::path path = fs::canonical(file);
   auto& known = loaded[{path, written}];
   if (auto library = known.lock()) return library;
-  auto library = std::make_shared<const ControllerLibrary>(file, written, seen.insert(path).second);
+  auto library =
+      std::make_shared<const ControllerLibrary>(file, written, first.emplace(path, written).first->second == written);
   known = library;
   return library;
 }

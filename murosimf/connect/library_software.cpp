@@ -21,12 +21,12 @@ struct LibraryTurn {};
 
 constexpr auto reload_period = std::chrono::milliseconds(250);
 
-/// Libraries whose code was left in the middle of a call are never unloaded.
-void keep_for_ever(const std::shared_ptr<const ControllerLibrary>& library) {
+/// Instances whose code was left in the middle of a call are never destroyed, and their libraries never unloaded.
+void keep_for_ever(const std::shared_ptr<const ControllerLibrary>& library, void* instance) {
   static std::mutex keeping;
-  static auto* kept = new std::vector<std::shared_ptr<const ControllerLibrary>>;
+  static auto* kept = new std::vector<std::pair<std::shared_ptr<const ControllerLibrary>, void*>>;
   const std::lock_guard lock(keeping);
-  kept->push_back(library);
+  kept->emplace_back(library, instance);
 }
 
 }  // namespace
@@ -53,10 +53,15 @@ LibrarySoftware::LibrarySoftware(Setup& setup, RobotPort& port, SayLine say,
             longest_call(options_.budget)},
       looked_(WallClock::now()) {
   instance_ = create(*library_);
-  robot_.check_options(step_.who);
+  try {
+    robot_.check_options(step_.who);
+  } catch (...) {
+    destroy(library_, instance_);
+    throw;
+  }
 }
 
-LibrarySoftware::~LibrarySoftware() { destroy(); }
+LibrarySoftware::~LibrarySoftware() { destroy(library_, instance_); }
 
 CallOutcome LibrarySoftware::guarded(const char* what, const std::function<void()>& call) const {
   return GuardedCall{step_.who, what, step_.limit}(call);
@@ -80,19 +85,19 @@ void* LibrarySoftware::create(const ControllerLibrary& library) {
       fmt::format("{}: {}", step_.who, reason.empty() ? "it takes no such robot, and does not say why" : reason));
 }
 
-void LibrarySoftware::destroy() noexcept {
-  if (!instance_) return;
-  const CallOutcome outcome = guarded("its destroy", [&] { library_->functions().destroy(instance_); });
-  instance_ = nullptr;
-  if (outcome.kind != CallOutcome::good) keep_for_ever(library_);
+void LibrarySoftware::destroy(const std::shared_ptr<const ControllerLibrary>& library, void*& instance) const {
+  if (!instance) return;
+  const CallOutcome outcome = guarded("its destroy", [&] { library->functions().destroy(instance); });
+  if (!outcome) keep_for_ever(library, instance);
+  instance = nullptr;
 }
 
 void LibrarySoftware::give_up(const CallOutcome& outcome) noexcept {
   if (outcome) return;
-  if (outcome.kind == CallOutcome::threw) return destroy();
+  if (outcome.kind == CallOutcome::threw) return destroy(library_, instance_);
   crashed_ = crashed_ || outcome.kind == CallOutcome::crashed;
-  instance_ = nullptr;  // nobody knows what it would do now
-  keep_for_ever(library_);
+  keep_for_ever(library_, instance_);  // nobody knows what it would do now
+  instance_ = nullptr;
 }
 
 CallOutcome LibrarySoftware::start() {
@@ -100,7 +105,7 @@ CallOutcome LibrarySoftware::start() {
   news_.clear();
   const bool has_start = library_->functions().start != nullptr;
   if (!instance_ || (!has_start && !fresh_)) {
-    destroy();
+    destroy(library_, instance_);
     instance_ = create(*library_);
   }
   fresh_ = false;
@@ -163,22 +168,26 @@ void LibrarySoftware::look_for_a_newer_one() {
 }
 
 void LibrarySoftware::exchange() {
+  std::shared_ptr<const ControllerLibrary> next;
+  void* instance = nullptr;
   try {
-    const auto next = ControllerLibrary::load(options_.file);
+    next = ControllerLibrary::load(options_.file);
     const std::vector<std::byte> memory = saved();
-    void* instance = create(*next);
+    instance = create(*next);
     const bool goes_on = !memory.empty() && next->functions().load && loaded(*next, instance, memory);
-    destroy();
-    library_ = next;
-    instance_ = instance;
-    if (!goes_on && next->functions().start) {
-      const CallOutcome outcome = guarded("its start", [&] { next->functions().start(instance_); });
-      if (!outcome) throw SetupError(outcome.text);
-    }
+    if (!goes_on && next->functions().start) begin(*next, instance);
+    std::swap(library_, next);
+    std::swap(instance_, instance);
     news_ = goes_on ? "the library was loaded anew and goes on" : "the library was loaded anew and begins anew";
   } catch (const SetupError& error) {
     news_ = fmt::format("the library was not loaded anew: {}", error.what());
   }
+  if (next) destroy(next, instance);  // the old one, or the new one that is not taken
+}
+
+void LibrarySoftware::begin(const ControllerLibrary& library, void* instance) const {
+  const CallOutcome outcome = guarded("its start", [&] { library.functions().start(instance); });
+  if (!outcome) throw SetupError(outcome.text);
 }
 
 }  // namespace murosimf::connect

@@ -49,7 +49,7 @@ class LibrarySoftware final : public ControlSoftware {
   using WallClock = std::chrono::steady_clock;
 
   [[nodiscard]] void* create(const ControllerLibrary& library);
-  void destroy() noexcept;
+  void destroy(const std::shared_ptr<const ControllerLibrary>& library, void*& instance) const;
   void give_up(const CallOutcome& outcome) noexcept;
   [[nodiscard]] CallOutcome guarded(const char* what, const std::function<void()>& call) const;
   [[nodiscard]] std::vector<std::byte> saved() const;
@@ -57,6 +57,7 @@ class LibrarySoftware final : public ControlSoftware {
                             const std::vector<std::byte>& bytes) const;
   void look_for_a_newer_one();
   void exchange();
+  void begin(const ControllerLibrary& library, void* instance) const;
 
   std::shared_ptr<const ControllerLibrary> library_;
   LibraryOptions options_;
