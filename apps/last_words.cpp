@@ -11,6 +11,7 @@
 #include <string>
 #include <system_error>
 
+#include "murosimf/connect/crash_note.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
@@ -75,6 +76,8 @@ int exit_code_of_exception() noexcept {
   } catch (const SetupError& error) {
     say_error(error.what());
     return users_mistake;
+  } catch (const connect::SoftwareCrash&) {
+    // said when it happened (connect/guarded_call.h)
   } catch (const std::bad_alloc&) {
     say_error(no_memory);
   } catch (const std::length_error&) {

@@ -14,6 +14,7 @@
 #include "apps/progress.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
+#include "murosimf/connect/crash_note.h"
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/logging/run_log.h"
@@ -109,6 +110,17 @@ void save(scene::Scene& scene, const std::string& file) {
   files::write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
+/// Whether control software has crashed meanwhile. Reports of the run are written then too.
+template <class Run>
+bool crashes(const Run& run) {
+  try {
+    run();
+    return false;
+  } catch (const connect::SoftwareCrash&) {
+    return true;
+  }
+}
+
 int run(const RunOptions& options) {
   end_gently();
   Clock clock(speed_of(options.speed));
@@ -137,6 +149,7 @@ int run(const RunOptions& options) {
   if (pictures) pictures->show(scene);
 
   Duration wall{};  // without that for pictures
+  bool crashed = false;
   {
     RunProgress progress(duration);
     clock.tell_of_overruns([&](const Overrun& overrun) { progress.warn(overrun); });
@@ -145,21 +158,26 @@ int run(const RunOptions& options) {
       simulation.run(std::max(Duration{}, time - simulation.now()), clock, [&](Duration now) { progress.show(now); });
       wall += WallClock::now() - start;
     };
-    while (pictures && pictures->next() <= duration) {
-      advance_to(pictures->next());
-      if (interrupted()) break;
-      pictures->take();
-    }
-    advance_to(duration);
+    const auto advance = [&] {
+      while (pictures && pictures->next() <= duration) {
+        advance_to(pictures->next());
+        if (interrupted()) return;
+        pictures->take();
+      }
+      advance_to(duration);
+    };
+    crashed = crashes(advance);
     clock.tell_of_overruns({});
   }
   scene::RunReport report = make_report(scene, wall, clock.lateness());
-  if (simulation.now() < duration) report.stopped = {signal_name(), options.duration.value_or(scene.spec().duration)};
+  if (simulation.now() < duration)
+    report.stopped = {crashed ? "a crash" : signal_name(), options.duration.value_or(scene.spec().duration)};
 
   if (log) log->write(options.out);
   if (!options.save_state.empty()) save(scene, options.save_state);
   if (!options.picture.empty()) write_picture(scene, options.picture);
   write_result(options.json, scene::to_text(report), options.json.empty() ? "" : scene::to_json(report));
+  if (crashed) return unexpected;
   return report.stopped ? exit_code() : 0;
 }
 

@@ -36,6 +36,9 @@ void add_scene(const Command& command, SceneArguments& scene) {
       .one_at_a_time();
   add_lenient(command, scene.lenient);
   add_plugins(command, scene.plugins);
+  command.add(
+      "--libraries", scene.libraries,
+      "Load the control software that the scene file names (controller = \"library\"): it may do what it likes");
 }
 
 scene::SceneOptions options_of(const SceneArguments& scene) {
@@ -45,6 +48,7 @@ scene::SceneOptions options_of(const SceneArguments& scene) {
           .overrides = scene.overrides,
           .events = scene.events,
           .pushes = scene.pushes,
+          .libraries = scene.libraries,
           .lenient = scene.lenient,
           .lanes = !scene.no_lanes,
           .stop = interrupted};

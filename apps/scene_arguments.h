@@ -17,7 +17,7 @@ struct SceneArguments {
   bool no_lanes = false;
   std::optional<std::int64_t> seed;  ///< from 0
   std::vector<std::string> overrides, events, pushes, plugins;
-  bool lenient = false;
+  bool lenient = false, libraries = false;
 };
 
 void add_scene(const Command& command, SceneArguments& scene);

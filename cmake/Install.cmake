@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 set(murosimf_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/murosimf)
 
 get_property(folder_targets GLOBAL PROPERTY murosimf_folder_targets)
-install(TARGETS murosimf murosimf_plugin ${folder_targets} EXPORT murosimf
+install(TARGETS murosimf murosimf_plugin murosimf_controller ${folder_targets} EXPORT murosimf
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -1,9 +1,8 @@
 #include "murosimf/catalog/algorithm_catalog.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "murosimf/catalog/controller_options.h"
+#include "murosimf/catalog/built_in_controllers.h"
 #include "murosimf/catalog/physics_options.h"
 #include "murosimf/collision/body_carry_law.h"
 #include "murosimf/collision/body_island_law.h"
@@ -12,13 +11,9 @@
 #include "murosimf/collision/implicit_stick_law.h"
 #include "murosimf/collision/kelvin_voigt_law.h"
 #include "murosimf/collision/paper_law.h"
-#include "murosimf/locomotion/keyframe_player.h"
-#include "murosimf/locomotion/trot.h"
-#include "murosimf/locomotion/walk_engine.h"
 #include "murosimf/motion/articulated_dynamics.h"
 #include "murosimf/motion/full_dynamics.h"
 #include "murosimf/motion/kinematic_walking.h"
-#include "murosimf/sensors/ground_truth.h"
 
 namespace murosimf::catalog {
 namespace {
@@ -50,99 +45,6 @@ std::unique_ptr<MotionLevel> make_full_dynamics(Setup& setup, const LevelOptions
 std::unique_ptr<MotionLevel> make_articulated_dynamics(Setup& setup, const LevelOptions& given) {
   const LevelOptions options = with_own(tree_options(), given);
   return std::make_unique<motion::ArticulatedDynamics>(setup, options.tree, options.servo_law);
-}
-
-/// [Hz] What the robot's file says, or else what a controller of type C wants.
-template <class C>
-double rate_of(const ControllerOptions& options) {
-  return options.rate > 0 ? options.rate : C::rate_hz;
-}
-
-void attach_none(Simulation&, Entity&, const ControllerOptions&) {}
-
-void attach_walk(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, rate_of<locomotion::WalkEngine>(options),
-                                            options.command);
-}
-
-void attach_balance(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  locomotion::AnkleStrategyOptions strategy;
-  balance_options().apply(options.own, strategy);
-  simulation.attach<locomotion::AnkleStrategy>("ankle_strategy", robot, rate_of<locomotion::AnkleStrategy>(options),
-                                               strategy);
-}
-
-void attach_keyframes(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  if (!options.motion) throw SetupError("controller 'keyframes' needs a motion: motion = \"get_up_front\"");
-  simulation.attach<locomotion::KeyframePlayer>("keyframe_player", robot, rate_of<locomotion::KeyframePlayer>(options),
-                                                *options.motion);
-}
-
-void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
-  locomotion::DriveOptions drive;
-  drive_options().apply(options.own, drive);
-  simulation.attach<locomotion::Drive>("drive", car, rate_of<locomotion::Drive>(options), options.command, drive);
-}
-
-void attach_trot(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  simulation.attach<locomotion::Trot>("trot", robot, rate_of<locomotion::Trot>(options), options.command);
-}
-
-void attach_ball_chaser(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  using behavior::BallChaser;
-  behavior::BallChaserOptions chaser{.goal = {options.attacks * options.half_field.x, 0, 0},
-                                     .half_field = options.half_field};
-  ball_chaser_options().apply(options.own, chaser);
-  if (!sensors::find_reading(robot, "ground_truth")) {
-    const sensors::SensorSpec truth{.name = "ground_truth",
-                                    .type = "ground_truth",
-                                    .rate = rate_of<BallChaser>(options)};
-    simulation.attach<sensors::GroundTruth>("ground_truth", robot, rate_of<BallChaser>(options), truth,
-                                            sensors::SensorSurroundings{.moving_entities = options.everybody});
-  }
-  simulation.attach<BallChaser>("ball_chaser", robot, rate_of<BallChaser>(options), chaser);
-  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
-}
-
-void attach_localize(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  const double x = 0.5 * options.half_field.x, y = 0.45 * options.half_field.y;
-  behavior::LocalizeOptions localize{.markings = options.markings,
-                                     .start = options.start,
-                                     .way = {{0, -y, 0}, {x, 0, 0}, {0, y, 0}, {-x, 0, 0}},
-                                     .seed = options.seed};
-  localize_options().apply(options.own, localize);
-  simulation.attach<behavior::Localize>("localize", robot, rate_of<behavior::Localize>(options), localize);
-  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
-}
-
-void attach_obstacle_course(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  using behavior::ObstacleCourse;
-  behavior::ObstacleCourseOptions course{.start = options.start,
-                                         .goal_x = options.attacks * options.half_field.x,
-                                         .half_width = options.half_field.y};
-  obstacle_course_options().apply(options.own, course);
-  simulation.attach<ObstacleCourse>("obstacle_course", robot, rate_of<ObstacleCourse>(options), course);
-  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
-}
-
-Vec3d clipped_command(const Vec3d& v, const Vec3d& fastest) {
-  const auto clip = [](double x, double limit) { return std::clamp(x, -limit, limit); };
-  return {clip(v.x, fastest.x), clip(v.y, fastest.y), clip(v.z, fastest.z)};
-}
-
-Vec3d walks_at(const Model& model, const Vec3d& command) {
-  return clipped_command(command, locomotion::seeded_parameters(model).fastest);
-}
-
-Vec3d trots_at(const Model& model, const Vec3d& command) {
-  return clipped_command(command, locomotion::seeded_trot(model, locomotion::find_four_legs(model)).fastest);
-}
-
-Vec3d drives_at(const Model& model, const Vec3d& command) {
-  const locomotion::Vehicle car = locomotion::find_vehicle(model);
-  if (std::abs(command.x) < 1e-3) return {command.x, 0, 0};  // a car does not turn on the spot
-  const double curvature = std::clamp(command.z / command.x, car.least_curvature, car.greatest_curvature);
-  return {command.x, 0, command.x * curvature};
 }
 
 template <class Law>
@@ -253,26 +155,6 @@ std::vector<BodyContactLawType> built_in_body_contacts() {
                          make_body_paper, paper_law_options().infos()},
       BodyContactLawType{"paper_multipoint", "the same spring and viscous friction at every point; 1 ms",
                          make_body_paper_multipoint, paper_law_options().infos()},
-  };
-}
-
-std::vector<ControllerType> built_in_controllers() {
-  return {
-      ControllerType{"none", "joints stay where they are put", "posture", attach_none},
-      ControllerType{"walk", "walks with the velocity in walk_command", "command", attach_walk, {}, walks_at},
-      ControllerType{
-          "trot", "trots on four legs with the velocity in walk_command", "command", attach_trot, {}, trots_at},
-      ControllerType{"balance", "stands and answers pushes with its ankles, from the sensor 'imu'", "", attach_balance,
-                     balance_options().infos()},
-      ControllerType{"keyframes", "plays the key frames of a motion once", "motion", attach_keyframes},
-      ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
-                     drive_options().infos(), drives_at},
-      ControllerType{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",
-                     attach_ball_chaser, ball_chaser_options().infos()},
-      ControllerType{"localize", "walks a round on the field and finds out from its camera where it is", "",
-                     attach_localize, localize_options().infos()},
-      ControllerType{"obstacle_course", "crosses the field without touching magenta poles that its camera sees", "",
-                     attach_obstacle_course, obstacle_course_options().infos()},
   };
 }
 

@@ -1,9 +1,10 @@
 /// algorithm_catalog.h - names of algorithms, as files and the command line use them, and how to attach what they mean.
 ///
-/// A new level, contact law or controller is one more line in algorithm_catalog.cpp; sensors have sensor_types.h. A program or a
-/// plug-in (plugin.h) adds to `registries()`, before it builds a scene.
+/// A new level or contact law is one more line in algorithm_catalog.cpp, a controller one in built_in_controllers.cpp; sensors
+/// have sensor_types.h. A program or a plug-in (plugin.h) adds to `registries()`, before it builds a scene.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "murosimf/collision/body_contact_law.h"
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/components/sensor_types.h"
+#include "murosimf/connect/crash_note.h"
 #include "murosimf/locomotion/keyframe_motion.h"
 #include "murosimf/model/find_entry.h"
 #include "murosimf/model/option.h"
@@ -78,6 +80,11 @@ struct ControllerOptions {
   std::uint64_t seed = 1;  ///< of the scene
   double rate = 0;         ///< [Hz] of it; 0: what it wants
   OptionValues own;        ///< what the robot's [robots.options] gives, of those in ControllerType::options
+  std::string library;     ///< file, of the controller "library"
+  double call_budget = 0;  ///< [s] of wall time for each of its calls; 0: any
+  bool reload = false;     ///< when its file changes
+  std::shared_ptr<connect::CrashNote> crashes;  ///< null: nobody looks whether it crashes
+  std::filesystem::path folder;  ///< of the scene's file, where the files that it names are looked for too
 };
 
 struct ControllerType {
@@ -85,6 +92,7 @@ struct ControllerType {
   std::string keys;  ///< of a robot that it uses, besides those that all controllers use: "command"
   std::function<void(Simulation&, Entity&, const ControllerOptions&)> attach;
   std::vector<OptionInfo> options{};  ///< of its own
+  bool any_options = false;           ///< takes those that are given, whatever they are called
   /// [m/s, m/s, rad/s] What it makes of a command; empty: it does not follow one.
   std::function<Vec3d(const Model&, const Vec3d& command)> attainable{};
 };

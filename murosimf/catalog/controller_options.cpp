@@ -4,6 +4,7 @@ namespace murosimf::catalog {
 namespace {
 
 constexpr double longest_time = 60;     // [s]
+constexpr double longest_motion = 1e9;  // [s]
 constexpr double cycle = 0.005;         // [s] of AnkleStrategy: shorter filters would not be stable
 constexpr double fastest = 10;          // [m/s] no robot here is as fast
 constexpr double longest_length = 100;  // [m]
@@ -19,6 +20,21 @@ const OptionTable<locomotion::AnkleStrategyOptions>& balance_options() {
       {"smooth_time", &Options::smooth_time, "s", "of the answer's filter", cycle, longest_time},
       {"gain", &Options::gain, "1", "turn of the soles for a turn of the capture point", 0, 10},
       {"limit", &Options::limit, "rad", "largest turn of the soles", 0, 1.5},
+  };
+  return table;
+}
+
+const OptionTable<connect::TrajectoryOptions>& trajectory_options() {
+  using Options = connect::TrajectoryOptions;
+  static const OptionTable<Options> table{
+      {"file", &Options::file, "", "table of angles (CSV): here, beside the scene, or in a folder 'motions'"},
+      {"loop", &Options::loop, "", "begins again at its end"},
+      {"begin", &Options::begin, "s", "in the file, where it begins; its first time if not given", -longest_motion,
+       longest_motion},
+      {"delay", &Options::delay, "s", "for which it stays at 'begin' first", 0, longest_motion},
+      {"between", &Options::between, "", "two rows: a straight line, or the last one", {"line", "hold"}},
+      {"property", &Options::property, "", "that is played from a log"},
+      {"entity", &Options::entity, "", "of a log, if it is not this one"},
   };
   return table;
 }

@@ -1,8 +1,5 @@
 #include "murosimf/catalog/plugin.h"
 
-#include <dlfcn.h>
-
-#include <algorithm>
 #include <mutex>
 #include <set>
 #include <string>
@@ -12,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/plugin_interface.h"
+#include "murosimf/files/shared_library.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::catalog {
@@ -24,24 +22,14 @@ static_assert(std::string_view(plugin_version).starts_with("murosimf " MUROSIMF_
   throw SetupError(fmt::format("{}: {}", file.string(), message));
 }
 
-/// What the loader says of its last failure, without the file at its beginning and in one line.
-std::string loader_message(const std::string& file) {
-  const char* said = dlerror();
-  std::string text = said ? said : "cannot be loaded";
-  if (text.starts_with(file + ": ")) text.erase(0, file.size() + 2);
-  std::ranges::replace(text, '\n', ' ');
-  return text;
-}
-
 /// A function of the library; its type is that of plugin_interface.h.
 template <class Function>
-Function* function_in(void* library, const char* name, const std::filesystem::path& file) {
-  void* found = dlsym(library, name);
-  if (!found) fail(file, fmt::format("this is no plug-in: it has no function {} (plugin_interface.h)", name));
-  return reinterpret_cast<Function*>(found);
+Function* function_in(const files::SharedLibrary& library, const char* name, const std::filesystem::path& file) {
+  if (auto* found = library.function<Function>(name)) return found;
+  fail(file, fmt::format("this is no plug-in: it has no function {} (plugin_interface.h)", name));
 }
 
-void check_version(void* library, const std::filesystem::path& file) {
+void check_version(const files::SharedLibrary& library, const std::filesystem::path& file) {
   const char* version = function_in<decltype(murosimf_plugin_version)>(library, "murosimf_plugin_version", file)();
   if (version && std::string_view(version) == plugin_version) return;
   fail(file,
@@ -49,8 +37,7 @@ void check_version(void* library, const std::filesystem::path& file) {
 }
 
 void load(const std::filesystem::path& file, const std::string& path) {
-  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  if (!library) fail(file, fmt::format("cannot be loaded: {}", loader_message(path)));
+  const files::SharedLibrary library(path, files::Unloading::never, file.string());
   check_version(library, file);
   auto* enter = function_in<decltype(murosimf_register)>(library, "murosimf_register", file);
   try {

@@ -42,6 +42,51 @@ json sensor_object(const sensors::Reading& reading) {
           {"outputs", std::move(outputs)}};
 }
 
+double us(Duration duration) { return static_cast<double>(duration.count()) / 1e3; }
+
+double us_per_call(const connect::SoftwareReport& software) {
+  return software.calls == 0 ? 0 : us(software.spent) / static_cast<double>(software.calls);
+}
+
+json control_object(const ControlReport& report) {
+  const connect::SoftwareReport& software = report.software;
+  json said = json::array();
+  for (const auto& message : software.said) said.push_back({{"time_s", seconds(message.time)}, {"text", message.text}});
+  return {{"robot", report.robot},
+          {"software", software.software},
+          {"rate_hz", software.rate_hz},
+          {"calls", software.calls},
+          {"us_per_call", us_per_call(software)},
+          {"worst_us", us(software.worst)},
+          {"worst_at_s", seconds(software.worst_at)},
+          {"budget_us", software.budget > Duration{} ? json(us(software.budget)) : json()},
+          {"over_budget", software.over_budget},
+          {"refused", software.refused},
+          {"first_refusal", software.first_refusal},
+          {"ended", software.ended},
+          {"said", std::move(said)},
+          {"not_kept", software.not_kept}};
+}
+
+/// A table, then what the software has said.
+std::string control_text(const std::vector<ControlReport>& control) {
+  if (control.empty()) return {};
+  std::string text = fmt::format("\n{:<12} {:>9} {:>8} {:>13} {:>13} {:>11} {:>8}  {}\n", "control of", "rate", "calls",
+                                 "time a call", "the longest", "over budget", "refused", "software");
+  for (const auto& [robot, software] : control) {
+    text += fmt::format("{:<12} {:>6.0f} Hz {:>8} {:>10.2f} us {:>10.2f} us {:>11} {:>8}  {}\n", robot,
+                        software.rate_hz, software.calls, us_per_call(software), us(software.worst),
+                        software.over_budget, software.refused, software.software);
+  }
+  for (const auto& [robot, software] : control) {
+    for (const auto& message : software.said) {
+      text += fmt::format("{:.3f} s: {} says: {}\n", seconds(message.time), robot, message.text);
+    }
+    if (software.not_kept > 0) text += fmt::format("{} says {} things more\n", robot, software.not_kept);
+  }
+  return text;
+}
+
 std::string sensor_line(const std::vector<SensorReport>& sensors) {
   if (sensors.empty()) return {};
   std::uint64_t samples = 0;
@@ -68,6 +113,7 @@ std::string to_text(const RunReport& report) {
   for (const AlgorithmStatistics& a : report.algorithms) {
     text += fmt::format("{:<22} {:>6.0f} Hz {:>10} {:>9.2f} us\n", a.name, a.rate_hz, a.calls, a.us_per_call);
   }
+  text += control_text(report.control);
   text += fmt::format("\n{:.2f} s simulated in {:.3f} s: {:.0f} times real time on {} thread{}\n", report.simulated,
                       report.wall, report.real_time_factor, report.threads, report.threads == 1 ? "" : "s");
   if (report.stopped) {
@@ -94,6 +140,7 @@ std::string to_json(const RunReport& report) {
             {"stopped", stop_object(report)},
             {"entities", json::array()},
             {"sensors", json::object()},
+            {"control", json::array()},
             {"algorithms", json::array()},
             {"events", json::array()},
             {"notes", report.notes},
@@ -102,6 +149,7 @@ std::string to_json(const RunReport& report) {
   for (const SensorReport& sensor : report.sensors) {
     root["sensors"][sensor.entity][sensor.reading.info->name] = sensor_object(sensor.reading);
   }
+  for (const ControlReport& control : report.control) root["control"].push_back(control_object(control));
   for (const AlgorithmStatistics& a : report.algorithms) root["algorithms"].push_back(algorithm_object(a));
   for (const Event& event : report.events) {
     root["events"].push_back({{"time_s", seconds(event.time)}, {"text", event.text}});

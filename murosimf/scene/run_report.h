@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/connect/software_report.h"
 #include "murosimf/math/vec3.h"
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/sensors/reading.h"
@@ -27,6 +28,12 @@ struct SensorReport {
   sensors::Reading reading;
 };
 
+/// Control software of a robot.
+struct ControlReport {
+  std::string robot;
+  connect::SoftwareReport software;
+};
+
 /// A run that something has ended before its time.
 struct EarlyStop {
   std::string by;    ///< "SIGINT"
@@ -44,6 +51,7 @@ struct RunReport {
   std::optional<EarlyStop> stopped;  ///< at `simulated`; nothing: it came to its end
   std::vector<EntityReport> entities;
   std::vector<SensorReport> sensors;
+  std::vector<ControlReport> control;
   std::vector<AlgorithmStatistics> algorithms;
   std::vector<Event> events;
   std::vector<std::string> notes;     ///< what a level cannot show: nothing is wrong
@@ -57,7 +65,8 @@ struct RunReport {
 /// stopped (null, or {time_s, by, asked_s} if a signal ended the run early),
 /// entities [{name, model, level, contact, controller, team, position, distance_m, falls, frozen, present}],
 /// sensors {entity: {sensor: {type, time_s, samples, outputs: {name: {unit, labels, values}}}}} with null for what is no
-/// finite number, algorithms [{name, rate_hz, calls, us_per_call}], events [{time_s, text}], notes [], warnings [].
+/// finite number, control [{robot, software, rate_hz, calls, us_per_call, worst_us, worst_at_s, budget_us (null: any), over_budget,
+/// refused, first_refusal, ended, said [{time_s, text}], not_kept}], algorithms [{name, rate_hz, calls, us_per_call}], events [{time_s, text}], notes [], warnings [].
 [[nodiscard]] std::string to_json(const RunReport& report);
 
 }  // namespace murosimf::scene

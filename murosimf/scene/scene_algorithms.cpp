@@ -1,5 +1,7 @@
 #include "murosimf/scene/scene_algorithms.h"
 
+#include <fmt/format.h>
+
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/collision/own_steps.h"
@@ -20,6 +22,11 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   options.command = robot.command;
   options.own = robot.options;
   options.rate = robot.control_rate;
+  options.library = robot.library;
+  options.call_budget = robot.call_budget;
+  options.reload = robot.reload;
+  options.crashes = parts.crashes;
+  options.folder = spec.file.parent_path();
   const scene_file::FieldSize& field = scene_file::field_size(spec.field.size);
   options.half_field = {0.5 * field.length, 0.5 * field.width, 0};
   options.start = {robot.position.x, robot.position.y, robot.heading};
@@ -36,9 +43,20 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   return options;
 }
 
+/// Reading a file runs no code that it names, unless somebody says so: on the command line, or a program.
+void refuse_library_of_file(const SceneParts& parts, const scene_file::RobotSpec& robot) {
+  const auto given = robot.given.find("library");
+  const bool by_file = given != robot.given.end() && !given->second.where.starts_with("--set");
+  if (parts.libraries || !by_file) return;
+  throw SetupError(fmt::format(
+      "{}: this file has control software loaded, '{}', which may do what it likes; if you trust it: --libraries",
+      given->second.where, robot.library));
+}
+
 }  // namespace
 
 void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
+  refuse_library_of_file(parts, robot);
   const catalog::ControllerOptions options = controller_options(parts, robot);
   const catalog::ControllerType& controller = find_entry(catalog::controllers(), "controller", robot.controller);
   with_context(robot.where, [&] { controller.attach(*parts.simulation, entity, options); });

@@ -64,7 +64,11 @@ void attach_observers(SceneParts& parts, bool paths) {
 void build(SceneParts& parts, const SceneOptions& options) {
   Simulation& simulation = *parts.simulation;
   simulation.world().gravity = parts.spec.gravity;
-  simulation.stop_if(options.stop);
+  simulation.stop_if([crashes = parts.crashes, stop = options.stop] {
+    crashes->check();
+    return stop && stop();
+  });
+  parts.libraries = options.libraries;
   if (options.cameras) parts.cameras = std::make_unique<CameraRenderer>(parts);
   parts.assets = options.assets ? options.assets : std::make_shared<Assets>();
   parts.lenient = options.lenient;

@@ -19,6 +19,7 @@ struct SceneOptions {
   std::vector<std::string> overrides;  ///< PATH=VALUE, as for --set
   std::vector<std::string> events;     ///< TIME:PATH=VALUE, as for --at
   std::vector<std::string> pushes;     ///< `OBJECT=FORCE@BEGIN..END`, as for --push
+  bool libraries = false;              ///< control software that the file names may be loaded: it may do what it likes
   bool lenient = false;                ///< accept unknown elements in model files
   bool lanes = true;                   ///< false: equal robots do not step together (Simulation::use_lanes)
   bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/connect/controller_task.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/torque_watch.h"
@@ -30,6 +31,20 @@ EntityReport report_of(Entity& entity) {
           entity.present()};
 }
 
+void add_control_warnings(const Scene& scene, std::vector<std::string>& lines) {
+  for (const Entity* entity : scene.moving_entities()) {
+    const connect::SoftwareReport* software = connect::software_report(*entity);
+    if (!software) continue;
+    if (!software->ended.empty()) {
+      lines.push_back(fmt::format("{}: its control software has ended {}", entity->name(), software->ended));
+    }
+    if (software->refused > 0) {
+      lines.push_back(fmt::format("{}: {} numbers of its control software were refused, the first {}", entity->name(),
+                                  software->refused, software->first_refusal));
+    }
+  }
+}
+
 /// Those of the scene, then those of the run.
 std::vector<std::string> warnings_of(const Scene& scene, const Lateness& lateness) {
   std::vector<std::string> all = scene.parts().remarks.warnings();
@@ -40,6 +55,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const Lateness& latenes
     if (auto line = motion::overload_message(*entity); !line.empty()) all.push_back(std::move(line));
   }
   for (auto& line : interpenetration_warnings(scene.simulation().world())) all.push_back(std::move(line));
+  add_control_warnings(scene, all);
   if (lateness.late_steps > 0) all.push_back(to_text(lateness));
   return all;
 }
@@ -63,6 +79,7 @@ RunReport make_report(const Scene& scene, Duration wall, const Lateness& latenes
   report.state_hash = simulation.state_hash();
   for (Entity* entity : scene.moving_entities()) {
     report.entities.push_back(report_of(*entity));
+    if (const auto* software = connect::software_report(*entity)) report.control.push_back({entity->name(), *software});
     for (const sensors::Reading* reading : sensors::readings_of(*entity)) {
       report.sensors.push_back({entity->name(), *reading});
     }

@@ -66,6 +66,23 @@ constexpr std::array all_options{
                  [](std::string_view name) { return own_and_others(catalog::contacts(), name); }},
 };
 
+/// What a controller takes that does not say what it has: numbers, booleans, texts and vectors.
+std::vector<OptionInfo> options_as_given(const toml::table& node) {
+  std::vector<OptionInfo> options;
+  for (const auto& [key, value] : node) {
+    OptionInfo info{.name = std::string(key.str()), .fallback = 0.0};
+    if (value.is_boolean()) info.fallback = false;
+    if (value.is_string()) info.fallback = std::string();
+    if (value.is_array()) info.fallback = Vec3d();
+    options.push_back(std::move(info));
+  }
+  return options;
+}
+
+bool takes_any(const RobotOptions& options, const RobotSpec& robot) {
+  return options.key == "options" && catalog::controllers().find(robot.controller).any_options;
+}
+
 std::vector<OptionInfo> options_of(const RobotOptions& options, const RobotSpec& robot) {
   return options.of(robot.*options.owner);
 }
@@ -79,7 +96,7 @@ bool is_options_key(std::string_view key) {
 }
 
 void read_options(const RobotOptions& options, const toml::table& node, RobotSpec& robot) {
-  const std::vector<OptionInfo> known = options_of(options, robot);
+  const std::vector<OptionInfo> known = takes_any(options, robot) ? options_as_given(node) : options_of(options, robot);
   refuse_others(node, fmt::format("{} '{}'", options.kind, robot.*options.owner), option_names(known));
   take(node, known, robot.*options.values);
 }

@@ -93,6 +93,9 @@ struct RobotSpec {
   OptionValues level_options, contact_options;  ///< the same of the level and of the law of contact with the ground
   std::string servo_law;                        ///< instead of what the model's servos say; empty: those
   std::string motion;                           ///< name or file, for the controller "keyframes"; empty for none
+  std::string library;                          ///< file of the controller "library"; empty for none
+  double call_budget = 0;                       ///< [s] of wall time for each of its calls; 0: any
+  bool reload = false;                          ///< it is loaded anew when its file changes
   std::string joint_reference = "filter";
   motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
   bool base_rigid = false;

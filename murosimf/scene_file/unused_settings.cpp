@@ -41,6 +41,9 @@ constexpr std::array used_keys{
     UsedKey{"pitch_deg", "pitch_deg", UsedKey::by_first_level, asks_for_pitch},
     UsedKey{"command", "command", UsedKey::by_controller, asks_for_command},
     UsedKey{"motion", "motion", UsedKey::by_controller, asks_for_motion},
+    UsedKey{"library", "library", UsedKey::by_controller, [](const RobotSpec& r) { return !r.library.empty(); }},
+    UsedKey{"call_budget", "library", UsedKey::by_controller, [](const RobotSpec& r) { return r.call_budget != 0; }},
+    UsedKey{"reload", "library", UsedKey::by_controller, [](const RobotSpec& r) { return r.reload; }},
 };
 
 bool is_for(const SceneEvent& event, const RobotSpec& robot) {

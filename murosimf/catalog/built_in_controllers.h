@@ -1,0 +1,12 @@
+/// built_in_controllers.h - the controllers of the library, by name, and how they are attached to a robot.
+#pragma once
+
+#include <vector>
+
+#include "murosimf/catalog/algorithm_catalog.h"
+
+namespace murosimf::catalog {
+
+[[nodiscard]] std::vector<ControllerType> built_in_controllers();
+
+}  // namespace murosimf::catalog

@@ -1,0 +1,47 @@
+/// control_software.h - control software of one robot as the simulation sees it, wherever it runs: in a shared library
+/// (library_software.h), and later behind a socket or a serial line.
+///
+/// Whoever makes one gets a RobotPort, asks it for signals and commands by name, and keeps the pointers.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "murosimf/connect/robot_port.h"
+
+namespace murosimf::connect {
+
+/// How a call of control software has ended.
+struct CallOutcome {
+  enum Kind {
+    good,
+    threw,    ///< an exception
+    late,     ///< it did not come back and was broken off
+    crashed,  ///< a signal: what it has left of the process's memory is unknown
+  } kind = good;
+  std::string text{};  ///< "its step threw: no such state"
+
+  [[nodiscard]] explicit operator bool() const { return kind == good; }
+};
+
+class ControlSoftware {
+ public:
+  virtual ~ControlSoftware() = default;
+
+  /// The run begins, or begins again. May set commands.
+  [[nodiscard]] virtual CallOutcome start() = 0;
+  /// One cycle. Does not throw for what the software does.
+  [[nodiscard]] virtual CallOutcome step(Duration now) noexcept = 0;
+  /// Something for the report that has happened meanwhile ("reloaded"); empty: nothing.
+  [[nodiscard]] virtual std::string news() { return {}; }
+  /// Its memory.
+  virtual void state(StateArchive&) {}
+};
+
+/// A line that software says (murosimf_robot::say).
+using SayLine = std::function<void(const std::string& line)>;
+
+using SoftwareMaker = std::function<std::unique_ptr<ControlSoftware>(Setup&, RobotPort&, const SayLine&)>;
+
+}  // namespace murosimf::connect

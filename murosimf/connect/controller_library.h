@@ -1,0 +1,35 @@
+/// controller_library.h - a shared library with control software (murosimf_controller.h), loaded and checked.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "murosimf/connect/murosimf_controller.h"
+#include "murosimf/files/shared_library.h"
+
+namespace murosimf::connect {
+
+class ControllerLibrary {
+ public:
+  /// The one of this file as it is now; the same for all who have it. Throws SetupError in one line that begins with the file: it is
+  /// missing, no library, no control software, made for another ABI, or lacks functions.
+  [[nodiscard]] static std::shared_ptr<const ControllerLibrary> load(const std::filesystem::path& file);
+
+  /// When its file was written, if that was after it had been loaded.
+  [[nodiscard]] std::optional<std::filesystem::file_time_type> newer() const;
+
+  [[nodiscard]] const murosimf_controller& functions() const { return *functions_; }
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+  ControllerLibrary(const std::filesystem::path& file, std::filesystem::file_time_type written, bool first);
+
+ private:
+  std::filesystem::path file_;
+  std::filesystem::file_time_type written_;  // when its file was
+  files::SharedLibrary library_;
+  const murosimf_controller* functions_;
+};
+
+}  // namespace murosimf::connect

@@ -1,0 +1,88 @@
+#include "murosimf/connect/controller_task.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::connect {
+
+using WallClock = std::chrono::steady_clock;
+
+ControllerTask::ControllerTask(Setup& setup, const SoftwareMaker& make, ControllerTaskOptions options)
+    : options_(std::move(options)), robot_(&setup.entity()), port_(setup), seam_(setup.write(software_seam)[0]) {
+  report_.software = options_.software;
+  report_.rate_hz = 1 / seconds(setup.period());
+  report_.budget = options_.budget;
+  software_ = make(setup, port_, [this](const std::string& line) { say(line); });
+  port_.close();
+}
+
+void ControllerTask::initialize() {
+  const SoftwareReport fresh{.software = report_.software, .rate_hz = report_.rate_hz, .budget = report_.budget};
+  report_ = fresh;
+  seam_.report = &report_;
+  now_ = {};
+  port_.restart();
+  if (const CallOutcome outcome = software_->start(); !outcome) throw SetupError(outcome.text);
+  take_over_commands();
+}
+
+void ControllerTask::step(const Instant& instant) noexcept {
+  if (!report_.ended.empty()) return;
+  now_ = instant.now;
+  port_.refresh(instant.now);
+  const WallClock::time_point begin = WallClock::now();
+  const CallOutcome outcome = software_->step(instant.now);
+  count(WallClock::now() - begin);
+  if (!outcome) return end(outcome);
+  take_over_commands();
+  if (const std::string news = software_->news(); !news.empty()) say(news);
+}
+
+void ControllerTask::count(Duration took) noexcept {
+  ++report_.calls;
+  report_.spent += took;
+  if (took > report_.worst) {
+    report_.worst = took;
+    report_.worst_at = now_;
+  }
+  if (report_.budget > Duration{} && took > report_.budget) ++report_.over_budget;
+}
+
+void ControllerTask::end(const CallOutcome& outcome) {
+  report_.ended = fmt::format("at {:.3f} s: {}", seconds(now_), outcome.text);
+  if (outcome.kind == CallOutcome::crashed && options_.crashes) {
+    options_.crashes->write(fmt::format("{}: at {:.3f} s: {}", robot_->name(), seconds(now_), outcome.text));
+  }
+}
+
+void ControllerTask::take_over_commands() {
+  const std::size_t refused = port_.accept();
+  if (refused == 0) return;
+  if (report_.refused == 0) report_.first_refusal = fmt::format("at {:.3f} s: {}", seconds(now_), port_.refusal());
+  report_.refused += refused;
+}
+
+void ControllerTask::say(const std::string& line) {
+  if (report_.said.size() < SoftwareReport::most_messages) {
+    report_.said.push_back({now_, line});
+  } else {
+    ++report_.not_kept;
+  }
+}
+
+void ControllerTask::state(StateArchive& archive) {
+  port_.state(archive);
+  software_->state(archive);
+}
+
+const SoftwareReport* software_report(const Entity& entity) {
+  const Column<SoftwareSeam>* column = entity.find(software_seam);
+  return column ? column->values[0].report : nullptr;
+}
+
+}  // namespace murosimf::connect

@@ -1,0 +1,52 @@
+/// controller_task.h - algorithm: runs control software at its rate, between the sensors and the motion of its robot.
+///
+/// It shows the software the robot's signals, calls it, takes over its commands and notes how long that took. Software that throws
+/// or does not come back ends, and the robot keeps its last commands; the others go on. Software that crashes ends the run.
+#pragma once
+
+#include <memory>
+
+#include "murosimf/connect/control_software.h"
+#include "murosimf/connect/crash_note.h"
+#include "murosimf/connect/software_report.h"
+#include "murosimf/model/algorithm.h"
+
+namespace murosimf::connect {
+
+struct ControllerTaskOptions {
+  std::string software;                     ///< what reports call it
+  Duration budget{};                        ///< wall time that a call may take; 0: any
+  std::shared_ptr<CrashNote> crashes = {};  ///< null: nobody looks
+};
+
+class ControllerTask final : public Algorithm {
+ public:
+  /// Throws SetupError if `make` does.
+  ControllerTask(Setup& setup, const SoftwareMaker& make, ControllerTaskOptions options);
+
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+  void state(StateArchive& archive) override;
+
+  [[nodiscard]] const RobotPort& port() const { return port_; }
+
+ private:
+  void say(const std::string& line);
+  void count(Duration took) noexcept;
+  void end(const CallOutcome& outcome);
+  void take_over_commands();
+
+  ControllerTaskOptions options_;
+  const Entity* robot_;
+  RobotPort port_;
+  SoftwareSeam& seam_;
+  SoftwareReport report_;
+  Duration now_{};  // of the step that is being made, for messages
+  std::unique_ptr<ControlSoftware> software_;
+};
+
+/// Of an entity's software; null: it has none.
+[[nodiscard]] const SoftwareReport* software_report(const Entity& entity);
+
+}  // namespace murosimf::connect

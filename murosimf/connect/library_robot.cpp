@@ -1,0 +1,114 @@
+#include "murosimf/connect/library_robot.h"
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::connect {
+
+LibraryRobot::LibraryRobot(const Setup& setup, RobotPort& port, SayLine say, OptionValues options, std::uint64_t seed)
+    : port_(&port),
+      say_(std::move(say)),
+      options_(std::move(options)),
+      name_(setup.entity().name()),
+      team_(setup.entity().options().team),
+      model_(setup.model().name()) {
+  robot_.simulator = this;
+  robot_.name = name_.c_str();
+  robot_.team = team_.c_str();
+  robot_.model = model_.c_str();
+  robot_.period = seconds(setup.period());
+  robot_.seed = seed;
+  robot_.signal = signal;
+  robot_.command = command;
+  robot_.label = label;
+  robot_.number_option = number_option;
+  robot_.truth_option = truth_option;
+  robot_.vector_option = vector_option;
+  robot_.text_option = text_option;
+  robot_.say = LibraryRobot::say;
+}
+
+void LibraryRobot::check_options(const std::string& owner) const {
+  const std::vector<std::string_view> known(asked_.begin(), asked_.end());
+  if (!wrong_option_.empty()) throw SetupError(fmt::format("{}: {}", owner, wrong_option_));
+  for (const auto& [name, value] : options_) {
+    if (asked_.contains(name)) continue;
+    if (known.empty()) throw SetupError(fmt::format("{} has no options, so '{}' cannot be set", owner, name));
+    throw SetupError(unknown_name(fmt::format("option of {},", owner), name, known));
+  }
+}
+
+/// What look() finds; null if it throws, and why is kept.
+template <class Look>
+auto* LibraryRobot::found(const Look& look) noexcept {
+  decltype(look()) result = nullptr;
+  try {
+    result = look();
+  } catch (const SetupError& error) {
+    not_found_ = error.what();
+  }
+  return result;
+}
+
+const murosimf_signal* LibraryRobot::signal(const murosimf_robot* robot, const char* name) noexcept {
+  return of(robot).found([&] { return of(robot).port_->signal(name); });
+}
+
+murosimf_command* LibraryRobot::command(const murosimf_robot* robot, const char* name) noexcept {
+  return of(robot).found([&] { return of(robot).port_->command(name); });
+}
+
+const char* LibraryRobot::label(const murosimf_robot* robot, const char* name, std::size_t i) noexcept {
+  const std::vector<std::string>* labels = of(robot).port_->labels(name);
+  return labels && i < labels->size() ? (*labels)[i].c_str() : nullptr;
+}
+
+template <class T>
+const T* LibraryRobot::option(const char* name) {
+  asked_.insert(name);
+  const auto found = options_.find(name);
+  if (found == options_.end()) return nullptr;
+  const T* value = std::get_if<T>(&found->second);
+  if (!value && wrong_option_.empty()) {
+    wrong_option_ = fmt::format("the option '{}' is a {}; it must be a {}", name, type_name(found->second),
+                                type_name(OptionValue(T{})));
+  }
+  return value;
+}
+
+int LibraryRobot::number_option(const murosimf_robot* robot, const char* name, double* value) noexcept {
+  const double* given = of(robot).option<double>(name);
+  if (given) *value = *given;
+  return given ? 1 : 0;
+}
+
+int LibraryRobot::truth_option(const murosimf_robot* robot, const char* name, int* value) noexcept {
+  const bool* given = of(robot).option<bool>(name);
+  if (given) *value = *given ? 1 : 0;
+  return given ? 1 : 0;
+}
+
+int LibraryRobot::vector_option(const murosimf_robot* robot, const char* name, double value[3]) noexcept {
+  const Vec3d* given = of(robot).option<Vec3d>(name);
+  if (!given) return 0;
+  value[0] = given->x;
+  value[1] = given->y;
+  value[2] = given->z;
+  return 1;
+}
+
+const char* LibraryRobot::text_option(const murosimf_robot* robot, const char* name) noexcept {
+  const std::string* given = of(robot).option<std::string>(name);
+  return given ? given->c_str() : nullptr;
+}
+
+void LibraryRobot::say(const murosimf_robot* robot, const char* text) noexcept {
+  if (text) of(robot).say_(text);
+}
+
+}  // namespace murosimf::connect

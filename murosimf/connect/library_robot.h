@@ -1,0 +1,55 @@
+/// library_robot.h - the robot as a library sees it (murosimf_robot): names to signals and commands, options, and what it says.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "murosimf/connect/control_software.h"
+#include "murosimf/connect/murosimf_controller.h"
+#include "murosimf/connect/robot_port.h"
+#include "murosimf/model/option.h"
+
+namespace murosimf::connect {
+
+class LibraryRobot {
+ public:
+  LibraryRobot(const Setup& setup, RobotPort& port, SayLine say, OptionValues options, std::uint64_t seed);
+  LibraryRobot(const LibraryRobot&) = delete;  // the library has pointers into it
+  LibraryRobot& operator=(const LibraryRobot&) = delete;
+
+  [[nodiscard]] const murosimf_robot& description() const { return robot_; }
+
+  /// Why the last name that was asked for was none; empty: nobody has asked since forget_names().
+  [[nodiscard]] const std::string& not_found() const { return not_found_; }
+  void forget_names() { not_found_.clear(); }
+  /// Throws SetupError if an option was given that nobody has asked for, or with another type. `owner` is for the message.
+  void check_options(const std::string& owner) const;
+
+ private:
+  // What the library calls; the first argument leads back here.
+  static LibraryRobot& of(const murosimf_robot* robot) { return *static_cast<LibraryRobot*>(robot->simulator); }
+  static const murosimf_signal* signal(const murosimf_robot* robot, const char* name) noexcept;
+  static murosimf_command* command(const murosimf_robot* robot, const char* name) noexcept;
+  static const char* label(const murosimf_robot* robot, const char* name, std::size_t i) noexcept;
+  static int number_option(const murosimf_robot* robot, const char* name, double* value) noexcept;
+  static int truth_option(const murosimf_robot* robot, const char* name, int* value) noexcept;
+  static int vector_option(const murosimf_robot* robot, const char* name, double value[3]) noexcept;
+  static const char* text_option(const murosimf_robot* robot, const char* name) noexcept;
+  static void say(const murosimf_robot* robot, const char* text) noexcept;
+  template <class Look>
+  [[nodiscard]] auto* found(const Look& look) noexcept;
+  template <class T>
+  [[nodiscard]] const T* option(const char* name);
+
+  RobotPort* port_;
+  SayLine say_;
+  OptionValues options_;
+  std::string name_, team_, model_;
+  murosimf_robot robot_{};
+  std::set<std::string, std::less<>> asked_;  // names of options
+  std::string wrong_option_;                  // one that was given with another type
+  std::string not_found_;
+};
+
+}  // namespace murosimf::connect

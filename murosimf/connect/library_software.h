@@ -1,0 +1,74 @@
+/// library_software.h - control software in a shared library: one instance of it, for one robot.
+///
+/// Every call is guarded (guarded_call.h): what the library does wrong ends the instance, and is told with the library's name.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "murosimf/connect/control_software.h"
+#include "murosimf/connect/controller_library.h"
+#include "murosimf/connect/guarded_call.h"
+#include "murosimf/connect/library_robot.h"
+#include "murosimf/model/option.h"
+
+namespace murosimf::connect {
+
+struct LibraryOptions {
+  std::filesystem::path file;
+  OptionValues options;    ///< of the instance
+  std::uint64_t seed = 1;  ///< of the run
+  Duration budget{};       ///< wall time that a call may take; 0: any
+  bool reload = false;     ///< the library is exchanged when its file changes
+};
+
+/// Wall time after which a call is broken off: a second or ten budgets, whichever is longer; 10 s without a budget.
+[[nodiscard]] Duration longest_call(Duration budget);
+
+/// Has instances whose library shares global variables called one after the other, in the order of attaching, and so makes results
+/// independent of threads. `common` is that of the world.
+void one_after_the_other(const Setup& setup, Entity& common, const ControllerLibrary& library);
+
+class LibrarySoftware final : public ControlSoftware {
+ public:
+  /// Throws SetupError: the library refuses the robot, asks for what is not there, crashes, or does not know an option.
+  LibrarySoftware(Setup& setup, RobotPort& port, SayLine say, std::shared_ptr<const ControllerLibrary> library,
+                  LibraryOptions options);
+  ~LibrarySoftware() override;
+  LibrarySoftware(const LibrarySoftware&) = delete;
+  LibrarySoftware& operator=(const LibrarySoftware&) = delete;
+
+  [[nodiscard]] CallOutcome start() override;
+  [[nodiscard]] CallOutcome step(Duration now) noexcept override;
+  [[nodiscard]] std::string news() override;
+  void state(StateArchive& archive) override;
+
+ private:
+  using WallClock = std::chrono::steady_clock;
+
+  [[nodiscard]] void* create(const ControllerLibrary& library);
+  void destroy(const std::shared_ptr<const ControllerLibrary>& library, void*& instance) const;
+  void give_up(const CallOutcome& outcome) noexcept;
+  [[nodiscard]] CallOutcome guarded(const char* what, const std::function<void()>& call) const;
+  [[nodiscard]] std::vector<std::byte> saved() const;
+  [[nodiscard]] bool loaded(const ControllerLibrary& library, void* instance,
+                            const std::vector<std::byte>& bytes) const;
+  void look_for_a_newer_one();
+  void exchange();
+  void begin(const ControllerLibrary& library, void* instance) const;
+
+  std::shared_ptr<const ControllerLibrary> library_;
+  LibraryOptions options_;
+  LibraryRobot robot_;
+  GuardedCall step_;
+  void* instance_ = nullptr;  // null: it has ended
+  bool fresh_ = true;         // it has not begun yet
+  bool crashed_ = false;
+  WallClock::time_point looked_;
+  std::filesystem::file_time_type seen_{}, tried_{};  // of a newer file
+  std::string news_;
+};
+
+}  // namespace murosimf::connect

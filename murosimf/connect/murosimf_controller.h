@@ -1,0 +1,111 @@
+/// murosimf_controller.h - what a shared library has to offer to be the control software of simulated robots.
+///
+/// Plain C, and nothing else is needed: no other header, no library to link. The simulator loads the library by
+///
+///     controller = "library"
+///     library = "build/libwalk.so"
+///     [robots.options]
+///     speed = 0.2
+///
+/// and asks `murosimf_controller_entry` for its functions. For every robot with this library it makes one instance by `create`, and
+/// calls `step` at the instance's rate of simulated time, always between two steps of the simulation: nothing moves meanwhile.
+///
+/// All names are looked up in `create`; afterwards reading and setting is an access to memory. Units are SI: m, rad, s, N, N m.
+/// docs/library.md lists the names and has examples.
+#ifndef MUROSIMF_CONTROLLER_H
+#define MUROSIMF_CONTROLLER_H
+#pragma once
+
+// NOLINTBEGIN(modernize-*): C is C
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Of this header. Libraries and programs fit together if theirs are equal. */
+#define MUROSIMF_CONTROLLER_ABI 1u
+
+/* Flags of a library. Instances of one library share its global variables, so they are called one after the other, in the order
+ * of the robots. A library without such variables may say that its instances can be called at the same time. */
+#define MUROSIMF_INDEPENDENT_INSTANCES 1u
+
+/* A row of numbers to read, up to date in every step. */
+typedef struct murosimf_signal {
+  const double* values;
+  size_t count;
+  int64_t time;     /* [ns] of simulated time, at which they were measured */
+  uint64_t samples; /* that have come so far: a new one changes it; 0: there was none yet */
+} murosimf_signal;
+
+/* A row of numbers to set. They hold until they are set again. What is not finite or out of range is refused and counted: what held
+ * before stands there again after the step. */
+typedef struct murosimf_command {
+  double* values;
+  size_t count;
+} murosimf_command;
+
+/* The robot of an instance; valid as long as the instance. Functions get the robot as their first argument. */
+typedef struct murosimf_robot {
+  void* simulator; /* not yours */
+  const char* name;
+  const char* team;  /* "" if it has none */
+  const char* model; /* "kid21" */
+  double period;     /* [s] of simulated time from one step to the next */
+  uint64_t seed;     /* of this run */
+
+  /* In `create` only. Null if there is nothing of that name; if `create` then returns null, the simulator says which name that was,
+   * and the nearest one. A library that can do without goes on. */
+  const murosimf_signal* (*signal)(const struct murosimf_robot* robot, const char* name);
+  murosimf_command* (*command)(const struct murosimf_robot* robot, const char* name);
+  /* What number i of a signal or a command is: the joint, or "x"; null if there is no such number. */
+  const char* (*label)(const struct murosimf_robot* robot, const char* name, size_t i);
+
+  /* In `create` only: options of the scene, [robots.options]. True (the text: not null) if it is given. What is given with another
+   * type, and what is given and never asked for, is refused. */
+  int (*number_option)(const struct murosimf_robot* robot, const char* name, double* value);
+  int (*truth_option)(const struct murosimf_robot* robot, const char* name, int* value);
+  int (*vector_option)(const struct murosimf_robot* robot, const char* name, double value[3]);
+  const char* (*text_option)(const struct murosimf_robot* robot, const char* name);
+
+  /* Any time, from the thread that calls the library: a line for the report of the run, with the time. */
+  void (*say)(const struct murosimf_robot* robot, const char* text);
+} murosimf_robot;
+
+/* What a library offers. Functions that may be null say so. C++ exceptions may leave any of them: they end the instance, and the run
+ * reports what() they say. */
+typedef struct murosimf_controller {
+  uint32_t abi;   /* MUROSIMF_CONTROLLER_ABI */
+  uint32_t flags; /* MUROSIMF_INDEPENDENT_INSTANCES, or 0 */
+  double rate;    /* [Hz] of its steps, if the scene says none; 0: 100 */
+
+  /* A new instance for a robot. Null: it cannot be made; why may be written to `error`, which has room for `size` bytes. */
+  void* (*create)(const murosimf_robot* robot, char* error, size_t size);
+  void (*destroy)(void* instance);
+
+  /* The run begins, or begins again. Commands that are set here hold before the first step. Null: the simulator makes a new
+   * instance instead. */
+  void (*start)(void* instance);
+  /* One cycle at the simulated time `now` [ns]. */
+  void (*step)(void* instance, int64_t now);
+
+  /* The state of an instance as bytes, for saved runs and for libraries that are exchanged while they run. `save` writes at most
+   * `size` bytes and returns how many there are; `load` returns false if it does not know them. Both null: there is no state. */
+  size_t (*save)(void* instance, void* bytes, size_t size);
+  int (*load)(void* instance, const void* bytes, size_t size);
+} murosimf_controller;
+
+/* The one symbol that the simulator looks for. What it returns stays valid as long as the library is loaded. */
+#if defined(__GNUC__)
+__attribute__((visibility("default")))
+#endif
+const murosimf_controller*
+murosimf_controller_entry(void);
+
+#ifdef __cplusplus
+}
+#endif
+// NOLINTEND(modernize-*)
+
+#endif

@@ -1,0 +1,149 @@
+#include "murosimf/connect/port_commands.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/locomotion/gait_properties.h"
+#include "murosimf/locomotion/leg.h"
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::connect {
+namespace {
+
+constexpr double any_target = 1e3;    // [rad | m] of joints without a range
+constexpr double any_rate = 1e3;      // [rad/s | m/s]
+constexpr double any_velocity = 100;  // [m/s, rad/s] nobody walks as fast
+
+constexpr std::string_view joint_target = "joint.target", joint_velocity_target = "joint.velocity_target",
+                           joint_torque_enabled = "joint.torque_enabled", walk_velocity = "walk.velocity",
+                           walk_other_joints = "walk.other_joints";
+
+bool is_of_walk(std::string_view name) { return name == walk_velocity || name == walk_other_joints; }
+
+std::vector<int> joints_of_legs(const Model& model) {
+  std::vector<int> joints;
+  for (const locomotion::Leg& leg : locomotion::find_legs(model)) {
+    joints.insert(joints.end(), leg.joints.begin(), leg.joints.end());
+  }
+  return joints;
+}
+
+}  // namespace
+
+murosimf_command* PortCommands::find(std::string_view name) {
+  const auto found = std::ranges::find(commands_, name, &Command::name);
+  return &(found == commands_.end() ? make(name) : *found).shown;
+}
+
+const std::vector<std::string>* PortCommands::labels(std::string_view name) const {
+  const auto found = std::ranges::find(commands_, name, &Command::name);
+  return found == commands_.end() ? nullptr : &found->labels;
+}
+
+bool PortCommands::has(std::string_view command) const {
+  return std::ranges::find(commands_, command, &Command::name) != commands_.end();
+}
+
+bool PortCommands::walks() const { return has(walk_velocity) || has(walk_other_joints); }
+
+PortCommands::Command& PortCommands::make(std::string_view name) {
+  if (!setup_) {
+    throw SetupError(
+        fmt::format("the command '{}' was not asked for when the robot was set up, so it cannot be now", name));
+  }
+  if ((name == joint_target && walks()) || (is_of_walk(name) && has(joint_target))) {
+    throw SetupError(
+        fmt::format("'{}' and '{}' exclude each other: the walk engine moves the legs (other joints: '{}')",
+                    joint_target, is_of_walk(name) ? name : walk_velocity, walk_other_joints));
+  }
+  Command command{.name = std::string(name)};
+  if (name == joint_target) {
+    connect_joints(command, properties::joint_target, any_target, false);
+  } else if (name == joint_velocity_target) {
+    connect_joints(command, properties::joint_velocity_target, any_rate, false);
+  } else if (name == joint_torque_enabled) {
+    connect_joints(command, properties::torque_enabled, 1, false);
+    command.first = 1;
+    std::ranges::fill(command.lowest, 0.0);
+  } else if (name == walk_velocity) {
+    connect_walk(command);
+  } else if (name == walk_other_joints) {
+    connect_joints(command, properties::joint_target, any_target, true);
+  } else {
+    throw SetupError(
+        unknown_name("command", name,
+                     {joint_target, joint_velocity_target, joint_torque_enabled, walk_velocity, walk_other_joints}));
+  }
+  command.staged.assign(command.places.size(), command.first);
+  command.accepted = command.staged;
+  commands_.push_back(std::move(command));
+  commands_.back().shown = {commands_.back().staged.data(), commands_.back().staged.size()};
+  return commands_.back();
+}
+
+void PortCommands::connect_joints(Command& command, const Property<double>& property, double limit, bool beside_legs) {
+  const std::span<double> column = setup_->write(property);
+  const std::vector<int> legs = beside_legs ? joints_of_legs(*model_) : std::vector<int>{};
+  const bool positions = property.name == properties::joint_target.name;
+  for (const int joint : model_->joints()) {
+    if (std::ranges::find(legs, joint) != legs.end()) continue;
+    const Vec3d* range = positions ? model_->find(properties::joint_range, joint) : nullptr;
+    command.labels.push_back(model_->objects()[joint].name);
+    command.places.push_back(&column[joint]);
+    command.lowest.push_back(range ? range->x : -limit);
+    command.highest.push_back(range ? range->y : limit);
+  }
+}
+
+void PortCommands::connect_walk(Command& command) {
+  Vec3d& velocity = setup_->write(properties::walk_command)[0];
+  command.labels = {"x", "y", "turn"};
+  command.places = {&velocity.x, &velocity.y, &velocity.z};
+  command.lowest.assign(3, -any_velocity);
+  command.highest.assign(3, any_velocity);
+}
+
+void PortCommands::restart() noexcept {
+  for (Command& command : commands_) {
+    for (std::size_t i = 0; i < command.staged.size(); ++i) {
+      command.staged[i] = command.accepted[i] = *command.places[i] = command.first;
+    }
+  }
+}
+
+std::size_t PortCommands::accept() noexcept {
+  std::size_t count = 0;
+  refused_.command = nullptr;
+  for (Command& command : commands_) {
+    for (std::size_t i = 0; i < command.staged.size(); ++i) {
+      double& staged = command.staged[i];
+      const bool good = staged >= command.lowest[i] && staged <= command.highest[i];  // not if it is NaN
+      if (good) {
+        command.accepted[i] = staged;
+      } else {
+        if (count++ == 0) refused_ = {&command, i, staged};
+        staged = command.accepted[i];
+      }
+      *command.places[i] = command.accepted[i];
+    }
+  }
+  return count;
+}
+
+std::string PortCommands::refusal() const {
+  if (!refused_.command) return {};
+  const Command& command = *refused_.command;
+  return fmt::format("{} of {} is {:.6g}, not in {:.6g} to {:.6g}", command.name, command.labels[refused_.number],
+                     refused_.value, command.lowest[refused_.number], command.highest[refused_.number]);
+}
+
+void PortCommands::state(StateArchive& archive) {
+  for (Command& command : commands_) {
+    archive.elements(std::span(command.accepted));
+    if (archive.loads()) std::ranges::copy(command.accepted, command.staged.begin());
+  }
+}
+
+}  // namespace murosimf::connect

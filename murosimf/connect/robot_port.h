@@ -1,0 +1,83 @@
+/// robot_port.h - what control software sees of its robot and what it may set: rows of numbers, by name at set-up, by pointer in
+/// the loop. The same for software in shared libraries and, later, behind sockets and serial lines.
+///
+/// To read (murosimf_signal):
+///     SENSOR.OUTPUT        the last sample that has arrived, with the instant at which it was taken: imu.gyroscope
+///     joint.position       [rad | m] of all joints as their bus reports it now: in whole steps of the servo's encoder
+///     joint.velocity       [rad/s | m/s] likewise
+///     joint.torque         [N m | N] of servo and gear; NaN at levels that have none
+/// To set (murosimf_command), zero until it is set; what is not finite or outside of the range is refused and counted:
+///     joint.target         [rad | m] of all joints, within their ranges
+///     joint.velocity_target [rad/s | m/s] of all joints, for wheels
+///     joint.torque_enabled [1] of all joints, 0 or 1 (the start value); where levels have servos
+///     walk.velocity        [m/s, m/s, rad/s] what the walk engine of the library does then; it moves the legs
+///     walk.other_joints    [rad | m] targets of the joints that are no leg's
+/// The simulator's walk engine and joint.target exclude each other.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/connect/murosimf_controller.h"
+#include "murosimf/connect/port_commands.h"
+#include "murosimf/model/setup.h"
+#include "murosimf/model/state_archive.h"
+#include "murosimf/sensors/reading.h"
+
+namespace murosimf::connect {
+
+class RobotPort {
+ public:
+  /// Reads all sensors of the robot, which must be attached before. Throws SetupError.
+  explicit RobotPort(Setup& setup);
+  RobotPort(const RobotPort&) = delete;  // software has pointers into it
+  RobotPort& operator=(const RobotPort&) = delete;
+
+  // By name, while the robot is set up; a name that was asked for stays valid, and can be asked for again later. Throw SetupError:
+  // there is nothing of that name (with the nearest), or it excludes what was asked for before; a command that nobody
+  // asked for before close().
+  [[nodiscard]] const murosimf_signal* signal(std::string_view name);
+  [[nodiscard]] murosimf_command* command(std::string_view name) { return commands_.find(name); }
+  /// Of a signal or command that was asked for: what each number is; null if it is none of them.
+  [[nodiscard]] const std::vector<std::string>* labels(std::string_view name) const;
+
+  /// The algorithm is constructed: from now on no new commands.
+  void close() { commands_.close(); }
+  /// Whether the walk engine must be attached, after the algorithm that has this port.
+  [[nodiscard]] bool walks() const { return commands_.walks(); }
+
+  /// All commands as nobody had set them.
+  void restart() noexcept { commands_.restart(); }
+  /// Before the software's step that begins at `now`: signals show what holds then.
+  void refresh(Duration now) noexcept;
+  /// After it: takes over what it has set. How many numbers were refused.
+  std::size_t accept() noexcept { return commands_.accept(); }
+  /// The first number that the last accept() refused: "joint.target of l_knee is 9.5, beyond -0.1 to 2.3".
+  [[nodiscard]] std::string refusal() const { return commands_.refusal(); }
+
+  void state(StateArchive& archive);
+
+ private:
+  struct Signal {
+    std::string name;
+    std::vector<std::string> labels;
+    const sensors::Reading* reading = nullptr;  // null: of joints
+    std::span<const double> column;             // of joints, by object
+    std::vector<double> steps;                  // [rad] of joints' encoders, 0: none; empty: none has one
+    std::vector<double> values;                 // of joints
+    murosimf_signal shown{};
+    bool wanted = false;
+  };
+  void add_sensor(Setup& setup, const sensors::Reading& reading);
+  void add_joints(std::string name, std::span<const double> column, bool in_steps);
+  void refresh(Signal& signal, Duration now) noexcept;
+  [[nodiscard]] std::vector<std::string_view> signal_names() const;
+
+  const Model* model_;
+  std::deque<Signal> signals_;  // stay where they are
+  PortCommands commands_;
+};
+
+}  // namespace murosimf::connect

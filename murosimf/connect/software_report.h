@@ -1,0 +1,48 @@
+/// software_report.h - what is told of control software after a run: calls, deadlines, refused commands, and what it has said.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "murosimf/model/property.h"
+#include "murosimf/model/state_archive.h"
+#include "murosimf/model/time.h"
+#include "murosimf/model/value.h"
+
+namespace murosimf::connect {
+
+struct SoftwareReport {
+  struct Message {
+    Duration time{};  ///< simulated
+    std::string text;
+  };
+
+  std::string software;       ///< "build/libwalk.so"
+  double rate_hz = 0;         ///< of its steps
+  std::int64_t calls = 0;     ///< of its step
+  Duration spent{}, worst{};  ///< wall time of these calls together, and of the longest
+  Duration worst_at{};        ///< simulated time of that one
+  Duration budget{};          ///< wall time that a call may take; 0: any
+  std::int64_t over_budget = 0;
+  std::uint64_t refused = 0;   ///< numbers of commands
+  std::string first_refusal;   ///< with its time
+  std::string ended;           ///< why it does not run any more; empty: it does
+  std::vector<Message> said;   ///< at most most_messages
+  std::uint64_t not_kept = 0;  ///< messages after these
+
+  static constexpr std::size_t most_messages = 100;
+};
+
+/// Where the report of an entity's software stands; null: it has none.
+struct SoftwareSeam {
+  const SoftwareReport* report = nullptr;
+};
+inline void append_hash(Hasher&, const SoftwareSeam&) {}
+inline void state(StateArchive&, SoftwareSeam&) {}
+
+/// No state: wall times differ from run to run.
+inline constexpr Property<SoftwareSeam> software_seam{
+    {"software_seam", "-", "-", "report of the entity's control software", Scope::wiring}};
+
+}  // namespace murosimf::connect

@@ -1,0 +1,54 @@
+/// trajectory_player.h - algorithm: gives the joints targets from a table of angles over time (trajectory_file.h).
+///
+/// Writes `joint_target` of all joints: those that the table does not name stay at zero. What it writes in its step from t to
+/// t + period are the values of t + period, as a controller does whose targets are reached within one cycle (paper 4.3), and as logs
+/// note them: the targets of a run, logged at the rate of their controller and played at it, are the same in every step.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "murosimf/connect/joint_trajectory.h"
+#include "murosimf/model/algorithm.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::connect {
+
+struct TrajectoryOptions {
+  std::string file;                       ///< as for find_data_file, kind "motions"
+  std::string property = "joint_target";  ///< what is taken of a log (LogColumns)
+  std::string entity;                     ///< whose columns of a log; empty: the robot's own
+  bool loop = false;                      ///< begins again at its end (loop_period)
+  std::optional<double> begin;            ///< [s] in the file; nothing: its first time
+  double delay = 0;                       ///< [s] for which it stays at `begin` first
+  std::string between = "line";           ///< or "hold"
+};
+
+class TrajectoryPlayer final : public Algorithm {
+ public:
+  /// Throws SetupError if `begin` is not in the file.
+  TrajectoryPlayer(Setup& setup, JointTrajectory trajectory, const TrajectoryOptions& options);
+
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
+  void initialize() override;
+  void step(const Instant& instant) noexcept override;
+
+ private:
+  void write_targets() noexcept;
+
+  JointTrajectory trajectory_;
+  Between between_;
+  double begin_, delay_;  // [s]
+  double length_;         // [s] played once, from begin_
+  double period_;         // [s] of the loop; 0: none
+  double& time_;          // [s] since the playing began, negative before
+  std::span<double> target_;
+};
+
+/// [Hz] At which a table wants to be played: that of its rows if they are equally far apart (whole numbers of Hz where that is
+/// within a thousandth), up to that of the usual steps; else 100.
+[[nodiscard]] double own_rate(const JointTrajectory& trajectory) noexcept;
+
+}  // namespace murosimf::connect

@@ -1,0 +1,69 @@
+// Control software in libraries, from outside: what the program writes and returns when one crashes, and what files may name.
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/program.h"
+
+namespace murosimf::test {
+namespace {
+
+const std::string library = MUROSIMF_CONTROLLERS "/controller_1.so";
+const std::string walker_with_library = "--set walker.controller=library --set walker.library=" + library;
+
+std::string crash_line(const std::string& signal) {
+  return "murosimf: library '" + library + "' of walker: its step crashed (" + signal + "); the run ends here\n";
+}
+
+TEST(ControlLibrary, IsReportedAsJson) {
+  const Result result = murosimf("run walk --duration 1 --json - --set walker.call_budget=5 " + walker_with_library);
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json control = nlohmann::json::parse(result.output)["control"].at(0);
+  EXPECT_EQ(control["robot"], "walker");
+  EXPECT_EQ(control["software"], library);
+  EXPECT_EQ(control["calls"], 50);
+  EXPECT_EQ(control["rate_hz"], 50);
+  EXPECT_EQ(control["budget_us"], 5e6);
+  EXPECT_EQ(control["over_budget"], 0);
+  EXPECT_EQ(control["ended"], "");
+  EXPECT_GE(control["worst_us"].get<double>(), control["us_per_call"].get<double>());
+}
+
+// What the run has shown up to the crash is written, and nothing but one line says more.
+TEST(ControlLibrary, ThatCrashesEndsTheRunWithItsReports) {
+  const fs::path log = scratch("log.csv"), json = scratch("report.json");
+  const Result result =
+      murosimf("run walk --duration 5 --log walker.joint_target --out " + log.string() + " --json " + json.string() +
+               " " + walker_with_library + " --set walker.options.mistake=segv --set walker.options.at=1.5");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.errors, crash_line("SIGSEGV"));
+  const nlohmann::json report = nlohmann::json::parse(read_file(json));
+  EXPECT_EQ(report["stopped"]["by"], "a crash");
+  EXPECT_NEAR(report["simulated_s"].get<double>(), 1.5, 0.01);
+  EXPECT_NE(report["control"][0]["ended"].get<std::string>().find("its step crashed (SIGSEGV)"), std::string::npos);
+  const std::string rows = read_file(log);
+  EXPECT_NE(rows.find("\n1.49,"), std::string::npos);
+  EXPECT_EQ(rows.find("\n1.6,"), std::string::npos);
+}
+
+TEST(ControlLibrary, ThatCrashesEndsOtherCommandsToo) {
+  const Result result = murosimf("render walk --time 1 --out " + scratch("picture.png").string() + " " +
+                                 walker_with_library + " --set walker.options.mistake=abort");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_TRUE(result.errors.ends_with(crash_line("SIGABRT"))) << result.errors;
+}
+
+TEST(ControlLibrary, OfASceneFileNeedsAllowance) {
+  const fs::path scene = write("scene.toml",
+                               "[[robots]]\nname = \"walker\"\nmodel = \"kid21\"\ncontroller = \"library\"\n"
+                               "library = \"" +
+                                   library + "\"\n");
+  expect_mistake("run " + scene.string() + " --duration 1", {"scene.toml:5:11: ", library, "--libraries"});
+  EXPECT_EQ(murosimf("run " + scene.string() + " --duration 1 --libraries").exit_code, 0);
+}
+
+TEST(ControlLibrary, IsMissedInOneLine) {
+  expect_mistake("run walk --set walker.controller=library", {"controller 'library' needs the name of a file"});
+  expect_mistake("run walk --set walker.controller=library --set walker.library=nosuch", {"no file 'nosuch'"});
+}
+
+}  // namespace
+}  // namespace murosimf::test
