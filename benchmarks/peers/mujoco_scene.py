@@ -1,4 +1,4 @@
-"""A race's scene in MuJoCo: the robot's own file as often as the description says, what stands around, targets for the actuators."""
+"""A race's scene in MuJoCo: the robot's own file as often as the description says, what stands around, targets."""
 import json
 import sys
 

@@ -8,9 +8,9 @@
     benchmarks/peers/race.py walk --engines mujoco --robots 22
     benchmarks/peers/race.py --quick                            does it run at all? a minute
 
-Engines that are not there are named in one line, and the others run. Times are processor time of the process where one thread works,
-so that other load on the machine counts only by what it takes of caches and clock rates; wall time where all threads work (worlds,
-games). Ratios are of runs in the same round. docs/performance.md says what is fair in them and what is not.
+Engines that are not there are named in one line, and the others run. Times are processor time of the process where one thread
+works, so that other load on the machine counts only by what it takes of caches and clock rates; wall time where all threads work
+(worlds, games). Ratios are of runs in the same round. docs/performance.md says what is fair in them and what is not.
 """
 import argparse
 import json
@@ -47,8 +47,8 @@ def parse(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0], epilog=f"parts: {', '.join(PARTS)}")
     parser.add_argument("parts", nargs="*", metavar="part", help="what to race; nothing: all")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release", help="folder of our programs")
-    parser.add_argument("--python", help="an interpreter that has MuJoCo; else those of build/peers-venv, build/oracle-venv, python3")
-    parser.add_argument("--install", action="store_true", help="make build/peers-venv with MuJoCo and Pinocchio from PyPI, then stop")
+    parser.add_argument("--python", help="has MuJoCo; else build/peers-venv, build/oracle-venv, python3 are tried")
+    parser.add_argument("--install", action="store_true", help="MuJoCo and Pinocchio from PyPI to build/peers-venv, then stop")
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--length", type=float, default=1, help="times the usual simulated time of a run")
     parser.add_argument("--robots", type=int, action="append", help="in the scenes of walk, squat and heap (again: several)")

@@ -1,6 +1,11 @@
-"""The scenes of a race, as our scene files: robots of the model kid21, every pair of surfaces with the same friction, nobody senses."""
+"""The scenes of a race, as our scene files: robots of the model kid21, the same friction everywhere, nobody senses."""
+import contextlib
 import math
+import pathlib
+import tempfile
 import tomllib
+
+from running import ROOT
 
 WALK = [0.15, 0, 0]  # [m/s, m/s, rad/s]
 FRICTION = 0.8
@@ -29,7 +34,8 @@ def places(count):
 
 
 def robots_at(places, keys=""):
-    return "".join(f'[[robots]]\nname = "r{i}"\nposition = [{", ".join(map(str, place))}]\n{keys}' for i, place in enumerate(places))
+    return "".join(f'[[robots]]\nname = "r{i}"\nposition = [{", ".join(map(str, place))}]\n{keys}'
+                   for i, place in enumerate(places))
 
 
 def write_walk(folder, robots):
@@ -43,9 +49,9 @@ def write_squat(folder, robots):
     (folder / "scene.toml").write_text(head("keyframes") + motion + robots_at(places(robots)) + materials())
 
 
-def write_heap(folder, robots, root):
+def write_heap(folder, robots):
     """The first robots of scenes/heap.toml: they fall over one spot, each turned in its own way."""
-    heap = tomllib.loads((root / "scenes/heap.toml").read_text())
+    heap = tomllib.loads((ROOT / "scenes/heap.toml").read_text())
     start = "seed = 2\n[start]\n" + "".join(f"{key} = {value}\n" for key, value in heap["start"].items())
     text = head("none", start) + robots_at([robot["position"] for robot in heap["robots"][:robots]]) + materials()
     (folder / "scene.toml").write_text(text)
@@ -61,3 +67,15 @@ def write_slope(folder, _robots):
             f'position = [0, 0, {bottom}], static = true, material = "carpet"}}]\n')
     place = robots_at([(0, 0, round(top, 6))], f"pitch_deg = {-SLOPE_DEG}\n")
     (folder / "scene.toml").write_text(head("walk", body) + place + materials())
+
+
+WRITERS = {"walk": write_walk, "squat": write_squat, "heap": write_heap, "slope": write_slope}
+
+
+@contextlib.contextmanager
+def written(kind, robots):
+    """A folder with scene.toml, for as long as it is needed."""
+    with tempfile.TemporaryDirectory(prefix="murosimf_race_") as name:
+        folder = pathlib.Path(name)
+        WRITERS[kind](folder, robots)
+        yield folder
