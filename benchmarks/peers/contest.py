@@ -1,10 +1,10 @@
 """Entrants that do the same work by turns, what they took, and whether they did it."""
+import resource
 import statistics
-import time
 
 from running import Failure
 
-PATIENCE = 30  # [s] of a turn; who takes longer has no other one
+PATIENCE = 30  # [s] of processor time of a turn; who takes more has no other one
 
 
 class Entrant:
@@ -15,7 +15,7 @@ class Entrant:
         self.times, self.engine, self.observed, self.finished = [], name, None, True
 
     def turn(self, run, key, observe):
-        begin = time.perf_counter()
+        begin = processor_seconds()
         try:
             result = run(self.command(observe))
         except Failure as failure:
@@ -25,7 +25,7 @@ class Entrant:
         self.engine = result.get("engine", self.name)
         self.times.append(self.keep(result) if key is None else result[key])
         self.observed = result.get("observed", self.observed)
-        self.finished = time.perf_counter() - begin < PATIENCE or self.ours
+        self.finished = processor_seconds() - begin < PATIENCE or self.ours
 
     def keep(self, result):
         """The time that counts, for what is not timed by one key; remembers the rest."""
@@ -44,6 +44,11 @@ class Entrant:
         return {"scene": scene, "engine": self.engine, "setting": self.setting, "ours": self.ours, "unit": unit,
                 "times": self.times, "median": self.median, "times_as_long": ratios(self, reference)[0],
                 "observed": self.observed, **more}
+
+
+def processor_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def in_turns(entrants, run, key, rounds):
@@ -70,5 +75,5 @@ def show_spread(values, digits=2):
 
 
 def print_table(title, heads, rows):
-    print("\n".join([f"\n{title}", f"| {' | '.join(heads)} |", "|---" * len(heads) + "|",
+    print("\n".join([f"\n{title}", f"| {' | '.join(map(str, heads))} |", "|---" * len(heads) + "|",
                      *(f"| {' | '.join(map(str, row))} |" for row in rows)]), flush=True)
