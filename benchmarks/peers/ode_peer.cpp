@@ -6,33 +6,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "benchmarks/peers/ode_frame.h"
 #include "benchmarks/peers/peer.h"
 
 namespace {
 
-using peers::Description, peers::Link, peers::Shape, peers::Start;
+using peers::Description, peers::Frame, peers::inside, peers::Link, peers::Shape, peers::Start;
 
 struct Robot {
   std::vector<dBodyID> bodies;
   std::vector<dJointID> hinges;  // of links 1 and on
 };
-
-struct Frame {
-  dVector3 r;
-  dQuaternion q;
-};
-
-Frame inside(const Frame& outer, const peers::Vector& position, const peers::Quaternion& rotation) {
-  Frame result;
-  dMatrix3 R;
-  dQtoR(outer.q, R);
-  const dVector3 local{position[0], position[1], position[2]};
-  dMultiply0_331(result.r, R, local);
-  for (int i = 0; i < 3; ++i) result.r[i] += outer.r[i];
-  const dQuaternion turn{rotation[0], rotation[1], rotation[2], rotation[3]};
-  dQMultiply0(result.q, outer.q, turn);
-  return result;
-}
 
 class Ode final : public peers::Engine {
  public:
@@ -136,7 +120,7 @@ class Ode final : public peers::Engine {
     Robot robot;
     dSpaceID space = dSimpleSpaceCreate(space_);
     // as the model is at joint positions 0: there a hinge of ODE takes its zero; then moved to where the robot starts
-    const auto straight = frames(start, false), bent = frames(start, true);
+    const auto straight = frames(description_.links, start, false), bent = frames(description_.links, start, true);
     for (std::size_t i = 0; i < description_.links.size(); ++i) {
       const Link& link = description_.links[i];
       robot.bodies.push_back(add_body(link, straight[i], space));
@@ -156,27 +140,6 @@ class Ode final : public peers::Engine {
       dBodySetQuaternion(robot.bodies[i], bent[i].q);
     }
     robots_.push_back(std::move(robot));
-  }
-
-  /// Where the links are, at the start or with all joints at zero.
-  std::vector<Frame> frames(const Start& start, bool bent) const {
-    std::vector<Frame> frames;
-    const Frame world{{0, 0, 0, 0}, {1, 0, 0, 0}};
-    for (std::size_t i = 0; i < description_.links.size(); ++i) {
-      const Link& link = description_.links[i];
-      if (link.parent < 0) {
-        frames.push_back(inside(world, start.position, start.rotation));
-        continue;
-      }
-      Frame frame = inside(frames[static_cast<std::size_t>(link.parent)], link.offset, link.rotation);
-      if (bent) {
-        dQuaternion turn;
-        dQFromAxisAndAngle(turn, link.axis[0], link.axis[1], link.axis[2], start.joints[i - 1]);
-        frame = inside(frame, {0, 0, 0}, {turn[0], turn[1], turn[2], turn[3]});
-      }
-      frames.push_back(frame);
-    }
-    return frames;
   }
 
   double compliance(const Link& link) const { return 1 / (description_.step * link.gain + link.damping); }
