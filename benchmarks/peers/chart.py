@@ -3,7 +3,7 @@ import subprocess
 
 from running import fail
 
-SETTINGS = """set terminal pngcairo size 1100,520 font "sans,11"
+SETTINGS = """set terminal pngcairo noenhanced size 1100,520 font 'sans,11' background '#ffffff'
 set output "{file}"
 set logscale y
 set yrange [0.8:*]

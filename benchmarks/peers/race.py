@@ -29,6 +29,7 @@ import steps
 import worlds
 from running import ROOT, Machine, fail, find_python, install
 
+SCHEMA = "murosimf/race/1"
 PARTS = {
     "walk": steps.part("walk", [1, 10, 22]),
     "squat": steps.part("squat", [1, 10, 22]),
@@ -54,7 +55,7 @@ def parse(arguments=None):
     parser.add_argument("--robots", type=int, action="append", help="in the scenes of walk, squat and heap (again: several)")
     parser.add_argument("--engines", nargs="+", metavar="WORD", help="only engines whose names have one of these, and ours")
     parser.add_argument("--quick", action="store_true", help="one short round of little: does it run?")
-    parser.add_argument("--out", type=pathlib.Path, help="JSON file to write")
+    parser.add_argument("--out", type=pathlib.Path, help="JSON file to write; parts that it has and that are not raced now stay")
     parser.add_argument("--chart", type=pathlib.Path, help="PNG file to write (gnuplot)")
     options = parser.parse_args(arguments)
     unknown = [part for part in options.parts if part not in PARTS]
@@ -70,6 +71,19 @@ def parse(arguments=None):
     if options.quick:
         options.rounds, options.length = 1, 1
     return options
+
+
+def earlier_parts(file):
+    """Of a race that was written to the file before."""
+    if not file or not file.exists():
+        return {}
+    try:
+        document = json.loads(file.read_text())
+        if document["schema"] == SCHEMA:
+            return document["parts"]
+    except (OSError, ValueError, KeyError, TypeError):
+        pass
+    return fail(f"{file} is no document of a race: it stays as it is")
 
 
 def processor():
@@ -90,7 +104,7 @@ def main():
     machine = Machine(options.build, python)
     about = {"processor": processor(), "threads": os.cpu_count(), "load": os.getloadavg()[0], "rounds": options.rounds}
     print(f"{about['processor']}, {about['threads']} threads, load {about['load']:.1f}, {options.rounds} rounds", flush=True)
-    document = {"schema": "murosimf/race/1", "machine": about, "parts": {}, "missing": machine.missing}
+    document = {"schema": SCHEMA, "machine": about, "parts": earlier_parts(options.out), "missing": machine.missing}
     for name in options.parts or PARTS:
         begin = time.perf_counter()
         rows = PARTS[name](machine, options)

@@ -47,7 +47,8 @@ class QuickRace(unittest.TestCase):
             out, chart = pathlib.Path(folder) / "race.json", pathlib.Path(folder) / "race.png"
             cls.done = race("--quick", "--out", out)
             cls.document = json.loads(out.read_text()) if out.is_file() else None
-            cls.drawn = race("slope", "--quick", "--chart", chart)
+            cls.drawn = race("slope", "--quick", "--out", out, "--chart", chart)
+            cls.again = json.loads(out.read_text()) if out.is_file() else None
             cls.picture = chart.read_bytes() if chart.is_file() else b""
 
     def rows(self, part):
@@ -66,6 +67,10 @@ class QuickRace(unittest.TestCase):
         for part in ("walk", "squat", "heap", "slope", "worlds", "games", "growth"):
             self.assertTrue(self.rows(part), part)
             self.assertIn(f"{part}: took", self.done.stdout)
+
+    def test_parts_of_an_earlier_race_stay(self):
+        self.assertEqual(self.again["parts"]["walk"], self.document["parts"]["walk"])
+        self.assertNotEqual(self.again["parts"]["slope"], self.document["parts"]["slope"])
 
     def test_robots_of_ours_stand_and_walk(self):
         walk, squat, slope = (self.rows(part)[0]["observed"] for part in ("walk", "squat", "slope"))
@@ -153,6 +158,14 @@ class BadInput(unittest.TestCase):
                 (["walk", "--quick", "--python", "/no/such/python"], "has no MuJoCo")):
             with self.subTest(arguments):
                 self.refused(race(*arguments), words)
+
+    def test_other_files_are_not_overwritten(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder) / "notes.json"
+            for text in ("my notes", "[]", '{"schema": "murosimf/run/1"}'):
+                out.write_text(text)
+                self.refused(race("games", "--quick", "--out", out), "is no document of a race")
+                self.assertEqual(out.read_text(), text)
 
     def test_arguments_of_a_program(self):
         for arguments, words in (
