@@ -91,7 +91,7 @@ class PinocchioKernels final : public Kernels {
 
 }  // namespace
 
-std::unique_ptr<Kernels> pinocchio_kernels(const Description& description) {
+__attribute__((visibility("default"))) std::unique_ptr<Kernels> pinocchio_kernels(const Description& description) {
   return std::make_unique<PinocchioKernels>(description);
 }
 
