@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/motion/articulated_lanes.h"
 #include "murosimf/motion/coulomb_damping.h"
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/multibody/gear_friction.h"
@@ -60,17 +59,6 @@ void ArticulatedDynamics::start_loads() {
   std::fill(motor_torque_.begin(), motor_torque_.end(), 0.0);
   std::fill(joint_load_.begin(), joint_load_.end(), 0.0);
   std::fill(felt_acceleration_.begin(), felt_acceleration_.end(), Twistd{{}, -tree_.gravity});
-}
-
-/// Wheels, play, heat and couplings have branches of their own in each robot.
-bool ArticulatedDynamics::goes_with(const Algorithm& other) const {
-  const auto* same = dynamic_cast<const ArticulatedDynamics*>(&other);
-  return same && tree_.goes_with(same->tree_) && servo_law_ == same->servo_law_ && couplings_.empty() &&
-         drives_.are_alike() && motor_torque_.empty() == same->motor_torque_.empty();
-}
-
-std::unique_ptr<LaneGroup> ArticulatedDynamics::join(std::span<Algorithm* const> members) const {
-  return std::make_unique<ArticulatedLanes>(members_of<ArticulatedDynamics>(members));
 }
 
 void ArticulatedDynamics::check_inertias() {

@@ -24,6 +24,17 @@ void fill_unloaded(multibody::ArticulatedLink<Pack8>& body, bool leaf) {
 
 }  // namespace
 
+/// Wheels, play, heat and couplings have branches of their own in each robot.
+bool ArticulatedDynamics::goes_with(const Algorithm& other) const {
+  const auto* same = dynamic_cast<const ArticulatedDynamics*>(&other);
+  return same && tree_.goes_with(same->tree_) && servo_law_ == same->servo_law_ && couplings_.empty() &&
+         drives_.are_alike() && motor_torque_.empty() == same->motor_torque_.empty();
+}
+
+std::unique_ptr<LaneGroup> ArticulatedDynamics::join(std::span<Algorithm* const> members) const {
+  return std::make_unique<ArticulatedLanes>(members_of<ArticulatedDynamics>(members));
+}
+
 ArticulatedLanes::ArticulatedLanes(std::vector<ArticulatedDynamics*> members)
     : members_(std::move(members)),
       trees_([&] {
