@@ -22,7 +22,8 @@ void add_scene(const Command& command, SceneArguments& scene) {
   command.add("--threads", scene.threads, "Threads; results do not depend on their number")
       .within(1, 256)
       .shows_default();
-  command.add("--no-lanes", scene.no_lanes, "Equal robots step one by one instead of together; the same results, later");
+  command.add("--no-lanes", scene.no_lanes,
+              "Equal robots step one by one instead of together; the same results, later");
   add_seed(command, scene.seed);
   command.add("--set", scene.overrides, "PATH=VALUE: change the scene, for example 'blue.*.level=simplified_dynamics'")
       .one_at_a_time();

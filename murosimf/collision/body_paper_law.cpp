@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "murosimf/collision/contact_law_parts.h"
-#include "murosimf/collision/deepest_points.h"
 
 namespace murosimf::collision {
 namespace {

@@ -1,7 +1,8 @@
-/// contact_law_parts.h - parts of the contact force that several laws share.
+/// contact_law_parts.h - parts of the contact force that several laws share, and which points the paper's laws keep.
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "murosimf/collision/contact.h"
 
@@ -36,5 +37,22 @@ inline void clear_force(ContactPoint& c) noexcept {
 /// Rolling resistance of a round body, -rolling r f_n w / |w|, as a damping b [N m s]: moment = -b w. It falls linearly
 /// to zero below 0.5 rad/s. Zero for corners.
 [[nodiscard]] double rolling_damping(const ContactPoint& c, const ContactParameters& p, double f_n) noexcept;
+
+/// One point for everything that touches: the deepest, as in the paper (5.3, "there is only one contact point").
+/// Keeps the deepest of those points that belong together, the first of equals; then sorts them by `before`.
+template <class Point, class Together, class Before>
+void keep_deepest(std::vector<Point>& points, Together together, Before before) {
+  auto end = points.begin();  // of those that are kept
+  for (const Point& point : points) {
+    const auto best = std::find_if(points.begin(), end, [&](const Point& other) { return together(point, other); });
+    if (best == end) {
+      *end++ = point;
+    } else if (point.depth > best->depth) {
+      *best = point;
+    }
+  }
+  points.erase(end, points.end());
+  std::sort(points.begin(), points.end(), before);
+}
 
 }  // namespace murosimf::collision

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "murosimf/collision/contact_law_parts.h"
-#include "murosimf/collision/deepest_points.h"
 #include "murosimf/collision/soft_start.h"
 
 namespace murosimf::collision {

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -17,7 +18,11 @@ class Hasher {
     state_ = (state_ ^ (state_ >> 27)) * 0x94D049BB133111EBu;
     state_ ^= state_ >> 31;
   }
-  void add(double number) noexcept { add(std::bit_cast<std::uint64_t>(number)); }
+  /// By its bits, but all that are no number are one: which of them an operation gives is the compiler's choice.
+  void add(double number) noexcept {
+    const double known = number == number ? number : std::numeric_limits<double>::quiet_NaN();
+    add(std::bit_cast<std::uint64_t>(known));
+  }
   void add(std::string_view text) noexcept {
     add(static_cast<std::uint64_t>(text.size()));
     for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -25,6 +26,15 @@ TEST(Hash, OrderAndCountMatter) {
   EXPECT_NE(hash_of(1.0), hash_of(1.0, 1.0));
   EXPECT_NE(hash_of(0.0), hash_of(0.0, 0.0));
   EXPECT_EQ(hash_of(1.0, 2.0), hash_of(1.0, 2.0));
+}
+
+// Rule: whatever is no number is the same, and nothing else is.
+TEST(Hash, WhatIsNoNumberIsOne) {
+  const double usual = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(hash_of(-usual), hash_of(usual));
+  EXPECT_EQ(hash_of(std::bit_cast<double>(std::uint64_t{0xfff8000000001234})), hash_of(usual));
+  EXPECT_NE(hash_of(std::numeric_limits<double>::infinity()), hash_of(usual));
+  EXPECT_NE(hash_of(-0.0), hash_of(0.0));
 }
 
 // Law: one changed bit changes about half of the 64 bits (avalanche). Tolerance: the mean over 64 flips of a fair

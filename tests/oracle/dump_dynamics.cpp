@@ -86,8 +86,8 @@ class Robot {
   }
 
   [[nodiscard]] std::vector<double> forces() const {
-    std::vector<double> qdd(links_.size()), torque(links_.size());
-    std::vector<Wrenchd> force(links_.size());
+    std::vector<double> qdd(tree_.links.size()), torque(tree_.links.size());
+    std::vector<Wrenchd> force(tree_.links.size());
     for (std::size_t i = 0; i < rows_.size(); ++i) qdd[rows_[i]] = state_.joint_acceleration[i];
     const Twistd base{state_.base_acceleration.w, state_.base_acceleration.v - gravity};
     multibody::inverse_dynamics<double>(tree_, links_, base, qdd, external_, force, torque);
