@@ -6,12 +6,14 @@
 namespace murosimf {
 namespace {
 
-/// Into how many groups `members` are shared out: no more than eight each, at least two.
+/// Into how many groups `members` are shared out: no more than eight each, and no fewer than make a pack worth its while, unless
+/// there is a thread for everybody.
 std::size_t number_of_groups(std::size_t members, std::size_t threads) {
-  constexpr std::size_t lanes = Pack8::lanes;
+  constexpr std::size_t lanes = Pack8::lanes, fewest = Pack8::registers + 1;
+  if (members <= threads || members < fewest) return members;
   const std::size_t needed = (members + lanes - 1) / lanes;
   const std::size_t even = (needed + threads - 1) / threads * threads;
-  return std::clamp(even, needed, std::max(needed, members / 2));
+  return std::clamp(even, needed, std::max(needed, members / fewest));
 }
 
 }  // namespace
@@ -26,7 +28,9 @@ const std::vector<std::vector<Job>>& LaneJobs::of(const std::vector<Wave>& waves
 
 std::size_t LaneJobs::members_in_groups() const {
   std::set<std::size_t> members;
-  for (const auto& [algorithms, group] : groups_) members.insert(algorithms.begin(), algorithms.end());
+  for (const auto& [algorithms, group] : groups_) {
+    if (group) members.insert(algorithms.begin(), algorithms.end());
+  }
   return members.size();
 }
 
@@ -40,19 +44,31 @@ std::vector<Job> LaneJobs::jobs_of(const Wave& wave) {
       };
       Job job{{at(g), at(g + 1)}, nullptr};
       if (job.algorithms.size() > 1) job.lanes = group(job.algorithms);
-      jobs.push_back(std::move(job));
+      if (job.lanes || job.algorithms.size() == 1) {
+        jobs.push_back(std::move(job));
+      } else {  // they would rather not
+        for (const std::size_t algorithm : job.algorithms) jobs.push_back({{algorithm}, nullptr});
+      }
     }
   }
   return jobs;
 }
 
-/// In the order of their first members.
+/// In the order of their first members. Most algorithms go with nobody, not even their like: nobody is asked about these.
 std::vector<Wave> LaneJobs::families(const Wave& wave) const {
   std::vector<Wave> result;
+  std::vector<std::size_t> open;  // families of which there may be more
   for (const std::size_t algorithm : wave) {
-    const auto family = std::find_if(result.begin(), result.end(),
-                                     [&](const Wave& other) { return go_together(other.front(), algorithm); });
-    family == result.end() ? result.push_back({algorithm}) : family->push_back(algorithm);
+    const bool goes = go_together(algorithm, algorithm);
+    const auto family = std::find_if(open.begin(), open.end(), [&](std::size_t other) {
+      return goes && go_together(result[other].front(), algorithm);
+    });
+    if (family != open.end()) {
+      result[*family].push_back(algorithm);
+      continue;
+    }
+    if (goes) open.push_back(result.size());
+    result.push_back({algorithm});
   }
   return result;
 }

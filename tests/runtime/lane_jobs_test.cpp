@@ -20,6 +20,8 @@ class Counting final : public LaneGroup {
   std::size_t members_;
 };
 
+constexpr int refusing = -1;  // a kind of which no group is made
+
 /// Goes with those of its kind.
 class OfKind final : public Algorithm {
  public:
@@ -30,6 +32,7 @@ class OfKind final : public Algorithm {
     return kind_ == static_cast<const OfKind&>(other).kind_;
   }
   [[nodiscard]] std::unique_ptr<LaneGroup> join(std::span<Algorithm* const> members) const override {
+    if (kind_ == refusing) return nullptr;
     return std::make_unique<Counting>(members.size());
   }
 
@@ -92,9 +95,9 @@ class Jobs {
 using Sizes = std::vector<std::size_t>;
 
 TEST(LaneJobs, ThoseThatGoTogetherStepTogether) {
-  const Jobs jobs({1, 2, 1, 3, 2, 1}, 1);
-  EXPECT_EQ(jobs.all(), (std::vector<Sizes>{{0, 2, 5}, {1, 4}, {3}}));
-  EXPECT_EQ(jobs.in_groups(), 5);
+  const Jobs jobs({1, 2, 1, 2, 1, 3, 2, 1, 2, 1, 2}, 1);
+  EXPECT_EQ(jobs.all(), (std::vector<Sizes>{{0, 2, 4, 7, 9}, {1, 3, 6, 8, 10}, {5}}));
+  EXPECT_EQ(jobs.in_groups(), 10);
 }
 
 TEST(LaneJobs, EightAtMostInEvenGroups) {
@@ -104,16 +107,21 @@ TEST(LaneJobs, EightAtMostInEvenGroups) {
 }
 
 TEST(LaneJobs, EveryThreadGetsItsShare) {
-  EXPECT_EQ(Jobs(std::vector<int>(8, 1), 2).sizes(), (Sizes{4, 4}));
   EXPECT_EQ(Jobs(std::vector<int>(22, 1), 2).sizes(), (Sizes{5, 6, 5, 6}));
-  EXPECT_EQ(Jobs(std::vector<int>(6, 1), 16).sizes(), (Sizes{2, 2, 2})) << "at least two each";
+  EXPECT_EQ(Jobs(std::vector<int>(16, 1), 2).sizes(), (Sizes{8, 8}));
+  EXPECT_EQ(Jobs(std::vector<int>(6, 1), 16).sizes(), (Sizes{1, 1, 1, 1, 1, 1})) << "a thread for everybody";
   EXPECT_EQ(Jobs(std::vector<int>(1, 1), 16).sizes(), (Sizes{1}));
 }
 
 TEST(LaneJobs, OtherPeriodsAndLonersStepAlone) {
-  const Jobs jobs(std::vector<Duration>{1ms, 5ms, 0ms, 1ms, 0ms, 5ms});
-  EXPECT_EQ(jobs.all(), (std::vector<Sizes>{{0, 3}, {1, 5}, {2}, {4}}));
-  EXPECT_EQ(jobs.in_groups(), 4);
+  const Jobs jobs(std::vector<Duration>{1ms, 5ms, 0ms, 1ms, 1ms, 5ms, 0ms, 1ms, 5ms, 5ms, 1ms, 5ms});
+  EXPECT_EQ(jobs.all(), (std::vector<Sizes>{{0, 3, 4, 7, 10}, {1, 5, 8, 9, 11}, {2}, {6}}));
+  EXPECT_EQ(jobs.in_groups(), 10);
+}
+
+TEST(LaneJobs, WhoMakesNoGroupStepsAlone) {
+  EXPECT_EQ(Jobs(std::vector<int>(8, refusing), 1).sizes(), Sizes(8, 1));
+  EXPECT_EQ(Jobs(std::vector<int>(8, refusing), 1).in_groups(), 0);
 }
 
 }  // namespace
