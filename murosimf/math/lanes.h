@@ -1,7 +1,7 @@
 /// lanes.h - the numbers of up to eight equal things, each in its own lane of packs, and back again.
 ///
 /// Numbers of one thing stand in a row of doubles; the same numbers of eight things are a row of packs of the same length. A
-/// structure T<S> of nothing but numbers is such a row: T<double> has as many doubles as T<Pack8> has packs.
+/// structure `T<S>` of nothing but numbers is such a row: `T<double>` has as many doubles as `T<Pack8>` has packs.
 #pragma once
 
 #include <array>
