@@ -37,16 +37,8 @@ std::unique_ptr<LaneGroup> ArticulatedDynamics::join(std::span<Algorithm* const>
 
 ArticulatedLanes::ArticulatedLanes(std::vector<ArticulatedDynamics*> members)
     : members_(std::move(members)),
-      trees_([&] {
-        std::vector<MovingTree*> trees;
-        for (ArticulatedDynamics* member : members_) trees.push_back(&member->tree_);
-        return trees;
-      }()),
-      motors_([&] {
-        std::vector<const JointDrives*> robots;
-        for (const ArticulatedDynamics* member : members_) robots.push_back(&member->drives_);
-        return robots;
-      }()),
+      trees_(parts_of(members_, [](ArticulatedDynamics& member) { return &member.tree_; })),
+      motors_(parts_of(members_, [](const ArticulatedDynamics& member) { return &member.drives_; })),
       leaf_(trees_.links.size(), true),
       drives_(trees_.links.size()),
       friction_(trees_.links.size()),

@@ -6,11 +6,7 @@ namespace murosimf::motion {
 
 FullLanes::FullLanes(std::vector<FullDynamics*> members)
     : members_(std::move(members)),
-      trees_([&] {
-        std::vector<MovingTree*> trees;
-        for (FullDynamics* member : members_) trees.push_back(&member->tree_);
-        return trees;
-      }()),
+      trees_(parts_of(members_, [](FullDynamics& member) { return &member.tree_; })),
       joint_acceleration_(trees_.links.size()),
       joint_torque_(trees_.links.size()),
       joint_motion_(trees_.links.size()),

@@ -12,6 +12,14 @@ namespace murosimf::motion {
 /// With fewer robots, one after the other is faster.
 inline constexpr int fewest_in_lanes = Pack8::registers + 1;
 
+/// What part(member) says of each member of a group: pointers to a part of it.
+template <class Member, class Part>
+[[nodiscard]] auto parts_of(const std::vector<Member*>& members, const Part& part) {
+  std::vector<decltype(part(*members.front()))> parts;
+  for (Member* member : members) parts.push_back(part(*member));
+  return parts;
+}
+
 class PoseLanes {
  public:
   /// One to eight robots of one model; their columns outlive this.

@@ -5,11 +5,8 @@
 namespace murosimf::motion {
 
 RigidLanes::RigidLanes(std::vector<SimplifiedDynamics*> members)
-    : members_(std::move(members)), poses_([&] {
-        std::vector<PoseColumns*> columns;
-        for (SimplifiedDynamics* member : members_) columns.push_back(&member->columns_);
-        return columns;
-      }()) {}
+    : members_(std::move(members)),
+      poses_(parts_of(members_, [](SimplifiedDynamics& member) { return &member.columns_; })) {}
 
 void RigidLanes::step(LaneMask due, const Instant& instant) noexcept {
   if (std::popcount(due) < fewest_in_lanes) {

@@ -5,11 +5,7 @@
 namespace murosimf::motion {
 
 TreeLanes::TreeLanes(std::vector<MovingTree*> trees)
-    : poses([&] {
-        std::vector<PoseColumns*> columns;
-        for (MovingTree* tree : trees) columns.push_back(&tree->columns);
-        return columns;
-      }()),
+    : poses(parts_of(trees, [](MovingTree& tree) { return &tree.columns; })),
       links(poses.structure.links.size()),
       trees_(std::move(trees)) {}
 

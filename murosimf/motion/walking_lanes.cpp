@@ -5,11 +5,8 @@
 namespace murosimf::motion {
 
 WalkingLanes::WalkingLanes(std::vector<KinematicWalking*> members)
-    : members_(std::move(members)), poses_([&] {
-        std::vector<PoseColumns*> columns;
-        for (KinematicWalking* member : members_) columns.push_back(&member->columns_);
-        return columns;
-      }()) {}
+    : members_(std::move(members)),
+      poses_(parts_of(members_, [](KinematicWalking& member) { return &member.columns_; })) {}
 
 void WalkingLanes::step(LaneMask due, const Instant& instant) noexcept {
   if (std::popcount(due) < fewest_in_lanes) {
