@@ -1,24 +1,21 @@
 #include "murosimf/runtime/lane_jobs.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace murosimf {
 namespace {
 
-/// Into how many groups `members` are shared out: no more than eight each, and no fewer than make a pack worth its while, unless
-/// there is a thread for everybody.
-std::size_t number_of_groups(std::size_t members, std::size_t threads) {
+/// Into how many groups `members` are shared out: no more than eight each, and no fewer than make a pack worth its while.
+std::size_t number_of_groups(std::size_t members) {
   constexpr std::size_t lanes = Pack8::lanes, fewest = Pack8::registers + 1;
-  if (members <= threads || members < fewest) return members;
-  const std::size_t needed = (members + lanes - 1) / lanes;
-  const std::size_t even = (needed + threads - 1) / threads * threads;
-  return std::clamp(even, needed, std::max(needed, members / fewest));
+  return members < fewest ? members : (members + lanes - 1) / lanes;
 }
 
 }  // namespace
 
-const std::vector<std::vector<Job>>& LaneJobs::of(const std::vector<Wave>& waves) {
+const std::vector<WaveJobs>& LaneJobs::of(const std::vector<Wave>& waves) {
   const auto [place, added] = jobs_.try_emplace(&waves);
   if (added) {
     for (const Wave& wave : waves) place->second.push_back(jobs_of(wave));
@@ -34,24 +31,32 @@ std::size_t LaneJobs::members_in_groups() const {
   return members.size();
 }
 
-std::vector<Job> LaneJobs::jobs_of(const Wave& wave) {
-  std::vector<Job> jobs;
-  for (const Wave& family : families(wave)) {
-    const std::size_t groups = number_of_groups(family.size(), threads_);
-    for (std::size_t g = 0; g < groups; ++g) {
-      const auto at = [&](std::size_t part) {
-        return family.begin() + static_cast<std::ptrdiff_t>(part * family.size() / groups);
-      };
-      Job job{{at(g), at(g + 1)}, nullptr};
-      if (job.algorithms.size() > 1) job.lanes = group(job.algorithms);
-      if (job.lanes || job.algorithms.size() == 1) {
-        jobs.push_back(std::move(job));
-      } else {  // they would rather not
-        for (const std::size_t algorithm : job.algorithms) jobs.push_back({{algorithm}, nullptr});
-      }
+WaveJobs LaneJobs::jobs_of(const Wave& wave) {
+  WaveJobs result;
+  for (std::size_t thread = 0; thread < threads_; ++thread) {
+    Wave share;
+    std::copy_if(wave.begin(), wave.end(), std::back_inserter(share),
+                 [&](std::size_t algorithm) { return members_[algorithm].home == thread; });
+    for (const Wave& family : families(share)) add_jobs(family, result.jobs);
+    result.ends.push_back(result.jobs.size());
+  }
+  return result;
+}
+
+void LaneJobs::add_jobs(const Wave& family, std::vector<Job>& jobs) {
+  const std::size_t groups = number_of_groups(family.size());
+  for (std::size_t g = 0; g < groups; ++g) {
+    const auto at = [&](std::size_t part) {
+      return family.begin() + static_cast<std::ptrdiff_t>(part * family.size() / groups);
+    };
+    Job job{{at(g), at(g + 1)}, nullptr};
+    if (job.algorithms.size() > 1) job.lanes = group(job.algorithms);
+    if (job.lanes || job.algorithms.size() == 1) {
+      jobs.push_back(std::move(job));
+    } else {  // they would rather not
+      for (const std::size_t algorithm : job.algorithms) jobs.push_back({{algorithm}, nullptr});
     }
   }
-  return jobs;
 }
 
 /// In the order of their first members. Most algorithms go with nobody, not even their like: nobody is asked about these.

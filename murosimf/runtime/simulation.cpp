@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -140,9 +141,9 @@ void Simulation::step() {
   poses_.publish(*world_, now_, ticks_);
 }
 
-void Simulation::run_wave(const Wave& wave, const std::vector<Job>& jobs) {
+void Simulation::run_wave(const Wave& wave, const WaveJobs& work) {
   if constexpr (checked) checks_.before_wave(*world_, ticks_);
-  pool_.for_each(jobs.size(), [&](std::size_t i) { execute(jobs[i]); });
+  pool_.for_each(std::span<const std::size_t>(work.ends), [&](std::size_t i) { execute(work.jobs[i]); });
   if constexpr (checked) {
     std::vector<const AccessSet*> access;
     for (const std::size_t task : wave) access.push_back(&tasks_[task]->access);
@@ -209,12 +210,28 @@ void Simulation::use_lanes(bool use) {
   if (initialized_) lane_jobs_ = plan_lanes();
 }
 
+/// Robots of one model at the same level take equally long.
+Homes Simulation::find_homes() const {
+  std::map<std::pair<const Model*, std::string_view>, std::vector<const Entity*>> alike;
+  std::vector<const std::vector<const Entity*>*> in_order;  // of attaching: pointers have none that is always the same
+  for (const auto& task : tasks_) {
+    if (!task->level) continue;
+    auto& entities = alike[{&task->entity->model(), task->name}];
+    if (entities.empty()) in_order.push_back(&entities);
+    entities.push_back(task->entity);
+  }
+  Homes homes(static_cast<std::size_t>(pool_.threads()));
+  for (const auto* entities : in_order) homes.share_out(*entities);
+  return homes;
+}
+
 /// Who makes steps of its own length is due when the others are not.
 LaneJobs Simulation::plan_lanes() const {
+  const Homes homes = find_homes();
   std::vector<LaneJobs::Member> members;
   for (const auto& task : tasks_) {
     const bool alone = !use_lanes_ || task->step_ratio;
-    members.push_back({alone ? nullptr : task->algorithm.get(), task->period});
+    members.push_back({alone ? nullptr : task->algorithm.get(), task->period, homes.of(*task->entity)});
   }
   return {std::move(members), pool_.threads()};
 }

@@ -31,6 +31,7 @@
 #include "murosimf/model/setup.h"
 #include "murosimf/model/world.h"
 #include "murosimf/runtime/command_queue.h"
+#include "murosimf/runtime/homes.h"
 #include "murosimf/runtime/lane_jobs.h"
 #include "murosimf/runtime/pacer.h"
 #include "murosimf/runtime/plan.h"
@@ -248,7 +249,7 @@ class Simulation {
   void check_and_plan();
   void align_plan();
   void restart_checks();
-  void run_wave(const Wave& wave, const std::vector<Job>& jobs);
+  void run_wave(const Wave& wave, const WaveJobs& jobs);
   void make_timed_calls();
   void make(const TimedCall& call);
   void start();
@@ -262,6 +263,7 @@ class Simulation {
   static void keep_memory(Task& task);
   static void recall_first(Task& task);
   void state(StateArchive& archive);
+  [[nodiscard]] Homes find_homes() const;
   [[nodiscard]] LaneJobs plan_lanes() const;
   void execute(Task& task) noexcept;
   void execute(const Job& job) noexcept;

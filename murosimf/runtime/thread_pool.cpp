@@ -10,7 +10,8 @@ namespace murosimf {
 namespace {
 
 constexpr std::uint64_t items = 0xffffffff;
-constexpr int spins = 2000;  // some ten microseconds: the time between two waves
+constexpr int spins = 2000;    // some ten to hundred microseconds: the time between two waves
+constexpr int patience = 200;  // a microsecond: less is not worth having another thread fetch an entity into its caches
 
 void relax() {
 #if defined(__x86_64__)
@@ -20,9 +21,9 @@ void relax() {
 
 }  // namespace
 
-ThreadPool::ThreadPool(int threads) {
+ThreadPool::ThreadPool(int threads) : shares_(static_cast<std::size_t>(threads)) {
   try {
-    for (int t = 1; t < threads; ++t) workers_.emplace_back([this] { work(); });
+    for (std::size_t t = 1; t < shares_.size(); ++t) workers_.emplace_back([this, t] { work(shares_[t]); });
   } catch (const std::system_error& error) {
     const std::size_t begun = workers_.size() + 1;
     stop();  // nobody calls the destructor of what was not constructed
@@ -38,47 +39,62 @@ ThreadPool::~ThreadPool() { stop(); }
 
 void ThreadPool::stop() {
   stop_.store(true);
-  open_.fetch_add(items + 1);
-  open_.notify_all();
+  waves_.fetch_add(1);
+  waves_.notify_all();
   for (std::thread& worker : workers_) worker.join();
 }
 
-void ThreadPool::dispatch(std::size_t count, Call call, void* context) {
-  call_ = call;
-  context_ = context;
-  unfinished_.store(count, std::memory_order_relaxed);
-  const std::uint64_t generation = (open_.load(std::memory_order_relaxed) & ~items) + items + 1;
-  open_.store(generation | count, std::memory_order_release);
-  open_.notify_all();
-  while (run_one()) {
+void ThreadPool::dispatch(std::span<const std::size_t> ends, Call call, void* context) {
+  unfinished_.store(ends.back(), std::memory_order_relaxed);
+  std::size_t first = 0;
+  for (std::size_t t = 0; t < shares_.size(); ++t) {
+    Share& share = shares_[t];
+    share.first = first;
+    share.call = call;
+    share.context = context;
+    const std::uint64_t generation = (share.open.load(std::memory_order_relaxed) & ~items) + items + 1;
+    share.open.store(generation | (ends[t] - first), std::memory_order_release);
+    first = ends[t];
   }
-  for (int spin = 0; unfinished_.load(std::memory_order_acquire) != 0; ++spin) {
-    if (spin < spins) {
-      relax();
-    } else {
-      std::this_thread::yield();
-    }
+  waves_.fetch_add(1);
+  waves_.notify_all();
+  run_share(shares_.front());
+  for (int spin = 1; unfinished_.load(std::memory_order_acquire) != 0; ++spin) {
+    if (spin % patience == 0) help();
+    if (spin > spins) std::this_thread::yield();
+    relax();
   }
 }
 
-bool ThreadPool::run_one() {
-  std::uint64_t open = open_.load(std::memory_order_acquire);
+bool ThreadPool::run_share(Share& share) {
+  std::uint64_t done = 0;
+  while (run_one(share)) ++done;
+  if (done > 0) unfinished_.fetch_sub(done, std::memory_order_release);
+  return done > 0;
+}
+
+bool ThreadPool::run_one(Share& share) {
+  std::uint64_t open = share.open.load(std::memory_order_acquire);
   do {
     if ((open & items) == 0) return false;
-  } while (!open_.compare_exchange_weak(open, open - 1, std::memory_order_acq_rel, std::memory_order_acquire));
-  call_(context_, (open & items) - 1);
-  unfinished_.fetch_sub(1, std::memory_order_release);
+  } while (!share.open.compare_exchange_weak(open, open - 1, std::memory_order_acq_rel, std::memory_order_acquire));
+  share.call(share.context, share.first + (open & items) - 1);
   return true;
 }
 
-void ThreadPool::work() {
+void ThreadPool::help() {
+  for (Share& share : shares_) run_share(share);
+}
+
+void ThreadPool::work(Share& own) {
   while (!stop_.load(std::memory_order_relaxed)) {
-    for (int spin = 0; spin < spins; ++spin) {
-      if (run_one()) spin = 0;
+    const std::uint32_t waves = waves_.load(std::memory_order_acquire);
+    for (int spin = 1; spin < spins; ++spin) {
+      if (run_share(own)) spin = 1;
+      if (spin % patience == 0 && unfinished_.load(std::memory_order_relaxed) != 0) help();
       relax();
     }
-    const std::uint64_t open = open_.load(std::memory_order_acquire);
-    if ((open & items) == 0 && !stop_.load()) open_.wait(open, std::memory_order_acquire);
+    if (!stop_.load()) waves_.wait(waves, std::memory_order_acquire);
   }
 }
 

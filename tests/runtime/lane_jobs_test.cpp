@@ -40,14 +40,14 @@ class OfKind final : public Algorithm {
   int kind_;
 };
 
-/// The jobs of one wave of algorithms of these kinds.
+/// The jobs of one wave of algorithms of these kinds; neighbors are at home in the same of the threads.
 class Jobs {
  public:
   Jobs(const std::vector<int>& kinds, int threads) {
     std::vector<LaneJobs::Member> members;
-    for (const int kind : kinds) {
-      algorithms_.push_back(std::make_unique<OfKind>(kind));
-      members.push_back({algorithms_.back().get(), 1ms});
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      algorithms_.push_back(std::make_unique<OfKind>(kinds[i]));
+      members.push_back({algorithms_.back().get(), 1ms, i * static_cast<std::size_t>(threads) / kinds.size()});
     }
     use(std::move(members), threads);
   }
@@ -63,7 +63,7 @@ class Jobs {
 
   [[nodiscard]] std::vector<std::vector<std::size_t>> all() const {
     std::vector<std::vector<std::size_t>> result;
-    for (const Job& job : *jobs_) {
+    for (const Job& job : jobs_->jobs) {
       result.push_back(job.algorithms);
       const auto* group = static_cast<const Counting*>(job.lanes);
       EXPECT_EQ(group ? group->members() : 1, job.algorithms.size());
@@ -72,9 +72,11 @@ class Jobs {
   }
   [[nodiscard]] std::vector<std::size_t> sizes() const {
     std::vector<std::size_t> result;
-    for (const Job& job : *jobs_) result.push_back(job.algorithms.size());
+    for (const Job& job : jobs_->jobs) result.push_back(job.algorithms.size());
     return result;
   }
+  /// Behind the last job of each thread.
+  [[nodiscard]] const std::vector<std::size_t>& ends() const { return jobs_->ends; }
   [[nodiscard]] std::size_t in_groups() const { return lane_jobs_.members_in_groups(); }
 
  private:
@@ -89,7 +91,7 @@ class Jobs {
   std::vector<std::unique_ptr<OfKind>> algorithms_;
   std::vector<Wave> waves_;
   LaneJobs lane_jobs_;
-  const std::vector<Job>* jobs_ = nullptr;
+  const WaveJobs* jobs_ = nullptr;
 };
 
 using Sizes = std::vector<std::size_t>;
@@ -106,10 +108,20 @@ TEST(LaneJobs, EightAtMostInEvenGroups) {
   EXPECT_EQ(Jobs(std::vector<int>(22, 1), 1).sizes(), (Sizes{7, 7, 8}));
 }
 
-TEST(LaneJobs, EveryThreadGetsItsShare) {
-  EXPECT_EQ(Jobs(std::vector<int>(22, 1), 2).sizes(), (Sizes{5, 6, 5, 6}));
-  EXPECT_EQ(Jobs(std::vector<int>(16, 1), 2).sizes(), (Sizes{8, 8}));
-  EXPECT_EQ(Jobs(std::vector<int>(6, 1), 16).sizes(), (Sizes{1, 1, 1, 1, 1, 1})) << "a thread for everybody";
+TEST(LaneJobs, EveryThreadHasThoseThatAreAtHomeThere) {
+  const Jobs jobs(std::vector<int>(22, 1), 2);
+  EXPECT_EQ(jobs.sizes(), (Sizes{5, 6, 5, 6}));
+  EXPECT_EQ(jobs.ends(), (Sizes{2, 4}));
+  const Jobs mixed({1, 2, 1, 1, 2, 2, 1, 2, 2, 2, 2, 2}, 2);
+  EXPECT_EQ(mixed.all(), (std::vector<Sizes>{{0, 2, 3}, {1, 4, 5}, {6}, {7, 8, 9, 10, 11}}));
+  EXPECT_EQ(mixed.ends(), (Sizes{2, 4}));
+}
+
+TEST(LaneJobs, ThreadsWithoutWork) {
+  const Jobs jobs(std::vector<int>(6, 1), 16);
+  EXPECT_EQ(jobs.sizes(), Sizes(6, 1)) << "a thread for everybody";
+  EXPECT_EQ(jobs.ends().size(), 16);
+  EXPECT_EQ(jobs.ends().back(), 6);
   EXPECT_EQ(Jobs(std::vector<int>(1, 1), 16).sizes(), (Sizes{1}));
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -22,6 +23,33 @@ TEST(ThreadPool, RunsEveryItemOnce) {
       for (const int n : runs) ASSERT_EQ(n, 1);
     }
   }
+}
+
+TEST(ThreadPool, SharesMayBeAnything) {
+  ThreadPool pool(3);
+  const std::vector<std::vector<std::size_t>> all_ends{{0, 0, 0}, {1, 1, 1}, {0, 0, 1}, {5, 5, 5},
+                                                       {0, 7, 7}, {0, 0, 7}, {2, 3, 9}};
+  for (int round = 0; round < 500; ++round) {
+    for (const auto& ends : all_ends) {
+      std::vector<int> runs(ends.back(), 0);
+      pool.for_each(std::span<const std::size_t>(ends), [&](std::size_t i) { ++runs[i]; });
+      for (const int n : runs) ASSERT_EQ(n, 1);
+    }
+  }
+}
+
+// The caller's two items wait for each other: the other thread must take one of them when it has done its own.
+TEST(ThreadPool, WhoHasDoneItsShareHelps) {
+  ThreadPool pool(2);
+  const std::vector<std::size_t> ends{2, 3};
+  std::atomic<int> here = 0, met = 0;
+  pool.for_each(std::span<const std::size_t>(ends), [&](std::size_t i) {
+    if (i == 2) return;
+    ++here;
+    for (int wait = 0; here < 2 && wait < 10'000; ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (here == 2) ++met;
+  });
+  EXPECT_EQ(met, 2);
 }
 
 /// How many threads take part in a wave whose items wait for all of them, at most ten seconds.
