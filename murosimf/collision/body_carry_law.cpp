@@ -56,7 +56,7 @@ void take_back(std::vector<MovingEntity>& moving_entities, const PairContact& ol
 
 }  // namespace
 
-void BodyCarryLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept {
+void BodyCarryLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers&) noexcept {
   for (const PairContact& old : set.previous) {
     if (old.state != ContactState::open) take_back(moving_entities, old, dt);
   }

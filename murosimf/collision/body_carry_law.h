@@ -13,7 +13,7 @@ namespace murosimf::collision {
 class BodyCarryLaw final : public BodyContactLaw {
  public:
   [[nodiscard]] bool damps() const noexcept override { return true; }
-  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept override;
+  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers& helpers) noexcept override;
 };
 
 }  // namespace murosimf::collision

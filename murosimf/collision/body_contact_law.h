@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "murosimf/collision/moving_entity.h"
+#include "murosimf/model/helpers.h"
 
 namespace murosimf::collision {
 
@@ -21,7 +22,7 @@ class BodyContactLaw {
   [[nodiscard]] virtual bool damps() const noexcept { return false; }
   /// Gives every point of `set` its force and memory, and all entities what they feel; dt [s] is the length of the step. The
   /// points of the step before are in set.previous.
-  virtual void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept = 0;
+  virtual void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers& helpers) noexcept = 0;
 };
 
 }  // namespace murosimf::collision

@@ -10,60 +10,47 @@
 namespace murosimf::collision {
 namespace {
 
-// of moving entities that are members of no island
-constexpr int outside = -1;
-constexpr int insane = -2;  // it belongs to the island, but its numbers have gone bad
-
 bool ground_becomes_rows(const ContactSeam& seam) { return seam.law && seam.law->island_use() != IslandUse::never; }
 
 }  // namespace
 
-void BodyIslandLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept {
-  islands_.find(moving_entities, set);
+void BodyIslandLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt,
+                         Helpers& helpers) noexcept {
+  find_islands(moving_entities, set);
   for (PairContact& c : set.points) {
     // levels that cannot answer an island solver
     if (islands_.of(c) < 0)
       push_by_kelvin_voigt(moving_entities, c, for_explicit_step(set.parameters[c.surface], dt), dt);
   }
-  member_.assign(moving_entities.size(), outside);
-  for (int island = 0; island < islands_.count(); ++island) solve(island, moving_entities, set, dt);
+  helpers.for_each(entities_, [&](std::size_t i) {
+    const int member = in_islands_[i];
+    member_[member].number = start_member(moving_entities[member], dt) ? 0 : insane;
+  });
+  helpers.for_each(first_members_, [&](std::size_t i) { solve(static_cast<int>(i), moving_entities, set, dt); });
+  for (int island = 0; island < islands_.count(); ++island) push_members(island, moving_entities, set, dt);
+  helpers.for_each(entities_, [&](std::size_t i) { finish_member(in_islands_[i], moving_entities); });
 }
 
-void BodyIslandLaw::solve(int island, std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept {
-  const std::span<const int> members = islands_.members(island), touching = islands_.contacts(island);
-  solver_.start(dt);
-  bool stands = false;
-  for (const int i : members) {
-    member_[i] = start_member(moving_entities[i], dt);
-    stands |= !moving_entities[i].contacts.points.empty();
+void BodyIslandLaw::find_islands(const std::vector<MovingEntity>& moving_entities, const PairSet& set) {
+  islands_.find(moving_entities, set);
+  member_.resize(moving_entities.size());
+  if (island_.size() < static_cast<std::size_t>(islands_.count())) island_.resize(islands_.count());
+  in_islands_.clear();
+  entities_.clear();
+  first_members_.clear();
+  for (int i = 0; i < static_cast<int>(moving_entities.size()); ++i) {
+    member_[i].number = outside;
+    if (islands_.of(i) < 0) continue;
+    in_islands_.push_back(i);
+    entities_.push_back(moving_entities[i].entity);
   }
-  for (const int i : members) {
-    ContactSet& ground = moving_entities[i].contacts;
-    const ContactSeam& seam = moving_entities[i].seam;
-    if (member_[i] < 0 || !ground_becomes_rows(seam)) continue;
-    for (ContactPoint& c : ground.points) {
-      solver_.add(c, seam.terms.parameters[c.surface], side(i, c.object, c.velocity), {});
-    }
+  for (int island = 0; island < islands_.count(); ++island) {
+    first_members_.push_back(moving_entities[islands_.members(island).front()].entity);
   }
-  const auto is_row = [&](const PairContact& c) { return member_[c.a] != insane && member_[c.b] != insane; };
-  for (const int i : touching) {
-    PairContact& c = set.points[i];
-    if (!is_row(c)) continue;
-    solver_.add(c, set.parameters[c.surface], side(c.a, c.object, c.velocity_a), side(c.b, c.object_b, c.velocity_b));
-  }
-  solver_.sweep(sweeps_);
-  solver_.finish();
-  for (const int i : touching) {
-    const PairContact& c = set.points[i];
-    if (!is_row(c)) continue;
-    moving_entities[c.a].push(c.object, c.point, c.force, dt);
-    moving_entities[c.b].push(c.object_b, c.point, -c.force, dt);
-  }
-  for (const int i : members) finish_member(moving_entities[i], stands);
 }
 
-/// The free pass: pushes of users, explicit laws, and rolling resistance, which is no row.
-int BodyIslandLaw::start_member(MovingEntity& moving_entity, double dt) noexcept {
+/// The free pass: pushes of users, explicit laws, and rolling resistance, which is no row. Whether its numbers are sensible.
+bool BodyIslandLaw::start_member(MovingEntity& moving_entity, double dt) noexcept {
   ContactSet& ground = moving_entity.contacts;
   if (ground_becomes_rows(moving_entity.seam)) {
     for (const int object : ground.loaded) {
@@ -75,30 +62,75 @@ int BodyIslandLaw::start_member(MovingEntity& moving_entity, double dt) noexcept
       moving_entity.external_damping[c.object].J += diagonal(c.angular_damping);
     }
   }
-  return moving_entity.seam.response->free_pass(dt) ? solver_.add(*moving_entity.seam.response) : insane;
+  return moving_entity.seam.response->free_pass(dt);
 }
 
-/// Memory of a law that is no rows, and forces as they acted, for motion's report and for sensors.
-void BodyIslandLaw::finish_member(MovingEntity& moving_entity, bool island_stands) noexcept {
+/// Forces and memory of all contacts of an island.
+void BodyIslandLaw::solve(int number, std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept {
+  Island& island = island_[number];
+  IslandSolver& solver = island.solver;
+  solver.start(dt);
+  island.stands = false;
+  for (const int i : islands_.members(number)) {
+    if (member_[i].number != insane) member_[i].number = solver.add(*moving_entities[i].seam.response);
+    island.stands |= !moving_entities[i].contacts.points.empty();
+  }
+  for (const int i : islands_.members(number)) {
+    const ContactSeam& seam = moving_entities[i].seam;
+    if (member_[i].number < 0 || !ground_becomes_rows(seam)) continue;
+    for (ContactPoint& c : moving_entities[i].contacts.points) {
+      solver.add(c, seam.terms.parameters[c.surface], side(i, c.object, c.velocity), {});
+    }
+  }
+  for (const int i : islands_.contacts(number)) {
+    PairContact& c = set.points[i];
+    if (!is_row(c)) continue;
+    solver.add(c, set.parameters[c.surface], side(c.a, c.object, c.velocity_a), side(c.b, c.object_b, c.velocity_b));
+  }
+  solver.sweep(sweeps_);
+  solver.finish_points();
+}
+
+/// Several islands may push one entity that cannot be pushed, and add to its ledger.
+void BodyIslandLaw::push_members(int island, std::vector<MovingEntity>& moving_entities, const PairSet& set,
+                                 double dt) noexcept {
+  for (const int i : islands_.contacts(island)) {
+    const PairContact& c = set.points[i];
+    if (!is_row(c)) continue;
+    moving_entities[c.a].push(c.object, c.point, c.force, dt);
+    moving_entities[c.b].push(c.object_b, c.point, -c.force, dt);
+  }
+}
+
+/// What motion takes over, memory of a law that is no rows, and forces as they acted, for motion's report and for sensors.
+void BodyIslandLaw::finish_member(int number, std::vector<MovingEntity>& moving_entities) noexcept {
+  MovingEntity& moving_entity = moving_entities[number];
+  Member& member = member_[number];
+  const Island& island = island_[islands_.of(number)];
   ContactSet& ground = moving_entity.contacts;
   const ContactSeam& seam = moving_entity.seam;
+  if (member.number >= 0) island.solver.apply(member.number);
   if (seam.law) {
     if (!ground_becomes_rows(seam)) {
-      next_velocity_.clear();
+      member.next_velocity.clear();
       for (const ContactPoint& c : ground.points) {
-        next_velocity_.push_back(seam.response->free_velocity(c.object, c.point, c.velocity));
+        member.next_velocity.push_back(seam.response->free_velocity(c.object, c.point, c.velocity));
       }
-      seam.law->commit(ground.points, seam.terms, next_velocity_);
+      seam.law->commit(ground.points, seam.terms, member.next_velocity);
     }
     write_final_forces(ground, moving_entity.r, moving_entity.external_force);
     for (const int object : ground.loaded) moving_entity.external_damping[object] = Sym6d{};
   }
   ground.solved = true;
-  ground.island_stands = island_stands;
+  ground.island_stands = island.stands;
+}
+
+bool BodyIslandLaw::is_row(const PairContact& contact) const {
+  return member_[contact.a].number != insane && member_[contact.b].number != insane;
 }
 
 IslandSolver::Side BodyIslandLaw::side(int moving_entity, int object, const Vec3d& velocity) const {
-  return {member_[moving_entity], object, velocity};
+  return {member_[moving_entity].number, object, velocity};
 }
 
 }  // namespace murosimf::collision

@@ -5,6 +5,8 @@
 /// has the same force and memory (implicit_stick), so an entity changes between its own law and an island from step to step
 /// without a jump; explicit laws keep their force, and only contacts between bodies are rows. Contacts between entities that
 /// cannot answer a solver push explicitly (body_kelvin_voigt_law.h).
+///
+/// Threads share out the free passes, then the islands, then what motion takes over; in between, the pushes are added up in their order.
 #pragma once
 
 #include <vector>
@@ -24,19 +26,37 @@ class BodyIslandLaw final : public BodyContactLaw {
   explicit BodyIslandLaw(const BodyIslandOptions& options = {}) : sweeps_(options.sweeps) {}
 
   [[nodiscard]] bool implicit() const noexcept override { return true; }
-  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept override;
+  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers& helpers) noexcept override;
 
  private:
+  /// Of an island.
+  struct Island {
+    IslandSolver solver;
+    bool stands = false;  // on the ground
+  };
+  /// Of a moving entity.
+  struct Member {
+    int number = outside;                // in the solver of its island, or below 0
+    std::vector<Vec3d> next_velocity{};  // [m/s] of its points on the ground after the step; working memory
+  };
+  // of moving entities that are members of no solver
+  static constexpr int outside = -1;
+  static constexpr int insane = -2;  // it belongs to an island, but its numbers have gone bad
+
+  void find_islands(const std::vector<MovingEntity>& moving_entities, const PairSet& set);
+  static bool start_member(MovingEntity& moving_entity, double dt) noexcept;
   void solve(int island, std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept;
-  [[nodiscard]] int start_member(MovingEntity& moving_entity, double dt) noexcept;
-  void finish_member(MovingEntity& moving_entity, bool island_stands) noexcept;
+  void push_members(int island, std::vector<MovingEntity>& moving_entities, const PairSet& set, double dt) noexcept;
+  void finish_member(int moving_entity, std::vector<MovingEntity>& moving_entities) noexcept;
+  [[nodiscard]] bool is_row(const PairContact& contact) const;
   [[nodiscard]] IslandSolver::Side side(int moving_entity, int object, const Vec3d& velocity) const;
 
   int sweeps_;
   Islands islands_;
-  IslandSolver solver_;
-  std::vector<int> member_;           // by moving entity: its number in the solver of its island, or below 0
-  std::vector<Vec3d> next_velocity_;  // [m/s] of the points of one member after the step
+  std::vector<Island> island_;   // by its number; more may be there than islands, for their memory
+  std::vector<Member> member_;   // by moving entity
+  std::vector<int> in_islands_;  // moving entities, rising
+  std::vector<const Entity*> entities_, first_members_;  // of these, and of the islands
 };
 
 }  // namespace murosimf::collision

@@ -7,7 +7,7 @@
 
 namespace murosimf::collision {
 
-void BodyKelvinVoigtLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept {
+void BodyKelvinVoigtLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers&) noexcept {
   for (PairContact& c : set.points) push_by_kelvin_voigt(moving_entities, c, set.parameters[c.surface], dt);
 }
 

@@ -11,7 +11,7 @@ namespace murosimf::collision {
 
 class BodyKelvinVoigtLaw final : public BodyContactLaw {
  public:
-  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept override;
+  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers& helpers) noexcept override;
 };
 
 /// Force of one contact; also for contacts that another law has to leave out. `parameters` are those of the contact.

@@ -25,7 +25,7 @@ double bounded(double c, double dt, double S) { return c / (1 + dt * c * S); }
 
 }  // namespace
 
-void BodyPaperLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept {
+void BodyPaperLaw::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers&) noexcept {
   if (options_.one_point_per_body) keep_deepest(set.points, of_the_same_bodies, stands_before);
   parts_.start();
   touched_.clear();

@@ -23,7 +23,7 @@ class BodyPaperLaw final : public BodyContactLaw {
  public:
   explicit BodyPaperLaw(const PaperLawOptions& options = {}) : options_(options) {}
 
-  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept override;
+  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers& helpers) noexcept override;
 
  private:
   PaperLawOptions options_;

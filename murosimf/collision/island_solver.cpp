@@ -187,8 +187,17 @@ void IslandSolver::finish(Contact& c) noexcept {
 }
 
 void IslandSolver::finish() noexcept {
+  finish_points();
+  for (int i = 0; i < static_cast<int>(members_.size()); ++i) apply(i);
+}
+
+void IslandSolver::finish_points() noexcept {
   for (Contact& contact : contacts_) finish(contact);
-  for (const Member& m : members_) m.response->apply({z_.data() + m.offset, m.size});
+}
+
+void IslandSolver::apply(int member) const noexcept {
+  const Member& m = members_[member];
+  m.response->apply({z_.data() + m.offset, m.size});
 }
 
 }  // namespace murosimf::collision

@@ -44,6 +44,9 @@ class IslandSolver {
   int sweep(int sweeps) noexcept;
   /// Memory and forces of all points, and the impulses to the entities.
   void finish() noexcept;
+  /// The parts of that: all points, and the entity with this number.
+  void finish_points() noexcept;
+  void apply(int member) const noexcept;
 
   static constexpr double settled = 1e-7;  ///< [m/s]
 

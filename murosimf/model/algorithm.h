@@ -13,14 +13,16 @@
 namespace murosimf {
 
 class Entity;
+class Helpers;
 class LaneGroup;
 class Setup;
 class StateArchive;
 
 /// The moment at which an algorithm is executed.
 struct Instant {
-  Duration now{};     ///< simulated time at the beginning of the step
-  Duration period{};  ///< time until this algorithm's next step
+  Duration now{};              ///< simulated time at the beginning of the step
+  Duration period{};           ///< time until this algorithm's next step
+  Helpers* helpers = nullptr;  ///< threads that have nothing else to do meanwhile (helpers.h); null: there are none
 };
 
 /// The parts of a tick, in their order. Algorithms that conflict run by phase, those of one phase in the order in which they

@@ -143,6 +143,7 @@ void Simulation::step() {
 
 void Simulation::run_wave(const Wave& wave, const WaveJobs& work) {
   if constexpr (checked) checks_.before_wave(*world_, ticks_);
+  alone_in_wave_ = work.jobs.size() == 1;
   pool_.for_each(std::span<const std::size_t>(work.ends), [&](std::size_t i) { execute(work.jobs[i]); });
   if constexpr (checked) {
     std::vector<const AccessSet*> access;
@@ -168,7 +169,7 @@ void Simulation::check_and_plan() {
   }
   check_every_read_is_written(named);
   plan_ = Plan(planned, now_);
-  lane_jobs_ = plan_lanes();
+  plan_jobs();
   ticks_ = now_ / plan_.tick();
   planned_at_ = now_;
 }
@@ -207,7 +208,7 @@ std::string Simulation::full_name(const Task& task) { return fmt::format("{} of 
 
 void Simulation::use_lanes(bool use) {
   use_lanes_ = use;
-  if (initialized_) lane_jobs_ = plan_lanes();
+  if (initialized_) plan_jobs();
 }
 
 /// Robots of one model at the same level take equally long.
@@ -226,14 +227,14 @@ Homes Simulation::find_homes() const {
 }
 
 /// Who makes steps of its own length is due when the others are not.
-LaneJobs Simulation::plan_lanes() const {
-  const Homes homes = find_homes();
+void Simulation::plan_jobs() {
+  helpers_.use(find_homes());
   std::vector<LaneJobs::Member> members;
   for (const auto& task : tasks_) {
     const bool alone = !use_lanes_ || task->step_ratio;
-    members.push_back({alone ? nullptr : task->algorithm.get(), task->period, homes.of(*task->entity)});
+    members.push_back({alone ? nullptr : task->algorithm.get(), task->period, helpers_.homes().of(*task->entity)});
   }
-  return {std::move(members), pool_.threads()};
+  lane_jobs_ = {std::move(members), pool_.threads()};
 }
 
 void Simulation::execute(Task& task) noexcept {
@@ -245,7 +246,7 @@ void Simulation::execute(Task& task) noexcept {
   const AccessGuard guard(task.access);
 #endif
   Task* const alone = &task;
-  take_time({&alone, 1}, [&] { task.algorithm->step({now_, period}); });
+  take_time({&alone, 1}, [&] { task.algorithm->step({now_, period, alone_in_wave_ ? &helpers_ : nullptr}); });
 }
 
 void Simulation::execute(const Job& job) noexcept {

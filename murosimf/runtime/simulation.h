@@ -31,7 +31,7 @@
 #include "murosimf/model/setup.h"
 #include "murosimf/model/world.h"
 #include "murosimf/runtime/command_queue.h"
-#include "murosimf/runtime/homes.h"
+#include "murosimf/runtime/home_helpers.h"
 #include "murosimf/runtime/lane_jobs.h"
 #include "murosimf/runtime/pacer.h"
 #include "murosimf/runtime/plan.h"
@@ -264,7 +264,7 @@ class Simulation {
   static void recall_first(Task& task);
   void state(StateArchive& archive);
   [[nodiscard]] Homes find_homes() const;
-  [[nodiscard]] LaneJobs plan_lanes() const;
+  void plan_jobs();
   void execute(Task& task) noexcept;
   void execute(const Job& job) noexcept;
   template <class Step>
@@ -293,6 +293,8 @@ class Simulation {
   Duration planned_at_{};
   StepChecks checks_;  // used in debug builds only
   ThreadPool pool_;
+  HomeHelpers helpers_{pool_};
+  bool alone_in_wave_ = false;  // who steps now
   Duration now_{};
   std::int64_t ticks_ = 0;
   bool initialized_ = false;

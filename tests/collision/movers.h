@@ -94,6 +94,7 @@ struct Movers {
     }
   }
   static void stand_fast(MovingEntity& mover) { mover.entity->column(properties::dynamic).values[0] = 0; }
+  NoHelpers nobody;
   void start_step() {
     for (MovingEntity& mover : all) mover.start_step();
   }

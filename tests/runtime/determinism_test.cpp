@@ -7,6 +7,7 @@
 #include "murosimf/scene/scene.h"
 #include "tests/law.h"
 #include "tests/temp_folder.h"
+#include "tests/written_scene.h"
 
 namespace murosimf::test {
 namespace {
@@ -36,6 +37,35 @@ TEST(Determinism, HashDependsOnTheSeedOnly) {
 TEST(Determinism, HashDependsOnTheSeedOnlyWithLinks) {
   expect_one_hash("three full_dynamics against three articulated_dynamics",
                   {"red.*.level=full_dynamics", "blue.*.level=articulated_dynamics"});
+}
+
+/// Pairs of robots that walk into each other, some of whom cannot be pushed and touch two pairs.
+std::string pairs() {
+  std::string text =
+      "[defaults]\nmodel = \"kid21\"\nlevel = \"articulated_dynamics\"\ncontroller = \"walk\"\ncommand = [0.2, 0, 0]\n";
+  const auto add = [&](const std::string& name, double x, double y, const std::string& more) {
+    text += "[[robots]]\nname = \"" + name + "\"\nposition = [" + std::to_string(x) + ", " + std::to_string(y) + "]\n" +
+            more;
+  };
+  for (int i = 0; i < 5; ++i) {
+    add("east" + std::to_string(i), 0, 0.3 * i, "");
+    add("west" + std::to_string(i), 0.25, 0.3 * i, "heading_deg = 180\n");
+    if (i % 2 == 1)
+      add("post" + std::to_string(i), 0.12, 0.3 * i + 0.15, "level = \"kinematic_walking\"\ncommand = [0, 0, 0]\n");
+  }
+  return text;
+}
+
+// Islands are solved by several threads.
+TEST(Determinism, ManyIslandsOnManyThreads) {
+  const std::string file = fixtures::write_scene(pairs());
+  const auto hash_after = [&](int threads) {
+    scene::Scene scene(file, {.threads = threads});
+    scene.simulation().run(from_seconds(1.5));
+    return scene.simulation().state_hash();
+  };
+  const std::uint64_t one = hash_after(1);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(hash_after(threads), one) << threads << " threads";
 }
 
 // Adding a robot changes nobody else's start: jitter comes from streams named by robot, not drawn one by one.

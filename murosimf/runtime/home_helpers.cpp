@@ -1,0 +1,17 @@
+#include "murosimf/runtime/home_helpers.h"
+
+namespace murosimf {
+
+void HomeHelpers::share_out(std::span<const Entity* const> entities, Call call, void* context) noexcept {
+  order_.clear();
+  ends_.clear();
+  for (std::size_t thread = 0; thread < static_cast<std::size_t>(pool_.threads()); ++thread) {
+    for (std::size_t i = 0; i < entities.size(); ++i) {
+      if (homes_.of(*entities[i]) == thread) order_.push_back(i);
+    }
+    ends_.push_back(order_.size());
+  }
+  pool_.for_each(std::span<const std::size_t>(ends_), [&](std::size_t i) { call(context, order_[i]); });
+}
+
+}  // namespace murosimf
