@@ -46,7 +46,7 @@ BENCHMARK(size)->ArgName("width")->Arg(160)->Arg(320)->Arg(640)->Arg(1280)->UseR
 /// One camera that sees some robots of the eleven-a-side game.
 void robots(benchmark::State& bench) {
   scene::SceneOptions options{
-      .overrides = {"blue1.sensors.camera.always_on=true", "blue1.sensors.camera.opening=1.48"}};
+      .overrides = {"blue1.sensors.camera.always_on=true", "blue1.sensors.camera.fov=1.48"}};
   scene::Scene scene(bench.range(0) > 6 ? "eleven_a_side" : "three_on_three", options);
   Simulation& simulation = scene.simulation();
   simulation.initialize();
@@ -75,7 +75,7 @@ void with(benchmark::State& bench, const std::vector<std::string>& keys) {
   play(bench, "six_cameras", options);
 }
 BENCHMARK_CAPTURE(with, distortion, {"k1=-0.1"})->UseRealTime();
-BENCHMARK_CAPTURE(with, fisheye_170_deg, {"lens='equidistant'", "opening=2.97"})->UseRealTime();
+BENCHMARK_CAPTURE(with, fisheye_170_deg, {"lens='equidistant'", "fov=2.97"})->UseRealTime();
 BENCHMARK_CAPTURE(with, blur, {"blur=1.0"})->UseRealTime();
 BENCHMARK_CAPTURE(with, noise, {"shot_noise=0.02"})->UseRealTime();
 BENCHMARK_CAPTURE(with, depth_and_labels, {"depth=true", "labels=true"})->UseRealTime();
