@@ -104,19 +104,35 @@ std::vector<ContactLawType> built_in_contacts() {
       ContactLawType{"implicit_stick",
                      "compliant, implicit, with a tangential spring that sticks; the default",
                      make_law<collision::ImplicitStick>,
-                     {0.01, 0.01}},
+                     {0.01, 0.01},
+                     {},
+                     {},
+                     {0.002, 0.002}},
       ContactLawType{"island_gauss_seidel",
                      "the same force, settled together with all contacts of what is touched",
                      make_law<collision::IslandGaussSeidel>,
-                     {0.01, 0.01}},
+                     {0.01, 0.01},
+                     {},
+                     {},
+                     {0.002, 0.002}},
       ContactLawType{"kelvin_voigt",
                      "spring, damper and a tangential spring that sticks; explicit, for steps of 1 ms",
                      make_law<collision::KelvinVoigt>,
                      {0.002, 0.001}},
-      ContactLawType{"paper", "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)", make_paper,
-                     bounded_steps, paper_law_options().infos(), paper_steps},
-      ContactLawType{"paper_multipoint", "the same spring and viscous friction at every point", make_paper_multipoint,
-                     bounded_steps, paper_law_options().infos(), paper_steps},
+      ContactLawType{"paper",
+                     "one point per body, spring and viscous friction (paper 5.3, eq. 4 and 5)",
+                     make_paper,
+                     bounded_steps,
+                     paper_law_options().infos(),
+                     paper_steps,
+                     {0.001, 0.002}},
+      ContactLawType{"paper_multipoint",
+                     "the same spring and viscous friction at every point",
+                     make_paper_multipoint,
+                     bounded_steps,
+                     paper_law_options().infos(),
+                     paper_steps,
+                     {0.001, 0.002}},
   };
 }
 
@@ -146,9 +162,12 @@ std::unique_ptr<collision::BodyContactLaw> make_body_paper_multipoint(const Opti
 std::vector<BodyContactLawType> built_in_body_contacts() {
   return {
       BodyContactLawType{"island_gauss_seidel", "all contacts of touching entities settled together; the default",
-                         make_body_island, body_island_options().infos()},
-      BodyContactLawType{"carry", "either body implicit by itself, the difference given back later; up to 2 ms",
-                         make_body_law<collision::BodyCarryLaw>},
+                         make_body_island, body_island_options().infos(), 0.002},
+      BodyContactLawType{"carry",
+                         "either body implicit by itself, the difference given back later; up to 2 ms",
+                         make_body_law<collision::BodyCarryLaw>,
+                         {},
+                         0.002},
       BodyContactLawType{"kelvin_voigt", "explicit spring, damper and viscous friction; 1 ms",
                          make_body_law<collision::BodyKelvinVoigtLaw>},
       BodyContactLawType{"paper", "spring and viscous friction at one point of two bodies (paper 5.3); 1 ms",
@@ -185,6 +204,15 @@ const Registry<LevelType>& levels() { return registries().levels; }
 const Registry<ContactLawType>& contacts() { return registries().contacts; }
 const Registry<BodyContactLawType>& body_contacts() { return registries().body_contacts; }
 const Registry<ControllerType>& controllers() { return registries().controllers; }
+
+LongestSteps stable_steps(const ContactLawType& law, const OptionValues& given) {
+  return law.longest_steps_with ? law.longest_steps_with(given) : law.longest_steps;
+}
+
+LongestSteps accurate_steps(const ContactLawType& law, const OptionValues& given) {
+  const LongestSteps stable = stable_steps(law, given), accurate = law.accurate_steps;
+  return {std::min(stable.without_servos, accurate.without_servos), std::min(stable.with_servos, accurate.with_servos)};
+}
 
 std::unique_ptr<MotionLevel> make_level(std::string_view name, Setup& setup, const LevelOptions& options) {
   const LevelType& type = levels().find(name);

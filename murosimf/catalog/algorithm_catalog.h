@@ -46,26 +46,34 @@ struct LevelType {
   std::vector<OptionInfo> options{};  ///< of its own
 };
 
-/// Lengths of steps [s] with which a robot stands and walks under a law (docs/scenes.md).
+/// Lengths of steps [s] that do at levels without and with servos (docs/scenes.md).
 struct LongestSteps {
   double without_servos, with_servos;
 };
+constexpr LongestSteps usual_steps{1 / usual_step_rate, 1 / usual_step_rate};
 
 /// Law of contact with the ground.
 struct ContactLawType {
   std::string name, meaning;
   std::function<std::shared_ptr<const collision::ContactLaw>(const OptionValues&)> make;
-  LongestSteps longest_steps;
+  LongestSteps longest_steps;         ///< with which a robot stands and walks
   std::vector<OptionInfo> options{};  ///< of its own
   /// Where options change the steps; null: they do not.
   std::function<LongestSteps(const OptionValues&)> longest_steps_with{};
+  LongestSteps accurate_steps = usual_steps;  ///< that change little of what comes out; with default options
 };
+
+/// With which a robot stands and walks under the law, with these options of it.
+[[nodiscard]] LongestSteps stable_steps(const ContactLawType& law, const OptionValues& given);
+/// That change little of what comes out: what `rate = "auto"` takes (scene_file/automatic_rate.h).
+[[nodiscard]] LongestSteps accurate_steps(const ContactLawType& law, const OptionValues& given);
 
 /// Law between moving bodies.
 struct BodyContactLawType {
   std::string name, meaning;
   std::function<std::unique_ptr<collision::BodyContactLaw>(const OptionValues&)> make;
-  std::vector<OptionInfo> options{};  ///< of its own
+  std::vector<OptionInfo> options{};           ///< of its own
+  double accurate_step = 1 / usual_step_rate;  ///< [s] longest that changes little of what comes out
 };
 
 /// What a controller may want to know about its robot's place in the scene.

@@ -72,7 +72,7 @@ struct ContactUse {
 
 void warn_about_steps(SceneParts& parts, const std::string& entity, const ContactUse& use) {
   const catalog::ContactLawType& law = find_entry(catalog::contacts(), "contact law", use.contact);
-  const catalog::LongestSteps steps = law.longest_steps_with ? law.longest_steps_with(use.options) : law.longest_steps;
+  const catalog::LongestSteps steps = catalog::stable_steps(law, use.options);
   const double longest = use.servos ? steps.with_servos : steps.without_servos;
   if (use.step <= longest * (1 + 1e-9)) return;
   parts.remarks.warn(entity, fmt::format("{} under {} is stable with steps up to {:.0f} ms; these are {:.3g} ms long",
@@ -123,6 +123,9 @@ void warn_about_ball(SceneParts& parts) {
 void warn_about_settings(SceneParts& parts) {
   const scene_file::SceneSpec& spec = parts.spec;
   parts.remarks.warn(scene_file::unused_keys(spec));
+  if (spec.automatic_rate) {
+    parts.remarks.note(fmt::format("rate \"auto\" is {:g} Hz: {}", spec.rate, spec.rate_because));
+  }
   std::set<std::string> materials;
   add_materials(parts.field->model(), materials);
   for (const Entity* moving_entity : parts.moving_entities) add_materials(moving_entity->model(), materials);

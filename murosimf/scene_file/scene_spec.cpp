@@ -6,6 +6,7 @@
 #include "murosimf/model/find_entry.h"
 #include "murosimf/model/time.h"
 #include "murosimf/scene_file/all_sections.h"
+#include "murosimf/scene_file/automatic_rate.h"
 #include "murosimf/scene_file/event_section.h"
 #include "murosimf/scene_file/material_section.h"
 #include "murosimf/scene_file/overrides.h"
@@ -15,6 +16,13 @@
 
 namespace murosimf::scene_file {
 namespace {
+
+void read_rate(const files::TomlTable& scene, std::string_view key, SceneSpec& spec) {
+  spec.automatic_rate = scene.find(key)->value_or(std::string_view{}) == "auto";
+  if (spec.automatic_rate) return;
+  require(scene.find(key)->is_number(), scene, key, "must be a number of Hz, or \"auto\"");
+  spec.rate = section_detail::read_number(scene, key, between(slowest_rate, fastest_rate), "Hz");
+}
 
 /// Two numbers would be a place on the ground.
 void read_gravity(const files::TomlTable& scene, std::string_view key, SceneSpec& spec) {
@@ -35,29 +43,30 @@ void read_body_contact_options(const files::TomlTable& scene, SceneSpec& spec) {
 
 const Section<SceneSpec>& scene_section() {
   static const Section<SceneSpec> section(
-      "", {{"name", &SceneSpec::name, "", "title of reports and pictures", {}, "that of the file"},
-           {"duration", &SceneSpec::duration, "s", "of simulated time", between(0, longest_duration)},
-           {"seed", &SceneSpec::seed, "", "of all random numbers"},
-           {"rate", &SceneSpec::rate, "Hz", "of steps: motion and contact", between(slowest_rate, fastest_rate)},
-           {"gravity", read_gravity, "m/s^2", "in the world", {}, "[0, 0, -9.81]"},
-           {"body_contact",
-            Choice<SceneSpec>{&SceneSpec::body_contact, "law of contact between bodies",
-                              [] { return entry_names(catalog::body_contacts()); }},
-            "", "how moving bodies push each other: murosimf list body_contacts"},
-           {"body_contact_options", {}, "", "of that law: murosimf list options", {}, "the law's"},
-           {"start", {}, "", "see [start]"},
-           {"field", {}, "", "see [field]"},
-           {"view", {}, "", "see [view]"},
-           {"views", {}, "", "see [views.NAME]"},
-           {"light", {}, "", "see [light]"},
-           {"ball", {}, "", "see [ball]", {}, "no ball"},
-           {"teams", {}, "", "see [[teams]]"},
-           {"defaults", {}, "", "keys of all robots, see [defaults]"},
-           {"robots", {}, "", "see [[robots]]"},
-           {"bodies", {}, "", "see [[bodies]]"},
-           {"materials", {}, "", "see [[materials]]"},
-           {"events", {}, "", "see [[events]]"},
-           {"pushes", {}, "", "see [[pushes]]"}});
+      "",
+      {{"name", &SceneSpec::name, "", "title of reports and pictures", {}, "that of the file"},
+       {"duration", &SceneSpec::duration, "s", "of simulated time", between(0, longest_duration)},
+       {"seed", &SceneSpec::seed, "", "of all random numbers"},
+       {"rate", read_rate, "Hz", "of steps: motion and contact; \"auto\": the longest that change little", {}, "1000"},
+       {"gravity", read_gravity, "m/s^2", "in the world", {}, "[0, 0, -9.81]"},
+       {"body_contact",
+        Choice<SceneSpec>{&SceneSpec::body_contact, "law of contact between bodies",
+                          [] { return entry_names(catalog::body_contacts()); }},
+        "", "how moving bodies push each other: murosimf list body_contacts"},
+       {"body_contact_options", {}, "", "of that law: murosimf list options", {}, "the law's"},
+       {"start", {}, "", "see [start]"},
+       {"field", {}, "", "see [field]"},
+       {"view", {}, "", "see [view]"},
+       {"views", {}, "", "see [views.NAME]"},
+       {"light", {}, "", "see [light]"},
+       {"ball", {}, "", "see [ball]", {}, "no ball"},
+       {"teams", {}, "", "see [[teams]]"},
+       {"defaults", {}, "", "keys of all robots, see [defaults]"},
+       {"robots", {}, "", "see [[robots]]"},
+       {"bodies", {}, "", "see [[bodies]]"},
+       {"materials", {}, "", "see [[materials]]"},
+       {"events", {}, "", "see [[events]]"},
+       {"pushes", {}, "", "see [[pushes]]"}});
   return section;
 }
 
@@ -106,6 +115,11 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   apply_material_changes(material_changes, spec);
   spec.events = read_events(document, at_options);
   spec.pushes = read_pushes(document, push_options);
+  if (spec.automatic_rate) {
+    AutomaticRate automatic = automatic_rate(spec);
+    spec.rate = automatic.hz;
+    spec.rate_because = std::move(automatic.because);
+  }
   return spec;
 }
 

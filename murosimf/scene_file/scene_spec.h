@@ -151,6 +151,8 @@ struct SceneSpec {
   double duration = 10;  ///< [s]
   std::uint64_t seed = 1;
   double rate = usual_step_rate;  ///< [Hz] of motion and contact
+  bool automatic_rate = false;    ///< `rate` follows from levels and laws (automatic_rate.h)
+  std::string rate_because;       ///< who does not allow longer steps then
   Vec3d gravity{0, 0, -9.81};     ///< [m/s^2]
   double jitter_position = 0;     ///< [m] start places vary by up to this, in x and y
   double jitter_heading = 0;      ///< [rad]
