@@ -6,8 +6,8 @@
 
 Every experiment has some variants, since one run tells little: a kick that comes a step later meets the ball elsewhere. All are
 run with steps of 0.25 ms first; what longer steps change of a result is their error. The table has means over the variants, and
-how many of them ended otherwise (fell or did not, was frozen; in the heap only: were frozen). No wall time is measured: other load
-does not matter.
+how many of them ended otherwise (fell or did not, was frozen; in the heap only: were frozen). Wall time is not measured, so that
+other load does not matter.
 """
 import argparse
 import concurrent.futures
