@@ -25,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t most_library_bytes = 1'000'000'000;
+constexpr std::uint32_t oldest_abi = 1;  // later ones have only added functions at the end of murosimf_robot
 
 [[noreturn]] void fail(const fs::path& file, std::string_view message) {
   throw SetupError(fmt::format("{}: {}", file.string(), message));
@@ -76,10 +77,11 @@ const murosimf_controller* checked_functions(const files::SharedLibrary& library
     fail(file, "this is no control software: it has no function murosimf_controller_entry (murosimf_controller.h)");
   const murosimf_controller* functions = entry();
   if (!functions) fail(file, "its murosimf_controller_entry returns nothing");
-  if (functions->abi != MUROSIMF_CONTROLLER_ABI) {
+  if (functions->abi < oldest_abi || functions->abi > MUROSIMF_CONTROLLER_ABI) {
     fail(file,
-         fmt::format("made for version {} of murosimf_controller.h, but this program has version {}; build it anew",
-                     functions->abi, MUROSIMF_CONTROLLER_ABI));
+         fmt::format(
+             "made for version {} of murosimf_controller.h, but this program has versions {} to {}; build it anew",
+             functions->abi, oldest_abi, MUROSIMF_CONTROLLER_ABI));
   }
   if (!functions->create || !functions->destroy || !functions->step) fail(file, "it lacks create, destroy or step");
   if (!functions->save != !functions->load) fail(file, "it has one of save and load, but not the other");

@@ -27,6 +27,7 @@ void ControllerTask::initialize() {
   seam_.report = &report_;
   now_ = {};
   port_.restart();
+  port_.radio().refresh(now_);
   if (const CallOutcome outcome = software_->start(); !outcome) throw SetupError(outcome.text);
   take_over_commands();
 }
@@ -38,6 +39,7 @@ void ControllerTask::step(const Instant& instant) noexcept {
   const WallClock::time_point begin = WallClock::now();
   const CallOutcome outcome = software_->step(instant.now);
   count(WallClock::now() - begin);
+  count_messages();
   if (!outcome) return end(outcome);
   take_over_commands();
   if (const std::string news = software_->news(); !news.empty()) say(news);
@@ -65,6 +67,13 @@ void ControllerTask::take_over_commands() {
   if (refused == 0) return;
   if (report_.refused == 0) report_.first_refusal = fmt::format("at {:.3f} s: {}", seconds(now_), port_.refusal());
   report_.refused += refused;
+}
+
+void ControllerTask::count_messages() {
+  report_.messages = port_.radio().counts();
+  if (!port_.radio().refusal().empty() && report_.first_refused_message.empty()) {
+    report_.first_refused_message = fmt::format("at {:.3f} s: {}", seconds(now_), port_.radio().refusal());
+  }
 }
 
 void ControllerTask::say(const std::string& line) {

@@ -36,6 +36,7 @@ class ControllerTask final : public Algorithm {
   void count(Duration took) noexcept;
   void end(const CallOutcome& outcome);
   void take_over_commands();
+  void count_messages();
 
   ControllerTaskOptions options_;
   const Entity* robot_;

@@ -31,6 +31,9 @@ LibraryRobot::LibraryRobot(const Setup& setup, RobotPort& port, SayLine say, Opt
   robot_.vector_option = vector_option;
   robot_.text_option = text_option;
   robot_.say = LibraryRobot::say;
+  robot_.use_messages = use_messages;
+  robot_.send = send;
+  robot_.receive = receive;
 }
 
 void LibraryRobot::check_options(const std::string& owner) const {
@@ -109,6 +112,26 @@ const char* LibraryRobot::text_option(const murosimf_robot* robot, const char* n
 
 void LibraryRobot::say(const murosimf_robot* robot, const char* text) noexcept {
   if (text) of(robot).say_(text);
+}
+
+int LibraryRobot::use_messages(const murosimf_robot* robot) noexcept {
+  const auto open = [&]() -> TeamRadio* {
+    of(robot).port_->radio().open();
+    return &of(robot).port_->radio();
+  };
+  return of(robot).found(open) ? 1 : 0;
+}
+
+int LibraryRobot::send(const murosimf_robot* robot, const void* bytes, std::size_t size) noexcept {
+  const std::string_view text(size > 0 ? static_cast<const char*>(bytes) : "", size);
+  return of(robot).port_->radio().send(text) ? 1 : 0;
+}
+
+int LibraryRobot::receive(const murosimf_robot* robot, murosimf_message* message) noexcept {
+  const TeamMessage* received = of(robot).port_->radio().receive();
+  if (!received) return 0;
+  *message = {received->bytes.data(), received->bytes.size(), received->sender.c_str(), received->sent.count()};
+  return 1;
 }
 
 }  // namespace murosimf::connect

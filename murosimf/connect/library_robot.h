@@ -37,6 +37,9 @@ class LibraryRobot {
   static int vector_option(const murosimf_robot* robot, const char* name, double value[3]) noexcept;
   static const char* text_option(const murosimf_robot* robot, const char* name) noexcept;
   static void say(const murosimf_robot* robot, const char* text) noexcept;
+  static int use_messages(const murosimf_robot* robot) noexcept;
+  static int send(const murosimf_robot* robot, const void* bytes, std::size_t size) noexcept;
+  static int receive(const murosimf_robot* robot, murosimf_message* message) noexcept;
   template <class Look>
   [[nodiscard]] auto* found(const Look& look) noexcept;
   template <class T>

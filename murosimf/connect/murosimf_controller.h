@@ -24,8 +24,10 @@
 extern "C" {
 #endif
 
-/* Of this header. Libraries and programs fit together if theirs are equal. */
-#define MUROSIMF_CONTROLLER_ABI 1u
+/* Of this header. A program takes libraries of its own version and of all before:
+ *   2  messages between the robots of a team
+ *   1  the first one */
+#define MUROSIMF_CONTROLLER_ABI 2u
 
 /* Flags of a library. Instances of one library share its global variables, so they are called one after the other, in the order
  * of the robots. A library without such variables may say that its instances can be called at the same time. */
@@ -45,6 +47,14 @@ typedef struct murosimf_command {
   double* values;
   size_t count;
 } murosimf_command;
+
+/* What a robot of the team has sent. */
+typedef struct murosimf_message {
+  const void* bytes;
+  size_t size;
+  const char* sender; /* name of the robot; "" if the message comes from outside of the simulation */
+  int64_t sent;       /* [ns] of simulated time */
+} murosimf_message;
 
 /* The robot of an instance; valid as long as the instance. Functions get the robot as their first argument. */
 typedef struct murosimf_robot {
@@ -71,12 +81,24 @@ typedef struct murosimf_robot {
 
   /* Any time, from the thread that calls the library: a line for the report of the run, with the time. */
   void (*say)(const struct murosimf_robot* robot, const char* text);
+
+  /* Since version 2. */
+
+  /* In `create` only: from now on this instance sends and gets messages. False if it cannot: its robot is in no team. If `create` then
+   * returns null, the simulator says so. */
+  int (*use_messages)(const struct murosimf_robot* robot);
+  /* In `start` and `step`: a message to all other robots of the team. False, and counted in the report, if it is longer than the scene
+   * allows, or if there were too many within a second. Whether and when it arrives is up to the scene ([communication]). */
+  int (*send)(const struct murosimf_robot* robot, const void* bytes, size_t size);
+  /* In `step`: the oldest message that has arrived and was not read yet. False if there is none. What `message` then points at stays
+   * until the next call, or to the end of the step. */
+  int (*receive)(const struct murosimf_robot* robot, murosimf_message* message);
 } murosimf_robot;
 
 /* What a library offers. Functions that may be null say so. C++ exceptions may leave any of them: they end the instance, and the run
  * reports what() they say. */
 typedef struct murosimf_controller {
-  uint32_t abi;   /* MUROSIMF_CONTROLLER_ABI */
+  uint32_t abi;   /* MUROSIMF_CONTROLLER_ABI of the header with which it was compiled */
   uint32_t flags; /* MUROSIMF_INDEPENDENT_INSTANCES, or 0 */
   double rate;    /* [Hz] of its steps, if the scene says none; 0: 100 */
 

@@ -8,7 +8,7 @@
 
 namespace murosimf::connect {
 
-RobotPort::RobotPort(Setup& setup) : model_(&setup.model()), commands_(setup) {
+RobotPort::RobotPort(Setup& setup) : model_(&setup.model()), commands_(setup), radio_(setup) {
   for (const sensors::Reading* reading : sensors::readings_of(setup.entity())) add_sensor(setup, *reading);
   if (model_->joints().empty()) return;
   add_joints("joint.position", setup.read(properties::joint_position), true);
@@ -56,6 +56,7 @@ const std::vector<std::string>* RobotPort::labels(std::string_view name) const {
 }
 
 void RobotPort::refresh(Duration now) noexcept {
+  radio_.refresh(now);
   for (Signal& signal : signals_) {
     if (signal.wanted) refresh(signal, now);
   }

@@ -22,6 +22,7 @@
 
 #include "murosimf/connect/murosimf_controller.h"
 #include "murosimf/connect/port_commands.h"
+#include "murosimf/connect/team_radio.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/model/state_archive.h"
 #include "murosimf/sensors/reading.h"
@@ -43,8 +44,15 @@ class RobotPort {
   /// Of a signal or command that was asked for: what each number is; null if it is none of them.
   [[nodiscard]] const std::vector<std::string>* labels(std::string_view name) const;
 
+  /// Messages between the robots of a team.
+  [[nodiscard]] TeamRadio& radio() { return radio_; }
+  [[nodiscard]] const TeamRadio& radio() const { return radio_; }
+
   /// The algorithm is constructed: from now on no new commands.
-  void close() { commands_.close(); }
+  void close() {
+    commands_.close();
+    radio_.close();
+  }
   /// Whether the walk engine must be attached, after the algorithm that has this port.
   [[nodiscard]] bool walks() const { return commands_.walks(); }
 
@@ -78,6 +86,7 @@ class RobotPort {
   const Model* model_;
   std::deque<Signal> signals_;  // stay where they are
   PortCommands commands_;
+  TeamRadio radio_;
 };
 
 }  // namespace murosimf::connect

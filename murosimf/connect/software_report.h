@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "murosimf/connect/message_box.h"
 #include "murosimf/model/property.h"
 #include "murosimf/model/state_archive.h"
 #include "murosimf/model/time.h"
@@ -25,11 +27,13 @@ struct SoftwareReport {
   Duration worst_at{};        ///< simulated time of that one
   Duration budget{};          ///< wall time that a call may take; 0: any
   std::int64_t over_budget = 0;
-  std::uint64_t refused = 0;   ///< numbers of commands
-  std::string first_refusal;   ///< with its time
-  std::string ended;           ///< why it does not run any more; empty: it does
-  std::vector<Message> said;   ///< at most most_messages
-  std::uint64_t not_kept = 0;  ///< messages after these
+  std::uint64_t refused = 0;              ///< numbers of commands
+  std::string first_refusal;              ///< with its time
+  std::optional<MessageCounts> messages;  ///< to and from its team; nothing: it has not asked for them
+  std::string first_refused_message;      ///< with its time
+  std::string ended;                      ///< why it does not run any more; empty: it does
+  std::vector<Message> said;              ///< at most most_messages
+  std::uint64_t not_kept = 0;             ///< messages after these
 
   static constexpr std::size_t most_messages = 100;
 };

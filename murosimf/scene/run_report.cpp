@@ -48,6 +48,15 @@ double us_per_call(const connect::SoftwareReport& software) {
   return software.calls == 0 ? 0 : us(software.spent) / static_cast<double>(software.calls);
 }
 
+/// Null for software that sends none.
+json messages_object(const connect::SoftwareReport& software) {
+  if (!software.messages) return nullptr;
+  const connect::MessageCounts& counts = *software.messages;
+  return {{"sent", counts.sent},         {"refused", counts.refused},
+          {"lost", counts.lost},         {"arrived", counts.arrived},
+          {"not_read", counts.not_read}, {"first_refused", software.first_refused_message}};
+}
+
 json control_object(const ControlReport& report) {
   const connect::SoftwareReport& software = report.software;
   json said = json::array();
@@ -63,9 +72,25 @@ json control_object(const ControlReport& report) {
           {"over_budget", software.over_budget},
           {"refused", software.refused},
           {"first_refusal", software.first_refusal},
+          {"messages", messages_object(software)},
           {"ended", software.ended},
           {"said", std::move(said)},
           {"not_kept", software.not_kept}};
+}
+
+std::string message_text(const std::vector<ControlReport>& control) {
+  std::string text;
+  for (const auto& [robot, software] : control) {
+    if (!software.messages) continue;
+    if (text.empty()) {
+      text = fmt::format("\n{:<12} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "messages of", "sent", "refused", "lost",
+                         "arrived", "not read");
+    }
+    const connect::MessageCounts& counts = *software.messages;
+    text += fmt::format("{:<12} {:>8} {:>8} {:>8} {:>8} {:>8}\n", robot, counts.sent, counts.refused, counts.lost,
+                        counts.arrived, counts.not_read);
+  }
+  return text;
 }
 
 /// A table, then what the software has said.
@@ -114,6 +139,7 @@ std::string to_text(const RunReport& report) {
     text += fmt::format("{:<22} {:>6.0f} Hz {:>10} {:>9.2f} us\n", a.name, a.rate_hz, a.calls, a.us_per_call);
   }
   text += control_text(report.control);
+  text += message_text(report.control);
   text += fmt::format("\n{:.2f} s simulated in {:.3f} s: {:.0f} times real time on {} thread{}\n", report.simulated,
                       report.wall, report.real_time_factor, report.threads, report.threads == 1 ? "" : "s");
   if (report.stopped) {

@@ -40,13 +40,15 @@ class Lengths {
     parts_.ground_contacts.resize(moving_);
     parts_.queries = queries_;
     parts_.own_steps = own_steps_;
+    parts_.messages = messages_;
   }
 
   SceneParts& parts_;
   std::size_t robots_ = parts_.spec.robots.size(), bodies_ = parts_.spec.bodies.size();
   std::size_t moving_bodies_ = parts_.bodies.size(), moving_ = parts_.moving_entities.size();
-  sensors::WorldQueries* queries_ = parts_.queries;    // may have come with its sensors
-  collision::OwnSteps* own_steps_ = parts_.own_steps;  // may have come with it
+  sensors::WorldQueries* queries_ = parts_.queries;       // may have come with its sensors
+  collision::OwnSteps* own_steps_ = parts_.own_steps;     // may have come with it
+  connect::MessageExchange* messages_ = parts_.messages;  // the same
   bool done_ = false;
 };
 
@@ -79,6 +81,7 @@ Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
     attach_own_steps(parts, entity);
     attach_sensors(parts, models, parts.robots.size() - 1);
     attach_controller(parts, robot, entity);
+    attach_messages(parts, entity);
     attach_ground_contact(parts, entity, robot.level, robot.contact, robot.contact_options);
     attach_level_of(parts, robot, entity);
     attach_odometer(parts, entity);

@@ -5,6 +5,7 @@
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/collision/ground_contact.h"
 #include "murosimf/collision/own_steps.h"
+#include "murosimf/connect/message_exchange.h"
 #include "murosimf/motion/accelerations.h"
 #include "murosimf/motion/odometer.h"
 #include "murosimf/scene/scene_checks.h"
@@ -60,6 +61,13 @@ void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, En
   const catalog::ControllerOptions options = controller_options(parts, robot);
   const catalog::ControllerType& controller = find_entry(catalog::controllers(), "controller", robot.controller);
   with_context(robot.where, [&] { controller.attach(*parts.simulation, entity, options); });
+}
+
+void attach_messages(SceneParts& parts, const Entity& entity) {
+  if (parts.messages || !entity.find(connect::message_box)) return;
+  parts.messages =
+      &parts.simulation->attach<connect::MessageExchange>("message_exchange", parts.spec.rate, parts.robots,
+                                                          parts.spec.communication, parts.spec.seed);
 }
 
 void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law,

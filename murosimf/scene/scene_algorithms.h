@@ -14,6 +14,9 @@ namespace murosimf::scene {
 /// All throw SetupError for unknown names, and with the place in the scene file for what an algorithm refuses.
 void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity);
 
+/// Has messages of teams carried, if the software of an entity with its controller has asked for them and nobody does yet.
+void attach_messages(SceneParts& parts, const Entity& entity);
+
 /// Also for those whom no force moves: they may change their level. `level`: the one that it begins with.
 void attach_ground_contact(SceneParts& parts, Entity& entity, const std::string& level, const std::string& law,
                            const OptionValues& options = {});

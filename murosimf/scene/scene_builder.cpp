@@ -23,6 +23,7 @@ void attach_control(SceneParts& parts, ModelSource& models) {
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
     attach_controller(parts, parts.spec.robots[i], *parts.robots[i]);
   }
+  for (const Entity* robot : parts.robots) attach_messages(parts, *robot);
 }
 
 void attach_contact(SceneParts& parts) {

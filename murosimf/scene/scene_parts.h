@@ -20,6 +20,9 @@ namespace murosimf::collision {
 class GroundContact;
 class OwnSteps;
 }  // namespace murosimf::collision
+namespace murosimf::connect {
+class MessageExchange;
+}
 namespace murosimf::sensors {
 class WorldQueries;
 }
@@ -71,6 +74,7 @@ struct SceneParts {
   std::vector<collision::GroundContact*> ground_contacts;    ///< by moving entity
   collision::OwnSteps* own_steps = nullptr;                  ///< null: all make the scene's steps
   sensors::WorldQueries* queries = nullptr;                  ///< null: no sensor asks for them
+  connect::MessageExchange* messages = nullptr;              ///< null: no software asks for them
   const PathRecorder* recorder = nullptr;                    ///< null: nobody asked for paths
   std::shared_ptr<connect::CrashNote> crashes = std::make_shared<connect::CrashNote>();  ///< of control software
   bool libraries = false;          ///< those that files name are loaded

@@ -42,6 +42,10 @@ void add_control_warnings(const Scene& scene, std::vector<std::string>& lines) {
       lines.push_back(fmt::format("{}: {} numbers of its control software were refused, the first {}", entity->name(),
                                   software->refused, software->first_refusal));
     }
+    if (software->messages && software->messages->refused > 0) {
+      lines.push_back(fmt::format("{}: {} messages of its control software were refused, the first {}", entity->name(),
+                                  software->messages->refused, software->first_refused_message));
+    }
   }
 }
 

@@ -30,5 +30,6 @@ struct EventTable {
 [[nodiscard]] const Section<PushSpec>& push_section();
 [[nodiscard]] const Section<EventTable>& event_section();
 [[nodiscard]] const Section<PairSurface>& material_section();
+[[nodiscard]] const Section<connect::RadioOptions>& communication_section();
 
 }  // namespace murosimf::scene_file

@@ -66,7 +66,8 @@ const Section<SceneSpec>& scene_section() {
        {"bodies", {}, "", "see [[bodies]]"},
        {"materials", {}, "", "see [[materials]]"},
        {"events", {}, "", "see [[events]]"},
-       {"pushes", {}, "", "see [[pushes]]"}});
+       {"pushes", {}, "", "see [[pushes]]"},
+       {"communication", {}, "", "see [communication]"}});
   return section;
 }
 
@@ -112,6 +113,7 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   read_robots(scene, spec);
   read_bodies(scene, spec);
   read_materials(scene, spec);
+  read_communication(scene, spec);
   apply_material_changes(material_changes, spec);
   spec.events = read_events(document, at_options);
   spec.pushes = read_pushes(document, push_options);

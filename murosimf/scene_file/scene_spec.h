@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "murosimf/components/sensor_table.h"
+#include "murosimf/connect/radio_options.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/math/vec3.h"
 #include "murosimf/model/entity.h"
@@ -173,6 +174,7 @@ struct SceneSpec {
   std::vector<PropertySetting> settings;
   std::vector<SceneEvent> events;  ///< in the order of time
   std::vector<PushSpec> pushes;
+  connect::RadioOptions communication;
 };
 
 /// [Hz] Of the longest steps that a robot makes.

@@ -24,5 +24,6 @@ void read_teams(const files::TomlTable& scene, SceneSpec& spec);
 void read_robots(const files::TomlTable& scene, SceneSpec& spec);
 void read_bodies(const files::TomlTable& scene, SceneSpec& spec);
 void read_materials(const files::TomlTable& scene, SceneSpec& spec);
+void read_communication(const files::TomlTable& scene, SceneSpec& spec);
 
 }  // namespace murosimf::scene_file

@@ -11,6 +11,8 @@ void destroy(void*) {}
 
 #ifdef MISTAKE_other_abi
 constexpr uint32_t abi = 7;
+#elif defined(MISTAKE_version_1)
+constexpr uint32_t abi = 1;  // no mistake: as compiled with the first header
 #else
 constexpr uint32_t abi = MUROSIMF_CONTROLLER_ABI;
 #endif

@@ -1,0 +1,46 @@
+/// link_model.h - delay, jitter, bandwidth and loss of any link: when a packet arrives, or that it never does.
+///
+/// Packet n of `size` bytes that is handed over at t is sent from s to e and arrives at a:
+///
+///     s = max(t, e of the packet before)     lost if s - t > longest_queue
+///     e = s + size / bandwidth
+///     a = e + delay + jitter u_n             in order: not before the packet before
+///
+/// and is lost on the way with probability `loss`, after it has taken its time on the link. u_n and the chance of a loss are numbers n
+/// of random streams of their own: they hang on the seed, the link's name and n, on nothing else.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "murosimf/connect/link_options.h"
+#include "murosimf/math/random.h"
+#include "murosimf/model/state_archive.h"
+#include "murosimf/model/time.h"
+
+namespace murosimf::connect {
+
+class LinkModel {
+ public:
+  /// `name` tells links of one seed apart: "blue1 to blue2". Throws SetupError if a number is negative or impossible.
+  LinkModel(const LinkOptions& options, std::uint64_t seed, std::string_view name);
+
+  /// Of the next packet, handed over at `time`, which must not be before that of the last one; nothing: it is lost.
+  [[nodiscard]] std::optional<Duration> arrival(Duration time, std::size_t bytes) noexcept;
+
+  /// As when it was new.
+  void restart() noexcept;
+  void reseed(std::uint64_t seed) noexcept;
+  void state(StateArchive& archive) { archive(packets_, free_at_, last_arrival_); }
+
+ private:
+  LinkOptions options_;
+  RandomStream delays_, losses_;
+  std::uint64_t packets_ = 0;  // so far, the lost ones included
+  Duration free_at_{};         // when the last byte of all that was handed over has been sent
+  Duration last_arrival_{};
+};
+
+}  // namespace murosimf::connect

@@ -1,0 +1,16 @@
+/// link_options.h - what a link does to what is sent over it.
+#pragma once
+
+namespace murosimf::connect {
+
+struct LinkOptions {
+  double delay = 0;      ///< [s] from the last byte sent to its arrival
+  double jitter = 0;     ///< [s] that the delay is longer, by chance: uniform from 0 to this
+  double bandwidth = 0;  ///< [byte/s]; 0: any
+  double loss = 0;       ///< [1] share of the packets that do not arrive
+  double longest_queue =
+      1;  ///< [s] for which a packet waits while others are being sent; if it had to wait longer, it is lost
+  bool in_order = false;  ///< none overtakes another one: a stream. Otherwise jitter may reorder packets, as on a radio
+};
+
+}  // namespace murosimf::connect
