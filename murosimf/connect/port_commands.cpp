@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/connect/game_view.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/leg.h"
 #include "murosimf/model/error.h"
@@ -18,7 +19,7 @@ constexpr double any_velocity = 100;  // [m/s, rad/s] nobody walks as fast
 
 constexpr std::string_view joint_target = "joint.target", joint_velocity_target = "joint.velocity_target",
                            joint_torque_enabled = "joint.torque_enabled", walk_velocity = "walk.velocity",
-                           walk_other_joints = "walk.other_joints";
+                           walk_other_joints = "walk.other_joints", game_answer_name = "game.answer";
 
 bool is_of_walk(std::string_view name) { return name == walk_velocity || name == walk_other_joints; }
 
@@ -71,10 +72,12 @@ PortCommands::Command& PortCommands::make(std::string_view name) {
     connect_walk(command);
   } else if (name == walk_other_joints) {
     connect_joints(command, properties::joint_target, any_target, true);
+  } else if (name == game_answer_name) {
+    connect_answer(command);
   } else {
-    throw SetupError(
-        unknown_name("command", name,
-                     {joint_target, joint_velocity_target, joint_torque_enabled, walk_velocity, walk_other_joints}));
+    throw SetupError(unknown_name("command", name,
+                                  {joint_target, joint_velocity_target, joint_torque_enabled, walk_velocity,
+                                   walk_other_joints, game_answer_name}));
   }
   command.staged.assign(command.places.size(), command.first);
   command.accepted = command.staged;
@@ -103,6 +106,14 @@ void PortCommands::connect_walk(Command& command) {
   command.places = {&velocity.x, &velocity.y, &velocity.z};
   command.lowest.assign(3, -any_velocity);
   command.highest.assign(3, any_velocity);
+}
+
+void PortCommands::connect_answer(Command& command) {
+  command.labels = {"message"};
+  command.places = {&setup_->write(game_answer)[0]};
+  command.first = answer_alive;
+  command.lowest = {0};
+  command.highest = {highest_answer};
 }
 
 void PortCommands::restart() noexcept {

@@ -49,6 +49,7 @@ class PortCommands {
   Command& make(std::string_view name);
   void connect_joints(Command& command, const Property<double>& property, double limit, bool beside_legs);
   void connect_walk(Command& command);
+  void connect_answer(Command& command);
   [[nodiscard]] bool has(std::string_view command) const;
 
   Setup* setup_;

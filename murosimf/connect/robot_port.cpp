@@ -8,7 +8,7 @@
 
 namespace murosimf::connect {
 
-RobotPort::RobotPort(Setup& setup) : model_(&setup.model()), commands_(setup), radio_(setup) {
+RobotPort::RobotPort(Setup& setup) : model_(&setup.model()), commands_(setup), radio_(setup), game_(setup) {
   for (const sensors::Reading* reading : sensors::readings_of(setup.entity())) add_sensor(setup, *reading);
   if (model_->joints().empty()) return;
   add_joints("joint.position", setup.read(properties::joint_position), true);
@@ -40,10 +40,12 @@ void RobotPort::add_joints(std::string name, std::span<const double> column, boo
 std::vector<std::string_view> RobotPort::signal_names() const {
   std::vector<std::string_view> names;
   for (const Signal& signal : signals_) names.push_back(signal.name);
+  for (const std::string_view name : GameSignals::names()) names.push_back(name);
   return names;
 }
 
 const murosimf_signal* RobotPort::signal(std::string_view name) {
+  if (const murosimf_signal* of_game = game_.find(name)) return of_game;
   const auto found = std::ranges::find(signals_, name, &Signal::name);
   if (found == signals_.end()) throw SetupError(unknown_name("signal", name, signal_names()));
   found->wanted = true;
@@ -51,12 +53,14 @@ const murosimf_signal* RobotPort::signal(std::string_view name) {
 }
 
 const std::vector<std::string>* RobotPort::labels(std::string_view name) const {
+  if (const auto* of_game = GameSignals::labels(name)) return of_game;
   const auto signal = std::ranges::find(signals_, name, &Signal::name);
   return signal != signals_.end() ? &signal->labels : commands_.labels(name);
 }
 
 void RobotPort::refresh(Duration now) noexcept {
   radio_.refresh(now);
+  game_.refresh();
   for (Signal& signal : signals_) {
     if (signal.wanted) refresh(signal, now);
   }

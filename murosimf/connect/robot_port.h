@@ -6,12 +6,14 @@
 ///     joint.position       [rad | m] of all joints as their bus reports it now: in whole steps of the servo's encoder
 ///     joint.velocity       [rad/s | m/s] likewise
 ///     joint.torque         [N m | N] of servo and gear; NaN at levels that have none
+///     game.state, ...      what the referee has said last (game_view.h); of a robot in a game
 /// To set (murosimf_command), zero until it is set; what is not finite or outside of the range is refused and counted:
 ///     joint.target         [rad | m] of all joints, within their ranges
 ///     joint.velocity_target [rad/s | m/s] of all joints, for wheels
 ///     joint.torque_enabled [1] of all joints, 0 or 1 (the start value); where levels have servos
 ///     walk.velocity        [m/s, m/s, rad/s] what the walk engine of the library does then; it moves the legs
 ///     walk.other_joints    [rad | m] targets of the joints that are no leg's
+///     game.answer          [1] what the referee is answered, 0 to 4 (2, alive)
 /// The simulator's walk engine and joint.target exclude each other.
 #pragma once
 
@@ -20,6 +22,7 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/connect/game_signals.h"
 #include "murosimf/connect/murosimf_controller.h"
 #include "murosimf/connect/port_commands.h"
 #include "murosimf/connect/team_radio.h"
@@ -52,6 +55,7 @@ class RobotPort {
   void close() {
     commands_.close();
     radio_.close();
+    game_.close();
   }
   /// Whether the walk engine must be attached, after the algorithm that has this port.
   [[nodiscard]] bool walks() const { return commands_.walks(); }
@@ -87,6 +91,7 @@ class RobotPort {
   std::deque<Signal> signals_;  // stay where they are
   PortCommands commands_;
   TeamRadio radio_;
+  GameSignals game_;
 };
 
 }  // namespace murosimf::connect

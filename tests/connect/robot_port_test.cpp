@@ -234,5 +234,50 @@ TEST(RobotPort, ShowsSamplesWithTheirTimes) {
   }
 }
 
+TEST(RobotPort, ShowsTheGameAsSomebodyHasWrittenIt) {
+  const murosimf_signal *state = nullptr, *score = nullptr;
+  murosimf_command* answer = nullptr;
+  ProgrammedRobot program([&](RobotPort& port) {
+    state = port.signal("game.state");
+    score = port.signal("game.score");
+    EXPECT_EQ(port.signal("game.state"), state);
+    answer = port.command("game.answer");
+    EXPECT_EQ(*port.labels("game.score"), (std::vector<std::string>{"own", "other"}));
+    return nothing_to_do();
+  });
+  program.rig.simulation.run(20ms);
+  EXPECT_EQ(state->samples, 0U);  // nobody has said anything
+  EXPECT_EQ(score->count, 2U);
+  GameView& view = program.robot.column(game_view).values[0];
+  view.time = 12'000'000;
+  view.samples = 3;
+  view.state = 2;
+  view.score = {4, 5};
+  program.rig.simulation.run(20ms);
+  EXPECT_EQ(state->values[0], 2);
+  EXPECT_EQ(state->samples, 3U);
+  EXPECT_EQ(score->values[0], 4);
+  EXPECT_EQ(score->values[1], 5);
+  EXPECT_EQ(score->time, 12'000'000);
+  EXPECT_EQ(program.robot.column(game_answer).values[0], answer_alive);
+  answer->values[0] = 4;
+  program.rig.simulation.run(20ms);
+  EXPECT_EQ(program.robot.column(game_answer).values[0], 4);
+  answer->values[0] = 5;
+  program.rig.simulation.run(20ms);
+  EXPECT_EQ(program.robot.column(game_answer).values[0], 4);  // there is no such answer
+}
+
+TEST(RobotPort, HasNoColumnsOfTheGameForWhoDoesNotAsk) {
+  ProgrammedRobot program([](RobotPort&) { return nothing_to_do(); });
+  EXPECT_EQ(program.robot.find(game_view), nullptr);
+  EXPECT_EQ(program.robot.find(message_box), nullptr);
+  EXPECT_EQ(refusal([](RobotPort& port) {
+              (void)port.signal("game.stat");
+              return nothing_to_do();
+            }),
+            "unknown signal 'game.stat'; did you mean 'game.state'?");
+}
+
 }  // namespace
 }  // namespace murosimf::connect

@@ -1,0 +1,40 @@
+/// game_signals.h - what control software sees of the game, by name: game.state, game.penalty, ... (game_view.h).
+#pragma once
+
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/connect/game_view.h"
+#include "murosimf/connect/murosimf_controller.h"
+#include "murosimf/model/setup.h"
+
+namespace murosimf::connect {
+
+class GameSignals {
+ public:
+  /// `setup` must live until close().
+  explicit GameSignals(Setup& setup) : setup_(&setup) {}
+
+  [[nodiscard]] static std::vector<std::string_view> names();
+
+  /// Null if it is none of names(). Throws SetupError for the first one after close().
+  [[nodiscard]] const murosimf_signal* find(std::string_view name);
+  /// Null if it is none of names().
+  [[nodiscard]] static const std::vector<std::string>* labels(std::string_view name);
+  void close() { setup_ = nullptr; }
+  void refresh() noexcept;
+
+ private:
+  struct Shown {
+    std::string_view name;
+    murosimf_signal signal;
+  };
+
+  Setup* setup_;
+  const GameView* view_ = nullptr;  // null: nobody has asked
+  std::deque<Shown> shown_;         // stay where they are
+};
+
+}  // namespace murosimf::connect
