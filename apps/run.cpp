@@ -3,11 +3,13 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <span>
 
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
+#include "apps/game_arguments.h"
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/picture_sequence.h"
@@ -17,6 +19,7 @@
 #include "murosimf/connect/crash_note.h"
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/league/league.h"
 #include "murosimf/logging/run_log.h"
 #include "murosimf/runtime/clock.h"
 #include "murosimf/scene/scene.h"
@@ -39,6 +42,7 @@ struct RunOptions {
   double log_rate = 100;               ///< [Hz] of properties in it
   bool no_cameras = false;             ///< nothing is drawn for cameras
   std::string load_state, save_state;  ///< files
+  GameArguments game;
 };
 
 void define(const Command& command, RunOptions& options) {
@@ -60,6 +64,7 @@ void define(const Command& command, RunOptions& options) {
   command.add("--log-rate", options.log_rate, "How often properties are recorded, in Hz").needs(log).shows_default();
   command.add("--load-state", options.load_state, "Go on from a state of this scene that --save-state has written");
   command.add("--save-state", options.save_state, "Write the state at the end to this file");
+  add_game(command, options.game);
   command.add("--no-cameras", options.no_cameras, "Draw nothing for cameras: they have no frames then");
 }
 
@@ -130,6 +135,7 @@ int run(const RunOptions& options) {
   if (!options.picture.empty()) files::check_writable(options.picture);
   if (!options.out.empty()) files::check_writable(options.out);
   if (!options.save_state.empty()) files::check_writable(options.save_state);
+  if (!options.game.log.empty()) files::check_writable(options.game.log);
   std::optional<PictureSequence> pictures;
   if (!options.pictures.empty()) pictures.emplace(options.pictures, options.picture_every);
 
@@ -139,6 +145,7 @@ int run(const RunOptions& options) {
   scene::Scene scene(options.scene.file, scene_options);
   const Duration duration = duration_of(options.duration.value_or(scene.spec().duration));
   Simulation& simulation = scene.simulation();
+  const std::unique_ptr<league::League> game = game_of(scene, options.game);
   std::optional<logging::RunLog> log;
   if (!options.log.empty()) {
     log.emplace(simulation, options.log,
@@ -174,6 +181,7 @@ int run(const RunOptions& options) {
     report.stopped = {crashed ? "a crash" : signal_name(), options.duration.value_or(scene.spec().duration)};
 
   if (log) log->write(options.out);
+  if (game && !options.game.log.empty()) files::write_file(options.game.log, game->log().to_text());
   if (!options.save_state.empty()) save(scene, options.save_state);
   if (!options.picture.empty()) write_picture(scene, options.picture);
   write_result(options.json, scene::to_text(report), options.json.empty() ? "" : scene::to_json(report));

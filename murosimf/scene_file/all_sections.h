@@ -31,5 +31,6 @@ struct EventTable {
 [[nodiscard]] const Section<EventTable>& event_section();
 [[nodiscard]] const Section<PairSurface>& material_section();
 [[nodiscard]] const Section<connect::RadioOptions>& communication_section();
+[[nodiscard]] const Section<LeagueSpec>& league_section();
 
 }  // namespace murosimf::scene_file

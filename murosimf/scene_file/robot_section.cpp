@@ -31,6 +31,11 @@ void read_attacks(const TomlTable& table, std::string_view key, TeamSpec& team) 
   team.attacks = side == "right" ? 1 : -1;
 }
 
+void read_number(const TomlTable& table, std::string_view key, TeamSpec& team) {
+  table.read(key, team.number);
+  require(team.number >= 1 && team.number <= 254, table, key, "must be from 1 to 254");
+}
+
 /// Where the keys stand that somebody has set, for warnings.
 void remember_given(const TomlTable& table, RobotSpec& robot) {
   for (const std::string_view key : robot_section().names()) {
@@ -57,7 +62,8 @@ const Section<TeamSpec>& team_section() {
                      "red, green, blue from 0 to 1",
                      {},
                      "blue, then red"},
-                    {"attacks", read_attacks, "", "right: the goal at positive x, left", {}, "right, then left"}});
+                    {"attacks", read_attacks, "", "right: the goal at positive x, left", {}, "right, then left"},
+                    {"number", read_number, "", "of the team in a GameController", {}, "by the order there"}});
   return section;
 }
 
@@ -159,6 +165,8 @@ void read_teams(const files::TomlTable& scene, SceneSpec& spec) {
     require(!team.name.empty(), table, "name", "of the team is missing");
     const auto same = [&](const TeamSpec& other) { return other.name == team.name; };
     require(std::none_of(spec.teams.begin(), spec.teams.end(), same), table, "name", "is the name of two teams");
+    const auto as_well = [&](const TeamSpec& other) { return team.number != 0 && other.number == team.number; };
+    require(std::none_of(spec.teams.begin(), spec.teams.end(), as_well), table, "number", "is that of two teams");
     spec.teams.push_back(team);
   }
 }

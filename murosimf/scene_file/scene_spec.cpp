@@ -67,7 +67,8 @@ const Section<SceneSpec>& scene_section() {
        {"materials", {}, "", "see [[materials]]"},
        {"events", {}, "", "see [[events]]"},
        {"pushes", {}, "", "see [[pushes]]"},
-       {"communication", {}, "", "see [communication]"}});
+       {"communication", {}, "", "see [communication]"},
+       {"league", {}, "", "see [league]"}});
   return section;
 }
 
@@ -114,6 +115,7 @@ SceneSpec read_scene(const std::filesystem::path& file, const std::vector<std::s
   read_bodies(scene, spec);
   read_materials(scene, spec);
   read_communication(scene, spec);
+  read_league(scene, spec);
   apply_material_changes(material_changes, spec);
   spec.events = read_events(document, at_options);
   spec.pushes = read_pushes(document, push_options);

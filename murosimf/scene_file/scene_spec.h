@@ -71,7 +71,8 @@ struct ViewpointSpec {
 struct TeamSpec {
   std::string name;
   Color color;
-  double attacks = 1;  ///< +1: the goal at positive x, -1: the other one
+  double attacks = 1;        ///< +1: the goal at positive x, -1: the other one
+  std::uint64_t number = 0;  ///< in a game with a GameController; 0: by the order there
 };
 
 /// That a scene says something: where, and whether only its [defaults] do.
@@ -146,6 +147,12 @@ struct PushSpec {
   double begin = 0, end = 0;  ///< [s]
 };
 
+/// How a game with a referee goes on (league/).
+struct LeagueSpec {
+  bool place_penalized = true;       ///< at the side line
+  std::uint64_t answer_port = 3939;  ///< of the GameController's machine
+};
+
 struct SceneSpec {
   std::filesystem::path file;
   std::string name;
@@ -175,6 +182,7 @@ struct SceneSpec {
   std::vector<SceneEvent> events;  ///< in the order of time
   std::vector<PushSpec> pushes;
   connect::RadioOptions communication;
+  LeagueSpec league;
 };
 
 /// [Hz] Of the longest steps that a robot makes.

@@ -25,5 +25,6 @@ void read_robots(const files::TomlTable& scene, SceneSpec& spec);
 void read_bodies(const files::TomlTable& scene, SceneSpec& spec);
 void read_materials(const files::TomlTable& scene, SceneSpec& spec);
 void read_communication(const files::TomlTable& scene, SceneSpec& spec);
+void read_league(const files::TomlTable& scene, SceneSpec& spec);
 
 }  // namespace murosimf::scene_file

@@ -1,0 +1,22 @@
+/// datagrams.h - datagrams that come from outside of the simulation and go there: from a socket (udp_port.h), or a record (game_log.h).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/model/time.h"
+
+namespace murosimf::league {
+
+class Datagrams {
+ public:
+  virtual ~Datagrams() = default;
+
+  /// At the beginning of the tick at `now`: those that have come since the one before, in their order. Never waits.
+  [[nodiscard]] virtual std::vector<std::string> take(Duration now) = 0;
+  /// Sends one; that it does not arrive is no mistake.
+  virtual void give(std::string_view bytes) = 0;
+};
+
+}  // namespace murosimf::league

@@ -1,0 +1,70 @@
+/// game_log.h - what has come from outside in a run, with the instants, so that the run can be repeated: a file of lines.
+///
+///     MuRoSimF game log 1
+///     2500000000 game 52476d65...
+///     2612000000 team:blue 48656c6c6f
+///
+/// Each line has the simulated time [ns], from whom it came, and the bytes of the datagram as hexadecimal digits.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/league/datagrams.h"
+
+namespace murosimf::league {
+
+class GameLog {
+ public:
+  struct Entry {
+    Duration time{};
+    std::string bytes;
+    friend bool operator==(const Entry&, const Entry&) = default;
+  };
+
+  /// Throws SetupError with file:line: no such log, lines that are none or go back in time.
+  [[nodiscard]] static GameLog read(const std::filesystem::path& file);
+  /// Of its text; `name` for messages.
+  [[nodiscard]] static GameLog parse(std::string_view text, const std::string& name);
+
+  /// By time; empty for one of which there is nothing. Channels stay where they are: each may be written by a thread of its own.
+  [[nodiscard]] std::vector<Entry>& channel(const std::string& name) { return channels_[name]; }
+  [[nodiscard]] std::string to_text() const;
+
+ private:
+  std::map<std::string, std::vector<Entry>> channels_;
+};
+
+/// Datagrams of another source, written down.
+class RecordedDatagrams final : public Datagrams {
+ public:
+  /// All must outlive it.
+  RecordedDatagrams(Datagrams& source, GameLog& log, const std::string& channel)
+      : source_(&source), entries_(&log.channel(channel)) {}
+  [[nodiscard]] std::vector<std::string> take(Duration now) override;
+  void give(std::string_view bytes) override { source_->give(bytes); }
+
+ private:
+  Datagrams* source_;
+  std::vector<GameLog::Entry>* entries_;
+  Duration last_{-1};  // of take()
+};
+
+/// Datagrams of a log; what is given goes nowhere. Remembers nothing, so a run may go back and forth.
+class RepeatedDatagrams final : public Datagrams {
+ public:
+  /// `period`: between two times of take().
+  RepeatedDatagrams(GameLog& log, const std::string& channel, Duration period)
+      : entries_(log.channel(channel)), period_(period) {}
+  [[nodiscard]] std::vector<std::string> take(Duration now) override;
+  void give(std::string_view) override {}
+
+ private:
+  std::vector<GameLog::Entry> entries_;
+  Duration period_;
+};
+
+}  // namespace murosimf::league

@@ -1,0 +1,47 @@
+/// game_state.h - a soccer game as its referee sees it, whoever that is: state, teams, penalties, score, clock.
+///
+/// Numbers of states and penalties are those of the Humanoid League's GameController, version 12 (humanoid_packet.h).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace murosimf::league {
+
+inline constexpr std::size_t most_players = 11;  ///< of a team, numbered from 1
+inline constexpr int no_team = -1;
+
+struct PlayerState {
+  std::uint8_t penalty = 0;       ///< 0: none
+  std::uint8_t seconds_left = 0;  ///< [s] of the penalty
+  std::uint8_t warnings = 0, yellow_cards = 0, red_cards = 0;
+  bool goalkeeper = false;
+};
+
+struct TeamState {
+  int number = 0;
+  int score = 0;
+  std::array<PlayerState, most_players> players{};
+};
+
+struct GameState {
+  int state = 0;  ///< 0 initial, 1 ready, 2 set, 3 playing, 4 finished
+  bool first_half = true;
+  int kick_off_team = no_team;  ///< number of the team; none: the ball is dropped
+  /// 0 normal, 1 penalty shoot-out, 2 overtime, 3 timeout, 4 direct and 5 indirect free kick, 6 penalty kick, 7 corner kick, 8 goal
+  /// kick, 9 throw-in
+  int secondary_state = 0;
+  int secondary_team = no_team;
+  int secondary_phase = 0;
+  int seconds_left = 0, secondary_seconds_left = 0;  ///< [s]
+  std::array<TeamState, 2> teams{};
+};
+
+/// What a robot tells the referee.
+struct Answer {
+  int team = 0, player = 0;  ///< numbers
+  int message = 2;  ///< 0 penalized by hand, 1 not any more, 2 alive, 3 goalkeeper, 4 ready after an interruption
+};
+
+}  // namespace murosimf::league

@@ -1,0 +1,197 @@
+#include "murosimf/league/game_task.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "murosimf/league/rule_names.h"
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+
+namespace murosimf::league {
+namespace {
+
+constexpr Duration watch_period = std::chrono::milliseconds(500);
+constexpr double farthest = 0.5;  // [m] that a robot with a penalty may be from its place
+
+double seen_from(int own, int team) { return team == no_team ? -1 : team == own ? 1 : 0; }
+
+}  // namespace
+
+GameTask::GameTask(Setup& setup, const std::vector<Player>& players, Referee& referee, Options options)
+    : options_(std::move(options)), referee_(&referee), holds_(players.size()) {
+  for (const Player& player : players) members_.push_back(member(setup.of(*player.robot), player));
+}
+
+GameTask::Member GameTask::member(Setup setup, const Player& player) const {
+  Member member{player, setup.read(properties::position), nullptr, nullptr};
+  if (setup.entity().find(connect::game_view)) member.view = &setup.write(connect::game_view)[0];
+  if (setup.entity().find(connect::game_answer)) member.answer = &setup.read(connect::game_answer)[0];
+  return member;
+}
+
+void GameTask::initialize() {
+  game_ = {};
+  words_ = 0;
+  holds_.assign(members_.size(), {});
+  events_.clear();
+  for (Member& member : members_) {
+    if (member.view) *member.view = {};
+  }
+}
+
+void GameTask::entity_entered(const Entity& entity) {
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    if (members_[i].player.robot != &entity) continue;
+    holds_[i] = {};
+    if (members_[i].view) *members_[i].view = {};
+  }
+}
+
+const PlayerState& GameTask::state_of(const Player& player) const {
+  return game_.teams[place_of_team_[player.team]].players[static_cast<std::size_t>(player.number - 1)];
+}
+
+void GameTask::step(const Instant& instant) noexcept {
+  for (const GameState& game : referee_->take(instant.now)) {
+    if (find_teams(game)) hear(game, instant.now);
+  }
+  for (std::string& line : referee_->complaints()) complaints_.push_back(std::move(line));
+  if (instant.now % watch_period == Duration{}) watch_placed();
+  ask();
+}
+
+/// Which team of the referee is which one here. False if they are others.
+bool GameTask::find_teams(const GameState& game) {
+  std::array<std::uint8_t, 2> places{0, 1};
+  for (std::size_t team = 0; team < 2; ++team) {
+    const int number = options_.team_numbers[team];
+    const auto found = std::ranges::find(game.teams, number, &TeamState::number);
+    if (number != 0) places[team] = static_cast<std::uint8_t>(found - game.teams.begin());
+  }
+  if (options_.team_numbers[0] == 0 && options_.team_numbers[1] != 0)
+    places[0] = static_cast<std::uint8_t>(1 - places[1]);
+  if (options_.team_numbers[1] == 0 && options_.team_numbers[0] != 0)
+    places[1] = static_cast<std::uint8_t>(1 - places[0]);
+  if (places[0] + places[1] == 1) {
+    place_of_team_ = places;
+    return true;
+  }
+  if (!std::exchange(told_of_teams_, true)) {
+    complaints_.push_back(
+        fmt::format("the referee has the teams {} and {}, the scene has {} (number {}) and {} (number {}); "
+                    "what it says is ignored",
+                    game.teams[0].number, game.teams[1].number, options_.team_names[0], options_.team_numbers[0],
+                    options_.team_names[1], options_.team_numbers[1]));
+  }
+  return false;
+}
+
+void GameTask::hear(const GameState& game, Duration now) {
+  const GameState before = std::exchange(game_, game);
+  if (words_++ == 0) events_.push_back("game: the referee is there");
+  tell_changes(before);
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    show(members_[i], now);
+    judge(i);
+  }
+  answer();
+}
+
+void GameTask::show(Member& member, Duration now) const {
+  if (!member.view) return;
+  const TeamState& own = game_.teams[place_of_team_[member.player.team]];
+  const TeamState& other = game_.teams[1 - place_of_team_[member.player.team]];
+  const PlayerState& player = state_of(member.player);
+  connect::GameView& view = *member.view;
+  view.time = now.count();
+  view.samples = words_;
+  view.state = game_.state;
+  view.secondary_state = game_.secondary_state;
+  view.secondary_team = seen_from(own.number, game_.secondary_team);
+  view.secondary_phase = game_.secondary_phase;
+  view.half = game_.first_half ? 1 : 2;
+  view.kick_off = seen_from(own.number, game_.kick_off_team);
+  view.remaining = game_.seconds_left;
+  view.secondary_remaining = game_.secondary_seconds_left;
+  view.penalty = player.penalty;
+  view.penalty_remaining = player.seconds_left;
+  view.team = own.number;
+  view.number = member.player.number;
+  view.score = {static_cast<double>(own.score), static_cast<double>(other.score)};
+  view.cards = {static_cast<double>(player.warnings), static_cast<double>(player.yellow_cards),
+                static_cast<double>(player.red_cards)};
+}
+
+void GameTask::judge(std::size_t number) {
+  const Player& player = members_[number].player;
+  const bool penalized = state_of(player).penalty != 0;
+  Hold& hold = holds_[number];
+  if (penalized == hold.penalized) return;
+  hold = {.penalized = penalized, .wants_place = penalized && options_.place_penalized};
+  events_.push_back(penalized
+                        ? fmt::format("game: {}: {}", player.robot->name(), penalty_name(state_of(player).penalty))
+                        : fmt::format("game: {}: the penalty has ended", player.robot->name()));
+}
+
+void GameTask::tell_changes(const GameState& before) {
+  if (words_ == 1 || game_.state != before.state) events_.push_back(fmt::format("game: {}", state_name(game_.state)));
+  if (game_.secondary_state != before.secondary_state) {
+    events_.push_back(fmt::format("game: {}", secondary_state_name(game_.secondary_state)));
+  }
+  std::array<int, 2> scores{}, scores_before{};
+  for (std::size_t team = 0; team < 2; ++team) {
+    scores[team] = game_.teams[place_of_team_[team]].score;
+    scores_before[team] = before.teams[place_of_team_[team]].score;
+  }
+  if (scores == scores_before) return;
+  events_.push_back(
+      fmt::format("game: {} {}, {} {}", options_.team_names[0], scores[0], options_.team_names[1], scores[1]));
+}
+
+void GameTask::answer() const {
+  for (const Member& member : members_) {
+    if (member.player.robot->idle()) continue;
+    const int message = static_cast<int>(std::lround(member.answer ? *member.answer : connect::answer_alive));
+    referee_->answer({game_.teams[place_of_team_[member.player.team]].number, member.player.number, message});
+  }
+}
+
+void GameTask::watch_placed() {
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const Vec3d way = members_[i].r[0] - holds_[i].place;
+    if (holds_[i].placed && std::hypot(way.x, way.y) > farthest) holds_[i].wants_place = true;
+  }
+}
+
+void GameTask::ask() {
+  const bool somebody = std::ranges::any_of(holds_, &Hold::wants_place);
+  if (somebody || !events_.empty() || !complaints_.empty()) options_.ask_for_call();
+}
+
+void GameTask::between_steps(Scene& scene) {
+  for (std::string& event : std::exchange(events_, {})) scene.record(std::move(event));
+  for (std::string& line : std::exchange(complaints_, {})) scene.warn(std::move(line));
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    Hold& hold = holds_[i];
+    if (!std::exchange(hold.wants_place, false) || members_[i].player.robot->idle()) continue;
+    try {
+      hold.place = scene.place(members_[i].player).position;
+      hold.placed = true;
+    } catch (const SetupError& error) {
+      scene.warn(error.what());
+    }
+  }
+}
+
+void GameTask::state(StateArchive& archive) {
+  archive(game_, place_of_team_, words_);
+  archive.elements(std::span(holds_));
+  archive(events_);
+  if (archive.loads()) ask();
+}
+
+}  // namespace murosimf::league

@@ -1,0 +1,96 @@
+/// game_task.h - algorithm: brings what a referee says to the robots, at the beginning of a tick, and has penalties carried out.
+///
+/// Each word of the referee goes to all robots at once (connect/game_view.h), seen from their teams; each is answered for every robot that
+/// is there. Who gets a penalty is placed at the side line before the next tick, and again if it walks off; when the penalty ends it may
+/// go. All of that is state; the words themselves come from outside (game_log.h).
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "murosimf/connect/game_view.h"
+#include "murosimf/league/referee.h"
+#include "murosimf/model/algorithm.h"
+#include "murosimf/model/setup.h"
+#include "murosimf/scene/robot_placement.h"
+
+namespace murosimf::league {
+
+/// A robot of the game.
+struct Player {
+  Entity* robot = nullptr;
+  std::size_t team = 0;  ///< 0 or 1, of the scene
+  int number = 0;        ///< from 1
+};
+
+class GameTask final : public Algorithm {
+ public:
+  struct Options {
+    std::array<std::string, 2> team_names;
+    std::array<int, 2> team_numbers{};  ///< 0: those of the referee, in its order
+    bool place_penalized = true;
+    /// Has between_steps() called before the next tick.
+    std::function<void()> ask_for_call;
+  };
+  /// Of the world. The referee must outlive it.
+  GameTask(Setup& setup, const std::vector<Player>& players, Referee& referee, Options options);
+
+  /// What can be done between two steps alone.
+  struct Scene {
+    virtual ~Scene() = default;
+    virtual void record(std::string event) = 0;
+    virtual void warn(std::string warning) = 0;
+    /// Places the player at the side line, and says where; may throw SetupError.
+    virtual scene::Placement place(const Player& player) = 0;
+  };
+  void between_steps(Scene& scene);
+
+  [[nodiscard]] const GameState& game() const { return game_; }
+  [[nodiscard]] std::uint64_t words() const { return words_; }  ///< of the referee so far
+
+  [[nodiscard]] Phase phase() const noexcept override { return Phase::survey; }
+  void initialize() override;
+  void entity_entered(const Entity& entity) override;
+  void state(StateArchive& archive) override;
+  void step(const Instant& instant) noexcept override;
+
+ private:
+  /// What the game has done with a robot.
+  struct Hold {
+    bool penalized = false, wants_place = false, placed = false;
+    Vec3d place;  ///< [m]
+    void state(StateArchive& archive) { archive(penalized, wants_place, placed, place); }
+  };
+  struct Member {
+    Player player;
+    std::span<const Vec3d> r;
+    connect::GameView* view;  // null: its software does not look
+    const double* answer;     // null: it is alive
+  };
+
+  [[nodiscard]] Member member(Setup setup, const Player& player) const;
+  [[nodiscard]] bool find_teams(const GameState& game);
+  void hear(const GameState& game, Duration now);
+  void show(Member& member, Duration now) const;
+  void judge(std::size_t number);
+  void tell_changes(const GameState& before);
+  void answer() const;
+  void watch_placed();
+  void ask();
+  [[nodiscard]] const PlayerState& state_of(const Player& player) const;
+
+  Options options_;
+  Referee* referee_;
+  std::vector<Member> members_;
+  GameState game_;
+  std::array<std::uint8_t, 2> place_of_team_{0, 1};  // in game_.teams
+  std::uint64_t words_ = 0;
+  std::vector<Hold> holds_;              // of each member
+  std::vector<std::string> events_;      // to be recorded
+  std::vector<std::string> complaints_;  // to be told
+  bool told_of_teams_ = false;
+};
+
+}  // namespace murosimf::league

@@ -1,0 +1,20 @@
+#include "murosimf/league/team_forwarder.h"
+
+#include <utility>
+
+namespace murosimf::league {
+
+std::vector<connect::OutsideMessage> TeamForwarder::take(Duration now) {
+  std::vector<connect::OutsideMessage> all;
+  for (const auto& [team, datagrams] : teams_) {
+    for (std::string& bytes : datagrams->take(now)) all.push_back({team, std::move(bytes)});
+  }
+  return all;
+}
+
+void TeamForwarder::give(const std::string& team, const connect::TeamMessage& message) {
+  const auto found = teams_.find(team);
+  if (found != teams_.end()) found->second->give(message.bytes);
+}
+
+}  // namespace murosimf::league

@@ -1,0 +1,26 @@
+/// team_forwarder.h - messages of one or more teams go to real sockets and come from there (connect/team_gateway.h).
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "murosimf/connect/team_gateway.h"
+#include "murosimf/league/datagrams.h"
+
+namespace murosimf::league {
+
+class TeamForwarder final : public connect::TeamGateway {
+ public:
+  /// Messages of `team` are datagrams there; they must outlive it.
+  void add(const std::string& team, Datagrams& datagrams) { teams_.emplace(team, &datagrams); }
+  [[nodiscard]] bool empty() const { return teams_.empty(); }
+
+  [[nodiscard]] std::vector<connect::OutsideMessage> take(Duration now) override;
+  void give(const std::string& team, const connect::TeamMessage& message) override;
+
+ private:
+  std::map<std::string, Datagrams*> teams_;
+};
+
+}  // namespace murosimf::league
