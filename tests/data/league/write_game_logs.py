@@ -3,7 +3,8 @@
 
     tests/data/league/write_game_logs.py [folder]
 
-game.gamelog: twelve seconds of a game, two packets per second, teams 21 and 4; player 2 of team 4 has a penalty from 5.2 s to 10.2 s.
+game.gamelog: twelve seconds of a game, two packets per second, teams 21 and 4;
+player 2 of team 4 has a penalty from 5.2 s to 10.2 s.
 fields.gamelog: one packet, in which every field has another value. The test league.logs compares both with what this prints.
 """
 import pathlib
