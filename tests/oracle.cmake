@@ -21,6 +21,7 @@ add_oracle_test(random_trees_against_pinocchio $<TARGET_FILE:dump_dynamics>)
 add_oracle_test(trajectories_against_mujoco $<TARGET_FILE:dump_trajectory>)
 add_oracle_test(lenses_against_opencv $<TARGET_FILE:dump_lens>)
 add_oracle_test(mcap_against_official $<TARGET_FILE:dump_mcap>)
+add_oracle_test(recording_against_official $<TARGET_FILE:murosimf_app>)
 
 # Collision against FCL, where it is installed.
 find_package(fcl QUIET)

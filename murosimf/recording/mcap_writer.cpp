@@ -120,10 +120,7 @@ void McapWriter::flush() {
   ++statistics_.chunk_count;
 }
 
-void McapWriter::sync() {
-  flush();
-  file_.sync();
-}
+void McapWriter::sync() { file_.sync(); }
 
 void McapWriter::attach(const Attachment& attachment) {
   flush();

@@ -43,7 +43,7 @@ class McapWriter {
 
   /// What has been written is in the file, as a chunk of its own.
   void flush();
-  /// And on the disk.
+  /// What is in the file is on the disk.
   void sync();
   /// Writes the summary. Without it the file is one that was cut off.
   void close();
