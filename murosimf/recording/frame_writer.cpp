@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/model.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/recording_schemas.h"
 
@@ -59,6 +60,39 @@ void put_target(ProtobufWriter& out, const std::string& name, const JointNumbers
   });
 }
 
+/// Those whose positions are lengths: their units.
+TextMap prismatic_joints(const std::vector<RecordedEntity>& entities) {
+  TextMap units;
+  for (const RecordedEntity& entity : entities) {
+    for (const RecordedEntity::Joint& joint : entity.joints) {
+      const Object& object = entity.entity->model().objects()[static_cast<std::size_t>(joint.object)];
+      if (object.kind == Kind::prismatic) units[joint.name] = "m";
+    }
+  }
+  return units;
+}
+
+/// What a field of a sensor's messages is called in logs, by its number: "2" is "gyroscope.x [rad/s]". A list has all names, by lines.
+TextMap names_of(const RecordedSensor& sensor) {
+  TextMap names;
+  const auto unit = [](const sensors::Output& output) {
+    return output.unit.empty() ? std::string{} : fmt::format(" [{}]", output.unit);
+  };
+  int field = 2;
+  for (const sensors::Output& output : sensor.reading->info->outputs) {
+    const bool list = output.size() > most_named;
+    if (output.labels.empty()) names[fmt::format("{}", field++)] = output.name + unit(output);
+    std::string all;
+    for (const std::string& label : output.labels) {
+      const std::string name = fmt::format("{}.{}{}", output.name, label, unit(output));
+      if (list) all += (all.empty() ? "" : "\n") + name;
+      if (!list) names[fmt::format("{}", field++)] = name;
+    }
+    if (list) names[fmt::format("{}", field++)] = all;
+  }
+  return names;
+}
+
 }  // namespace
 
 const std::vector<std::string>& recordable() {
@@ -104,25 +138,25 @@ FrameWriter::FrameWriter(McapWriter& file, const std::vector<RecordedEntity>& en
   events_ = channel_if("events", "/events", "foxglove.Log");
   warnings_ = channel_if("events", "/warnings", "foxglove.Log");
   hashes_ = channel_if("hashes", "/state_hash", "murosimf.StateHash");
-  joints_ = channel_if("joints", "/joints", "foxglove.JointStates");
-  targets_ = channel_if("joints", "/targets", "foxglove.JointStates");
+  joints_ = channel_if("joints", "/joints", "foxglove.JointStates", prismatic_joints(entities));
+  targets_ = channel_if("joints", "/targets", "foxglove.JointStates", prismatic_joints(entities));
   if (!what.contains("sensors")) return;
   for (const RecordedSensor& sensor : sensors) {
-    samples_.push_back(
-        channel(fmt::format("/sensors/{}/{}", sensor.entity, sensor.reading->info->name), sensor_schema(sensor)));
+    samples_.push_back(channel(fmt::format("/sensors/{}/{}", sensor.entity, sensor.reading->info->name),
+                               sensor_schema(sensor), names_of(sensor)));
   }
 }
 
-std::uint16_t FrameWriter::channel(const std::string& topic, const MessageSchema& schema) {
+std::uint16_t FrameWriter::channel(const std::string& topic, const MessageSchema& schema, const TextMap& metadata) {
   auto [known, is_new] = schemas_.try_emplace(schema.name, std::uint16_t{0});
   if (is_new) known->second = file_.add_schema(schema.name, "protobuf", descriptors_of(schema));
-  return file_.add_channel(topic, "protobuf", known->second);
+  return file_.add_channel(topic, "protobuf", known->second, metadata);
 }
 
 std::optional<std::uint16_t> FrameWriter::channel_if(const std::string& what, const std::string& topic,
-                                                     const std::string& schema) {
+                                                     const std::string& schema, const TextMap& metadata) {
   if (!what_.contains(what)) return std::nullopt;
-  return channel(topic, find_schema(schema));
+  return channel(topic, find_schema(schema), metadata);
 }
 
 void FrameWriter::write(const RecordedFrame& frame) {

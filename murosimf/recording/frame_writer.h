@@ -10,7 +10,7 @@
 /// | `/events`, `/warnings` | foxglove.Log |
 /// | `/state_hash` | murosimf.StateHash |
 ///
-/// Every message stands alone: nothing of an earlier one is needed to understand it.
+/// Every message stands alone: nothing of an earlier one is needed to understand it. Metadata of channels have the names that logs use.
 #pragma once
 
 #include <map>
@@ -40,9 +40,10 @@ class FrameWriter {
   void write(const RecordedFrame& frame);
 
  private:
-  [[nodiscard]] std::uint16_t channel(const std::string& topic, const MessageSchema& schema);
+  [[nodiscard]] std::uint16_t channel(const std::string& topic, const MessageSchema& schema,
+                                      const TextMap& metadata = {});
   [[nodiscard]] std::optional<std::uint16_t> channel_if(const std::string& what, const std::string& topic,
-                                                        const std::string& schema);
+                                                        const std::string& schema, const TextMap& metadata = {});
   void write_transforms(const RecordedFrame& frame);
   void write_joints(const RecordedFrame& frame, bool targets);
   void write_contacts(const RecordedFrame& frame);

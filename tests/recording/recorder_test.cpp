@@ -1,8 +1,13 @@
 // Recordings hold what happened, and change nothing of it.
 #include "murosimf/recording/recorder.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <atomic>
+#include <csignal>
 #include <map>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +15,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/mcap_reader.h"
+#include "murosimf/recording/mcap_repair.h"
 #include "murosimf/scene/scene_report.h"
 #include "tests/temp_folder.h"
 
@@ -107,16 +113,35 @@ TEST(Recorder, SaysEventsWhenTheyHappen) {
   EXPECT_EQ(found, 1);
 }
 
-TEST(Recorder, LosesLessThanASecondWithoutAnEnd) {
-  scene::Scene scene("walk", {});
-  const auto file = fixtures::temp_folder() / "no_end.mcap";
-  {
-    Recorder recorder(scene, {.file = file});
-    scene.simulation().run(3s);
+/// A process of its own records a run, and dies at this time of it as by kill -9.
+void record_and_die(const std::filesystem::path& file, Duration time) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    scene::Scene scene("walk", {});
+    const Recorder recorder(scene, {.file = file});
+    scene.simulation().at(time, [] { ::kill(::getpid(), SIGKILL); });
+    scene.simulation().run(time + 1s);
+    ::_exit(0);
   }
-  const McapReader reader(file);
-  EXPECT_NE(reader.contents().damage, "");
-  EXPECT_GT(reader.contents().statistics.end_time, 2'000'000'000U);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+}
+
+// As fast as it can: what waits for the disk is lost, too.
+TEST(Recorder, LosesAtMostASecondWhenItIsKilled) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 10; ++i) {
+    const Duration time = std::chrono::milliseconds(1000 + random() % 5000);
+    const auto file = fixtures::temp_folder() / "killed.mcap";
+    record_and_die(file, time);
+    EXPECT_NE(repair(file, file).damage, "");
+    const McapReader reader(file);
+    EXPECT_EQ(reader.contents().damage, "");
+    const Duration last(reader.contents().statistics.end_time);
+    EXPECT_GE(last, time - 1s) << seconds(time);
+    EXPECT_LE(last, time);
+  }
 }
 
 TEST(Recorder, RefusesADiskThatIsFullFromTheBeginning) {
