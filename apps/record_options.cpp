@@ -53,7 +53,7 @@ void add_record(const Command& command, RecordOptions& options) {
       .shows_default();
   command
       .add("--record-what", options.what,
-           fmt::format("What is recorded, of {}; all but sensors if not given",
+           fmt::format("What is recorded, of {}; all but sensors and hashes if not given",
                        fmt::join(recording::recordable(), ", ")))
       .needs(record)
       .separated_by(',')

@@ -103,6 +103,7 @@ const std::vector<std::string>& recordable() {
 std::set<std::string> usually_recorded() {
   std::set<std::string> names(recordable().begin(), recordable().end());
   names.erase("sensors");
+  names.erase("hashes");
   return names;
 }
 

@@ -28,7 +28,7 @@ namespace murosimf::recording {
 
 /// What can be recorded, in the words of --record-what: "poses", "scene", "joints", "contacts", "sensors", "events", "hashes".
 [[nodiscard]] const std::vector<std::string>& recordable();
-/// What is recorded unless somebody says otherwise: all but sensors, which are as many bytes again.
+/// What is recorded unless somebody says otherwise: all but sensors, which are as many bytes again, and hashes, which take time.
 [[nodiscard]] std::set<std::string> usually_recorded();
 
 class FrameWriter {

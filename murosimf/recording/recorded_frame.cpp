@@ -1,25 +1,19 @@
 #include "murosimf/recording/recorded_frame.h"
 
 #include <limits>
+#include <utility>
 
 #include "murosimf/model/properties.h"
 
 namespace murosimf::recording {
 namespace {
 
-/// The rows of a property; null if nobody has it.
-template <class T>
-const T* rows_of(const Entity& entity, const Property<T>& property) {
-  const Column<T>* column = entity.find(property);
-  return column ? column->values.data() : nullptr;
-}
-
-double number_at(const double* rows, int object) {
-  return rows ? rows[object] : std::numeric_limits<double>::quiet_NaN();
+double number_at(const Column<double>* column, int object) {
+  return column ? column->values[static_cast<std::size_t>(object)] : std::numeric_limits<double>::quiet_NaN();
 }
 
 RecordedEntity recorded(const Entity& entity) {
-  RecordedEntity result{.entity = &entity, .name = entity.name(), .links = {}, .joints = {}};
+  RecordedEntity result{.entity = &entity, .name = entity.name(), .links = {}, .joints = {}, .columns = {}};
   const Model& model = entity.model();
   const auto name_of = [&](int object) { return model.objects()[static_cast<std::size_t>(object)].name; };
   for (const Link& link : model.tree().links) {
@@ -53,27 +47,51 @@ std::vector<RecordedSensor> recorded_sensors(const World& world) {
   return result;
 }
 
-void take_numbers(const std::vector<RecordedEntity>& entities, RecordedFrame& frame) {
+template <class T>
+const Column<T>* RecordedColumns::keep(const Entity& entity, const Property<T>& property) {
+  kept_.push_back(entity.columns().share(property.name));
+  return entity.find(property);
+}
+
+void RecordedColumns::follow(const Entity& entity) {
+  if (level_ == entity.level) return;
+  std::vector<std::shared_ptr<ColumnBase>> before = std::move(kept_);  // until they are looked up again
+  kept_.clear();
+  position = keep(entity, properties::position);
+  orientation = keep(entity, properties::orientation);
+  joint_position = keep(entity, properties::joint_position);
+  joint_velocity = keep(entity, properties::joint_velocity);
+  joint_torque = keep(entity, properties::joint_torque);
+  joint_target = keep(entity, properties::joint_target);
+  level_ = entity.level;
+}
+
+void take_numbers(std::vector<RecordedEntity>& entities, RecordedFrame& frame) {
   frame.of_poses = true;
   std::size_t links = 0, joints = 0;
-  for (const RecordedEntity& one : entities) links += one.links.size(), joints += one.joints.size();
+  for (const RecordedEntity& one : entities) {
+    links += one.links.size();
+    joints += one.joints.size();
+  }
+  frame.present.reserve(entities.size());
   frame.poses.reserve(links);
   frame.joints.reserve(joints);
-  for (const RecordedEntity& one : entities) {
-    const Entity& entity = *one.entity;
-    frame.present.push_back(entity.present() ? 1 : 0);
-    const Vec3d* r = rows_of(entity, properties::position);
-    const Mat3d* R = rows_of(entity, properties::orientation);
-    for (const RecordedEntity::Link& link : one.links) frame.poses.push_back({r[link.object], R[link.object]});
-    const double* position = rows_of(entity, properties::joint_position);
-    const double* velocity = rows_of(entity, properties::joint_velocity);
-    const double* torque = rows_of(entity, properties::joint_torque);
-    const double* target = rows_of(entity, properties::joint_target);
+  for (RecordedEntity& one : entities) {
+    RecordedColumns& columns = one.columns;
+    columns.follow(*one.entity);
+    const bool placed = columns.position && columns.orientation;
+    frame.present.push_back(placed && one.entity->present() ? 1 : 0);
+    if (!placed) frame.poses.insert(frame.poses.end(), one.links.size(), Transformd{});
+    for (const RecordedEntity::Link& link : one.links) {
+      if (!placed) break;
+      const auto i = static_cast<std::size_t>(link.object);
+      frame.poses.push_back({columns.position->values[i], columns.orientation->values[i]});
+    }
     for (const RecordedEntity::Joint& joint : one.joints) {
-      frame.joints.push_back({.position = number_at(position, joint.object),
-                              .velocity = number_at(velocity, joint.object),
-                              .torque = number_at(torque, joint.object),
-                              .target = number_at(target, joint.object)});
+      frame.joints.push_back({.position = number_at(columns.joint_position, joint.object),
+                              .velocity = number_at(columns.joint_velocity, joint.object),
+                              .torque = number_at(columns.joint_torque, joint.object),
+                              .target = number_at(columns.joint_target, joint.object)});
     }
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,26 @@
 #include "murosimf/sensors/reading.h"
 
 namespace murosimf::recording {
+
+/// The columns of an entity that are recorded, looked up only where another level moves it: nothing else makes columns come and go.
+/// They are kept, so that one that is dropped and made again is the same (model/column_store.h).
+class RecordedColumns {
+ public:
+  void follow(const Entity& entity);
+
+  // Null: nobody has it.
+  const Column<Vec3d>* position = nullptr;
+  const Column<Mat3d>* orientation = nullptr;
+  const Column<double>*joint_position = nullptr, *joint_velocity = nullptr, *joint_torque = nullptr,
+        *joint_target = nullptr;
+
+ private:
+  template <class T>
+  [[nodiscard]] const Column<T>* keep(const Entity& entity, const Property<T>& property);
+
+  std::optional<std::string> level_;
+  std::vector<std::shared_ptr<ColumnBase>> kept_;
+};
 
 /// What is recorded of one entity that moves.
 struct RecordedEntity {
@@ -27,6 +48,7 @@ struct RecordedEntity {
     std::string name;  ///< "blue1/left_knee"
   };
   std::vector<Joint> joints;
+  RecordedColumns columns;
 };
 
 /// Those that have poses, in the order of the world; to be called when all columns are there.
@@ -65,6 +87,6 @@ struct RecordedFrame {
 };
 
 /// Adds poses and joints of now.
-void take_numbers(const std::vector<RecordedEntity>& entities, RecordedFrame& frame);
+void take_numbers(std::vector<RecordedEntity>& entities, RecordedFrame& frame);
 
 }  // namespace murosimf::recording

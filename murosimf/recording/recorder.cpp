@@ -89,6 +89,8 @@ void Recorder::take_frame() {
   const Simulation& simulation = scene_.simulation();
   RecordedFrame frame{.time = simulation.now()};
   take_numbers(entities_, frame);
+  constexpr std::size_t usual_contacts = 64;
+  frame.contacts.reserve(what_.contains("contacts") ? usual_contacts : 0);
   if (what_.contains("contacts")) scene::add_contact_marks(simulation.world(), frame.contacts);
   take_samples(frame);
   take_lines(frame);

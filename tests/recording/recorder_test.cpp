@@ -56,7 +56,8 @@ TEST(Recorder, ChangesNoResult) {
 
 TEST(Recorder, HasAFrameForEachInstantAndOneForTheEnd) {
   scene::Scene scene("nudge", {});
-  const McapReader reader(run_recorded("frames.mcap", scene, 1234ms, {.rate = 50}));
+  const McapReader reader(
+      run_recorded("frames.mcap", scene, 1234ms, {.rate = 50, .what = {"poses", "joints", "contacts", "hashes"}}));
   auto counts = counts_of(reader);
   EXPECT_EQ(counts["/tf"], 62 + 1);  // 0, 20, ... 1220, and 1234 ms
   EXPECT_EQ(counts["/joints"], 63);
@@ -126,6 +127,33 @@ void record_and_die(const std::filesystem::path& file, Duration time) {
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_TRUE(WIFSIGNALED(status));
+}
+
+// Columns come and go with levels; torques are there only where a level has them.
+TEST(Recorder, FollowsAnExchangeOfLevels) {
+  const std::vector<std::string> events = {"0.2:walker.level=articulated_dynamics",
+                                           "0.4:walker.level=kinematic_walking",
+                                           "0.6:walker.level=articulated_dynamics"};
+  scene::Scene plain("walk", {.events = events}), scene("walk", {.events = events});
+  plain.simulation().run(800ms);
+  const McapReader reader(run_recorded("levels.mcap", scene, 800ms));
+  EXPECT_EQ(plain.simulation().state_hash(), scene.simulation().state_hash());
+  std::map<std::uint64_t, bool> has_torque;  // by time
+  for (const ChunkIndex& chunk : reader.contents().chunks) {
+    reader.visit_messages(chunk, [&](const Message& message) {
+      if (reader.contents().channels.at(message.channel_id - 1U).topic != "/joints") return;
+      for (ProtobufReader in(message.data); in.next();) {
+        if (in.field() != 2) continue;
+        for (ProtobufReader joint = in.message(); joint.next();) {
+          if (joint.field() == 5) has_torque[message.log_time] = true;
+        }
+      }
+    });
+  }
+  for (const auto& [time, expected] : std::map<std::uint64_t, bool>{
+           {100'000'000, false}, {300'000'000, true}, {500'000'000, false}, {700'000'000, true}}) {
+    EXPECT_EQ(has_torque.contains(time), expected) << time;
+  }
 }
 
 // As fast as it can: what waits for the disk is lost, too.
