@@ -49,7 +49,7 @@ def record(program, folder, scene, log, *words):
         lines = list(csv.reader(rows))
     series = {name.split(" [")[0]: {} for name in lines[0][1:]}
     for line in lines[1:]:
-        for name, value in zip(series, line[1:]):
+        for name, value in zip(series, line[1:], strict=True):
             if value:
                 series[name][round(float(line[0]) * 1e9)] = float(value)
     return file, series, report
@@ -117,7 +117,7 @@ def compare(file, series, robot, frame, sensor):
             time = message.log_time
             if channel.topic == "/tf":
                 at = positions(decoded)[f"{robot}/{frame}"]
-                for axis, value in zip("xyz", at):
+                for axis, value in zip("xyz", at, strict=True):
                     number("/tf", time, f"{robot}.{frame}.position.{axis}", value, LEG)
             elif channel.topic == "/joints":
                 for joint in decoded.joints:
