@@ -14,6 +14,9 @@
   COMMAND(run)                     \
   COMMAND(render)                  \
   COMMAND(plot)                    \
+  COMMAND(replay)                  \
+  COMMAND(export)                  \
+  COMMAND(repair)                  \
   COMMAND(compare)                 \
   COMMAND(check)                   \
   COMMAND(convert)                 \

@@ -7,20 +7,28 @@
 #include "murosimf/files/csv_file.h"
 #include "murosimf/logging/log_plot.h"
 #include "murosimf/model/error.h"
+#include "murosimf/recording/recorded_series.h"
 
 namespace murosimf::app {
 namespace {
 
 struct PlotOptions {
-  std::string file;                   ///< CSV
+  std::string file;                   ///< CSV or MCAP
   std::string out;                    ///< PNG file; empty: beside the table
   std::vector<std::string> patterns;  ///< columns to draw; none: all
 };
 
 void define(const Command& command, PlotOptions& options) {
-  command.add("file", options.file, "Table (CSV) with a header and the time in its first column").required();
+  command.add("file", options.file, "Table (CSV) with a header and the time in its first column, or a recording (MCAP)")
+      .required();
   command.add("patterns", options.patterns, "Columns to draw, like 'blue1.imu.*'; all if not given");
   command.add("--out", options.out, "PNG file to write, instead of one beside the table");
+}
+
+/// Of a recording: what the patterns mean.
+files::CsvTable table_in(const std::filesystem::path& file, const std::vector<std::string>& patterns) {
+  if (!recording::is_recording(file)) return files::read_csv(file);
+  return recording::table_of(recording::series_of(recording::McapReader(file), patterns));
 }
 
 int plot(const PlotOptions& options) {
@@ -29,7 +37,7 @@ int plot(const PlotOptions& options) {
   const fs::path picture = options.out.empty() ? fs::path(file).replace_extension(".png") : fs::path(options.out);
   if (picture == file)
     throw SetupError(fmt::format("'{}' is the table itself; name a picture: --out FILE.png", options.file));
-  const files::CsvTable table = files::read_csv(file);
+  const files::CsvTable table = table_in(file, options.patterns);
   logging::write_plot(picture, with_context(options.file, [&] {
                         return logging::plot_of(table, file.filename().string(), options.patterns);
                       }));

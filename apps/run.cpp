@@ -14,9 +14,11 @@
 #include "apps/last_words.h"
 #include "apps/picture_sequence.h"
 #include "apps/progress.h"
+#include "apps/record_options.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/connect/crash_note.h"
+#include "murosimf/files/files_read.h"
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/league/league.h"
@@ -31,15 +33,16 @@ namespace {
 
 struct RunOptions {
   SceneArguments scene;
-  std::optional<double> duration;      ///< [s]
-  std::string speed = "max";           ///< "max", or simulated seconds per wall second
-  std::string json;                    ///< file, "-" for standard output
-  std::string picture;                 ///< PNG file
-  std::string pictures;                ///< folder for a sequence of PNG files
-  double picture_every = 0.5;          ///< [s] of simulated time
-  std::vector<std::string> log;        ///< what is recorded (logging/log_paths.h)
-  std::string out;                     ///< CSV file for that
-  double log_rate = 100;               ///< [Hz] of properties in it
+  std::optional<double> duration;  ///< [s]
+  std::string speed = "max";       ///< "max", or simulated seconds per wall second
+  std::string json;                ///< file, "-" for standard output
+  std::string picture;             ///< PNG file
+  std::string pictures;            ///< folder for a sequence of PNG files
+  double picture_every = 0.5;      ///< [s] of simulated time
+  std::vector<std::string> log;    ///< what is recorded (logging/log_paths.h)
+  std::string out;                 ///< CSV file for that
+  double log_rate = 100;           ///< [Hz] of properties in it
+  RecordOptions record;
   bool no_cameras = false;             ///< nothing is drawn for cameras
   std::string load_state, save_state;  ///< files
   GameArguments game;
@@ -62,6 +65,7 @@ void define(const Command& command, RunOptions& options) {
   const Option out = command.add("--out", options.out, "Write them to this file (CSV)").needs(log);
   log.one_at_a_time().needs(out);
   command.add("--log-rate", options.log_rate, "How often properties are recorded, in Hz").needs(log).shows_default();
+  add_record(command, options.record);
   command.add("--load-state", options.load_state, "Go on from a state of this scene that --save-state has written");
   command.add("--save-state", options.save_state, "Write the state at the end to this file");
   add_game(command, options.game);
@@ -95,9 +99,9 @@ class RunProgress {
     const double share = end_ > 0 ? seconds(now) / end_ : 1;
     line_.show(share, fmt::format("{:.1f} of {:.1f} s", seconds(now), end_));
   }
-  void warn(const Overrun& overrun) {
+  void warn(Duration now, const std::string& text) {
     line_.hide();
-    say_warning(fmt::format("{:.1f} s: {}", seconds(overrun.simulated), scene::to_text(overrun.lateness)));
+    say_warning(fmt::format("{:.1f} s: {}", seconds(now), text));
   }
 
  private:
@@ -136,12 +140,14 @@ int run(const RunOptions& options) {
   if (!options.out.empty()) files::check_writable(options.out);
   if (!options.save_state.empty()) files::check_writable(options.save_state);
   if (!options.game.log.empty()) files::check_writable(options.game.log);
+  check(options.record);
   std::optional<PictureSequence> pictures;
   if (!options.pictures.empty()) pictures.emplace(options.pictures, options.picture_every);
 
   scene::SceneOptions scene_options = options_of(options.scene);
   scene_options.cameras = !options.no_cameras;
   scene_options.paths = !options.picture.empty();
+  const files::FilesRead files_read;
   scene::Scene scene(options.scene.file, scene_options);
   const Duration duration = duration_of(options.duration.value_or(scene.spec().duration));
   Simulation& simulation = scene.simulation();
@@ -151,6 +157,7 @@ int run(const RunOptions& options) {
     log.emplace(simulation, options.log,
                 logging::RunLogOptions{.step_rate = scene.spec().rate, .property_rate = options.log_rate});
   }
+  const auto recorder = make_recorder(scene, options.record, files_read);
   simulation.initialize();
   if (!options.load_state.empty()) load(scene, options.load_state);
   if (pictures) pictures->show(scene);
@@ -159,10 +166,18 @@ int run(const RunOptions& options) {
   bool crashed = false;
   {
     RunProgress progress(duration);
-    clock.tell_of_overruns([&](const Overrun& overrun) { progress.warn(overrun); });
+    clock.tell_of_overruns(
+        [&](const Overrun& overrun) { progress.warn(overrun.simulated, scene::to_text(overrun.lateness)); });
+    bool records = recorder != nullptr;
+    const auto show = [&](Duration now) {
+      progress.show(now);
+      if (!records || recorder->trouble().empty()) return;
+      progress.warn(now, "nothing is recorded any more: " + recorder->trouble());
+      records = false;
+    };
     const auto advance_to = [&](Duration time) {
       const auto start = WallClock::now();
-      simulation.run(std::max(Duration{}, time - simulation.now()), clock, [&](Duration now) { progress.show(now); });
+      simulation.run(std::max(Duration{}, time - simulation.now()), clock, show);
       wall += WallClock::now() - start;
     };
     const auto advance = [&] {
@@ -182,10 +197,12 @@ int run(const RunOptions& options) {
 
   if (log) log->write(options.out);
   if (game && !options.game.log.empty()) files::write_file(options.game.log, game->log().to_text());
+  const bool recorded = !recorder || finish(*recorder, report, options.record);
   if (!options.save_state.empty()) save(scene, options.save_state);
   if (!options.picture.empty()) write_picture(scene, options.picture);
   write_result(options.json, scene::to_text(report), options.json.empty() ? "" : scene::to_json(report));
   if (crashed) return unexpected;
+  if (!recorded) return users_mistake;
   return report.stopped ? exit_code() : 0;
 }
 

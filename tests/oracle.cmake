@@ -2,7 +2,7 @@
 
 # Kinematics, masses and dynamics against MuJoCo and Pinocchio, lenses against OpenCV, where their Python packages are installed.
 set(MUROSIMF_ORACLE_PYTHON python3 CACHE STRING "Python interpreter that has the packages mujoco, cv2 and numpy")
-foreach(program dump_poses dump_masses dump_robot dump_dynamics dump_trajectory dump_lens)
+foreach(program dump_poses dump_masses dump_robot dump_dynamics dump_trajectory dump_lens dump_mcap)
   add_executable(${program} oracle/${program}.cpp)
   target_link_libraries(${program} PRIVATE murosimf murosimf_options fmt::fmt)
   target_compile_definitions(${program} PRIVATE MUROSIMF_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
@@ -20,6 +20,8 @@ add_oracle_test(random_trees_against_mujoco $<TARGET_FILE:dump_dynamics>)
 add_oracle_test(random_trees_against_pinocchio $<TARGET_FILE:dump_dynamics>)
 add_oracle_test(trajectories_against_mujoco $<TARGET_FILE:dump_trajectory>)
 add_oracle_test(lenses_against_opencv $<TARGET_FILE:dump_lens>)
+add_oracle_test(mcap_against_official $<TARGET_FILE:dump_mcap>)
+add_oracle_test(recording_against_official $<TARGET_FILE:murosimf_app>)
 
 # Collision against FCL, where it is installed.
 find_package(fcl QUIET)

@@ -14,7 +14,7 @@
 namespace murosimf::files {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
+constexpr std::string_view xml_blanks = " \t\r\n";
 
 }  // namespace
 
@@ -54,16 +54,16 @@ std::string one_line(std::string_view text) {
 
 std::optional<std::vector<double>> parse_numbers(std::string_view text) {
   std::vector<double> numbers;
-  std::size_t begin = text.find_first_not_of(blanks);
+  std::size_t begin = text.find_first_not_of(xml_blanks);
   while (begin != std::string_view::npos) {
-    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    const std::size_t end = std::min(text.find_first_of(xml_blanks, begin), text.size());
     if (text[begin] == '+') ++begin;
     double number = 0;
     const char* last = text.data() + end;
     const auto [stop, error] = std::from_chars(text.data() + begin, last, number);
     if (error != std::errc{} || stop != last || !std::isfinite(number)) return std::nullopt;
     numbers.push_back(number);
-    begin = text.find_first_not_of(blanks, end);
+    begin = text.find_first_not_of(xml_blanks, end);
   }
   return numbers;
 }
@@ -88,9 +88,9 @@ std::vector<XmlAttribute> XmlElement::attributes() const {
 std::string XmlElement::text() const {
   const char* start = element_->GetText();
   std::string_view text = start ? start : "";
-  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+  const std::size_t begin = std::min(text.find_first_not_of(xml_blanks), text.size());
   text.remove_prefix(begin);
-  return std::string(text.substr(0, text.find_last_not_of(blanks) + 1));
+  return std::string(text.substr(0, text.find_last_not_of(xml_blanks) + 1));
 }
 
 std::vector<XmlElement> XmlElement::children() const {

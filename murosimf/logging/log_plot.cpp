@@ -22,19 +22,12 @@ struct Group {
   std::vector<const files::CsvColumn*> columns;
 };
 
-bool means(const std::string& pattern, const std::string& name) {
-  if (pattern == name) return true;
-  const Parts parts = path_parts(pattern), path = path_parts(name);
-  const auto matches = [](const std::string& p, const std::string& n) { return fnmatch(p.c_str(), n.c_str(), 0) == 0; };
-  return parts.size() <= path.size() && std::equal(parts.begin(), parts.end(), path.begin(), matches);
-}
-
 std::vector<const files::CsvColumn*> chosen(const files::CsvTable& table, const Parts& patterns) {
   std::vector<bool> wanted(table.columns.size(), patterns.empty());
   for (const std::string& pattern : patterns) {
     bool found = false;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      if (!means(pattern, table.columns[i].name)) continue;
+      if (!matches_name(pattern, table.columns[i].name)) continue;
       found = wanted[i] = true;
     }
     if (found) continue;
@@ -135,6 +128,13 @@ void check_sizes(const std::vector<Group>& groups) {
 }
 
 }  // namespace
+
+bool matches_name(const std::string& pattern, const std::string& name) {
+  if (pattern == name) return true;
+  const Parts parts = path_parts(pattern), path = path_parts(name);
+  const auto matches = [](const std::string& p, const std::string& n) { return fnmatch(p.c_str(), n.c_str(), 0) == 0; };
+  return parts.size() <= path.size() && std::equal(parts.begin(), parts.end(), path.begin(), matches);
+}
 
 Plot plot_of(const files::CsvTable& table, const std::string& title, const Parts& patterns) {
   const std::vector<Group> groups = groups_of(chosen(table, patterns));

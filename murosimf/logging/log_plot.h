@@ -18,4 +18,7 @@ namespace murosimf::logging {
 [[nodiscard]] Plot plot_of(const files::CsvTable& table, const std::string& title,
                            const std::vector<std::string>& patterns = {});
 
+/// Whether a pattern of plot_of() means the number of this name, without unit.
+[[nodiscard]] bool matches_name(const std::string& pattern, const std::string& name);
+
 }  // namespace murosimf::logging

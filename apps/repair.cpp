@@ -1,0 +1,36 @@
+// `murosimf repair`: makes a recording whole that was cut off.
+#include <fmt/format.h>
+
+#include "apps/command_line.h"
+#include "apps/standard_output.h"
+#include "murosimf/recording/mcap_repair.h"
+
+namespace murosimf::app {
+namespace {
+
+struct RepairOptions {
+  std::string file;  ///< MCAP
+  std::string out;   ///< likewise; empty: in its place
+};
+
+void define(const Command& command, RepairOptions& options) {
+  command.add("file", options.file, "Recording (MCAP) that was cut off or damaged").required();
+  command.add("--out", options.out, "File to write, instead of replacing the damaged one");
+}
+
+int repair(const RepairOptions& options) {
+  const std::string out = options.out.empty() ? options.file : options.out;
+  const recording::RepairReport report = recording::repair(options.file, out);
+  write_standard_output(fmt::format("{}\n'{}' is whole: {} messages up to {:.3f} s\n",
+                                    report.damage.empty() ? "nothing was wrong" : report.damage, out, report.messages,
+                                    report.last_time));
+  return 0;
+}
+
+}  // namespace
+
+void add_repair(CommandLine& line) {
+  line.add<RepairOptions>("repair", "Make a recording whole that was cut off or damaged", define, repair);
+}
+
+}  // namespace murosimf::app

@@ -1,0 +1,39 @@
+/// foxglove_messages.h - poses, colors and instants as parts of Foxglove's messages.
+///
+/// Numbers are rounded to powers of two: what is beyond is noise that no compression makes smaller.
+#pragma once
+
+#include <string_view>
+
+#include "murosimf/math/quaternion.h"
+#include "murosimf/math/transform.h"
+#include "murosimf/model/shape.h"
+#include "murosimf/model/time.h"
+#include "murosimf/recording/protobuf.h"
+
+namespace murosimf::recording {
+
+// Steps of what is recorded.
+inline constexpr double pose_step = 0x1p-15;     ///< [m], [1] of quaternions: 0.03 mm, 0.06 mrad
+inline constexpr double joint_step = 0x1p-14;    ///< [rad | m] 0.06 mrad: a 25th of what a 12 bit encoder tells
+inline constexpr double velocity_step = 0x1p-5;  ///< [rad/s | m/s] about what servos tell
+inline constexpr double torque_step = 0x1p-6;    ///< [N m | N]
+inline constexpr double point_step = 0x1p-11;    ///< [m] of contacts: 0.5 mm
+inline constexpr double force_step = 0x1p-4;     ///< [N] of contacts
+
+/// To the nearest multiple of `step`. NaN and infinities stay.
+[[nodiscard]] double rounded(double value, double step) noexcept;
+[[nodiscard]] Vec3d rounded(const Vec3d& v, double step) noexcept;
+
+void put_time(ProtobufWriter& out, int field, Duration time);
+void put_vector(ProtobufWriter& out, int field, const Vec3d& v);
+void put_rotation(ProtobufWriter& out, int field, const Mat3d& R, double step = pose_step);
+/// foxglove.Pose
+void put_pose(ProtobufWriter& out, int field, const Transformd& pose, double step = pose_step);
+void put_color(ProtobufWriter& out, int field, const Color& color);
+
+[[nodiscard]] Duration read_time(ProtobufReader in);
+[[nodiscard]] Vec3d read_vector(ProtobufReader in);
+[[nodiscard]] Mat3d read_rotation(ProtobufReader in);
+
+}  // namespace murosimf::recording

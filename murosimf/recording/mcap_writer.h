@@ -1,0 +1,74 @@
+/// mcap_writer.h - writes an MCAP file: chunks with indexes of their messages, and a summary at the end that says where all is.
+///
+///     McapWriter file("game.mcap", {.library = "murosimf 0.1.0"});
+///     const auto schema = file.add_schema("foxglove.Log", "protobuf", descriptors);
+///     const auto channel = file.add_channel("/events", "protobuf", schema);
+///     file.write(channel, 20ms, bytes);
+///     file.close();
+///
+/// Schemas and channels stand outside of chunks, so that every whole chunk can be read whatever has become of the others.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/model/time.h"
+#include "murosimf/recording/growing_file.h"
+#include "murosimf/recording/mcap_records.h"
+
+namespace murosimf::recording {
+
+struct McapOptions {
+  std::string library;                ///< name and version of the program that writes
+  std::size_t chunk_bytes = 1 << 20;  ///< a chunk with so many is complete,
+  Duration chunk_span =
+      std::chrono::milliseconds(500);  ///< or one that would get a message so much later than its first
+  bool compressed = true;              ///< if the build can (compression.h)
+};
+
+/// All throw SetupError if the file cannot be written; what has been written of it stays readable.
+class McapWriter {
+ public:
+  McapWriter(const std::filesystem::path& file, McapOptions options);
+
+  [[nodiscard]] std::uint16_t add_schema(const std::string& name, const std::string& encoding, std::string data);
+  [[nodiscard]] std::uint16_t add_channel(const std::string& topic, const std::string& encoding, std::uint16_t schema,
+                                          TextMap metadata = {});
+  void write(std::uint16_t channel, Duration time, std::string_view data);
+  void attach(const Attachment& attachment);
+  void add(const Metadata& metadata);
+
+  /// What has been written is in the file, as a chunk of its own.
+  void flush();
+  /// What is in the file is on the disk.
+  void sync();
+  /// Writes the summary. Without it the file is one that was cut off.
+  void close();
+
+  [[nodiscard]] const Statistics& statistics() const { return statistics_; }
+  [[nodiscard]] std::uint64_t bytes() const { return file_.size(); }
+
+ private:
+  template <class Record>
+  void append(const Record& record);
+  [[nodiscard]] std::string summary(std::uint64_t start, std::uint64_t& offset_start) const;
+
+  McapOptions options_;
+  GrowingFile file_;
+  std::vector<Schema> schemas_;
+  std::vector<Channel> channels_;
+  std::vector<std::uint32_t> sequences_;  // by channel, of its next message
+  std::vector<ChunkIndex> chunks_;
+  std::vector<AttachmentIndex> attachments_;
+  std::vector<MetadataIndex> metadata_;
+  Statistics statistics_;
+
+  std::string records_;                // of the chunk that is being filled
+  std::vector<MessageIndex> indexes_;  // of it, by channel
+  std::uint64_t start_time_ = 0, end_time_ = 0;
+};
+
+}  // namespace murosimf::recording

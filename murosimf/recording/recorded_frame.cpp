@@ -1,0 +1,99 @@
+#include "murosimf/recording/recorded_frame.h"
+
+#include <limits>
+#include <utility>
+
+#include "murosimf/model/properties.h"
+
+namespace murosimf::recording {
+namespace {
+
+double number_at(const Column<double>* column, int object) {
+  return column ? column->values[static_cast<std::size_t>(object)] : std::numeric_limits<double>::quiet_NaN();
+}
+
+RecordedEntity recorded(const Entity& entity) {
+  RecordedEntity result{.entity = &entity, .name = entity.name(), .links = {}, .joints = {}, .columns = {}};
+  const Model& model = entity.model();
+  const auto name_of = [&](int object) { return model.objects()[static_cast<std::size_t>(object)].name; };
+  for (const Link& link : model.tree().links) {
+    result.links.push_back(
+        {.object = link.object, .parent = link.parent, .frame = entity.name() + "/" + name_of(link.object)});
+  }
+  for (const int joint : model.joints()) {
+    result.joints.push_back({.object = joint, .name = entity.name() + "/" + name_of(joint)});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<RecordedEntity> recorded_entities(const World& world) {
+  std::vector<RecordedEntity> result;
+  for (const auto& entity : world.entities()) {
+    if (entity->find(properties::position) && entity->find(properties::orientation))
+      result.push_back(recorded(*entity));
+  }
+  return result;
+}
+
+std::vector<RecordedSensor> recorded_sensors(const World& world) {
+  std::vector<RecordedSensor> result;
+  for (const auto& entity : world.entities()) {
+    for (const sensors::Reading* reading : sensors::readings_of(*entity)) {
+      result.push_back({.entity = entity->name(), .reading = reading, .samples = 0});
+    }
+  }
+  return result;
+}
+
+template <class T>
+const Column<T>* RecordedColumns::keep(const Entity& entity, const Property<T>& property) {
+  kept_.push_back(entity.columns().share(property.name));
+  return entity.find(property);
+}
+
+void RecordedColumns::follow(const Entity& entity) {
+  if (level_ == entity.level) return;
+  std::vector<std::shared_ptr<ColumnBase>> before = std::move(kept_);  // until they are looked up again
+  kept_.clear();
+  position = keep(entity, properties::position);
+  orientation = keep(entity, properties::orientation);
+  joint_position = keep(entity, properties::joint_position);
+  joint_velocity = keep(entity, properties::joint_velocity);
+  joint_torque = keep(entity, properties::joint_torque);
+  joint_target = keep(entity, properties::joint_target);
+  level_ = entity.level;
+}
+
+void take_numbers(std::vector<RecordedEntity>& entities, RecordedFrame& frame) {
+  frame.of_poses = true;
+  std::size_t links = 0, joints = 0;
+  for (const RecordedEntity& one : entities) {
+    links += one.links.size();
+    joints += one.joints.size();
+  }
+  frame.present.reserve(entities.size());
+  frame.poses.reserve(links);
+  frame.joints.reserve(joints);
+  for (RecordedEntity& one : entities) {
+    RecordedColumns& columns = one.columns;
+    columns.follow(*one.entity);
+    const bool placed = columns.position && columns.orientation;
+    frame.present.push_back(placed && one.entity->present() ? 1 : 0);
+    if (!placed) frame.poses.insert(frame.poses.end(), one.links.size(), Transformd{});
+    for (const RecordedEntity::Link& link : one.links) {
+      if (!placed) break;
+      const auto i = static_cast<std::size_t>(link.object);
+      frame.poses.push_back({columns.position->values[i], columns.orientation->values[i]});
+    }
+    for (const RecordedEntity::Joint& joint : one.joints) {
+      frame.joints.push_back({.position = number_at(columns.joint_position, joint.object),
+                              .velocity = number_at(columns.joint_velocity, joint.object),
+                              .torque = number_at(columns.joint_torque, joint.object),
+                              .target = number_at(columns.joint_target, joint.object)});
+    }
+  }
+}
+
+}  // namespace murosimf::recording

@@ -1,0 +1,92 @@
+/// recorded_frame.h - what a recording takes of a simulation at one instant: copied between two steps, written by another thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/model/world.h"
+#include "murosimf/runtime/pose_frame.h"
+#include "murosimf/sensors/reading.h"
+
+namespace murosimf::recording {
+
+/// The columns of an entity that are recorded, looked up only where another level moves it: nothing else makes columns come and go.
+/// They are kept, so that one that is dropped and made again is the same (model/column_store.h).
+class RecordedColumns {
+ public:
+  void follow(const Entity& entity);
+
+  // Null: nobody has it.
+  const Column<Vec3d>* position = nullptr;
+  const Column<Mat3d>* orientation = nullptr;
+  const Column<double>*joint_position = nullptr, *joint_velocity = nullptr, *joint_torque = nullptr,
+        *joint_target = nullptr;
+
+ private:
+  template <class T>
+  [[nodiscard]] const Column<T>* keep(const Entity& entity, const Property<T>& property);
+
+  std::optional<std::string> level_;
+  std::vector<std::shared_ptr<ColumnBase>> kept_;
+};
+
+/// What is recorded of one entity that moves.
+struct RecordedEntity {
+  const Entity* entity = nullptr;
+  std::string name;
+  struct Link {
+    int object = 0;     ///< of the model
+    int parent = -1;    ///< index of its parent among the links
+    std::string frame;  ///< "blue1/left_knee"
+  };
+  std::vector<Link> links;
+  struct Joint {
+    int object = 0;
+    std::string name;  ///< "blue1/left_knee"
+  };
+  std::vector<Joint> joints;
+  RecordedColumns columns;
+};
+
+/// Those that have poses, in the order of the world; to be called when all columns are there.
+[[nodiscard]] std::vector<RecordedEntity> recorded_entities(const World& world);
+
+/// A sensor whose samples are recorded.
+struct RecordedSensor {
+  std::string entity;
+  const sensors::Reading* reading = nullptr;
+  std::uint64_t samples = 0;  ///< that are recorded
+};
+[[nodiscard]] std::vector<RecordedSensor> recorded_sensors(const World& world);
+
+struct SensorSample {
+  std::size_t sensor = 0;  ///< index of the RecordedSensor
+  Duration arrived{}, taken{};
+  std::vector<double> values;
+};
+
+struct JointNumbers {
+  double position = 0, velocity = 0;  ///< [rad | m], [rad/s | m/s]
+  double torque = 0, target = 0;      ///< [N m | N], [rad | m]; NaN: its level has none
+};
+
+struct RecordedFrame {
+  Duration time{};
+  bool of_poses = false;  ///< false: nothing but samples and lines
+  // by entity
+  std::vector<char> present;
+  std::vector<Transformd> poses;     ///< [m] of all links of all entities, to the world
+  std::vector<JointNumbers> joints;  ///< of all entities
+  std::vector<ContactMark> contacts;
+  std::vector<SensorSample> samples;
+  std::vector<std::pair<Duration, std::string>> events, warnings;  ///< new ones
+  std::optional<std::uint64_t> hash;                               ///< of the state
+};
+
+/// Adds poses and joints of now.
+void take_numbers(std::vector<RecordedEntity>& entities, RecordedFrame& frame);
+
+}  // namespace murosimf::recording

@@ -1,0 +1,33 @@
+/// recorded_series.h - numbers of a recording as tables, by the names that logs have (logging/log_paths.h).
+///
+///     blue1.j_l_foot.position.x [m]       of the frame of each link, world
+///     blue1.j_l_shin.joint_position [rad]  and joint_velocity, joint_torque, joint_target
+///     blue1.imu.gyroscope.x [rad/s]        of sensors, if these are recorded
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "murosimf/files/csv_file.h"
+#include "murosimf/logging/log_csv.h"
+#include "murosimf/recording/mcap_reader.h"
+
+namespace murosimf::recording {
+
+/// Whether a file begins as recordings do.
+[[nodiscard]] bool is_recording(const std::filesystem::path& file);
+
+/// One number each, in the order of the patterns that mean them, as for logging::plot_of, and then of their first coming; all, if there are no patterns.
+/// Throws SetupError for a pattern that means nothing, and for a file that is damaged or no recording of ours.
+[[nodiscard]] std::vector<logging::LogSeries> series_of(const McapReader& recording,
+                                                        const std::vector<std::string>& patterns = {});
+
+/// As a table for plots.
+[[nodiscard]] files::CsvTable table_of(const std::vector<logging::LogSeries>& series);
+
+/// As a file of NumPy (version 2.0 of its format): an array of rows by time with named fields, `time [s]` and the series; NaN where a series has
+/// nothing. numpy.load(file)["blue1.j_l_shin.joint_position [rad]"]
+[[nodiscard]] std::string to_npy(const std::vector<logging::LogSeries>& series);
+
+}  // namespace murosimf::recording

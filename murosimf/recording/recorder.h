@@ -1,0 +1,85 @@
+/// recorder.h - records a scene while it runs, as an MCAP file for Foxglove, Lichtblick, PlotJuggler and Rerun.
+///
+///     const files::FilesRead read;
+///     scene::Scene scene("three_on_three");
+///     recording::Recorder recorder(scene, {.file = "game.mcap", .files = &read});
+///     scene.simulation().run(30s);
+///     recorder.finish(make_report(scene));
+///
+/// What is recorded is copied between two steps and written by a thread (recording_thread.h). Recording changes no result.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "murosimf/files/files_read.h"
+#include "murosimf/recording/frame_writer.h"
+#include "murosimf/recording/mcap_writer.h"
+#include "murosimf/recording/recording_thread.h"
+#include "murosimf/scene/run_report.h"
+#include "murosimf/scene/scene.h"
+
+namespace murosimf::recording {
+
+struct RecorderOptions {
+  std::filesystem::path file;
+  double rate = 100;                                ///< [Hz] of poses, joints and contacts; sensors have their own
+  std::set<std::string> what = usually_recorded();  ///< of recordable()
+  std::string program{};                            ///< "murosimf 0.1.0 (136ba27)"
+  std::string command_line{};
+  /// Which files the scene was read from, until the first step; hashes of all and contents of small ones are recorded. Null: none.
+  const files::FilesRead* files = nullptr;
+};
+
+/// It must live as long as the run lasts, and the scene longer.
+class Recorder {
+ public:
+  /// Before the first step. Throws SetupError for a file that cannot be written and for an impossible rate.
+  Recorder(scene::Scene& scene, const RecorderOptions& options);
+  /// Without finish() the file is one that was cut off.
+  ~Recorder();
+  Recorder(const Recorder&) = delete;  // the simulation calls back
+  Recorder& operator=(const Recorder&) = delete;
+
+  /// The last frame, the report and the summary.
+  void finish(const scene::RunReport& report);
+  /// Why nothing is recorded any more, in one line; empty: all is well.
+  [[nodiscard]] std::string trouble() const;
+
+ private:
+  void describe(const RecorderOptions& options);
+  void start();
+  void look();
+  void take_frame();
+  void take_samples(RecordedFrame& frame);
+  void take_lines(RecordedFrame& frame);
+  void add(RecordedFrame&& frame);
+  void hand_over();
+  void write(const RecordingThread::Batch& batch);
+
+  scene::Scene& scene_;
+  Duration period_;
+  std::set<std::string> what_;
+  const files::FilesRead* files_read_;
+  McapWriter file_;
+  std::vector<RecordedEntity> entities_;
+  std::vector<RecordedSensor> sensors_;
+  std::unique_ptr<SceneLooks> looks_;
+  std::unique_ptr<FrameWriter> frames_;
+  Duration next_frame_{}, next_hash_{};
+  std::optional<Duration> last_frame_;
+  std::size_t events_ = 0, warnings_ = 0;  // that are recorded
+  RecordingThread::Batch batch_;
+  std::chrono::steady_clock::time_point synced_{};  // of the thread
+  std::string end_trouble_;
+  std::unique_ptr<RecordingThread> thread_;
+};
+
+/// The layout for Foxglove and Lichtblick (JSON) that shows these files: bodies, forces, joints and messages.
+[[nodiscard]] std::string foxglove_layout(const std::vector<std::string>& robots);
+
+}  // namespace murosimf::recording

@@ -1,0 +1,16 @@
+/// recording_schemas.h - the types of messages in recordings: Foxglove's, with its names and numbers, and a few of our own.
+#pragma once
+
+#include <string>
+
+#include "murosimf/recording/message_schema.h"
+
+namespace murosimf::recording {
+
+/// "foxglove.FrameTransforms", "murosimf.StateHash", ... Throws SetupError if there is none of this name.
+[[nodiscard]] const MessageSchema& find_schema(const std::string& name);
+
+/// descriptor_set() of it.
+[[nodiscard]] std::string descriptors_of(const MessageSchema& schema);
+
+}  // namespace murosimf::recording
