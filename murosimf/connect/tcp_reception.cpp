@@ -97,7 +97,7 @@ std::optional<TcpClient> TcpReception::wait_for(const std::string& robot, double
   robots_->insert(robot);  // a robot that comes later
   for (;;) {
     if (auto client = taken(robot)) return client;
-    if (WallClock::now() >= end || (options_.stop && options_.stop())) return {};
+    if (WallClock::now() >= end || is_stopped()) return {};
     arrived_.wait_for(lock, ask_for_stop);
   }
 }

@@ -32,6 +32,7 @@ class TcpReception {
   void expect(std::vector<std::string> robots);
   /// Waits until the client of a robot is there, `limit` [s] of wall time. Nothing: it was stopped, or none has come.
   [[nodiscard]] std::optional<TcpClient> wait_for(const std::string& robot, double limit);
+  [[nodiscard]] bool is_stopped() const { return options_.stop && options_.stop(); }
   /// The same without waiting.
   [[nodiscard]] std::optional<TcpClient> take(const std::string& robot);
   /// A robot's client has gone. From now on another one may come, or (`for_good`) none.

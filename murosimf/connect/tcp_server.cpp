@@ -26,6 +26,9 @@ class ReceivingServer final : public TcpServer {
 
 ArrivedSoftware ReceivingServer::wait_for(const std::string& robot, const TcpOptions& options, std::uint64_t seed) {
   std::optional<TcpClient> found = reception_->wait_for(robot, options.wait);
+  if (!found && reception_->is_stopped()) {
+    throw SetupError(fmt::format("stopped while waiting for the software of {}", robot));
+  }
   if (!found) {
     throw SetupError(fmt::format("{}: no software has come for it to {} within {} s", robot,
                                  to_text(reception_->address()), options.wait));

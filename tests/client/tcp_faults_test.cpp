@@ -3,6 +3,7 @@
 #include <sys/socket.h>
 
 #include <cmath>
+#include <random>
 
 #include "tests/client/tcp_fixture.h"
 
@@ -134,6 +135,27 @@ TEST(TcpFaults, IsReadyOrAsksAgain) {
                    {of_client, "says Hello twice"}));
 }
 
+// What any bytes do is told in one line, too: true messages with some of their bytes changed.
+TEST(TcpFaults, SendsChangedMessages) {
+  wire::FromClient message;
+  message.mutable_commands()->set_cycle(7);
+  message.mutable_commands()->add_rows()->mutable_values()->Add(0.1);
+  message.mutable_commands()->add_says("a line\nor two");
+  const std::string whole = message.SerializeAsString();
+  std::mt19937 random(1);
+  for (int i = 0; i < 15; ++i) {
+    std::string bytes = std::string("\0\0\0", 3) + static_cast<char>(whole.size()) + whole;
+    for (int k = 0; k < 3; ++k) bytes[random() % bytes.size()] = static_cast<char>(random());
+    EXPECT_TRUE(says(ending([&](RawClient& client) {
+                       client.bytes(bytes);
+                       ::shutdown(client.connection.socket().number(), SHUT_WR);
+                       (void)client.end();
+                     }),
+                     {"s: raw at 127.0.0.1:"}))
+        << "message " << i;
+  }
+}
+
 /// In free-running mode until the client is dropped; what was told then.
 std::string dropped(const std::function<void(RawClient&)>& mistake) {
   const Listener listener;
@@ -246,6 +268,12 @@ TEST(TcpServer, SaysThatThePortIsInUse) {
   const Listener listener;
   EXPECT_EQ(error_of([&] { (void)listen_for_software({.address = listener.server->address()}); }),
             fmt::format("cannot listen on 127.0.0.1:{}: the port is in use", listener.port()));
+}
+
+TEST(TcpServer, StopsWaitingWhenItIsTold) {
+  const auto server = listen_for_software({.stop = [] { return true; }});
+  EXPECT_TRUE(says(error_of([&] { scene::Scene(to_the_ball_tcp, {.software = server}); }),
+                   {"stopped while waiting for the software of left"}));
 }
 
 TEST(TcpServer, DoesNotWaitForEver) {
