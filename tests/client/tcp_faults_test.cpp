@@ -23,7 +23,7 @@ std::string ending(const std::function<void(RawClient&)>& mistake, std::vector<s
   std::string how;
   {
     const Listener listener;
-    Software left([&] { walk_to_ball(listener.port(), "left"); });
+    Software left([&] { walk_to_ball("left", listener.port()); });
     Software right([&] {
       RawClient client(listener.port());
       client.come("right");
@@ -159,7 +159,7 @@ TEST(TcpFaults, SendsChangedMessages) {
 /// In free-running mode until the client is dropped; what was told then.
 std::string dropped(const std::function<void(RawClient&)>& mistake) {
   const Listener listener;
-  Software left([&] { walk_to_ball(listener.port(), "left"); });
+  Software left([&] { walk_to_ball("left", listener.port()); });
   Software right([&] {
     RawClient client(listener.port());
     client.come("right");
@@ -231,9 +231,9 @@ TEST(TcpStrangers, AHundredAtOnceKeepNobodyOut) {
     const Listener listener;
     std::vector<RawClient> strangers;
     for (int i = 0; i < 50; ++i) strangers.emplace_back(listener.port());
-    Software left([&] { walk_to_ball(listener.port(), "left"); });
+    Software left([&] { walk_to_ball("left", listener.port()); });
     for (int i = 0; i < 50; ++i) strangers.emplace_back(listener.port());
-    Software right([&] { walk_to_ball(listener.port(), "right"); });
+    Software right([&] { walk_to_ball("right", listener.port()); });
     {
       scene::Scene scene(to_the_ball_tcp, two_robots(listener));
       scene.simulation().run(1s);
@@ -249,7 +249,7 @@ TEST(TcpStrangers, AHundredAtOnceKeepNobodyOut) {
 
 TEST(TcpStrangers, FindARobotWhoseSoftwareHasEndedClosed) {
   const Listener listener;
-  Software left([&] { walk_to_ball(listener.port(), "left"); });
+  Software left([&] { walk_to_ball("left", listener.port()); });
   Software right([&] {
     RawClient client(listener.port());
     client.come("right");

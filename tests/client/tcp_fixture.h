@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "examples/controllers/walk_to_ball.h"
+#include "examples/controllers/walk_to_ball_tcp.h"
 #include "murosimf/client/robot_client.h"
 #include "murosimf/connect/controller_task.h"
 #include "murosimf/locomotion/gait_properties.h"
@@ -94,23 +94,6 @@ class Software {
   std::string error_;
   std::thread thread_;
 };
-
-/// As examples/controllers/walk_to_ball_tcp.cpp.
-inline void walk_to_ball(std::uint16_t port, const std::string& name) {
-  client::RobotClient robot({.robot = name, .port = port, .rate = 20, .software = "walker"});
-  const auto& ball = robot.signal("ground_truth.ball_position");
-  const auto& place = robot.signal("ground_truth." + name + "_position");
-  const auto& heading = robot.signal("ground_truth." + name + "_heading");
-  auto& velocity = robot.command("walk.velocity");
-  WalkToBall behavior;
-  while (robot.next()) {
-    if (robot.starts()) behavior.arrived = false;
-    if (robot.starts() || ball.samples == 0) continue;
-    if (behavior.step({ball.values.data(), place.values.data(), heading.values[0]}, velocity.values.data())) {
-      robot.say("I am at the ball");
-    }
-  }
-}
 
 /// A client without manners.
 class RawClient {

@@ -10,8 +10,8 @@ using namespace fixtures;
 
 std::uint64_t hash_over_tcp(int threads) {
   const Listener listener;
-  Software left([&] { walk_to_ball(listener.port(), "left"); });
-  Software right([&] { walk_to_ball(listener.port(), "right"); });
+  Software left([&] { walk_to_ball("left", listener.port()); });
+  Software right([&] { walk_to_ball("right", listener.port()); });
   std::uint64_t hash = 0;
   {
     scene::Scene scene(to_the_ball_tcp, two_robots(listener, {}, threads));
@@ -42,8 +42,8 @@ TEST(TcpSoftware, GivesTheStateOfTheSameLibraryWithAnyNumberOfThreads) {
 
 TEST(TcpSoftware, HasTheRateOfTheScene) {
   const Listener listener;
-  Software left([&] { walk_to_ball(listener.port(), "left"); });
-  Software right([&] { walk_to_ball(listener.port(), "right"); });
+  Software left([&] { walk_to_ball("left", listener.port()); });
+  Software right([&] { walk_to_ball("right", listener.port()); });
   scene::Scene scene(to_the_ball_tcp, two_robots(listener, {"left.control_rate=50"}));
   scene.simulation().run(1s);
   EXPECT_EQ(software(scene, "left").calls, 50);
@@ -52,8 +52,8 @@ TEST(TcpSoftware, HasTheRateOfTheScene) {
 
 TEST(TcpSoftware, BeginsAgainAfterAReset) {
   const Listener listener;
-  Software left([&] { walk_to_ball(listener.port(), "left"); });
-  Software right([&] { walk_to_ball(listener.port(), "right"); });
+  Software left([&] { walk_to_ball("left", listener.port()); });
+  Software right([&] { walk_to_ball("right", listener.port()); });
   scene::Scene scene(to_the_ball_tcp, two_robots(listener));
   scene.simulation().run(10s);
   const std::uint64_t first = scene.simulation().state_hash();
@@ -64,7 +64,7 @@ TEST(TcpSoftware, BeginsAgainAfterAReset) {
 
 TEST(TcpSoftware, HasWrongNumbersRefusedAndCounted) {
   const Listener listener;
-  Software left([&] { walk_to_ball(listener.port(), "left"); });
+  Software left([&] { walk_to_ball("left", listener.port()); });
   Software right([&] {
     RawClient client(listener.port());
     client.come("right");
@@ -93,7 +93,7 @@ template <class Done>
 
 TEST(FreeTcpSoftware, HasTheLatestCommandsHold) {
   const Listener listener;
-  Software left([&] { walk_to_ball(listener.port(), "left"); });
+  Software left([&] { walk_to_ball("left", listener.port()); });
   RawClient right(listener.port());
   Software coming([&] { right.come("right"); });
   scene::Scene scene(to_the_ball_tcp, two_robots(listener, {"right.options.mode=free"}));
@@ -109,7 +109,7 @@ TEST(FreeTcpSoftware, HasTheLatestCommandsHold) {
 
 TEST(FreeTcpSoftware, MayGoAndComeAgain) {
   const Listener listener;
-  Software left([&] { walk_to_ball(listener.port(), "left"); });
+  Software left([&] { walk_to_ball("left", listener.port()); });
   std::optional<Software> second;
   auto first = std::make_unique<RawClient>(listener.port());
   Software coming([&] { first->come("right"); });
