@@ -5,8 +5,9 @@
 ///     auto& velocity = robot.command("walk.velocity");
 ///     while (robot.next()) velocity.values[0] = ball.samples > 0 ? 0.2 : 0;
 ///
-/// The names, units and rules are those of docs/library.md; docs/tcp.md has the rest. A program whose one thread has
-/// several robots calls ready() of each before it connects the next one, and answer() before next() of another one. This library needs Protobuf and fmt, nothing else of the simulator.
+/// The names, units and rules are those of docs/library.md; docs/tcp.md has the rest. A program whose one thread has several robots
+/// calls ready() of each before it connects the next one, and answer() before next() of another one. This library needs Protobuf
+/// and fmt, nothing else of the simulator.
 #pragma once
 
 #include <chrono>

@@ -36,8 +36,6 @@ class TcpSession {
   TcpSession(const TcpSession&) = delete;
   TcpSession& operator=(const TcpSession&) = delete;
 
-  [[nodiscard]] const TcpClient& client() const { return client_; }
-
   /// Answers what it asks for, until it is ready.
   void set_up(wire::WallTime end);
   [[nodiscard]] bool is_ready() const { return ready_; }
