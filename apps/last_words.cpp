@@ -66,6 +66,11 @@ void say_warning(std::string_view text) noexcept {
   write_all("\n");
 }
 
+void say_note(std::string_view text) noexcept {
+  write_printable(text);
+  write_all("\n");
+}
+
 void show_on_terminal(std::string_view text) noexcept { write_all(text); }
 
 void say_last_words_of_everything() { std::set_terminate(end_at_once); }

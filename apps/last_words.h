@@ -16,6 +16,9 @@ void say_error(std::string_view text, std::string_view hint = {}) noexcept;
 /// "warning: text", likewise.
 void say_warning(std::string_view text) noexcept;
 
+/// "text", likewise: what is no mistake.
+void say_note(std::string_view text) noexcept;
+
 /// As it is, without a line break: what changes on a terminal.
 void show_on_terminal(std::string_view text) noexcept;
 

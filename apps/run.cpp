@@ -18,6 +18,7 @@
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/connect/crash_note.h"
+#include "murosimf/connect/tcp_server.h"
 #include "murosimf/files/files_read.h"
 #include "murosimf/files/input_file.h"
 #include "murosimf/files/output_file.h"
@@ -42,6 +43,7 @@ struct RunOptions {
   std::vector<std::string> log;    ///< what is recorded (logging/log_paths.h)
   std::string out;                 ///< CSV file for that
   double log_rate = 100;           ///< [Hz] of properties in it
+  std::string listen;              ///< [HOST:]PORT, empty: nobody can connect
   RecordOptions record;
   bool no_cameras = false;             ///< nothing is drawn for cameras
   std::string load_state, save_state;  ///< files
@@ -69,10 +71,25 @@ void define(const Command& command, RunOptions& options) {
   command.add("--load-state", options.load_state, "Go on from a state of this scene that --save-state has written");
   command.add("--save-state", options.save_state, "Write the state at the end to this file");
   add_game(command, options.game);
+  command.add("--listen", options.listen,
+              "Take control software for robots with the controller 'tcp': PORT of this computer alone, or HOST:PORT");
   command.add("--no-cameras", options.no_cameras, "Draw nothing for cameras: they have no frames then");
 }
 
 using WallClock = std::chrono::steady_clock;
+
+std::shared_ptr<connect::TcpServer> server_at(const std::string& where) {
+  if (where.empty()) return nullptr;
+  connect::TcpServerOptions options{.say = [](const std::string& line) { say_warning(line); }, .stop = interrupted};
+  try {
+    options.address = wire::parse_address(where);
+  } catch (const wire::WireError& error) {
+    throw SetupError(fmt::format("--listen: {}", error.what()));
+  }
+  auto server = connect::listen_for_software(std::move(options));
+  say_note(fmt::format("listening on {}", to_text(server->address())));
+  return server;
+}
 
 std::optional<double> speed_of(const std::string& text) {
   if (text == "max") return std::nullopt;
@@ -148,6 +165,7 @@ int run(const RunOptions& options) {
   scene_options.cameras = !options.no_cameras;
   scene_options.paths = !options.picture.empty();
   const files::FilesRead files_read;
+  scene_options.software = server_at(options.listen);
   scene::Scene scene(options.scene.file, scene_options);
   const Duration duration = duration_of(options.duration.value_or(scene.spec().duration));
   Simulation& simulation = scene.simulation();

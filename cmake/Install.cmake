@@ -19,7 +19,7 @@ if(TARGET murosimf_app)
   install(FILES ${CMAKE_BINARY_DIR}/share/murosimf.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/murosimf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.h")
+  FILES_MATCHING PATTERN "*.h" PATTERN "*.proto")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/lenses ${PROJECT_SOURCE_DIR}/models ${PROJECT_SOURCE_DIR}/motions ${PROJECT_SOURCE_DIR}/parts ${PROJECT_SOURCE_DIR}/scenes ${PROJECT_SOURCE_DIR}/servos
   DESTINATION ${CMAKE_INSTALL_DATADIR}/murosimf)
 
@@ -31,7 +31,7 @@ if(tomlplusplus_DIR)
 else()
   set(murosimf_tomlplusplus_from_pkg_config ON)
 endif()
-foreach(part cairo=PkgConfig::cairo opengl=PkgConfig::opengl zstd=PkgConfig::zstd nlopt=NLopt::nlopt yaml=yaml-cpp::yaml-cpp)
+foreach(part cairo=PkgConfig::cairo opengl=PkgConfig::opengl zstd=PkgConfig::zstd nlopt=NLopt::nlopt protobuf=protobuf::libprotobuf-lite yaml=yaml-cpp::yaml-cpp)
   string(REPLACE "=" ";" part ${part})
   list(GET part 0 name)
   list(GET part 1 library)

@@ -13,7 +13,7 @@ import re
 import sys
 from pathlib import Path
 
-folder_line = re.compile(r"^murosimf_folder\(([\w/]+)((?:\s+[^\s()]+)*)\s*\)", re.MULTILINE)
+folder_line = re.compile(r"^\s*murosimf_folder\(([\w/]+)((?:\s+[^\s()]+)*)\s*\)", re.MULTILINE)
 outside = ["apps", "python", "tests", "examples", "benchmarks"]
 
 include_line = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -34,8 +34,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-DATA = ["docs", "examples", "lenses", "models", "motions", "murosimf/connect", "parts", "scenes", "servos", "tests/data",
-        "tests/fuzz/seeds"]
+DATA = ["docs", "examples", "lenses", "models", "motions", "murosimf/connect", "parts", "python", "scenes", "servos",
+        "tests/data", "tests/fuzz/seeds"]
 COMMAND = re.compile(r"(murosimf\w*|example_\w+|build/release/\S+|scripts/\S+|"
                      r"cmake|ctest|python3|pip|pre-commit|export|xacro)(?= |$)")
 MARK = re.compile(r"\s*<!-- (not run|run with|each after|needs|before|append to|then|output of|figures vary)"
@@ -49,6 +49,7 @@ VARIES = [
     (re.compile(r"simulated in [\d.]+ s: [\d.]+ times"), "simulated in # s: # times"),
     (re.compile(r"\(LLVM [\d.]+, \d+ bits\)"), "(LLVM #, # bits)"),
     (re.compile(r"\b[\d.]+ of the cost"), "# of the cost"),
+    (re.compile(r" at 127\.0\.0\.1:\d+$"), " at 127.0.0.1:#"),  # a client
     (re.compile(r"^([a-z]+_[a-z]+ \S+) \d+ \d+\.\d\d (?=\d)"), r"\1 # # "),  # rows of murosimf compare
 ]
 TIME_LIMIT = 300  # [s] of one command

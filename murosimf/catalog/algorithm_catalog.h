@@ -17,6 +17,7 @@
 #include "murosimf/collision/contact_law.h"
 #include "murosimf/components/sensor_types.h"
 #include "murosimf/connect/crash_note.h"
+#include "murosimf/connect/tcp_server.h"
 #include "murosimf/locomotion/keyframe_motion.h"
 #include "murosimf/model/find_entry.h"
 #include "murosimf/model/option.h"
@@ -91,7 +92,8 @@ struct ControllerOptions {
   std::string library;     ///< file, of the controller "library"
   double call_budget = 0;  ///< [s] of wall time for each of its calls; 0: any
   bool reload = false;     ///< when its file changes
-  std::shared_ptr<connect::CrashNote> crashes;  ///< null: nobody looks whether it crashes
+  std::shared_ptr<connect::CrashNote> crashes;   ///< null: nobody looks whether it crashes
+  std::shared_ptr<connect::TcpServer> software;  ///< where that of the controller "tcp" comes in; null: nowhere
   std::filesystem::path folder;  ///< of the scene's file, where the files that it names are looked for too
 };
 

@@ -59,6 +59,31 @@ void attach_trajectory(Simulation& simulation, Entity& robot, const ControllerOp
   simulation.attach<connect::TrajectoryPlayer>("trajectory_player", robot, rate, trajectory, played);
 }
 
+double usual_rate(double of_scene, double wanted) {
+  constexpr double otherwise = 100;  // [Hz]
+  if (of_scene > 0) return of_scene;
+  return wanted > 0 ? wanted : otherwise;
+}
+
+/// The walk engine moves the legs if the software has asked for it.
+void attach_software(Simulation& simulation, Entity& robot, double rate, const connect::SoftwareMaker& make,
+                     const connect::ControllerTaskOptions& options) {
+  const auto& task = simulation.attach<connect::ControllerTask>("control_software", robot, rate, make, options);
+  if (!task.port().walks()) return;
+  simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
+}
+
+void attach_tcp(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  if (!options.software) {
+    throw SetupError("controller 'tcp': no software can come; say where: murosimf run --listen PORT");
+  }
+  connect::TcpOptions given;
+  tcp_options().apply(options.own, given);
+  const connect::ArrivedSoftware arrived = options.software->wait_for(robot.name(), given, options.seed);
+  attach_software(simulation, robot, usual_rate(options.rate, arrived.rate), arrived.make,
+                  {.software = arrived.name, .budget = from_seconds(options.call_budget)});
+}
+
 void attach_library(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
   if (options.library.empty()) {
     throw SetupError("controller 'library' needs the name of a file: library = \"build/libwalk.so\"");
@@ -75,14 +100,8 @@ void attach_library(Simulation& simulation, Entity& robot, const ControllerOptio
     connect::one_after_the_other(setup, common, *library);
     return std::make_unique<connect::LibrarySoftware>(setup, port, say, library, given);
   };
-  constexpr double usual_rate = 100;
-  const double wanted = library->functions().rate > 0 ? library->functions().rate : usual_rate;
-  const auto& task = simulation.attach<connect::ControllerTask>(
-      "control_software", robot, options.rate > 0 ? options.rate : wanted, make,
-      connect::ControllerTaskOptions{.software = file.string(), .budget = given.budget, .crashes = options.crashes});
-  if (task.port().walks()) {
-    simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
-  }
+  attach_software(simulation, robot, usual_rate(options.rate, library->functions().rate), make,
+                  {.software = file.string(), .budget = given.budget, .crashes = options.crashes});
 }
 
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
@@ -168,10 +187,12 @@ std::vector<ControllerType> built_in_controllers() {
                      attach_trajectory, trajectory_options().infos()},
       ControllerType{"library",
                      "control software of one's own in a shared library (murosimf_controller.h)",
-                     "library",
+                     "library call_budget",
                      attach_library,
                      {},
                      true},
+      ControllerType{"tcp", "control software in another program, over TCP: murosimf run --listen PORT", "call_budget",
+                     attach_tcp, tcp_options().infos()},
       ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
                      drive_options().infos(), false, drives_at},
       ControllerType{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",

@@ -6,8 +6,9 @@ namespace {
 constexpr double longest_time = 60;     // [s]
 constexpr double longest_motion = 1e9;  // [s]
 constexpr double cycle = 0.005;         // [s] of AnkleStrategy: shorter filters would not be stable
-constexpr double fastest = 10;          // [m/s] no robot here is as fast
-constexpr double longest_length = 100;  // [m]
+constexpr double shortest_limit = 0.01, longest_limit = 86400;  // [s] of wall time
+constexpr double fastest = 10;                                  // [m/s] no robot here is as fast
+constexpr double longest_length = 100;                          // [m]
 
 }  // namespace
 
@@ -35,6 +36,21 @@ const OptionTable<connect::TrajectoryOptions>& trajectory_options() {
       {"between", &Options::between, "", "two rows: a straight line, or the last one", {"line", "hold"}},
       {"property", &Options::property, "", "that is played from a log"},
       {"entity", &Options::entity, "", "of a log, if it is not this one"},
+  };
+  return table;
+}
+
+const OptionTable<connect::TcpOptions>& tcp_options() {
+  using Options = connect::TcpOptions;
+  static const OptionTable<Options> table{
+      {"mode",
+       &Options::mode,
+       "",
+       "lock_step: each cycle waits for the answer; free: the latest commands hold",
+       {"lock_step", "free"}},
+      {"limit", &Options::limit, "s", "wall time that an answer may take", shortest_limit, longest_limit},
+      {"wait", &Options::wait, "s", "wall time for the software to come, and to get ready", shortest_limit,
+       longest_limit},
   };
   return table;
 }

@@ -27,6 +27,7 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   options.call_budget = robot.call_budget;
   options.reload = robot.reload;
   options.crashes = parts.crashes;
+  options.software = parts.software;
   options.folder = spec.file.parent_path();
   const scene_file::FieldSize& field = scene_file::field_size(spec.field.size);
   options.half_field = {0.5 * field.length, 0.5 * field.width, 0};

@@ -18,7 +18,19 @@
 namespace murosimf::scene {
 namespace {
 
+/// Who connects for somebody else is told so at once.
+void expect_software(const SceneParts& parts) {
+  if (!parts.software) return;
+  std::vector<std::string> robots;
+  for (const scene_file::RobotSpec& robot : parts.spec.robots) {
+    if (robot.controller == "tcp") robots.push_back(robot.name);
+  }
+  if (robots.empty()) throw SetupError("software can connect, but no robot has the controller 'tcp'");
+  parts.software->expect(std::move(robots));
+}
+
 void attach_control(SceneParts& parts, ModelSource& models) {
+  expect_software(parts);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) attach_sensors(parts, models, i);
   for (std::size_t i = 0; i < parts.robots.size(); ++i) {
     attach_controller(parts, parts.spec.robots[i], *parts.robots[i]);
@@ -70,6 +82,7 @@ void build(SceneParts& parts, const SceneOptions& options) {
     return stop && stop();
   });
   parts.libraries = options.libraries;
+  parts.software = options.software;
   if (options.cameras) parts.cameras = std::make_unique<CameraRenderer>(parts);
   parts.assets = options.assets ? options.assets : std::make_shared<Assets>();
   parts.lenient = options.lenient;

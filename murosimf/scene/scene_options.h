@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/connect/tcp_server.h"
 #include "murosimf/runtime/simulation.h"
 
 namespace murosimf::scene {
@@ -24,8 +25,10 @@ struct SceneOptions {
   bool lanes = true;                   ///< false: equal robots do not step together (Simulation::use_lanes)
   bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames
   bool paths = false;                  ///< remember where everybody has been, for write_picture
-  std::shared_ptr<Assets> assets{};    ///< that it shares with other scenes; null: its own
-  StopRequest stop{};                  ///< ends runs of the simulation early (Simulation::stop_if)
+  std::shared_ptr<connect::TcpServer>
+      software{};                    ///< where control software of the controller "tcp" comes in; null: nowhere
+  std::shared_ptr<Assets> assets{};  ///< that it shares with other scenes; null: its own
+  StopRequest stop{};                ///< ends runs of the simulation early (Simulation::stop_if)
 };
 
 }  // namespace murosimf::scene

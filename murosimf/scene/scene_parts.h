@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "murosimf/connect/crash_note.h"
+#include "murosimf/connect/tcp_server.h"
 #include "murosimf/runtime/path_recorder.h"
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/scene/remarks.h"
@@ -77,9 +78,10 @@ struct SceneParts {
   connect::MessageExchange* messages = nullptr;              ///< null: no software asks for them
   const PathRecorder* recorder = nullptr;                    ///< null: nobody asked for paths
   std::shared_ptr<connect::CrashNote> crashes = std::make_shared<connect::CrashNote>();  ///< of control software
-  bool libraries = false;          ///< those that files name are loaded
-  std::shared_ptr<Assets> assets;  ///< for robots that come later
-  bool lenient = false;            ///< of their files: unknown elements are warnings
+  std::shared_ptr<connect::TcpServer> software;  ///< that of the controller "tcp" comes in there; null: nowhere
+  bool libraries = false;                        ///< those that files name are loaded
+  std::shared_ptr<Assets> assets;                ///< for robots that come later
+  bool lenient = false;                          ///< of their files: unknown elements are warnings
   StartOfScene at_start;
   std::unique_ptr<CameraRenderer> cameras;  ///< null: nothing is drawn for them
   int changes_to_see = 0;  ///< so far, of what renderers have taken over: light, shapes, colors, who is there

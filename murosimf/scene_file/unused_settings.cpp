@@ -42,7 +42,8 @@ constexpr std::array used_keys{
     UsedKey{"command", "command", UsedKey::by_controller, asks_for_command},
     UsedKey{"motion", "motion", UsedKey::by_controller, asks_for_motion},
     UsedKey{"library", "library", UsedKey::by_controller, [](const RobotSpec& r) { return !r.library.empty(); }},
-    UsedKey{"call_budget", "library", UsedKey::by_controller, [](const RobotSpec& r) { return r.call_budget != 0; }},
+    UsedKey{"call_budget", "call_budget", UsedKey::by_controller,
+            [](const RobotSpec& r) { return r.call_budget != 0; }},
     UsedKey{"reload", "library", UsedKey::by_controller, [](const RobotSpec& r) { return r.reload; }},
 };
 

@@ -1,0 +1,57 @@
+/// tcp_server.h - control software of robots that comes from other programs and computers, over TCP (docs/tcp.md).
+///
+///     const auto server = connect::listen_for_software({.address = {"127.0.0.1", 5000}});
+///     scene::Scene scene("match.toml", {.software = server});          // waits for the software of its robots
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/connect/control_software.h"
+#include "murosimf/connect/murosimf_controller.h"
+#include "murosimf/runtime/pacer.h"
+#include "murosimf/wire/socket.h"
+
+namespace murosimf::connect {
+
+/// [robots.options] of the controller "tcp".
+struct TcpOptions {
+  std::string mode = "lock_step";  ///< or "free"
+  double limit = 10;               ///< [s] of wall time that software may take to answer a cycle
+  double wait = 60;                ///< [s] of wall time for it to come, and to ask for what it needs
+};
+
+struct TcpServerOptions {
+  wire::Address address;
+  SayLine say = {};        ///< clients that were refused, one line each; called by another thread
+  StopRequest stop = {};   ///< whether waiting for clients ends early
+  double hello_limit = 5;  ///< [s] of wall time in which clients say whose software they are
+};
+
+/// The software that has come for a robot.
+struct ArrivedSoftware {
+  std::string name;  ///< "walk.py at 127.0.0.1:40312"
+  double rate = 0;   ///< [Hz] wanted; 0: any
+  SoftwareMaker make;
+};
+
+class TcpServer {
+ public:
+  virtual ~TcpServer() = default;
+  /// Where it listens.
+  [[nodiscard]] virtual wire::Address address() const = 0;
+  /// The robots that there are: clients for others are refused.
+  virtual void expect(std::vector<std::string> robots) = 0;
+  /// Waits for a robot's software. Throws SetupError if none comes in time.
+  [[nodiscard]] virtual ArrivedSoftware wait_for(const std::string& robot, const TcpOptions& options,
+                                                 std::uint64_t seed) = 0;
+};
+
+/// Throws SetupError: the port is in use; this program was built without TCP.
+[[nodiscard]] std::shared_ptr<TcpServer> listen_for_software(TcpServerOptions options);
+
+}  // namespace murosimf::connect

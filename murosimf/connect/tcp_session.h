@@ -1,0 +1,87 @@
+/// tcp_session.h - the talk with one client: what it asks for, the cycles that it is told, and the commands that it answers.
+///
+/// Whatever the client does wrong throws WireError; the caller then ends the session.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "murosimf/connect/robot_port.h"
+#include "murosimf/connect/tcp_client.h"
+#include "murosimf/connect/tcp_server.h"
+
+namespace murosimf::wire {
+class Ask;
+class Commands;
+class ToClient;
+}  // namespace murosimf::wire
+
+namespace murosimf::connect {
+
+/// What a client is told of its robot.
+struct TcpRobot {
+  std::string name, team, model;
+  double period = 0;  ///< [s]
+  std::uint64_t seed = 0;
+  bool lock_step = true;
+};
+
+class TcpSession {
+ public:
+  /// Welcomes the client.
+  TcpSession(TcpClient client, TcpRobot robot, RobotPort& port, SayLine say);
+  ~TcpSession();
+  TcpSession(const TcpSession&) = delete;
+  TcpSession& operator=(const TcpSession&) = delete;
+
+  /// Answers what it asks for, until it is ready.
+  void set_up(wire::WallTime end);
+  [[nodiscard]] bool is_ready() const { return ready_; }
+
+  /// Tells it the cycle at `now`, or that the run begins.
+  void tell_cycle(Duration now);
+  void tell_start();
+  /// Waits for the answer to it and puts it into the port's commands.
+  void wait_for_answer(wire::WallTime end);
+  /// Takes what has come, without waiting.
+  void take_what_has_come(wire::WallTime now);
+
+  /// Whether what it was told has left; then it can be told more.
+  [[nodiscard]] bool flush() { return client_.connection.flush(); }
+  /// Whether it is to get ready or to answer, and since when nothing of that kind has come.
+  [[nodiscard]] bool is_waited_for() const { return !ready_ || owes_answer_; }
+  [[nodiscard]] wire::WallTime waited_for_since() const { return heard_at_; }
+
+  /// The last words, if they can be said without waiting.
+  void say_goodbye() noexcept;
+  void say_refused(const std::string& reason) noexcept { refuse(client_.connection, reason); }
+
+ private:
+  void take(std::string_view bytes);
+  void answer(const wire::Ask& ask);
+  void take_over(const wire::Commands& commands);
+  void check_rate(wire::WallTime now);
+  void send();
+  void tell();
+
+  TcpClient client_;
+  TcpRobot robot_;
+  RobotPort* port_;
+  SayLine say_;
+  std::vector<const murosimf_signal*> signals_;
+  std::vector<murosimf_command*> commands_;
+  std::vector<std::string> command_names_;
+  std::unique_ptr<wire::FromClient> incoming_;
+  std::unique_ptr<wire::ToClient> outgoing_;
+  std::string bytes_;
+  std::uint64_t cycle_ = 0, started_ = 0;  // the last one that it was told, and the one of the start
+  bool ready_ = false, owes_answer_ = false;
+  wire::WallTime heard_at_{};  // or since when it owes the answer
+  std::size_t asked_ = 0;
+  std::size_t messages_ = 0;  // within the second that began then
+  wire::WallTime second_{};
+};
+
+}  // namespace murosimf::connect
