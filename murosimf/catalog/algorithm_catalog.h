@@ -92,7 +92,8 @@ struct ControllerOptions {
   double call_budget = 0;  ///< [s] of wall time for each of its calls; 0: any
   bool reload = false;     ///< when its file changes
   std::shared_ptr<connect::CrashNote> crashes;  ///< null: nobody looks whether it crashes
-  std::filesystem::path folder;  ///< of the scene's file, where the files that it names are looked for too
+  std::filesystem::path folder;     ///< of the scene's file, where the files that it names are looked for too
+  std::filesystem::path terminals;  ///< folder for links to serial lines; empty: there are none
 };
 
 struct ControllerType {

@@ -6,6 +6,7 @@
 #include "murosimf/catalog/controller_options.h"
 #include "murosimf/connect/controller_task.h"
 #include "murosimf/connect/library_software.h"
+#include "murosimf/connect/serial/serial_software.h"
 #include "murosimf/connect/trajectory_file.h"
 #include "murosimf/connect/trajectory_player.h"
 #include "murosimf/files/data_path.h"
@@ -83,6 +84,25 @@ void attach_library(Simulation& simulation, Entity& robot, const ControllerOptio
   if (task.port().walks()) {
     simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
   }
+}
+
+void attach_serial(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  connect::serial::SerialOptions given;
+  serial_options().apply(options.own, given);
+  using connect::dynamixel::Protocol;
+  const Protocol protocol = given.protocol < 2 ? Protocol::v1 : Protocol::v2;
+  const Model& model = robot.model();
+  const std::vector<connect::serial::ServoPlace> layout =
+      given.bus.empty()
+          ? connect::serial::usual_layout(model, protocol)
+          : connect::serial::read_layout(files::find_data_file(given.bus, "buses", ".csv", options.folder), model,
+                                         protocol);
+  const connect::SoftwareMaker make = [&](Setup& setup, connect::RobotPort& port, const connect::SayLine& say) {
+    return std::make_unique<connect::serial::SerialSoftware>(setup, port, say, layout, given, options.terminals);
+  };
+  simulation.attach<connect::ControllerTask>("control_software", robot,
+                                             rate_of<connect::serial::SerialSoftware>(options), make,
+                                             connect::ControllerTaskOptions{.software = "serial line"});
 }
 
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
@@ -172,6 +192,8 @@ std::vector<ControllerType> built_in_controllers() {
                      attach_library,
                      {},
                      true},
+      ControllerType{"serial", "servos and IMU on a virtual serial line that speaks the Dynamixel protocols", "",
+                     attach_serial, serial_options().infos()},
       ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
                      drive_options().infos(), false, drives_at},
       ControllerType{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",
