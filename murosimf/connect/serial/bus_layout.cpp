@@ -96,11 +96,15 @@ class LayoutReader {
   }
 
   [[nodiscard]] std::size_t joint(const CsvCell& cell) const {
-    std::vector<std::string_view> names;
-    for (const int object : model_->joints()) names.push_back(model_->objects()[object].name);
-    const auto found = std::ranges::find(names, cell.text);
-    if (found == names.end()) cells_.fail(cell.column, unknown_name("joint", cell.text, names));
-    const auto number = static_cast<std::size_t>(found - names.begin());
+    const auto& joints = model_->joints();
+    const std::optional<int> object = model_->find_object(cell.text);
+    const auto found = object ? std::ranges::find(joints, *object) : joints.end();
+    if (found == joints.end()) {
+      std::vector<std::string_view> names;
+      for (const int joint : joints) names.push_back(model_->objects()[joint].name);
+      cells_.fail(cell.column, unknown_name("joint", cell.text, names));
+    }
+    const auto number = static_cast<std::size_t>(found - joints.begin());
     if (std::ranges::find(places_, number, &ServoPlace::joint) != places_.end()) {
       cells_.fail(cell.column, fmt::format("'{}' has a servo already", cell.text));
     }

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -33,6 +34,12 @@ bool make_raw(const char* name) {
   done = done && tcsetattr(file, TCSANOW, &settings) == 0;
   close(file);
   return done;
+}
+
+bool is_old_link(const fs::path& path) {
+  std::error_code error;
+  return fs::is_symlink(fs::symlink_status(path, error)) &&
+         fs::read_symlink(path, error).string().starts_with("/dev/pts/");
 }
 
 }  // namespace
@@ -89,17 +96,21 @@ void PseudoTerminal::discard() noexcept {
   close(file);
 }
 
-TerminalLink::TerminalLink(const fs::path& folder, const std::string& name, const std::string& terminal)
-    : path_(folder / name), terminal_(terminal) {
+void check_link_place(const fs::path& path) {
   std::error_code error;
+  const fs::path folder = path.parent_path();
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder)) throw SetupError(fmt::format("'{}' is no folder", folder.string()));
-  const fs::file_status there = fs::symlink_status(path_, error);
-  const bool old_link = fs::is_symlink(there) && fs::read_symlink(path_, error).string().starts_with("/dev/pts/");
-  if (fs::exists(there) && !old_link) {
-    throw SetupError(fmt::format("'{}' is there already, and no link to a terminal", path_.string()));
+  if (fs::exists(fs::symlink_status(path, error)) && !is_old_link(path)) {
+    throw SetupError(fmt::format("'{}' is there already, and no link to a terminal", path.string()));
   }
-  if (old_link) fs::remove(path_, error);
+}
+
+TerminalLink::TerminalLink(fs::path path, std::string terminal)
+    : path_(std::move(path)), terminal_(std::move(terminal)) {
+  check_link_place(path_);
+  std::error_code error;
+  if (is_old_link(path_)) fs::remove(path_, error);
   fs::create_symlink(terminal_, path_, error);
   if (error) throw SetupError(fmt::format("no link '{}' can be made: {}", path_.string(), error.message()));
 }

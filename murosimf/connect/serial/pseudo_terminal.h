@@ -34,17 +34,18 @@ class PseudoTerminal {
   std::string name_;
 };
 
+/// Makes the folder of a link if it is not there. Throws SetupError if that cannot be, or if anything else than a link to a terminal,
+/// which a program left behind, has that path.
+void check_link_place(const std::filesystem::path& path);
+
 /// A symbolic link to a terminal, for as long as this lives.
 class TerminalLink {
  public:
-  /// Makes the folder if it is not there. A link that a program left behind is replaced; throws SetupError if anything else has that
-  /// name, or it cannot be made.
-  TerminalLink(const std::filesystem::path& folder, const std::string& name, const std::string& terminal);
+  /// Replaces what a program left behind. Throws SetupError as check_link_place does, or if it cannot be made.
+  TerminalLink(std::filesystem::path path, std::string terminal);
   ~TerminalLink();
   TerminalLink(const TerminalLink&) = delete;
   TerminalLink& operator=(const TerminalLink&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
   std::filesystem::path path_;

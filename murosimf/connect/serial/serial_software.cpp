@@ -40,7 +40,8 @@ SerialSoftware::SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::
   switch_on();
   if (folder.empty()) return;
   terminal_ = std::make_unique<PseudoTerminal>();
-  link_.emplace(folder, setup.entity().name(), terminal_->name());
+  link_place_ = folder / setup.entity().name();
+  check_link_place(link_place_);
 }
 
 void SerialSoftware::add_joint(const Model& model, const ServoPlace& place) {
@@ -103,6 +104,13 @@ CallOutcome SerialSoftware::start() {
 }
 
 CallOutcome SerialSoftware::step(Duration now) noexcept {
+  if (terminal_ && !link_) {  // who finds it is answered from now on
+    try {
+      link_.emplace(link_place_, terminal_->name());
+    } catch (const SetupError& error) {
+      return {CallOutcome::threw, error.what()};
+    }
+  }
   const double time = seconds(now);
   sense(time);
   if (terminal_) exchange_bytes(time);
@@ -156,11 +164,11 @@ void SerialSoftware::look_after_client() {
   client_ = client;
   if (client) {
     told_of_loss_ = false;
-    say_(fmt::format("{} was opened", link_->path().string()));
+    say_(fmt::format("{} was opened", link_place_.string()));
   } else {
     line_->hang_up();
     terminal_->discard();
-    say_(fmt::format("{} was closed; torque and goals stay as they are", link_->path().string()));
+    say_(fmt::format("{} was closed; torque and goals stay as they are", link_place_.string()));
   }
 }
 

@@ -32,7 +32,8 @@ struct SerialOptions {
 
 class SerialSoftware final : public ControlSoftware {
  public:
-  /// `folder` is where the link to the terminal stands, named as the robot; empty: there is no terminal. Throws SetupError.
+  /// `folder` is where the link to the terminal stands, named as the robot, from the first step on; empty: there is no
+  /// terminal. Throws SetupError.
   SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::vector<ServoPlace> layout, SerialOptions options,
                  const std::filesystem::path& folder);
 
@@ -77,6 +78,7 @@ class SerialSoftware final : public ControlSoftware {
   std::optional<dynamixel::BusLine> line_;
   dynamixel::ImuBoard* imu_ = nullptr;
   std::unique_ptr<PseudoTerminal> terminal_;
+  std::filesystem::path link_place_;
   std::optional<TerminalLink> link_;
   bool client_ = false, told_of_loss_ = false;
   WallClock::time_point last_byte_;

@@ -78,14 +78,14 @@ TEST(TerminalLink, StandsAsLongAsItLives) {
   const fs::path folder = fixtures::temp_folder() / "new" / "ports";
   const PseudoTerminal terminal;
   {
-    const TerminalLink link(folder, "blue1", terminal.name());
+    const TerminalLink link(folder / "blue1", terminal.name());
     EXPECT_EQ(fs::read_symlink(folder / "blue1"), terminal.name());
     fs::remove(folder / "blue1");
     fs::create_symlink("/dev/null", folder / "blue1");  // somebody else's by now
   }
   EXPECT_TRUE(fs::is_symlink(folder / "blue1"));
   fs::remove(folder / "blue1");
-  { const TerminalLink link(folder, "blue1", terminal.name()); }
+  { const TerminalLink link(folder / "blue1", terminal.name()); }
   EXPECT_FALSE(fs::is_symlink(folder / "blue1"));
 }
 
@@ -93,12 +93,12 @@ TEST(TerminalLink, ReplacesOnlyWhatAKilledProgramLeft) {
   const fs::path folder = fixtures::temp_folder() / "leftovers";
   fs::create_directories(folder);
   fs::create_symlink("/dev/pts/99999", folder / "dead");
-  { const TerminalLink link(folder, "dead", "/dev/pts/0"); }
+  { const TerminalLink link(folder / "dead", "/dev/pts/0"); }
   std::ofstream(folder / "file") << "text";
-  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { const TerminalLink link(folder, "file", "/dev/pts/0"); }),
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { const TerminalLink link(folder / "file", "/dev/pts/0"); }),
                              {"file' is there already, and no link to a terminal"}));
   EXPECT_TRUE(fs::exists(folder / "file"));
-  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { const TerminalLink link(folder / "file", "a", "/dev/pts/0"); }),
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { const TerminalLink link(folder / "file" / "a", "/dev/pts/0"); }),
                              {"is no folder"}));
 }
 
