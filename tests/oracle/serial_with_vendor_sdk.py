@@ -4,8 +4,8 @@
 Usage: serial_with_vendor_sdk.py <murosimf>
 Exit: 0 all is as on the bus, 1 something is not, 77 the package or pseudo terminals are missing (test is skipped).
 
-Both protocols: pings, reads, writes, registered writes, sync and bulk, errors, reboot and factory reset, and a walk whose joint targets
-are sent one hundred times per second.
+Both protocols: pings, reads, writes, registered writes, sync and bulk, errors, reboot and factory reset, and a walk whose joint
+targets are sent one hundred times per second.
 """
 import csv
 import json
@@ -216,7 +216,7 @@ def check_walk(program, folder):
         for row in rows[1:]:
             time.sleep(max(0.0, begin + float(row[0]) - time.monotonic()))
             robot.sync_write(116, 4, {servo: round(MIDDLE + PER_RADIAN * float(row[i]))
-                                      for servo, i in zip(SERVOS, joints)})
+                                      for servo, i in zip(SERVOS, joints, strict=True)})
             robot.positions()
         robot.process.wait()
         if not walked(robot.report) > 0.5 * walked(report):
