@@ -33,7 +33,7 @@ void Bus::ping_all(Protocol protocol, Answers& answers) const {
   for (const auto& device : devices_) {
     if (device->protocol() == protocol) in_order.push_back(device.get());
   }
-  std::ranges::stable_sort(in_order, {}, [](const BusDevice* device) { return device->id(); });
+  std::ranges::sort(in_order, {}, [](const BusDevice* device) { return device->id(); });
   for (const BusDevice* device : in_order) answers.push_back({device->return_delay(), to_bytes(*device->ping())});
 }
 
