@@ -45,6 +45,7 @@ struct RunOptions {
   double log_rate = 100;           ///< [Hz] of properties in it
   std::string listen;              ///< [HOST:]PORT, empty: nobody can connect
   RecordOptions record;
+  std::string serial;                  ///< folder for links to serial lines
   bool no_cameras = false;             ///< nothing is drawn for cameras
   std::string load_state, save_state;  ///< files
   GameArguments game;
@@ -73,6 +74,8 @@ void define(const Command& command, RunOptions& options) {
   add_game(command, options.game);
   command.add("--listen", options.listen,
               "Take control software for robots with the controller 'tcp': PORT of this computer alone, or HOST:PORT");
+  command.add("--serial", options.serial,
+              "Folder for links to the serial lines of robots with controller = \"serial\", one for each, named as it");
   command.add("--no-cameras", options.no_cameras, "Draw nothing for cameras: they have no frames then");
 }
 
@@ -147,6 +150,18 @@ bool crashes(const Run& run) {
   }
 }
 
+/// Serial lines need a place where programs find them, and a place needs lines.
+void check_serial(const scene_file::SceneSpec& spec, const std::string& folder) {
+  const auto found = std::ranges::find(spec.robots, "serial", &scene_file::RobotSpec::controller);
+  if (folder.empty() && found != spec.robots.end()) {
+    throw SetupError(
+        fmt::format("{}: {} has a serial line; say where programs find it: --serial DIR", found->where, found->name));
+  }
+  if (!folder.empty() && found == spec.robots.end()) {
+    throw SetupError("--serial: no robot has a serial line (controller = \"serial\")");
+  }
+}
+
 int run(const RunOptions& options) {
   end_gently();
   Clock clock(speed_of(options.speed));
@@ -164,9 +179,11 @@ int run(const RunOptions& options) {
   scene::SceneOptions scene_options = options_of(options.scene);
   scene_options.cameras = !options.no_cameras;
   scene_options.paths = !options.picture.empty();
+  scene_options.terminals = options.serial;
   const files::FilesRead files_read;
   scene_options.software = server_at(options.listen);
   scene::Scene scene(options.scene.file, scene_options);
+  check_serial(scene.spec(), options.serial);
   const Duration duration = duration_of(options.duration.value_or(scene.spec().duration));
   Simulation& simulation = scene.simulation();
   const std::unique_ptr<league::League> game = game_of(scene, options.game);

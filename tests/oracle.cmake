@@ -1,6 +1,7 @@
 # Comparisons with other programs, where these are installed.
 
-# Kinematics, masses and dynamics against MuJoCo and Pinocchio, lenses against OpenCV, where their Python packages are installed.
+# Kinematics, masses and dynamics against MuJoCo and Pinocchio, lenses against OpenCV, the serial line with
+# the vendor's dynamixel-sdk, where their Python packages are installed.
 set(MUROSIMF_ORACLE_PYTHON python3 CACHE STRING "Python interpreter that has the packages mujoco, cv2 and numpy")
 foreach(program dump_poses dump_masses dump_robot dump_dynamics dump_trajectory dump_lens dump_mcap)
   add_executable(${program} oracle/${program}.cpp)
@@ -22,6 +23,8 @@ add_oracle_test(trajectories_against_mujoco $<TARGET_FILE:dump_trajectory>)
 add_oracle_test(lenses_against_opencv $<TARGET_FILE:dump_lens>)
 add_oracle_test(mcap_against_official $<TARGET_FILE:dump_mcap>)
 add_oracle_test(recording_against_official $<TARGET_FILE:murosimf_app>)
+add_oracle_test(serial_with_vendor_sdk $<TARGET_FILE:murosimf_app>)
+set_tests_properties(oracle.serial_with_vendor_sdk PROPERTIES PROCESSORS 2 TIMEOUT 300)  # in real time
 
 # Collision against FCL, where it is installed.
 find_package(fcl QUIET)

@@ -94,7 +94,8 @@ struct ControllerOptions {
   bool reload = false;     ///< when its file changes
   std::shared_ptr<connect::CrashNote> crashes;   ///< null: nobody looks whether it crashes
   std::shared_ptr<connect::TcpServer> software;  ///< where that of the controller "tcp" comes in; null: nowhere
-  std::filesystem::path folder;  ///< of the scene's file, where the files that it names are looked for too
+  std::filesystem::path folder;     ///< of the scene's file, where the files that it names are looked for too
+  std::filesystem::path terminals;  ///< folder for links to serial lines; empty: there are none
 };
 
 struct ControllerType {

@@ -6,6 +6,7 @@
 #include "murosimf/catalog/controller_options.h"
 #include "murosimf/connect/controller_task.h"
 #include "murosimf/connect/library_software.h"
+#include "murosimf/connect/serial/serial_software.h"
 #include "murosimf/connect/trajectory_file.h"
 #include "murosimf/connect/trajectory_player.h"
 #include "murosimf/files/data_path.h"
@@ -104,6 +105,25 @@ void attach_library(Simulation& simulation, Entity& robot, const ControllerOptio
                   {.software = file.string(), .budget = given.budget, .crashes = options.crashes});
 }
 
+void attach_serial(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
+  connect::serial::SerialOptions given;
+  serial_options().apply(options.own, given);
+  using connect::dynamixel::Protocol;
+  const Protocol protocol = given.protocol < 2 ? Protocol::v1 : Protocol::v2;
+  const Model& model = robot.model();
+  const std::vector<connect::serial::ServoPlace> layout =
+      given.bus.empty()
+          ? connect::serial::usual_layout(model, protocol)
+          : connect::serial::read_layout(files::find_data_file(given.bus, "buses", ".csv", options.folder), model,
+                                         protocol);
+  const connect::SoftwareMaker make = [&](Setup& setup, connect::RobotPort& port, const connect::SayLine& say) {
+    return std::make_unique<connect::serial::SerialSoftware>(setup, port, say, layout, given, options.terminals);
+  };
+  simulation.attach<connect::ControllerTask>("control_software", robot,
+                                             rate_of<connect::serial::SerialSoftware>(options), make,
+                                             connect::ControllerTaskOptions{.software = "serial line"});
+}
+
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
   locomotion::DriveOptions drive;
   drive_options().apply(options.own, drive);
@@ -193,6 +213,8 @@ std::vector<ControllerType> built_in_controllers() {
                      true},
       ControllerType{"tcp", "control software in another program, over TCP: murosimf run --listen PORT", "call_budget",
                      attach_tcp, tcp_options().infos()},
+      ControllerType{"serial", "servos and IMU on a virtual serial line that speaks the Dynamixel protocols", "",
+                     attach_serial, serial_options().infos()},
       ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
                      drive_options().infos(), false, drives_at},
       ControllerType{"ball_chaser", "turns to the ball, walks to it and pushes it to the goal, from ground truth", "",

@@ -83,6 +83,7 @@ void build(SceneParts& parts, const SceneOptions& options) {
   });
   parts.libraries = options.libraries;
   parts.software = options.software;
+  parts.terminals = options.terminals;
   if (options.cameras) parts.cameras = std::make_unique<CameraRenderer>(parts);
   parts.assets = options.assets ? options.assets : std::make_shared<Assets>();
   parts.lenient = options.lenient;

@@ -21,6 +21,7 @@ struct SceneOptions {
   std::vector<std::string> events;     ///< TIME:PATH=VALUE, as for --at
   std::vector<std::string> pushes;     ///< `OBJECT=FORCE@BEGIN..END`, as for --push
   bool libraries = false;              ///< control software that the file names may be loaded: it may do what it likes
+  std::string terminals;               ///< folder for links to robots' serial lines; empty: there are none
   bool lenient = false;                ///< accept unknown elements in model files
   bool lanes = true;                   ///< false: equal robots do not step together (Simulation::use_lanes)
   bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames

@@ -79,6 +79,7 @@ struct SceneParts {
   const PathRecorder* recorder = nullptr;                    ///< null: nobody asked for paths
   std::shared_ptr<connect::CrashNote> crashes = std::make_shared<connect::CrashNote>();  ///< of control software
   std::shared_ptr<connect::TcpServer> software;  ///< that of the controller "tcp" comes in there; null: nowhere
+  std::string terminals;                         ///< folder for links to serial lines; empty: there are none
   bool libraries = false;                        ///< those that files name are loaded
   std::shared_ptr<Assets> assets;                ///< for robots that come later
   bool lenient = false;                          ///< of their files: unknown elements are warnings

@@ -1,0 +1,189 @@
+#include "murosimf/connect/serial/serial_software.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/motion/servo_law.h"
+
+namespace murosimf::connect::serial {
+
+using dynamixel::ImuBoard;
+using dynamixel::Protocol;
+using dynamixel::ServoDevice;
+
+SerialSoftware::SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::vector<ServoPlace> layout,
+                               SerialOptions options, const std::filesystem::path& folder)
+    : say_(std::move(say)),
+      options_(std::move(options)),
+      period_(seconds(setup.period())),
+      position_(port.signal("joint.position")),
+      velocity_(port.signal("joint.velocity")),
+      torque_(port.signal("joint.torque")),
+      target_(port.command("joint.target")),
+      enabled_(port.command("joint.torque_enabled")),
+      voltage_(setup.observe(properties::supply_voltage)),
+      temperature_(setup.observe(properties::servo_temperature)),
+      last_byte_(WallClock::now()) {
+  for (const ServoPlace& place : layout) add_joint(setup.model(), place);
+  for (const int joint : setup.model().joints()) {
+    const Vec3d* range = setup.model().find(properties::joint_range, joint);
+    rest_.push_back(range ? std::clamp(0.0, range->x, range->y) : 0.0);
+  }
+  if (std::ranges::any_of(joints_, &Joint::turns)) rate_ = port.command("joint.velocity_target");
+  find_imu(setup, port);
+  switch_on();
+  if (folder.empty()) return;
+  terminal_ = std::make_unique<PseudoTerminal>();
+  link_place_ = folder / setup.entity().name();
+  check_link_place(link_place_);
+}
+
+void SerialSoftware::add_joint(const Model& model, const ServoPlace& place) {
+  Joint joint{.place = place, .object = model.joints()[place.joint]};
+  if (const Vec3d* range = model.find(properties::joint_range, joint.object)) {
+    const double first = angle_of(joint, range->x), second = angle_of(joint, range->y);
+    joint.options.lowest = std::min(first, second);
+    joint.options.highest = std::max(first, second);
+  }
+  if (const Servo* servo = model.find(properties::servo, joint.object)) {
+    joint.options.stall_torque = servo->stall_torque;
+    joint.turns = motion::follows_rate(*servo);
+  }
+  joint.options.torque = options_.torque;
+  joints_.push_back(joint);
+}
+
+void SerialSoftware::find_imu(const Setup& setup, RobotPort& port) {
+  const std::string name = options_.imu.empty() ? "imu" : options_.imu;
+  const sensors::Reading* reading = sensors::find_reading(setup.entity(), name);
+  if (options_.imu.empty() && (!reading || reading->info->type != "imu")) return;
+  gyroscope_ = port.signal(name + ".gyroscope");
+  accelerometer_ = port.signal(name + ".accelerometer");
+  const auto id = static_cast<std::uint8_t>(options_.imu_id);
+  if (std::ranges::any_of(joints_, [&](const Joint& joint) { return joint.place.id == id; })) {
+    throw SetupError(fmt::format("the IMU and a servo have the id {}; give it another: imu_id", id));
+  }
+}
+
+/// [rad] of the servo's shaft.
+double SerialSoftware::angle_of(const Joint& joint, double q) const {
+  return joint.place.direction * (q - joint.place.zero);
+}
+
+/// As when a robot gets its power.
+void SerialSoftware::switch_on() {
+  bus_ = std::make_unique<dynamixel::Bus>();
+  for (Joint& joint : joints_) {
+    auto servo = std::make_unique<ServoDevice>(*joint.place.table, joint.place.id, joint.options);
+    joint.servo = servo.get();
+    bus_->add(std::move(servo));
+  }
+  imu_ = nullptr;
+  if (gyroscope_) {
+    const Protocol protocol = options_.protocol < 2 ? Protocol::v1 : Protocol::v2;
+    auto board = std::make_unique<ImuBoard>(protocol, static_cast<std::uint8_t>(options_.imu_id));
+    imu_ = board.get();
+    bus_->add(std::move(board));
+  }
+  line_.emplace(*bus_, options_.baud_rate);
+}
+
+CallOutcome SerialSoftware::start() {
+  switch_on();
+  std::ranges::copy(rest_, target_->values);
+  for (const Joint& joint : joints_) enabled_->values[joint.place.joint] = options_.torque ? 1 : 0;
+  if (terminal_) terminal_->discard();
+  told_of_loss_ = false;
+  return {};
+}
+
+CallOutcome SerialSoftware::step(Duration now) noexcept {
+  if (terminal_ && !link_) {  // who finds it is answered from now on
+    try {
+      link_.emplace(link_place_, terminal_->name());
+    } catch (const SetupError& error) {
+      return {CallOutcome::threw, error.what()};
+    }
+  }
+  const double time = seconds(now);
+  sense(time);
+  if (terminal_) exchange_bytes(time);
+  for (const Joint& joint : joints_) joint.servo->advance(period_);
+  command();
+  return {};
+}
+
+void SerialSoftware::sense(double now) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  for (const Joint& joint : joints_) {
+    const std::size_t i = joint.place.joint;
+    const auto object = static_cast<std::size_t>(joint.object);
+    const double voltage = joint.place.own_type && voltage_[object] > 0 ? voltage_[object] : unknown;
+    joint.servo->sense({.angle = angle_of(joint, position_->values[i]),
+                        .velocity = joint.place.direction * velocity_->values[i],
+                        .torque = joint.place.direction * torque_->values[i],
+                        .voltage = voltage,
+                        .temperature = temperature_[object]},
+                       now);
+  }
+  if (!imu_) return;
+  imu_->sense({.count = gyroscope_->samples,
+               .time = 1e-9 * static_cast<double>(gyroscope_->time),
+               .gyroscope = {gyroscope_->values, 3},
+               .accelerometer = {accelerometer_->values, 3}});
+}
+
+void SerialSoftware::exchange_bytes(double now) {
+  received_.clear();
+  to_send_.clear();
+  terminal_->receive(received_);  // also what a client has sent before it went
+  if (!received_.empty()) {
+    line_->push(received_, now);
+    last_byte_ = WallClock::now();
+  } else if (line_->has_partial()) {
+    constexpr auto longest_silence = std::chrono::milliseconds(100);  // within a packet, as servos have it
+    if (WallClock::now() - last_byte_ > longest_silence) line_->forget_partial();
+  }
+  look_after_client();
+  line_->run(now, to_send_);
+  if (to_send_.empty() || !client_) return;
+  const std::size_t sent = terminal_->send(to_send_);
+  if (sent == to_send_.size() || std::exchange(told_of_loss_, true)) return;
+  say_("the client of the serial line does not read: bytes are lost");
+}
+
+void SerialSoftware::look_after_client() {
+  const bool client = terminal_->is_open();
+  if (client == client_) return;
+  client_ = client;
+  if (client) {
+    told_of_loss_ = false;
+    say_(fmt::format("{} was opened", link_place_.string()));
+  } else {
+    line_->hang_up();
+    terminal_->discard();
+    say_(fmt::format("{} was closed; torque and goals stay as they are", link_place_.string()));
+  }
+}
+
+void SerialSoftware::command() {
+  for (const Joint& joint : joints_) {
+    const std::size_t i = joint.place.joint;
+    const ServoDevice& servo = *joint.servo;
+    enabled_->values[i] = servo.torque() ? 1 : 0;
+    if (rate_ && joint.turns) rate_->values[i] = joint.place.direction * servo.target_velocity();
+    if (servo.torque()) target_->values[i] = joint.place.zero + joint.place.direction * servo.target();
+  }
+}
+
+void SerialSoftware::state(StateArchive& archive) {
+  for (const auto& device : bus_->devices()) device->state(archive);
+}
+
+}  // namespace murosimf::connect::serial

@@ -1,0 +1,88 @@
+/// serial_software.h - control software behind a virtual serial line: the robot's bus of servos, and its IMU, at the end of a pseudo
+/// terminal.
+///
+/// The line is looked after in every step (1 ms of simulated time as a rule): what the client has sent by then is done, and
+/// answered. At the speed 1 (Clock) that is a bus with a latency of a millisecond; as fast as possible, simulated time runs on
+/// while the client thinks. A client that goes, is killed, sends garbage or does not read disturbs nobody.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/connect/control_software.h"
+#include "murosimf/connect/dynamixel/bus_line.h"
+#include "murosimf/connect/dynamixel/imu_board.h"
+#include "murosimf/connect/dynamixel/servo_device.h"
+#include "murosimf/connect/serial/bus_layout.h"
+#include "murosimf/connect/serial/pseudo_terminal.h"
+
+namespace murosimf::connect::serial {
+
+struct SerialOptions {
+  int protocol = 2;      ///< of servos of the MX series, and of the IMU
+  std::string bus;       ///< file for read_layout; empty: usual_layout
+  double baud_rate = 0;  ///< [bit/s] of simulated time; 0: bytes take no time
+  bool torque = false;   ///< servos have their torque on at the start
+  std::string imu;       ///< sensor that is on the bus; empty: 'imu' if there is one
+  int imu_id = 200;      ///< its id, as that of boards of real robots
+};
+
+class SerialSoftware final : public ControlSoftware {
+ public:
+  /// `folder` is where the link to the terminal stands, named as the robot, from the first step on; empty: there is no
+  /// terminal. Throws SetupError.
+  SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::vector<ServoPlace> layout, SerialOptions options,
+                 const std::filesystem::path& folder);
+
+  [[nodiscard]] CallOutcome start() override;
+  [[nodiscard]] CallOutcome step(Duration now) noexcept override;
+  void state(StateArchive& archive) override;
+
+  /// Null: there is none.
+  [[nodiscard]] const PseudoTerminal* terminal() const { return terminal_.get(); }
+
+  static constexpr double rate_hz = 1000;
+
+ private:
+  using WallClock = std::chrono::steady_clock;
+
+  struct Joint {
+    ServoPlace place;
+    dynamixel::ServoOptions options;
+    int object = 0;
+    bool turns = false;                       // follows a rate
+    dynamixel::ServoDevice* servo = nullptr;  // on the bus
+  };
+  void add_joint(const Model& model, const ServoPlace& place);
+  void find_imu(const Setup& setup, RobotPort& port);
+  void switch_on();
+  void sense(double now);
+  void exchange_bytes(double now);
+  void look_after_client();
+  void command();
+  [[nodiscard]] double angle_of(const Joint& joint, double q) const;
+
+  SayLine say_;
+  SerialOptions options_;
+  double period_;  // [s]
+  std::vector<Joint> joints_;
+  std::vector<double> rest_;  // [rad | m] of all joints at the start
+  const murosimf_signal *position_, *velocity_, *torque_;
+  const murosimf_signal *gyroscope_ = nullptr, *accelerometer_ = nullptr;  // null: no IMU
+  murosimf_command *target_, *enabled_, *rate_ = nullptr;
+  std::span<const double> voltage_, temperature_;  // by object; NaN while nobody simulates them
+  std::unique_ptr<dynamixel::Bus> bus_;
+  std::optional<dynamixel::BusLine> line_;
+  dynamixel::ImuBoard* imu_ = nullptr;
+  std::unique_ptr<PseudoTerminal> terminal_;
+  std::filesystem::path link_place_;
+  std::optional<TerminalLink> link_;
+  bool client_ = false, told_of_loss_ = false;
+  WallClock::time_point last_byte_;
+  dynamixel::Bytes received_, to_send_;
+};
+
+}  // namespace murosimf::connect::serial

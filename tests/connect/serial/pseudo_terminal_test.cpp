@@ -1,0 +1,106 @@
+// The terminal that clients open: bytes as they are, who is there, links, nothing left behind.
+#include "murosimf/connect/serial/pseudo_terminal.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/connect/serial/serial_port.h"
+#include "tests/fixtures.h"
+#include "tests/temp_folder.h"
+
+namespace murosimf::connect::serial {
+namespace {
+
+namespace fs = std::filesystem;
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes all_bytes() {
+  Bytes bytes;
+  for (int i = 0; i < 256; ++i) bytes.push_back(static_cast<std::uint8_t>(i));
+  return bytes;
+}
+
+TEST(PseudoTerminal, CarriesEveryByteAsItIs) {
+  PseudoTerminal terminal;
+  const SerialPort port(terminal.name());
+  port.send(all_bytes());
+  Bytes received;
+  terminal.receive(received);
+  EXPECT_EQ(received, all_bytes());
+  EXPECT_EQ(terminal.send(all_bytes()), 256U);
+  EXPECT_EQ(port.received(), all_bytes());
+  terminal.receive(received);
+  EXPECT_EQ(received.size(), 256U);  // no echo
+}
+
+TEST(PseudoTerminal, KnowsWhetherSomebodyIsThere) {
+  PseudoTerminal terminal;
+  EXPECT_FALSE(terminal.is_open());
+  for (int i = 0; i < 3; ++i) {
+    SerialPort port(terminal.name());
+    EXPECT_TRUE(terminal.is_open());
+    port.send(Bytes{1, 2, 3});
+    port.hang_up();
+    EXPECT_FALSE(terminal.is_open());
+    Bytes received;
+    terminal.receive(received);  // what it said before it went
+    EXPECT_EQ(received, (Bytes{1, 2, 3}));
+    received.clear();
+    terminal.receive(received);
+    EXPECT_TRUE(received.empty());
+  }
+}
+
+TEST(PseudoTerminal, TakesOnlyAsMuchAsThereIsRoomFor) {
+  PseudoTerminal terminal;
+  const SerialPort port(terminal.name());
+  const Bytes flood(1 << 20, 0x55);
+  const std::size_t taken = terminal.send(flood);
+  EXPECT_GT(taken, 1000U);
+  EXPECT_LT(taken, flood.size());
+  EXPECT_EQ(terminal.send(flood), 0U);
+  terminal.discard();
+  EXPECT_TRUE(port.received().empty());
+}
+
+TEST(PseudoTerminal, LeavesNothingOpen) {
+  const std::size_t before = open_files();
+  for (int i = 0; i < 20; ++i) {
+    PseudoTerminal terminal;
+    const SerialPort port(terminal.name());
+    EXPECT_EQ(open_files(), before + 2);
+  }
+  EXPECT_EQ(open_files(), before);
+}
+
+TEST(TerminalLink, StandsAsLongAsItLives) {
+  const fs::path folder = fixtures::temp_folder() / "new" / "ports";
+  const PseudoTerminal terminal;
+  {
+    const TerminalLink link(folder / "blue1", terminal.name());
+    EXPECT_EQ(fs::read_symlink(folder / "blue1"), terminal.name());
+    fs::remove(folder / "blue1");
+    fs::create_symlink("/dev/null", folder / "blue1");  // somebody else's by now
+  }
+  EXPECT_TRUE(fs::is_symlink(folder / "blue1"));
+  fs::remove(folder / "blue1");
+  { const TerminalLink link(folder / "blue1", terminal.name()); }
+  EXPECT_FALSE(fs::is_symlink(folder / "blue1"));
+}
+
+TEST(TerminalLink, ReplacesOnlyWhatAKilledProgramLeft) {
+  const fs::path folder = fixtures::temp_folder() / "leftovers";
+  fs::create_directories(folder);
+  fs::create_symlink("/dev/pts/99999", folder / "dead");
+  { const TerminalLink link(folder / "dead", "/dev/pts/0"); }
+  std::ofstream(folder / "file") << "text";
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { const TerminalLink link(folder / "file", "/dev/pts/0"); }),
+                             {"file' is there already, and no link to a terminal"}));
+  EXPECT_TRUE(fs::exists(folder / "file"));
+  EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { const TerminalLink link(folder / "file" / "a", "/dev/pts/0"); }),
+                             {"is no folder"}));
+}
+
+}  // namespace
+}  // namespace murosimf::connect::serial
