@@ -5,11 +5,11 @@
 namespace murosimf::collision {
 
 // Both bodies feel the same force at the same point: nothing is won or lost of momentum and its moment.
-void NewName::push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept {
+void NewName::push(std::vector<MovingEntity>& entities, PairSet& set, double dt, Helpers&) noexcept {
   for (PairContact& c : set.points) {
     c.force = spring_force(set.parameters[c.surface], c.depth, dot(c.velocity, c.normal)) * c.normal;
-    moving_entities[c.a].push(c.object, c.point, c.force, dt);
-    moving_entities[c.b].push(c.object_b, c.point, -c.force, dt);
+    entities[c.a].push(c.object, c.point, c.force, dt);
+    entities[c.b].push(c.object_b, c.point, -c.force, dt);
   }
 }
 

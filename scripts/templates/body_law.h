@@ -13,7 +13,7 @@ namespace murosimf::collision {
 
 class NewName final : public BodyContactLaw {
  public:
-  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt) noexcept override;
+  void push(std::vector<MovingEntity>& moving_entities, PairSet& set, double dt, Helpers& helpers) noexcept override;
 };
 
 }  // namespace murosimf::collision

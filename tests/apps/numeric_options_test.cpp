@@ -17,6 +17,7 @@ constexpr NumericOption numeric_options[]{
     {"run walk", "--speed"},
     {"run walk --pictures FOLDER", "--picture-every"},
     {"run walk --duration 0.1 --log walker.pelvis.position --out FILE", "--log-rate"},
+    {"run walk --duration 0.1 --record FILE", "--record-rate"},
     {"render walk --out FILE", "--time"},
     {"render walk --out FILE", "--threads"},
     {"render walk --out FILE", "--seed"},
