@@ -45,8 +45,7 @@ BENCHMARK(size)->ArgName("width")->Arg(160)->Arg(320)->Arg(640)->Arg(1280)->UseR
 
 /// One camera that sees some robots of the eleven-a-side game.
 void robots(benchmark::State& bench) {
-  scene::SceneOptions options{
-      .overrides = {"blue1.sensors.camera.always_on=true", "blue1.sensors.camera.fov=1.48"}};
+  scene::SceneOptions options{.overrides = {"blue1.sensors.camera.always_on=true", "blue1.sensors.camera.fov=1.48"}};
   scene::Scene scene(bench.range(0) > 6 ? "eleven_a_side" : "three_on_three", options);
   Simulation& simulation = scene.simulation();
   simulation.initialize();

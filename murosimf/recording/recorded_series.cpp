@@ -219,7 +219,8 @@ class MessageNumbers {
 
 bool is_recording(const std::filesystem::path& file) {
   std::error_code unknown;
-  if (!std::filesystem::is_regular_file(file, unknown)) return false;  // opening a pipe would wait for who writes into it
+  if (!std::filesystem::is_regular_file(file, unknown))
+    return false;  // opening a pipe would wait for who writes into it
   std::string begin(mcap_magic.size(), '\0');
   std::ifstream(file, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
   return begin == mcap_magic;
