@@ -21,6 +21,7 @@ void RobotPort::add_sensor(Setup& setup, const sensors::Reading& found) {
   for (const sensors::Output& output : reading.info->outputs) {
     const std::span<const double> values = reading.output(output.name);
     signals_.push_back({.name = reading.info->name + "." + output.name, .labels = output.labels, .reading = &reading});
+    if (output.labels.empty() && values.size() == 1) signals_.back().labels = {output.name};
     signals_.back().shown = {values.data(), values.size(), 0, 0};
   }
 }

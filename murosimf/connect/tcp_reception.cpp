@@ -51,6 +51,9 @@ TcpReception::~TcpReception() {
 void TcpReception::expect(std::vector<std::string> robots) {
   const std::lock_guard lock(mutex_);
   robots_.emplace(robots.begin(), robots.end());
+  // those of a scene before do not count
+  closed_.clear();
+  std::erase_if(busy_, [&](const std::string& robot) { return !waiting_.contains(robot); });
   for (TcpClient& client : std::exchange(early_, {})) admit(std::move(client));
 }
 

@@ -168,6 +168,7 @@ void TcpSession::take_over(const wire::Commands& answer) {
     std::ranges::copy(answer.rows(static_cast<int>(i)).values(), commands_[i]->values);
   }
   for (const std::string& line : answer.says()) say_(printable(line, longest_line));
+  answered_ = std::max(answered_, answer.cycle());
   owes_answer_ = owes_answer_ && answer.cycle() < cycle_;
   heard_at_ = std::chrono::steady_clock::now();
 }

@@ -48,8 +48,9 @@ class TcpSession {
   /// Takes what has come, without waiting.
   void take_what_has_come(wire::WallTime now);
 
-  /// Whether what it was told has left; then it can be told more.
-  [[nodiscard]] bool flush() { return client_.connection.flush(); }
+  /// Whether it can be told more: what it was told has left, and it still works on one cycle at most. What sockets buffer would make
+  /// slow software fall ever further behind.
+  [[nodiscard]] bool keeps_up() { return ready_ && client_.connection.flush() && cycle_ - answered_ <= 1; }
   /// Whether it is to get ready or to answer, and since when nothing of that kind has come.
   [[nodiscard]] bool is_waited_for() const { return !ready_ || owes_answer_; }
   [[nodiscard]] wire::WallTime waited_for_since() const { return heard_at_; }
@@ -77,6 +78,7 @@ class TcpSession {
   std::unique_ptr<wire::ToClient> outgoing_;
   std::string bytes_;
   std::uint64_t cycle_ = 0, started_ = 0;  // the last one that it was told, and the one of the start
+  std::uint64_t answered_ = 0;             // the last one
   bool ready_ = false, owes_answer_ = false;
   wire::WallTime heard_at_{};  // or since when it owes the answer
   std::size_t asked_ = 0;

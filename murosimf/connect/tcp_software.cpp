@@ -75,6 +75,7 @@ CallOutcome TcpSoftware::start() {
 }
 
 CallOutcome TcpSoftware::step(Duration now) noexcept {
+  if (robot_.lock_step && !session_) return {CallOutcome::threw, last_};  // somebody went on after a reset that failed
   return guarded([&] {
     if (!robot_.lock_step) return talk_freely(now);
     session_->tell_cycle(now);
@@ -93,7 +94,7 @@ void TcpSoftware::talk_freely(Duration now) {
   if (session_->is_waited_for() && present - session_->waited_for_since() > from_seconds(options_.limit)) {
     throw wire::WireError("did not answer in time");
   }
-  if (session_->is_ready() && session_->flush()) session_->tell_cycle(now);
+  if (session_->keeps_up()) session_->tell_cycle(now);
 }
 
 void TcpSoftware::welcome_another() {

@@ -124,8 +124,9 @@ void append_fields(ProtobufWriter& out, const MessageSchema& message) {
 
 void append_enum(ProtobufWriter& out, const EnumSchema& schema) {
   out.text(1, schema.name);
-  for (const auto& [name, number] : schema.values) {
-    out.message(2, [&, &name = name, number = number](ProtobufWriter& value) {
+  for (const auto& named : schema.values) {
+    out.message(2, [&](ProtobufWriter& value) {
+      const auto& [name, number] = named;
       value.text(1, name);
       value.present_varint(2, static_cast<std::uint64_t>(number));
     });

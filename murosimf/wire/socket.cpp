@@ -107,15 +107,21 @@ void Socket::close() noexcept {
 
 Socket Socket::listen(const Address& address) {
   const Addresses found = resolve(address, true);
-  Socket socket(::socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-  if (!socket.is_open()) throw WireError(reason(errno));
-  set_option(socket.number_, SOL_SOCKET, SO_REUSEADDR, 1);
-  set_option(socket.number_, SOL_SOCKET, SO_RCVBUF, receive_buffer);
-  if (::bind(socket.number_, found->ai_addr, found->ai_addrlen) != 0 ||
-      ::listen(socket.number_, waiting_connections) != 0) {
-    throw WireError(reason(errno));
+  int error = 0;
+  for (const bool version_4 : {true, false}) {  // "localhost" has both, and clients look for 127.0.0.1 first
+    for (const addrinfo* one = found.get(); one; one = one->ai_next) {
+      if ((one->ai_family == AF_INET) != version_4) continue;
+      Socket socket(::socket(one->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+      if (socket.is_open()) {
+        set_option(socket.number_, SOL_SOCKET, SO_REUSEADDR, 1);
+        set_option(socket.number_, SOL_SOCKET, SO_RCVBUF, receive_buffer);
+        const bool bound = ::bind(socket.number_, one->ai_addr, one->ai_addrlen) == 0;
+        if (bound && ::listen(socket.number_, waiting_connections) == 0) return socket;
+      }
+      if (error == 0) error = errno;
+    }
   }
-  return socket;
+  throw WireError(reason(error));
 }
 
 Socket Socket::connect(const Address& address) {

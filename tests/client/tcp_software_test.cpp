@@ -139,6 +139,26 @@ TEST(FreeTcpSoftware, MayGoAndComeAgain) {
   EXPECT_TRUE(says(software(scene, "right").said[1].text, {"raw at 127.0.0.1:", "has come"}));
 }
 
+// Software that is slower than its cycles is told what is measured when it asks, not what sockets have kept for it.
+TEST(FreeTcpSoftware, SlowSoftwareDoesNotFallBehind) {
+  const Listener listener;
+  Software left([&] { walk_to_ball("left", listener.port()); });
+  RawClient slow(listener.port());
+  Software coming([&] { slow.come("right"); });
+  scene::Scene scene(to_the_ball_tcp, two_robots(listener, {"right.options.mode=free"}));
+  EXPECT_EQ(coming.error(), "");
+  std::int64_t oldest = 0;
+  for (int i = 0; i < 5; ++i) {
+    scene.simulation().run(500ms);
+    for (int cycles = 0; cycles < 2; ++cycles) {
+      const wire::Cycle cycle = slow.receive().cycle();
+      slow.answer(cycle.cycle(), {0.05, 0, 0});
+      if (i > 0) oldest = std::max(oldest, scene.simulation().now().count() - cycle.now());
+    }
+  }
+  EXPECT_LE(oldest, 1'000'000'000) << "two cycles of its own";
+}
+
 TEST(TcpSoftware, IsAskedForByNobodyWithoutAServer) {
   EXPECT_TRUE(says(error_of([] { scene::Scene("walk", {.overrides = {"walker.controller=tcp"}}); }),
                    {"controller 'tcp': no software can come", "--listen PORT"}));

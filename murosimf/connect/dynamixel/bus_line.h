@@ -26,6 +26,8 @@ class BusLine {
   /// Drops everything on its way: the client has gone.
   void hang_up();
 
+  /// [s] When nobody is on the wire any more; past, if nobody is.
+  [[nodiscard]] double free_at() const { return free_; }
   [[nodiscard]] bool has_partial() const { return parser_.pending() > 0; }
   [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
   [[nodiscard]] std::uint64_t damaged() const { return parser_.damaged(); }

@@ -10,6 +10,7 @@ namespace murosimf::connect::dynamixel {
 ServoDevice::ServoDevice(const ControlTable& table, std::uint8_t id, const ServoOptions& options)
     : BusDevice(table, id), options_(options), present_(middle_pulse), goal_(middle_pulse), trajectory_(middle_pulse) {
   memory().set(Item::torque_enable, options.torque ? 1 : 0);
+  was_on_ = options.torque;
 }
 
 ServoDevice::Mode ServoDevice::mode() const {
@@ -58,6 +59,9 @@ void ServoDevice::stay() {
 void ServoDevice::written(const Field& field) {
   switch (field.item) {
     case Item::torque_enable:
+      if (torque() != was_on_) stay();
+      was_on_ = torque();
+      return;
     case Item::operating_mode: return stay();
     case Item::lowest_position:
     case Item::highest_position:
@@ -67,6 +71,7 @@ void ServoDevice::written(const Field& field) {
       const std::int32_t goal = registers().get(Item::goal_position);
       if (old() && !torque()) {  // a goal switches the torque on
         memory().set(Item::torque_enable, 1);
+        was_on_ = true;
         stay();
         memory().set(Item::goal_position, goal);
       }
@@ -126,7 +131,7 @@ double ServoDevice::target_velocity() const { return torque() && turns() ? wante
 
 void ServoDevice::state(StateArchive& archive) {
   BusDevice::state(archive);
-  archive(present_, goal_, trajectory_, velocity_, errors_);
+  archive(present_, goal_, trajectory_, velocity_, errors_, sensed_);
 }
 
 }  // namespace murosimf::connect::dynamixel

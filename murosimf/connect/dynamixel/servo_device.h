@@ -73,6 +73,8 @@ class ServoDevice final : public BusDevice {
   double trajectory_;        // [pulses] on its way to the goal
   double velocity_ = 0;      // [pulses/s] of the trajectory
   std::uint8_t errors_ = 0;  // bits as in protocol 1.0
+  bool sensed_ = false;      // it knows where the shaft is
+  bool was_on_ = false;      // the torque, before the present packet
 };
 
 }  // namespace murosimf::connect::dynamixel

@@ -1,6 +1,7 @@
 // What a servo measures, as its registers show it.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "murosimf/connect/dynamixel/servo_counts.h"
 #include "murosimf/connect/dynamixel/servo_device.h"
@@ -70,6 +71,8 @@ void ServoDevice::sense(const ServoSense& sense, double now) {
   memory().set(Item::present_temperature, rounded(std::isfinite(sense.temperature) ? sense.temperature : room));
   memory().set(Item::realtime_tick, static_cast<std::int32_t>(std::llround(1000 * now) % 32768));
   look_for_errors();
+  if (!std::exchange(sensed_, true)) stay();  // its torque may be on from the start
+  was_on_ = torque();
 }
 
 }  // namespace murosimf::connect::dynamixel

@@ -45,11 +45,13 @@ SerialSoftware::SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::
 }
 
 void SerialSoftware::add_joint(const Model& model, const ServoPlace& place) {
-  Joint joint{.place = place, .object = model.joints()[place.joint]};
+  constexpr double any = std::numeric_limits<double>::infinity();
+  Joint joint{.place = place, .object = model.joints()[place.joint], .range = {-any, any, 0}};
   if (const Vec3d* range = model.find(properties::joint_range, joint.object)) {
     const double first = angle_of(joint, range->x), second = angle_of(joint, range->y);
     joint.options.lowest = std::min(first, second);
     joint.options.highest = std::max(first, second);
+    joint.range = *range;
   }
   if (const Servo* servo = model.find(properties::servo, joint.object)) {
     joint.options.stall_torque = servo->stall_torque;
@@ -142,7 +144,10 @@ void SerialSoftware::sense(double now) {
 void SerialSoftware::exchange_bytes(double now) {
   received_.clear();
   to_send_.clear();
-  terminal_->receive(received_);  // also what a client has sent before it went
+  // A wire that is busy takes no more: the client waits, as before a real port.
+  constexpr double longest_queue = 0.05;  // [s]
+  if (line_->free_at() < now + longest_queue)
+    terminal_->receive(received_);  // also what a client has sent before it went
   if (!received_.empty()) {
     line_->push(received_, now);
     last_byte_ = WallClock::now();
@@ -178,12 +183,15 @@ void SerialSoftware::command() {
     const ServoDevice& servo = *joint.servo;
     enabled_->values[i] = servo.torque() ? 1 : 0;
     if (rate_ && joint.turns) rate_->values[i] = joint.place.direction * servo.target_velocity();
-    if (servo.torque()) target_->values[i] = joint.place.zero + joint.place.direction * servo.target();
+    if (!servo.torque()) continue;
+    const double target = joint.place.zero + joint.place.direction * servo.target();
+    target_->values[i] = std::clamp(target, joint.range.x, joint.range.y);  // an end is not met to the last bit
   }
 }
 
 void SerialSoftware::state(StateArchive& archive) {
   for (const auto& device : bus_->devices()) device->state(archive);
+  if (archive.loads()) line_->hang_up();  // what was on its way belongs to another time
 }
 
 }  // namespace murosimf::connect::serial

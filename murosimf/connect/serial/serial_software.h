@@ -53,6 +53,7 @@ class SerialSoftware final : public ControlSoftware {
     ServoPlace place;
     dynamixel::ServoOptions options;
     int object = 0;
+    Vec3d range;                              // [rad | m] of the joint: x to y
     bool turns = false;                       // follows a rate
     dynamixel::ServoDevice* servo = nullptr;  // on the bus
   };
