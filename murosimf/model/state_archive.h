@@ -82,7 +82,8 @@ void StateArchive::one(T& value) {
 
 template <class T>
 void StateArchive::one(std::vector<T>& values) {
-  values.resize(count(values.size(), is_plain<T> ? sizeof(T) : 1));
+  constexpr bool says_itself = requires(T& value, StateArchive& archive) { value.state(archive); };
+  values.resize(count(values.size(), is_plain<T> && !says_itself ? sizeof(T) : 1));
   all(std::span(values));
 }
 

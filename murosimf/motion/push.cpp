@@ -19,22 +19,28 @@ bool same_push(const Wrenchd& a, const Wrenchd& b) { return is_zero(Wrenchd{a.n 
 }  // namespace
 
 Push::Push(Setup& setup, std::vector<TimedPush> pushes)
-    : pushes_(std::move(pushes)),
+    : model_(setup.model()),
+      pushes_(std::move(pushes)),
       R_(setup.read(properties::orientation)),
       applied_force_(setup.write(properties::applied_force)) {
-  for (const TimedPush& push : pushes_) {
-    const auto is_it = [&](const Pushed& pushed) { return pushed.object == push.object; };
-    if (std::any_of(pushed_.begin(), pushed_.end(), is_it)) continue;
-    const Vec3d* center = setup.model().find(properties::center_of_mass, push.object);
-    pushed_.push_back({push.object, center ? *center : Vec3d{}, {}, {}});
-  }
+  for (const TimedPush& push : pushes_) take_up(push.object);
+}
+
+void Push::take_up(int object) {
+  if (std::ranges::find(pushed_, object, &Pushed::object) != pushed_.end()) return;
+  const Vec3d* center = model_.find(properties::center_of_mass, object);
+  pushed_.push_back({object, center ? *center : Vec3d{}, {}, {}});
+}
+
+void Push::add(const TimedPush& push) {
+  std::erase_if(pushes_, [&](const TimedPush& other) { return other.end < push.begin; });
+  pushes_.push_back(push);
+  take_up(push.object);
 }
 
 void Push::initialize() { std::fill(applied_force_.begin(), applied_force_.end(), Wrenchd{}); }
 
-void Push::state(StateArchive& archive) {
-  for (Pushed& pushed : pushed_) archive(pushed.own, pushed.written);
-}
+void Push::state(StateArchive& archive) { archive(pushes_, pushed_); }
 
 Wrenchd Push::sum_for(const Pushed& pushed, const Instant& instant) const noexcept {
   Wrenchd sum;

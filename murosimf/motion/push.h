@@ -17,12 +17,16 @@ struct TimedPush {
   Vec3d force;     ///< [N] world
   Vec3d moment;    ///< [N m] world
   Duration begin{}, end{};
+  void state(StateArchive& archive) { archive(object, force, moment, begin, end); }
 };
 
 class Push final : public Algorithm {
  public:
   /// To be attached before the contact with the ground, at the same rate.
   Push(Setup& setup, std::vector<TimedPush> pushes);
+
+  /// One more, between two steps; a reset forgets it.
+  void add(const TimedPush& push);
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
   void initialize() override;
@@ -35,10 +39,13 @@ class Push final : public Algorithm {
     Vec3d center;     // [m] of its mass, own axes
     Wrenchd own;      // what others set
     Wrenchd written;  // own, and pushes
+    void state(StateArchive& archive) { archive(object, center, own, written); }
   };
+  void take_up(int object);
   [[nodiscard]] Wrenchd sum_for(const Pushed& pushed, const Instant& instant) const noexcept;
 
-  std::vector<TimedPush> pushes_;
+  const Model& model_;
+  std::vector<TimedPush> pushes_;  // those that are not over, of added ones
   std::vector<Pushed> pushed_;
   std::span<const Mat3d> R_;
   std::span<Wrenchd> applied_force_;

@@ -64,13 +64,16 @@ void Clock::tell_of(Duration simulated, Duration wall) {
   untold_ = {};
 }
 
+Duration Clock::due(Duration simulated) const {
+  return wall_start_ + from_seconds(seconds(simulated - simulated_start_) / *speed_);
+}
+
 void Clock::wait_until(Duration simulated, const StopRequest& stop) {
   if (!speed_) return;
-  const Duration due = wall_start_ + from_seconds(seconds(simulated - simulated_start_) / *speed_);
-  const Duration now = wall_->now(), behind = now - due;
+  const Duration now = wall_->now(), behind = now - due(simulated);
   count(behind);
   tell_of(simulated, now);
-  if (behind <= Duration{}) return sleep_until(due, stop);
+  if (behind <= Duration{}) return sleep_until(due(simulated), stop);
   if (behind > patience) wall_start_ += behind;
 }
 

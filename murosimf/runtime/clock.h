@@ -49,12 +49,18 @@ class Clock final : public Pacer {
   /// 2, 4, ... 64 s, so that a long run is not drowned.
   void tell_of_overruns(std::function<void(const Overrun&)> tell) { tell_ = std::move(tell); }
 
+  /// Goes on with a wait that its `stop` has ended before the time was due.
+  void wait_on(Duration simulated, const StopRequest& stop) {
+    if (speed_) sleep_until(due(simulated), stop);
+  }
+
   /// Of all steps.
   [[nodiscard]] const Lateness& lateness() const { return lateness_; }
 
   static constexpr Duration tolerance = std::chrono::milliseconds(2);
 
  private:
+  [[nodiscard]] Duration due(Duration simulated) const;
   void sleep_until(Duration due, const StopRequest& stop);
   void count(Duration behind);
   void tell_of(Duration simulated, Duration wall);

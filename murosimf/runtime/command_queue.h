@@ -24,14 +24,19 @@ class CommandQueue {
   /// that throws, there was no command.
   std::future<void> post(std::string text, std::function<void()> call, std::function<void()> check = {});
 
-  /// Makes all calls that were posted before, in their order; the thread that runs the simulation. Costs a look if there are none.
-  void carry_out(Duration now) {
-    if (waiting_.load(std::memory_order_acquire)) carry_out_all(now);
+  /// Makes all calls that were posted before, in their order; the thread that runs the simulation. Costs a look if there are none, and
+  /// says so.
+  bool carry_out(Duration now) {
+    const bool any = waiting_.load(std::memory_order_acquire);
+    if (any) carry_out_all(now);
+    return any;
   }
 
   /// Those that were carried out, also if they threw: they may have done a part.
   [[nodiscard]] const std::vector<Command>& history() const { return history_; }
   void forget_history() { history_.clear(); }
+  /// Of who goes back to a state: what had been carried out until then.
+  void set_history(std::vector<Command> commands) { history_ = std::move(commands); }
 
  private:
   struct Posted {

@@ -26,15 +26,16 @@ std::shared_ptr<PoseReader> PoseFeed::subscribe(const PoseRequest& request) {
   return reader;
 }
 
-void PoseFeed::publish_to_all(const World& world, Duration now, std::int64_t tick) {
+void PoseFeed::publish_to_all(const World& world, Duration now, std::int64_t tick, bool again) {
   const std::lock_guard lock(mutex_);
   std::erase_if(readers_, [](const auto& reader) { return reader.expired(); });
   anybody_.store(!readers_.empty(), std::memory_order_relaxed);
   for (const auto& weak : readers_) {
     const auto reader = weak.lock();
-    if (!reader || !reader->wants(now)) continue;
+    if (!reader || (!again && !reader->wants(now))) continue;
     PoseFrame& frame = reader->frames_[reader->written_];
     take_poses(world, frame);
+    if (again && completion_) completion_(world, frame);
     frame.time = now;
     frame.tick = tick;
     frame.contacts.clear();

@@ -53,18 +53,26 @@ class PoseFeed {
   /// Where frames get their contacts from; none: they have none.
   void contacts_from(ContactSource source) { contacts_ = std::move(source); }
 
+  /// How frames are completed that are taken between two steps, after somebody has changed columns; none: as columns are.
+  void complete_by(FrameCompletion completion) { completion_ = std::move(completion); }
+
   /// The simulation's thread, between two steps.
   void publish(const World& world, Duration now, std::int64_t tick) {
-    if (anybody_.load(std::memory_order_relaxed)) publish_to_all(world, now, tick);
+    if (anybody_.load(std::memory_order_relaxed)) publish_to_all(world, now, tick, false);
+  }
+  /// The same for all readers, whatever their period; with what was changed since the last step.
+  void publish_again(const World& world, Duration now, std::int64_t tick) {
+    if (anybody_.load(std::memory_order_relaxed)) publish_to_all(world, now, tick, true);
   }
 
  private:
-  void publish_to_all(const World& world, Duration now, std::int64_t tick);
+  void publish_to_all(const World& world, Duration now, std::int64_t tick, bool again);
 
   std::mutex mutex_;  // of the list
   std::vector<std::weak_ptr<PoseReader>> readers_;
   std::atomic<bool> anybody_{false};
   ContactSource contacts_;
+  FrameCompletion completion_;
 };
 
 }  // namespace murosimf

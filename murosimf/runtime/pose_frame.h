@@ -34,6 +34,9 @@ struct PoseFrame {
 /// Adds the contacts of all entities.
 using ContactSource = std::function<void(const World&, std::vector<ContactMark>&)>;
 
+/// Works out poses of what hangs on bases and joints, which somebody may have changed.
+using FrameCompletion = std::function<void(const World&, PoseFrame&)>;
+
 /// Copies what the columns have now. Entities that nothing moves have unit poses. Allocates only if `frame` is too small.
 void take_poses(const World& world, PoseFrame& frame);
 

@@ -141,6 +141,11 @@ void Simulation::step() {
   poses_.publish(*world_, now_, ticks_);
 }
 
+void Simulation::carry_out_commands() {
+  initialize();
+  if (queue_.carry_out(now_)) publish_poses();
+}
+
 void Simulation::run_wave(const Wave& wave, const WaveJobs& work) {
   if constexpr (checked) checks_.before_wave(*world_, ticks_);
   alone_in_wave_ = work.jobs.size() == 1;

@@ -174,6 +174,14 @@ class Simulation {
     return queue_.post(std::move(text), std::move(call), std::move(check));
   }
   [[nodiscard]] const std::vector<Command>& commands() const { return queue_.history(); }
+  /// After load(): which commands had led to that state.
+  void commands_were(std::vector<Command> commands) { queue_.set_history(std::move(commands)); }
+
+  /// For who pauses between two steps: carries out now what others have posted, instead of at the beginning of the next step, at the same
+  /// simulated time. Poses are published again then.
+  void carry_out_commands();
+  /// Poses as they are now for all who look on, also if no step was made since the last ones.
+  void publish_poses() { poses_.publish_again(*world_, now_, ticks_); }
 
   /// Copies of poses for other threads.
   [[nodiscard]] PoseFeed& poses() { return poses_; }

@@ -6,6 +6,7 @@
 #include "murosimf/collision/body_contact.h"
 #include "murosimf/scene/assets.h"
 #include "murosimf/scene/contact_marks.h"
+#include "murosimf/scene/frame_completion.h"
 #include "murosimf/scene/scene_algorithms.h"
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene/scene_entities.h"
@@ -91,13 +92,14 @@ void build(SceneParts& parts, const SceneOptions& options) {
   add_entities(parts, models);
   for (const Entity* robot : parts.robots) attach_own_steps(parts, *robot);
   attach_control(parts, models);
-  attach_pushes(parts);
+  attach_pushes(parts, options.pushable);
   attach_contact(parts);
   attach_motion(parts);
   note_about_sensors(parts);
   warn_about_static_bodies(parts);
   attach_observers(parts, options.paths);
   simulation.poses().contacts_from(add_contact_marks);
+  simulation.poses().complete_by(work_out_poses);
   warn_about_settings(parts);
   begin_at_every_start(parts);
   schedule_events(parts);

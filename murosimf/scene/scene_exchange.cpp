@@ -12,6 +12,7 @@
 #include "murosimf/scene/model_constants.h"
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene/scene_presence.h"
+#include "murosimf/scene/scene_pushing.h"
 #include "murosimf/scene/scene_sensors.h"
 #include "murosimf/scene/scene_settings.h"
 #include "murosimf/scene/section_changes.h"
@@ -54,6 +55,7 @@ std::size_t number_of(const SceneParts& parts, std::string_view entity) {
 void apply(SceneParts& parts, const scene_file::SceneEvent& event, const std::string& entity) {
   with_context(event.where, [&] {
     if (event.setting) return apply(parts, *event.setting, entity);
+    if (event.push) return push(parts, *event.push, entity);
     if (event.key == "level") return exchange_level(parts, entity, event.value);
     if (event.key == "contact") return exchange_contact(parts, entity, event.value);
     if (event.key == "present") return event.value == "true" ? enter(parts, entity) : leave(parts, entity);
@@ -146,6 +148,11 @@ void put_in_force(SceneParts& parts, Entity& entity, const Algorithms& algorithm
 
 void check_change(const SceneParts& parts, const scene_file::SceneEvent& change) {
   if (!change.section.empty()) return check_section_change(parts, change);
+  if (change.push) {
+    for (const std::string& entity : change.entities) {
+      with_context(change.where, [&] { check_push(parts, *change.push, entity); });
+    }
+  }
   if (!change.setting) return;
   for (const std::string& entity : change.entities) {
     check_setting_of(change, parts.simulation->world().entity(entity).model());

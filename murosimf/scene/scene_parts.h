@@ -24,6 +24,9 @@ class OwnSteps;
 namespace murosimf::connect {
 class MessageExchange;
 }
+namespace murosimf::motion {
+class Push;
+}
 namespace murosimf::sensors {
 class WorldQueries;
 }
@@ -73,6 +76,7 @@ struct SceneParts {
   std::vector<Entity*> bodies;                               ///< those of [[bodies]] that move
   std::vector<Entity*> moving_entities;                      ///< robots, ball and bodies
   std::vector<collision::GroundContact*> ground_contacts;    ///< by moving entity
+  std::map<const Entity*, motion::Push*> pushes;             ///< of those that can be pushed
   collision::OwnSteps* own_steps = nullptr;                  ///< null: all make the scene's steps
   sensors::WorldQueries* queries = nullptr;                  ///< null: no sensor asks for them
   connect::MessageExchange* messages = nullptr;              ///< null: no software asks for them

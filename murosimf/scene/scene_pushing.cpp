@@ -36,40 +36,79 @@ std::string level_at(const scene_file::SceneSpec& spec, const Entity& entity, do
   return level;
 }
 
-/// Throws SetupError if its level ignores forces when the push begins.
-void check_feels(const scene_file::SceneSpec& spec, const Entity& entity, const scene_file::PushSpec& push) {
-  const std::string level = level_at(spec, entity, push.begin);
+/// Throws SetupError if that level ignores forces.
+void check_feels(const Entity& entity, const std::string& level, std::string_view when) {
   if (find_entry(catalog::levels(), "level", level).traits.dynamic) return;
   std::vector<std::string_view> feeling;
   for (const catalog::LevelType& other : catalog::levels()) {
     if (other.traits.dynamic) feeling.push_back(other.name);
   }
-  throw SetupError(fmt::format("'{}' is at {} then, which ignores forces; it feels them at {}", entity.name(), level,
-                               fmt::join(feeling, ", ")));
+  throw SetupError(fmt::format("'{}' is at {} {}, which ignores forces; it feels them at {}", entity.name(), level,
+                               when, fmt::join(feeling, ", ")));
+}
+
+std::string name_of_pushed(const Entity& entity, int object, const scene_file::PushSpec& push) {
+  const bool named = entity.model().find_object(push.object).has_value();
+  return entity.name() + "." + (named ? push.object : entity.model().objects()[object].name);
+}
+
+using PushesOf = std::map<const Entity*, std::vector<motion::TimedPush>>;
+
+/// One of the spec.
+void plan(SceneParts& parts, const scene_file::PushSpec& push, const std::string& name, PushesOf& all) {
+  const Entity* entity = parts.simulation->world().find(name);
+  if (!entity) throw SetupError(fmt::format("'{}' stands there for good; nothing pushes it", name));
+  check_feels(*entity, level_at(parts.spec, *entity, push.begin), "then");
+  const int object = pushed_object(entity->model(), push);
+  all[entity].push_back({object, push.force, push.moment, from_seconds(push.begin), from_seconds(push.end)});
+  const std::string text = push_text(name_of_pushed(*entity, object, push), push);
+  parts.simulation->at(from_seconds(push.begin), [&parts, text] { parts.simulation->record(text); });
+}
+
+/// Those whom events of the spec push.
+void expect_events(const SceneParts& parts, PushesOf& all) {
+  for (const scene_file::SceneEvent& event : parts.spec.events) {
+    if (!event.push) continue;
+    for (const std::string& name : event.entities) {
+      if (const Entity* entity = parts.simulation->world().find(name)) all[entity];
+    }
+  }
 }
 
 }  // namespace
 
-void attach_pushes(SceneParts& parts) {
-  std::map<Entity*, std::vector<motion::TimedPush>> all;
+void attach_pushes(SceneParts& parts, bool everybody) {
+  PushesOf all;
   for (const scene_file::PushSpec& push : parts.spec.pushes) {
-    for (const std::string& name : push.entities)
-      with_context(push.where, [&] {
-        Entity* entity = parts.simulation->world().find(name);
-        if (!entity) throw SetupError(fmt::format("'{}' stands there for good; nothing pushes it", name));
-        check_feels(parts.spec, *entity, push);
-        const int object = pushed_object(entity->model(), push);
-        all[entity].push_back({object, push.force, push.moment, from_seconds(push.begin), from_seconds(push.end)});
-        const bool named = entity->model().find_object(push.object).has_value();
-        const std::string text =
-            push_text(name + "." + (named ? push.object : entity->model().objects()[object].name), push);
-        parts.simulation->at(from_seconds(push.begin), [&parts, text] { parts.simulation->record(text); });
-      });
+    for (const std::string& name : push.entities) with_context(push.where, [&] { plan(parts, push, name, all); });
   }
-  for (Entity* moving_entity : parts.moving_entities) {  // a map of addresses has no order that could be repeated
-    if (all.contains(moving_entity))
-      parts.simulation->attach<motion::Push>("push", *moving_entity, parts.spec.rate, all[moving_entity]);
+  expect_events(parts, all);
+  for (Entity* entity : parts.moving_entities) {  // a map of addresses has no order that could be repeated
+    if (everybody || all.contains(entity)) {
+      parts.pushes[entity] = &parts.simulation->attach<motion::Push>("push", *entity, parts.spec.rate, all[entity]);
+    }
   }
+}
+
+void check_push(const SceneParts& parts, const scene_file::PushSpec& push, const std::string& name) {
+  const Entity* entity = parts.simulation->world().find(name);
+  if (!entity) throw SetupError(fmt::format("'{}' stands there for good; nothing pushes it", name));
+  if (!parts.pushes.contains(entity)) {
+    throw SetupError(fmt::format("'{}' cannot be pushed: the scene was built without pushes", name));
+  }
+  (void)pushed_object(entity->model(), push);
+}
+
+void push(SceneParts& parts, const scene_file::PushSpec& push, const std::string& name) {
+  check_push(parts, push, name);
+  const Entity& entity = parts.simulation->world().entity(name);
+  check_feels(entity, entity.level, "now");
+  const int object = pushed_object(entity.model(), push);
+  const Duration now = parts.simulation->now();
+  scene_file::PushSpec from_now = push;
+  from_now.end += seconds(now);
+  parts.pushes.at(&entity)->add({object, push.force, push.moment, now, now + from_seconds(push.end)});
+  parts.simulation->record(push_text(name_of_pushed(entity, object, push), from_now));
 }
 
 }  // namespace murosimf::scene

@@ -5,8 +5,13 @@
 
 namespace murosimf::scene {
 
-/// Attaches those of the spec to whom they push. Throws SetupError, at the push: nobody there who could be pushed, or a level
-/// that ignores forces then.
-void attach_pushes(SceneParts& parts);
+/// Attaches those of the spec to whom they push, and what lets events of the spec push (or, with `all`, changes push everybody).
+/// Throws SetupError, at the push: nobody there who could be pushed, or a level that ignores forces then.
+void attach_pushes(SceneParts& parts, bool all);
+
+/// Throws SetupError if nobody can be pushed so.
+void check_push(const SceneParts& parts, const scene_file::PushSpec& push, const std::string& entity);
+/// Pushes an entity from now on, until the spec's end from now. Throws SetupError if its level ignores forces.
+void push(SceneParts& parts, const scene_file::PushSpec& push, const std::string& entity);
 
 }  // namespace murosimf::scene

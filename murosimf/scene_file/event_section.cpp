@@ -13,6 +13,7 @@
 #include "murosimf/scene_file/all_sections.h"
 #include "murosimf/scene_file/assignment.h"
 #include "murosimf/scene_file/overrides.h"
+#include "murosimf/scene_file/push_section.h"
 #include "murosimf/scene_file/section_change.h"
 #include "murosimf/scene_file/setting_targets.h"
 
@@ -71,6 +72,11 @@ const std::vector<std::string_view>& ball_keys() {
 SceneEvent read_event(toml::table& scene, double time, const std::string& text, const std::string& where) {
   check_time(time, where);
   const Assignment change = split_assignment(text, where);
+  if (change.path.size() > 1 && change.path.back() == "push") {
+    PushSpec push = read_push_change(scene, change);
+    std::vector<std::string> pushed = push.entities;
+    return {time, where, std::move(pushed), "push", change.value, {}, {}, std::move(push)};
+  }
   auto [robots, used] = robots_of(scene, change.path);
   std::vector<std::string> entities = names_of(robots);
   if (entities.empty() && change.path[0] == "ball" && scene.contains("ball")) {

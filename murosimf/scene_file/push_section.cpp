@@ -92,6 +92,23 @@ PushSpec read_push_table(toml::table& scene, const toml::table& node) {
 
 }  // namespace
 
+PushSpec read_push_change(toml::table& scene, const Assignment& change) {
+  PushSpec push{.where = change.where};
+  const std::vector<double> numbers = property_setting(change, 0, {}).numbers;
+  with_context(change.where, [&] {
+    if (numbers.size() != 4 && numbers.size() != 7) {
+      throw SetupError(
+          "write four numbers (force in N, duration in s) or seven (with a moment in N m after the force)");
+    }
+    push.force = {numbers[0], numbers[1], numbers[2]};
+    if (numbers.size() == 7) push.moment = {numbers[3], numbers[4], numbers[5]};
+    push.end = numbers.back();
+    take_target(scene, {change.path.begin(), change.path.end() - 1}, push);
+    check_push(push);
+  });
+  return push;
+}
+
 const Section<PushSpec>& push_section() {
   static const Section<PushSpec> section("[[pushes]]",
                                          {{"on", {}, "", "ENTITY or ENTITY.BODY, with * and ?", {}, "(needed)"},

@@ -17,6 +17,7 @@
 
 #include <toml++/toml.h>
 
+#include "murosimf/scene_file/assignment.h"
 #include "murosimf/scene_file/scene_spec.h"
 
 namespace murosimf::scene_file {
@@ -24,5 +25,9 @@ namespace murosimf::scene_file {
 /// Those of the file, then those of --push. Throws SetupError: for impossible forces and times, and for entities that
 /// there are not.
 [[nodiscard]] std::vector<PushSpec> read_pushes(toml::table& scene, const std::vector<std::string>& push_options);
+
+/// PATH.push = [fx, fy, fz, duration] or [fx, fy, fz, mx, my, mz, duration]: a push that begins when the scene changes so. Throws
+/// SetupError as read_pushes().
+[[nodiscard]] PushSpec read_push_change(toml::table& scene, const Assignment& change);
 
 }  // namespace murosimf::scene_file

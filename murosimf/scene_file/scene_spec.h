@@ -127,16 +127,6 @@ struct PropertySetting {
   std::vector<double> numbers;
 };
 
-/// Something that changes while the scene runs: another level, law or command, who is there, a property, or a key of a section.
-struct SceneEvent {
-  double time = 0;  ///< [s]
-  std::string where;
-  std::vector<std::string> entities;  ///< none, if a section changes
-  std::string key, value;             ///< of a robot or the section; with `setting`, only for messages
-  std::optional<PropertySetting> setting;
-  std::string section{};  ///< "light" or "ball" (section_change.h); empty: entities change
-};
-
 /// A force for a while, at the center of mass of a body: --push.
 struct PushSpec {
   std::string where;
@@ -145,6 +135,18 @@ struct PushSpec {
   Vec3d force;                ///< [N] world
   Vec3d moment;               ///< [N m] world
   double begin = 0, end = 0;  ///< [s]
+};
+
+/// Something that changes while the scene runs: another level, law or command, who is there, a property, a push that begins, or a key of
+/// a section.
+struct SceneEvent {
+  double time = 0;  ///< [s]
+  std::string where;
+  std::vector<std::string> entities;  ///< none, if a section changes
+  std::string key, value;             ///< of a robot or the section; with `setting`, only for messages
+  std::optional<PropertySetting> setting;
+  std::string section{};           ///< "light" or "ball" (section_change.h); empty: entities change
+  std::optional<PushSpec> push{};  ///< begin 0: from the event on
 };
 
 /// How a game with a referee goes on (league/).

@@ -1,0 +1,24 @@
+#include "murosimf/scene/frame_completion.h"
+
+#include <span>
+
+#include "murosimf/model/world.h"
+#include "murosimf/motion/motion_properties.h"
+#include "murosimf/multibody/kinematics.h"
+
+namespace murosimf::scene {
+
+void work_out_poses(const World& world, PoseFrame& frame) {
+  for (std::size_t i = 0; i < world.entities().size(); ++i) {
+    const Entity& entity = *world.entities()[i];
+    const Column<Quaterniond>* base = entity.find(properties::base_quaternion);
+    if (!base) continue;  // nothing moves it
+    const std::size_t first = frame.first[i], size = frame.first[i + 1] - first;
+    const auto r = std::span(frame.position).subspan(first, size);
+    const auto R = std::span(frame.orientation).subspan(first, size);
+    R[0] = to_matrix(base->values[0]);
+    multibody::poses<double>(entity.model().tree(), std::span(frame.joint_position).subspan(first, size), r, R);
+  }
+}
+
+}  // namespace murosimf::scene

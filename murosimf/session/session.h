@@ -1,0 +1,104 @@
+/// session.h - a running scene that others steer from their threads: viewers, servers, supervisors.
+///
+///     scene::Scene scene("three_on_three", {.pushable = true, .stop = interrupted});
+///     session::Session session(scene, {.speed = 1.0});
+///     std::thread run([&] { session.run(60s); });
+///     session.pause();                                       // from here on: any thread
+///     session.change("blue1.level = full_dynamics").get();   // also while it is paused
+///     session.seek(2s);                                      // back in time; the rest of the run stays as a branch
+///     session.go_on();
+///
+/// One thread runs the scene; what others ask it does between two steps, also while it is paused. Steering changes nothing of what
+/// is computed: the same scene, seed and changes give the same states, at any speed and with any pauses. Control software outside of
+/// the process is not part of states: after a seek it goes on as it is.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/runtime/clock.h"
+#include "murosimf/scene/scene.h"
+#include "murosimf/session/timeline.h"
+
+namespace murosimf::session {
+
+struct SessionOptions {
+  std::optional<double> speed{};  ///< simulated seconds per wall second; nothing: as fast as possible
+  bool paused = false;            ///< begins so
+  bool stays = true;              ///< at its end: pauses there until finish(); false: run() returns
+  TimelineOptions timeline{};     ///< what is kept for going back
+  std::function<void(const Overrun&)> tell_of_overruns{};  ///< called by the thread that runs it (Clock)
+  std::string no_way_back{};  ///< why it cannot be reset or go back in time ("it is recorded"); empty: it can
+};
+
+/// A copy, at one moment between two steps.
+struct SessionStatus {
+  Duration time{};              ///< simulated
+  Duration end{};               ///< where it pauses by itself
+  Duration first{}, last{};     ///< of the present branch of the timeline, with what led to it
+  bool paused = false;          ///< stands still
+  std::optional<double> speed;  ///< wanted
+  double factor = 0;            ///< simulated seconds per wall second, over about the last second; 0 while it is paused
+  std::uint64_t jumps = 0;      ///< how often time has jumped: resets, seeks
+  int branch = 0;               ///< of the timeline
+  std::size_t events = 0, warnings = 0;  ///< of the simulation, so far
+};
+
+class Session {
+ public:
+  /// The scene must outlive it. Initializes the scene. Throws SetupError for an impossible speed.
+  explicit Session(scene::Scene& scene, const SessionOptions& options = {});
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// The thread that calls it runs the scene until finish(), a stop of the simulation (SceneOptions::stop), or, if it does not stay, its
+  /// end. At simulated time `end` it pauses: one may still look back, change things, and go on further. `progress`, if given, is
+  /// called about ten times per wall second while it runs.
+  void run(Duration end, const std::function<void(Duration)>& progress = {});
+
+  // ---- From any thread. Futures are ready when it was done, and throw SetupError if it could not be; after run() has returned,
+  // ---- nothing is done any more, and they throw. ----
+
+  void pause();
+  /// At or behind the end: without end.
+  void go_on();
+  /// Makes so many steps (of Simulation::tick()) and pauses.
+  void step(std::int64_t steps = 1);
+  /// Simulated seconds per wall second; nothing: as fast as possible. Throws SetupError for an impossible one.
+  void set_speed(std::optional<double> speed);
+  /// Where it pauses by itself, instead of what run() was told.
+  void run_until(Duration end);
+
+  /// A change by PATH = VALUE as of Scene::post, at once, between two steps. It becomes part of the run's commands, by which it can be
+  /// repeated.
+  std::future<void> change(std::string text);
+  /// Back to the start, with another seed if given, as a new branch; goes on or stays paused as before.
+  std::future<void> reset(std::optional<std::uint64_t> seed = {});
+  /// To the instant `time` of a branch of the timeline (the present one if not given), which was there before, and pauses there. What goes
+  /// on from an earlier instant is a new branch, without the commands that came later; the old one stays. While several wait, only the
+  /// last one is done.
+  std::future<void> seek(Duration time, std::optional<int> branch = {});
+  /// Has `call` made between two steps, soon: for who reads or saves what only the simulation's thread may touch. It must change nothing.
+  std::future<void> visit(std::function<void(scene::Scene&)> call);
+  /// Ends run().
+  void finish();
+
+  [[nodiscard]] SessionStatus status() const;
+  /// A copy of the timeline.
+  [[nodiscard]] std::vector<BranchView> branches() const;
+  /// How late it was while it had a speed.
+  [[nodiscard]] Lateness lateness() const;
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace murosimf::session

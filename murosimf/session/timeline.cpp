@@ -1,0 +1,153 @@
+#include "murosimf/session/timeline.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::session {
+
+void Timeline::begin(Duration now, State state) {
+  add_branch({{}, now, now, {}, {}});
+  now_ = now;
+  looks_back_ = false;
+  here().states.push_back({now, std::make_shared<const State>(std::move(state))});
+}
+
+bool Timeline::wants_state(Duration now) const {
+  if (options_.period == Duration{}) return false;
+  const Branch& branch = at(present_);
+  const Duration newest = branch.states.empty() ? branch.begin : branch.states.back().time;
+  return now - newest >= options_.period;
+}
+
+bool Timeline::leads_here(std::size_t branch) const {
+  for (std::optional<int> from = present_; from; from = at(*from).parent) {
+    if (static_cast<std::size_t>(*from) == branch) return true;
+  }
+  return false;
+}
+
+/// The new one is the present one; the oldest ones that did not lead to it go.
+void Timeline::add_branch(Branch branch) {
+  branches_.push_back(std::move(branch));
+  present_ = static_cast<int>(branches_.size()) - 1;
+  auto alive = static_cast<std::size_t>(std::ranges::count(branches_, false, &Branch::forgotten));
+  for (std::size_t i = 0; i < branches_.size() && alive > options_.most_branches; ++i) {
+    Branch& old = branches_[i];
+    if (old.forgotten || leads_here(i)) continue;
+    for (std::size_t state = old.parent ? 0 : 1; state < old.states.size(); ++state)
+      bytes_ -= old.states[state].state->size();
+    old = {old.parent, old.begin, old.end, {}, {}, true};
+    --alive;
+  }
+}
+
+/// Who goes on from within a branch makes another one.
+void Timeline::settle() {
+  if (!std::exchange(looks_back_, false)) return;
+  if (now_ < here().end) return add_branch({present_, now_, now_, {}, {}});
+  std::erase_if(here().commands, [&](const Command& command) { return command.time >= now_; });
+}
+
+void Timeline::advance(Duration now) {
+  settle();
+  now_ = now;
+  here().end = now;
+}
+
+void Timeline::keep(Duration now, State state) {
+  bytes_ += state.size();
+  here().states.push_back({now, std::make_shared<const State>(std::move(state))});
+  thin_out();
+}
+
+void Timeline::note(std::span<const Command> commands) {
+  if (commands.empty()) return;
+  settle();
+  here().commands.insert(here().commands.end(), commands.begin(), commands.end());
+}
+
+/// Drops those states whose loss makes the gap between their neighbors grow least, for their age.
+void Timeline::thin_out() {
+  while (bytes_ > options_.most_bytes) {
+    Branch* of = nullptr;
+    std::size_t least = 0;
+    double smallest = 0;
+    for (Branch& branch : branches_) {
+      for (std::size_t i = branch.parent ? 0 : 1; i + 1 < branch.states.size(); ++i) {
+        const Duration before = i == 0 ? branch.begin : branch.states[i - 1].time;
+        const double gap = seconds(branch.states[i + 1].time - before);
+        const double age = seconds(branch.states.back().time - branch.states[i].time);
+        if (of && gap / age >= smallest) continue;
+        of = &branch, least = i, smallest = gap / age;
+      }
+    }
+    if (!of) return;
+    bytes_ -= of->states[least].state->size();
+    of->states.erase(of->states.begin() + static_cast<std::ptrdiff_t>(least));
+  }
+}
+
+auto Timeline::at(int branch) const -> const Branch& {
+  if (branch < 0 || static_cast<std::size_t>(branch) >= branches_.size()) {
+    throw SetupError(fmt::format("there is no branch {} of the run; the last one is {}", branch, branches_.size() - 1));
+  }
+  return branches_[static_cast<std::size_t>(branch)];
+}
+
+void Timeline::collect(int number, Duration begin, Duration end, std::vector<Command>& commands) const {
+  const Branch& branch = at(number);
+  if (branch.parent) collect(*branch.parent, begin, std::min(end, branch.begin), commands);
+  for (const Command& command : branch.commands) {
+    if (command.time >= begin && command.time < end) commands.push_back(command);
+  }
+}
+
+auto Timeline::way_to(int number, Duration time) const -> Way {
+  if (time > at(number).end) {
+    throw SetupError(fmt::format("the run has not come to {:.3f} s; branch {} ends at {:.3f} s", seconds(time), number,
+                                 seconds(at(number).end)));
+  }
+  Duration until = time;  // states of a parent after the branch has left it are of another run
+  for (std::optional<int> from = number; from; from = at(*from).parent) {
+    const Branch& branch = at(*from);
+    const auto later = std::ranges::upper_bound(branch.states, until, {}, &Kept::time);
+    until = std::min(until, branch.begin);
+    if (later == branch.states.begin()) continue;
+    const Kept& kept = *std::prev(later);
+    Way way{kept.state, kept.time, {}, {}};
+    collect(number, Duration::min(), kept.time, way.before);
+    collect(number, kept.time, time, way.then);
+    return way;
+  }
+  throw SetupError(fmt::format("nothing is kept of branch {} at {:.3f} s", number, seconds(time)));
+}
+
+void Timeline::go_back(int branch, Duration time) {
+  (void)at(branch);
+  present_ = branch;
+  now_ = time;
+  looks_back_ = true;
+}
+
+Duration Timeline::first() const {
+  Duration first = at(present_).begin;
+  for (std::optional<int> from = at(present_).parent; from; from = at(*from).parent) first = at(*from).begin;
+  return first;
+}
+
+std::vector<BranchView> Timeline::branches() const {
+  std::vector<BranchView> views;
+  for (std::size_t i = 0; i < branches_.size(); ++i) {
+    const Branch& branch = branches_[i];
+    if (branch.forgotten) continue;
+    views.push_back({static_cast<int>(i), branch.parent, branch.begin, branch.end, branch.commands, {}});
+    for (const Kept& kept : branch.states) views.back().states.push_back(kept.time);
+  }
+  return views;
+}
+
+}  // namespace murosimf::session
