@@ -8,10 +8,10 @@
 #include <exception>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "murosimf/model/error.h"
 #include "murosimf/web/gzip.h"
+#include "murosimf/web/json_line.h"
 #include "murosimf/web/little_endian.h"
 
 namespace murosimf::web {
@@ -21,7 +21,7 @@ using nlohmann::json;
 
 constexpr int time_view = 0, playback_view = -1;  // kinds of views (outbox.h); channels have theirs from 1
 constexpr int error_level = 2;
-constexpr std::size_t most_jobs = 256;
+constexpr std::size_t most_requests = 256;
 constexpr std::size_t most_names = 1000;
 
 enum ServerOpcode : std::uint8_t { message_data = 1, time_data = 2, playback_state = 5 };
@@ -56,10 +56,8 @@ json time_json(Duration time) {
   return {{"sec", time.count() / 1'000'000'000}, {"nsec", time.count() % 1'000'000'000}};
 }
 
-std::string text_of(const json& document) { return document.dump(-1, ' ', false, json::error_handler_t::replace); }
-
 /// As `PATH = VALUE` has it: texts bare.
-std::string value_text(const json& value) { return value.is_string() ? value.get<std::string>() : text_of(value); }
+std::string text_of_value(const json& value) { return value.is_string() ? value.get<std::string>() : json_line(value); }
 
 std::set<std::string> names_of(const json& order) {
   const auto names = order.at("parameterNames").get<std::vector<std::string>>();
@@ -88,7 +86,7 @@ std::string command_of(const json& twist) {
 }  // namespace
 
 void FoxgloveConversation::receive(std::string_view message, bool binary) {
-  if (jobs_.size() >= most_jobs) throw ClientError("too many requests at once");
+  if (jobs_.size() >= most_requests) throw ClientError("too many requests at once");
   try {
     if (!binary) {
       const json order = json::parse(message, nullptr, false);
@@ -168,7 +166,7 @@ void FoxgloveConversation::take_published(std::string_view message) {
   const std::string robot = commanded_robot(found->second);
   if (!robot.empty()) return change(fmt::format("{}.command = {}", robot, command_of(body)));
   if (!body.is_object() || !body.contains("data")) throw SetupError("/change: messages are {data: \"PATH = VALUE\"}");
-  change(value_text(body.at("data")));
+  change(text_of_value(body.at("data")));
 }
 
 void FoxgloveConversation::change(const std::string& text) { jobs_.push_back({.done = live_.session().change(text)}); }
@@ -185,10 +183,10 @@ void FoxgloveConversation::get_parameters(const json& order) {
 void FoxgloveConversation::set_parameters(const json& order) {
   const std::string id = id_of(order);
   for (const json& one : order.at("parameters")) {
-    if (jobs_.size() >= most_jobs) throw ClientError("too many requests at once");
+    if (jobs_.size() >= most_requests) throw ClientError("too many requests at once");
     const auto name = one.at("name").get<std::string>();
     if (!one.contains("value")) throw SetupError(fmt::format("{}: a parameter cannot be removed", name));
-    jobs_.push_back({.done = live_.session().change(fmt::format("{} = {}", name, value_text(one.at("value")))),
+    jobs_.push_back({.done = live_.session().change(fmt::format("{} = {}", name, text_of_value(one.at("value")))),
                      .parameters = {name},
                      .id = id});
   }
@@ -217,7 +215,7 @@ void FoxgloveConversation::introduce() {
   const session::SessionStatus status = live_.session().status();
   const Duration end = status.end == Duration::max() ? status.last : std::max(status.last, status.end);
   const auto capabilities = {"clientPublish", "parameters", "parametersSubscribe", "time", "playbackControl"};
-  outbox.send(text_message(text_of({{"op", "serverInfo"},
+  outbox.send(text_message(json_line({{"op", "serverInfo"},
                                     {"name", "MuRoSimF: " + live_.scene_name()},
                                     {"capabilities", capabilities},
                                     {"supportedEncodings", {"json"}},
@@ -240,7 +238,7 @@ void FoxgloveConversation::announce_channels() {
                         {"schemaEncoding", "protobuf"},
                         {"schema", base64(channel.schema)}});
   }
-  outbox.send(text_message(text_of({{"op", "advertise"}, {"channels", channels}})));
+  outbox.send(text_message(json_line({{"op", "advertise"}, {"channels", channels}})));
 }
 
 void FoxgloveConversation::send_parameters(const std::set<std::string>& names, const std::string& id) {
@@ -251,7 +249,7 @@ void FoxgloveConversation::send_parameters(const std::set<std::string>& names, c
   }
   json text{{"op", "parameterValues"}, {"parameters", parameters}};
   if (!id.empty()) text["id"] = id;
-  outbox.send(text_message(text_of(text)));
+  outbox.send(text_message(json_line(text)));
 }
 
 void FoxgloveConversation::send_packet(const FoxgloveLive::Packet& packet) {
@@ -291,7 +289,7 @@ void FoxgloveConversation::send_playback(bool seeked, const std::string& id) {
 }
 
 void FoxgloveConversation::say(int level, const std::string& text) {
-  outbox.send(text_message(text_of({{"op", "status"}, {"level", level}, {"message", text}})));
+  outbox.send(text_message(json_line({{"op", "status"}, {"level", level}, {"message", text}})));
 }
 
 void FoxgloveConversation::answer_jobs() {

@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto between_visits = 33ms;        // [wall]
+constexpr auto between_frames = 33ms;        // [wall]
 constexpr auto while_it_stands = 1s;         // [wall] a frame is repeated, for who has come since
 
 const std::set<std::string>& sent() {
@@ -140,7 +140,7 @@ void FoxgloveLive::look() {
   const session::SessionStatus status = session_.status();
   const bool stands = visit_ && status.time == time_ && status.jumps == jumps_;
   if (now < next_visit_ + (stands ? while_it_stands : 0s)) return;
-  next_visit_ = now + between_visits;
+  next_visit_ = now + between_frames;
   if (!visit_) visit_ = std::make_shared<Visit>();
   visit_->again = stands;
   visited_ = session_.visit([visit = visit_](scene::Scene& scene) { visit->make(scene); });

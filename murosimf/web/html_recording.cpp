@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/web/entity_states.h"
 #include "murosimf/web/gzip.h"
+#include "murosimf/web/json_line.h"
 #include "murosimf/web/little_endian.h"
 #include "murosimf/web/page.h"
 #include "murosimf/web/pose_message.h"
@@ -88,7 +88,7 @@ std::string HtmlRecording::packed() const {
                       {"words", frames_.front().size() / 2},
                       {"lines", lines_of(simulation)},
                       {"entities", entity_states(simulation.world())}};
-  const std::string head = text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  const std::string head = json_line(text);
   std::string bytes;
   put_u32(bytes, static_cast<std::uint32_t>(head.size()));
   bytes += head;

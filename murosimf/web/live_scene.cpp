@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "murosimf/web/entity_states.h"
+#include "murosimf/web/json_line.h"
 #include "murosimf/web/picture_message.h"
 #include "murosimf/web/pose_message.h"
 #include "murosimf/web/watched_numbers.h"
@@ -19,8 +18,6 @@ using namespace std::chrono_literals;
 constexpr auto between_visits = 100ms;     // [wall]
 constexpr auto between_numbers = 40ms;     // while somebody plots or looks through a camera
 constexpr Duration frame_period = 16ms;    // [wall] of poses
-
-std::string text_of(const json& document) { return document.dump(-1, ' ', false, json::error_handler_t::replace); }
 
 json state_of(const session::SessionStatus& status, const json& entities, const json& game) {
   const Duration known = std::max(status.time, status.last);
@@ -119,14 +116,14 @@ void LiveScene::take(const Visit& visit) {
     document_message_ = binary_message(std::string{static_cast<char>(MessageKind::scene), 0, 0, 0} + scene_->bytes);
     ++documents_;
   }
-  const std::string state = text_of(state_of(session_.status(), visit.entities, visit.game));
+  const std::string state = json_line(state_of(session_.status(), visit.entities, visit.game));
   if (std::exchange(state_, state) != state) news_.state = last_.state = text_message(state);
-  const std::string lines = text_of({{"is", "lines"}, {"lines", visit.lines}});
+  const std::string lines = json_line({{"is", "lines"}, {"lines", visit.lines}});
   if (std::exchange(lines_, lines) != lines) news_.lines = last_.lines = text_message(lines);
   if (!visit.values.empty()) {
     json values = json::object();
     for (const auto& [path, value] : visit.values) values[path] = value ? json(*value) : json(nullptr);
-    news_.values = text_message(text_of({{"is", "values"}, {"time", visit.time}, {"values", values}}));
+    news_.values = text_message(json_line({{"is", "values"}, {"time", visit.time}, {"values", values}}));
   }
   for (const auto& [camera, bytes] : visit.pictures) {
     if (!bytes.empty()) news_.pictures[camera] = last_.pictures[camera] = binary_message(bytes);

@@ -5,9 +5,9 @@
 #include <exception>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "murosimf/model/error.h"
+#include "murosimf/web/json_line.h"
 #include "murosimf/web/watched_numbers.h"
 
 namespace murosimf::web {
@@ -19,7 +19,7 @@ enum Kind { poses, state, lines, values, picture };  // of views (outbox.h)
 
 constexpr int most_unseen = 4;             // a page that draws slowly gets fewer poses, not older ones
 constexpr std::size_t most_paths = 64;     // that a client watches
-constexpr std::size_t most_jobs = 256;     // that a client waits for
+constexpr std::size_t most_orders = 256;     // that a client waits for
 constexpr double longest_time = 3e9;       // [s]
 
 template <class T>
@@ -37,8 +37,6 @@ double finite(const json& order, const char* key) {
   return value;
 }
 
-std::string text_of(const json& document) { return document.dump(-1, ' ', false, json::error_handler_t::replace); }
-
 }  // namespace
 
 PageConversation::~PageConversation() { live_.leave(*this); }
@@ -54,7 +52,7 @@ void PageConversation::receive(std::string_view message, bool binary) {
     return;
   }
   const auto id = order.contains("id") ? get<std::int64_t>(order, "id") : -1;
-  if (jobs_.size() >= most_jobs) throw ClientError("too many orders at once");
+  if (jobs_.size() >= most_orders) throw ClientError("too many orders at once");
   try {
     carry_out(what, order, id);
   } catch (const SetupError& error) {
@@ -118,7 +116,7 @@ void PageConversation::wait_for(std::int64_t id, std::future<void> done) {
 void PageConversation::answer(std::int64_t id, const std::string& error) {
   json text{{"is", "answer"}, {"id", id}};
   if (!error.empty()) text["error"] = error;
-  outbox.send(text_message(text_of(text)));
+  outbox.send(text_message(json_line(text)));
 }
 
 void PageConversation::answer_jobs() {
@@ -132,7 +130,7 @@ void PageConversation::answer_jobs() {
       job->then();
       json text{{"is", "answer"}, {"id", job->id}};
       if (job->result) text["result"] = *job->result;
-      outbox.send(text_message(text_of(text)));
+      outbox.send(text_message(json_line(text)));
     } catch (const std::exception& error) {
       answer(job->id, error.what());
     }

@@ -4,8 +4,6 @@
 #include <array>
 #include <map>
 
-#include <nlohmann/json.hpp>
-
 #include "murosimf/appearance/entity_appearance.h"
 #include "murosimf/catalog/algorithm_catalog.h"
 #include "murosimf/files/json_document.h"
@@ -13,6 +11,7 @@
 #include "murosimf/model/properties.h"
 #include "murosimf/render/render_scene.h"
 #include "murosimf/sensors/camera_frame.h"
+#include "murosimf/web/json_line.h"
 #include "murosimf/web/little_endian.h"
 
 namespace murosimf::web {
@@ -143,7 +142,7 @@ class Writer {
   }
 
   void assemble() {
-    std::string text = text_.dump(-1, ' ', false, json::error_handler_t::replace);
+    std::string text = json_line(text_);
     text.resize((text.size() + 3) / 4 * 4, ' ');
     put_u32(document_.bytes, static_cast<std::uint32_t>(text.size()));
     document_.bytes += text;
