@@ -67,6 +67,12 @@ Option Option::excludes(Option other) const {
   return *this;
 }
 
+Option Option::value_if_alone(const std::string& value) const {
+  option_->expected(0, 1);
+  option_->default_str(value);
+  return *this;
+}
+
 Option Option::offers_list(const std::string& kind) const {
   (*offers_)[option_].list = kind;
   return *this;

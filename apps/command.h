@@ -41,6 +41,9 @@ class Option {
   Option needs(Option other) const;
   Option excludes(Option other) const;
 
+  /// The value may be left out, and is this then.
+  Option value_if_alone(const std::string& value) const;
+
   /// Shells complete it with what `murosimf list KIND` prints.
   Option offers_list(const std::string& kind) const;
   /// Shells complete it with these.

@@ -17,6 +17,7 @@
 #include "apps/record_options.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
+#include "apps/web_arguments.h"
 #include "murosimf/connect/crash_note.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/files/files_read.h"
@@ -35,7 +36,7 @@ namespace {
 struct RunOptions {
   SceneArguments scene;
   std::optional<double> duration;  ///< [s]
-  std::string speed = "max";       ///< "max", or simulated seconds per wall second
+  std::string speed;               ///< "max", or simulated seconds per wall second; empty: as it is usual
   std::string json;                ///< file, "-" for standard output
   std::string picture;             ///< PNG file
   std::string pictures;            ///< folder for a sequence of PNG files
@@ -49,14 +50,17 @@ struct RunOptions {
   bool no_cameras = false;             ///< nothing is drawn for cameras
   std::string load_state, save_state;  ///< files
   GameArguments game;
+  WebArguments web;
 };
 
 void define(const Command& command, RunOptions& options) {
   add_scene(command, options.scene);
   command.add("--duration", options.duration, "Simulated seconds, instead of the scene's");
-  command.add("--speed", options.speed, "'max', or simulated seconds per second: 1 is real time").shows_default();
+  command.add("--speed", options.speed,
+              "'max', as it is without this, or simulated seconds per second: 1 is real time, as it is with --web");
   command.add("--json", options.json, "Write the report as JSON to this file, or to standard output with '-'");
   command.add("--picture", options.picture, "Write a PNG picture of the field from above");
+  add_web(command, options.web);
   const Option pictures = command.add("--pictures", options.pictures,
                                       "Write PNG pictures of the bodies to this folder while the scene runs");
   command.add("--picture-every", options.picture_every, "Simulated seconds from one picture to the next")
@@ -94,8 +98,10 @@ std::shared_ptr<connect::TcpServer> server_at(const std::string& where) {
   return server;
 }
 
-std::optional<double> speed_of(const std::string& text) {
-  if (text == "max") return std::nullopt;
+std::optional<double> speed_of(const RunOptions& options) {
+  const std::string& text = options.speed;
+  if (text.empty() && !options.web.web.empty()) return 1.0;
+  if (text.empty() || text == "max") return std::nullopt;
   double speed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), speed);
   if (error != std::errc{} || end != text.data() + text.size()) {
@@ -166,9 +172,15 @@ void check_serial(const scene_file::SceneSpec& spec, const std::string& folder) 
   }
 }
 
+/// Why a run that is shown cannot be reset or go back in time; empty: it can.
+std::string bound_by(const RunOptions& options) {
+  if (!options.record.file.empty()) return "it is recorded (--record)";
+  return options.log.empty() ? "" : "its numbers are logged (--log)";
+}
+
 int run(const RunOptions& options) {
   end_gently();
-  Clock clock(speed_of(options.speed));
+  Clock clock(speed_of(options));
   if (options.duration) duration_of(*options.duration);
   // where results go is checked before anything is computed, so that no result is lost
   check_json_file(options.json);
@@ -177,6 +189,10 @@ int run(const RunOptions& options) {
   if (!options.save_state.empty()) files::check_writable(options.save_state);
   if (!options.game.log.empty()) files::check_writable(options.game.log);
   check(options.record);
+  check(options.web);
+  if (!options.web.web.empty() && !options.pictures.empty()) {
+    throw SetupError("--web and --pictures: pictures are taken of runs that nobody stops or takes back");
+  }
   std::optional<PictureSequence> pictures;
   if (!options.pictures.empty()) pictures.emplace(options.pictures, options.picture_every);
 
@@ -184,6 +200,7 @@ int run(const RunOptions& options) {
   scene_options.cameras = !options.no_cameras;
   scene_options.paths = !options.picture.empty();
   scene_options.terminals = options.serial;
+  scene_options.pushable = !options.web.web.empty();
   const files::FilesRead files_read;
   scene_options.software = server_at(options.listen);
   scene::Scene scene(options.scene.file, scene_options);
@@ -197,16 +214,20 @@ int run(const RunOptions& options) {
                 logging::RunLogOptions{.step_rate = scene.spec().rate, .property_rate = options.log_rate});
   }
   const auto recorder = make_recorder(scene, options.record, files_read);
+  const auto html = make_html_recording(scene, options.web);
   simulation.initialize();
   if (!options.load_state.empty()) load(scene, options.load_state);
   if (pictures) pictures->show(scene);
 
   Duration wall{};  // without that for pictures
+  Lateness lateness;
   bool crashed = false;
   {
     RunProgress progress(simulation.now(), duration);
-    clock.tell_of_overruns(
-        [&](const Overrun& overrun) { progress.warn(overrun.simulated, scene::to_text(overrun.lateness)); });
+    const auto tell = [&](const Overrun& overrun) {
+      progress.warn(overrun.simulated, scene::to_text(overrun.lateness));
+    };
+    clock.tell_of_overruns(tell);
     bool records = recorder != nullptr;
     const auto show = [&](Duration now) {
       progress.show(now);
@@ -220,6 +241,14 @@ int run(const RunOptions& options) {
       wall += WallClock::now() - start;
     };
     const auto advance = [&] {
+      if (!options.web.web.empty()) {
+        const auto start = WallClock::now();
+        lateness = run_with_server(scene, options.web,
+                                   {.speed = speed_of(options), .tell_of_overruns = tell, .no_way_back = bound_by(options)},
+                                   duration, show);
+        wall += WallClock::now() - start;
+        return;
+      }
       while (pictures && pictures->next() <= duration) {
         advance_to(pictures->next());
         if (interrupted()) return;
@@ -228,13 +257,15 @@ int run(const RunOptions& options) {
       advance_to(duration);
     };
     crashed = crashes(advance);
+    if (options.web.web.empty()) lateness = clock.lateness();
     clock.tell_of_overruns({});
   }
-  scene::RunReport report = make_report(scene, wall, clock.lateness());
+  scene::RunReport report = make_report(scene, wall, lateness);
   if (simulation.now() < duration)
     report.stopped = {crashed ? "a crash" : signal_name(), options.duration.value_or(scene.spec().duration)};
 
   if (log) log->write(options.out);
+  if (html) html->finish();
   if (game && !options.game.log.empty()) files::write_file(options.game.log, game->log().to_text());
   const bool recorded = !recorder || finish(*recorder, report, options.record);
   if (!options.save_state.empty()) save(scene, options.save_state);

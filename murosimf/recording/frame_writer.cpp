@@ -128,7 +128,7 @@ MessageSchema sensor_schema(const RecordedSensor& sensor) {
   return schema;
 }
 
-FrameWriter::FrameWriter(McapWriter& file, const std::vector<RecordedEntity>& entities,
+FrameWriter::FrameWriter(MessageSink& file, const std::vector<RecordedEntity>& entities,
                          const std::vector<RecordedSensor>& sensors, const SceneLooks* looks,
                          const std::set<std::string>& what)
     : file_(file), entities_(entities), sensors_(sensors), looks_(looks), what_(what) {

@@ -1,4 +1,4 @@
-/// frame_writer.h - frames of a simulation as messages of an MCAP file, each on its topic.
+/// frame_writer.h - frames of a simulation as messages, each on its topic, of an MCAP file or for viewers.
 ///
 /// | topic | message |
 /// |---|---|
@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/recording/mcap_writer.h"
+#include "murosimf/recording/message_sink.h"
 #include "murosimf/recording/message_schema.h"
 #include "murosimf/recording/recorded_frame.h"
 #include "murosimf/recording/scene_message.h"
@@ -34,7 +34,7 @@ namespace murosimf::recording {
 class FrameWriter {
  public:
   /// `what`: of recordable(). All of it outlives the writer.
-  FrameWriter(McapWriter& file, const std::vector<RecordedEntity>& entities, const std::vector<RecordedSensor>& sensors,
+  FrameWriter(MessageSink& file, const std::vector<RecordedEntity>& entities, const std::vector<RecordedSensor>& sensors,
               const SceneLooks* looks, const std::set<std::string>& what);
 
   void write(const RecordedFrame& frame);
@@ -50,7 +50,7 @@ class FrameWriter {
   void write_sample(const SensorSample& sample);
   void write_line(std::uint16_t channel, Duration time, int level, const std::string& text);
 
-  McapWriter& file_;
+  MessageSink& file_;
   const std::vector<RecordedEntity>& entities_;
   const std::vector<RecordedSensor>& sensors_;
   const SceneLooks* looks_;

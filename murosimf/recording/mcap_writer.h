@@ -18,6 +18,7 @@
 #include "murosimf/model/time.h"
 #include "murosimf/recording/growing_file.h"
 #include "murosimf/recording/mcap_records.h"
+#include "murosimf/recording/message_sink.h"
 
 namespace murosimf::recording {
 
@@ -30,14 +31,15 @@ struct McapOptions {
 };
 
 /// All throw SetupError if the file cannot be written; what has been written of it stays readable.
-class McapWriter {
+class McapWriter final : public MessageSink {
  public:
   McapWriter(const std::filesystem::path& file, McapOptions options);
 
-  [[nodiscard]] std::uint16_t add_schema(const std::string& name, const std::string& encoding, std::string data);
+  [[nodiscard]] std::uint16_t add_schema(const std::string& name, const std::string& encoding,
+                                         std::string data) override;
   [[nodiscard]] std::uint16_t add_channel(const std::string& topic, const std::string& encoding, std::uint16_t schema,
-                                          TextMap metadata = {});
-  void write(std::uint16_t channel, Duration time, std::string_view data);
+                                          TextMap metadata = {}) override;
+  void write(std::uint16_t channel, Duration time, std::string_view data) override;
   void attach(const Attachment& attachment);
   void add(const Metadata& metadata);
 

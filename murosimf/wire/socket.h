@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace murosimf::wire {
 
@@ -45,6 +46,8 @@ class Socket {
 
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
   [[nodiscard]] int number() const { return number_; }
+  /// It is the caller's from now on.
+  [[nodiscard]] int release() noexcept { return std::exchange(number_, -1); }
   [[nodiscard]] Address own_address() const;
   [[nodiscard]] Address peer_address() const;
 

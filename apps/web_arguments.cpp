@@ -1,0 +1,67 @@
+#include "apps/web_arguments.h"
+
+#include <fmt/format.h>
+
+#include "apps/last_words.h"
+#include "murosimf/files/output_file.h"
+#include "murosimf/model/error.h"
+#include "murosimf/web/web_view.h"
+
+namespace murosimf::app {
+namespace {
+
+constexpr auto usual_port = "8080";
+
+wire::Address address_of(const std::string& where) {
+  try {
+    return wire::parse_address(where);
+  } catch (const wire::WireError& error) {
+    throw SetupError(fmt::format("--web: {}", error.what()));
+  }
+}
+
+}  // namespace
+
+void add_web(const Command& command, WebArguments& arguments) {
+  command
+      .add("--web", arguments.web,
+           "Show the run in browsers, and let them steer it: PORT of this computer alone, or HOST:PORT")
+      .value_if_alone(usual_port);
+  const Option html =
+      command.add("--html", arguments.html, "Write the run to this file (HTML), which plays in any browser, offline");
+  command.add("--html-rate", arguments.html_rate, "Frames per simulated second in it").needs(html).shows_default();
+}
+
+void check(const WebArguments& arguments) {
+  if (!arguments.web.empty()) (void)address_of(arguments.web);
+  if (!arguments.html.empty()) files::check_writable(arguments.html);
+}
+
+std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, const WebArguments& arguments) {
+  if (arguments.html.empty()) return nullptr;
+  return std::make_unique<web::HtmlRecording>(
+      scene, web::HtmlOptions{.file = arguments.html, .rate = arguments.html_rate});
+}
+
+Lateness run_with_server(scene::Scene& scene, const WebArguments& arguments, const session::SessionOptions& options,
+                         Duration end, const std::function<void(Duration)>& progress) {
+  session::Session session(scene, options);
+  std::optional<web::WebView> view;
+  try {
+    view.emplace(scene, session, web::WebOptions{.address = address_of(arguments.web)});
+  } catch (const SetupError& error) {
+    throw SetupError(fmt::format("--web: {}", error.what()));
+  }
+  const std::string missing = web::WebView::no_page();
+  if (missing.empty()) {
+    say_note("page: " + view->page_address());
+  } else {
+    say_warning(missing);
+  }
+  say_note("Foxglove: " + view->socket_address());
+  say_note("Ctrl-C ends it");
+  session.run(end, progress);
+  return session.lateness();
+}
+
+}  // namespace murosimf::app

@@ -1,0 +1,58 @@
+# cmake -DNPM=... -DNODE=... -DSOURCE=web -DWORK=build/.../web -P BundlePage.cmake: writes WORK/page.cpp, the bundled page as a
+# constant. Does nothing if the sources are those of the last time.
+file(GLOB outer ${SOURCE}/*.json ${SOURCE}/*.mjs ${SOURCE}/.npmrc)
+file(GLOB inner ${SOURCE}/src/*)
+set(all "")
+foreach(source IN LISTS outer inner)
+  file(SHA256 ${source} hash)
+  string(APPEND all "${source} ${hash}\n")
+endforeach()
+string(SHA256 key "${all}")
+if(EXISTS ${WORK}/page.cpp AND EXISTS ${WORK}/made_of)
+  file(READ ${WORK}/made_of known)
+  if(known STREQUAL key)
+    return()
+  endif()
+endif()
+
+function(write_page hex)
+  string(REGEX REPLACE "(..)" "0x\\1," bytes "${hex}")
+  string(REGEX REPLACE "(....................................................................................................)"
+    "\\1\n" bytes "${bytes}")
+  file(WRITE ${WORK}/page.new "#include \"murosimf/web/page.h\"\n\nnamespace murosimf::web {\n\
+static constexpr unsigned char bytes[] = {${bytes}0};\n\
+std::string_view compressed_page() { return {reinterpret_cast<const char*>(bytes), sizeof bytes - 1}; }\n}\n")
+  file(COPY_FILE ${WORK}/page.new ${WORK}/page.cpp ONLY_IF_DIFFERENT)
+endfunction()
+
+file(MAKE_DIRECTORY ${WORK})
+file(REMOVE_RECURSE ${WORK}/src)
+file(COPY ${outer} DESTINATION ${WORK})
+file(COPY ${SOURCE}/src DESTINATION ${WORK})
+set(log ${WORK}/npm.log)
+# what is there of the right versions is not asked for again
+file(SHA256 ${SOURCE}/package-lock.json lock)
+set(modules_of "")
+if(EXISTS ${WORK}/modules_of)
+  file(READ ${WORK}/modules_of modules_of)
+endif()
+set(result 0)
+if(NOT modules_of STREQUAL lock)
+  execute_process(COMMAND ${NPM} ci --prefer-offline --no-audit --no-fund --fetch-retries 1 --fetch-timeout 30000
+    WORKING_DIRECTORY ${WORK} RESULT_VARIABLE result OUTPUT_FILE ${log} ERROR_FILE ${log} TIMEOUT 300)
+  if(result EQUAL 0)
+    file(WRITE ${WORK}/modules_of ${lock})
+  endif()
+endif()
+if(result EQUAL 0)
+  execute_process(COMMAND ${NODE} build.mjs dist WORKING_DIRECTORY ${WORK} RESULT_VARIABLE result
+    OUTPUT_FILE ${log} ERROR_FILE ${log})
+endif()
+if(NOT result EQUAL 0)
+  message("-- the page for browsers is left out: npm could not make it (${log})")
+  write_page("")
+  return()
+endif()
+file(READ ${WORK}/dist/index.html.gz hex HEX)
+write_page("${hex}")
+file(WRITE ${WORK}/made_of ${key})

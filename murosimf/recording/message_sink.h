@@ -1,0 +1,24 @@
+/// message_sink.h - where messages go that a FrameWriter makes: a file, or viewers that are connected.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "murosimf/model/time.h"
+#include "murosimf/recording/mcap_records.h"
+
+namespace murosimf::recording {
+
+class MessageSink {
+ public:
+  virtual ~MessageSink() = default;
+
+  [[nodiscard]] virtual std::uint16_t add_schema(const std::string& name, const std::string& encoding,
+                                                 std::string data) = 0;
+  [[nodiscard]] virtual std::uint16_t add_channel(const std::string& topic, const std::string& encoding,
+                                                  std::uint16_t schema, TextMap metadata = {}) = 0;
+  virtual void write(std::uint16_t channel, Duration time, std::string_view data) = 0;
+};
+
+}  // namespace murosimf::recording

@@ -1,0 +1,149 @@
+#include "murosimf/web/foxglove_live.h"
+
+#include <algorithm>
+#include <exception>
+#include <set>
+
+#include "murosimf/scene/contact_marks.h"
+
+namespace murosimf::web {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto between_frames = 33ms;        // [wall]
+constexpr auto while_it_stands = 1s;         // [wall] a frame is repeated, for who has come since
+
+const std::set<std::string>& sent() {
+  static const std::set<std::string> what = {"poses", "scene", "joints", "contacts", "sensors", "events"};
+  return what;
+}
+
+}  // namespace
+
+/// What the simulation's thread fills in, once at a time; what it was made of stays until entities come.
+struct FoxgloveLive::Visit {
+  std::uint64_t setups = 0;
+  std::string scene_name;
+  std::size_t count = 0;  // of entities in the world
+  std::vector<recording::RecordedEntity> entities;
+  std::vector<recording::RecordedSensor> sensors;
+  std::unique_ptr<recording::SceneLooks> looks;
+  int changes = -1;
+  std::size_t events = 0, warnings = 0;  // that were taken
+
+  bool again = false;  // also if time stands still
+  recording::RecordedFrame frame;
+  std::map<std::string, std::string> parameters;
+
+  void set_up(scene::Scene& scene) {
+    const World& world = scene.simulation().world();
+    count = world.entities().size();
+    changes = scene.parts().changes_to_see;
+    entities = recording::recorded_entities(world);
+    sensors = recording::recorded_sensors(world);
+    looks = std::make_unique<recording::SceneLooks>(scene, entities);
+    scene_name = scene.spec().name;
+    ++setups;
+  }
+
+  void make(scene::Scene& scene) {
+    const Simulation& simulation = scene.simulation();
+    if (count != simulation.world().entities().size() || changes != scene.parts().changes_to_see) set_up(scene);
+    frame = {.time = simulation.now()};
+    recording::take_numbers(entities, frame);
+    scene::add_contact_marks(simulation.world(), frame.contacts);
+    for (std::size_t i = 0; i < sensors.size(); ++i) take_sample(i);
+    events = std::min(events, simulation.events().size());  // a reset forgets them
+    warnings = std::min(warnings, simulation.warnings().size());
+    for (; events < simulation.events().size(); ++events) {
+      frame.events.emplace_back(simulation.events()[events].time, simulation.events()[events].text);
+    }
+    for (; warnings < simulation.warnings().size(); ++warnings) {
+      frame.warnings.emplace_back(frame.time, simulation.warnings()[warnings]);
+    }
+    for (const Entity* entity : scene.moving_entities()) {
+      if (!entity->level.empty()) parameters[entity->name() + ".level"] = entity->level;
+      if (!entity->contact.empty()) parameters[entity->name() + ".contact"] = entity->contact;
+    }
+  }
+
+  void take_sample(std::size_t i) {
+    const sensors::Reading& reading = *sensors[i].reading;
+    if (reading.samples == 0 || (reading.samples == sensors[i].samples && !again)) return;
+    sensors[i].samples = reading.samples;
+    frame.samples.push_back({.sensor = i, .arrived = frame.time, .taken = reading.time, .values = reading.values});
+  }
+};
+
+FoxgloveLive::~FoxgloveLive() = default;
+
+std::uint16_t FoxgloveLive::add_schema(const std::string& name, const std::string&, std::string data) {
+  const auto known = std::ranges::find(schemas_, name, [](const auto& schema) { return schema.first; });
+  if (known != schemas_.end()) return static_cast<std::uint16_t>(known - schemas_.begin());
+  schemas_.emplace_back(name, std::move(data));
+  return static_cast<std::uint16_t>(schemas_.size() - 1);
+}
+
+std::uint16_t FoxgloveLive::add_channel(const std::string& topic, const std::string&, std::uint16_t schema,
+                                        recording::TextMap) {
+  const auto known = std::ranges::find(channels_, topic, &FoxgloveChannel::topic);
+  if (known != channels_.end()) return known->id;
+  const auto id = static_cast<std::uint16_t>(channels_.size() + 1);
+  channels_.push_back(
+      {.id = id, .topic = topic, .schema_name = schemas_[schema].first, .schema = schemas_[schema].second});
+  return id;
+}
+
+void FoxgloveLive::write(std::uint16_t channel, Duration time, std::string_view data) {
+  const Packet packet{.channel = channel, .time = time, .bytes = std::make_shared<const std::string>(data)};
+  last_[channel] = packet;
+  news_.push_back(packet);
+}
+
+FoxgloveLive::Packet FoxgloveLive::last(std::uint16_t channel) const {
+  const auto found = last_.find(channel);
+  return found == last_.end() ? Packet{} : found->second;
+}
+
+bool FoxgloveLive::is_of_lines(std::uint16_t channel) const {
+  const std::string& name = channels_[channel - 1U].schema_name;
+  return name == "foxglove.Log";
+}
+
+void FoxgloveLive::take(const Visit& visit) {
+  const std::uint64_t jumps = session_.status().jumps;
+  if (!writer_ || setups_ != visit.setups || jumps_ != jumps) {  // a writer counts on time that goes on
+    recording::MessageSink& sink = *this;
+    writer_ = std::make_unique<recording::FrameWriter>(sink, visit.entities, visit.sensors, visit.looks.get(), sent());
+    setups_ = visit.setups;
+    jumps_ = jumps;
+  }
+  scene_name_ = visit.scene_name;
+  parameters_ = visit.parameters;
+  time_ = visit.frame.time;
+  writer_->write(visit.frame);
+}
+
+void FoxgloveLive::look() {
+  news_.clear();
+  if (clients_ == 0) return;
+  if (visited_.valid()) {
+    if (visited_.wait_for(0s) != std::future_status::ready) return;
+    try {
+      visited_.get();
+      take(*visit_);
+    } catch (const std::exception&) {  // the run has ended: what was there stays
+    }
+  }
+  const auto now = std::chrono::steady_clock::now();
+  const session::SessionStatus status = session_.status();
+  const bool stands = visit_ && status.time == time_ && status.jumps == jumps_;
+  if (now < next_visit_ + (stands ? while_it_stands : 0s)) return;
+  next_visit_ = now + between_frames;
+  if (!visit_) visit_ = std::make_shared<Visit>();
+  visit_->again = stands;
+  visited_ = session_.visit([visit = visit_](scene::Scene& scene) { visit->make(scene); });
+}
+
+}  // namespace murosimf::web

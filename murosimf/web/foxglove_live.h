@@ -1,0 +1,79 @@
+/// foxglove_live.h - a running scene as messages for Foxglove and Lichtblick: those of recordings (recording/frame_writer.h), as they come.
+///
+/// In the server's thread. As long as somebody is connected, the simulation's thread is visited up to 30 times per wall second, and copies
+/// what recordings would have of that instant.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <future>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "murosimf/recording/frame_writer.h"
+#include "murosimf/session/session.h"
+
+namespace murosimf::web {
+
+struct FoxgloveChannel {
+  std::uint16_t id = 0;
+  std::string topic, schema_name, schema;  ///< schema: a FileDescriptorSet
+};
+
+class FoxgloveLive final : private recording::MessageSink {
+ public:
+  explicit FoxgloveLive(session::Session& session) : session_(session) {}
+  ~FoxgloveLive() override;
+
+  struct Packet {
+    std::uint16_t channel = 0;
+    Duration time{};
+    std::shared_ptr<const std::string> bytes;
+  };
+
+  void join() { ++clients_; }
+  void leave() { --clients_; }
+  void look();
+
+  [[nodiscard]] session::Session& session() { return session_; }
+  [[nodiscard]] const std::string& scene_name() const { return scene_name_; }
+  [[nodiscard]] const std::vector<FoxgloveChannel>& channels() const { return channels_; }
+  /// Of the last look, in the order of time.
+  [[nodiscard]] const std::vector<Packet>& news() const { return news_; }
+  /// The last message of a channel, for who subscribes now; null bytes: there is none.
+  [[nodiscard]] Packet last(std::uint16_t channel) const;
+  [[nodiscard]] Duration time() const { return time_; }
+  /// Of robots, as they were in the last visit: "blue1.level", with its value.
+  [[nodiscard]] const std::map<std::string, std::string>& parameters() const { return parameters_; }
+  /// Lines are to be sent all; of other channels the newest is enough.
+  [[nodiscard]] bool is_of_lines(std::uint16_t channel) const;
+
+ private:
+  struct Visit;
+  [[nodiscard]] std::uint16_t add_schema(const std::string& name, const std::string& encoding, std::string data) override;
+  [[nodiscard]] std::uint16_t add_channel(const std::string& topic, const std::string& encoding, std::uint16_t schema,
+                                          recording::TextMap metadata) override;
+  void write(std::uint16_t channel, Duration time, std::string_view data) override;
+  void take(const Visit& visit);
+
+  session::Session& session_;
+  int clients_ = 0;
+  std::string scene_name_;
+  std::vector<std::pair<std::string, std::string>> schemas_;  // name, descriptors
+  std::vector<FoxgloveChannel> channels_;
+  std::map<std::uint16_t, Packet> last_;
+  std::vector<Packet> news_;
+  std::map<std::string, std::string> parameters_;
+  Duration time_{};
+
+  std::shared_ptr<Visit> visit_;
+  std::future<void> visited_;
+  std::chrono::steady_clock::time_point next_visit_{};
+  std::unique_ptr<recording::FrameWriter> writer_;
+  std::uint64_t setups_ = 0, jumps_ = 0;  // that the writer was made for
+};
+
+}  // namespace murosimf::web

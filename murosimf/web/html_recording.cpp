@@ -1,0 +1,111 @@
+#include "murosimf/web/html_recording.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "murosimf/files/output_file.h"
+#include "murosimf/model/error.h"
+#include "murosimf/web/entity_states.h"
+#include "murosimf/web/gzip.h"
+#include "murosimf/web/json_line.h"
+#include "murosimf/web/little_endian.h"
+#include "murosimf/web/page.h"
+#include "murosimf/web/pose_message.h"
+
+namespace murosimf::web {
+namespace {
+
+constexpr double slowest = 0.1, fastest = 200;  // [Hz]
+constexpr std::string_view place = "<!-- recording -->";
+
+Duration period_of(double rate) {
+  if (rate >= slowest && rate <= fastest) return from_seconds(1 / rate);
+  throw SetupError(fmt::format("an HTML file cannot have {} frames per second; write a number from {} to {}", rate,
+                               slowest, fastest));
+}
+
+}  // namespace
+
+std::string as_planes(const std::vector<std::string>& frames) {
+  const std::size_t words = frames.empty() ? 0 : frames.front().size() / 2;
+  std::string out(2 * words * frames.size(), '\0');
+  for (std::size_t word = 0; word < words; ++word) {
+    unsigned before = 0;
+    char* low = &out[2 * word * frames.size()];
+    for (const std::string& frame : frames) {
+      const unsigned value = static_cast<unsigned char>(frame[2 * word]) |
+                             static_cast<unsigned>(static_cast<unsigned char>(frame[2 * word + 1])) << 8;
+      const unsigned difference = value - before;
+      low[0] = static_cast<char>(difference & 0xff);
+      low[frames.size()] = static_cast<char>(difference >> 8 & 0xff);
+      before = value;
+      ++low;
+    }
+  }
+  return out;
+}
+
+HtmlRecording::HtmlRecording(scene::Scene& scene, HtmlOptions options)
+    : scene_(scene), options_(std::move(options)), period_(period_of(options_.rate)) {
+  if (compressed_page().empty()) {
+    throw SetupError("this program was built without its page for browsers: npm was missing (docs/web.md)");
+  }
+  (void)gunzip(compressed_page());  // this build can
+  files::check_writable(options_.file);
+  scene_.simulation().after_start([this] { start(); });
+}
+
+/// Also after a reset: what is in the file is one run.
+void HtmlRecording::start() {
+  times_.clear();
+  frames_.clear();
+  scene_.simulation().at(scene_.simulation().now(), [this] { look(); });
+}
+
+void HtmlRecording::look() {
+  take_frame();
+  scene_.simulation().at(times_.front() + static_cast<std::int64_t>(times_.size()) * period_, [this] { look(); });
+}
+
+void HtmlRecording::take_frame() {
+  const Simulation& simulation = scene_.simulation();
+  if (document_.entities == 0) document_ = scene_document(scene_);
+  while (!times_.empty() && times_.back() >= simulation.now()) {  // time has gone back
+    times_.pop_back();
+    frames_.pop_back();
+  }
+  poses_.time = simulation.now();
+  take_poses(simulation.world(), poses_);
+  times_.push_back(poses_.time);
+  frames_.push_back(pose_message(document_, poses_, 0, false));
+}
+
+std::string HtmlRecording::packed() const {
+  const Simulation& simulation = scene_.simulation();
+  nlohmann::json text{{"scene_bytes", document_.bytes.size()},
+                      {"frames", frames_.size()},
+                      {"words", frames_.front().size() / 2},
+                      {"lines", lines_of(simulation)},
+                      {"entities", entity_states(simulation.world())}};
+  const std::string head = json_line(text);
+  std::string bytes;
+  put_u32(bytes, static_cast<std::uint32_t>(head.size()));
+  bytes += head;
+  bytes += document_.bytes;
+  bytes += as_planes(frames_);
+  return gzip(bytes);
+}
+
+void HtmlRecording::finish() {
+  scene_.simulation().initialize();
+  if (times_.empty() || times_.back() < scene_.simulation().now()) take_frame();
+  std::string page = gunzip(compressed_page());
+  const std::size_t found = page.find(place);
+  if (found == std::string::npos) throw SetupError("the page of this program has no place for a recording");
+  page.replace(found, place.size(),
+               fmt::format(R"(<script id="recording" type="application/octet-stream">{}</script>)", base64(packed())));
+  files::write_file(options_.file, page);
+}
+
+}  // namespace murosimf::web

@@ -1,0 +1,56 @@
+/// html_recording.h - a run as one HTML file that plays by itself in any browser: page, looks and poses in it.
+///
+///     scene::Scene scene("three_on_three");
+///     web::HtmlRecording recording(scene, {.file = "game.html"});
+///     scene.simulation().run(60s);
+///     recording.finish();
+///
+/// Poses are rounded as in pose_message.h, and stored as docs/web.md says. Recording changes no result.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "murosimf/runtime/pose_frame.h"
+#include "murosimf/scene/scene.h"
+#include "murosimf/web/scene_document.h"
+
+namespace murosimf::web {
+
+struct HtmlOptions {
+  std::filesystem::path file;
+  double rate = 25;  ///< [Hz] of frames; the page shows what is between them
+};
+
+/// It must live as long as the run lasts, and the scene longer.
+class HtmlRecording {
+ public:
+  /// Before the first step. Throws SetupError: this program has no page, the file could not be written, an impossible rate.
+  HtmlRecording(scene::Scene& scene, HtmlOptions options);
+  HtmlRecording(const HtmlRecording&) = delete;  // the simulation calls back
+  HtmlRecording& operator=(const HtmlRecording&) = delete;
+
+  /// Writes the file, which is whole or not there at all. Throws SetupError.
+  void finish();
+
+ private:
+  void start();
+  void look();
+  void take_frame();
+  [[nodiscard]] std::string packed() const;
+
+  scene::Scene& scene_;
+  HtmlOptions options_;
+  SceneDocument document_;
+  Duration period_;
+  std::vector<Duration> times_;
+  std::vector<std::string> frames_;  // pose messages, all of the same size
+  PoseFrame poses_;
+};
+
+/// Frames of equal size as columns of differences, which compress well: word by word (16 bits) the differences from frame to frame, low
+/// bytes of all frames, then high bytes.
+[[nodiscard]] std::string as_planes(const std::vector<std::string>& frames);
+
+}  // namespace murosimf::web

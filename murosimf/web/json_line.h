@@ -1,0 +1,15 @@
+/// json_line.h - JSON for messages: in one line, and whatever texts have in them, valid.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace murosimf::web {
+
+/// What is no UTF-8 becomes U+FFFD; numbers that are not finite become null.
+[[nodiscard]] inline std::string json_line(const nlohmann::json& document) {
+  return document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace murosimf::web

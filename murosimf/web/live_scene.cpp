@@ -1,0 +1,170 @@
+#include "murosimf/web/live_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "murosimf/web/entity_states.h"
+#include "murosimf/web/json_line.h"
+#include "murosimf/web/picture_message.h"
+#include "murosimf/web/pose_message.h"
+#include "murosimf/web/watched_numbers.h"
+
+namespace murosimf::web {
+namespace {
+
+using nlohmann::json;
+using namespace std::chrono_literals;
+
+constexpr auto between_visits = 100ms;     // [wall]
+constexpr auto between_numbers = 40ms;     // while somebody plots or looks through a camera
+constexpr Duration frame_period = 16ms;    // [wall] of poses
+
+json state_of(const session::SessionStatus& status, const json& entities, const json& game) {
+  const Duration known = std::max(status.time, status.last);
+  const bool endless = status.end == Duration::max();
+  return {{"is", "state"},
+          {"state",
+           {{"time", seconds(status.time)},
+            {"begin", seconds(status.first)},
+            {"last", seconds(known)},
+            {"end", seconds(endless ? known : std::max(known, status.end))},
+            {"paused", status.paused},
+            {"speed", status.speed ? json(*status.speed) : json(nullptr)},
+            {"factor", status.factor},
+            {"branch", status.branch},
+            {"jumps", status.jumps},
+            {"entities", entities},
+            {"game", game}}}};
+}
+
+const sensors::CameraFrame* wanted_frame(scene::Scene& scene, const std::string& camera) {
+  const std::size_t dot = camera.find('.');
+  if (dot == std::string::npos) return nullptr;
+  try {
+    return &sensors::want_frames(scene.simulation().world().entity(camera.substr(0, dot)), camera.substr(dot + 1));
+  } catch (const SetupError&) {
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+/// What the simulation's thread fills in, once at a time.
+struct LiveScene::Visit {
+  // wanted
+  bool publish = false;  // poses, for a reader that has none yet
+  int known_changes = -1;
+  std::size_t known_entities = 0;
+  std::vector<std::string> paths, cameras;
+  std::map<std::string, std::uint64_t> known_pictures;  // numbers of frames
+
+  // found
+  std::shared_ptr<const SceneDocument> document;
+  int changes = -1;
+  double time = 0;  // [s]
+  json entities, game, lines;
+  std::vector<std::pair<std::string, std::optional<double>>> values;
+  std::map<std::string, std::string> pictures;
+
+  WatchedNumbers numbers;  // kept from visit to visit
+
+  void make(scene::Scene& scene) {
+    Simulation& simulation = scene.simulation();
+    changes = scene.parts().changes_to_see;
+    if (changes != known_changes || simulation.world().entities().size() != known_entities) {
+      document = std::make_shared<SceneDocument>(scene_document(scene));
+    }
+    time = seconds(simulation.now());
+    entities = entity_states(simulation.world());
+    game = game_of(simulation.world());
+    lines = lines_of(simulation);
+    values = numbers.read(simulation.world(), paths);
+    for (const std::string& camera : cameras) {
+      const sensors::CameraFrame* frame = wanted_frame(scene, camera);
+      if (!frame || frame->number == 0 || known_pictures[camera] == frame->number) continue;
+      known_pictures[camera] = frame->number;
+      pictures[camera] = picture_message(*frame);
+    }
+    if (publish) simulation.publish_poses();
+  }
+};
+
+/// While it runs at many times real time, frames for eyes are farther apart in simulated time.
+void LiveScene::subscribe(const Wishes& wishes) {
+  const double factor = std::max(1.0, session_.status().factor);
+  const auto period = std::chrono::duration_cast<Duration>(0.9 * factor * frame_period);
+  const bool fits = reader_ && period < 2 * request_.period && request_.period < 2 * period;
+  if (fits && request_.contacts == wishes.contacts) return;
+  request_ = {.period = period, .contacts = wishes.contacts};
+  reader_ = poses_.subscribe(request_);
+  is_new_reader_ = true;
+}
+
+void LiveScene::read_poses(const Wishes& wishes) {
+  if (!reader_ || !scene_) return;
+  const PoseFrame* frame = reader_->latest();
+  if (!frame || frame->first.size() <= scene_->entities) return;  // of other entities than the document
+  const std::uint64_t jumps = session_.status().jumps;
+  news_.poses = last_.poses = binary_message(pose_message(*scene_, *frame, jumps, false));
+  if (wishes.contacts) news_.poses_with_contacts = binary_message(pose_message(*scene_, *frame, jumps, true));
+}
+
+void LiveScene::take(const Visit& visit) {
+  if (visit.document) {
+    scene_ = visit.document;
+    changes_ = visit.changes;
+    document_message_ = binary_message(std::string{static_cast<char>(MessageKind::scene), 0, 0, 0} + scene_->bytes);
+    ++documents_;
+  }
+  const std::string state = json_line(state_of(session_.status(), visit.entities, visit.game));
+  if (std::exchange(state_, state) != state) news_.state = last_.state = text_message(state);
+  const std::string lines = json_line({{"is", "lines"}, {"lines", visit.lines}});
+  if (std::exchange(lines_, lines) != lines) news_.lines = last_.lines = text_message(lines);
+  if (!visit.values.empty()) {
+    json values = json::object();
+    for (const auto& [path, value] : visit.values) values[path] = value ? json(*value) : json(nullptr);
+    news_.values = text_message(json_line({{"is", "values"}, {"time", visit.time}, {"values", values}}));
+  }
+  for (const auto& [camera, bytes] : visit.pictures) {
+    if (!bytes.empty()) news_.pictures[camera] = last_.pictures[camera] = binary_message(bytes);
+  }
+}
+
+void LiveScene::ask(const Wishes& wishes) {
+  if (!visit_) visit_ = std::make_shared<Visit>();
+  Visit& visit = *visit_;
+  visit.publish = std::exchange(is_new_reader_, false);
+  visit.known_changes = changes_;
+  visit.known_entities = scene_ ? scene_->entities : 0;
+  visit.paths = wishes.numbers;
+  visit.cameras = wishes.cameras;
+  visit.document = nullptr;
+  visit.pictures.clear();
+  visited_ = session_.visit([visit = visit_](scene::Scene& scene) { visit->make(scene); });
+}
+
+void LiveScene::look() {
+  news_ = {};
+  Wishes wishes;
+  for (const Onlooker* onlooker : onlookers_) onlooker->add(wishes);
+  if (wishes.clients == 0) {
+    reader_ = nullptr;  // nothing is copied for nobody
+    return;
+  }
+  subscribe(wishes);
+  if (visited_.valid()) {
+    if (visited_.wait_for(0s) != std::future_status::ready) return read_poses(wishes);
+    try {
+      visited_.get();
+      take(*visit_);
+    } catch (const std::exception&) {  // the run has ended: what was there stays
+    }
+  }
+  read_poses(wishes);
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_visit_) return;
+  next_visit_ = now + (wishes.numbers.empty() && wishes.cameras.empty() ? between_visits : between_numbers);
+  ask(wishes);
+}
+
+}  // namespace murosimf::web

@@ -1,0 +1,92 @@
+/// live_scene.h - what all clients of a server share of a running scene: looks, poses, state, numbers, pictures.
+///
+/// One thread, the server's, asks for it and hands it on; the simulation's thread is visited about ten times per wall second, as long as
+/// there are clients, and copies poses.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/runtime/pose_feed.h"
+#include "murosimf/session/session.h"
+#include "murosimf/web/outbox.h"
+#include "murosimf/web/scene_document.h"
+
+namespace murosimf::web {
+
+/// What clients want besides poses and state. All of it is counted anew in every look.
+struct Wishes {
+  int clients = 0;
+  bool contacts = false;
+  std::vector<std::string> numbers;  ///< paths as of logs, each means one (watched_numbers.h)
+  std::vector<std::string> cameras;  ///< "blue1.camera"
+};
+
+/// Somebody who looks on.
+class Onlooker {
+ public:
+  virtual ~Onlooker() = default;
+  /// Adds what this one wants.
+  virtual void add(Wishes& wishes) const = 0;
+};
+
+/// Messages that were new in the last look. Null bytes: there was none.
+struct News {
+  Message poses, poses_with_contacts;
+  Message state, lines, values;
+  std::map<std::string, Message> pictures;  ///< by camera
+};
+
+class LiveScene {
+ public:
+  /// `poses`: of the scene's simulation. Both must outlive it.
+  LiveScene(session::Session& session, PoseFeed& poses) : session_(session), poses_(poses) {}
+
+  void join(const Onlooker& onlooker) { onlookers_.push_back(&onlooker); }
+  void leave(const Onlooker& onlooker) { std::erase(onlookers_, &onlooker); }
+
+  /// Asks for what they want, and takes what has come.
+  void look();
+
+  [[nodiscard]] const News& news() const { return news_; }
+  [[nodiscard]] session::Session& session() { return session_; }
+
+  /// The scene document as a message, and how often it has changed; 0: there is none yet.
+  [[nodiscard]] const Message& document() const { return document_message_; }
+  [[nodiscard]] std::uint64_t documents() const { return documents_; }
+  /// The last of each, for who comes now.
+  [[nodiscard]] const News& last() const { return last_; }
+
+ private:
+  struct Visit;
+  void read_poses(const Wishes& wishes);
+  void take(const Visit& visit);
+  void ask(const Wishes& wishes);
+  void subscribe(const Wishes& wishes);
+
+  session::Session& session_;
+  PoseFeed& poses_;
+  std::vector<const Onlooker*> onlookers_;
+  News news_, last_;
+  std::shared_ptr<const SceneDocument> scene_;
+  Message document_message_;
+  std::uint64_t documents_ = 0;
+  int changes_ = -1;  // that the document shows (SceneParts::changes_to_see)
+
+  std::shared_ptr<PoseReader> reader_;
+  PoseRequest request_;
+  bool is_new_reader_ = false;
+  std::shared_ptr<Visit> visit_;
+  std::future<void> visited_;
+  std::chrono::steady_clock::time_point next_visit_{};
+  std::string state_, lines_;  // that clients have
+};
+
+}  // namespace murosimf::web

@@ -1,0 +1,55 @@
+/// page_conversation.h - what the page and the server say to each other: subprotocol "murosimf.v1" (docs/web.md).
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <future>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "murosimf/web/live_scene.h"
+#include "murosimf/web/server.h"
+
+namespace murosimf::web {
+
+class PageConversation final : public Conversation, public Onlooker {
+ public:
+  explicit PageConversation(LiveScene& live) : live_(live) { live_.join(*this); }
+  ~PageConversation() override;
+
+  void receive(std::string_view message, bool binary) override;
+  void look() override;
+
+  void add(Wishes& wishes) const override;
+
+ private:
+  /// Something that the simulation's thread does for this client.
+  struct Job {
+    std::int64_t id = 0;
+    std::future<void> done;
+    std::shared_ptr<nlohmann::json> result;         ///< null: nothing but that it was done
+    std::function<void()> then = [] {};             ///< when it was
+  };
+  void carry_out(const std::string& what, const nlohmann::json& order, std::int64_t id);
+  void watch(const nlohmann::json& order, std::int64_t id);
+  void names(const nlohmann::json& order, std::int64_t id);
+  void wait_for(std::int64_t id, std::future<void> done);
+  void answer(std::int64_t id, const std::string& error);
+  void answer_jobs();
+  void show_poses();
+
+  LiveScene& live_;
+  std::deque<Job> jobs_;
+  std::uint64_t document_ = 0;  // that it has
+  bool contacts_ = false;
+  std::vector<std::string> paths_;
+  std::string camera_;
+  int unseen_ = 0;  // messages of poses that it has not said to have seen
+  Message missed_;  // poses that it could not take when they came
+};
+
+}  // namespace murosimf::web

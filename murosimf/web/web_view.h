@@ -1,0 +1,44 @@
+/// web_view.h - a running scene for browsers and other viewers: the page, its WebSocket, and Foxglove's.
+///
+///     session::Session session(scene, {.speed = 1.0});
+///     web::WebView view(scene, session, {.address = {"127.0.0.1", 8080}});
+///     say(view.addresses());
+///     session.run(60s);
+///
+/// The server runs in a thread of its own; it looks at the scene by copies of poses and visits of the session alone. Looking on changes no result.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "murosimf/session/session.h"
+#include "murosimf/wire/socket.h"
+
+namespace murosimf::web {
+
+struct WebOptions {
+  wire::Address address;
+};
+
+class WebView {
+ public:
+  /// Scene and session must outlive it. Throws SetupError: the port is in use, this build has no server.
+  WebView(scene::Scene& scene, session::Session& session, const WebOptions& options);
+  ~WebView();
+  WebView(const WebView&) = delete;
+  WebView& operator=(const WebView&) = delete;
+
+  /// Of the page: "http://127.0.0.1:8080/"; for who is on another computer, with the token.
+  [[nodiscard]] std::string page_address() const;
+  /// For viewers, with the token: "ws://127.0.0.1:8080/?token=..."
+  [[nodiscard]] std::string socket_address() const;
+  /// Why there is no page at that address, in one line; empty: there is one.
+  [[nodiscard]] static std::string no_page();
+  [[nodiscard]] int clients() const;
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace murosimf::web

@@ -1,0 +1,238 @@
+#!/usr/bin/env python3
+"""murosimf run --web from outside: HTTP, the page's WebSocket, who may enter, clients that are slow or talk nonsense.
+
+Usage: web_server.py <murosimf>
+"""
+import gzip
+import json
+import socket
+import subprocess
+import sys
+import time
+import unittest
+import urllib.error
+import urllib.request
+
+from client import Client, Refused, Run, time_of
+
+PROGRAM = sys.argv.pop(1)
+
+
+def get(port, path="/", **headers):
+    request = urllib.request.Request(f"http://127.0.0.1:{port}{path}", headers=headers)
+    with urllib.request.urlopen(request, timeout=20) as answer:
+        return answer.status, answer.headers, answer.read()
+
+
+class Page(unittest.TestCase):
+    def test_page_is_there_and_complete(self):
+        with Run(PROGRAM, "walk") as run:
+            status, headers, body = get(run.port)
+            self.assertEqual(status, 200)
+            page = gzip.decompress(body).decode() if headers["Content-Encoding"] == "gzip" else body.decode()
+            self.assertIn("<canvas", page)
+            self.assertNotRegex(page, r'(src|href)="https?:')
+
+    def test_other_paths_and_methods(self):
+        with Run(PROGRAM, "walk") as run:
+            for path in ("/nosuch", "/../etc/passwd", "/%2e%2e/etc/passwd"):
+                with self.assertRaises(urllib.error.HTTPError) as error:
+                    get(run.port, path)
+                self.assertIn(error.exception.code, (403, 404))
+                error.exception.close()
+            with self.assertRaises(urllib.error.HTTPError) as error:
+                urllib.request.urlopen(f"http://127.0.0.1:{run.port}/", data=b"x", timeout=20)
+            error.exception.close()
+
+
+class Entry(unittest.TestCase):
+    def test_pages_from_elsewhere_need_the_token(self):
+        with Run(PROGRAM, "walk") as run:
+            with self.assertRaises(Refused) as refusal:
+                Client(run.port, headers=["Origin: https://evil.example"])
+            self.assertIn("403", str(refusal.exception))
+            with self.assertRaises(Refused):
+                Client(run.port, path="/?token=wrong", headers=["Origin: https://evil.example"])
+            Client(run.port, path=f"/?token={run.token}", headers=["Origin: https://app.foxglove.dev"]).close()
+            Client(run.port, headers=[f"Origin: http://127.0.0.1:{run.port}"]).close()
+
+    def test_other_computers_need_the_token(self):
+        with Run(PROGRAM, "walk", web="0.0.0.0:0") as run:
+            with self.assertRaises(urllib.error.HTTPError) as error:
+                get(run.port)
+            self.assertEqual(error.exception.code, 403)
+            error.exception.close()
+            self.assertEqual(get(run.port, f"/?token={run.token}")[0], 200)
+            with self.assertRaises(Refused):
+                Client(run.port)
+            Client(run.port, path=f"/?token={run.token}").close()
+
+    def test_port_in_use(self):
+        with socket.socket() as taken:
+            taken.bind(("127.0.0.1", 0))
+            taken.listen()
+            port = taken.getsockname()[1]
+            done = subprocess.run([PROGRAM, "run", "walk", "--web", str(port)], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr, f"murosimf: --web: 127.0.0.1:{port}: the port is in use\n")
+
+    def test_what_is_no_address(self):
+        for where in ("walk", "99999", "nosuch.invalid:80"):
+            done = subprocess.run([PROGRAM, "run", "walk", "--web", where], capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 2, where)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            self.assertIn("--web", done.stderr)
+
+
+class Steering(unittest.TestCase):
+    def test_a_session(self):
+        with Run(PROGRAM, "walk", "--set", "walker.level=simplified_dynamics", "--duration", "60") as run:
+            client = Client(run.port)
+            scene = client.wait_for(lambda m: isinstance(m, bytes) and m[0] == 3)
+            text = json.loads(scene[8:8 + int.from_bytes(scene[4:8], "little")])
+            self.assertEqual(text["name"], "walk")
+            first = time_of(client.poses())
+            self.assertGreater(time_of(client.poses()), first)
+
+            client.order(do="pause", id=1)
+            self.assertNotIn("error", client.answer(1))
+            stands = client.state(lambda state: state["paused"])["time"]
+            client.order(do="step", steps=10, id=2)
+            self.assertNotIn("error", client.answer(2))
+            after = client.state(lambda state: state["time"] > stands)
+            self.assertAlmostEqual(after["time"], stands + 0.01, places=6)
+
+            client.order(do="change", text="walker.level = full_dynamics", id=3)
+            self.assertNotIn("error", client.answer(3))
+            walker = next(i for i, one in enumerate(text["entities"]) if one["name"] == "walker")
+            client.state(lambda state: state["entities"][walker]["level"] == "full_dynamics")
+            client.order(do="change", text="walker.level = nonsense", id=4)
+            self.assertIn("nonsense", client.answer(4)["error"])
+
+            client.order(do="speed", speed=None, id=5)
+            client.answer(5)
+            client.order(do="go_on", id=6)
+            client.answer(6)
+            client.state(lambda state: state["time"] > stands + 2)
+            client.order(do="pause", id=7)
+            client.answer(7)
+            client.order(do="seek", time=1.5, id=8)
+            self.assertNotIn("error", client.answer(8))
+            back = client.state(lambda state: state["time"] < stands + 2)
+            self.assertTrue(back["paused"])
+            self.assertAlmostEqual(back["time"], 1.5, places=6)
+            client.order(do="seek", time=500, id=9)
+            self.assertIn("error", client.answer(9))
+            client.order(do="reset", id=10)
+            self.assertNotIn("error", client.answer(10))
+            client.state(lambda state: state["time"] == 0)
+            client.order(do="speed", speed=-1, id=11)
+            self.assertIn("error", client.answer(11))
+
+    def test_pushes(self):
+        with Run(PROGRAM, "walk", "--set", "walker.level=simplified_dynamics") as run:
+            client = Client(run.port)
+            client.poses()
+            client.order(do="change", text="walker.torso.push = [20, 0, 0, 0.1]", id=1)
+            answer = client.answer(1)
+            self.assertNotIn("error", answer)
+            client.wait_for(lambda m: isinstance(m, dict) and m["is"] == "lines" and m["lines"])
+
+    def test_numbers(self):
+        with Run(PROGRAM, "nudge", "--duration", "60") as run:
+            client = Client(run.port)
+            client.poses()
+            client.order(do="names", entity="robot", id=1)
+            names = client.answer(1)["result"]
+            self.assertIn("robot.imu.gyroscope.x", names)
+            client.order(do="watch", paths=["robot.imu.gyroscope.x", "robot.torso.position.z"], id=2)
+            self.assertNotIn("error", client.answer(2))
+            values = client.wait_for(lambda m: isinstance(m, dict) and m["is"] == "values")["values"]
+            self.assertGreater(values["robot.torso.position.z"], 0.1)
+            self.assertIsInstance(values["robot.imu.gyroscope.x"], float)
+            client.order(do="watch", paths=["robot.nosuch"], id=3)
+            self.assertIn("nosuch", client.answer(3)["error"])
+
+    def test_end(self):
+        with Run(PROGRAM, "walk", "--duration", "0.5", "--json", "-") as run:
+            client = Client(run.port)
+            end = client.state(lambda state: state["paused"])
+            self.assertAlmostEqual(end["time"], 0.5, places=6)
+            self.assertIsNone(run.process.poll(), "it stays until Ctrl-C")
+            code, output = run.stop()
+            self.assertEqual(code, 0)
+            report = json.loads(output)
+            self.assertIsNone(report["stopped"])
+        alone = subprocess.run([PROGRAM, "run", "walk", "--duration", "0.5", "--json", "-"], capture_output=True,
+                               check=True, text=True)
+        self.assertEqual(json.loads(alone.stdout)["state_hash"], report["state_hash"])
+
+
+class Clients(unittest.TestCase):
+    def test_nonsense_ends_only_who_says_it(self):
+        with Run(PROGRAM, "walk", "--duration", "600") as run:
+            good = Client(run.port)
+            good.poses()
+            nonsense = ["no json", "[1,2]", '{"do":7}', '{"do":"fly"}', '{"do":"seek","time":"x"}', '{"do":"seek","time":1e300}',
+                        '{"do":"step"}', b"\x00\x01\x02", "x" * (2 << 20), '{"do":"speed"}', "\ud83d".encode("utf-8", "surrogatepass")]
+            for what in nonsense:
+                bad = Client(run.port)
+                bad.send(what)
+                with self.assertRaises((ConnectionError, OSError)):
+                    for _ in range(2000):
+                        bad.receive()
+                bad.close()
+            for raw in (b"\x00" * 1000, b"GET\r\n\r\n", b"GET / HTTP/9.9\r\nHost\r\n\r\n", b"A" * 100_000):
+                with socket.create_connection(("127.0.0.1", run.port), timeout=20) as wire:
+                    try:
+                        wire.sendall(raw)
+                        wire.shutdown(socket.SHUT_WR)
+                        while wire.recv(65536):
+                            pass
+                    except OSError:
+                        pass
+            frame = Client(run.port)
+            frame.socket.sendall(b"\xff\xff" + b"\x00" * 64)  # reserved bits, an opcode that is none
+            with self.assertRaises((ConnectionError, OSError)):
+                for _ in range(2000):
+                    frame.receive()
+            before = time_of(good.poses())
+            good.wait_for(lambda m: isinstance(m, bytes) and m[0] == 1 and time_of(m) > before + 0.05)
+            self.assertIsNone(run.process.poll())
+
+    def test_unknown_protocols_are_refused(self):
+        with Run(PROGRAM, "walk") as run:
+            for protocol in ("", "nosuch.v1"):
+                with self.assertRaises((Refused, ConnectionError, OSError)):
+                    Client(run.port, protocol=protocol).receive()
+
+    def test_two_clients_see_the_same_and_one_may_come_again(self):
+        with Run(PROGRAM, "three_on_three", "--duration", "600") as run:
+            one, two = Client(run.port), Client(run.port)
+            one.poses()
+            two.poses()
+            one.order(do="pause", id=1)
+            one.answer(1)
+            stands = two.state(lambda state: state["paused"])["time"]
+            one.close()
+            again = Client(run.port)
+            self.assertEqual(time_of(again.poses()), stands, "who comes while it stands still sees it, too")
+            two.order(do="go_on", id=1)
+            again.state(lambda state: not state["paused"] and state["time"] > stands)
+
+    def test_a_slow_client_gets_new_poses_and_stops_nobody(self):
+        with Run(PROGRAM, "three_on_three", "--duration", "600") as run:
+            slow, fast = Client(run.port, slow=True), Client(run.port)
+            fast.poses()
+            for _ in range(120):
+                latest = time_of(fast.poses())
+            seen = [m for m in (slow.receive() for _ in range(12)) if isinstance(m, bytes) and m[0] == 1]
+            self.assertLessEqual(len(seen), 4, "it has not said that it has seen any")
+            for _ in seen:
+                slow.order(do="seen")
+            self.assertGreaterEqual(time_of(slow.poses()), latest - 0.1, "the newest, not those that it has missed")
+
+
+if __name__ == "__main__":
+    start = time.monotonic()
+    unittest.main(verbosity=2)

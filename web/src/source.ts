@@ -1,0 +1,68 @@
+// Where the page gets what it shows, and whom it tells what to do: a running simulation (link.ts) or a recording in the page (player.ts).
+import type { Poses } from "./poses";
+import type { SceneDocument } from "./scene";
+
+export interface EntityState {
+  level: string;
+  contact: string;
+  controller: string;
+  present: boolean;
+  frozen: boolean;
+}
+
+export interface Game {
+  state: string;
+  half: number;
+  remaining: number; // [s]
+  teams: { name: string; score: number }[];
+}
+
+export interface State {
+  time: number; // [s] simulated
+  begin: number; // [s] from where on one can go back
+  end: number; // [s] of the run
+  paused: boolean;
+  speed: number | null; // simulated seconds per second; null: as fast as possible
+  factor: number; // the same, measured
+  branch: number;
+  entities: EntityState[]; // as those of the scene document
+  game: Game | null;
+}
+
+export interface Line {
+  time: number; // [s]
+  text: string;
+  warning: boolean;
+}
+
+export interface Picture {
+  width: number;
+  height: number;
+  pixels: Uint8Array; // red, green, blue
+}
+
+export interface Listener {
+  scene(scene: SceneDocument): void;
+  poses(poses: Poses): void;
+  state(state: State): void;
+  lines(lines: Line[]): void;
+  values(time: number, values: Record<string, number | null>): void;
+  picture(picture: Picture): void;
+  connected(yes: boolean, why: string): void;
+}
+
+export interface Source {
+  readonly live: boolean;
+  play(): void;
+  pause(): void;
+  step(steps: number): void;
+  setSpeed(speed: number | null): void;
+  seek(time: number): void;
+  reset(): void;
+  setContacts(on: boolean): void;
+  watch(paths: string[]): void;
+  look(camera: string | null): void;
+  // Resolve with what the simulation answers; reject with the line that says what is wrong.
+  change(text: string): Promise<unknown>;
+  namesOf(entity: string): Promise<string[]>;
+}
