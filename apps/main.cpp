@@ -12,6 +12,7 @@
 // All commands, in the order of --help: apps/NAME.cpp defines add_NAME.
 #define MUROSIMF_COMMANDS(COMMAND) \
   COMMAND(run)                     \
+  COMMAND(view)                    \
   COMMAND(render)                  \
   COMMAND(plot)                    \
   COMMAND(replay)                  \

@@ -1,11 +1,11 @@
 #include "apps/picture_source.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include <fmt/format.h>
 
 #include "apps/interruption.h"
+#include "apps/option_values.h"
 #include "murosimf/render/image_png.h"
 #include "murosimf/render/renderer.h"
 #include "murosimf/scene/scene_pictures.h"
@@ -13,28 +13,6 @@
 
 namespace murosimf::app {
 namespace {
-
-constexpr int largest_side = 8192;  // [px]
-
-struct Size {
-  int width = 0, height = 0;
-};
-
-Size size_of(const std::string& text) {
-  Size size;
-  const char* end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, size.width);
-  bool good = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
-  if (good) {
-    const auto height = std::from_chars(width.ptr + 1, end, size.height);
-    good = height.ec == std::errc{} && height.ptr == end;
-  }
-  if (!good || std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > largest_side) {
-    throw SetupError(
-        fmt::format("--size '{}': write WIDTHxHEIGHT in pixels, each from 1 to {}, like 1280x720", text, largest_side));
-  }
-  return size;
-}
 
 enum class Layer { color, depth, labels };
 
@@ -51,7 +29,7 @@ class Eye final : public PictureSource {
   Eye(scene::Scene& scene, const RenderOptions& options)
       : scene_(scene),
         view_(options.view),
-        size_(size_of(options.size)),
+        size_(read_size(options.size)),
         layer_(layer_of(options.layer)),
         fps_(options.fps),
         slow_(options.slow) {
@@ -80,7 +58,7 @@ class Eye final : public PictureSource {
  private:
   scene::Scene& scene_;
   std::string view_;
-  Size size_;
+  PictureSize size_;
   Layer layer_;
   double fps_, slow_;
   std::unique_ptr<scene::ScenePainter> painter_;

@@ -1,6 +1,5 @@
 // `murosimf run`: builds a scene, runs it, reports.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "apps/game_arguments.h"
 #include "apps/interruption.h"
 #include "apps/last_words.h"
+#include "apps/option_values.h"
 #include "apps/picture_sequence.h"
 #include "apps/progress.h"
 #include "apps/record_options.h"
@@ -99,22 +99,8 @@ std::shared_ptr<connect::TcpServer> server_at(const std::string& where) {
 }
 
 std::optional<double> speed_of(const RunOptions& options) {
-  const std::string& text = options.speed;
-  if (text.empty() && !options.web.web.empty()) return 1.0;
-  if (text.empty() || text == "max") return std::nullopt;
-  double speed = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), speed);
-  if (error != std::errc{} || end != text.data() + text.size()) {
-    throw SetupError(fmt::format("--speed '{}': write 'max' or a number (1 is real time)", text));
-  }
-  return speed;
-}
-
-Duration duration_of(double s) {
-  if (!(s >= 0) || !std::isfinite(s)) throw SetupError(fmt::format("--duration {}: must be a number from 0", s));
-  if (s > scene_file::longest_duration)
-    throw SetupError(fmt::format("--duration {}: longer than simulated time can count", s));
-  return from_seconds(s);
+  if (options.speed.empty()) return options.web.web.empty() ? std::nullopt : std::optional(1.0);
+  return read_speed(options.speed);
 }
 
 /// How far a run has come.
@@ -181,7 +167,7 @@ std::string bound_by(const RunOptions& options) {
 int run(const RunOptions& options) {
   end_gently();
   Clock clock(speed_of(options));
-  if (options.duration) duration_of(*options.duration);
+  if (options.duration) (void)read_duration(*options.duration);
   // where results go is checked before anything is computed, so that no result is lost
   check_json_file(options.json);
   if (!options.picture.empty()) files::check_writable(options.picture);
@@ -205,7 +191,7 @@ int run(const RunOptions& options) {
   scene_options.software = server_at(options.listen);
   scene::Scene scene(options.scene.file, scene_options);
   check_serial(scene.spec(), options.serial);
-  const Duration duration = duration_of(options.duration.value_or(scene.spec().duration));
+  const Duration duration = read_duration(options.duration.value_or(scene.spec().duration));
   Simulation& simulation = scene.simulation();
   const std::unique_ptr<league::League> game = game_of(scene, options.game);
   std::optional<logging::RunLog> log;

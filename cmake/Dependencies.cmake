@@ -73,3 +73,26 @@ if(MUROSIMF_WEB)
     message(STATUS "runs as HTML files are off: zlib was not found (Debian and Ubuntu: zlib1g-dev)")
   endif()
 endif()
+if(MUROSIMF_VIEWER)
+  find_package(glfw3 QUIET)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(imgui QUIET IMPORTED_TARGET GLOBAL imgui)
+  endif()
+  if(TARGET glfw AND TARGET PkgConfig::imgui AND TARGET PkgConfig::opengl)
+    # distributions put the parts that draw with OpenGL into the library, under a folder of their own
+    include(CheckCXXSourceCompiles)
+    set(CMAKE_REQUIRED_LIBRARIES PkgConfig::imgui ${CMAKE_DL_LIBS})
+    check_cxx_source_compiles([[
+      #include <imgui.h>
+      #include <backends/imgui_impl_opengl3.h>
+      int main() { return ImGui_ImplOpenGL3_Init("#version 330 core") ? 0 : 1; }
+      ]] MUROSIMF_IMGUI_DRAWS)
+    unset(CMAKE_REQUIRED_LIBRARIES)
+  endif()
+  if(MUROSIMF_IMGUI_DRAWS)
+    set(murosimf_can_view TRUE)
+  else()
+    message(STATUS "the viewer is off: GLFW, Dear ImGui or what cameras need was not found "
+      "(Debian and Ubuntu: libglfw3-dev, libimgui-dev, libepoxy-dev, libegl-dev)")
+  endif()
+endif()

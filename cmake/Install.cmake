@@ -42,6 +42,11 @@ foreach(part cairo=PkgConfig::cairo opengl=PkgConfig::opengl zstd=PkgConfig::zst
   endif()
 endforeach()
 
+set(murosimf_uses_window OFF)
+if(murosimf_can_view)
+  set(murosimf_uses_window ON)
+endif()
+
 set(murosimf_data_dir ${CMAKE_INSTALL_DATADIR}/murosimf)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/murosimfConfig.cmake.in
   ${CMAKE_CURRENT_BINARY_DIR}/murosimfConfig.cmake

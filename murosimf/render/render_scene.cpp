@@ -155,9 +155,30 @@ void RenderScene::add_round(Drawable drawable, const Capsule& capsule) {
   }
 }
 
-Transformd RenderScene::pose_of(const Owner& owner, int object, double ahead) const {
+void RenderScene::label_pieces() {
+  for (std::size_t i = 0; i < drawables_.size(); ++i) drawables_[i].label = static_cast<std::uint16_t>(first_piece_label + i);
+}
+
+bool RenderScene::is_present(int owner) const {
+  const auto i = static_cast<std::size_t>(owner);
+  if (!moment_) return owners_[i].entity->present();
+  return i < moment_->frame->present.size() && moment_->frame->present[i];
+}
+
+int RenderScene::standing_foot(int owner) const {
+  const auto i = static_cast<std::size_t>(owner);
+  if (!moment_) return owners_[i].standing_foot();
+  return i < moment_->standing_feet.size() ? moment_->standing_feet[i] : -2;
+}
+
+Transformd RenderScene::pose_of(int number, int object, double ahead) const {
   const auto i = static_cast<std::size_t>(object);
+  const Owner& owner = owners_[static_cast<std::size_t>(number)];
   if (owner.r.empty() || owner.R.empty()) return owner.rest[i];
+  if (moment_) {
+    const std::size_t row = moment_->frame->first[static_cast<std::size_t>(number)] + i;
+    return {moment_->frame->position[row], moment_->frame->orientation[row]};
+  }
   Transformd pose{owner.r[i], owner.R[i]};
   if (ahead == 0) return pose;
   if (!owner.v.empty()) pose.position += ahead * owner.v[i];

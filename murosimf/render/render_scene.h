@@ -9,6 +9,7 @@
 #include "murosimf/geometry/manifold.h"
 #include "murosimf/model/world.h"
 #include "murosimf/render/render_mesh.h"
+#include "murosimf/runtime/pose_frame.h"
 
 namespace murosimf::render {
 
@@ -53,6 +54,12 @@ struct Drawable {
   int foot = -1;      ///< 0 or 1: of the model's first or second foot, where standing feet are marked
 };
 
+/// Where things are at one moment, for who draws beside a running simulation: it must stay as it is while that is shown.
+struct ShownMoment {
+  const PoseFrame* frame = nullptr;
+  std::vector<int> standing_feet;  ///< by entity: 0 or 1, another number if none is to be marked; may be empty
+};
+
 /// The things of a world that have shapes, all but the ground.
 class RenderScene {
  public:
@@ -65,6 +72,13 @@ class RenderScene {
 
   /// From now on the foot on which a kinematic walker stands has this color (paper, Fig. 4).
   void mark_standing_feet(const Color& color);
+
+  /// From now on things are where that moment has them, and no column is read; null: where the columns have them.
+  void show(const ShownMoment* moment) { moment_ = moment; }
+
+  /// From now on the label of each piece is `first_piece_label` and its number (drawables()): for who asks what a pixel shows.
+  static constexpr std::uint16_t first_piece_label = 16;
+  void label_pieces();
 
   [[nodiscard]] const std::vector<Drawable>& drawables() const { return drawables_; }
   [[nodiscard]] const std::vector<RenderMesh>& meshes() const { return meshes_; }
@@ -93,14 +107,17 @@ class RenderScene {
   void add_shape(Drawable drawable, const PlacedShape& shape);
   void add_round(Drawable drawable, const Capsule& capsule);
   int add_mesh(const RenderMesh& solid, const void* identity = nullptr);
-  [[nodiscard]] Transformd pose_of(const Owner& owner, int object, double ahead) const;
+  [[nodiscard]] Transformd pose_of(int owner, int object, double ahead) const;
+  [[nodiscard]] bool is_present(int owner) const;
+  [[nodiscard]] int standing_foot(int owner) const;
 
-  std::vector<Owner> owners_;
+  std::vector<Owner> owners_;            // by entity of the world
   std::vector<Drawable> drawables_;  // by owner and object
   std::vector<RenderMesh> meshes_;
   std::vector<const void*> identities_;  // of meshes that several robots share
   const Markings* markings_ = nullptr;
   Color standing_{};  // of feet that are marked
+  const ShownMoment* moment_ = nullptr;
 };
 
 // ---- definitions ----
@@ -110,14 +127,13 @@ void RenderScene::for_drawables(double ahead, const Visit& visit) const {
   int owner = -1, object = -1;
   Transformd at;
   for (const Drawable& drawable : drawables_) {
-    if (!owners_[drawable.owner].entity->present()) continue;
-    if (drawable.owner != owner || drawable.object != object)
-      at = pose_of(owners_[drawable.owner], drawable.object, ahead);
+    if (!is_present(drawable.owner)) continue;
+    if (drawable.owner != owner || drawable.object != object) at = pose_of(drawable.owner, drawable.object, ahead);
     owner = drawable.owner;
     object = drawable.object;
     const Transformd place{at.position + at.orientation * drawable.place.position,
                            at.orientation * drawable.place.orientation};
-    if (drawable.foot < 0 || drawable.foot != owners_[drawable.owner].standing_foot()) {
+    if (drawable.foot < 0 || drawable.foot != standing_foot(drawable.owner)) {
       visit(drawable, place);
       continue;
     }

@@ -45,6 +45,12 @@ class Renderer final : public sensors::ViewSource {
   /// RenderScene::mark_standing_feet; before it draws.
   void mark_standing_feet(const Color& color) { render_scene_.mark_standing_feet(color); }
 
+  /// RenderScene::show: pictures are of that moment from now on, and nothing of the world changes them.
+  void show(const ShownMoment* moment) { render_scene_.show(moment); }
+  /// RenderScene::label_pieces; before it draws.
+  void label_pieces() { render_scene_.label_pieces(); }
+  [[nodiscard]] const RenderScene& scene() const { return render_scene_; }
+
   /// To be called once when all algorithms are attached: from then on things are seen where they are.
   void locate();
 

@@ -7,14 +7,16 @@
 namespace murosimf::scene {
 
 void add_contact_marks(const World& world, std::vector<ContactMark>& marks) {
-  const auto add = [&](const auto& points) {
-    for (const collision::ContactPoint& point : points) marks.push_back({point.point, point.force});
+  const auto add = [&](const auto& points, int entity) {
+    for (const collision::ContactPoint& point : points) marks.push_back({point.point, point.force, entity});
   };
+  int number = 0;
   for (const auto& entity : world.entities()) {
-    if (!entity->present()) continue;
-    if (const auto* ground = entity->find(collision::contacts)) add(ground->values[0].points);
+    const auto* ground = entity->present() ? entity->find(collision::contacts) : nullptr;
+    if (ground) add(ground->values[0].points, number);
+    ++number;
   }
-  if (const auto* pairs = world.common().find(collision::pair_contacts)) add(pairs->values[0].points);
+  if (const auto* pairs = world.common().find(collision::pair_contacts)) add(pairs->values[0].points, -1);
 }
 
 }  // namespace murosimf::scene

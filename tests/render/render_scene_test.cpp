@@ -55,5 +55,44 @@ TEST(RenderScene, MarksTheStandingFoot) {
   EXPECT_EQ(yellow(render_scene), "") << "forces move it now";
 }
 
+// A moment that is shown hides what the columns have: nothing of the running world is looked at.
+TEST(RenderScene, ShowsAMomentInsteadOfColumns) {
+  DrawnWorld world;
+  Entity& robot = world.add("robot", two_feet(), {0, 0, 0.3});
+  robot.column(properties::stance_foot).values.assign(1, 0);
+  robot.column(properties::dynamic).values.assign(1, 1);
+  render::RenderScene render_scene(world.world, world.moving_entities);
+  render_scene.locate();
+  render_scene.mark_standing_feet({1, 0.85, 0});
+  PoseFrame frame;
+  take_poses(world.world, frame);
+  const render::ShownMoment moment{&frame, {1}};
+  render_scene.show(&moment);
+  robot.column(properties::position).values.assign(robot.model().size(), Vec3d{9, 9, 9});
+  robot.set_present(false);
+  int seen = 0;
+  render_scene.for_drawables(0, [&](const render::Drawable&, const Transformd& pose) {
+    ++seen;
+    EXPECT_LT(norm(pose.position), 2);
+  });
+  EXPECT_EQ(seen, 3);
+  EXPECT_EQ(yellow(render_scene), "right ");
+  frame.present[0] = false;
+  EXPECT_EQ(yellow(render_scene), "");
+  render_scene.show(nullptr);
+  robot.set_present(true);
+  render_scene.for_drawables(0, [&](const render::Drawable&, const Transformd& pose) { EXPECT_GT(pose.position.x, 8); });
+}
+
+TEST(RenderScene, LabelsTellPiecesApart) {
+  DrawnWorld world;
+  world.add("robot", two_feet(), {0, 0, 0.3});
+  render::RenderScene render_scene(world.world, world.moving_entities);
+  render_scene.label_pieces();
+  for (std::size_t i = 0; i < render_scene.drawables().size(); ++i) {
+    EXPECT_EQ(render_scene.drawables()[i].label, render::RenderScene::first_piece_label + i);
+  }
+}
+
 }  // namespace
 }  // namespace murosimf::test

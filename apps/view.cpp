@@ -1,0 +1,80 @@
+// `murosimf view`: a scene in a window, to be watched, touched and understood.
+#include "apps/command_line.h"
+#include "apps/interruption.h"
+#include "apps/last_words.h"
+#include "apps/option_values.h"
+#include "apps/scene_arguments.h"
+#include "apps/standard_output.h"
+#include "murosimf/files/output_file.h"
+#include "murosimf/model/error.h"
+#include "murosimf/viewer/view_report.h"
+#include "murosimf/viewer/window.h"
+
+namespace murosimf::app {
+namespace {
+
+struct ViewOptions {
+  SceneArguments scene;
+  std::string speed = "1", size = "1280x720", keys, script, screenshot, json;
+  std::optional<double> after, duration;
+  bool paused = false, no_shadows = false, rough = false;
+};
+
+void define(const Command& command, ViewOptions& options) {
+  add_scene(command, options.scene);
+  command.add("--speed", options.speed, "Simulated seconds per second, or 'max'").shows_default();
+  command.add("--paused", options.paused, "Begin paused");
+  command.add("--duration", options.duration, "Simulated seconds after which it pauses; without end if not given");
+  command.add("--size", options.size, "WIDTHxHEIGHT of the window in pixels").shows_default();
+  command.add("--keys", options.keys, "Which key does what (TOML; docs/viewer.md)");
+  command.add("--no-shadows", options.no_shadows, "Draw no shadows");
+  command.add("--rough", options.rough, "Draw one sample to a pixel: faster, with rough edges");
+  const Option script = command.add("--script", options.script, "Do what this file says, then end (docs/viewer.md)");
+  const Option after =
+      command.add("--after", options.after, "End after so many seconds").within(0.0, 1e6).excludes(script);
+  command.add("--screenshot", options.screenshot, "PNG file of the window, at the end").needs(after);
+  add_json(command, options.json);
+}
+
+viewer::WindowOptions window_options(const ViewOptions& options) {
+  viewer::WindowOptions window{.title = "MuRoSimF: " + options.scene.file, .stop = interrupted};
+  const PictureSize size = read_size(options.size);
+  window.width = size.width;
+  window.height = size.height;
+  if (!options.keys.empty()) window.keys = viewer::KeyMap(options.keys);
+  if (!options.script.empty()) window.script = viewer::read_script(options.script);
+  window.screenshot = options.screenshot;
+  window.after = options.after;
+  window.samples = options.rough ? 1 : 4;
+  window.shadows = !options.no_shadows;
+  return window;
+}
+
+int view(const ViewOptions& options) {
+  end_gently();
+  if (const std::string reason = viewer::no_window_because(); !reason.empty()) throw SetupError(reason);
+  check_json_file(options.json);
+  if (!options.screenshot.empty()) files::check_writable(options.screenshot);
+  const viewer::WindowOptions window = window_options(options);
+  viewer::ViewerOptions viewer_options;
+  scene::SceneOptions scene_options = options_of(options.scene);
+  scene_options.pushable = true;
+  viewer_options.make_scene = [&options, scene_options] { return std::make_unique<scene::Scene>(options.scene.file, scene_options); };
+  viewer_options.session.speed = read_speed(options.speed);
+  viewer_options.session.paused = options.paused;
+  if (options.duration) viewer_options.end = read_duration(*options.duration);
+  viewer::Viewer viewer(viewer_options);
+  const viewer::WindowReport shown = show(viewer, window);
+  viewer.settle();
+  viewer.running().finish();
+  write_result(options.json, to_text(viewer, shown), options.json.empty() ? "" : to_json(viewer, shown));
+  return exit_code();
+}
+
+}  // namespace
+
+void add_view(CommandLine& line) {
+  line.add<ViewOptions>("view", "Show a scene in a window, where it can be touched", define, view);
+}
+
+}  // namespace murosimf::app

@@ -1,0 +1,52 @@
+/// camera_rig.h - from where the viewer looks: led by the mouse, after what is selected, through a robot's camera, or as on television.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "murosimf/runtime/pose_frame.h"
+#include "murosimf/sensors/camera_frame.h"
+#include "murosimf/viewer/orbit_camera.h"
+
+namespace murosimf::viewer {
+
+/// Of the moment that is shown.
+struct RigView {
+  const PoseFrame* frame = nullptr;
+  int selected = -1, ball = -1;                  ///< entities; -1: none
+  const sensors::CameraInfo* camera = nullptr;   ///< of what is selected; null: it has none
+  const Entity* carrier = nullptr;               ///< the robot with that camera: it does not see itself
+  double half_length = 3, half_width = 2;        ///< [m] of the field
+};
+
+class CameraRig {
+ public:
+  enum class Mode { free, robot, tv };
+
+  OrbitCamera orbit;
+  bool follows = false;  ///< the free view goes along with what is selected
+
+  [[nodiscard]] Mode mode() const { return mode_; }
+  void set_mode(Mode mode) { mode_ = mode; }
+
+  /// Goes on by `wall` [s]; moves follow what is shown then.
+  void advance(const RigView& scene, double wall);
+  [[nodiscard]] sensors::Perspective view(const RigView& scene, int width, int height) const;
+
+ private:
+  [[nodiscard]] sensors::Perspective through_camera(const RigView& scene, int width, int height) const;
+
+  Mode mode_ = Mode::free;
+  int followed_ = -1;
+  Vec3d last_;                     // [m] place of who is followed
+  std::optional<Vec3d> attention_; // [m] where television looks
+};
+
+/// Straight pictures look at most so far to the side [rad]; real lenses may see more.
+inline constexpr double widest_half_view = 1.05;
+
+/// The picture of a camera on `link` as a pinhole takes it: without distortion, blur and noise.
+[[nodiscard]] sensors::Perspective pinhole_view(const sensors::CameraInfo& camera, const Vec3d& r, const Mat3d& R, int width,
+                                                int height);
+
+}  // namespace murosimf::viewer

@@ -1,0 +1,108 @@
+#include "murosimf/viewer/inspection.h"
+
+#include <algorithm>
+
+#include "murosimf/collision/contact_properties.h"
+#include "murosimf/model/error.h"
+#include "murosimf/motion/motion_properties.h"
+
+namespace murosimf::viewer {
+namespace {
+
+template <class T>
+std::optional<T> base_value(const Entity& entity, const Property<T>& property) {
+  const Column<T>* column = entity.find(property);
+  return column && !column->values.empty() ? std::optional<T>(column->values[0]) : std::nullopt;
+}
+
+EntityState state_of(const scene::SceneParts& parts, const Entity& entity) {
+  EntityState state{.name = entity.name(), .level = entity.level, .contact = entity.contact, .controller = entity.controller};
+  state.is_robot = std::ranges::find(parts.robots, &entity) != parts.robots.end();
+  state.moves = std::ranges::find(parts.moving_entities, &entity) != parts.moving_entities.end();
+  state.present = entity.present();
+  state.frozen = entity.frozen();
+  if (base_value(entity, properties::dynamic) == 0.0) {
+    if (const auto foot = base_value(entity, properties::stance_foot)) state.standing_foot = *foot != 0 ? 1 : 0;
+  }
+  state.falls = static_cast<int>(base_value(entity, properties::falls).value_or(0));
+  return state;
+}
+
+ObjectValues values_of(const World& world, const ObjectPath& path) {
+  ObjectValues values{path, {}};
+  if (path.entity < 0 || path.entity >= static_cast<int>(world.entities().size())) return values;
+  Entity& entity = *world.entities()[static_cast<std::size_t>(path.entity)];
+  if (path.object < 0 || path.object >= entity.model().size()) return values;
+  const ObjectAccess object(entity, path.object);
+  for (const std::string_view name : object.properties()) {
+    try {
+      const Quantity quantity = object.get(name);
+      values.properties.push_back(
+          {std::string(name), std::string(quantity.unit), quantity.numbers, entity.find(name) == nullptr});
+    } catch (const SetupError&) {  // what is no row of numbers
+    }
+  }
+  return values;
+}
+
+SensorState state_of(const sensors::Reading& reading) {
+  return {reading.info, seconds(reading.time), reading.samples, reading.values};
+}
+
+CameraState state_of(const sensors::CameraFrame& frame, bool with_picture) {
+  CameraState state{frame.info, frame.wanted, seconds(frame.time), {}};
+  if (with_picture && frame.number > 0) state.picture = frame.color;
+  return state;
+}
+
+template <class T>
+std::size_t copy_from(std::size_t known, const std::vector<T>& all, std::vector<T>& into) {
+  const std::size_t first = std::min(known, all.size());
+  into.assign(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
+  return first;
+}
+
+}  // namespace
+
+Inspection inspect(const scene::Scene& scene, const InspectionRequest& request) {
+  const Simulation& simulation = scene.simulation();
+  const scene::SceneParts& parts = scene.parts();
+  const World& world = simulation.world();
+  Inspection seen{.time = simulation.now(), .changes_to_see = parts.changes_to_see};
+  for (const auto& entity : world.entities()) seen.entities.push_back(state_of(parts, *entity));
+  for (const ObjectPath& path : request.objects) seen.objects.push_back(values_of(world, path));
+  seen.sensors_of = request.sensors_of;
+  if (request.sensors_of && *request.sensors_of < static_cast<int>(world.entities().size())) {
+    const Entity& entity = *world.entities()[static_cast<std::size_t>(*request.sensors_of)];
+    for (const sensors::Reading* reading : sensors::readings_of(entity)) seen.sensors.push_back(state_of(*reading));
+    for (const sensors::CameraFrame* frame : sensors::frames_of(entity)) {
+      seen.cameras.push_back(state_of(*frame, request.pictures));
+    }
+  }
+  if (request.algorithms) seen.algorithms = simulation.statistics();
+  seen.first_event = copy_from(request.events_known, simulation.events(), seen.events);
+  std::vector<std::string> warnings = parts.remarks.warnings();
+  warnings.insert(warnings.end(), simulation.warnings().begin(), simulation.warnings().end());
+  seen.first_warning = copy_from(request.warnings_known, warnings, seen.warnings);
+  return seen;
+}
+
+std::vector<EntityOutline> outline_of(const scene::Scene& scene) {
+  const scene::SceneParts& parts = scene.parts();
+  std::vector<EntityOutline> all;
+  for (const auto& entity : scene.simulation().world().entities()) {
+    EntityOutline outline{.name = entity->name(), .model = entity->model_ptr(), .color = entity->options().color};
+    const auto robot = std::ranges::find(parts.robots, entity.get());
+    outline.is_robot = robot != parts.robots.end();
+    if (outline.is_robot) outline.label = static_cast<int>(robot - parts.robots.begin());
+    outline.is_ball = entity.get() == parts.ball;
+    outline.moves = std::ranges::find(parts.moving_entities, entity.get()) != parts.moving_entities.end();
+    for (const scene_file::RobotSpec& spec : scene.spec().robots) {
+      if (spec.name == outline.name) outline.team = spec.team;
+    }
+    all.push_back(std::move(outline));
+  }
+  return all;
+}
+
+}  // namespace murosimf::viewer

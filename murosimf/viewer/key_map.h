@@ -1,0 +1,49 @@
+/// key_map.h - which key does what: as usual, or as a file says.
+///
+///     run_or_pause = "Enter"       # TOML: an action of actions.h, and its key
+///     place_ball = ["B", "Ctrl+B"] # several
+///     reload = []                  # none
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/viewer/actions.h"
+
+namespace murosimf::viewer {
+
+/// A key with what is held beside it. Names of keys: one letter, digit or sign; Space, Tab, Enter, Escape, Backspace, Backslash,
+/// Delete, Insert, Home, End, PageUp, PageDown, Left, Right, Up, Down, F1 to F12.
+struct KeyChord {
+  std::string key;
+  bool ctrl = false, shift = false, alt = false;
+  friend auto operator<=>(const KeyChord&, const KeyChord&) = default;
+};
+
+/// "Ctrl+Shift+P"; in any case. Throws SetupError.
+[[nodiscard]] KeyChord read_chord(std::string_view text);
+[[nodiscard]] std::string to_text(const KeyChord& chord);
+/// Every name of a key.
+[[nodiscard]] std::vector<std::string_view> key_names();
+
+class KeyMap {
+ public:
+  /// The usual keys.
+  KeyMap();
+  /// Those, but for what the file says. A key that the file gives to an action is taken from the one that usually has it. Throws
+  /// SetupError with file and line: unknown actions and keys, one key for two actions.
+  explicit KeyMap(const std::filesystem::path& file);
+
+  [[nodiscard]] std::optional<Action> action_of(const KeyChord& chord) const;
+  /// "Space", "B, Ctrl+B"; empty if there is none.
+  [[nodiscard]] std::string keys_of(Action action) const;
+
+ private:
+  std::map<KeyChord, Action> keys_;
+};
+
+}  // namespace murosimf::viewer

@@ -1,0 +1,62 @@
+/// mouse_control.h - what the mouse does in the picture of a scene.
+///
+/// left drag: turn about the middle · right drag, or left with Alt: move the picture · wheel: nearer, farther · click: select ·
+/// double click: select, and look at it · right double click: look at that place; with Ctrl: follow it · Shift and left drag: move a robot, the ball
+/// or a body over the ground, while it is paused · Ctrl and drag: push it, along the plane of the picture.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "murosimf/viewer/orbit_camera.h"
+#include "murosimf/viewer/viewer.h"
+
+namespace murosimf::viewer {
+
+/// What a pixel shows.
+struct Hit {
+  std::optional<ObjectPath> path;  ///< nothing: the ground
+  Vec3d point;                     ///< [m] world
+};
+
+class MouseControl {
+ public:
+  enum class Button { left, right, middle };
+  struct Held {
+    bool ctrl = false, shift = false, alt = false;
+  };
+  /// Nothing if a pixel shows nothing.
+  using Pick = std::function<std::optional<Hit>(const Pixel&)>;
+  /// A push that is being pulled.
+  struct Pull {
+    ObjectPath path;
+    Vec3d from, to;  ///< [m] world
+    Vec3d force;     ///< [N]
+  };
+
+  explicit MouseControl(Viewer& viewer) : viewer_(viewer) {}
+
+  void press(Button button, const Held& held, const Pixel& pixel, const sensors::Perspective& view, const Pick& pick);
+  void move(const Pixel& pixel, const sensors::Perspective& view);
+  void release(const Pixel& pixel, const sensors::Perspective& view, const Pick& pick);
+  void double_click(Button button, const Held& held, const Pixel& pixel, const Pick& pick);
+  void wheel(double clicks);
+
+  [[nodiscard]] bool drags() const { return kind_ != Kind::none; }
+  [[nodiscard]] std::optional<Pull> pull() const;
+
+ private:
+  enum class Kind { none, orbit, pan, place, push, nothing };
+  void begin_with_thing(Kind kind, const Pixel& pixel, const sensors::Perspective& view, const Pick& pick);
+  [[nodiscard]] std::optional<Vec3d> dragged_to(const Pixel& pixel, const sensors::Perspective& view) const;
+
+  Viewer& viewer_;
+  Kind kind_ = Kind::none;
+  Button button_ = Button::left;
+  Pixel began_, last_;
+  bool went_far_ = false;
+  ObjectPath path_;
+  Vec3d grabbed_, start_, to_, normal_;  // [m] place that was grabbed, base at the start, where it is pulled to; of the plane
+};
+
+}  // namespace murosimf::viewer

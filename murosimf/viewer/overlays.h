@@ -1,0 +1,53 @@
+/// overlays.h - what is drawn over the picture of a scene: contacts, forces, centers of mass, axes, boxes, names, levels.
+///
+/// Everything is worked out of a frame of poses and of models, in world coordinates; the window projects and paints it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/runtime/pose_frame.h"
+#include "murosimf/viewer/inspection.h"
+
+namespace murosimf::viewer {
+
+struct OverlayOptions {
+  bool contacts = false, forces = false, centers_of_mass = false, frames = false, bounding_volumes = false;
+  bool names = true, levels = false, standing_feet = false, support_polygons = false;
+  double force_scale = 0.005;  ///< [m/N] length of an arrow
+};
+
+/// A line of a picture, with a head at its end if it is an arrow; a single point is a dot.
+struct Mark {
+  std::vector<Vec3d> points;  ///< [m] world
+  Color color;
+  double width = 2;           ///< [px]; of a dot: its radius
+  bool arrow = false, closed = false, filled = false;
+};
+struct Label {
+  Vec3d place;  ///< [m] world
+  std::string text;
+  Color color{1, 1, 1};
+};
+struct Overlays {
+  std::vector<Mark> marks;
+  std::vector<Label> labels;
+};
+
+/// Of everybody's; `selected`: the entity whose axes are shown, none: -1.
+[[nodiscard]] Overlays overlays(const PoseFrame& frame, std::span<const EntityOutline> outline, const Inspection& seen,
+                                const OverlayOptions& options, int selected);
+
+/// [m] world, of all of an entity at that moment; nothing if it has no mass.
+[[nodiscard]] std::optional<Vec3d> center_of_mass(const Model& model, std::span<const Vec3d> r, std::span<const Mat3d> R);
+/// Corners of the convex hull in x and y, counterclockwise.
+[[nodiscard]] std::vector<Vec3d> hull_on_ground(std::vector<Vec3d> points);
+/// The same color for the same level everywhere.
+[[nodiscard]] Color color_of_level(std::string_view level);
+/// One of some that are easily told apart.
+[[nodiscard]] Color curve_color(std::size_t number);
+
+}  // namespace murosimf::viewer

@@ -1,0 +1,29 @@
+#include "murosimf/viewer/running_scene.h"
+
+#include <utility>
+
+namespace murosimf::viewer {
+
+RunningScene::RunningScene(const MakeScene& make, const session::SessionOptions& options, Duration end)
+    : scene_(make()), session_(std::make_unique<session::Session>(*scene_, options)) {
+  thread_ = std::thread([this, end] {
+    try {
+      session_->run(end);
+    } catch (...) {
+      trouble_ = std::current_exception();
+    }
+  });
+}
+
+RunningScene::~RunningScene() {
+  session_->finish();
+  if (thread_.joinable()) thread_.join();
+}
+
+void RunningScene::finish() {
+  session_->finish();
+  if (thread_.joinable()) thread_.join();
+  if (trouble_) std::rethrow_exception(std::exchange(trouble_, nullptr));
+}
+
+}  // namespace murosimf::viewer

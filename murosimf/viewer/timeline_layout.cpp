@@ -1,0 +1,63 @@
+#include "murosimf/viewer/timeline_layout.h"
+
+#include <algorithm>
+#include <set>
+
+namespace murosimf::viewer {
+namespace {
+
+constexpr double least_end = 1;  // [s]
+
+}  // namespace
+
+TimelineLayout::TimelineLayout(std::span<const session::BranchView> branches, int present, double end, double width)
+    : end_(std::max(least_end, end)), width_(width) {
+  std::set<int> leading;  // to the present one
+  const auto find = [&](int number) { return std::ranges::find(branches, number, &session::BranchView::number); };
+  for (auto branch = find(present); branch != branches.end();) {
+    leading.insert(branch->number);
+    branch = branch->parent ? find(*branch->parent) : branches.end();
+  }
+  // what left the present way, or stands beside it, has rows of its own: the newest nearest
+  std::vector<const session::BranchView*> others;
+  for (const session::BranchView& branch : branches) {
+    end_ = std::max(end_, seconds(branch.end));
+    others.push_back(&branch);
+  }
+  std::ranges::reverse(others);
+  for (const session::BranchView* branch : others) {
+    const bool leads = leading.contains(branch->number);
+    if (leads) {  // up to where the next one left it
+      double until = seconds(branch->end);
+      for (const session::BranchView& next : branches) {
+        if (leading.contains(next.number) && next.parent == branch->number) until = seconds(next.begin);
+      }
+      bars_.push_back({branch->number, 0, seconds(branch->begin), until, std::nullopt});
+      if (until >= seconds(branch->end)) continue;
+      bars_.push_back({branch->number, rows_++, until, seconds(branch->end), 0});
+      continue;
+    }
+    bars_.push_back({branch->number, rows_++, seconds(branch->begin), seconds(branch->end), std::nullopt});
+  }
+}
+
+int TimelineLayout::row_of(int branch) const {
+  int row = -1;
+  for (const BranchBar& bar : bars_) {
+    if (bar.branch == branch && (row < 0 || bar.row < row)) row = bar.row;
+  }
+  return row;
+}
+
+TimelineLayout::Place TimelineLayout::place_at(double x, int row) const {
+  const double time = std::clamp(x / width_, 0.0, 1.0) * end_;
+  const int wanted = std::clamp(row, 0, rows_ - 1);
+  const BranchBar* best = nullptr;
+  const auto away = [&](const BranchBar& bar) { return std::max({0.0, bar.begin - time, time - bar.end}); };
+  for (const BranchBar& bar : bars_) {
+    if (bar.row == wanted && (!best || away(bar) < away(*best))) best = &bar;
+  }
+  return best ? Place{std::clamp(time, best->begin, best->end), best->branch} : Place{time, 0};
+}
+
+}  // namespace murosimf::viewer

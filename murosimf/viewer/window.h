@@ -1,0 +1,43 @@
+/// window.h - shows a viewer in a window until people close it, or a script ends it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/runtime/pacer.h"
+#include "murosimf/viewer/key_map.h"
+#include "murosimf/viewer/script.h"
+#include "murosimf/viewer/viewer.h"
+
+namespace murosimf::viewer {
+
+struct WindowOptions {
+  std::string title = "MuRoSimF";
+  int width = 1280, height = 720;  ///< [px]
+  KeyMap keys{};
+  std::optional<std::vector<ScriptStep>> script{};  ///< what is done; then it ends
+  std::string screenshot{};                         ///< PNG file; empty: none
+  std::optional<double> after{};   ///< [s] of wall time, after which that is taken, and it ends
+  int samples = 4;                 ///< to a pixel of the scene: smooth edges
+  bool shadows = true;
+  StopRequest stop{};              ///< ends it
+};
+
+/// What it has done.
+struct WindowReport {
+  std::int64_t pictures = 0;
+  double wall = 0;                ///< [s] from the first picture to the last one
+  double scene_ms = 0;            ///< mean, to draw the scene
+  std::string drawn_by;           ///< "llvmpipe (LLVM 15.0.6, 256 bits), software"
+  std::vector<std::string> files; ///< screenshots
+};
+
+/// Throws SetupError if this build or this machine has no window, or the script cannot go on.
+WindowReport show(Viewer& viewer, const WindowOptions& options);
+
+/// Why there can be no window here: one line that says what else there is; empty if nothing is known to be wrong.
+[[nodiscard]] std::string no_window_because();
+
+}  // namespace murosimf::viewer

@@ -1,0 +1,79 @@
+/// gui.h - Dear ImGui, fed with the window's events, and the places of its items by what is written on them, so that a script can
+/// press them.
+///
+/// Works with Dear ImGui 1.86 (Debian 12) and later. Only for the .cpp files of this folder: it brings ImGui in.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "murosimf/model/shape.h"
+#include "murosimf/viewer/window/glfw_window.h"
+
+namespace murosimf::viewer {
+
+class Gui {
+ public:
+  explicit Gui(double scale);
+  ~Gui();
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
+
+  void feed(const Input& input);
+  /// Begins a picture of `width` x `height` [px], `wall` [s] after the last one.
+  void begin(int width, int height, double wall);
+  /// Draws it into the context that is current.
+  void end();
+  [[nodiscard]] bool wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
+  [[nodiscard]] bool wants_text() const { return ImGui::GetIO().WantTextInput; }
+
+  /// Of the last item: what is written there, or another name.
+  void remember(const std::string& name);
+  void remember(const std::string& name, const Pixel& place) { places_[name] = place; }
+  [[nodiscard]] std::optional<Pixel> place_of(const std::string& name) const;
+  [[nodiscard]] std::vector<std::string> names() const;
+
+  // Items whose places are remembered.
+  bool button(const std::string& name);
+  bool checkbox(const std::string& name, bool& value);
+  bool selectable(const std::string& name, bool selected);
+  /// A list that opens; index of what was chosen.
+  std::optional<std::size_t> choice(const std::string& name, const std::string& now, const std::vector<std::string>& names);
+
+ private:
+  void feed_pointer();
+
+  std::map<std::string, Pixel> places_, last_places_;
+  Pixel mouse_{-1, -1};
+  std::vector<bool> buttons_{false, false, false};
+  double wheel_ = 0;
+};
+
+[[nodiscard]] inline ImVec4 vec4(const Color& color, double alpha = 1) {
+  return {static_cast<float>(color.red), static_cast<float>(color.green), static_cast<float>(color.blue), static_cast<float>(alpha)};
+}
+[[nodiscard]] inline ImU32 packed(const Color& color, double alpha = 1) {
+  return ImGui::ColorConvertFloat4ToU32(vec4(color, alpha));
+}
+[[nodiscard]] inline ImVec2 vec2(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
+[[nodiscard]] inline ImVec2 vec2(const Pixel& pixel) { return vec2(pixel.x, pixel.y); }
+/// Text that no format is looked for in.
+inline void text(const std::string& line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
+inline void text(const std::string& line, const Color& color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, vec4(color));
+  text(line);
+  ImGui::PopStyleColor();
+}
+/// A remark for the last item, while the mouse is over it.
+inline void tip(const std::string& line) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  text(line);
+  ImGui::EndTooltip();
+}
+
+}  // namespace murosimf::viewer

@@ -1,0 +1,129 @@
+// The window as a user meets it, on a screen in memory: scripted sessions, and what the program says of them.
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/program.h"
+#include "tests/apps/virtual_display.h"
+
+namespace murosimf::test {
+namespace {
+
+using nlohmann::json;
+
+class View : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (murosimf("--version").output.find("viewer on") == std::string::npos) GTEST_SKIP() << "this build has no viewer";
+    if (screen().name().empty()) GTEST_SKIP() << "there is no Xvfb (Debian and Ubuntu: xvfb)";
+    setenv("DISPLAY", screen().name().c_str(), 1);
+    unsetenv("WAYLAND_DISPLAY");
+  }
+  static const VirtualDisplay& screen() {
+    static const VirtualDisplay display;
+    return display;
+  }
+  /// Runs a script; what the program says of it.
+  static json session(const std::string& scene, const std::string& script, const std::string& options = "") {
+    const Result result = murosimf("view " + scene + " --script " + write("script", script).string() + " " + options + " --json -");
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return result.exit_code == 0 ? json::parse(result.output) : json();
+  }
+  static json entity(const json& report, const std::string& name) {
+    for (const json& one : report["entities"]) {
+      if (one["name"] == name) return one;
+    }
+    return {};
+  }
+  static bool has_command(const json& report, const std::string& part) {
+    for (const json& one : report["commands"]) {
+      if (one["text"].get<std::string>().find(part) != std::string::npos) return true;
+    }
+    return false;
+  }
+};
+
+TEST_F(View, SelectPushSwitchLevelEditDragGoBack) {
+  const fs::path picture = scratch("window.png");
+  const json report = session("three_on_three",
+                              "key Escape\n"
+                              "settle\n"
+                              "click blue1\n"
+                              "press blue1 level\n"
+                              "press simplified_dynamics\n"
+                              "settle\n"
+                              "push blue1 0.1 0 0\n"
+                              "settle\n"
+                              "drag ball 0.75 0.5\n"
+                              "settle\n"
+                              "press position\n"  // of the selected object
+                              "key Ctrl+A\n"
+                              "type 0.5 0.25 0.05\n"
+                              "settle\n"
+                              "key Space\n"
+                              "until 0.4\n"
+                              "key Space\n"
+                              "settle\n"
+                              "scrub 0.2\n"
+                              "settle\n"
+                              "screenshot " + picture.string() + "\n",
+                              "--paused");
+  ASSERT_TRUE(report.is_object());
+  EXPECT_EQ(report["schema"], "murosimf/view/1");
+  EXPECT_EQ(entity(report, "blue1")["level"], "simplified_dynamics");
+  EXPECT_TRUE(has_command(report, "blue1.level = simplified_dynamics"));
+  EXPECT_TRUE(has_command(report, ".push = ["));
+  EXPECT_TRUE(has_command(report, "ball.ball.position = [0.75")) << report["commands"];
+  EXPECT_TRUE(has_command(report, "position = [0.5, 0.25, 0.05]")) << report["commands"];
+  EXPECT_TRUE(report["paused"]);
+  EXPECT_NEAR(report["simulated_s"].get<double>(), 0.2, 0.02);
+  EXPECT_EQ(report["screenshots"].size(), 1U);
+  EXPECT_GT(fs::file_size(picture), 10000U);
+}
+
+TEST_F(View, ResetKeepsTheRunAsABranch) {
+  const json report = session("three_on_three", "key Space\nuntil 0.3\nkey Backspace\nsettle\nkey Space\nsettle\nsay done\n", "--paused --speed max");
+  ASSERT_TRUE(report.is_object());
+  EXPECT_GE(report["branches"].get<int>(), 2);
+}
+
+// Rule: a run that is watched is the same as one that is not.
+TEST_F(View, TheHashIsThatOfARun) {
+  const json watched = session("three_on_three", "key C\nkey F\nkey G\nkey 1\nuntil 0.5\nsettle\n", "--duration 0.5 --speed max");
+  ASSERT_TRUE(watched.is_object());
+  const Result run = murosimf("run three_on_three --duration 0.5 --json -");
+  EXPECT_EQ(watched["state_hash"], json::parse(run.output)["state_hash"]);
+}
+
+TEST_F(View, ScreenshotAfterAWhile) {
+  const fs::path picture = scratch("picture.png");
+  const Result result = murosimf("view walk --after 0.5 --size 640x480 --screenshot " + picture.string());
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_NE(result.output.find("pictures in"), std::string::npos);
+  EXPECT_GT(fs::file_size(picture), 5000U);
+}
+
+TEST_F(View, MistakesAreOneLine) {
+  expect_mistake("view walk --script " + write("bad", "clik blue1\n").string(), {"clik", "click", ":1:"});
+  expect_mistake("view walk --script " + write("nobody", "settle\nclick blue1\n").string(), {"blue1", ":2:"});
+  expect_mistake("view walk --script " + write("item", "press Rest\n").string(), {"Rest", "Reset", ":1:"});
+  expect_mistake("view walk --keys " + write("keys.toml", "resset = \"R\"\n").string(), {"resset", "reset"});
+  expect_mistake("view nothing_here", {"nothing_here"});
+  expect_mistake("view walk --size 12", {"--size", "WIDTHxHEIGHT"});
+  expect_mistake("view walk --speed fast", {"--speed", "fast"});
+}
+
+TEST(ViewWithout, ADisplay) {
+  if (murosimf("--version").output.find("viewer on") == std::string::npos) {
+    expect_mistake("view walk", {"no window in this build", "--web", "render"});
+    return;
+  }
+  const std::string before = std::getenv("DISPLAY") ? std::getenv("DISPLAY") : "";
+  unsetenv("DISPLAY");
+  unsetenv("WAYLAND_DISPLAY");
+  expect_mistake("view walk", {"no window", "--web", "render"});
+  if (!before.empty()) setenv("DISPLAY", before.c_str(), 1);
+}
+
+}  // namespace
+}  // namespace murosimf::test

@@ -1,0 +1,96 @@
+#include "murosimf/viewer/overlays.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace murosimf::viewer {
+namespace {
+
+TEST(Overlays, HullOfPointsOnTheGround) {
+  const auto hull = hull_on_ground({{0, 0, 0}, {2, 0, 0}, {1, 0.5, 0}, {2, 1, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}});
+  ASSERT_EQ(hull.size(), 4U) << "neither the one inside nor the one on an edge";
+  double area = 0;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Vec3d &a = hull[i], &b = hull[(i + 1) % hull.size()];
+    area += 0.5 * (a.x * b.y - a.y * b.x);
+  }
+  EXPECT_NEAR(area, 2, 1e-12) << "counterclockwise";
+  EXPECT_EQ(hull_on_ground({{1, 1, 0}, {0, 0, 0}}).size(), 2U);
+  EXPECT_LE(hull_on_ground({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}).size(), 2U);
+}
+
+/// A running scene's first moment, as the viewer has it.
+struct Moment {
+  Moment() : scene("three_on_three", {.overrides = {"blue1.level=simplified_dynamics"}}) {
+    auto reader = scene.simulation().poses().subscribe({.contacts = true});
+    scene.simulation().run(std::chrono::milliseconds(200));
+    frame = *reader->latest();
+    outline = outline_of(scene);
+    seen = inspect(scene, {});
+  }
+  scene::Scene scene;
+  PoseFrame frame;
+  std::vector<EntityOutline> outline;
+  Inspection seen;
+};
+
+TEST(Overlays, NothingUnlessAskedFor) {
+  const Moment moment;
+  const auto nothing = overlays(moment.frame, moment.outline, moment.seen, {.names = false}, -1);
+  EXPECT_TRUE(nothing.marks.empty());
+  EXPECT_TRUE(nothing.labels.empty());
+}
+
+TEST(Overlays, NamesOfAllWhoMove) {
+  const Moment moment;
+  const auto drawn = overlays(moment.frame, moment.outline, moment.seen, {}, -1);
+  EXPECT_EQ(drawn.labels.size(), 7U) << "six robots and the ball";
+}
+
+// The sum of the forces with the ground on a robot that walks slowly is its weight, more or less.
+TEST(Overlays, ForcesStandOnTheContacts) {
+  const Moment moment;
+  const auto drawn = overlays(moment.frame, moment.outline, moment.seen, {.forces = true, .names = false, .force_scale = 0.01}, -1);
+  ASSERT_FALSE(drawn.marks.empty());
+  for (const Mark& mark : drawn.marks) {
+    ASSERT_EQ(mark.points.size(), 2U);
+    EXPECT_TRUE(mark.arrow);
+    EXPECT_LT(mark.points[0].z, 0.2);
+  }
+}
+
+TEST(Overlays, CenterOfMassIsThatOfTheModel) {
+  const Moment moment;
+  const auto entity = static_cast<std::size_t>(moment.scene.simulation().world().index_of(moment.scene.simulation().world().find("blue1")));
+  const std::size_t first = moment.frame.first[entity], rows = moment.frame.first[entity + 1] - first;
+  const Model& model = *moment.outline[entity].model;
+  const auto center = center_of_mass(model, std::span(moment.frame.position).subspan(first, rows),
+                                     std::span(moment.frame.orientation).subspan(first, rows));
+  ASSERT_TRUE(center);
+  // the level knows its own
+  const auto* column = moment.scene.simulation().world().entity("blue1").find("common_center_of_mass");
+  ASSERT_TRUE(column);
+  const auto own = moment.scene.simulation().world().entity("blue1").base().get("common_center_of_mass").numbers;
+  EXPECT_NEAR(center->x, own[0], 1e-9);
+  EXPECT_NEAR(center->y, own[1], 1e-9);
+  EXPECT_NEAR(center->z, own[2], 1e-9);
+}
+
+TEST(Overlays, SupportPolygonIsUnderTheRobotThatTouches) {
+  const Moment moment;
+  const auto drawn = overlays(moment.frame, moment.outline, moment.seen, {.names = false, .support_polygons = true}, -1);
+  ASSERT_FALSE(drawn.marks.empty());
+  for (const Mark& mark : drawn.marks) {
+    bool near_somebody = false;
+    for (std::size_t i = 0; i < moment.outline.size(); ++i) {
+      if (!moment.outline[i].is_robot) continue;
+      const Vec3d base = moment.frame.position[moment.frame.first[i]];
+      near_somebody = near_somebody || std::hypot(base.x - mark.points[0].x, base.y - mark.points[0].y) < 0.3;
+    }
+    EXPECT_TRUE(near_somebody);
+  }
+}
+
+}  // namespace
+}  // namespace murosimf::viewer

@@ -1,0 +1,274 @@
+#include "murosimf/viewer/viewer.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "murosimf/model/error.h"
+#include "murosimf/viewer/mouse_control.h"
+
+namespace murosimf::viewer {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::vector<std::string> dynamic{"blue1.level=simplified_dynamics"};
+
+ViewerOptions options_with(std::vector<std::string> overrides = dynamic, Duration end = 1s) {
+  ViewerOptions options;
+  options.make_scene = [overrides = std::move(overrides)] {
+    return std::make_unique<scene::Scene>("three_on_three", scene::SceneOptions{.overrides = overrides, .pushable = true});
+  };
+  options.session.paused = true;
+  options.end = end;
+  options.inspections = 200;
+  return options;
+}
+
+/// Runs to its end as a window does: looking all the time.
+void watch_to_end(Viewer& viewer) {
+  viewer.session().go_on();
+  for (int i = 0; i < 60000; ++i) {
+    viewer.refresh(0.001);
+    if (viewer.status().paused && viewer.status().time >= viewer.status().end) return;
+    std::this_thread::sleep_for(1ms);
+  }
+  FAIL() << "it did not come to its end";
+}
+
+std::uint64_t hash_of(Viewer& viewer) {
+  viewer.settle();
+  viewer.running().finish();
+  return viewer.running().scene().simulation().state_hash();
+}
+
+bool told(const Viewer& viewer, const std::string& part) {
+  for (const Message& message : viewer.messages()) {
+    if (message.text.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
+// Rule: who only looks changes nothing, however much he looks at.
+TEST(Viewer, LookingChangesNothing) {
+  scene::Scene alone("three_on_three", {.overrides = dynamic});
+  alone.simulation().run(1s);
+  Viewer viewer(options_with());
+  viewer.perform(Action::select_1);
+  viewer.perform(Action::contacts);
+  viewer.perform(Action::support_polygons);
+  viewer.perform(Action::tv_camera);
+  viewer.open_objects[{viewer.robot(0), 0}] = true;
+  viewer.add_plot({viewer.robot(0), 0}, "position", false);
+  viewer.wants_algorithms = viewer.wants_pictures = true;
+  watch_to_end(viewer);
+  EXPECT_FALSE(viewer.overlays_now().marks.empty());
+  ASSERT_FALSE(viewer.plots[0].plot.curves.empty());
+  EXPECT_GT(viewer.plots[0].plot.curves[0].times().size(), 3U);
+  EXPECT_FALSE(viewer.seen().algorithms.empty());
+  EXPECT_EQ(hash_of(viewer), alone.simulation().state_hash());
+}
+
+// What a viewer's touches have done is repeated by the commands of the run.
+TEST(Viewer, TouchesCanBeRepeated) {
+  Viewer viewer(options_with());
+  viewer.select(viewer.path_of("blue1"));
+  viewer.push(viewer.path_of("blue1"), {20, 0, 0});
+  viewer.perform(Action::select_2);
+  viewer.perform(Action::next_level);
+  viewer.move(viewer.ball(), {0.5, 0.25, 0.05});
+  viewer.settle();
+  watch_to_end(viewer);
+  const std::uint64_t hash = hash_of(viewer);
+  const auto commands = viewer.running().scene().simulation().commands();
+  EXPECT_EQ(commands.size(), 3U);
+  scene::Scene again("three_on_three", {.overrides = dynamic, .events = scene::events_of_commands(commands)});
+  again.simulation().run(1s);
+  EXPECT_EQ(again.simulation().state_hash(), hash);
+}
+
+TEST(Viewer, LevelsGoRound) {
+  Viewer viewer(options_with({}));
+  viewer.perform(Action::select_3);
+  const std::string first = viewer.seen().entities[static_cast<std::size_t>(viewer.selected_entity())].level;
+  std::vector<std::string> levels;
+  for (int i = 0; i < 4; ++i) {
+    viewer.perform(Action::next_level);
+    viewer.settle();
+    levels.push_back(viewer.seen().entities[static_cast<std::size_t>(viewer.selected_entity())].level);
+  }
+  EXPECT_NE(levels[0], first);
+  EXPECT_EQ(levels.back(), first) << "of four";
+}
+
+TEST(Viewer, ARefusalIsAMessage) {
+  Viewer viewer(options_with({}));
+  viewer.push(viewer.path_of("blue1"), {20, 0, 0});  // at kinematic_walking
+  viewer.change("blue1.levle = full_dynamics");
+  viewer.perform(Action::select_9);
+  viewer.settle();
+  EXPECT_TRUE(told(viewer, "ignores forces"));
+  EXPECT_TRUE(told(viewer, "levle"));
+  EXPECT_TRUE(told(viewer, "no robot number 9"));
+}
+
+TEST(Viewer, APropertyIsEdited) {
+  Viewer viewer(options_with());
+  const ObjectPath base = viewer.path_of("blue1");
+  viewer.open_objects[base] = true;
+  viewer.settle();
+  const auto& values = viewer.seen().objects.at(0).properties;
+  const auto position = std::ranges::find(values, "position", &PropertyValue::name);
+  ASSERT_NE(position, values.end());
+  PropertyValue next = *position;
+  next.numbers[0] += 0.125;
+  viewer.set_property(base, next);
+  viewer.settle();
+  const auto place = viewer.place_of(base);
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(place->x, next.numbers[0], 1e-12) << "seen at once, while it is paused";
+}
+
+// The time line: back to an earlier instant, and on from there as another branch.
+TEST(Viewer, GoesBackAndOn) {
+  Viewer viewer(options_with());
+  watch_to_end(viewer);
+  const Vec3d at_end = *viewer.place_of(viewer.path_of("blue1"));
+  viewer.seek(0.25);
+  viewer.settle();
+  EXPECT_EQ(viewer.status().time, 250ms);
+  EXPECT_EQ(viewer.frame()->time, 250ms);
+  EXPECT_NE(viewer.place_of(viewer.path_of("blue1"))->x, at_end.x);
+  viewer.perform(Action::step_back);
+  viewer.settle();
+  EXPECT_EQ(viewer.status().time, 249ms);
+  watch_to_end(viewer);
+  viewer.settle();
+  EXPECT_GE(viewer.branches().size(), 2U);
+  EXPECT_EQ(viewer.place_of(viewer.path_of("blue1"))->x, at_end.x) << "nobody has touched it";
+  viewer.reset();
+  viewer.settle();
+  EXPECT_EQ(viewer.status().time, 0s);
+}
+
+TEST(Viewer, ReadsTheSceneAgain) {
+  int made = 0;
+  ViewerOptions options = options_with();
+  options.make_scene = [&, make = options.make_scene] {
+    if (++made == 3) throw SetupError("broken now");
+    return make();
+  };
+  Viewer viewer(options);
+  watch_to_end(viewer);
+  viewer.perform(Action::reload);
+  viewer.settle();
+  EXPECT_EQ(viewer.status().time, 0s);
+  EXPECT_EQ(made, 2);
+  viewer.perform(Action::reload);
+  EXPECT_TRUE(told(viewer, "broken now"));
+  viewer.refresh(0.01);
+  EXPECT_TRUE(viewer.frame()) << "the old one goes on";
+}
+
+/// A mouse over a picture in which `whom` is hit wherever it points.
+struct Mouse {
+  Mouse(Viewer& which, const std::string& whom) : viewer(which), control(which) {
+    const ObjectPath path = viewer.path_of(whom);
+    const Vec3d place = *viewer.place_of(path);
+    pick = [path, place](const Pixel&) { return Hit{path, place}; };
+    view = viewer.rig.view(viewer.rig_view(), 800, 600);
+    at = *pixel_of(view, place);
+  }
+  void drag(const MouseControl::Held& held, const Vec3d& way) {
+    const Pixel to = *pixel_of(view, *viewer.place_of(*pick(at)->path) + way);
+    control.press(MouseControl::Button::left, held, at, view, pick);
+    control.move({0.5 * (at.x + to.x), 0.5 * (at.y + to.y)}, view);
+    control.move(to, view);
+    control.release(to, view, pick);
+  }
+  Viewer& viewer;
+  MouseControl control;
+  MouseControl::Pick pick;
+  sensors::Perspective view;
+  Pixel at;
+};
+
+TEST(MouseControl, AClickSelectsAndADragTurns) {
+  Viewer viewer(options_with());
+  Mouse mouse(viewer, "red1");
+  mouse.control.press(MouseControl::Button::left, {}, mouse.at, mouse.view, mouse.pick);
+  mouse.control.release(mouse.at, mouse.view, mouse.pick);
+  EXPECT_EQ(viewer.selected(), viewer.path_of("red1"));
+  const double azimuth = viewer.rig.orbit.azimuth;
+  mouse.control.press(MouseControl::Button::left, {}, {10, 10}, mouse.view, mouse.pick);
+  mouse.control.move({110, 10}, mouse.view);
+  mouse.control.release({110, 10}, mouse.view, mouse.pick);
+  EXPECT_NE(viewer.rig.orbit.azimuth, azimuth);
+  EXPECT_EQ(viewer.selected(), viewer.path_of("red1"));
+}
+
+TEST(MouseControl, ShiftMovesTheBall) {
+  Viewer viewer(options_with());
+  Mouse mouse(viewer, "ball");
+  const Vec3d before = *viewer.place_of(viewer.path_of("ball"));
+  mouse.drag({.shift = true}, {0.4, -0.3, 0});
+  viewer.settle();
+  const Vec3d after = *viewer.place_of(viewer.path_of("ball"));
+  EXPECT_NEAR(after.x, before.x + 0.4, 1e-6);
+  EXPECT_NEAR(after.y, before.y - 0.3, 1e-6);
+  EXPECT_NEAR(after.z, before.z, 1e-9);
+}
+
+TEST(MouseControl, CtrlPushesAlongThePicture) {
+  Viewer viewer(options_with());
+  Mouse mouse(viewer, "blue1");
+  const Vec3d way = 0.1 * mouse.view.axes.x;
+  mouse.drag({.ctrl = true}, way);
+  viewer.settle();
+  viewer.running().finish();
+  const auto& commands = viewer.running().scene().simulation().commands();
+  ASSERT_EQ(commands.size(), 1U);
+  double fx = 0, fy = 0, fz = 0, time = 0;
+  const auto bracket = commands[0].text.find('[');
+  ASSERT_NE(bracket, std::string::npos) << commands[0].text;
+  ASSERT_EQ(std::sscanf(commands[0].text.c_str() + bracket, "[%lf, %lf, %lf, %lf]", &fx, &fy, &fz, &time), 4) << commands[0].text;
+  const Vec3d force = 200 * way;
+  EXPECT_NEAR(norm(Vec3d{fx, fy, fz} - force), 0, 0.02);
+  EXPECT_EQ(time, 0.1);
+}
+
+TEST(MouseControl, ARunningSceneIsNotMoved) {
+  ViewerOptions options = options_with(dynamic, Duration::max());
+  options.session.paused = false;
+  options.session.speed = 1.0;
+  Viewer viewer(options);
+  viewer.refresh(0);
+  Mouse mouse(viewer, "ball");
+  mouse.drag({.shift = true}, {0.4, 0, 0});
+  EXPECT_TRUE(told(viewer, "pause first"));
+}
+
+TEST(CameraRig, FollowsWhatIsSelected) {
+  Viewer viewer(options_with());
+  viewer.perform(Action::select_1);
+  viewer.perform(Action::follow);
+  viewer.refresh(0.01);
+  const Vec3d away = viewer.rig.orbit.target - *viewer.place_of({viewer.robot(0), 0});
+  watch_to_end(viewer);
+  viewer.settle();
+  viewer.refresh(0.01);
+  EXPECT_NEAR(norm(viewer.rig.orbit.target - *viewer.place_of({viewer.robot(0), 0}) - away), 0, 1e-9);
+}
+
+TEST(CameraRig, TelevisionLooksAtTheBall) {
+  Viewer viewer(options_with());
+  viewer.perform(Action::tv_camera);
+  viewer.refresh(100);
+  const auto pixel = pixel_of(viewer.rig.view(viewer.rig_view(), 1000, 600), *viewer.place_of({viewer.ball(), 0}));
+  ASSERT_TRUE(pixel);
+  EXPECT_NEAR(pixel->x, 500, 30);
+  EXPECT_NEAR(pixel->y, 300, 60);
+}
+
+}  // namespace
+}  // namespace murosimf::viewer
