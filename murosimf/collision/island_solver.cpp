@@ -124,6 +124,7 @@ double IslandSolver::solve(Contact& c) noexcept {
   const double pushed = normal - c.lambda.x;
   const Vec3d friction = solve_friction(c, normal, v + pushed * Vec3d{c.W.xx, c.W.xy, c.W.xz});
   const Vec3d change = Vec3d{normal, friction.y, friction.z} - c.lambda;
+  if (is_zero(change)) return 0;  // open as before, most often
   push(c, change);
   return std::abs(c.W.xx * change.x) + std::abs(c.W.yy * change.y) + std::abs(c.W.zz * change.z);
 }

@@ -6,9 +6,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
-#include "murosimf/math/pack.h"
+#include "murosimf/math/lane_pairs.h"
 
 namespace murosimf {
 
@@ -28,25 +29,42 @@ void for_lanes(LaneMask mask, const Visit& visit) {
 
 /// The lanes of the mask, for select().
 [[nodiscard]] inline Pack8::Mask where(LaneMask mask) {
-  Pack8 chosen = 0.0;
-  for_lanes(mask, [&](int lane) { chosen.set_lane(lane, 1.0); });
-  return chosen == Pack8(1.0);
+  using Bits = Pack8::MaskRegister;
+  Pack8::Mask result;
+  for (int part = 0; part < Pack8::registers; ++part) {
+    Bits bits{};
+    for (int i = 0; i < register_lanes; ++i) bits[i] = lane_bit(part * register_lanes + i);
+    result.part[part] = (bits & (Bits{} + std::int64_t{mask})) == bits;
+  }
+  return result;
 }
 
 /// The same row of numbers of each thing, by lane.
 template <class Number>
 using LaneRows = std::array<Number*, Pack8::lanes>;
 
+/// Of the lanes of one register of packs.
+template <class Number>
+[[nodiscard]] MUROSIMF_INLINE lane_pairs::Rows<Number> rows_of_part(const LaneRows<Number>& rows, int part) {
+  lane_pairs::Rows<Number> result;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = rows[static_cast<std::size_t>(part) * result.size() + i];
+  return result;
+}
+
 /// The rows with these numbers, each of one T, into packs: to(k) gets that with the number rows[k], where T is the structure of packs
 /// that to(k) refers to.
 template <class To>
 MUROSIMF_INLINE void gather(const LaneRows<const double>& from, std::span<const std::size_t> rows, const To& to) {
   constexpr std::size_t numbers = sizeof(to(0)) / sizeof(Pack8);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    auto* packs = reinterpret_cast<double*>(&to(k));
-    const std::size_t first = numbers * rows[k];
-    for (std::size_t lane = 0; lane < Pack8::lanes; ++lane) {
-      for (std::size_t n = 0; n < numbers; ++n) packs[n * Pack8::lanes + lane] = from[lane][first + n];
+  for (int part = 0; part < Pack8::registers; ++part) {
+    const auto sources = rows_of_part(from, part);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      auto* packs = reinterpret_cast<Pack8*>(&to(k));
+      const std::size_t first = numbers * rows[k];
+      for (std::size_t n = 0; n + 1 < numbers; n += 2)
+        lane_pairs::gather_two(sources, first + n, packs[n].part(part), packs[n + 1].part(part));
+      if constexpr (numbers % 2 == 1)
+        lane_pairs::gather_one(sources, first + numbers - 1, packs[numbers - 1].part(part));
     }
   }
 }
@@ -55,11 +73,15 @@ MUROSIMF_INLINE void gather(const LaneRows<const double>& from, std::span<const 
 template <class From>
 MUROSIMF_INLINE void scatter(const From& from, std::span<const std::size_t> rows, const LaneRows<double>& to) {
   constexpr std::size_t numbers = sizeof(from(0)) / sizeof(Pack8);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const auto* packs = reinterpret_cast<const double*>(&from(k));
-    const std::size_t first = numbers * rows[k];
-    for (std::size_t lane = 0; lane < Pack8::lanes; ++lane) {
-      for (std::size_t n = 0; n < numbers; ++n) to[lane][first + n] = packs[n * Pack8::lanes + lane];
+  for (int part = 0; part < Pack8::registers; ++part) {
+    const auto targets = rows_of_part(to, part);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const auto* packs = reinterpret_cast<const Pack8*>(&from(k));
+      const std::size_t first = numbers * rows[k];
+      for (std::size_t n = 0; n + 1 < numbers; n += 2)
+        lane_pairs::scatter_two(packs[n].part(part), packs[n + 1].part(part), targets, first + n);
+      if constexpr (numbers % 2 == 1)
+        lane_pairs::scatter_one(packs[numbers - 1].part(part), targets, first + numbers - 1);
     }
   }
 }

@@ -49,6 +49,9 @@ class Pack8 {
 
   [[nodiscard]] double lane(int i) const { return part_[i / register_lanes][i % register_lanes]; }
   void set_lane(int i, double number) { part_[i / register_lanes][i % register_lanes] = number; }
+  /// The lanes of one register.
+  [[nodiscard]] const Register& part(int i) const { return part_[i]; }
+  [[nodiscard]] Register& part(int i) { return part_[i]; }
 
   friend Pack8 operator+(const Pack8& a, const Pack8& b) {
     return each<Pack8>([&](int i) { return a.part_[i] + b.part_[i]; });

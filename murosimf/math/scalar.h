@@ -83,4 +83,10 @@ MUROSIMF_INLINE SinCos<S> sin_cos(S angle) {
   return {select(sin_negative, -sin_base, sin_base), select(cos_negative, -cos_base, cos_base)};
 }
 
+/// True if all of these numbers are exactly zero, whatever their sign: by their bits, without a branch for each.
+template <class... Numbers>
+[[nodiscard]] MUROSIMF_INLINE bool are_zero(Numbers... numbers) {
+  return ((std::bit_cast<std::uint64_t>(numbers) | ...) << 1) == 0;
+}
+
 }  // namespace murosimf

@@ -107,7 +107,7 @@ MUROSIMF_INLINE Sym6<S> operator*(double s, const Sym6<S>& a) {
 /// Matrix that a map `D` from point velocity to point force [N s/m] makes of itself when the point lies at `x`
 /// from the reference point: J^T D J with J = [-x^, 1].
 template <class S>
-Sym6<S> at_point(const SymMat3<S>& D, const Vec3<S>& x);
+MUROSIMF_INLINE Sym6<S> at_point(const SymMat3<S>& D, const Vec3<S>& x);
 
 /// The same map for a reference point that lies `offset` away from the old one.
 template <class S>
@@ -163,11 +163,11 @@ inline bool is_firmly_positive(const Sym6d& A) {
 }
 
 /// True if all components are exactly zero.
-inline bool is_zero(const Wrenchd& force) { return is_zero(force.n) && is_zero(force.f); }
-/// True for a positive semidefinite matrix that is exactly zero: it has no diagonal.
-inline bool is_zero(const Sym6d& m) {
-  return m.J.xx == 0 && m.J.yy == 0 && m.J.zz == 0 && m.M.xx == 0 && m.M.yy == 0 && m.M.zz == 0;
+inline bool is_zero(const Wrenchd& force) {
+  return are_zero(force.n.x, force.n.y, force.n.z, force.f.x, force.f.y, force.f.z);
 }
+/// True for a positive semidefinite matrix that is exactly zero: it has no diagonal.
+inline bool is_zero(const Sym6d& m) { return are_zero(m.J.xx, m.J.yy, m.J.zz, m.M.xx, m.M.yy, m.M.zz); }
 
 // ---- definitions ----
 
@@ -182,9 +182,15 @@ MUROSIMF_INLINE Mat3<S> full(const SymMat3<S>& m) {
   return {{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}};
 }
 
+/// x^ M for a matrix M.
 template <class S>
-Sym6<S> at_point(const SymMat3<S>& D, const Vec3<S>& x) {
-  const Mat3<S> H = cross_matrix(x) * full(D);
+MUROSIMF_INLINE Mat3<S> cross_columns(const Vec3<S>& x, const Mat3<S>& M) {
+  return {cross(x, M.x), cross(x, M.y), cross(x, M.z)};
+}
+
+template <class S>
+MUROSIMF_INLINE Sym6<S> at_point(const SymMat3<S>& D, const Vec3<S>& x) {
+  const Mat3<S> H = cross_columns(x, full(D));
   // J = -x^ D x^ = -H x^; row by row, since (H x^)^T = -x^ H^T
   const Vec3<S> a = cross(x, Vec3<S>{H.x.x, H.y.x, H.z.x});
   const Vec3<S> b = cross(x, Vec3<S>{H.x.y, H.y.y, H.z.y});
@@ -196,8 +202,7 @@ template <class S>
 Sym6<S> moved(const Sym6<S>& a, const Vec3<S>& offset) {
   // twist at the old point: v_old = v_new - w x offset = v_new + offset x w, so with y = -offset
   // J' = J + y^ H^T + (y^ H^T)^T + y^ M y^T, H' = H + y^ M
-  const Mat3<S> Y = cross_matrix(-offset);
-  const Mat3<S> YH = Y * transpose(a.H);
+  const Mat3<S> YH = cross_columns(-offset, transpose(a.H));
   const Sym6<S> point = at_point(a.M, -offset);
   const SymMat3<S> mixed{YH.x.x + YH.x.x, YH.y.y + YH.y.y, YH.z.z + YH.z.z,
                          YH.y.x + YH.x.y, YH.z.x + YH.x.z, YH.z.y + YH.y.z};

@@ -57,7 +57,7 @@ MUROSIMF_INLINE S norm(const Vec3<S>& a) {
 }
 
 /// True if all components are exactly zero.
-inline bool is_zero(const Vec3d& a) { return a.x == 0 && a.y == 0 && a.z == 0; }
+inline bool is_zero(const Vec3d& a) { return are_zero(a.x, a.y, a.z); }
 
 /// `a` without its component along the unit vector `n`.
 template <class A, class B>

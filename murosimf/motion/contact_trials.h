@@ -4,7 +4,6 @@
 /// predict() in each trial; commit() before anything moves; renew() at the end.
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -32,10 +31,8 @@ class ContactTrials {
   /// Nothing holds the entity in this step: neither points of its own nor those of its island.
   [[nodiscard]] bool none() const noexcept { return set_.points.empty() && !(set_.solved && set_.island_stands); }
 
-  /// A point of this object touches the environment.
-  [[nodiscard]] bool touches(int object) const noexcept {
-    return std::find(set_.loaded.begin(), set_.loaded.end(), object) != set_.loaded.end();
-  }
+  /// Objects of which a point touches the environment.
+  [[nodiscard]] std::span<const int> touching() const noexcept { return set_.loaded; }
 
   /// Velocity after the step of every point: next_velocity(point) [m/s], world frame.
   template <class NextVelocity>

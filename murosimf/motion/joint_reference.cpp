@@ -74,8 +74,8 @@ MUROSIMF_INLINE double JointReference::target(int joint) const noexcept {
 }
 
 void JointReference::fade_offsets(double dt) noexcept {
-  for (double& offset : offset_) {
-    if (offset != 0) offset = faded(offset, dt);
+  for (const int i : turning_.others()) {
+    if (offset_[i] != 0) offset_[i] = faded(offset_[i], dt);
   }
 }
 

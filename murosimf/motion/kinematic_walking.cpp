@@ -105,13 +105,14 @@ void KinematicWalking::take_over(const Momentum&) {
 
 void KinematicWalking::step(const Instant& instant) noexcept {
   if (!begin_step(seconds(instant.period))) return;
+  pin();
   columns_.update_poses();
   set_base_twist();
   columns_.update_velocities();
   end_step();
 }
 
-/// Up to the pose of the base. False if the entity was frozen.
+/// The joints, and where the standing sole is to be. False if the entity was frozen.
 bool KinematicWalking::begin_step(double dt) noexcept {
   if (!reference_.advance(columns_, dt)) {
     columns_.stop();
@@ -121,7 +122,6 @@ bool KinematicWalking::begin_step(double dt) noexcept {
   const Vec3d moved = columns_.take_displacement();  // somebody moved the base: the standing foot goes with it
   stance_pose_ += Vec3d{moved.x + separation_.x, moved.y + separation_.y, 0};
   fade_remainder(dt);
-  pin();
   return true;
 }
 
@@ -144,15 +144,13 @@ std::unique_ptr<LaneGroup> KinematicWalking::join(std::span<Algorithm* const> me
   return std::make_unique<WalkingLanes>(members_of<KinematicWalking>(members));
 }
 
-const KinematicWalking::Foot& KinematicWalking::standing_foot() const noexcept {
-  return feet_[stance_foot_ != 0 ? 1 : 0];
-}
-
-/// The base, so that the standing sole is where it is to be.
 void KinematicWalking::pin() noexcept {
   const Foot& foot = standing_foot();
-  const Tree& tree = columns_.model.tree();
-  const auto sole = multibody::pose_in_base<double>(tree, foot.path, foot.place, columns_.q);
+  pin(multibody::pose_in_base<double>(columns_.model.tree(), foot.path, foot.place, columns_.q));
+}
+
+/// Puts the base where the standing sole is where it is to be; `sole`: its pose in the base.
+void KinematicWalking::pin(const Transformd& sole) noexcept {
   const Mat3d R = to_matrix(exponential(remaining_turn_)) * rotation_z(stance_pose_.z) * transpose(sole.orientation);
   columns_.Q[0] = from_matrix(R);
   columns_.R[0] = R;
@@ -188,12 +186,15 @@ double KinematicWalking::lowest_corner(const Foot& foot) const noexcept {
   return murosimf::lowest_corner(foot.sole, columns_.r[foot.object], columns_.R[foot.object]);
 }
 
-/// The standing sole comes to rest flat on the plane.
 void KinematicWalking::set_base_twist() noexcept {
   const Foot& foot = standing_foot();
-  const Tree& tree = columns_.model.tree();
-  const Twistd sole = multibody::twist_against_base<double>(tree, foot.path, columns_.r[foot.object], columns_.qd,
-                                                            columns_.r, columns_.R);
+  set_base_twist(multibody::twist_against_base<double>(columns_.model.tree(), foot.path, columns_.r[foot.object],
+                                                       columns_.qd, columns_.r, columns_.R));
+}
+
+/// The standing sole comes to rest flat on the plane; `sole`: how it moves against the base.
+void KinematicWalking::set_base_twist(const Twistd& sole) noexcept {
+  const Foot& foot = standing_foot();
   columns_.w[0] = remaining_twist_.w - (1 / fading_time) * remaining_turn_ - sole.w;
   columns_.v[0] = remaining_twist_.v - (1 / fading_time) * remaining_shift_ - sole.v -
                   cross(columns_.w[0], columns_.r[foot.object] - columns_.r[0]);

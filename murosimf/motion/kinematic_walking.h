@@ -59,17 +59,20 @@ class KinematicWalking final : public MotionLevel {
   };
 
   [[nodiscard]] Foot with_path(const murosimf::Foot& foot) const;
-  [[nodiscard]] const Foot& standing_foot() const noexcept;
+  [[nodiscard]] std::size_t standing() const noexcept { return stance_foot_ != 0 ? 1 : 0; }  // number of that foot
+  [[nodiscard]] const Foot& standing_foot() const noexcept { return feet_[standing()]; }
   [[nodiscard]] Vec3d upright_axis() const;
   [[nodiscard]] int lower_foot() const noexcept;
   [[nodiscard]] bool begin_step(double dt) noexcept;
   void end_step() noexcept;
   void pin() noexcept;
+  void pin(const Transformd& sole) noexcept;
   void stand_on(int foot) noexcept;
   void keep_moving() noexcept;
   void swap_if_other_foot_lands() noexcept;
   [[nodiscard]] double lowest_corner(const Foot& foot) const noexcept;
   void set_base_twist() noexcept;
+  void set_base_twist(const Twistd& sole) noexcept;
   void fade_remainder(double dt) noexcept;
 
   Entity& entity_;

@@ -99,7 +99,9 @@ class MovingTree {
   /// Velocity [m/s] after the step of a body's point [m] that has `velocity` now, for a' = `acceleration` of its link.
   [[nodiscard]] Vec3d next_velocity(int object, const Vec3d& point, const Vec3d& velocity, const Twistd& acceleration,
                                     double dt) const noexcept {
-    return next_velocity(object, point, velocity, OwnLinks{links}, acceleration, dt);
+    Vec3d alpha;
+    const Vec3d a = reference_acceleration(object, OwnLinks{links}, acceleration, alpha);
+    return velocity + dt * (a + cross(alpha, point - columns.r[object]));
   }
 
   /// The base after the step, by its a'. False, and nothing changed, if that is no sensible number.
@@ -138,9 +140,6 @@ class MovingTree {
   template <class MotionOf>
   [[nodiscard]] Vec3d reference_acceleration(int object, const MotionOf& motion_of, const Twistd& extra,
                                              Vec3d& alpha) const noexcept;
-  template <class MotionOf>
-  [[nodiscard]] Vec3d next_velocity(int object, const Vec3d& point, const Vec3d& velocity, const MotionOf& motion_of,
-                                    const Twistd& acceleration, double dt) const noexcept;
   [[nodiscard]] CenterMotion momentum() const noexcept;
   [[nodiscard]] CenterMotion momentum_after(double dt) const noexcept;
   void correct_momentum(const CenterMotion& wanted) noexcept;
@@ -201,19 +200,17 @@ void MovingTree::for_loads(double dt, const MotionOf& motion_of, const Add& add)
   }
 }
 
-template <class MotionOf>
-Vec3d MovingTree::next_velocity(int object, const Vec3d& point, const Vec3d& velocity, const MotionOf& motion_of,
-                                const Twistd& acceleration, double dt) const noexcept {
-  Vec3d alpha;
-  const Vec3d a = reference_acceleration(object, motion_of, acceleration, alpha);
-  return velocity + dt * (a + cross(alpha, point - columns.r[object]));
-}
-
+/// Points stand in the order of their bodies: what all of a body share is worked out once.
 template <class MotionOf, class Acceleration>
 void MovingTree::predict_contacts(double dt, const MotionOf& motion_of, const Acceleration& acceleration_of) noexcept {
+  int object = -1;
+  Vec3d a, alpha;
   contacts.predict([&](const collision::ContactPoint& c) {
-    const Twistd& a = acceleration_of(columns.model.tree().link_of[c.object]);
-    return next_velocity(c.object, c.point, c.velocity, motion_of, a, dt);
+    if (c.object != object) {
+      object = c.object;
+      a = reference_acceleration(object, motion_of, acceleration_of(columns.model.tree().link_of[object]), alpha);
+    }
+    return c.velocity + dt * (a + cross(alpha, c.point - columns.r[object]));
   });
 }
 

@@ -62,7 +62,7 @@ double ServoBus::sent(int i) noexcept {
   return sent_[i];
 }
 
-bool ServoBus::pass_on(double now, int i) noexcept {
+MUROSIMF_INLINE bool ServoBus::pass_on(double now, int i) noexcept {
   constexpr double largest = 1e4;  // [rad | m | rad/s | m/s]
   present_[i] = delayed_[i].pass(now);
   return std::abs(now) < largest;  // NaN is not less
@@ -71,10 +71,10 @@ bool ServoBus::pass_on(double now, int i) noexcept {
 bool ServoBus::step(double dt) noexcept {
   const std::int64_t steps = std::llround(dt / step_);
   bool sane = true;
-  for (const int i : objects_) {
-    if (plain_ && steps == 1) {
-      sane &= pass_on(target_[i], i);
-    } else {
+  if (plain_ && steps == 1) {
+    for (const int i : objects_) sane &= pass_on(target_[i], i);
+  } else {
+    for (const int i : objects_) {
       for (std::int64_t step = 0; step < steps; ++step) sane &= pass_on(sent(i), i);
     }
   }

@@ -7,7 +7,8 @@ namespace murosimf::motion {
 TreeLanes::TreeLanes(std::vector<MovingTree*> trees)
     : poses(parts_of(trees, [](MovingTree& tree) { return &tree.columns; })),
       links(poses.structure.links.size()),
-      trees_(std::move(trees)) {}
+      trees_(std::move(trees)),
+      is_busy_(poses.objects()) {}
 
 void TreeLanes::take(int lane) noexcept {
   MovingTree& tree = this->tree(lane);
@@ -44,15 +45,20 @@ LaneMask TreeLanes::ready(LaneMask due) const noexcept {
 }
 
 void TreeLanes::look_for_loads(LaneMask lanes) noexcept {
+  const std::span<const int> bodies = trees_.front()->columns.model.bodies();
+  std::fill(is_busy_.begin(), is_busy_.end(), false);
+  for_lanes(lanes, [&](int lane) {
+    const MovingTree& robot = tree(lane);
+    const Wrenchd* const force = robot.external_force.data();
+    const Sym6d* const damping = robot.external_damping.data();
+    for (const int object : bodies) {
+      if (!is_zero(force[object]) || !is_zero(damping[object])) is_busy_[static_cast<std::size_t>(object)] = true;
+    }
+    for (const int object : robot.contacts.touching()) is_busy_[static_cast<std::size_t>(object)] = true;
+  });
   busy_.clear();
-  for (const int object : trees_.front()->columns.model.bodies()) {
-    LaneMask busy = 0;
-    for_lanes(lanes, [&](int lane) {
-      const MovingTree& robot = tree(lane);
-      const bool rests = is_zero(robot.external_force[object]) && is_zero(robot.external_damping[object]);
-      if (!rests || robot.contacts.touches(object)) busy |= lane_bit(lane);
-    });
-    if (busy != 0) busy_.push_back(static_cast<std::size_t>(object));
+  for (const int object : bodies) {
+    if (is_busy_[static_cast<std::size_t>(object)]) busy_.push_back(static_cast<std::size_t>(object));
   }
 }
 

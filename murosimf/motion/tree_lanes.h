@@ -72,7 +72,8 @@ class TreeLanes {
   std::vector<MovingTree*> trees_;
   LaneMask fresh_ = 0;  // lanes that have their robot as this left it
   multibody::FreeBody<Pack8> base_;
-  std::vector<std::size_t> busy_;  // objects that may feel something, in the model's order
+  std::vector<char> is_busy_;      // by object: it may feel something
+  std::vector<std::size_t> busy_;  // those that may, in the model's order
   Load load_;                      // working memory
 };
 

@@ -1,5 +1,5 @@
 /// walking_lanes.h - up to eight copies of one robot at level `kinematic_walking`, whose poses and velocities are worked out
-/// together in lanes.
+/// together in lanes; those of the soles on which they stand first, as the bases follow from them.
 #pragma once
 
 #include <vector>
@@ -16,6 +16,11 @@ class WalkingLanes final : public LaneGroup {
   void step(LaneMask due, const Instant& instant) noexcept override;
 
  private:
+  using Foot = KinematicWalking::Foot;
+  template <class Act>
+  void for_standing_feet(LaneMask lanes, const Act& act) noexcept;
+  void pin(LaneMask lanes) noexcept;
+  void set_base_twists(LaneMask lanes) noexcept;
   [[nodiscard]] KinematicWalking& member(int lane) const noexcept { return *members_[static_cast<std::size_t>(lane)]; }
 
   std::vector<KinematicWalking*> members_;

@@ -39,25 +39,30 @@ MUROSIMF_INLINE void set_rigid(const RigidInertia<S>& rigid, Sym6<S>& to) {
   to.M.xy = to.M.xz = to.M.yz = zero;
 }
 
-/// A -= s F F^T.
-template <class S>
-MUROSIMF_INLINE void subtract_outer(Sym6<S>& A, const S& s, const Wrench<S>& F) {
+/// Calls take(to, number) for every number of A - s F F^T and the place that it has in `to`: what is left need not stand anywhere before.
+template <class S, class Take>
+MUROSIMF_INLINE void take_rest(const Sym6<S>& A, const S& s, const Wrench<S>& F, Sym6<S>& to, const Take& take) {
   const Vec3<S> n = s * F.n, f = s * F.f;
-  A.J.xx = A.J.xx - n.x * F.n.x;
-  A.J.yy = A.J.yy - n.y * F.n.y;
-  A.J.zz = A.J.zz - n.z * F.n.z;
-  A.J.xy = A.J.xy - n.x * F.n.y;
-  A.J.xz = A.J.xz - n.x * F.n.z;
-  A.J.yz = A.J.yz - n.y * F.n.z;
-  A.H.x -= f.x * F.n;
-  A.H.y -= f.y * F.n;
-  A.H.z -= f.z * F.n;
-  A.M.xx = A.M.xx - f.x * F.f.x;
-  A.M.yy = A.M.yy - f.y * F.f.y;
-  A.M.zz = A.M.zz - f.z * F.f.z;
-  A.M.xy = A.M.xy - f.x * F.f.y;
-  A.M.xz = A.M.xz - f.x * F.f.z;
-  A.M.yz = A.M.yz - f.y * F.f.z;
+  take(to.J.xx, A.J.xx - n.x * F.n.x);
+  take(to.J.yy, A.J.yy - n.y * F.n.y);
+  take(to.J.zz, A.J.zz - n.z * F.n.z);
+  take(to.J.xy, A.J.xy - n.x * F.n.y);
+  take(to.J.xz, A.J.xz - n.x * F.n.z);
+  take(to.J.yz, A.J.yz - n.y * F.n.z);
+  const auto take_column = [&](Vec3<S>& column, const Vec3<S>& of, const S& along) {
+    take(column.x, of.x - along * F.n.x);
+    take(column.y, of.y - along * F.n.y);
+    take(column.z, of.z - along * F.n.z);
+  };
+  take_column(to.H.x, A.H.x, f.x);
+  take_column(to.H.y, A.H.y, f.y);
+  take_column(to.H.z, A.H.z, f.z);
+  take(to.M.xx, A.M.xx - f.x * F.f.x);
+  take(to.M.yy, A.M.yy - f.y * F.f.y);
+  take(to.M.zz, A.M.zz - f.z * F.f.z);
+  take(to.M.xy, A.M.xy - f.x * F.f.y);
+  take(to.M.xz, A.M.xz - f.x * F.f.z);
+  take(to.M.yz, A.M.yz - f.y * F.f.z);
 }
 
 /// The link itself joins what its children and loads have left.
@@ -72,15 +77,14 @@ MUROSIMF_INLINE void add_link(const LinkMotion<S>& link, ArticulatedLink<S>& bod
   }
 }
 
-/// What a link leaves to its parent once U, 1/D and u/D (`share`) are known; `body.inertia` is used up.
+/// What a link leaves to its parent once U, 1/D and u/D (`share`) are known.
 template <class S>
-MUROSIMF_INLINE void hand_over(ArticulatedLink<S>& body, const S& share, ArticulatedLink<S>& parent) {
-  subtract_outer(body.inertia, body.inverse_D, body.U);
+MUROSIMF_INLINE void hand_over(const ArticulatedLink<S>& body, const S& share, ArticulatedLink<S>& parent) {
   if (parent.loaded) {
-    parent.inertia += body.inertia;
+    take_rest(body.inertia, body.inverse_D, body.U, parent.inertia, [](S& to, const S& rest) { to = to + rest; });
     parent.force += body.force + share * body.U;
   } else {
-    parent.inertia = body.inertia;
+    take_rest(body.inertia, body.inverse_D, body.U, parent.inertia, [](S& to, const S& rest) { to = rest; });
     parent.force.n = body.force.n + share * body.U.n;
     parent.force.f = body.force.f + share * body.U.f;
     parent.loaded = true;

@@ -1,8 +1,9 @@
 // Numbers of several things in the lanes of packs, and back.
 #include "murosimf/math/lanes.h"
 
-#include <bit>
-#include <numeric>
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -33,31 +34,64 @@ TEST(Lanes, MasksNameLanes) {
   EXPECT_TRUE(all(where(~LaneMask{0}))) << "bits beyond the lanes do not matter";
 }
 
-TEST(Lanes, RowsGoIntoPacksAndBack) {
-  const auto columns = different_columns(30);
-  const std::vector<std::size_t> rows{0, 3, 4, 9};  // of three numbers each
-  std::vector<Vec3<Pack8>> packs(rows.size());
-  LaneRows<const double> from;
-  for (std::size_t lane = 0; lane < from.size(); ++lane) from[lane] = columns[lane].data();
-  gather(from, rows, [&](std::size_t k) -> Vec3<Pack8>& { return packs[k]; });
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    for (int lane = 0; lane < Pack8::lanes; ++lane) {
-      const auto& column = columns[static_cast<std::size_t>(lane)];
-      EXPECT_EQ(packs[k].x.lane(lane), column[3 * rows[k]]);
-      EXPECT_EQ(packs[k].z.lane(lane), column[3 * rows[k] + 2]);
+/// Rows of one structure each, out of columns and back into others.
+template <template <class> class T>
+class Rows : public testing::Test {
+ protected:
+  static constexpr std::size_t numbers = numbers_of<T>, count = 10 * numbers;
+  const std::vector<std::size_t> rows{0, 3, 4, 9};
+  std::vector<std::vector<double>> columns = different_columns(count);
+  std::vector<T<Pack8>> packs = std::vector<T<Pack8>>(rows.size());
+
+  void gather_all() {
+    LaneRows<const double> from;
+    for (std::size_t lane = 0; lane < from.size(); ++lane) from[lane] = columns[lane].data();
+    gather(from, rows, [&](std::size_t k) -> T<Pack8>& { return packs[k]; });
+  }
+
+  void expect_packs() const {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const auto* pack = reinterpret_cast<const Pack8*>(&packs[k]);
+      for (std::size_t n = 0; n < numbers; ++n) {
+        for (int lane = 0; lane < Pack8::lanes; ++lane)
+          EXPECT_EQ(pack[n].lane(lane), columns[static_cast<std::size_t>(lane)][numbers * rows[k] + n]);
+      }
     }
   }
-  auto back = std::vector<std::vector<double>>(Pack8::lanes, std::vector<double>(30, -1));
-  LaneRows<double> to;
-  for (std::size_t lane = 0; lane < to.size(); ++lane) to[lane] = back[lane].data();
-  scatter([&](std::size_t k) -> const Vec3<Pack8>& { return packs[k]; }, rows, to);
-  for (std::size_t lane = 0; lane < back.size(); ++lane) {
-    for (std::size_t n = 0; n < 30; ++n) {
-      const bool named = std::ranges::find(rows, n / 3) != rows.end();
-      EXPECT_EQ(back[lane][n], named ? columns[lane][n] : -1) << "rows that were not named are left alone";
+
+  void expect_scattered() const {
+    auto back = std::vector<std::vector<double>>(Pack8::lanes, std::vector<double>(count, -1));
+    LaneRows<double> to;
+    for (std::size_t lane = 0; lane < to.size(); ++lane) to[lane] = back[lane].data();
+    scatter([&](std::size_t k) -> const T<Pack8>& { return packs[k]; }, rows, to);
+    for (std::size_t lane = 0; lane < back.size(); ++lane) {
+      for (std::size_t n = 0; n < count; ++n) {
+        const bool named = std::ranges::find(rows, n / numbers) != rows.end();
+        EXPECT_EQ(back[lane][n], named ? columns[lane][n] : -1) << "rows that were not named are left alone";
+      }
     }
   }
-}
+
+  void go_into_packs_and_back() {
+    gather_all();
+    expect_packs();
+    expect_scattered();
+  }
+};
+
+template <class S>
+struct One {
+  S number;
+};
+
+using RowsOfOne = Rows<One>;
+using RowsOfThree = Rows<Vec3>;
+using RowsOfSix = Rows<Twist>;
+using RowsOfNine = Rows<Mat3>;
+TEST_F(RowsOfOne, GoIntoPacksAndBack) { go_into_packs_and_back(); }
+TEST_F(RowsOfThree, GoIntoPacksAndBack) { go_into_packs_and_back(); }
+TEST_F(RowsOfSix, GoIntoPacksAndBack) { go_into_packs_and_back(); }
+TEST_F(RowsOfNine, GoIntoPacksAndBack) { go_into_packs_and_back(); }
 
 TEST(Lanes, StructuresGoIntoOneLaneAndBack) {
   Wrench<Pack8> packs;

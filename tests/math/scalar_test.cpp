@@ -1,5 +1,7 @@
 #include "murosimf/math/scalar.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace murosimf {
@@ -81,6 +83,15 @@ TEST(Scalar, NanStaysNan) {
 }
 
 // Rule: select takes values by mask, and never looks at the other one.
+TEST(Scalar, OnlyZerosAreZero) {
+  EXPECT_TRUE(are_zero(0.0, -0.0, 0.0));
+  for (const double number : {std::numeric_limits<double>::denorm_min(), -1e-300, 1.0,
+                              std::numeric_limits<double>::infinity(), std::nan("")}) {
+    EXPECT_FALSE(are_zero(number, 0.0, -0.0)) << number;
+    EXPECT_FALSE(are_zero(0.0, -0.0, number)) << number;
+  }
+}
+
 TEST(Scalar, SelectTakesOneSide) {
   EXPECT_EQ(select(true, 1.0, std::nan("")), 1.0);
   EXPECT_EQ(select(false, std::nan(""), 2.0), 2.0);
