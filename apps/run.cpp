@@ -239,9 +239,10 @@ int run(const RunOptions& options) {
     const auto advance = [&] {
       if (!options.web.web.empty()) {
         const auto start = WallClock::now();
-        lateness = run_with_server(scene, options.web,
-                                   {.speed = speed_of(options), .tell_of_overruns = tell, .no_way_back = bound_by(options)},
-                                   duration, show);
+        lateness =
+            run_with_server(scene, options.web,
+                            {.speed = speed_of(options), .tell_of_overruns = tell, .no_way_back = bound_by(options)},
+                            duration, show);
         wall += WallClock::now() - start;
         return;
       }

@@ -155,7 +155,8 @@ TEST(SceneDocument, HasWhatIsSeen) {
   EXPECT_FALSE(text["ground"]["lines"].empty());
   std::size_t end = 4 + length;
   for (const auto& mesh : text["meshes"]) {
-    end = 4 + length + mesh["at"].get<std::size_t>() + 12 * (mesh["corners"].get<std::size_t>() + mesh["triangles"].get<std::size_t>());
+    end = 4 + length + mesh["at"].get<std::size_t>() +
+          12 * (mesh["corners"].get<std::size_t>() + mesh["triangles"].get<std::size_t>());
   }
   EXPECT_EQ(end, made.bytes.size());
   for (const auto& part : text["parts"]) {

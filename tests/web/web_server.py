@@ -174,7 +174,8 @@ class Clients(unittest.TestCase):
             good = Client(run.port)
             good.poses()
             nonsense = ["no json", "[1,2]", '{"do":7}', '{"do":"fly"}', '{"do":"seek","time":"x"}', '{"do":"seek","time":1e300}',
-                        '{"do":"step"}', b"\x00\x01\x02", "x" * (2 << 20), '{"do":"speed"}', "\ud83d".encode("utf-8", "surrogatepass")]
+                        '{"do":"step"}', b"\x00\x01\x02", "x" * (2 << 20), '{"do":"speed"}',
+                        "\ud83d".encode("utf-8", "surrogatepass")]
             for what in nonsense:
                 bad = Client(run.port)
                 bad.send(what)
