@@ -171,6 +171,7 @@ void check_serial(const scene_file::SceneSpec& spec, const std::string& folder) 
 /// Why a run that is shown cannot be reset or go back in time; empty: it can.
 std::string bound_by(const RunOptions& options) {
   if (!options.record.file.empty()) return "it is recorded (--record)";
+  if (!options.web.html.empty()) return "it is written as HTML (--html)";
   return options.log.empty() ? "" : "its numbers are logged (--log)";
 }
 
