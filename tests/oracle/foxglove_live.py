@@ -79,7 +79,7 @@ class Live(unittest.TestCase):
             for protocol in ("foxglove.sdk.v1", "foxglove.websocket.v1"):
                 viewer = Viewer(run, protocol)
                 self.assertEqual(viewer.socket.subprotocol, protocol)
-                self.assertIn("walk", viewer.info["name"])
+                self.assertIn("Walk", viewer.info["name"])
                 self.assertLessEqual({"time", "playbackControl", "parameters", "clientPublish"}, set(viewer.info["capabilities"]))
                 self.assertEqual(viewer.info["dataStartTime"], {"sec": 0, "nsec": 0})
                 self.assertEqual(viewer.info["dataEndTime"], {"sec": 60, "nsec": 0})

@@ -146,7 +146,7 @@ TEST(SceneDocument, HasWhatIsSeen) {
   const auto length = number_at<std::uint32_t>(made.bytes, 0);
   ASSERT_EQ(length % 4, 0U);
   const auto text = nlohmann::json::parse(made.bytes.substr(4, length));
-  EXPECT_EQ(text["name"], "three_on_three");
+  EXPECT_EQ(text["name"], "Three on three");
   EXPECT_EQ(text["entities"].size(), made.entities);
   std::size_t robots = 0;
   for (const auto& entity : text["entities"]) robots += entity["kind"] == "robot" ? 1 : 0;

@@ -90,7 +90,7 @@ class Steering(unittest.TestCase):
             client = Client(run.port)
             scene = client.wait_for(lambda m: isinstance(m, bytes) and m[0] == 3)
             text = json.loads(scene[8:8 + int.from_bytes(scene[4:8], "little")])
-            self.assertEqual(text["name"], "walk")
+            self.assertEqual(text["name"], "Walk")
             first = time_of(client.poses())
             self.assertGreater(time_of(client.poses()), first)
 

@@ -122,6 +122,8 @@ function showPanel(on: boolean): void {
   get("panel").hidden = !on;
   document.body.classList.toggle("panel", on);
   toggle(get("toggle_panel"), on);
+  const beside = on && window.matchMedia("(min-width: 641px)").matches;
+  view.setCovered(beside ? get("panel").offsetWidth + 10 : 0);
 }
 
 const actions: Record<string, () => void> = {

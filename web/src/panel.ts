@@ -90,6 +90,7 @@ export class Panel {
     }
     this.describe(chosen);
     if (this.state) this.update(this.state);
+    this.details.scrollIntoView({ block: "nearest" });
   }
 
   update(state: State): void {
