@@ -82,6 +82,7 @@ function label(text: string, color: string): Sprite {
   const sprite = new Sprite(new SpriteMaterial({ map: texture, sizeAttenuation: false, depthTest: false }));
   const height = 0.024;
   sprite.scale.set((height * canvas.width) / canvas.height, height, 1);
+  sprite.center.set(0.5, -0.25);
   sprite.renderOrder = 10;
   return sprite;
 }
@@ -206,7 +207,7 @@ export class View {
         body.quaternion.set(n[at + 3]!, n[at + 4]!, n[at + 5]!, n[at + 6]!);
         top = Math.max(top, n[at + 2]!);
       });
-      shown.label?.position.set(pose.bodies[0]!, pose.bodies[1]!, top + 0.16);
+      shown.label?.position.set(pose.bodies[0]!, pose.bodies[1]!, top + 0.08);
     });
     this.placeForces(poses);
     this.placeRing();
@@ -245,8 +246,9 @@ export class View {
 
   // All of the field, from aside or from above, as large as it fits.
   home(above = false): void {
-    const ground = this.document?.text.ground;
-    const [length, width] = ground ? [ground.half_length, ground.half_width] : [1.5, 1.2];
+    const points = (this.document?.text.ground?.lines ?? []).flatMap((line) => line.points);
+    const reach = (k: number, least: number) => points.reduce((most, point) => Math.max(most, Math.abs(point[k]!)), least) + 0.2;
+    const [length, width] = [reach(0, 1.2), reach(1, 1)];
     const upright = this.camera.aspect < 1; // a phone that stands: seen from above the field stands, too
     const direction = new Vector3();
     if (above) direction.set(upright ? -0.001 : 0, upright ? 0 : -0.001, 1);
