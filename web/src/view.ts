@@ -1,6 +1,6 @@
 // The scene in three dimensions: bodies, field, names, contact forces; who is selected; where the eye is.
 import {
-  AmbientLight, ArrowHelper, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color, CylinderGeometry, DirectionalLight,
+  AmbientLight, ArrowHelper, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color, ConeGeometry, CylinderGeometry, DirectionalLight,
   Group, HemisphereLight, Matrix4, Mesh, MeshLambertMaterial, MeshBasicMaterial, Object3D, PCFSoftShadowMap, PerspectiveCamera,
   Plane, PlaneGeometry, Quaternion, Raycaster, RingGeometry, Scene, SphereGeometry, Sprite, SpriteMaterial, SRGBColorSpace, Vector2,
   Vector3, WebGLRenderer,
@@ -85,6 +85,15 @@ function label(text: string, color: string): Sprite {
   sprite.center.set(0.5, -0.25);
   sprite.renderOrder = 10;
   return sprite;
+}
+
+const arrowMaterial = new MeshBasicMaterial({ color: 0xff5a1f });
+const shaft = new CylinderGeometry(0.007, 0.007, 0.75, 8).translate(0, 0.375, 0);
+const tip = new ConeGeometry(0.02, 0.25, 12).translate(0, 0.875, 0);
+
+// From the origin to (0, 1, 0).
+function thickArrow(): Group {
+  return new Group().add(new Mesh(shaft, arrowMaterial), new Mesh(tip, arrowMaterial));
 }
 
 interface Shown {
@@ -320,14 +329,19 @@ export class View {
   }
 
   private placeForces(poses: Poses): void {
-    this.forces.clear();
+    let used = 0;
     for (const contact of poses.contacts) {
       const force = new Vector3(...contact.force);
       const length = force.length() * meters_per_newton;
       if (!(length > 0.004)) continue;
-      this.forces.add(new ArrowHelper(force.normalize(), new Vector3(...contact.point), length, 0xff6a2a,
-        Math.min(0.3 * length, 0.05), Math.min(0.2 * length, 0.03)));
+      if (used === this.forces.children.length) this.forces.add(thickArrow());
+      const arrow = this.forces.children[used++]!;
+      arrow.visible = true;
+      arrow.position.set(...contact.point);
+      arrow.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), force.normalize());
+      arrow.scale.set(1, length, 1);
     }
+    for (const arrow of this.forces.children.slice(used)) arrow.visible = false;
   }
 
   private basePlace(entity: number): Vector3 | undefined {
