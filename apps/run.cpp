@@ -161,6 +161,7 @@ void check_serial(const scene_file::SceneSpec& spec, const std::string& folder) 
 /// Why a run that is shown cannot be reset or go back in time; empty: it can.
 std::string bound_by(const RunOptions& options) {
   if (!options.record.file.empty()) return "it is recorded (--record)";
+  if (!options.web.html.empty()) return "it is written as HTML (--html)";
   return options.log.empty() ? "" : "its numbers are logged (--log)";
 }
 
@@ -229,9 +230,10 @@ int run(const RunOptions& options) {
     const auto advance = [&] {
       if (!options.web.web.empty()) {
         const auto start = WallClock::now();
-        lateness = run_with_server(scene, options.web,
-                                   {.speed = speed_of(options), .tell_of_overruns = tell, .no_way_back = bound_by(options)},
-                                   duration, show);
+        lateness =
+            run_with_server(scene, options.web,
+                            {.speed = speed_of(options), .tell_of_overruns = tell, .no_way_back = bound_by(options)},
+                            duration, show);
         wall += WallClock::now() - start;
         return;
       }

@@ -39,8 +39,8 @@ void check(const WebArguments& arguments) {
 
 std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, const WebArguments& arguments) {
   if (arguments.html.empty()) return nullptr;
-  return std::make_unique<web::HtmlRecording>(
-      scene, web::HtmlOptions{.file = arguments.html, .rate = arguments.html_rate});
+  return std::make_unique<web::HtmlRecording>(scene,
+                                              web::HtmlOptions{.file = arguments.html, .rate = arguments.html_rate});
 }
 
 Lateness run_with_server(scene::Scene& scene, const WebArguments& arguments, const session::SessionOptions& options,

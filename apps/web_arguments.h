@@ -14,8 +14,8 @@
 namespace murosimf::app {
 
 struct WebArguments {
-  std::string web;   ///< [HOST:]PORT; empty: nobody looks on
-  std::string html;  ///< file; empty: none
+  std::string web;        ///< [HOST:]PORT; empty: nobody looks on
+  std::string html;       ///< file; empty: none
   double html_rate = 25;  ///< [Hz]
 };
 
@@ -25,7 +25,8 @@ void add_web(const Command& command, WebArguments& arguments);
 void check(const WebArguments& arguments);
 
 /// Null if none is asked for. Before the first step.
-[[nodiscard]] std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, const WebArguments& arguments);
+[[nodiscard]] std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene,
+                                                                      const WebArguments& arguments);
 
 /// Runs the scene with a server at `arguments.web`, whose addresses are said first; at `end` it pauses until a signal comes. Throws SetupError.
 Lateness run_with_server(scene::Scene& scene, const WebArguments& arguments, const session::SessionOptions& options,

@@ -24,6 +24,10 @@ add_oracle_test(lenses_against_opencv $<TARGET_FILE:dump_lens>)
 add_oracle_test(mcap_against_official $<TARGET_FILE:dump_mcap>)
 add_oracle_test(recording_against_official $<TARGET_FILE:murosimf_app>)
 add_oracle_test(serial_with_vendor_sdk $<TARGET_FILE:murosimf_app>)
+if(TARGET PkgConfig::websockets)
+  add_oracle_test(foxglove_live $<TARGET_FILE:murosimf_app>)
+  set_tests_properties(oracle.foxglove_live PROPERTIES PROCESSORS 2 TIMEOUT 300)
+endif()
 set_tests_properties(oracle.serial_with_vendor_sdk PROPERTIES PROCESSORS 2 TIMEOUT 300)  # in real time
 
 # Collision against FCL, where it is installed.

@@ -19,8 +19,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/recording/message_sink.h"
 #include "murosimf/recording/message_schema.h"
+#include "murosimf/recording/message_sink.h"
 #include "murosimf/recording/recorded_frame.h"
 #include "murosimf/recording/scene_message.h"
 
@@ -34,8 +34,8 @@ namespace murosimf::recording {
 class FrameWriter {
  public:
   /// `what`: of recordable(). All of it outlives the writer.
-  FrameWriter(MessageSink& file, const std::vector<RecordedEntity>& entities, const std::vector<RecordedSensor>& sensors,
-              const SceneLooks* looks, const std::set<std::string>& what);
+  FrameWriter(MessageSink& file, const std::vector<RecordedEntity>& entities,
+              const std::vector<RecordedSensor>& sensors, const SceneLooks* looks, const std::set<std::string>& what);
 
   void write(const RecordedFrame& frame);
 

@@ -150,7 +150,8 @@ void FoxgloveConversation::advertise(const json& order) {
     if (one.at("encoding").get<std::string>() != "json") {
       say(error_level, fmt::format("'{}': messages are taken as json", topic.substr(0, 80)));
     } else if (topic != "/change" && commanded_robot(topic).empty()) {
-      say(error_level, fmt::format("'{}': nobody listens there; topics are /ROBOT/command and /change", topic.substr(0, 80)));
+      say(error_level,
+          fmt::format("'{}': nobody listens there; topics are /ROBOT/command and /change", topic.substr(0, 80)));
     } else if (published_.size() < most_names) {
       published_[one.at("id").get<std::uint32_t>()] = topic;
     }
@@ -204,7 +205,8 @@ void FoxgloveConversation::control_playback(std::string_view message) {
   if (!play) session.pause();
   if (seek) {
     const session::SessionStatus now = session.status();
-    const auto wanted = static_cast<Duration::rep>(std::min<std::uint64_t>(time, std::uint64_t(Duration::max().count())));
+    const auto wanted =
+        static_cast<Duration::rep>(std::min<std::uint64_t>(time, std::uint64_t(Duration::max().count())));
     jobs_.push_back({.done = session.seek(std::clamp(Duration(wanted), now.first, now.last)), .id = id, .seek = true});
   }
   if (play && !seek) session.go_on();
@@ -216,14 +218,14 @@ void FoxgloveConversation::introduce() {
   const Duration end = status.end == Duration::max() ? status.last : std::max(status.last, status.end);
   const auto capabilities = {"clientPublish", "parameters", "parametersSubscribe", "time", "playbackControl"};
   outbox.send(text_message(json_line({{"op", "serverInfo"},
-                                    {"name", "MuRoSimF: " + live_.scene_name()},
-                                    {"capabilities", capabilities},
-                                    {"supportedEncodings", {"json"}},
-                                    {"metadata", {{"scene", live_.scene_name()}}},
-                                    {"dataStartTime", time_json(status.first)},
-                                    {"dataEndTime", time_json(end)},
-                                    // viewers forget what they had when time has jumped to a new run
-                                    {"sessionId", fmt::format("{}", status.jumps)}})));
+                                      {"name", "MuRoSimF: " + live_.scene_name()},
+                                      {"capabilities", capabilities},
+                                      {"supportedEncodings", {"json"}},
+                                      {"metadata", {{"scene", live_.scene_name()}}},
+                                      {"dataStartTime", time_json(status.first)},
+                                      {"dataEndTime", time_json(end)},
+                                      // viewers forget what they had when time has jumped to a new run
+                                      {"sessionId", fmt::format("{}", status.jumps)}})));
   introduced_ = true;
 }
 

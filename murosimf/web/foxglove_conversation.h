@@ -58,7 +58,7 @@ class FoxgloveConversation final : public Conversation {
   FoxgloveLive& live_;
   std::deque<Job> jobs_;
   bool introduced_ = false;
-  std::size_t announced_ = 0;                            // channels
+  std::size_t announced_ = 0;                             // channels
   std::map<std::uint16_t, std::uint32_t> subscriptions_;  // by channel
   std::map<std::uint32_t, std::string> published_;        // topics by the client's channels
   std::set<std::string> watched_;                         // parameters

@@ -11,8 +11,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto between_frames = 33ms;        // [wall]
-constexpr auto while_it_stands = 1s;         // [wall] a frame is repeated, for who has come since
+constexpr auto between_frames = 33ms;  // [wall]
+constexpr auto while_it_stands = 1s;   // [wall] a frame is repeated, for who has come since
 
 const std::set<std::string>& sent() {
   static const std::set<std::string> what = {"poses", "scene", "joints", "contacts", "sensors", "events"};

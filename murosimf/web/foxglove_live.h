@@ -53,7 +53,8 @@ class FoxgloveLive final : private recording::MessageSink {
 
  private:
   struct Visit;
-  [[nodiscard]] std::uint16_t add_schema(const std::string& name, const std::string& encoding, std::string data) override;
+  [[nodiscard]] std::uint16_t add_schema(const std::string& name, const std::string& encoding,
+                                         std::string data) override;
   [[nodiscard]] std::uint16_t add_channel(const std::string& topic, const std::string& encoding, std::uint16_t schema,
                                           recording::TextMap metadata) override;
   void write(std::uint16_t channel, Duration time, std::string_view data) override;

@@ -71,10 +71,6 @@ void HtmlRecording::look() {
 void HtmlRecording::take_frame() {
   const Simulation& simulation = scene_.simulation();
   if (document_.entities == 0) document_ = scene_document(scene_);
-  while (!times_.empty() && times_.back() >= simulation.now()) {  // time has gone back
-    times_.pop_back();
-    frames_.pop_back();
-  }
   poses_.time = simulation.now();
   take_poses(simulation.world(), poses_);
   times_.push_back(poses_.time);

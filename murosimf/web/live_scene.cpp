@@ -15,9 +15,9 @@ namespace {
 using nlohmann::json;
 using namespace std::chrono_literals;
 
-constexpr auto between_visits = 100ms;     // [wall]
-constexpr auto between_numbers = 40ms;     // while somebody plots or looks through a camera
-constexpr Duration frame_period = 16ms;    // [wall] of poses
+constexpr auto between_visits = 100ms;   // [wall]
+constexpr auto between_numbers = 40ms;   // while somebody plots or looks through a camera
+constexpr Duration frame_period = 16ms;  // [wall] of poses
 
 json state_of(const session::SessionStatus& status, const json& entities, const json& game) {
   const Duration known = std::max(status.time, status.last);

@@ -17,10 +17,10 @@ using nlohmann::json;
 
 enum Kind { poses, state, lines, values, picture };  // of views (outbox.h)
 
-constexpr int most_unseen = 4;             // a page that draws slowly gets fewer poses, not older ones
-constexpr std::size_t most_paths = 64;     // that a client watches
-constexpr std::size_t most_orders = 256;     // that a client waits for
-constexpr double longest_time = 3e9;       // [s]
+constexpr int most_unseen = 4;            // a page that draws slowly gets fewer poses, not older ones
+constexpr std::size_t most_paths = 64;    // that a client watches
+constexpr std::size_t most_orders = 256;  // that a client waits for
+constexpr double longest_time = 3e9;      // [s]
 
 template <class T>
 T get(const json& order, const char* key) {
@@ -33,7 +33,8 @@ T get(const json& order, const char* key) {
 
 double finite(const json& order, const char* key) {
   const double value = get<double>(order, key);
-  if (!std::isfinite(value) || std::abs(value) > longest_time) throw ClientError(fmt::format("'{}' is no such number", key));
+  if (!std::isfinite(value) || std::abs(value) > longest_time)
+    throw ClientError(fmt::format("'{}' is no such number", key));
   return value;
 }
 
@@ -63,9 +64,10 @@ void PageConversation::receive(std::string_view message, bool binary) {
 void PageConversation::carry_out(const std::string& what, const json& order, std::int64_t id) {
   session::Session& session = live_.session();
   if (what == "change") return wait_for(id, session.change(get<std::string>(order, "text")));
-  if (what == "seek") return wait_for(id, session.seek(from_seconds(finite(order, "time")),
-                                                      order.contains("branch") ? std::optional(get<int>(order, "branch"))
-                                                                               : std::nullopt));
+  if (what == "seek")
+    return wait_for(id,
+                    session.seek(from_seconds(finite(order, "time")),
+                                 order.contains("branch") ? std::optional(get<int>(order, "branch")) : std::nullopt));
   if (what == "reset") {
     return wait_for(id, session.reset(order.contains("seed") ? std::optional(get<std::uint64_t>(order, "seed"))
                                                              : std::nullopt));

@@ -31,8 +31,8 @@ class PageConversation final : public Conversation, public Onlooker {
   struct Job {
     std::int64_t id = 0;
     std::future<void> done;
-    std::shared_ptr<nlohmann::json> result;         ///< null: nothing but that it was done
-    std::function<void()> then = [] {};             ///< when it was
+    std::shared_ptr<nlohmann::json> result;  ///< null: nothing but that it was done
+    std::function<void()> then = [] {};      ///< when it was
   };
   void carry_out(const std::string& what, const nlohmann::json& order, std::int64_t id);
   void watch(const nlohmann::json& order, std::int64_t id);

@@ -29,8 +29,13 @@ json color_of(const Color& color) {
 
 json place_of(const Transformd& place) {
   const Quaterniond q = from_matrix(place.orientation);
-  return {short_number(place.position.x), short_number(place.position.y), short_number(place.position.z),
-          short_number(q.x), short_number(q.y), short_number(q.z), short_number(q.w)};
+  return {short_number(place.position.x),
+          short_number(place.position.y),
+          short_number(place.position.z),
+          short_number(q.x),
+          short_number(q.y),
+          short_number(q.z),
+          short_number(q.w)};
 }
 
 const char* form_name(render::Form form) {

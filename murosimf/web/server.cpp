@@ -50,8 +50,7 @@ void close_with(lws* wsi, lws_close_status status, std::string_view why) {
   lws_close_reason(wsi, status, bytes.data(), size);
 }
 
-constexpr std::string_view wrong_token =
-    "This needs the whole address that was printed, with its token.\n";
+constexpr std::string_view wrong_token = "This needs the whole address that was printed, with its token.\n";
 
 }  // namespace
 
@@ -98,7 +97,8 @@ Server::Inside::Inside(Options what) : options(std::move(what)) {
   } catch (const wire::WireError& error) {
     throw SetupError(fmt::format("{}: {}", to_text(options.address), error.what()));
   }
-  rules = {.loopback = is_loopback(address.host.find(':') == std::string::npos ? address.host : "[" + address.host + "]"),
+  rules = {.loopback =
+               is_loopback(address.host.find(':') == std::string::npos ? address.host : "[" + address.host + "]"),
            .token = options.token};
   lws_protocols protocol{};
   protocol.callback = on_event;

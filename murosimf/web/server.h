@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "murosimf/web/access.h"
+#include "murosimf/web/entry.h"
 #include "murosimf/web/outbox.h"
 #include "murosimf/wire/socket.h"
 
@@ -72,8 +72,8 @@ class Server {
   std::unique_ptr<Inside> inside_;
 };
 
-inline constexpr std::size_t longest_message = 1 << 20;   ///< [byte] that a client may send
-inline constexpr std::size_t most_waiting = 64 << 20;     ///< [byte] of answers that a client leaves unread
+inline constexpr std::size_t longest_message = 1 << 20;  ///< [byte] that a client may send
+inline constexpr std::size_t most_waiting = 64 << 20;    ///< [byte] of answers that a client leaves unread
 inline constexpr int most_clients = 64;
 
 }  // namespace murosimf::web

@@ -34,7 +34,7 @@ std::optional<double> value_of(const logging::LoggedNumber& number) {
 }
 
 std::vector<std::pair<std::string, std::optional<double>>> WatchedNumbers::read(const World& world,
-                                                                               const std::vector<std::string>& paths) {
+                                                                                const std::vector<std::string>& paths) {
   if (paths != paths_) {
     paths_ = paths;
     numbers_.assign(paths.size(), std::nullopt);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/web/access.h"
+#include "murosimf/web/entry.h"
 #include "murosimf/web/foxglove_conversation.h"
 #include "murosimf/web/page.h"
 #include "murosimf/web/page_conversation.h"
@@ -12,7 +12,8 @@ namespace murosimf::web {
 namespace {
 
 constexpr std::string_view page_missing =
-    "<!doctype html><title>MuRoSimF</title><p>This program was built without its page for browsers, since npm was missing. "
+    "<!doctype html><title>MuRoSimF</title><p>This program was built without its page for browsers, since npm was "
+    "missing. "
     "Foxglove can look on at this address all the same.";
 
 }  // namespace
@@ -33,11 +34,10 @@ struct WebView::Inside {
                           {"foxglove.sdk.v1", talk_to_foxglove},
                           {"foxglove.websocket.v1", talk_to_foxglove}},
             .pages = {{"/", answer}},
-            .look =
-                [this] {
-                  live.look();
-                  foxglove.look();
-                }};
+            .look = [this] {
+              live.look();
+              foxglove.look();
+            }};
   }
 
   LiveScene live;         // of the server's thread

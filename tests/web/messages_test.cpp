@@ -146,7 +146,7 @@ TEST(SceneDocument, HasWhatIsSeen) {
   const auto length = number_at<std::uint32_t>(made.bytes, 0);
   ASSERT_EQ(length % 4, 0U);
   const auto text = nlohmann::json::parse(made.bytes.substr(4, length));
-  EXPECT_EQ(text["name"], "three_on_three");
+  EXPECT_EQ(text["name"], "Three on three");
   EXPECT_EQ(text["entities"].size(), made.entities);
   std::size_t robots = 0;
   for (const auto& entity : text["entities"]) robots += entity["kind"] == "robot" ? 1 : 0;
@@ -155,11 +155,14 @@ TEST(SceneDocument, HasWhatIsSeen) {
   EXPECT_FALSE(text["ground"]["lines"].empty());
   std::size_t end = 4 + length;
   for (const auto& mesh : text["meshes"]) {
-    end = 4 + length + mesh["at"].get<std::size_t>() + 12 * (mesh["corners"].get<std::size_t>() + mesh["triangles"].get<std::size_t>());
+    end = 4 + length + mesh["at"].get<std::size_t>() +
+          12 * (mesh["corners"].get<std::size_t>() + mesh["triangles"].get<std::size_t>());
   }
   EXPECT_EQ(end, made.bytes.size());
   for (const auto& part : text["parts"]) {
-    if (part.contains("body")) EXPECT_LT(part["body"], text["entities"][part["entity"].get<int>()]["bodies"].size());
+    const auto& entity = text["entities"][part["entity"].get<std::size_t>()];
+    const std::size_t bodies = entity.contains("bodies") ? entity["bodies"].size() : 1;
+    EXPECT_LT(part.value("body", std::size_t{0}), bodies);
   }
 }
 

@@ -90,7 +90,7 @@ class Steering(unittest.TestCase):
             client = Client(run.port)
             scene = client.wait_for(lambda m: isinstance(m, bytes) and m[0] == 3)
             text = json.loads(scene[8:8 + int.from_bytes(scene[4:8], "little")])
-            self.assertEqual(text["name"], "walk")
+            self.assertEqual(text["name"], "Walk")
             first = time_of(client.poses())
             self.assertGreater(time_of(client.poses()), first)
 
@@ -174,7 +174,8 @@ class Clients(unittest.TestCase):
             good = Client(run.port)
             good.poses()
             nonsense = ["no json", "[1,2]", '{"do":7}', '{"do":"fly"}', '{"do":"seek","time":"x"}', '{"do":"seek","time":1e300}',
-                        '{"do":"step"}', b"\x00\x01\x02", "x" * (2 << 20), '{"do":"speed"}', "\ud83d".encode("utf-8", "surrogatepass")]
+                        '{"do":"step"}', b"\x00\x01\x02", "x" * (2 << 20), '{"do":"speed"}',
+                        "\ud83d".encode("utf-8", "surrogatepass")]
             for what in nonsense:
                 bad = Client(run.port)
                 bad.send(what)

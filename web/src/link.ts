@@ -44,9 +44,10 @@ export class Link implements Source {
     this.order({ do: "contacts", on });
   }
 
-  watch(paths: string[]): void {
+  async watch(paths: string[]): Promise<unknown> {
+    const answer = await this.ask({ do: "watch", paths });
     this.watched = paths;
-    this.order({ do: "watch", paths });
+    return answer;
   }
 
   look(camera: string | null): void {
@@ -82,7 +83,7 @@ export class Link implements Source {
       this.wait = 500;
       this.listener.connected(true, "");
       if (this.contacts) this.setContacts(true);
-      if (this.watched.length > 0) this.watch(this.watched);
+      if (this.watched.length > 0) this.order({ do: "watch", paths: this.watched });
       if (this.camera !== null) this.look(this.camera);
     };
     socket.onmessage = (event: MessageEvent<ArrayBuffer | string>) => this.receive(event.data);

@@ -106,7 +106,7 @@ function push(body: number, entity: number, force: { x: number; y: number }): vo
 // The bulkiest part: pushes act there.
 function trunkOf(entity: number): number {
   const bodies = scene?.text.entities[entity]?.bodies ?? [];
-  const found = bodies.findIndex((name) => /trunk|torso|body|pelvis|chest/i.test(name));
+  const found = bodies.findIndex((name) => /trunk|torso|chest|body/i.test(name));
   return Math.max(0, found);
 }
 
@@ -122,6 +122,8 @@ function showPanel(on: boolean): void {
   get("panel").hidden = !on;
   document.body.classList.toggle("panel", on);
   toggle(get("toggle_panel"), on);
+  const beside = on && window.matchMedia("(min-width: 641px)").matches;
+  view.setCovered(beside ? get("panel").offsetWidth + 10 : 0);
 }
 
 const actions: Record<string, () => void> = {

@@ -90,6 +90,7 @@ export class Panel {
     }
     this.describe(chosen);
     if (this.state) this.update(this.state);
+    this.details.scrollIntoView({ block: "nearest" });
   }
 
   update(state: State): void {
@@ -263,15 +264,21 @@ export class Panel {
 
   private addPlot(path: string): void {
     if (!path || this.plots.some((plot) => plot.path === path)) return;
-    const plot = new Plot(path, () => {
-      this.plots.splice(this.plots.indexOf(plot), 1);
-      plot.element.remove();
-      this.source.watch(this.plots.map((one) => one.path));
-    });
+    const plot: Plot = new Plot(path, () => this.removePlot(plot));
     this.plots.push(plot);
     this.plotList.prepend(plot.element);
-    this.source.watch(this.plots.map((one) => one.path));
-    this.path.value = "";
+    this.source.watch(this.plots.map((one) => one.path)).then(() => (this.path.value = ""), (error: unknown) => {
+      say((error as Error).message, true);
+      this.removePlot(plot);
+    });
+  }
+
+  private removePlot(plot: Plot): void {
+    const index = this.plots.indexOf(plot);
+    if (index < 0) return;
+    this.plots.splice(index, 1);
+    plot.element.remove();
+    this.source.watch(this.plots.map((one) => one.path)).catch(() => undefined); // a lost connection says so itself
   }
 
   private makeCamera(): HTMLElement {

@@ -73,7 +73,7 @@ export class Player implements Source {
   }
   reset(): void { this.seek(this.begin()); }
   setContacts(): void { /* it has none */ }
-  watch(): void { /* it has no numbers */ }
+  watch(): Promise<unknown> { return Promise.reject(new Error("a recording has no numbers")); }
   look(): void { /* it has no pictures */ }
   change(): Promise<unknown> { return Promise.reject(new Error("a recording cannot be changed")); }
   namesOf(): Promise<string[]> { return Promise.resolve([]); }

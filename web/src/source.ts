@@ -60,9 +60,9 @@ export interface Source {
   seek(time: number): void;
   reset(): void;
   setContacts(on: boolean): void;
-  watch(paths: string[]): void;
   look(camera: string | null): void;
   // Resolve with what the simulation answers; reject with the line that says what is wrong.
   change(text: string): Promise<unknown>;
+  watch(paths: string[]): Promise<unknown>;
   namesOf(entity: string): Promise<string[]>;
 }

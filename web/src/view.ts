@@ -1,6 +1,6 @@
 // The scene in three dimensions: bodies, field, names, contact forces; who is selected; where the eye is.
 import {
-  AmbientLight, ArrowHelper, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color, CylinderGeometry, DirectionalLight,
+  AmbientLight, ArrowHelper, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color, ConeGeometry, CylinderGeometry, DirectionalLight,
   Group, HemisphereLight, Matrix4, Mesh, MeshLambertMaterial, MeshBasicMaterial, Object3D, PCFSoftShadowMap, PerspectiveCamera,
   Plane, PlaneGeometry, Quaternion, Raycaster, RingGeometry, Scene, SphereGeometry, Sprite, SpriteMaterial, SRGBColorSpace, Vector2,
   Vector3, WebGLRenderer,
@@ -80,10 +80,20 @@ function label(text: string, color: string): Sprite {
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;
   const sprite = new Sprite(new SpriteMaterial({ map: texture, sizeAttenuation: false, depthTest: false }));
-  const height = 0.028;
+  const height = 0.024;
   sprite.scale.set((height * canvas.width) / canvas.height, height, 1);
+  sprite.center.set(0.5, -0.25);
   sprite.renderOrder = 10;
   return sprite;
+}
+
+const arrowMaterial = new MeshBasicMaterial({ color: 0xff5a1f });
+const shaft = new CylinderGeometry(0.007, 0.007, 0.75, 8).translate(0, 0.375, 0);
+const tip = new ConeGeometry(0.02, 0.25, 12).translate(0, 0.875, 0);
+
+// From the origin to (0, 1, 0).
+function thickArrow(): Group {
+  return new Group().add(new Mesh(shaft, arrowMaterial), new Mesh(tip, arrowMaterial));
 }
 
 interface Shown {
@@ -119,6 +129,7 @@ export class View {
   private drag: { shown: Shown; body: number; start: Vector3; plane: Plane } | undefined;
   private pressed: { x: number; y: number } | undefined;
   private followed = new Vector3();
+  private covered = 0; // [px] at the right border
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -205,7 +216,7 @@ export class View {
         body.quaternion.set(n[at + 3]!, n[at + 4]!, n[at + 5]!, n[at + 6]!);
         top = Math.max(top, n[at + 2]!);
       });
-      shown.label?.position.set(pose.bodies[0]!, pose.bodies[1]!, top + 0.16);
+      shown.label?.position.set(pose.bodies[0]!, pose.bodies[1]!, top + 0.08);
     });
     this.placeForces(poses);
     this.placeRing();
@@ -242,25 +253,31 @@ export class View {
     this.dirty = true;
   }
 
-  // All of the field, from aside or from above.
+  // All of the field, from aside or from above, as large as it fits.
   home(above = false): void {
-    const ground = this.document?.text.ground;
-    const length = ground?.half_length ?? 2, width = ground?.half_width ?? 1.5;
-    const aspect = Math.max(0.3, this.camera.aspect);
-    const half = Math.tan((this.camera.fov * Math.PI) / 360);
-    this.controls.target.set(0, above ? 0 : -0.06 * width, 0.1);
-    if (above) {
-      const upright = aspect < 1; // a phone that stands: the field stands, too
-      const [across, up] = upright ? [width, length] : [length, width];
-      const distance = (1.12 * Math.max(up, across / aspect)) / half;
-      this.camera.position.set(upright ? -0.001 * distance : 0, upright ? 0 : -0.001 * distance, distance);
-    } else {
-      const distance = Math.max(0.62 * width + 0.1, (0.98 * length) / aspect) / half;
-      const elevation = 0.55;
-      this.camera.position.set(0, -distance * Math.cos(elevation), distance * Math.sin(elevation));
+    const points = (this.document?.text.ground?.lines ?? []).flatMap((line) => line.points);
+    const reach = (k: number, least: number) => points.reduce((most, point) => Math.max(most, Math.abs(point[k]!)), least) + 0.2;
+    const [length, width] = [reach(0, 1.2), reach(1, 1)];
+    const upright = this.camera.aspect < 1; // a phone that stands: seen from above the field stands, too
+    const direction = new Vector3();
+    if (above) direction.set(upright ? -0.001 : 0, upright ? 0 : -0.001, 1);
+    else direction.set(0, -Math.cos(0.55), Math.sin(0.55));
+    this.controls.target.set(0, 0, 0.1);
+    const corners = [-1, 1].flatMap((x) => [-1, 1].map((y) => new Vector3(x * length, y * width, 0)));
+    for (let distance = 1; distance < 60; distance *= 1.04) {
+      this.camera.position.copy(this.controls.target).addScaledVector(direction.normalize(), distance);
+      this.camera.lookAt(this.controls.target);
+      this.camera.updateMatrixWorld();
+      if (corners.every((corner) => this.isInside(corner))) break;
     }
     this.controls.update();
     this.dirty = true;
+  }
+
+  // Leaves `pixels` at the right border to something that lies over the view.
+  setCovered(pixels: number): void {
+    this.covered = pixels;
+    this.fit();
   }
 
   // Where `x` right and `y` away from the eye point in the plane.
@@ -268,6 +285,14 @@ export class View {
     const away = this.controls.target.clone().sub(this.camera.position).setZ(0).normalize();
     const right = new Vector3(away.y, -away.x, 0);
     return right.multiplyScalar(x).addScaledVector(away, y).normalize();
+  }
+
+  // Between the bars at top and bottom, and beside what covers the view.
+  private isInside(point: Vector3): boolean {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const place = point.clone().project(this.camera);
+    const x = (place.x + 1) / 2 * width, y = (1 - place.y) / 2 * height;
+    return place.z < 1 && x > 8 && x < width - this.covered - 8 && y > 48 && y < height - 70;
   }
 
   redraw(): void {
@@ -304,14 +329,19 @@ export class View {
   }
 
   private placeForces(poses: Poses): void {
-    this.forces.clear();
+    let used = 0;
     for (const contact of poses.contacts) {
       const force = new Vector3(...contact.force);
       const length = force.length() * meters_per_newton;
       if (!(length > 0.004)) continue;
-      this.forces.add(new ArrowHelper(force.normalize(), new Vector3(...contact.point), length, 0xff6a2a,
-        Math.min(0.3 * length, 0.05), Math.min(0.2 * length, 0.03)));
+      if (used === this.forces.children.length) this.forces.add(thickArrow());
+      const arrow = this.forces.children[used++]!;
+      arrow.visible = true;
+      arrow.position.set(...contact.point);
+      arrow.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), force.normalize());
+      arrow.scale.set(1, length, 1);
     }
+    for (const arrow of this.forces.children.slice(used)) arrow.visible = false;
   }
 
   private basePlace(entity: number): Vector3 | undefined {
@@ -341,7 +371,7 @@ export class View {
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    this.camera.setViewOffset(width, height, this.covered / 2, 0, width, height);
     this.dirty = true;
   }
 

@@ -1,4 +1,4 @@
-/// access.h - who may see and steer: a page in some other tab of a browser may not, though it reaches this computer's ports as well.
+/// entry.h - who may see and steer: a page in some other tab of a browser may not, though it reaches this computer's ports as well.
 #pragma once
 
 #include <string>

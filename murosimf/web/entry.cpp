@@ -1,4 +1,4 @@
-#include "murosimf/web/access.h"
+#include "murosimf/web/entry.h"
 
 #include <sys/random.h>
 

@@ -1,0 +1,186 @@
+// The page in headless Chromium: shows a running scene, its buttons work, also on a phone; the one-file export plays from file://.
+//
+// Usage: node page_in_browser.mjs <murosimf> <folder for pictures> [chromium]
+// Exit: 0 all well, 1 not, 77 there is no Chromium or playwright-core (the test is skipped).
+import assert from "node:assert/strict";
+import { spawn, spawnSync } from "node:child_process";
+import { existsSync, mkdirSync, mkdtempSync, rmSync, statSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [program, pictures, given] = process.argv.slice(2);
+const names = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+const executablePath = given ?? names.find((name) => existsSync(name));
+function skip(why) {
+  console.log(`skipped: ${why}`);
+  process.exit(77);
+}
+if (!executablePath) skip("no Chromium (Debian: apt-get install chromium)");
+const { chromium } = await import("playwright-core").catch(() => skip("no playwright-core (npm ci in tests/web)"));
+
+mkdirSync(pictures, { recursive: true });
+const profile = mkdtempSync(join(tmpdir(), "murosimf_chromium_"));
+const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+  "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+
+// murosimf run ... --web: its address, and how to end it.
+async function start(...words) {
+  const child = spawn(program, ["run", ...words, "--web", "0"], { stdio: ["ignore", "ignore", "pipe"] });
+  let said = "";
+  const address = await new Promise((resolve, reject) => {
+    child.stderr.on("data", (text) => {
+      said += text;
+      const found = /page: (\S+)/.exec(said);
+      if (found && said.includes("Foxglove:")) resolve(found[1]);
+    });
+    child.on("exit", () => reject(new Error(said)));
+  });
+  return { address, end: () => new Promise((done) => { child.on("exit", done); child.kill("SIGKILL"); }) };
+}
+
+const browser = await chromium.launchPersistentContext(profile, { executablePath, headless: true, args,
+  viewport: { width: 1280, height: 760 } });
+const problems = [];
+async function open(address, size) {
+  const page = await browser.newPage();
+  if (size) await page.setViewportSize(size);
+  page.on("pageerror", (error) => problems.push(String(error)));
+  page.on("console", (line) => { if (line.type() === "error") problems.push(line.text()); });
+  await page.goto(address);
+  await page.waitForSelector('body[data-ready="poses"]', { timeout: 60000 });
+  return page;
+}
+const state = (page) => page.evaluate(() => window.murosimf.state());
+async function until(page, good, what) {
+  for (let i = 0; i < 300; ++i) {
+    if (good(await state(page))) return;
+    await page.waitForTimeout(100);
+  }
+  assert.fail(`never: ${what}; ${JSON.stringify(await state(page))}`);
+}
+// How many colors a picture of the view has: one that is empty has few.
+const colors = (page) => page.evaluate(async () => {
+  window.murosimf.view.redraw();
+  const view = document.getElementById("view");
+  const bitmap = await new Promise((resolve) => requestAnimationFrame(() => {
+    window.murosimf.view.draw();
+    resolve(createImageBitmap(view));
+  }));
+  const canvas = new OffscreenCanvas(160, 95);
+  const pen = canvas.getContext("2d");
+  pen.drawImage(bitmap, 0, 0, 160, 95);
+  const data = pen.getImageData(0, 0, 160, 95).data;
+  const all = new Set();
+  for (let i = 0; i < data.length; i += 4) all.add(`${data[i] >> 4},${data[i + 1] >> 4},${data[i + 2] >> 4}`);
+  return all.size;
+});
+
+async function testDesktop() {
+  const run = await start("three_on_three", "--duration", "60", "--set", "red.*.level=simplified_dynamics");
+  const begin = Date.now();
+  const page = await open(run.address);
+  console.log(`page shows the scene after ${Date.now() - begin} ms`);
+  assert.equal(await page.textContent("#name"), "Three on three");
+  await until(page, (now) => now && now.time > 0, "time goes on");
+  assert.ok((await colors(page)) > 30, "something is drawn");
+  await page.click("#play");
+  await until(page, (now) => now.paused, "paused");
+  const stands = (await state(page)).time;
+  await page.click("#step");
+  await until(page, (now) => now.time > stands && now.paused, "one step");
+  await page.evaluate(() => window.murosimf.select(window.murosimf.scene().text.entities.findIndex((one) => one.name === "red1")));
+  await page.selectOption('select[aria-label="level"]', "full_dynamics");
+  const red = await page.evaluate(() => window.murosimf.scene().text.entities.findIndex((one) => one.name === "red1"));
+  await until(page, (now) => now.entities[red].level === "full_dynamics", "another level");
+  await page.click("#contacts");
+  await page.click('button[aria-label="Push right"]');
+  await page.waitForSelector("#messages div:has-text('push')");
+  await page.click("#play");
+  await until(page, (now) => now.time > stands + 0.5, "goes on");
+  await page.screenshot({ path: join(pictures, "desktop.png") });
+  await page.click('#tabs button:has-text("Plots")');
+  await page.fill('input[aria-label="Number to plot"]', "red1.torso.position.z");
+  await page.press('input[aria-label="Number to plot"]', "Enter");
+  await page.waitForFunction(() => document.querySelector('input[aria-label="Number to plot"]').value === "");
+  await page.fill('input[aria-label="Number to plot"]', "ball.ball.linear_velocity.x");
+  await page.press('input[aria-label="Number to plot"]', "Enter");
+  await page.waitForFunction(() => [...document.querySelectorAll(".plot .value")].filter((one) => one.textContent).length === 2);
+  await page.waitForTimeout(2500);
+  await page.click('#tabs button:has-text("Events")');
+  assert.match(await page.textContent("#panel"), /red1/);
+  await page.click('#tabs button:has-text("Plots")');
+  await page.click("#above");
+  await page.waitForTimeout(300);
+  await page.screenshot({ path: join(pictures, "plots.png") });
+  await page.click("#play");
+  await until(page, (now) => now.paused, "paused again");
+  await page.click("#reset");
+  await until(page, (now) => now.time === 0, "back at the start");
+  await page.close();
+  await run.end();
+}
+
+async function testPhone() {
+  const run = await start("three_on_three", "--duration", "60");
+  const page = await open(run.address, { width: 390, height: 780 });
+  await until(page, (now) => now && now.time > 1, "time goes on");
+  const box = await page.evaluate(() => ({ page: document.documentElement.scrollWidth, window: innerWidth }));
+  assert.ok(box.page <= box.window, "nothing stands beside the screen");
+  await page.screenshot({ path: join(pictures, "phone.png") });
+  await page.click("#toggle_panel");
+  await page.click("#panel .list button:has-text('blue2')");
+  await page.click("#follow");
+  await page.waitForTimeout(500);
+  await page.screenshot({ path: join(pictures, "phone_panel.png") });
+  await page.close();
+  await run.end();
+}
+
+async function testReconnect() {
+  const run = await start("walk", "--duration", "60");
+  const port = new URL(run.address).port;
+  const page = await open(run.address);
+  await run.end();
+  await page.waitForSelector("#state.bad", { timeout: 20000 });
+  const again = spawn(program, ["run", "walk", "--duration", "60", "--web", port], { stdio: "ignore" });
+  await page.waitForSelector("#state:not(.bad)", { timeout: 30000 });
+  again.kill("SIGKILL");
+  await page.close();
+}
+
+async function testExport() {
+  const file = join(pictures, "game.html");
+  const made = spawnSync(program, ["run", "three_on_three", "--duration", "10", "--html", file]);
+  assert.equal(made.status, 0, String(made.stderr));
+  console.log(`10 s of three_on_three: ${statSync(file).size} bytes`);
+  const page = await open(pathToFileURL(file).href);
+  await until(page, (now) => now && now.time > 0.5 && !now.paused, "it plays");
+  await page.click("#play");
+  await page.evaluate(() => {
+    const time = document.getElementById("time");
+    time.value = "8";
+    time.dispatchEvent(new Event("change"));
+  });
+  await until(page, (now) => Math.abs(now.time - 8) < 0.01 && now.paused, "it can be sought in");
+  assert.ok((await colors(page)) > 30, "something is drawn");
+  await page.screenshot({ path: join(pictures, "export.png") });
+  await page.close();
+}
+
+let failed = false;
+for (const test of [testDesktop, testPhone, testReconnect, testExport]) {
+  problems.length = 0;
+  try {
+    await test();
+    const real = problems.filter((text) => !(test === testReconnect && text.includes("WebSocket")));
+    assert.deepEqual(real, [], "nothing on the console");
+    console.log(`${test.name}: ok`);
+  } catch (error) {
+    failed = true;
+    console.log(`${test.name}: FAILED\n${error.stack}`);
+  }
+}
+await browser.close();
+rmSync(profile, { recursive: true, force: true });
+process.exit(failed ? 1 : 0);
