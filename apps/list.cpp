@@ -22,6 +22,7 @@
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene_file/key_list.h"
+#include "murosimf/viewer/actions.h"
 
 namespace murosimf::app {
 namespace {
@@ -140,6 +141,15 @@ std::string plan_text(const std::string& file) {
   return text;
 }
 
+/// What keys of the viewer do: name for its file of keys, usual key, meaning.
+std::string viewer_keys_text() {
+  std::string text;
+  for (const viewer::ActionInfo& info : viewer::actions()) {
+    text += fmt::format("{:<18}{:<11}{}\n", info.name, info.key, info.meaning);
+  }
+  return text;
+}
+
 struct ListOptions {
   std::string what;
   std::string scene;
@@ -150,7 +160,8 @@ void define(const Command& command, ListOptions& options) {
   const std::vector<std::string> kinds{"levels",     "contacts",    "body_contacts", "volumes",    "integrators",
                                        "servo_laws", "controllers", "sensors",       "parts",      "lenses",
                                        "materials",  "scenes",      "models",        "properties", "keys",
-                                       "options",    "formats",     "commands",      "plan",       "joint_references"};
+                                       "options",    "formats",     "commands",      "plan",       "joint_references",
+                                       "viewer_keys"};
   command.add("what", options.what, fmt::format("{}", fmt::join(kinds, ", "))).required().one_of(kinds).offers(kinds);
   command.add("scene", options.scene, "of 'plan': whose algorithms, in the order of a tick");
   add_plugins(command, options.plugins);
@@ -189,6 +200,7 @@ int list(const ListOptions& options, const CommandLine& line) {
   if (what == "formats") text = formats_text();
   if (what == "commands") text = names_and_meanings(line.commands());
   if (what == "options") text = option_lists();
+  if (what == "viewer_keys") text = viewer_keys_text();
   write_standard_output(text);
   return 0;
 }

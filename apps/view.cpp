@@ -1,4 +1,6 @@
 // `murosimf view`: a scene in a window, to be watched, touched and understood.
+#include <fmt/format.h>
+
 #include "apps/command_line.h"
 #include "apps/interruption.h"
 #include "apps/last_words.h"
@@ -17,7 +19,8 @@ struct ViewOptions {
   SceneArguments scene;
   std::string speed = "1", size = "1280x720", keys, script, screenshot, json;
   std::optional<double> after, duration;
-  bool paused = false, no_shadows = false, rough = false;
+  std::optional<std::int64_t> samples;
+  bool paused = false, no_shadows = false;
 };
 
 void define(const Command& command, ViewOptions& options) {
@@ -28,7 +31,8 @@ void define(const Command& command, ViewOptions& options) {
   command.add("--size", options.size, "WIDTHxHEIGHT of the window in pixels").shows_default();
   command.add("--keys", options.keys, "Which key does what (TOML; docs/viewer.md)");
   command.add("--no-shadows", options.no_shadows, "Draw no shadows");
-  command.add("--rough", options.rough, "Draw one sample to a pixel: faster, with rough edges");
+  command.add("--samples", options.samples, "To a pixel, for smooth edges; 4 with a graphics card, else 1 if not given")
+      .within(1, 8);
   const Option script = command.add("--script", options.script, "Do what this file says, then end (docs/viewer.md)");
   const Option after =
       command.add("--after", options.after, "End after so many seconds").within(0.0, 1e6).excludes(script);
@@ -45,7 +49,10 @@ viewer::WindowOptions window_options(const ViewOptions& options) {
   if (!options.script.empty()) window.script = viewer::read_script(options.script);
   window.screenshot = options.screenshot;
   window.after = options.after;
-  window.samples = options.rough ? 1 : 4;
+  if (options.samples && (*options.samples & (*options.samples - 1)) != 0) {
+    throw SetupError(fmt::format("--samples {}: must be 1, 2, 4 or 8", *options.samples));
+  }
+  if (options.samples) window.samples = static_cast<int>(*options.samples);
   window.shadows = !options.no_shadows;
   return window;
 }
@@ -59,7 +66,9 @@ int view(const ViewOptions& options) {
   viewer::ViewerOptions viewer_options;
   scene::SceneOptions scene_options = options_of(options.scene);
   scene_options.pushable = true;
-  viewer_options.make_scene = [&options, scene_options] { return std::make_unique<scene::Scene>(options.scene.file, scene_options); };
+  viewer_options.make_scene = [&options, scene_options] {
+    return std::make_unique<scene::Scene>(options.scene.file, scene_options);
+  };
   viewer_options.session.speed = read_speed(options.speed);
   viewer_options.session.paused = options.paused;
   if (options.duration) viewer_options.end = read_duration(*options.duration);

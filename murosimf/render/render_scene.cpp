@@ -156,7 +156,8 @@ void RenderScene::add_round(Drawable drawable, const Capsule& capsule) {
 }
 
 void RenderScene::label_pieces() {
-  for (std::size_t i = 0; i < drawables_.size(); ++i) drawables_[i].label = static_cast<std::uint16_t>(first_piece_label + i);
+  for (std::size_t i = 0; i < drawables_.size(); ++i)
+    drawables_[i].label = static_cast<std::uint16_t>(first_piece_label + i);
 }
 
 bool RenderScene::is_present(int owner) const {

@@ -111,7 +111,7 @@ class RenderScene {
   [[nodiscard]] bool is_present(int owner) const;
   [[nodiscard]] int standing_foot(int owner) const;
 
-  std::vector<Owner> owners_;            // by entity of the world
+  std::vector<Owner> owners_;        // by entity of the world
   std::vector<Drawable> drawables_;  // by owner and object
   std::vector<RenderMesh> meshes_;
   std::vector<const void*> identities_;  // of meshes that several robots share

@@ -21,8 +21,9 @@ struct DrawTotals {
 
 struct RendererOptions {
   Light light{};
-  int samples = 1;     ///< to a pixel, of colors: 1, 2, 4 or 8; edges are smooth with 4
-  bool ground = true;  ///< is drawn, at z = 0
+  int samples = 1;         ///< to a pixel, of colors: 1, 2, 4 or 8; edges are smooth with 4
+  bool ground = true;      ///< is drawn, at z = 0
+  int shadow_side = 2048;  ///< [px] of the square in which shadows are worked out
 };
 
 class Renderer final : public sensors::ViewSource {
@@ -42,6 +43,8 @@ class Renderer final : public sensors::ViewSource {
     options_.light = light;
     options_.samples = samples;
   }
+  /// The same; before it draws. Coarser shadows cost less where the processor draws.
+  void set_shadow_side(int side) { options_.shadow_side = side; }
   /// RenderScene::mark_standing_feet; before it draws.
   void mark_standing_feet(const Color& color) { render_scene_.mark_standing_feet(color); }
 

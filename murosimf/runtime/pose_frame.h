@@ -16,7 +16,8 @@ class World;
 struct ContactMark {
   Vec3d point;  ///< [m] world
   Vec3d force;  ///< [N] on the entity that the contact belongs to, world
-  int ground_contact_of = -1;  ///< entity that touches the ground there, by its place in the world; -1: two entities touch
+  int ground_contact_of =
+      -1;  ///< entity that touches the ground there, by its place in the world; -1: two entities touch
 };
 
 /// A copy: it stays as it is while the simulation goes on.

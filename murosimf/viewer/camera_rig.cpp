@@ -39,7 +39,8 @@ sensors::Perspective CameraRig::view(const RigView& scene, int width, int height
   if (mode_ == Mode::robot && is_there(scene.frame, scene.selected)) return through_camera(scene, width, height);
   if (mode_ == Mode::tv) {
     const Vec3d at = attention_.value_or(Vec3d{});
-    const Vec3d eye{0.6 * std::clamp(at.x, -scene.half_length, scene.half_length), -scene.half_width - tv_distance, tv_height};
+    const Vec3d eye{0.6 * std::clamp(at.x, -scene.half_length, scene.half_length), -scene.half_width - tv_distance,
+                    tv_height};
     return look(eye, {at.x, at.y, 0.2}, tv_fov, width, height);
   }
   return orbit.view(width, height);
@@ -63,7 +64,8 @@ sensors::Perspective CameraRig::through_camera(const RigView& scene, int width, 
   return view;
 }
 
-sensors::Perspective pinhole_view(const sensors::CameraInfo& camera, const Vec3d& r, const Mat3d& R, int width, int height) {
+sensors::Perspective pinhole_view(const sensors::CameraInfo& camera, const Vec3d& r, const Mat3d& R, int width,
+                                  int height) {
   sensors::Perspective view;
   view.eye = r + R * camera.position;
   view.axes = R * camera.orientation;

@@ -13,10 +13,10 @@ namespace murosimf::viewer {
 /// Of the moment that is shown.
 struct RigView {
   const PoseFrame* frame = nullptr;
-  int selected = -1, ball = -1;                  ///< entities; -1: none
-  const sensors::CameraInfo* camera = nullptr;   ///< of what is selected; null: it has none
-  const Entity* carrier = nullptr;               ///< the robot with that camera: it does not see itself
-  double half_length = 3, half_width = 2;        ///< [m] of the field
+  int selected = -1, ball = -1;                 ///< entities; -1: none
+  const sensors::CameraInfo* camera = nullptr;  ///< of what is selected; null: it has none
+  const Entity* carrier = nullptr;              ///< the robot with that camera: it does not see itself
+  double half_length = 3, half_width = 2;       ///< [m] of the field
 };
 
 class CameraRig {
@@ -38,15 +38,15 @@ class CameraRig {
 
   Mode mode_ = Mode::free;
   int followed_ = -1;
-  Vec3d last_;                     // [m] place of who is followed
-  std::optional<Vec3d> attention_; // [m] where television looks
+  Vec3d last_;                      // [m] place of who is followed
+  std::optional<Vec3d> attention_;  // [m] where television looks
 };
 
 /// Straight pictures look at most so far to the side [rad]; real lenses may see more.
 inline constexpr double widest_half_view = 1.05;
 
 /// The picture of a camera on `link` as a pinhole takes it: without distortion, blur and noise.
-[[nodiscard]] sensors::Perspective pinhole_view(const sensors::CameraInfo& camera, const Vec3d& r, const Mat3d& R, int width,
-                                                int height);
+[[nodiscard]] sensors::Perspective pinhole_view(const sensors::CameraInfo& camera, const Vec3d& r, const Mat3d& R,
+                                                int width, int height);
 
 }  // namespace murosimf::viewer

@@ -16,7 +16,10 @@ std::optional<T> base_value(const Entity& entity, const Property<T>& property) {
 }
 
 EntityState state_of(const scene::SceneParts& parts, const Entity& entity) {
-  EntityState state{.name = entity.name(), .level = entity.level, .contact = entity.contact, .controller = entity.controller};
+  EntityState state{.name = entity.name(),
+                    .level = entity.level,
+                    .contact = entity.contact,
+                    .controller = entity.controller};
   state.is_robot = std::ranges::find(parts.robots, &entity) != parts.robots.end();
   state.moves = std::ranges::find(parts.moving_entities, &entity) != parts.moving_entities.end();
   state.present = entity.present();

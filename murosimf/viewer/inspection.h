@@ -49,32 +49,32 @@ struct SensorState {
 
 struct CameraState {
   std::shared_ptr<const sensors::CameraInfo> info;
-  bool wanted = false;           ///< it draws, since somebody reads its pictures
-  double time = 0;               ///< [s] of the picture
-  imaging::ColorImage picture;   ///< empty if there is none
+  bool wanted = false;          ///< it draws, since somebody reads its pictures
+  double time = 0;              ///< [s] of the picture
+  imaging::ColorImage picture;  ///< empty if there is none
 };
 
 /// What is to be looked at.
 struct InspectionRequest {
-  std::vector<ObjectPath> objects;    ///< all properties of these
-  std::optional<int> sensors_of;      ///< of this entity
-  bool pictures = false;              ///< also what its cameras have drawn
+  std::vector<ObjectPath> objects;  ///< all properties of these
+  std::optional<int> sensors_of;    ///< of this entity
+  bool pictures = false;            ///< also what its cameras have drawn
   bool algorithms = false;
   std::size_t events_known = 0, warnings_known = 0;  ///< so many of both are known already
 };
 
 struct Inspection {
   Duration time{};
-  int changes_to_see = 0;                ///< scene::SceneParts
-  std::vector<EntityState> entities;     ///< in the order of the world
-  std::vector<ObjectValues> objects;     ///< as requested
-  std::optional<int> sensors_of;         ///< entity of those that follow
+  int changes_to_see = 0;             ///< scene::SceneParts
+  std::vector<EntityState> entities;  ///< in the order of the world
+  std::vector<ObjectValues> objects;  ///< as requested
+  std::optional<int> sensors_of;      ///< entity of those that follow
   std::vector<SensorState> sensors;
   std::vector<CameraState> cameras;
   std::vector<AlgorithmStatistics> algorithms;
   std::size_t first_event = 0, first_warning = 0;  ///< numbers of those that follow
   std::vector<Event> events;
-  std::vector<std::string> warnings;     ///< of the scene, then of the simulation
+  std::vector<std::string> warnings;  ///< of the scene, then of the simulation
 };
 
 /// Reads only. In the thread that runs the scene, between two steps.

@@ -12,10 +12,10 @@
 namespace murosimf::viewer {
 namespace {
 
-constexpr std::array long_names{"Space", "Tab",    "Enter",    "Escape", "Backspace", "Backslash", "Delete", "Insert", "Home",
-                                "End",   "PageUp", "PageDown", "Left",   "Right",     "Up",        "Down",   "F1",     "F2",
-                                "F3",    "F4",     "F5",       "F6",     "F7",        "F8",        "F9",     "F10",    "F11",
-                                "F12"};
+constexpr std::array long_names{"Space",  "Tab",  "Enter", "Escape", "Backspace", "Backslash", "Delete",
+                                "Insert", "Home", "End",   "PageUp", "PageDown",  "Left",      "Right",
+                                "Up",     "Down", "F1",    "F2",     "F3",        "F4",        "F5",
+                                "F6",     "F7",   "F8",    "F9",     "F10",       "F11",       "F12"};
 constexpr std::string_view short_names = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-=[];',./`";
 
 bool equal_in_any_case(std::string_view a, std::string_view b) {
@@ -89,8 +89,7 @@ KeyMap::KeyMap(const std::filesystem::path& file) : KeyMap() {
   const toml::table table = files::parse_toml_file(file);
   std::map<KeyChord, Action> given;
   for (const auto& [name, node] : table) {
-    const Action action =
-        with_context(files::where(node.source()), [&] { return action_named(name.str()).action; });
+    const Action action = with_context(files::where(node.source()), [&] { return action_named(name.str()).action; });
     std::erase_if(keys_, [&](const auto& key) { return key.second == action; });
     for (const auto* text : texts_of(node)) {
       const std::string where = files::where(text->source());

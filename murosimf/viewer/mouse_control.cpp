@@ -5,12 +5,13 @@
 namespace murosimf::viewer {
 namespace {
 
-constexpr double still = 4;         // [px] by which a click may slip
-constexpr double least_force = 0.5; // [N] of a push that is meant
+constexpr double still = 4;          // [px] by which a click may slip
+constexpr double least_force = 0.5;  // [N] of a push that is meant
 
 }  // namespace
 
-void MouseControl::press(Button button, const Held& held, const Pixel& pixel, const sensors::Perspective& view, const Pick& pick) {
+void MouseControl::press(Button button, const Held& held, const Pixel& pixel, const sensors::Perspective& view,
+                         const Pick& pick) {
   button_ = button;
   began_ = last_ = pixel;
   went_far_ = false;
@@ -25,7 +26,8 @@ void MouseControl::begin_with_thing(Kind kind, const Pixel& pixel, const sensors
   if (!hit || !hit->path || !viewer_.outline()[static_cast<std::size_t>(hit->path->entity)].moves) {
     return viewer_.tell("take hold of a robot, a body or the ball", true);
   }
-  if (kind == Kind::place && !viewer_.status().paused) return viewer_.tell("pause first (Space), then move things", true);
+  if (kind == Kind::place && !viewer_.status().paused)
+    return viewer_.tell("pause first (Space), then move things", true);
   path_ = *hit->path;
   grabbed_ = to_ = hit->point;
   start_ = viewer_.place_of({path_.entity, 0}).value_or(hit->point);

@@ -56,7 +56,8 @@ class MouseControl {
   Pixel began_, last_;
   bool went_far_ = false;
   ObjectPath path_;
-  Vec3d grabbed_, start_, to_, normal_;  // [m] place that was grabbed, base at the start, where it is pulled to; of the plane
+  Vec3d grabbed_, start_, to_,
+      normal_;  // [m] place that was grabbed, base at the start, where it is pulled to; of the plane
 };
 
 }  // namespace murosimf::viewer

@@ -5,7 +5,8 @@
 namespace murosimf::viewer {
 
 std::string no_window_because() {
-  return "no window in this build: GLFW, Dear ImGui or OpenGL was missing (Debian and Ubuntu: libglfw3-dev, libimgui-dev, "
+  return "no window in this build: GLFW, Dear ImGui or OpenGL was missing (Debian and Ubuntu: libglfw3-dev, "
+         "libimgui-dev, "
          "libepoxy-dev, libegl-dev); without a window: 'murosimf run SCENE --web' and 'murosimf render'";
 }
 

@@ -6,11 +6,11 @@
 namespace murosimf::viewer {
 namespace {
 
-constexpr double steepest = 0.5 * pi - 1e-3;                // [rad]
-constexpr double nearest = 0.05, farthest = 200;            // [m]
-constexpr double turn_per_height = pi;                      // [rad] for a drag as long as the picture is high
-constexpr double lowest = -0.2;                             // [rad] a little from below
-constexpr double share_per_click = 0.88;                    // [1] of the distance
+constexpr double steepest = 0.5 * pi - 1e-3;      // [rad]
+constexpr double nearest = 0.05, farthest = 200;  // [m]
+constexpr double turn_per_height = pi;            // [rad] for a drag as long as the picture is high
+constexpr double lowest = -0.2;                   // [rad] a little from below
+constexpr double share_per_click = 0.88;          // [1] of the distance
 constexpr Vec3d upwards{0, 0, 1};
 
 Vec3d toward_eye(double azimuth, double elevation) {
@@ -89,9 +89,7 @@ void OrbitCamera::fly(double forward, double left, double up) {
   target += forward * ahead + left * cross(upwards, ahead) + up * upwards;
 }
 
-sensors::Perspective OrbitCamera::view(int width, int height) const {
-  return look(eye(), target, fov, width, height);
-}
+sensors::Perspective OrbitCamera::view(int width, int height) const { return look(eye(), target, fov, width, height); }
 
 Vec3d OrbitCamera::eye() const { return target + distance * toward_eye(azimuth, elevation); }
 

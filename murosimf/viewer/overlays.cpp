@@ -155,7 +155,10 @@ Overlays overlays(const PoseFrame& frame, std::span<const EntityOutline> outline
     const std::string& level = outline[i].is_robot ? seen.entities[i].level : std::string();
     if (options.levels && outline[i].is_robot) add_level(entity, level, into);
     if (options.support_polygons && outline[i].is_robot) {
-      Mark hull{.points = hull_on_ground(ground_contacts(frame, i)), .color = support_color, .closed = true, .filled = true};
+      Mark hull{.points = hull_on_ground(ground_contacts(frame, i)),
+                .color = support_color,
+                .closed = true,
+                .filled = true};
       if (hull.points.size() > 2) into.marks.push_back(std::move(hull));
     }
     if (options.bounding_volumes) add_boxes(entity, into);

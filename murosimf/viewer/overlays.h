@@ -24,7 +24,7 @@ struct OverlayOptions {
 struct Mark {
   std::vector<Vec3d> points;  ///< [m] world
   Color color;
-  double width = 2;           ///< [px]; of a dot: its radius
+  double width = 2;  ///< [px]; of a dot: its radius
   bool arrow = false, closed = false, filled = false;
 };
 struct Label {
@@ -42,7 +42,8 @@ struct Overlays {
                                 const OverlayOptions& options, int selected);
 
 /// [m] world, of all of an entity at that moment; nothing if it has no mass.
-[[nodiscard]] std::optional<Vec3d> center_of_mass(const Model& model, std::span<const Vec3d> r, std::span<const Mat3d> R);
+[[nodiscard]] std::optional<Vec3d> center_of_mass(const Model& model, std::span<const Vec3d> r,
+                                                  std::span<const Mat3d> R);
 /// Corners of the convex hull in x and y, counterclockwise.
 [[nodiscard]] std::vector<Vec3d> hull_on_ground(std::vector<Vec3d> points);
 /// The same color for the same level everywhere.

@@ -52,7 +52,8 @@ std::vector<double> ticks(double low, double high, int count) {
       break;
     }
   }
-  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) places.push_back(i * step);
+  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
+    places.push_back(i == 0 ? 0 : i * step);
   return places;
 }
 

@@ -32,7 +32,7 @@ class Curve {
 
 /// Curves of one quantity.
 struct Plot {
-  std::string path;    ///< "blue1.pelvis.position", "blue1.imu.gyroscope"
+  std::string path;  ///< "blue1.pelvis.position", "blue1.imu.gyroscope"
   std::string unit;
   std::vector<Curve> curves;  ///< by number of the quantity
 

@@ -12,6 +12,7 @@ RunningScene::RunningScene(const MakeScene& make, const session::SessionOptions&
     } catch (...) {
       trouble_ = std::current_exception();
     }
+    ended_ = true;
   });
 }
 

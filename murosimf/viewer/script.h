@@ -25,7 +25,22 @@
 namespace murosimf::viewer {
 
 struct ScriptStep {
-  enum class Kind { wait, until, settle, key, click, double_click, press, drag, push, type, scrub, look, screenshot, say };
+  enum class Kind {
+    wait,
+    until,
+    settle,
+    key,
+    click,
+    double_click,
+    press,
+    drag,
+    push,
+    type,
+    scrub,
+    look,
+    screenshot,
+    say
+  };
   Kind kind = Kind::wait;
   std::string text;             ///< key, name, file, or what is to be typed
   std::vector<double> numbers;  ///< as above

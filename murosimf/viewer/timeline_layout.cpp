@@ -25,15 +25,18 @@ TimelineLayout::TimelineLayout(std::span<const session::BranchView> branches, in
     others.push_back(&branch);
   }
   std::ranges::reverse(others);
+  const auto end_of = [&](const session::BranchView& branch) {
+    return branch.number == present ? std::max(end, seconds(branch.end)) : seconds(branch.end);
+  };
   for (const session::BranchView* branch : others) {
     const bool leads = leading.contains(branch->number);
     if (leads) {  // up to where the next one left it
-      double until = seconds(branch->end);
+      double until = end_of(*branch);
       for (const session::BranchView& next : branches) {
         if (leading.contains(next.number) && next.parent == branch->number) until = seconds(next.begin);
       }
       bars_.push_back({branch->number, 0, seconds(branch->begin), until, std::nullopt});
-      if (until >= seconds(branch->end)) continue;
+      if (until >= end_of(*branch)) continue;
       bars_.push_back({branch->number, rows_++, until, seconds(branch->end), 0});
       continue;
     }

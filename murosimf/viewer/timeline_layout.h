@@ -22,14 +22,15 @@ struct TimeMark {
 };
 
 struct BranchBar {
-  int branch = 0, row = 0;     ///< row 0: the present one
-  double begin = 0, end = 0;   ///< [s]
+  int branch = 0, row = 0;    ///< row 0: the present one
+  double begin = 0, end = 0;  ///< [s]
   std::optional<int> parent_row;
 };
 
 class TimelineLayout {
  public:
-  /// `width` [px] for the times 0 to `end` [s] at least; everything that there is fits.
+  /// `width` [px] for the times 0 to `end` [s] at least; everything that there is fits. The present branch has come to `end`, if that is
+  /// later than what is known of it.
   TimelineLayout(std::span<const session::BranchView> branches, int present, double end, double width);
 
   [[nodiscard]] double x_of(double time) const { return time / end_ * width_; }

@@ -54,9 +54,10 @@ std::string to_json(Viewer& viewer, const WindowReport& shown) {
 }
 
 std::string to_text(Viewer& viewer, const WindowReport& shown) {
-  return fmt::format("{}: {:.3f} s simulated, {} pictures in {:.1f} s ({:.1f} per second, {:.1f} ms for the scene), drawn by {}\n",
-                     viewer.running().scene().spec().name, seconds(viewer.running().scene().simulation().now()), shown.pictures,
-                     shown.wall, static_cast<double>(shown.pictures) / std::max(1e-9, shown.wall), shown.scene_ms, shown.drawn_by);
+  return fmt::format(
+      "{}: {:.3f} s simulated, {} pictures in {:.1f} s ({:.1f} per second, {:.1f} ms for the scene), drawn by {}\n",
+      viewer.running().scene().spec().name, seconds(viewer.running().scene().simulation().now()), shown.pictures,
+      shown.wall, static_cast<double>(shown.pictures) / std::max(1e-9, shown.wall), shown.scene_ms, shown.drawn_by);
 }
 
 }  // namespace murosimf::viewer

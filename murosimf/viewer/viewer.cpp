@@ -14,9 +14,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration pose_period = 10ms;    // simulated: finer than screens show at real time
+constexpr Duration pose_period = 10ms;  // simulated: finer than screens show at real time
 constexpr std::size_t most_messages = 200;
-constexpr auto settle_time = 60s;            // of settle()
+constexpr auto settle_time = 60s;  // of settle()
 
 bool is_ready(const std::future<void>& done) { return done.wait_for(0s) == std::future_status::ready; }
 
@@ -33,15 +33,17 @@ void Viewer::begin() {
   running_ = std::move(next);
   ++generation_;
   reader_ = running_->scene().simulation().poses().subscribe({.period = pose_period, .contacts = true});
-  session().visit([this](scene::Scene& scene) {
-    outline_ = outline_of(scene);
-    seen_ = inspect(scene, {});
-    const scene_file::FieldSize& size = scene_file::field_size(scene.spec().field.size);
-    half_length_ = 0.5 * size.length;
-    half_width_ = 0.5 * size.width;
-    goal_half_width_ = scene.spec().field.goals ? 0.5 * size.goal_width : 0;
-    scene.simulation().publish_poses();
-  }).get();
+  session()
+      .visit([this](scene::Scene& scene) {
+        outline_ = outline_of(scene);
+        seen_ = inspect(scene, {});
+        const scene_file::FieldSize& size = scene_file::field_size(scene.spec().field.size);
+        half_length_ = 0.5 * size.length;
+        half_width_ = 0.5 * size.width;
+        goal_half_width_ = scene.spec().field.goals ? 0.5 * size.goal_width : 0;
+        scene.simulation().publish_poses();
+      })
+      .get();
   ball_ = -1;
   for (std::size_t i = 0; i < outline_.size(); ++i) {
     if (outline_[i].is_ball) ball_ = static_cast<int>(i);
@@ -64,12 +66,13 @@ void Viewer::refresh(double wall) {
   take_inspection();
   if (std::chrono::steady_clock::now() >= next_inspection_) ask_for_inspection();
   rig.advance(rig_view(), wall);
+  if (running_->ended()) window.wants_end = true;
 }
 
 void Viewer::settle() {
   const auto until = std::chrono::steady_clock::now() + settle_time;
   const auto wait = [&](const auto& ready) {
-    while (!ready() && std::chrono::steady_clock::now() < until) {
+    while (!ready() && !running_->ended() && std::chrono::steady_clock::now() < until) {
       std::this_thread::sleep_for(1ms);
       status_ = session().status();
       collect_answers();
@@ -102,7 +105,8 @@ void Viewer::take_frame() {
 void Viewer::watch_goals() {
   if (ball_ < 0 || goal_half_width_ == 0 || static_cast<std::size_t>(ball_) >= frame_->present.size()) return;
   const Vec3d r = frame_->position[frame_->first[static_cast<std::size_t>(ball_)]];
-  const bool inside = std::abs(r.x) > half_length_ && std::abs(r.y) < goal_half_width_ && std::abs(r.x) < half_length_ + 1;
+  const bool inside =
+      std::abs(r.x) > half_length_ && std::abs(r.y) < goal_half_width_ && std::abs(r.x) < half_length_ + 1;
   if (inside && !in_goal_) {
     events_.goal(seconds(frame_->time), status_.branch, r.x > 0 ? "goal on the right" : "goal on the left");
   }
@@ -111,8 +115,8 @@ void Viewer::watch_goals() {
 
 void Viewer::ask_for_inspection() {
   if (inspection_.valid()) return;
-  next_inspection_ = std::chrono::steady_clock::now() + std::chrono::duration_cast<Duration>(
-                                                            std::chrono::duration<double>(1 / options_.inspections));
+  next_inspection_ = std::chrono::steady_clock::now() +
+                     std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1 / options_.inspections));
   InspectionRequest request;
   for (const auto& [path, open] : open_objects) {
     if (open) request.objects.push_back(path);
@@ -132,9 +136,8 @@ void Viewer::ask_for_inspection() {
   if (jumps_asked_ == jumps_seen_) request.events_known = events_.events_known();
   request.warnings_known = jumps_asked_ == jumps_seen_ ? events_.warnings_known() : 0;
   coming_ = std::make_shared<Inspection>();
-  inspection_ = session().visit([coming = coming_, request = std::move(request)](scene::Scene& scene) {
-    *coming = inspect(scene, request);
-  });
+  inspection_ = session().visit(
+      [coming = coming_, request = std::move(request)](scene::Scene& scene) { *coming = inspect(scene, request); });
 }
 
 void Viewer::take_inspection() {
@@ -206,8 +209,10 @@ void Viewer::collect_answers() {
   moves_.erase(moves_.begin());
   moving_ = true;
   const EntityOutline& whom = outline_[static_cast<std::size_t>(entity)];
-  ask("move", session().change(fmt::format("{}.{}.position = [{}, {}, {}]", whom.name, whom.model->objects()[0].name, place.x,
-                                           place.y, place.z)), true);
+  ask("move",
+      session().change(fmt::format("{}.{}.position = [{}, {}, {}]", whom.name, whom.model->objects()[0].name, place.x,
+                                   place.y, place.z)),
+      true);
 }
 
 void Viewer::tell(std::string text, bool mistake) {
@@ -251,7 +256,11 @@ ObjectPath Viewer::path_of(const std::string& text) const {
 }
 
 RigView Viewer::rig_view() const {
-  RigView view{.frame = frame_, .selected = selected_entity(), .ball = ball_, .half_length = half_length_, .half_width = half_width_};
+  RigView view{.frame = frame_,
+               .selected = selected_entity(),
+               .ball = ball_,
+               .half_length = half_length_,
+               .half_width = half_width_};
   if (view.selected >= 0) {
     view.carrier = running_->scene().simulation().world().entities()[static_cast<std::size_t>(view.selected)].get();
     if (seen_.sensors_of == view.selected && !seen_.cameras.empty()) view.camera = seen_.cameras[0].info.get();

@@ -23,10 +23,10 @@
 namespace murosimf::viewer {
 
 struct ViewerOptions {
-  MakeScene make_scene;                       ///< also for every reload
+  MakeScene make_scene;  ///< also for every reload
   session::SessionOptions session{};
-  Duration end = Duration::max();             ///< where it pauses by itself
-  double inspections = 20;                    ///< [Hz] of wall time
+  Duration end = Duration::max();  ///< where it pauses by itself
+  double inspections = 20;         ///< [Hz] of wall time
 };
 
 /// What the viewer tells people.
@@ -88,8 +88,12 @@ class Viewer {
   /// PATH = VALUE, as for Session::change; what refuses it becomes a message.
   void change(const std::string& text);
   void set_property(const ObjectPath& path, const PropertyValue& property);
-  void switch_level(int entity, const std::string& level) { change(outline_[static_cast<std::size_t>(entity)].name + ".level = " + level); }
-  void switch_contact(int entity, const std::string& law) { change(outline_[static_cast<std::size_t>(entity)].name + ".contact = " + law); }
+  void switch_level(int entity, const std::string& level) {
+    change(outline_[static_cast<std::size_t>(entity)].name + ".level = " + level);
+  }
+  void switch_contact(int entity, const std::string& law) {
+    change(outline_[static_cast<std::size_t>(entity)].name + ".contact = " + law);
+  }
   /// [m] world: of its base. Only one move is on its way at a time; the last one wins.
   void move(int entity, const Vec3d& place);
   /// [N] world, for push_seconds.
@@ -104,12 +108,12 @@ class Viewer {
   OverlayOptions overlay;
   WindowState window;
   double push_seconds = 0.1, newtons_per_meter = 200;
-  std::optional<Vec3d> pointed_at;         ///< [m] on the ground, below the mouse
-  std::map<ObjectPath, bool> open_objects; ///< whose properties are looked at
+  std::optional<Vec3d> pointed_at;          ///< [m] on the ground, below the mouse
+  std::map<ObjectPath, bool> open_objects;  ///< whose properties are looked at
   bool wants_sensors = false, wants_pictures = false, wants_algorithms = false;
   struct PlotWish {
-    ObjectPath path;         ///< of a property
-    std::string property;    ///< or "imu.gyroscope" of a sensor
+    ObjectPath path;       ///< of a property
+    std::string property;  ///< or "imu.gyroscope" of a sensor
     bool sensor = false;
     Plot plot;
   };

@@ -90,7 +90,9 @@ bool Viewer::perform_camera(Action action) {
       if (const auto place = selected_ ? place_of({selected_->entity, 0}) : std::nullopt; rig.follows && place) {
         rig.orbit.target = *place;
       }
-      tell(!rig.follows ? "follows nobody" : selected_ ? "follows what is selected" : "follows whoever is selected: select somebody");
+      tell(!rig.follows ? "follows nobody"
+           : selected_  ? "follows what is selected"
+                        : "follows whoever is selected: select somebody");
       return true;
     case Action::robot_camera:
       if (!selected_) tell("through whose eyes? select a robot (1 to 9)", true);
@@ -134,7 +136,8 @@ void Viewer::perform_window(Action action) {
 }
 
 void Viewer::select(std::optional<ObjectPath> path) {
-  if (selected_ && path && path->entity != selected_->entity) std::erase_if(plots, [](const PlotWish& wish) { return wish.sensor; });
+  if (selected_ && path && path->entity != selected_->entity)
+    std::erase_if(plots, [](const PlotWish& wish) { return wish.sensor; });
   selected_ = path;
 }
 
@@ -146,7 +149,8 @@ void Viewer::select_robot(int number) {
 
 void Viewer::next_level() {
   const int entity = selected_entity();
-  if (entity < 0 || !outline_[static_cast<std::size_t>(entity)].is_robot) return tell("select a robot first (1 to 9)", true);
+  if (entity < 0 || !outline_[static_cast<std::size_t>(entity)].is_robot)
+    return tell("select a robot first (1 to 9)", true);
   switch_level(entity, next_name(catalog::levels(), seen_.entities[static_cast<std::size_t>(entity)].level));
 }
 
@@ -208,7 +212,8 @@ void Viewer::move(int entity, const Vec3d& place) {
 }
 
 void Viewer::push(const ObjectPath& path, const Vec3d& force) {
-  change(fmt::format("{}.push = [{:.4g}, {:.4g}, {:.4g}, {:g}]", path_text(path), force.x, force.y, force.z, push_seconds));
+  change(fmt::format("{}.push = [{:.4g}, {:.4g}, {:.4g}, {:g}]", path_text(path), force.x, force.y, force.z,
+                     push_seconds));
 }
 
 void Viewer::seek(double time, std::optional<int> branch) {

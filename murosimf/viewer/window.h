@@ -19,19 +19,20 @@ struct WindowOptions {
   KeyMap keys{};
   std::optional<std::vector<ScriptStep>> script{};  ///< what is done; then it ends
   std::string screenshot{};                         ///< PNG file; empty: none
-  std::optional<double> after{};   ///< [s] of wall time, after which that is taken, and it ends
-  int samples = 4;                 ///< to a pixel of the scene: smooth edges
+  std::optional<double> after{};                    ///< [s] of wall time, after which that is taken, and it ends
+  std::optional<int>
+      samples{};  ///< to a pixel of the scene, 1 to 8: smooth edges; nothing: 4, or 1 if the processor draws
   bool shadows = true;
-  StopRequest stop{};              ///< ends it
+  StopRequest stop{};  ///< ends it
 };
 
 /// What it has done.
 struct WindowReport {
   std::int64_t pictures = 0;
-  double wall = 0;                ///< [s] from the first picture to the last one
-  double scene_ms = 0;            ///< mean, to draw the scene
-  std::string drawn_by;           ///< "llvmpipe (LLVM 15.0.6, 256 bits), software"
-  std::vector<std::string> files; ///< screenshots
+  double wall = 0;                 ///< [s] from the first picture to the last one
+  double scene_ms = 0;             ///< mean, to draw the scene
+  std::string drawn_by;            ///< "llvmpipe (LLVM 15.0.6, 256 bits), software"
+  std::vector<std::string> files;  ///< screenshots
 };
 
 /// Throws SetupError if this build or this machine has no window, or the script cannot go on.

@@ -25,7 +25,8 @@ class View : public testing::Test {
   }
   /// Runs a script; what the program says of it.
   static json session(const std::string& scene, const std::string& script, const std::string& options = "") {
-    const Result result = murosimf("view " + scene + " --script " + write("script", script).string() + " " + options + " --json -");
+    const Result result =
+        murosimf("view " + scene + " --script " + write("script", script).string() + " " + options + " --json -");
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     return result.exit_code == 0 ? json::parse(result.output) : json();
   }
@@ -66,7 +67,8 @@ TEST_F(View, SelectPushSwitchLevelEditDragGoBack) {
                               "settle\n"
                               "scrub 0.2\n"
                               "settle\n"
-                              "screenshot " + picture.string() + "\n",
+                              "screenshot " +
+                                  picture.string() + "\n",
                               "--paused");
   ASSERT_TRUE(report.is_object());
   EXPECT_EQ(report["schema"], "murosimf/view/1");
@@ -82,14 +84,17 @@ TEST_F(View, SelectPushSwitchLevelEditDragGoBack) {
 }
 
 TEST_F(View, ResetKeepsTheRunAsABranch) {
-  const json report = session("three_on_three", "key Space\nuntil 0.3\nkey Backspace\nsettle\nkey Space\nsettle\nsay done\n", "--paused --speed max");
+  const json report =
+      session("three_on_three", "key Space\nuntil 0.3\nkey Backspace\nsettle\nkey Space\nsettle\nsay done\n",
+              "--paused --speed max");
   ASSERT_TRUE(report.is_object());
   EXPECT_GE(report["branches"].get<int>(), 2);
 }
 
 // Rule: a run that is watched is the same as one that is not.
 TEST_F(View, TheHashIsThatOfARun) {
-  const json watched = session("three_on_three", "key C\nkey F\nkey G\nkey 1\nuntil 0.5\nsettle\n", "--duration 0.5 --speed max");
+  const json watched =
+      session("three_on_three", "key C\nkey F\nkey G\nkey 1\nuntil 0.5\nsettle\n", "--duration 0.5 --speed max");
   ASSERT_TRUE(watched.is_object());
   const Result run = murosimf("run three_on_three --duration 0.5 --json -");
   EXPECT_EQ(watched["state_hash"], json::parse(run.output)["state_hash"]);

@@ -81,7 +81,8 @@ TEST(RenderScene, ShowsAMomentInsteadOfColumns) {
   EXPECT_EQ(yellow(render_scene), "");
   render_scene.show(nullptr);
   robot.set_present(true);
-  render_scene.for_drawables(0, [&](const render::Drawable&, const Transformd& pose) { EXPECT_GT(pose.position.x, 8); });
+  render_scene.for_drawables(0,
+                             [&](const render::Drawable&, const Transformd& pose) { EXPECT_GT(pose.position.x, 8); });
 }
 
 TEST(RenderScene, LabelsTellPiecesApart) {

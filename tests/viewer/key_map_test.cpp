@@ -43,7 +43,8 @@ TEST(KeyMap, ReadsChordsInAnyCase) {
 }
 
 TEST(KeyMap, AFileGivesAnActionOtherKeys) {
-  const KeyMap keys(file_with("run_or_pause = \"Enter\"\nplace_ball = [\"B\", \"Ctrl+B\"]\nreload = []\nreset = \"R\"\n"));
+  const KeyMap keys(
+      file_with("run_or_pause = \"Enter\"\nplace_ball = [\"B\", \"Ctrl+B\"]\nreload = []\nreset = \"R\"\n"));
   EXPECT_EQ(keys.action_of({.key = "Enter"}), Action::run_or_pause);
   EXPECT_FALSE(keys.action_of({.key = "Space"}));
   EXPECT_EQ(keys.keys_of(Action::place_ball), "B, Ctrl+B");

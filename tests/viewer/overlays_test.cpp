@@ -22,9 +22,10 @@ TEST(Overlays, HullOfPointsOnTheGround) {
 
 /// A running scene's first moment, as the viewer has it.
 struct Moment {
-  Moment() : scene("three_on_three", {.overrides = {"blue1.level=simplified_dynamics"}}) {
+  explicit Moment(Duration time = std::chrono::milliseconds(200))
+      : scene("three_on_three", {.overrides = {"blue1.level=simplified_dynamics"}}) {
     auto reader = scene.simulation().poses().subscribe({.contacts = true});
-    scene.simulation().run(std::chrono::milliseconds(200));
+    scene.simulation().run(time);
     frame = *reader->latest();
     outline = outline_of(scene);
     seen = inspect(scene, {});
@@ -51,7 +52,8 @@ TEST(Overlays, NamesOfAllWhoMove) {
 // The sum of the forces with the ground on a robot that walks slowly is its weight, more or less.
 TEST(Overlays, ForcesStandOnTheContacts) {
   const Moment moment;
-  const auto drawn = overlays(moment.frame, moment.outline, moment.seen, {.forces = true, .names = false, .force_scale = 0.01}, -1);
+  const auto drawn =
+      overlays(moment.frame, moment.outline, moment.seen, {.forces = true, .names = false, .force_scale = 0.01}, -1);
   ASSERT_FALSE(drawn.marks.empty());
   for (const Mark& mark : drawn.marks) {
     ASSERT_EQ(mark.points.size(), 2U);
@@ -62,7 +64,8 @@ TEST(Overlays, ForcesStandOnTheContacts) {
 
 TEST(Overlays, CenterOfMassIsThatOfTheModel) {
   const Moment moment;
-  const auto entity = static_cast<std::size_t>(moment.scene.simulation().world().index_of(moment.scene.simulation().world().find("blue1")));
+  const auto entity = static_cast<std::size_t>(
+      moment.scene.simulation().world().index_of(moment.scene.simulation().world().find("blue1")));
   const std::size_t first = moment.frame.first[entity], rows = moment.frame.first[entity + 1] - first;
   const Model& model = *moment.outline[entity].model;
   const auto center = center_of_mass(model, std::span(moment.frame.position).subspan(first, rows),
@@ -78,8 +81,9 @@ TEST(Overlays, CenterOfMassIsThatOfTheModel) {
 }
 
 TEST(Overlays, SupportPolygonIsUnderTheRobotThatTouches) {
-  const Moment moment;
-  const auto drawn = overlays(moment.frame, moment.outline, moment.seen, {.names = false, .support_polygons = true}, -1);
+  const Moment moment(std::chrono::milliseconds(1200));
+  const auto drawn =
+      overlays(moment.frame, moment.outline, moment.seen, {.names = false, .support_polygons = true}, -1);
   ASSERT_FALSE(drawn.marks.empty());
   for (const Mark& mark : drawn.marks) {
     bool near_somebody = false;

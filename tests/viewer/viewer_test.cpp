@@ -17,7 +17,8 @@ const std::vector<std::string> dynamic{"blue1.level=simplified_dynamics"};
 ViewerOptions options_with(std::vector<std::string> overrides = dynamic, Duration end = 1s) {
   ViewerOptions options;
   options.make_scene = [overrides = std::move(overrides)] {
-    return std::make_unique<scene::Scene>("three_on_three", scene::SceneOptions{.overrides = overrides, .pushable = true});
+    return std::make_unique<scene::Scene>("three_on_three",
+                                          scene::SceneOptions{.overrides = overrides, .pushable = true});
   };
   options.session.paused = true;
   options.end = end;
@@ -146,6 +147,7 @@ TEST(Viewer, GoesBackAndOn) {
   viewer.settle();
   EXPECT_GE(viewer.branches().size(), 2U);
   EXPECT_EQ(viewer.place_of(viewer.path_of("blue1"))->x, at_end.x) << "nobody has touched it";
+  viewer.session().pause();
   viewer.reset();
   viewer.settle();
   EXPECT_EQ(viewer.status().time, 0s);
@@ -231,7 +233,8 @@ TEST(MouseControl, CtrlPushesAlongThePicture) {
   double fx = 0, fy = 0, fz = 0, time = 0;
   const auto bracket = commands[0].text.find('[');
   ASSERT_NE(bracket, std::string::npos) << commands[0].text;
-  ASSERT_EQ(std::sscanf(commands[0].text.c_str() + bracket, "[%lf, %lf, %lf, %lf]", &fx, &fy, &fz, &time), 4) << commands[0].text;
+  ASSERT_EQ(std::sscanf(commands[0].text.c_str() + bracket, "[%lf, %lf, %lf, %lf]", &fx, &fy, &fz, &time), 4)
+      << commands[0].text;
   const Vec3d force = 200 * way;
   EXPECT_NEAR(norm(Vec3d{fx, fy, fz} - force), 0, 0.02);
   EXPECT_EQ(time, 0.1);

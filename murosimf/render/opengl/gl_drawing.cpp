@@ -20,7 +20,6 @@ constexpr Color grass{0.21, 0.50, 0.24}, floor_color{0.48, 0.48, 0.47}, paint{0.
 constexpr double floor_reach = 500;  // [m]
 constexpr double nearest = 0.01;     // [m]
 constexpr double flattest = 0.01;    // [1] sine of the lowest elevation from which parallel rays see the ground
-constexpr int shadow_side = 2048;    // [px]
 constexpr std::size_t most_targets = 8;
 
 using Float3 = std::array<float, 3>;
@@ -53,10 +52,9 @@ void set_ground_color(GlProgram& program, const Color& color, const Light& light
 
 /// What the lamp sees: how far its light comes.
 struct ShadowMap {
-  void prepare() {
+  explicit ShadowMap(int pixels) : side(pixels) {
     glBindTexture(GL_TEXTURE_2D, *texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, shadow_side, shadow_side, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                 nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
     constexpr std::array<GLfloat, 4> lit{1, 1, 1, 1};
     glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit.data());
     for (const auto& [key, value] : {std::pair<GLenum, GLint>{GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER},
@@ -73,6 +71,7 @@ struct ShadowMap {
     glReadBuffer(GL_NONE);
   }
 
+  int side;  // [px]
   GlTexture texture;
   GlFramebuffer frame;
   GlMatrix to_lamp{};
@@ -137,7 +136,7 @@ DrawCount GlDrawing::draw(const Projection& wanted, const sensors::Layers& layer
   const Light& light = options.light;
   const int samples = options.samples;
   if (view.rows == 0) view.rows = view.height - view.first_row;
-  if (light.shadows && layers.color) draw_shadows(view, light, ahead);
+  if (light.shadows && layers.color) draw_shadows(view, options, ahead);
   list_.fill(render_scene_, projection, layers.depth, ahead, catalog_);
   const GlMatrix clip = projection.parallel ? parallel_clip_of(view, render_scene_, ahead) : clip_of(view, nearest);
   // several samples to a pixel make sense for colors only
@@ -292,14 +291,15 @@ void GlDrawing::draw_strokes(const Projection& projection, const sensors::Layers
 }
 
 /// The lamp looks along its light, in parallel, at all that throws shadows.
-void GlDrawing::draw_shadows(const sensors::Perspective& view, const Light& light, double ahead) {
+void GlDrawing::draw_shadows(const sensors::Perspective& view, const RendererOptions& options, double ahead) {
+  const Light& light = options.light;
   if (!objects_->shadows) {
-    objects_->shadows.emplace().prepare();
+    objects_->shadows.emplace(options.shadow_side);
     objects_->shadowed.emplace(shadow_source);
   }
   ShadowMap& map = *objects_->shadows;
   const LampView lamp = lamp_view(render_scene_, light.toward, ahead);
-  map.texel = 2 * std::max(lamp.half_width, lamp.half_height) / shadow_side;
+  map.texel = 2 * std::max(lamp.half_width, lamp.half_height) / map.side;
   const GlMatrix clip = clip_of(lamp);
   // from optical axes to those of the lamp, then to its picture, 0 to 1
   const Mat3d turn = transpose(lamp.axes) * view.axes;
@@ -308,7 +308,7 @@ void GlDrawing::draw_shadows(const sensors::Perspective& view, const Light& ligh
   list_.fill_all(render_scene_, lamp.eye, lamp.axes, ahead, catalog_);
   glBindFramebuffer(GL_FRAMEBUFFER, *map.frame);
   glDisable(GL_SCISSOR_TEST);
-  glViewport(0, 0, shadow_side, shadow_side);
+  glViewport(0, 0, map.side, map.side);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);

@@ -24,7 +24,8 @@ const Markings* markings_of(const Viewer& viewer) {
   return nullptr;
 }
 
-void draw_robot(ImDrawList& list, const Map& map, const Vec3d& place, double turn, const EntityOutline& outline, bool selected) {
+void draw_robot(ImDrawList& list, const Map& map, const Vec3d& place, double turn, const EntityOutline& outline,
+                bool selected) {
   const double size = std::max(5.0, 0.16 * map.pixels);
   const ImVec2 middle = map.at(place);
   const auto around = [&](double angle, double radius) {
@@ -32,10 +33,12 @@ void draw_robot(ImDrawList& list, const Map& map, const Vec3d& place, double tur
   };
   list.AddTriangleFilled(around(0, 1.7 * size), around(1.2, size), around(-1.2, size), packed(outline.color));
   list.AddCircleFilled(middle, static_cast<float>(size), packed(outline.color));
-  list.AddCircle(middle, static_cast<float>(size + 1), selected ? IM_COL32_WHITE : IM_COL32(0, 0, 0, 160), 0, selected ? 2.5F : 1);
+  list.AddCircle(middle, static_cast<float>(size + 1), selected ? IM_COL32_WHITE : IM_COL32(0, 0, 0, 160), 0,
+                 selected ? 2.5F : 1);
   const std::string number = fmt::format("{}", appearance::jersey_number(outline.name));
   const ImVec2 extent = ImGui::CalcTextSize(number.c_str());
-  if (extent.y < 2.6 * size) list.AddText(vec2(middle.x - 0.5 * extent.x, middle.y - 0.5 * extent.y), IM_COL32_WHITE, number.c_str());
+  if (extent.y < 2.6 * size)
+    list.AddText(vec2(middle.x - 0.5 * extent.x, middle.y - 0.5 * extent.y), IM_COL32_WHITE, number.c_str());
 }
 
 }  // namespace
@@ -50,8 +53,9 @@ void field_map(Panels& panels, const Area& area) {
   ImGui::SetNextWindowPos(vec2(place.x, place.y));
   ImGui::SetNextWindowSize(vec2(place.width, place.height));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, vec2(0, 0));
-  ImGui::Begin("map", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::Begin("map", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Map map{place.x + 0.5 * width, place.y + 0.5 * height, 0.5 * width / markings->half_length};
   list.AddRectFilled(vec2(place.x, place.y), vec2(place.x + width, place.y + height), IM_COL32(38, 92, 46, 215), 4);
@@ -74,7 +78,8 @@ void field_map(Panels& panels, const Area& area) {
       draw_robot(list, map, r, heading(frame->orientation[frame->first[i]]), outline, selected);
     } else {
       list.AddCircleFilled(map.at(r), static_cast<float>(std::max(3.0, 0.08 * map.pixels)), packed(outline.color));
-      list.AddCircle(map.at(r), static_cast<float>(std::max(4.0, 0.08 * map.pixels + 1)), selected ? IM_COL32_WHITE : IM_COL32(0, 0, 0, 160));
+      list.AddCircle(map.at(r), static_cast<float>(std::max(4.0, 0.08 * map.pixels + 1)),
+                     selected ? IM_COL32_WHITE : IM_COL32(0, 0, 0, 160));
     }
     const ImVec2 at = map.at(r);
     if (clicked && std::hypot(at.x - mouse.x, at.y - mouse.y) < nearest) {

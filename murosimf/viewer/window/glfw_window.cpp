@@ -20,14 +20,22 @@ struct NamedKey {
   std::string_view name;
 };
 constexpr std::array named_keys{
-    NamedKey{GLFW_KEY_SPACE, "Space"},         NamedKey{GLFW_KEY_TAB, "Tab"},
-    NamedKey{GLFW_KEY_ENTER, "Enter"},         NamedKey{GLFW_KEY_KP_ENTER, "Enter"},
-    NamedKey{GLFW_KEY_ESCAPE, "Escape"},       NamedKey{GLFW_KEY_BACKSPACE, "Backspace"},
-    NamedKey{GLFW_KEY_BACKSLASH, "Backslash"}, NamedKey{GLFW_KEY_DELETE, "Delete"},
-    NamedKey{GLFW_KEY_INSERT, "Insert"},       NamedKey{GLFW_KEY_HOME, "Home"},
-    NamedKey{GLFW_KEY_END, "End"},             NamedKey{GLFW_KEY_PAGE_UP, "PageUp"},
-    NamedKey{GLFW_KEY_PAGE_DOWN, "PageDown"},  NamedKey{GLFW_KEY_LEFT, "Left"},
-    NamedKey{GLFW_KEY_RIGHT, "Right"},         NamedKey{GLFW_KEY_UP, "Up"},
+    NamedKey{GLFW_KEY_SPACE, "Space"},
+    NamedKey{GLFW_KEY_TAB, "Tab"},
+    NamedKey{GLFW_KEY_ENTER, "Enter"},
+    NamedKey{GLFW_KEY_KP_ENTER, "Enter"},
+    NamedKey{GLFW_KEY_ESCAPE, "Escape"},
+    NamedKey{GLFW_KEY_BACKSPACE, "Backspace"},
+    NamedKey{GLFW_KEY_BACKSLASH, "Backslash"},
+    NamedKey{GLFW_KEY_DELETE, "Delete"},
+    NamedKey{GLFW_KEY_INSERT, "Insert"},
+    NamedKey{GLFW_KEY_HOME, "Home"},
+    NamedKey{GLFW_KEY_END, "End"},
+    NamedKey{GLFW_KEY_PAGE_UP, "PageUp"},
+    NamedKey{GLFW_KEY_PAGE_DOWN, "PageDown"},
+    NamedKey{GLFW_KEY_LEFT, "Left"},
+    NamedKey{GLFW_KEY_RIGHT, "Right"},
+    NamedKey{GLFW_KEY_UP, "Up"},
     NamedKey{GLFW_KEY_DOWN, "Down"},
 };
 
@@ -58,11 +66,15 @@ struct GlfwWindow::Handles {
 
 namespace {
 
-std::vector<Input>& inputs_of(GLFWwindow* window) { return *static_cast<std::vector<Input>*>(glfwGetWindowUserPointer(window)); }
+std::vector<Input>& inputs_of(GLFWwindow* window) {
+  return *static_cast<std::vector<Input>*>(glfwGetWindowUserPointer(window));
+}
 
 void take_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
-  KeyInput input{{name_of(key, scancode), (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0},
-                 action != GLFW_RELEASE, action == GLFW_REPEAT};
+  KeyInput input{{name_of(key, scancode), (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0,
+                  (mods & GLFW_MOD_ALT) != 0},
+                 action != GLFW_RELEASE,
+                 action == GLFW_REPEAT};
   const auto held = [&](int left, int right, bool& flag, const char* name) {
     if (key != left && key != right) return;
     input.chord.key = name;
@@ -88,7 +100,9 @@ void listen(GLFWwindow* window) {
   glfwSetMouseButtonCallback(window, [](GLFWwindow* of, int button, int action, int) {
     if (button <= GLFW_MOUSE_BUTTON_MIDDLE) inputs_of(of).push_back(ButtonInput{button, action == GLFW_PRESS});
   });
-  glfwSetCursorPosCallback(window, [](GLFWwindow* of, double x, double y) { inputs_of(of).push_back(MoveInput{in_pixels(of, x, y)}); });
+  glfwSetCursorPosCallback(window, [](GLFWwindow* of, double x, double y) {
+    inputs_of(of).push_back(MoveInput{in_pixels(of, x, y)});
+  });
   glfwSetScrollCallback(window, [](GLFWwindow* of, double, double y) { inputs_of(of).push_back(WheelInput{y}); });
 }
 
@@ -111,7 +125,8 @@ std::string no_window_because() {
   glfwSetErrorCallback([](int, const char* text) { last_trouble() = text; });
   if (glfwInit()) return {};
   return fmt::format(
-      "no window: {}; without a display: 'murosimf run SCENE --web' shows it in a browser, 'murosimf render' makes pictures",
+      "no window: {}; without a display: 'murosimf run SCENE --web' shows it in a browser, 'murosimf render' makes "
+      "pictures",
       last_trouble().empty() ? "there is no display" : last_trouble());
 }
 
@@ -120,8 +135,9 @@ GlfwWindow::GlfwWindow(const std::string& title, int width, int height) : handle
   handles_->window = open(title, width, height);
   if (!handles_->window) {
     glfwTerminate();
-    throw SetupError(fmt::format("no window with OpenGL 3.3: {}; without one: 'murosimf run SCENE --web' and 'murosimf render'",
-                                 last_trouble()));
+    throw SetupError(
+        fmt::format("no window with OpenGL 3.3: {}; without one: 'murosimf run SCENE --web' and 'murosimf render'",
+                    last_trouble()));
   }
   glfwSetWindowUserPointer(handles_->window, &handles_->inputs);
   listen(handles_->window);
@@ -157,7 +173,8 @@ void GlfwWindow::set_full_screen(bool full) {
   GLFWmonitor* monitor = glfwGetWindowMonitor(handles_->window);
   if (full == (monitor != nullptr)) return;
   if (!full) {
-    return glfwSetWindowMonitor(handles_->window, nullptr, handles_->x, handles_->y, handles_->width, handles_->height, GLFW_DONT_CARE);
+    return glfwSetWindowMonitor(handles_->window, nullptr, handles_->x, handles_->y, handles_->width, handles_->height,
+                                GLFW_DONT_CARE);
   }
   glfwGetWindowPos(handles_->window, &handles_->x, &handles_->y);
   glfwGetWindowSize(handles_->window, &handles_->width, &handles_->height);

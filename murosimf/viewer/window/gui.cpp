@@ -15,15 +15,24 @@ struct TextKey {
   ImGuiKey key;
 };
 /// Keys with which text is edited.
-constexpr std::array text_keys{TextKey{"Tab", ImGuiKey_Tab},           TextKey{"Left", ImGuiKey_LeftArrow},
-                               TextKey{"Right", ImGuiKey_RightArrow},  TextKey{"Up", ImGuiKey_UpArrow},
-                               TextKey{"Down", ImGuiKey_DownArrow},    TextKey{"PageUp", ImGuiKey_PageUp},
-                               TextKey{"PageDown", ImGuiKey_PageDown}, TextKey{"Home", ImGuiKey_Home},
-                               TextKey{"End", ImGuiKey_End},           TextKey{"Delete", ImGuiKey_Delete},
-                               TextKey{"Backspace", ImGuiKey_Backspace}, TextKey{"Enter", ImGuiKey_Enter},
-                               TextKey{"Escape", ImGuiKey_Escape},     TextKey{"A", ImGuiKey_A},
-                               TextKey{"C", ImGuiKey_C},               TextKey{"V", ImGuiKey_V},
-                               TextKey{"X", ImGuiKey_X},               TextKey{"Y", ImGuiKey_Y},
+constexpr std::array text_keys{TextKey{"Tab", ImGuiKey_Tab},
+                               TextKey{"Left", ImGuiKey_LeftArrow},
+                               TextKey{"Right", ImGuiKey_RightArrow},
+                               TextKey{"Up", ImGuiKey_UpArrow},
+                               TextKey{"Down", ImGuiKey_DownArrow},
+                               TextKey{"PageUp", ImGuiKey_PageUp},
+                               TextKey{"PageDown", ImGuiKey_PageDown},
+                               TextKey{"Home", ImGuiKey_Home},
+                               TextKey{"End", ImGuiKey_End},
+                               TextKey{"Delete", ImGuiKey_Delete},
+                               TextKey{"Backspace", ImGuiKey_Backspace},
+                               TextKey{"Enter", ImGuiKey_Enter},
+                               TextKey{"Escape", ImGuiKey_Escape},
+                               TextKey{"A", ImGuiKey_A},
+                               TextKey{"C", ImGuiKey_C},
+                               TextKey{"V", ImGuiKey_V},
+                               TextKey{"X", ImGuiKey_X},
+                               TextKey{"Y", ImGuiKey_Y},
                                TextKey{"Z", ImGuiKey_Z}};
 
 void feed_key(const KeyInput& input) {
@@ -53,8 +62,9 @@ void number_keys() {
 
 void choose_letters(float size) {
   ImGuiIO& io = ImGui::GetIO();
-  for (const char* file : {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
-                           "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf"}) {
+  for (const char* file :
+       {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+        "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf"}) {
     std::error_code none;
     if (std::filesystem::exists(file, none) && io.Fonts->AddFontFromFileTTF(file, size)) return;
   }
@@ -102,7 +112,8 @@ void Gui::feed(const Input& input) {
   if (const auto* key = std::get_if<KeyInput>(&input)) feed_key(*key);
   if (const auto* letter = std::get_if<TextInput>(&input)) ImGui::GetIO().AddInputCharacter(letter->letter);
   if (const auto* move = std::get_if<MoveInput>(&input)) mouse_ = move->place;
-  if (const auto* button = std::get_if<ButtonInput>(&input)) buttons_[static_cast<std::size_t>(button->button)] = button->pressed;
+  if (const auto* button = std::get_if<ButtonInput>(&input))
+    buttons_[static_cast<std::size_t>(button->button)] = button->pressed;
   if (const auto* wheel = std::get_if<WheelInput>(&input)) wheel_ += wheel->clicks;
 }
 
@@ -137,6 +148,7 @@ void Gui::end() {
 }
 
 void Gui::remember(const std::string& name) {
+  if (!ImGui::IsItemVisible()) return;
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   places_.emplace(name, Pixel{0.5 * (low.x + high.x), 0.5 * (low.y + high.y)});
 }
@@ -172,7 +184,8 @@ bool Gui::selectable(const std::string& name, bool selected) {
   return pressed;
 }
 
-std::optional<std::size_t> Gui::choice(const std::string& name, const std::string& now, const std::vector<std::string>& names) {
+std::optional<std::size_t> Gui::choice(const std::string& name, const std::string& now,
+                                       const std::vector<std::string>& names) {
   std::optional<std::size_t> chosen;
   const bool open = ImGui::BeginCombo(("##" + name).c_str(), now.c_str());
   remember(name);

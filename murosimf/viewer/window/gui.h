@@ -31,7 +31,7 @@ class Gui {
   [[nodiscard]] bool wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
   [[nodiscard]] bool wants_text() const { return ImGui::GetIO().WantTextInput; }
 
-  /// Of the last item: what is written there, or another name.
+  /// Of the last item, if it can be seen: what is written there, or another name.
   void remember(const std::string& name);
   void remember(const std::string& name, const Pixel& place) { places_[name] = place; }
   [[nodiscard]] std::optional<Pixel> place_of(const std::string& name) const;
@@ -42,7 +42,8 @@ class Gui {
   bool checkbox(const std::string& name, bool& value);
   bool selectable(const std::string& name, bool selected);
   /// A list that opens; index of what was chosen.
-  std::optional<std::size_t> choice(const std::string& name, const std::string& now, const std::vector<std::string>& names);
+  std::optional<std::size_t> choice(const std::string& name, const std::string& now,
+                                    const std::vector<std::string>& names);
 
  private:
   void feed_pointer();
@@ -54,7 +55,8 @@ class Gui {
 };
 
 [[nodiscard]] inline ImVec4 vec4(const Color& color, double alpha = 1) {
-  return {static_cast<float>(color.red), static_cast<float>(color.green), static_cast<float>(color.blue), static_cast<float>(alpha)};
+  return {static_cast<float>(color.red), static_cast<float>(color.green), static_cast<float>(color.blue),
+          static_cast<float>(alpha)};
 }
 [[nodiscard]] inline ImU32 packed(const Color& color, double alpha = 1) {
   return ImGui::ColorConvertFloat4ToU32(vec4(color, alpha));

@@ -31,7 +31,8 @@ void choose_level(Panels& panels, int entity, const EntityState& state, float wi
 void choose_contact(Panels& panels, int entity, const EntityState& state, float width) {
   const auto laws = names_of(catalog::contacts());
   ImGui::SetNextItemWidth(width);
-  const auto law = panels.gui.choice(state.name + " contact", state.contact.empty() ? "no contact forces" : state.contact, laws);
+  const auto law =
+      panels.gui.choice(state.name + " contact", state.contact.empty() ? "no contact forces" : state.contact, laws);
   tip("law of contact with the ground");
   if (law) panels.viewer.switch_contact(entity, laws[*law]);
 }
@@ -55,8 +56,11 @@ void robots_tab(Panels& panels) {
     const int entity = static_cast<int>(i);
     const bool selected = viewer.selected_entity() == entity;
     ImGui::PushID(entity);
-    ImGui::PushStyleColor(ImGuiCol_Text, vec4({0.4 + 0.6 * outline.color.red, 0.4 + 0.6 * outline.color.green, 0.4 + 0.6 * outline.color.blue}));
-    const std::string key = outline.label >= 0 && outline.label < 9 ? fmt::format("{}  ", outline.label + 1) : outline.is_ball ? "0  " : "    ";
+    ImGui::PushStyleColor(ImGuiCol_Text, vec4({0.4 + 0.6 * outline.color.red, 0.4 + 0.6 * outline.color.green,
+                                               0.4 + 0.6 * outline.color.blue}));
+    const std::string key = outline.label >= 0 && outline.label < 9 ? fmt::format("{}  ", outline.label + 1)
+                            : outline.is_ball                       ? "0  "
+                                                                    : "    ";
     if (ImGui::Selectable((key + outline.name + "##who").c_str(), selected)) viewer.select(ObjectPath{entity, 0});
     panels.gui.remember(outline.name);
     ImGui::PopStyleColor();
@@ -77,7 +81,8 @@ void robots_tab(Panels& panels) {
 void object_row(Panels& panels, const ObjectPath& path, const std::string& name) {
   Viewer& viewer = panels.viewer;
   const bool selected = viewer.selected() == path;
-  const ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth | (selected ? ImGuiTreeNodeFlags_Selected : 0);
+  const ImGuiTreeNodeFlags flags =
+      ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth | (selected ? ImGuiTreeNodeFlags_Selected : 0);
   const bool open = ImGui::TreeNodeEx(name.c_str(), flags);
   panels.gui.remember(viewer.path_text(path));
   if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) viewer.select(path);
@@ -90,7 +95,8 @@ void object_row(Panels& panels, const ObjectPath& path, const std::string& name)
 void tree_tab(Panels& panels) {
   Viewer& viewer = panels.viewer;
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##filter", "objects with this in their names", panels.state.filter.data(), panels.state.filter.size());
+  ImGui::InputTextWithHint("##filter", "objects with this in their names", panels.state.filter.data(),
+                           panels.state.filter.size());
   const std::string filter(panels.state.filter.data());
   for (std::size_t i = 0; i < viewer.outline().size(); ++i) {
     const EntityOutline& outline = viewer.outline()[i];
@@ -111,7 +117,8 @@ void edit_value(Panels& panels, const ObjectPath& path, const PropertyValue& pro
   PanelState& state = panels.state;
   const bool edited = state.edited == path && state.edited_property == property.name;
   std::string shown;
-  for (const double number : property.numbers) shown += (shown.empty() ? "" : "  ") + (edited ? fmt::format("{}", number) : number_text(number));
+  for (const double number : property.numbers)
+    shown += (shown.empty() ? "" : "  ") + (edited ? fmt::format("{}", number) : number_text(number));
   std::array<char, 128> buffer{};
   if (edited) {
     buffer = state.edit;
@@ -120,7 +127,8 @@ void edit_value(Panels& panels, const ObjectPath& path, const PropertyValue& pro
   }
   ImGui::SetNextItemWidth(-1);
   const std::string id = "##" + property.name;
-  const bool entered = ImGui::InputText(id.c_str(), buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool entered = ImGui::InputText(id.c_str(), buffer.data(), buffer.size(),
+                                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   panels.gui.remember(property.name);
   panels.gui.remember(panels.viewer.path_text(path) + "." + property.name);
   if (ImGui::IsItemActive()) {
@@ -147,6 +155,19 @@ void edit_value(Panels& panels, const ObjectPath& path, const PropertyValue& pro
   }
 }
 
+/// What people look for before the rest.
+std::vector<const PropertyValue*> usual_first(const std::vector<PropertyValue>& properties) {
+  constexpr std::array<std::string_view, 10> usual{"position",         "orientation",    "linear_velocity",
+                                                   "angular_velocity", "joint_position", "joint_velocity",
+                                                   "joint_target",     "joint_torque",   "walk_command",
+                                                   "applied_force"};
+  std::vector<const PropertyValue*> sorted;
+  for (const PropertyValue& property : properties) sorted.push_back(&property);
+  std::ranges::stable_sort(sorted, {},
+                           [&](const PropertyValue* p) { return std::ranges::find(usual, p->name) - usual.begin(); });
+  return sorted;
+}
+
 }  // namespace
 
 void properties_of(Panels& panels, const ObjectPath& path) {
@@ -156,17 +177,20 @@ void properties_of(Panels& panels, const ObjectPath& path) {
   if (!ImGui::BeginTable("properties", 2, ImGuiTableFlags_SizingStretchProp)) return;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.48F);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.52F);
-  for (const PropertyValue& property : values->properties) {
+  for (const PropertyValue* shown : usual_first(values->properties)) {
+    const PropertyValue& property = *shown;
     ImGui::PushID(property.name.c_str());
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
+    if (!property.constant) ImGui::AlignTextToFramePadding();
     if (property.constant || property.numbers.size() > 9) {
       text(property.name, faint);
     } else if (ImGui::Selectable(property.name.c_str())) {
       viewer.add_plot(path, property.name, false);
     }
     panels.gui.remember("plot " + property.name);
-    tip(fmt::format("{} [{}]\n{}", property.name, property.unit, property.constant ? "constant of the model" : "click: plot it over time"));
+    tip(fmt::format("{} [{}]\n{}", property.name, property.unit,
+                    property.constant ? "constant of the model" : "click: plot it over time"));
     ImGui::TableNextColumn();
     if (property.constant) {
       std::string shown;

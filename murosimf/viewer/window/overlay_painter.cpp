@@ -27,10 +27,12 @@ void paint_head(ImDrawList& list, const ImVec2& from, const ImVec2& to, ImU32 co
   if (length < 3) return;
   const double size = std::min(4 + 2 * width, 0.6 * length), ux = x / length, uy = y / length;
   const double bx = to.x - size * ux, by = to.y - size * uy;
-  list.AddTriangleFilled(to, vec2(bx - 0.5 * size * uy, by + 0.5 * size * ux), vec2(bx + 0.5 * size * uy, by - 0.5 * size * ux), color);
+  list.AddTriangleFilled(to, vec2(bx - 0.5 * size * uy, by + 0.5 * size * ux),
+                         vec2(bx + 0.5 * size * uy, by - 0.5 * size * ux), color);
 }
 
-void paint_segment(ImDrawList& list, const sensors::Perspective& view, const Area& area, Vec3d a, Vec3d b, const Mark& mark, bool head) {
+void paint_segment(ImDrawList& list, const sensors::Perspective& view, const Area& area, Vec3d a, Vec3d b,
+                   const Mark& mark, bool head) {
   if (!cut(view, a, b)) return;
   const auto from = pixel_of(view, a), to = pixel_of(view, b);
   if (!from || !to) return;
@@ -61,16 +63,19 @@ void paint(ImDrawList& list, const sensors::Perspective& view, const Area& area,
   }
   if (mark.filled && mark.points.size() > 2) paint_filled(list, view, area, mark);
   for (std::size_t i = 0; i + 1 < mark.points.size(); ++i) {
-    paint_segment(list, view, area, mark.points[i], mark.points[i + 1], mark, mark.arrow && i + 2 == mark.points.size());
+    paint_segment(list, view, area, mark.points[i], mark.points[i + 1], mark,
+                  mark.arrow && i + 2 == mark.points.size());
   }
-  if (mark.closed && mark.points.size() > 2) paint_segment(list, view, area, mark.points.back(), mark.points.front(), mark, false);
+  if (mark.closed && mark.points.size() > 2)
+    paint_segment(list, view, area, mark.points.back(), mark.points.front(), mark, false);
 }
 
 /// Letters with a dark shade behind, readable on grass and shirts.
 void paint_letters(ImDrawList& list, const ImVec2& middle, const std::string& letters, ImU32 color) {
   const ImVec2 size = ImGui::CalcTextSize(letters.c_str());
   const ImVec2 corner = vec2(std::round(middle.x - 0.5 * size.x), std::round(middle.y - 0.5 * size.y));
-  list.AddRectFilled(vec2(corner.x - 3, corner.y - 1), vec2(corner.x + size.x + 3, corner.y + size.y + 1), IM_COL32(0, 0, 0, 120), 3);
+  list.AddRectFilled(vec2(corner.x - 3, corner.y - 1), vec2(corner.x + size.x + 3, corner.y + size.y + 1),
+                     IM_COL32(0, 0, 0, 120), 3);
   list.AddText(corner, color, letters.c_str());
 }
 
@@ -103,7 +108,8 @@ void paint_pull(const MouseControl::Pull& pull, const sensors::Perspective& view
   const Mark arrow{.points = {pull.from, pull.to}, .color = {1, 0.35, 0.1}, .width = 4, .arrow = true};
   paint(clipped.list, view, area, arrow);
   if (const auto pixel = pixel_of(view, pull.to)) {
-    paint_letters(clipped.list, in_area({pixel->x, pixel->y - 18}, area), fmt::format("{:.1f} N", norm(pull.force)), packed({1, 0.8, 0.5}));
+    paint_letters(clipped.list, in_area({pixel->x, pixel->y - 18}, area), fmt::format("{:.1f} N", norm(pull.force)),
+                  packed({1, 0.8, 0.5}));
   }
 }
 

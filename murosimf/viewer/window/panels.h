@@ -26,16 +26,16 @@ struct Area {
 /// What panels remember from picture to picture.
 struct PanelState {
   PictureQuality quality;
-  double plot_seconds = 10;      ///< of simulated time that plots show
-  ObjectPath edited;             ///< whose property has the focus
+  double plot_seconds = 10;  ///< of simulated time that plots show
+  ObjectPath edited;         ///< whose property has the focus
   std::string edited_property;
-  std::array<char, 128> edit{};  ///< its text
-  std::array<char, 64> filter{}; ///< of the tree
-  bool scrubs = false;           ///< the time line is being dragged
-  double scrubbed_to = -1;       ///< [s]
+  std::array<char, 128> edit{};   ///< its text
+  std::array<char, 64> filter{};  ///< of the tree
+  bool scrubs = false;            ///< the time line is being dragged
+  double scrubbed_to = -1;        ///< [s]
   int scrubbed_branch = 0;
-  Area timeline;                 ///< where times stand, for scripts
-  double timeline_end = 1;       ///< [s]
+  Area timeline;                                     ///< where times stand, for scripts
+  double timeline_end = 1;                           ///< [s]
   std::vector<imaging::ColorImage> camera_pictures;  ///< of what is selected, by camera
   double frames_per_second = 0;
   std::string drawn_by;

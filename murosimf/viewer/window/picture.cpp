@@ -12,6 +12,7 @@ namespace murosimf::viewer {
 namespace {
 
 constexpr Color standing_foot{1, 0.85, 0};
+constexpr int coarse_shadows = 1024;  // [px]
 
 }  // namespace
 
@@ -19,15 +20,18 @@ ScenePicture::ScenePicture(Viewer& viewer) : viewer_(viewer) { renew({}); }
 
 void ScenePicture::renew(const PictureQuality& quality) {
   renderer_.reset();  // it may belong to a scene that is gone
-  viewer_.session().visit([&](scene::Scene& scene) {
-    scene_file::LightSpec light = scene.spec().light;
-    light.samples = quality.samples;
-    light.shadows = quality.shadows;
-    renderer_ = scene::make_renderer(scene, light);
-    changes_ = scene.parts().changes_to_see;
-  }).get();
+  viewer_.session()
+      .visit([&](scene::Scene& scene) {
+        scene_file::LightSpec light = scene.spec().light;
+        light.samples = quality.samples;
+        light.shadows = quality.shadows;
+        renderer_ = scene::make_renderer(scene, light);
+        changes_ = scene.parts().changes_to_see;
+      })
+      .get();
   renderer_->mark_standing_feet(standing_foot);
   renderer_->label_pieces();
+  if (software()) renderer_->set_shadow_side(coarse_shadows);
   renderer_->show(&moment_);
   generation_ = viewer_.generation();
   quality_ = quality;
@@ -83,7 +87,8 @@ void Texture::fill(const imaging::ColorImage& image) {
   if (is_new) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, image.width(), image.height(), 0, GL_RGB, GL_UNSIGNED_BYTE, image.pixels().data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, image.width(), image.height(), 0, GL_RGB, GL_UNSIGNED_BYTE,
+                 image.pixels().data());
     width_ = image.width();
     height_ = image.height();
   } else {

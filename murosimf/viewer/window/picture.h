@@ -30,6 +30,8 @@ class ScenePicture {
   void draw(const sensors::Perspective& view, const PictureQuality& quality, sensors::View& into);
   [[nodiscard]] std::optional<Hit> pick(const sensors::Perspective& view, const Pixel& pixel);
   [[nodiscard]] std::string drawn_by() const { return renderer_->name(); }
+  /// The processor draws, not a graphics card.
+  [[nodiscard]] bool software() const { return renderer_->name().ends_with(", software"); }
 
  private:
   void renew(const PictureQuality& quality);

@@ -10,8 +10,8 @@ namespace murosimf::viewer {
 namespace {
 
 struct Frame {
-  double x, y, width, height;   // [px]
-  double begin, end, low, high; // [s], values
+  double x, y, width, height;    // [px]
+  double begin, end, low, high;  // [s], values
   [[nodiscard]] ImVec2 at(double time, double value) const {
     return vec2(x + (time - begin) / (end - begin) * width, y + height - (value - low) / (high - low) * height);
   }
@@ -26,7 +26,8 @@ Curve::Range range_of(const Plot& plot, double begin) {
     range.high = std::max(range.high, own.high);
   }
   if (!(range.low <= range.high)) range = {};
-  const double room = range.high > range.low ? 0.06 * (range.high - range.low) : std::max(1e-3, 0.1 * std::abs(range.high));
+  const double room =
+      range.high > range.low ? 0.06 * (range.high - range.low) : std::max(1e-3, 0.1 * std::abs(range.high));
   return {range.low - room, range.high + room};
 }
 
@@ -42,7 +43,7 @@ void draw_grid(ImDrawList& list, const Frame& frame) {
   for (const double time : ticks(frame.begin, frame.end, 4)) {
     const ImVec2 at = frame.at(time, frame.low);
     list.AddLine(at, vec2(at.x, at.y - frame.height), line);
-    const std::string number = fmt::format("{:g} s", std::round(1000 * time) / 1000);
+    const std::string number = fmt::format("{:g} s", std::round(1000 * time) / 1000 + 0.0);
     const ImVec2 size = ImGui::CalcTextSize(number.c_str());
     if (at.x - 0.5 * size.x > frame.x && at.x + 0.5 * size.x < frame.x + frame.width + 8) {
       list.AddText(vec2(at.x - 0.5 * size.x, at.y + 2), letters, number.c_str());
@@ -71,9 +72,11 @@ void draw_plot(const Plot& plot, double now, double window, double width, double
   const double letters = ImGui::GetFontSize(), left = 3.6 * letters;
   const double begin = std::max(0.0, now - window);
   const Curve::Range range = range_of(plot, begin);
-  const Frame frame{corner.x + left, corner.y + 2, width - left - 4, height - letters - 6, begin, std::max(now, begin + 1e-3),
-                    range.low, range.high};
-  list.AddRectFilled(vec2(frame.x, frame.y), vec2(frame.x + frame.width, frame.y + frame.height), IM_COL32(0, 0, 0, 90));
+  const Frame frame{
+      corner.x + left, corner.y + 2, width - left - 4, height - letters - 6, begin, std::max(now, begin + 1e-3),
+      range.low,       range.high};
+  list.AddRectFilled(vec2(frame.x, frame.y), vec2(frame.x + frame.width, frame.y + frame.height),
+                     IM_COL32(0, 0, 0, 90));
   draw_grid(list, frame);
   list.PushClipRect(vec2(frame.x, frame.y), vec2(frame.x + frame.width, frame.y + frame.height), true);
   for (std::size_t i = 0; i < plot.curves.size(); ++i) draw_curve(list, frame, plot.curves[i], packed(curve_color(i)));
@@ -104,7 +107,8 @@ void plots_tab(Panels& panels) {
       if (n % 3 != 0) ImGui::SameLine();
       if (!values.empty()) text(number_text(values.back()), curve_color(n));
     }
-    draw_plot(wish.plot, seconds(viewer.status().time), panels.state.plot_seconds, ImGui::GetContentRegionAvail().x, 150);
+    draw_plot(wish.plot, seconds(viewer.status().time), panels.state.plot_seconds, ImGui::GetContentRegionAvail().x,
+              150);
     ImGui::PopID();
   }
   if (removed) viewer.plots.erase(viewer.plots.begin() + static_cast<std::ptrdiff_t>(*removed));

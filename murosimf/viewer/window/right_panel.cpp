@@ -23,11 +23,12 @@ void camera_view(const CameraState& camera, const imaging::ColorImage& picture, 
   texture.fill(picture);
   if (texture.name() == 0) return;
   const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::Image((ImTextureID)static_cast<std::intptr_t>(texture.name()),
+  ImGui::Image((ImTextureID) static_cast<std::intptr_t>(texture.name()),
                vec2(width, width * texture.height() / std::max(1, texture.width())));
   const auto& spec = camera.info->lens.spec();
   text(fmt::format("{}: {}x{} px, {}", camera.info->name, spec.width, spec.height,
-                   camera.picture.empty() ? "nobody reads it, so as a pinhole sees it now" : fmt::format("picture of {:.3f} s", camera.time)),
+                   camera.picture.empty() ? "nobody reads it, so as a pinhole sees it now"
+                                          : fmt::format("picture of {:.3f} s", camera.time)),
        faint);
 }
 
@@ -54,8 +55,10 @@ void row_picture(const SensorState& sensor) {
   for (const sensors::Output& output : sensor.info->outputs) {
     if (output.size() > 12) {
       Plot plot{output.name, output.unit, {Curve(output.size() + 1)}};
-      for (std::size_t i = 0; i < output.size(); ++i) plot.curves[0].add(static_cast<double>(i), sensor.values[first + i]);
-      draw_plot(plot, static_cast<double>(output.size()), static_cast<double>(output.size()), ImGui::GetContentRegionAvail().x, 90);
+      for (std::size_t i = 0; i < output.size(); ++i)
+        plot.curves[0].add(static_cast<double>(i), sensor.values[first + i]);
+      draw_plot(plot, static_cast<double>(output.size()), static_cast<double>(output.size()),
+                ImGui::GetContentRegionAvail().x, 90);
     }
     first += output.size();
   }
@@ -81,7 +84,8 @@ void sensors_tab(Panels& panels, std::vector<std::unique_ptr<Texture>>& camera_p
   if (seen.sensors.empty()) text("It has no sensors.", faint);
   for (std::size_t i = 0; i < seen.cameras.size(); ++i) {
     while (camera_pictures.size() <= i) camera_pictures.push_back(std::make_unique<Texture>());
-    if (i < panels.state.camera_pictures.size()) camera_view(seen.cameras[i], panels.state.camera_pictures[i], *camera_pictures[i]);
+    if (i < panels.state.camera_pictures.size())
+      camera_view(seen.cameras[i], panels.state.camera_pictures[i], *camera_pictures[i]);
   }
   for (const SensorState& sensor : seen.sensors) {
     const std::string title = fmt::format("{} ({})###{}", sensor.info->name, sensor.info->type, sensor.info->name);
@@ -105,7 +109,8 @@ void algorithms_tab(Panels& panels) {
   double all = 0;
   for (const AlgorithmStatistics& one : algorithms) {
     ImGui::TableNextRow();
-    for (const std::string& cell : {one.name, fmt::format("{:g}", one.rate_hz), fmt::format("{}", one.calls), fmt::format("{:.2f}", one.us_per_call)}) {
+    for (const std::string& cell : {one.name, fmt::format("{:g}", one.rate_hz), fmt::format("{}", one.calls),
+                                    fmt::format("{:.2f}", one.us_per_call)}) {
       ImGui::TableNextColumn();
       text(cell);
     }
@@ -123,24 +128,26 @@ void view_tab(Panels& panels) {
   };
   text("Over the picture", faint);
   OverlayOptions& overlay = viewer.overlay;
-  for (const auto& [action, value] : std::initializer_list<std::pair<Action, bool*>>{
-           {Action::contacts, &overlay.contacts},
-           {Action::forces, &overlay.forces},
-           {Action::centers_of_mass, &overlay.centers_of_mass},
-           {Action::support_polygons, &overlay.support_polygons},
-           {Action::standing_feet, &overlay.standing_feet},
-           {Action::levels, &overlay.levels},
-           {Action::names, &overlay.names},
-           {Action::frames, &overlay.frames},
-           {Action::bounding_volumes, &overlay.bounding_volumes},
-           {Action::field_map, &viewer.window.field_map}}) {
+  for (const auto& [action, value] :
+       std::initializer_list<std::pair<Action, bool*>>{{Action::contacts, &overlay.contacts},
+                                                       {Action::forces, &overlay.forces},
+                                                       {Action::centers_of_mass, &overlay.centers_of_mass},
+                                                       {Action::support_polygons, &overlay.support_polygons},
+                                                       {Action::standing_feet, &overlay.standing_feet},
+                                                       {Action::levels, &overlay.levels},
+                                                       {Action::names, &overlay.names},
+                                                       {Action::frames, &overlay.frames},
+                                                       {Action::bounding_volumes, &overlay.bounding_volumes},
+                                                       {Action::field_map, &viewer.window.field_map}}) {
     box(action, *value);
   }
   auto scale = static_cast<float>(1000 * overlay.force_scale);
-  if (ImGui::SliderFloat("mm per N", &scale, 0.1F, 100, "%.1f", ImGuiSliderFlags_Logarithmic)) overlay.force_scale = 1e-3 * scale;
+  if (ImGui::SliderFloat("mm per N", &scale, 0.1F, 100, "%.1f", ImGuiSliderFlags_Logarithmic))
+    overlay.force_scale = 1e-3 * scale;
   text("Pushes (Ctrl and drag)", faint);
   auto gain = static_cast<float>(viewer.newtons_per_meter), time = static_cast<float>(viewer.push_seconds);
-  if (ImGui::SliderFloat("N per m", &gain, 1, 5000, "%.0f", ImGuiSliderFlags_Logarithmic)) viewer.newtons_per_meter = gain;
+  if (ImGui::SliderFloat("N per m", &gain, 1, 5000, "%.0f", ImGuiSliderFlags_Logarithmic))
+    viewer.newtons_per_meter = gain;
   if (ImGui::SliderFloat("s", &time, 0.01F, 2, "%.2f", ImGuiSliderFlags_Logarithmic)) viewer.push_seconds = time;
   text("Picture", faint);
   bool smooth = panels.state.quality.samples > 1;
@@ -155,7 +162,7 @@ void right_panel(Panels& panels, const Area& area, std::vector<std::unique_ptr<T
   begin_part("right", area);
   Viewer& viewer = panels.viewer;
   bool open = false;
-  if (ImGui::BeginTabBar("right tabs", ImGuiTabBarFlags_FittingPolicyScroll)) {
+  if (ImGui::BeginTabBar("right tabs", ImGuiTabBarFlags_FittingPolicyResizeDown)) {
     tab(panels, "Object", open, [&] { object_tab(panels); });
     tab(panels, "Sensors", open, [&] { sensors_tab(panels, camera_pictures); });
     viewer.wants_pictures = open;

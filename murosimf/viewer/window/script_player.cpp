@@ -10,6 +10,7 @@ namespace {
 using Kind = ScriptStep::Kind;
 
 constexpr double longest_run = 300;  // [s] of wall time that `until` waits
+constexpr double longest_pause = 5;  // [s] that it waits for one who stands still
 constexpr double longest_look = 3;   // [s] that an item of a panel is looked for
 constexpr int moves = 6;             // pictures that a drag takes
 
@@ -35,7 +36,9 @@ std::vector<Input> ScriptPlayer::next(const Stage& stage) {
   return inputs;
 }
 
-std::optional<std::string> ScriptPlayer::wanted_screenshot() { return frames_.empty() ? std::exchange(screenshot_, std::nullopt) : std::nullopt; }
+std::optional<std::string> ScriptPlayer::wanted_screenshot() {
+  return frames_.empty() ? std::exchange(screenshot_, std::nullopt) : std::nullopt;
+}
 
 bool ScriptPlayer::begin(const ScriptStep& step, const Stage& stage) {
   Viewer& viewer = stage.viewer;
@@ -43,7 +46,11 @@ bool ScriptPlayer::begin(const ScriptStep& step, const Stage& stage) {
     case Kind::wait: return since(*since_) >= step.numbers[0];
     case Kind::until:
       if (since(*since_) > longest_run) throw SetupError(fmt::format("it did not come to {:g} s", step.numbers[0]));
-      return seconds(viewer.status().time) >= step.numbers[0];
+      if (seconds(viewer.status().time) >= step.numbers[0]) return true;
+      if (viewer.status().paused && since(*since_) > longest_pause) {
+        throw SetupError(fmt::format("it is paused at {:g} s", seconds(viewer.status().time)));
+      }
+      return false;
     case Kind::settle:
       viewer.settle();
       frames(2);
@@ -86,7 +93,8 @@ Pixel ScriptPlayer::where(const ScriptStep& step, const Stage& stage) const {
   if (step.text.empty()) return {step.numbers[0], step.numbers[1]};
   const auto place = stage.viewer.place_of(stage.viewer.path_of(step.text));
   const auto pixel = place ? pixel_of(stage.view, *place) : std::nullopt;
-  if (!pixel || !stage.area.holds(in_window(*pixel, stage.area))) throw SetupError(fmt::format("'{}' is not in the picture", step.text));
+  if (!pixel || !stage.area.holds(in_window(*pixel, stage.area)))
+    throw SetupError(fmt::format("'{}' is not in the picture", step.text));
   return in_window(*pixel, stage.area);
 }
 
@@ -137,7 +145,8 @@ void ScriptPlayer::drag_thing(const ScriptStep& step, const Stage& stage) {
   const ObjectPath path = stage.viewer.path_of(step.text);
   const Pixel from = where(step, stage);
   const auto hit = stage.pick({from.x - stage.area.x, from.y - stage.area.y});
-  if (!hit || !hit->path || hit->path->entity != path.entity) throw SetupError(fmt::format("something hides '{}'", step.text));
+  if (!hit || !hit->path || hit->path->entity != path.entity)
+    throw SetupError(fmt::format("something hides '{}'", step.text));
   Vec3d way{step.numbers[0], step.numbers[1], 0};
   if (step.kind == Kind::push) {
     way.z = step.numbers[2];

@@ -18,12 +18,14 @@ namespace {
 
 using WallClock = std::chrono::steady_clock;
 
-constexpr double most_pictures = 60;             // [Hz] pictures
+constexpr double most_pictures = 60;        // [Hz] pictures
 constexpr double calm_wait = 0.05;          // [s] of a paused window that nobody touches
-constexpr double double_click_time = 0.35; // [s]
-constexpr double flying = 2;               // [m/s]
+constexpr double double_click_time = 0.35;  // [s]
+constexpr double flying = 2;                // [m/s]
 
-double seconds_since(WallClock::time_point then) { return std::chrono::duration<double>(WallClock::now() - then).count(); }
+double seconds_since(WallClock::time_point then) {
+  return std::chrono::duration<double>(WallClock::now() - then).count();
+}
 
 /// What decides the picture of the scene.
 struct Drawn {
@@ -37,21 +39,26 @@ struct Drawn {
   [[nodiscard]] bool equals(const Drawn& other) const {
     const auto same = [](const Vec3d& a, const Vec3d& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
     return frame == other.frame && tick == other.tick && jumps == other.jumps && same(view.eye, other.view.eye) &&
-           same(view.axes.x, other.view.axes.x) && same(view.axes.z, other.view.axes.z) && view.right == other.view.right &&
-           view.width == other.view.width && view.height == other.view.height && view.without == other.view.without &&
-           quality == other.quality && feet == other.feet && changes == other.changes && generation == other.generation;
+           same(view.axes.x, other.view.axes.x) && same(view.axes.z, other.view.axes.z) &&
+           view.right == other.view.right && view.width == other.view.width && view.height == other.view.height &&
+           view.without == other.view.without && quality == other.quality && feet == other.feet &&
+           changes == other.changes && generation == other.generation;
   }
 };
 
 class Show {
  public:
   Show(Viewer& viewer, const WindowOptions& options)
-      : viewer_(viewer), options_(options), window_(options.title, options.width, options.height), gui_(window_.scale()),
-        mouse_(viewer), scale_(window_.scale()) {
-    state_.quality = {options.samples, options.shadows};
+      : viewer_(viewer),
+        options_(options),
+        window_(options.title, options.width, options.height),
+        gui_(window_.scale()),
+        mouse_(viewer),
+        scale_(window_.scale()) {
     if (options.script) player_.emplace(*options.script);
     window_.make_nobody_current();
     picture_.emplace(viewer);
+    state_.quality = {options.samples.value_or(picture_->software() ? 1 : 4), options.shadows};
     state_.drawn_by = report_.drawn_by = picture_->drawn_by();
     pick_ = [this](const Pixel& pixel) { return picture_->pick(view_, pixel); };
   }
@@ -114,11 +121,13 @@ class Show {
     const double s = scale_;
     top_ = {0, 0, static_cast<double>(width_), 34 * s};
     bottom_ = {0, height_ - 100 * s, static_cast<double>(width_), 100 * s};
-    const double between = bottom_.y - top_.height, left = viewer_.window.left_panel ? std::min(300 * s, 0.35 * width_) : 0;
-    const double right = viewer_.window.right_panel ? std::min(340 * s, 0.35 * width_) : 0;
+    const double between = bottom_.y - top_.height,
+                 left = viewer_.window.left_panel ? std::min(300 * s, 0.35 * width_) : 0;
+    const double right = viewer_.window.right_panel ? std::min(356 * s, 0.35 * width_) : 0;
     left_ = {0, top_.height, left, between};
     right_ = {width_ - right, top_.height, right, between};
-    scene_ = {std::floor(left), top_.height, std::max(16.0, std::floor(width_ - left - right)), std::floor(std::max(16.0, between))};
+    scene_ = {std::floor(left), top_.height, std::max(16.0, std::floor(width_ - left - right)),
+              std::floor(std::max(16.0, between))};
   }
 
   [[nodiscard]] Pixel in_scene(const Pixel& pixel) const { return {pixel.x - scene_.x, pixel.y - scene_.y}; }
@@ -153,7 +162,8 @@ class Show {
     const Pixel at = in_scene(pointer_);
     if (!input.pressed) return mouse_.drags() ? mouse_.release(at, view_, pick_) : void();
     if (gui_.wants_mouse() || !scene_.holds(pointer_)) return;
-    const bool again = seconds_since(pressed_) < double_click_time && std::hypot(at.x - pressed_at_.x, at.y - pressed_at_.y) < 4;
+    const bool again =
+        seconds_since(pressed_) < double_click_time && std::hypot(at.x - pressed_at_.x, at.y - pressed_at_.y) < 4;
     pressed_ = again ? WallClock::time_point{} : WallClock::now();
     pressed_at_ = at;
     if (again) return mouse_.double_click(button, held_, at, pick_);
@@ -177,9 +187,14 @@ class Show {
   }
 
   void draw_scene() {
-    Drawn now{.frame = viewer_.frame(), .tick = viewer_.frame() ? viewer_.frame()->tick : -1, .jumps = viewer_.status().jumps,
-              .view = view_, .quality = state_.quality, .feet = viewer_.overlay.standing_feet,
-              .changes = viewer_.seen().changes_to_see, .generation = viewer_.generation()};
+    Drawn now{.frame = viewer_.frame(),
+              .tick = viewer_.frame() ? viewer_.frame()->tick : -1,
+              .jumps = viewer_.status().jumps,
+              .view = view_,
+              .quality = state_.quality,
+              .feet = viewer_.overlay.standing_feet,
+              .changes = viewer_.seen().changes_to_see,
+              .generation = viewer_.generation()};
     is_new_ = !drawn_ || !drawn_->equals(now) || viewer_.overlay.standing_feet;
     if (!is_new_) return;
     const auto begin = WallClock::now();
@@ -192,7 +207,8 @@ class Show {
   /// What the cameras of the selected robot have drawn; if nobody reads them, what a pinhole would see.
   void draw_cameras() {
     state_.camera_pictures.clear();
-    if (!viewer_.wants_pictures || viewer_.seen().sensors_of != viewer_.selected_entity() || !viewer_.selected()) return;
+    if (!viewer_.wants_pictures || viewer_.seen().sensors_of != viewer_.selected_entity() || !viewer_.selected())
+      return;
     const RigView rig = viewer_.rig_view();
     const PoseFrame* frame = viewer_.frame();
     for (const CameraState& camera : viewer_.seen().cameras) {
@@ -200,10 +216,12 @@ class Show {
         state_.camera_pictures.push_back(camera.picture);
         continue;
       }
-      const std::size_t row = frame->first[static_cast<std::size_t>(viewer_.selected_entity())] + static_cast<std::size_t>(camera.info->link);
+      const std::size_t row = frame->first[static_cast<std::size_t>(viewer_.selected_entity())] +
+                              static_cast<std::size_t>(camera.info->link);
       const auto& lens = camera.info->lens.spec();
       constexpr int width = 320;
-      auto view = pinhole_view(*camera.info, frame->position[row], frame->orientation[row], width, std::max(16, width * lens.height / lens.width));
+      auto view = pinhole_view(*camera.info, frame->position[row], frame->orientation[row], width,
+                               std::max(16, width * lens.height / lens.width));
       view.without = rig.carrier;
       picture_->draw(view, state_.quality, camera_pixels_);
       state_.camera_pictures.push_back(camera_pixels_.color);
@@ -214,7 +232,8 @@ class Show {
     if (is_new_) texture_.fill(pixels_.color);
     gui_.begin(width_, height_, wall);
     if (texture_.name() != 0) {
-      ImGui::GetBackgroundDrawList()->AddImage((ImTextureID)static_cast<std::intptr_t>(texture_.name()), vec2(scene_.x, scene_.y),
+      ImGui::GetBackgroundDrawList()->AddImage((ImTextureID) static_cast<std::intptr_t>(texture_.name()),
+                                               vec2(scene_.x, scene_.y),
                                                vec2(scene_.x + scene_.width, scene_.y + scene_.height));
     }
     paint_overlays(viewer_.overlays_now(), view_, scene_);

@@ -9,8 +9,8 @@
 namespace murosimf::viewer {
 namespace {
 
-constexpr double row_height = 13;    // [px] of a branch
-constexpr double message_time = 8;   // [s] for which a message stays
+constexpr double row_height = 13;   // [px] of a branch
+constexpr double message_time = 8;  // [s] for which a message stays
 
 Color color_of(TimeMark::Kind kind) {
   switch (kind) {
@@ -40,7 +40,8 @@ void draw_bars(const TimelineLayout& layout, const Area& area, int present) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const BranchBar& bar : layout.bars()) {
     const double y = area.y + area.height - (bar.row + 1) * row_height + 2;
-    const ImVec2 low = vec2(area.x + layout.x_of(bar.begin), y), high = vec2(area.x + std::max(layout.x_of(bar.end), layout.x_of(bar.begin) + 2), y + row_height - 4);
+    const ImVec2 low = vec2(area.x + layout.x_of(bar.begin), y),
+                 high = vec2(area.x + std::max(layout.x_of(bar.end), layout.x_of(bar.begin) + 2), y + row_height - 4);
     const Color color = bar.row == 0 ? Color{0.3, 0.55, 0.85} : Color{0.38, 0.4, 0.44};
     list.AddRectFilled(low, high, packed(color), 2);
     if (bar.row > 0) list.AddLine(low, vec2(low.x, area.y + area.height - row_height), packed(color), 1);
@@ -75,7 +76,8 @@ void draw_scale(const TimelineLayout& layout, const Area& area, double now) {
   for (const double time : ticks(0, layout.end(), static_cast<int>(area.width / 90))) {
     const double x = area.x + layout.x_of(time);
     list.AddLine(vec2(x, area.y), vec2(x, area.y + area.height), IM_COL32(255, 255, 255, 24));
-    list.AddText(vec2(x + 3, area.y + area.height + 1), packed(faint), fmt::format("{:g} s", time).c_str());
+    list.AddText(vec2(x + 3, area.y + area.height + 1), packed(faint),
+                 fmt::format("{:g} s", time == 0 ? 0 : time).c_str());
   }
   const double x = area.x + layout.x_of(now);
   list.AddLine(vec2(x, area.y - 2), vec2(x, area.y + area.height + 2), IM_COL32(255, 255, 255, 255), 2);
@@ -97,7 +99,8 @@ void timeline_panel(Panels& panels, const Area& area) {
   const auto& status = viewer.status();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const double width = ImGui::GetContentRegionAvail().x;
-  const TimelineLayout layout(viewer.branches(), status.branch, seconds(std::max(status.time, status.last)), width - 40);
+  const TimelineLayout layout(viewer.branches(), status.branch, seconds(std::max(status.time, status.last)),
+                              width - 40);
   const int most_rows = std::max(1, static_cast<int>((area.height - 56) / row_height));
   const int rows = std::min(layout.rows(), most_rows);
   const Area strip{corner.x, corner.y + 2 + (most_rows - rows) * row_height, width - 40, rows * row_height};
@@ -117,7 +120,8 @@ void timeline_panel(Panels& panels, const Area& area) {
   draw_marks(panels, layout, strip);
   if (over && !panels.state.scrubs) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    ImGui::GetWindowDrawList()->AddLine(vec2(mouse.x, strip.y), vec2(mouse.x, strip.y + strip.height), IM_COL32(255, 255, 255, 70));
+    ImGui::GetWindowDrawList()->AddLine(vec2(mouse.x, strip.y), vec2(mouse.x, strip.y + strip.height),
+                                        IM_COL32(255, 255, 255, 70));
   }
   ImGui::End();
 }

@@ -21,8 +21,9 @@ void speed_choice(Panels& panels) {
 void begin_part(const char* name, const Area& area) {
   ImGui::SetNextWindowPos(vec2(area.x, area.y));
   ImGui::SetNextWindowSize(vec2(area.width, area.height));
-  ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                  ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
+  ImGui::Begin(name, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
 }
 
 void toolbar(Panels& panels, const Area& area) {
@@ -42,7 +43,8 @@ void toolbar(Panels& panels, const Area& area) {
   ImGui::SameLine();
   text(fmt::format("{:.3f} s", seconds(status.time)));
   ImGui::SameLine();
-  text(status.paused ? "paused" : fmt::format("x {:.2f} measured", status.factor), status.paused ? Color{1, 0.8, 0.4} : Color{0.6, 0.9, 0.6});
+  text(status.paused ? "paused" : fmt::format("x {:.2f} measured", status.factor),
+       status.paused ? Color{1, 0.8, 0.4} : Color{0.6, 0.9, 0.6});
   ImGui::SameLine();
   text(fmt::format("{:.0f} pictures/s", panels.state.frames_per_second), faint);
   const char* mode = viewer.rig.mode() == CameraRig::Mode::robot ? "through the robot's camera"
@@ -63,8 +65,9 @@ void toolbar(Panels& panels, const Area& area) {
 
 void help_window(Panels& panels, const Area& area) {
   ImGui::SetNextWindowPos(vec2(area.x + 0.5 * area.width, area.y + 0.5 * area.height), ImGuiCond_Always, {0.5F, 0.5F});
-  ImGui::SetNextWindowSize(vec2(std::min(area.width - 10, 760.0), std::min(area.height - 10, 560.0)));
-  ImGui::Begin("Keys and mouse", &panels.viewer.window.help, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize);
+  ImGui::SetNextWindowSize(vec2(std::min(area.width - 10, 760.0), area.height - 20));
+  ImGui::Begin("Keys and mouse", &panels.viewer.window.help,
+               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize);
   if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
     const auto row = [](const std::string& key, std::string_view meaning) {
       ImGui::TableNextRow();
@@ -78,7 +81,12 @@ void help_window(Panels& panels, const Area& area) {
     row("Ctrl and drag", "push what is there, along the plane of the picture");
     row("Shift and drag", "move a robot, the ball or a body, while it is paused");
     row("right double click", "look at that place; with Ctrl: follow it");
-    for (const ActionInfo& info : actions()) row(panels.keys.keys_of(info.action), info.meaning);
+    for (const ActionInfo& info : actions()) {
+      if (info.action > Action::select_1 && info.action <= Action::select_9) continue;
+      const bool first = info.action == Action::select_1;
+      row(panels.keys.keys_of(info.action) + (first ? " to " + panels.keys.keys_of(Action::select_9) : std::string()),
+          first ? "select a robot, by its place in the scene" : info.meaning);
+    }
     ImGui::EndTable();
   }
   ImGui::End();
