@@ -17,6 +17,7 @@
 #include "apps/record_options.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
+#include "apps/supervision_arguments.h"
 #include "murosimf/connect/crash_note.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/files/files_read.h"
@@ -28,6 +29,7 @@
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_pictures.h"
 #include "murosimf/scene/scene_report.h"
+#include "murosimf/session/session.h"
 
 namespace murosimf::app {
 namespace {
@@ -49,6 +51,7 @@ struct RunOptions {
   bool no_cameras = false;             ///< nothing is drawn for cameras
   std::string load_state, save_state;  ///< files
   GameArguments game;
+  SupervisionArguments supervision;
 };
 
 void define(const Command& command, RunOptions& options) {
@@ -74,6 +77,7 @@ void define(const Command& command, RunOptions& options) {
   add_game(command, options.game);
   command.add("--listen", options.listen,
               "Take control software for robots with the controller 'tcp': PORT of this computer alone, or HOST:PORT");
+  add_supervision(command, options.supervision).excludes(pictures);
   command.add("--serial", options.serial,
               "Folder for links to the serial lines of robots with controller = \"serial\", one for each, named as it");
   command.add("--no-cameras", options.no_cameras, "Draw nothing for cameras: they have no frames then");
@@ -162,6 +166,33 @@ void check_serial(const scene_file::SceneSpec& spec, const std::string& folder) 
   }
 }
 
+std::string why_stopped(bool crashed) {
+  if (crashed) return "a crash";
+  return interrupted() ? signal_name() : "a supervisor";
+}
+
+/// Why a run cannot go back in time; empty: it can.
+std::string no_way_back(const RunOptions& options) {
+  if (!options.log.empty()) return "its numbers are logged";
+  if (!options.record.file.empty()) return "it is recorded";
+  const GameArguments& game = options.game;
+  const bool outside = !game.game_controller.empty() || !game.team_links.empty() || !game.repeat.empty();
+  return outside ? "it has to do with the world outside" : "";
+}
+
+/// As supervisors want.
+template <class Show, class Warn>
+void run_supervised(scene::Scene& scene, const RunOptions& options, Duration end, const Show& show, const Warn& warn,
+                    Lateness& lateness) {
+  session::Session session(scene, {.speed = speed_of(options.speed),
+                                   .paused = options.supervision.paused,
+                                   .tell_of_overruns = warn,
+                                   .no_way_back = no_way_back(options)});
+  const auto supervision = supervision_of(session, options.supervision);
+  session.run(end, show);
+  lateness = session.lateness();
+}
+
 int run(const RunOptions& options) {
   end_gently();
   Clock clock(speed_of(options.speed));
@@ -180,6 +211,7 @@ int run(const RunOptions& options) {
   scene_options.cameras = !options.no_cameras;
   scene_options.paths = !options.picture.empty();
   scene_options.terminals = options.serial;
+  scene_options.pushable = !options.supervision.where.empty();
   const files::FilesRead files_read;
   scene_options.software = server_at(options.listen);
   scene::Scene scene(options.scene.file, scene_options);
@@ -199,10 +231,13 @@ int run(const RunOptions& options) {
 
   Duration wall{};  // without that for pictures
   bool crashed = false;
+  Lateness lateness;
   {
     RunProgress progress(duration);
-    clock.tell_of_overruns(
-        [&](const Overrun& overrun) { progress.warn(overrun.simulated, scene::to_text(overrun.lateness)); });
+    const auto warn = [&](const Overrun& overrun) {
+      progress.warn(overrun.simulated, scene::to_text(overrun.lateness));
+    };
+    clock.tell_of_overruns(warn);
     bool records = recorder != nullptr;
     const auto show = [&](Duration now) {
       progress.show(now);
@@ -216,6 +251,12 @@ int run(const RunOptions& options) {
       wall += WallClock::now() - start;
     };
     const auto advance = [&] {
+      if (!options.supervision.where.empty()) {
+        const auto start = WallClock::now();
+        run_supervised(scene, options, duration, show, warn, lateness);
+        wall += WallClock::now() - start;
+        return;
+      }
       while (pictures && pictures->next() <= duration) {
         advance_to(pictures->next());
         if (interrupted()) return;
@@ -224,11 +265,12 @@ int run(const RunOptions& options) {
       advance_to(duration);
     };
     crashed = crashes(advance);
+    if (options.supervision.where.empty()) lateness = clock.lateness();
     clock.tell_of_overruns({});
   }
-  scene::RunReport report = make_report(scene, wall, clock.lateness());
+  scene::RunReport report = make_report(scene, wall, lateness);
   if (simulation.now() < duration)
-    report.stopped = {crashed ? "a crash" : signal_name(), options.duration.value_or(scene.spec().duration)};
+    report.stopped = {why_stopped(crashed), options.duration.value_or(scene.spec().duration)};
 
   if (log) log->write(options.out);
   if (game && !options.game.log.empty()) files::write_file(options.game.log, game->log().to_text());
