@@ -1,7 +1,7 @@
 // `murosimf run`: builds a scene, runs it, reports.
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -17,6 +17,7 @@
 #include "apps/record_options.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
+#include "apps/supervision_arguments.h"
 #include "apps/web_arguments.h"
 #include "murosimf/connect/crash_note.h"
 #include "murosimf/connect/tcp_server.h"
@@ -29,6 +30,7 @@
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_pictures.h"
 #include "murosimf/scene/scene_report.h"
+#include "murosimf/session/session.h"
 
 namespace murosimf::app {
 namespace {
@@ -51,6 +53,7 @@ struct RunOptions {
   std::string load_state, save_state;  ///< files
   GameArguments game;
   WebArguments web;
+  SupervisionArguments supervision;
 };
 
 void define(const Command& command, RunOptions& options) {
@@ -78,6 +81,7 @@ void define(const Command& command, RunOptions& options) {
   add_game(command, options.game);
   command.add("--listen", options.listen,
               "Take control software for robots with the controller 'tcp': PORT of this computer alone, or HOST:PORT");
+  add_supervision(command, options.supervision).excludes(pictures);
   command.add("--serial", options.serial,
               "Folder for links to the serial lines of robots with controller = \"serial\", one for each, named as it");
   command.add("--no-cameras", options.no_cameras, "Draw nothing for cameras: they have no frames then");
@@ -158,11 +162,35 @@ void check_serial(const scene_file::SceneSpec& spec, const std::string& folder) 
   }
 }
 
-/// Why a run that is shown cannot be reset or go back in time; empty: it can.
-std::string bound_by(const RunOptions& options) {
+std::string why_stopped(bool crashed) {
+  if (crashed) return "a crash";
+  return interrupted() ? signal_name() : "a supervisor";
+}
+
+/// Whether others steer the run.
+bool is_steered(const RunOptions& options) { return !options.web.web.empty() || !options.supervision.where.empty(); }
+
+/// Why a run cannot go back in time; empty: it can.
+std::string no_way_back(const RunOptions& options) {
+  if (!options.log.empty()) return "its numbers are logged (--log)";
   if (!options.record.file.empty()) return "it is recorded (--record)";
   if (!options.web.html.empty()) return "it is written as HTML (--html)";
-  return options.log.empty() ? "" : "its numbers are logged (--log)";
+  const GameArguments& game = options.game;
+  const bool outside = !game.game_controller.empty() || !game.team_links.empty() || !game.repeat.empty();
+  return outside ? "it has to do with the world outside" : "";
+}
+
+/// As browsers and supervisors want.
+Lateness run_steered(scene::Scene& scene, const RunOptions& options, Duration end,
+                     const std::function<void(Duration)>& show, const std::function<void(const Overrun&)>& tell) {
+  session::Session session(scene, {.speed = speed_of(options),
+                                   .paused = options.supervision.paused,
+                                   .tell_of_overruns = tell,
+                                   .no_way_back = no_way_back(options)});
+  const auto supervision = supervision_of(session, options.supervision);
+  const auto view = web_view_of(scene, session, options.web);
+  session.run(end, show);
+  return session.lateness();
 }
 
 int run(const RunOptions& options) {
@@ -187,7 +215,7 @@ int run(const RunOptions& options) {
   scene_options.cameras = !options.no_cameras;
   scene_options.paths = !options.picture.empty();
   scene_options.terminals = options.serial;
-  scene_options.pushable = !options.web.web.empty();
+  scene_options.pushable = is_steered(options);
   const files::FilesRead files_read;
   scene_options.software = server_at(options.listen);
   scene::Scene scene(options.scene.file, scene_options);
@@ -228,12 +256,9 @@ int run(const RunOptions& options) {
       wall += WallClock::now() - start;
     };
     const auto advance = [&] {
-      if (!options.web.web.empty()) {
+      if (is_steered(options)) {
         const auto start = WallClock::now();
-        lateness =
-            run_with_server(scene, options.web,
-                            {.speed = speed_of(options), .tell_of_overruns = tell, .no_way_back = bound_by(options)},
-                            duration, show);
+        lateness = run_steered(scene, options, duration, show, tell);
         wall += WallClock::now() - start;
         return;
       }
@@ -245,12 +270,12 @@ int run(const RunOptions& options) {
       advance_to(duration);
     };
     crashed = crashes(advance);
-    if (options.web.web.empty()) lateness = clock.lateness();
+    if (!is_steered(options)) lateness = clock.lateness();
     clock.tell_of_overruns({});
   }
   scene::RunReport report = make_report(scene, wall, lateness);
   if (simulation.now() < duration)
-    report.stopped = {crashed ? "a crash" : signal_name(), options.duration.value_or(scene.spec().duration)};
+    report.stopped = {why_stopped(crashed), options.duration.value_or(scene.spec().duration)};
 
   if (log) log->write(options.out);
   if (html) html->finish();

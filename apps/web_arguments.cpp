@@ -1,11 +1,8 @@
 #include "apps/web_arguments.h"
 
-#include <fmt/format.h>
-
 #include "apps/last_words.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
-#include "murosimf/web/web_view.h"
 
 namespace murosimf::app {
 namespace {
@@ -16,7 +13,7 @@ wire::Address address_of(const std::string& where) {
   try {
     return wire::parse_address(where);
   } catch (const wire::WireError& error) {
-    throw SetupError(fmt::format("--web: {}", error.what()));
+    throw SetupError(error.what());
   }
 }
 
@@ -33,7 +30,7 @@ void add_web(const Command& command, WebArguments& arguments) {
 }
 
 void check(const WebArguments& arguments) {
-  if (!arguments.web.empty()) (void)address_of(arguments.web);
+  if (!arguments.web.empty()) with_context("--web", [&] { (void)address_of(arguments.web); });
   if (!arguments.html.empty()) files::check_writable(arguments.html);
 }
 
@@ -43,15 +40,12 @@ std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, con
                                               web::HtmlOptions{.file = arguments.html, .rate = arguments.html_rate});
 }
 
-Lateness run_with_server(scene::Scene& scene, const WebArguments& arguments, const session::SessionOptions& options,
-                         Duration end, const std::function<void(Duration)>& progress) {
-  session::Session session(scene, options);
-  std::optional<web::WebView> view;
-  try {
-    view.emplace(scene, session, web::WebOptions{.address = address_of(arguments.web)});
-  } catch (const SetupError& error) {
-    throw SetupError(fmt::format("--web: {}", error.what()));
-  }
+std::unique_ptr<web::WebView> web_view_of(scene::Scene& scene, session::Session& session,
+                                          const WebArguments& arguments) {
+  if (arguments.web.empty()) return nullptr;
+  auto view = with_context("--web", [&] {
+    return std::make_unique<web::WebView>(scene, session, web::WebOptions{.address = address_of(arguments.web)});
+  });
   const std::string missing = web::WebView::no_page();
   if (missing.empty()) {
     say_note("page: " + view->page_address());
@@ -60,8 +54,7 @@ Lateness run_with_server(scene::Scene& scene, const WebArguments& arguments, con
   }
   say_note("Foxglove: " + view->socket_address());
   say_note("Ctrl-C ends it");
-  session.run(end, progress);
-  return session.lateness();
+  return view;
 }
 
 }  // namespace murosimf::app

@@ -1,15 +1,13 @@
 /// web_arguments.h - the options of `murosimf run` that show it in browsers: while it runs, or as a file.
 #pragma once
 
-#include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "apps/command.h"
-#include "murosimf/runtime/clock.h"
 #include "murosimf/session/session.h"
 #include "murosimf/web/html_recording.h"
+#include "murosimf/web/web_view.h"
 
 namespace murosimf::app {
 
@@ -28,8 +26,8 @@ void check(const WebArguments& arguments);
 [[nodiscard]] std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene,
                                                                       const WebArguments& arguments);
 
-/// Runs the scene with a server at `arguments.web`, whose addresses are said first; at `end` it pauses until a signal comes. Throws SetupError.
-Lateness run_with_server(scene::Scene& scene, const WebArguments& arguments, const session::SessionOptions& options,
-                         Duration end, const std::function<void(Duration)>& progress);
+/// Shows the session in browsers from now on; its addresses are said. Null if nobody looks on. Throws SetupError, with the option.
+[[nodiscard]] std::unique_ptr<web::WebView> web_view_of(scene::Scene& scene, session::Session& session,
+                                                        const WebArguments& arguments);
 
 }  // namespace murosimf::app

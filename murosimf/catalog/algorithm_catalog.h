@@ -92,6 +92,7 @@ struct ControllerOptions {
   std::string library;     ///< file, of the controller "library"
   double call_budget = 0;  ///< [s] of wall time for each of its calls; 0: any
   bool reload = false;     ///< when its file changes
+  connect::ControlLinkOptions link{};            ///< between the robot and software outside of the program
   std::shared_ptr<connect::CrashNote> crashes;   ///< null: nobody looks whether it crashes
   std::shared_ptr<connect::TcpServer> software;  ///< where that of the controller "tcp" comes in; null: nowhere
   std::filesystem::path folder;     ///< of the scene's file, where the files that it names are looked for too

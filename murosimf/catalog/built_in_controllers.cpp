@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "murosimf/catalog/controller_options.h"
+#include "murosimf/connect/command_arrival.h"
 #include "murosimf/connect/controller_task.h"
 #include "murosimf/connect/library_software.h"
 #include "murosimf/connect/serial/serial_software.h"
@@ -68,8 +69,14 @@ double usual_rate(double of_scene, double wanted) {
 
 /// The walk engine moves the legs if the software has asked for it.
 void attach_software(Simulation& simulation, Entity& robot, double rate, const connect::SoftwareMaker& make,
-                     const connect::ControllerTaskOptions& options) {
-  const auto& task = simulation.attach<connect::ControllerTask>("control_software", robot, rate, make, options);
+                     connect::ControllerTaskOptions options, const ControllerOptions& given) {
+  options.link = given.link;
+  options.seed = given.seed;
+  auto& task = simulation.attach<connect::ControllerTask>("control_software", robot, rate, make, options);
+  if (task.port().command_link()) {
+    const double every_tick = 1 / seconds(simulation.tick());  // [Hz]
+    simulation.attach<connect::CommandArrival>("control_link", robot, every_tick, task.port());
+  }
   if (!task.port().walks()) return;
   simulation.attach<locomotion::WalkEngine>("walk_engine", robot, locomotion::WalkEngine::rate_hz);
 }
@@ -82,7 +89,7 @@ void attach_tcp(Simulation& simulation, Entity& robot, const ControllerOptions& 
   tcp_options().apply(options.own, given);
   const connect::ArrivedSoftware arrived = options.software->wait_for(robot.name(), given, options.seed);
   attach_software(simulation, robot, usual_rate(options.rate, arrived.rate), arrived.make,
-                  {.software = arrived.name, .budget = from_seconds(options.call_budget)});
+                  {.software = arrived.name, .budget = from_seconds(options.call_budget)}, options);
 }
 
 void attach_library(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
@@ -102,7 +109,7 @@ void attach_library(Simulation& simulation, Entity& robot, const ControllerOptio
     return std::make_unique<connect::LibrarySoftware>(setup, port, say, library, given);
   };
   attach_software(simulation, robot, usual_rate(options.rate, library->functions().rate), make,
-                  {.software = file.string(), .budget = given.budget, .crashes = options.crashes});
+                  {.software = file.string(), .budget = given.budget, .crashes = options.crashes}, options);
 }
 
 void attach_serial(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
@@ -119,9 +126,8 @@ void attach_serial(Simulation& simulation, Entity& robot, const ControllerOption
   const connect::SoftwareMaker make = [&](Setup& setup, connect::RobotPort& port, const connect::SayLine& say) {
     return std::make_unique<connect::serial::SerialSoftware>(setup, port, say, layout, given, options.terminals);
   };
-  simulation.attach<connect::ControllerTask>("control_software", robot,
-                                             rate_of<connect::serial::SerialSoftware>(options), make,
-                                             connect::ControllerTaskOptions{.software = "serial line"});
+  attach_software(simulation, robot, rate_of<connect::serial::SerialSoftware>(options), make,
+                  {.software = "serial line"}, options);
 }
 
 void attach_drive(Simulation& simulation, Entity& car, const ControllerOptions& options) {
@@ -207,13 +213,13 @@ std::vector<ControllerType> built_in_controllers() {
                      attach_trajectory, trajectory_options().infos()},
       ControllerType{"library",
                      "control software of one's own in a shared library (murosimf_controller.h)",
-                     "library call_budget",
+                     "library call_budget link",
                      attach_library,
                      {},
                      true},
-      ControllerType{"tcp", "control software in another program, over TCP: murosimf run --listen PORT", "call_budget",
-                     attach_tcp, tcp_options().infos()},
-      ControllerType{"serial", "servos and IMU on a virtual serial line that speaks the Dynamixel protocols", "",
+      ControllerType{"tcp", "control software in another program, over TCP: murosimf run --listen PORT",
+                     "call_budget link", attach_tcp, tcp_options().infos()},
+      ControllerType{"serial", "servos and IMU on a virtual serial line that speaks the Dynamixel protocols", "link",
                      attach_serial, serial_options().infos()},
       ControllerType{"drive", "drives a car with the speed and turning rate in walk_command", "command", attach_drive,
                      drive_options().infos(), false, drives_at},

@@ -27,6 +27,7 @@ wire::WallTime after(std::chrono::duration<double> s) {
 
 RobotClient::RobotClient(const ClientOptions& options)
     : patience_(options.patience),
+      draws_(std::make_unique<wire::Commands>()),
       outgoing_(std::make_unique<wire::FromClient>()),
       incoming_(std::make_unique<wire::ToClient>()) {
   connect(options);
@@ -86,28 +87,48 @@ const wire::ToClient& RobotClient::receive(bool in_time) {
   return *incoming_;
 }
 
-std::vector<std::string> RobotClient::ask(std::string_view name, bool for_signal) {
+const wire::Description& RobotClient::ask(const wire::Ask& question, std::string_view name) {
   if (ready_) throw ClientError(fmt::format("'{}' is asked for after ready()", name));
-  wire::Ask& ask = *outgoing_->mutable_ask();
-  (for_signal ? *ask.mutable_signal() : *ask.mutable_command()) = name;
+  *outgoing_->mutable_ask() = question;
   send();
   const wire::ToClient& answer = receive(true);
   if (!answer.has_description()) throw ClientError(fmt::format("the simulator does not describe '{}'", name));
-  const auto& labels = answer.description().labels();
-  return {labels.begin(), labels.end()};
+  return answer.description();
 }
 
 const Signal& RobotClient::signal(std::string_view name) {
-  std::vector<std::string> labels = ask(name, true);
-  signals_.push_back({.values = std::vector<double>(labels.size()), .labels = std::move(labels)});
+  wire::Ask question;
+  question.set_signal(std::string(name));
+  const auto& labels = ask(question, name).labels();
+  signals_.push_back({.values = std::vector<double>(static_cast<std::size_t>(labels.size())),
+                      .labels = {labels.begin(), labels.end()}});
   return signals_.back();
 }
 
 CommandRow& RobotClient::command(std::string_view name) {
-  std::vector<std::string> labels = ask(name, false);
-  const auto& values = incoming_->description().values();
-  commands_.push_back({.values = {values.begin(), values.end()}, .labels = std::move(labels)});
+  wire::Ask question;
+  question.set_command(std::string(name));
+  const wire::Description& described = ask(question, name);
+  commands_.push_back({.values = {described.values().begin(), described.values().end()},
+                       .labels = {described.labels().begin(), described.labels().end()}});
   return commands_.back();
+}
+
+const Picture& RobotClient::picture(std::string_view name) {
+  wire::Ask question;
+  question.set_picture(std::string(name));
+  const wire::PictureFormat& format = ask(question, name).picture();
+  pictures_.push_back({.width = static_cast<int>(format.width()),
+                       .height = static_cast<int>(format.height()),
+                       .format = format.format(),
+                       .period = format.period()});
+  return pictures_.back();
+}
+
+void RobotClient::use_messages() {
+  wire::Ask question;
+  question.set_messages(true);
+  (void)ask(question, "messages");
 }
 
 void RobotClient::ready() {
@@ -125,8 +146,26 @@ void RobotClient::answer() {
     commands.add_rows()->mutable_values()->Add(row.values.begin(), row.values.end());
   }
   for (std::string& line : says_) commands.add_says(std::move(line));
+  for (std::string& message : sends_) commands.add_sends(std::move(message));
+  commands.mutable_draws()->Swap(draws_->mutable_draws());
+  draws_->Clear();
   says_.clear();
+  sends_.clear();
   send();
+}
+
+void RobotClient::draw(std::string_view group, const std::vector<Shape>& shapes, bool of_robot) {
+  wire::Drawing& drawing = *draws_->add_draws();
+  drawing.set_group(std::string(group));
+  drawing.set_of_robot(of_robot);
+  for (const Shape& shape : shapes) {
+    wire::Shape& one = *drawing.add_shapes();
+    one.set_kind(static_cast<wire::Shape::Kind>(shape.kind));
+    one.mutable_points()->Add(shape.points.begin(), shape.points.end());
+    one.set_size(shape.size);
+    one.mutable_color()->Add(shape.color.begin(), shape.color.end());
+    one.set_text(shape.words);
+  }
 }
 
 bool RobotClient::next() {
@@ -144,13 +183,37 @@ bool RobotClient::take_cycle() {
   now_ = cycle.now();
   starts_ = cycle.start();
   owes_answer_ = true;
+  take_samples(cycle);
+  take_messages(cycle);
+  take_pictures(cycle);
+  return true;
+}
+
+void RobotClient::take_samples(const wire::Cycle& cycle) {
   for (std::size_t i = 0; i < signals_.size() && std::cmp_less(i, cycle.samples_size()); ++i) {
     const wire::Sample& sample = cycle.samples(static_cast<int>(i));
     signals_[i].time = sample.time();
     signals_[i].samples = sample.samples();
     signals_[i].values.assign(sample.values().begin(), sample.values().end());
   }
-  return true;
+}
+
+void RobotClient::take_messages(const wire::Cycle& cycle) {
+  messages_.clear();
+  for (const wire::TeamMessage& message : cycle.messages()) {
+    messages_.push_back({message.content(), message.sender(), message.sent()});
+  }
+}
+
+void RobotClient::take_pictures(const wire::Cycle& cycle) {
+  for (const wire::Picture& come : cycle.pictures()) {
+    if (come.picture() >= pictures_.size())
+      throw ClientError("the simulator sends a picture that nobody has asked for");
+    Picture& picture = pictures_[come.picture()];
+    picture.bytes = come.content();
+    picture.time = come.time();
+    picture.number = come.number();
+  }
 }
 
 }  // namespace murosimf::client

@@ -10,6 +10,7 @@
 /// and fmt, nothing else of the simulator.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -20,7 +21,11 @@
 #include <vector>
 
 namespace murosimf::wire {
+class Ask;
+class Commands;
 class Connection;
+class Cycle;
+class Description;
 class FromClient;
 class ToClient;
 }  // namespace murosimf::wire
@@ -57,6 +62,33 @@ struct CommandRow {
   std::vector<std::string> labels;
 };
 
+/// What a robot of the team has sent.
+struct TeamMessage {
+  std::string bytes;
+  std::string sender;     ///< empty: it comes from outside of the simulation
+  std::int64_t sent = 0;  ///< [ns] of simulated time
+};
+
+/// The last picture of a camera.
+struct Picture {
+  int width = 0, height = 0;  ///< [px]
+  std::string format;         ///< of pixels: rgb8, bayer_rggb8, ..., 32FC1 [m], 16UC1
+  double period = 0;          ///< [s] of simulated time from one to the next
+  std::string bytes;          ///< rows from the top, without gaps; empty: there was none yet
+  std::int64_t time = 0;      ///< [ns] of simulated time at which the exposure of its first row began
+  std::uint64_t number = 0;   ///< of pictures that have come so far
+};
+
+/// Something to be drawn for people who watch.
+struct Shape {
+  enum Kind { circle, line, dots, sphere, polygon, text };
+  Kind kind = circle;
+  std::vector<double> points;  ///< [m] x, y, z of each point
+  double size = 0;             ///< [m] radius, width of lines and dots, height of texts; 0: as small as can be seen
+  std::array<double, 4> color{1, 1, 1, 1};  ///< red, green, blue, opacity from 0 to 1
+  std::string words{};                      ///< of a text
+};
+
 /// Its robot.
 struct RobotInfo {
   std::string name, team, model;
@@ -78,6 +110,10 @@ class RobotClient {
   // Before ready(). What they return stays where it is. Throw ClientError if there is nothing of that name.
   const Signal& signal(std::string_view name);
   CommandRow& command(std::string_view name);
+  /// "camera.color", "camera.depth", "camera.labels"
+  const Picture& picture(std::string_view name);
+  /// From now on it hears its team, and may send to it. Throws ClientError if it has none.
+  void use_messages();
   /// Nothing more is asked for; the first next() says so, too.
   void ready();
 
@@ -90,21 +126,36 @@ class RobotClient {
   /// Whether the run begins with this cycle, or begins again: commands hold before its first step, signals have no numbers yet.
   [[nodiscard]] bool starts() const { return starts_; }
 
+  /// What has arrived from the team since the cycle before.
+  [[nodiscard]] const std::vector<TeamMessage>& messages() const { return messages_; }
+  /// To all other robots of the team; sent with the commands.
+  void send_message(std::string_view bytes) { sends_.emplace_back(bytes); }
+
+  /// Draws shapes as a group of that name, in the place of the one before; without shapes that is gone. Points are in the world, or in
+  /// the frame of the robot's base. Sent with the commands.
+  void draw(std::string_view group, const std::vector<Shape>& shapes, bool of_robot = false);
+
   /// A line for the report of the run; sent with the commands.
   void say(std::string_view line) { says_.emplace_back(line); }
 
  private:
   void connect(const ClientOptions& options);
-  std::vector<std::string> ask(std::string_view name, bool for_signal);
+  const wire::Description& ask(const wire::Ask& question, std::string_view name);
   void send();
   const wire::ToClient& receive(bool in_time);
   [[nodiscard]] bool take_cycle();
+  void take_samples(const wire::Cycle& cycle);
+  void take_messages(const wire::Cycle& cycle);
+  void take_pictures(const wire::Cycle& cycle);
 
   RobotInfo info_;
   std::chrono::duration<double> patience_;
   std::deque<Signal> signals_;  // stay where they are
   std::deque<CommandRow> commands_;
-  std::vector<std::string> says_;
+  std::deque<Picture> pictures_;
+  std::vector<TeamMessage> messages_;
+  std::vector<std::string> says_, sends_;
+  std::unique_ptr<wire::Commands> draws_;  // what is drawn with the next commands
   std::unique_ptr<wire::Connection> connection_;
   std::unique_ptr<wire::FromClient> outgoing_;
   std::unique_ptr<wire::ToClient> incoming_;

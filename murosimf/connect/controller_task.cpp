@@ -13,7 +13,10 @@ namespace murosimf::connect {
 using WallClock = std::chrono::steady_clock;
 
 ControllerTask::ControllerTask(Setup& setup, const SoftwareMaker& make, ControllerTaskOptions options)
-    : options_(std::move(options)), robot_(&setup.entity()), port_(setup), seam_(setup.write(software_seam)[0]) {
+    : options_(std::move(options)),
+      robot_(&setup.entity()),
+      port_(setup, options_.link, options_.seed),
+      seam_(setup.write(software_seam)[0]) {
   report_.software = options_.software;
   report_.rate_hz = 1 / seconds(setup.period());
   report_.budget = options_.budget;
@@ -30,6 +33,7 @@ void ControllerTask::initialize() {
   port_.radio().refresh(now_);
   if (const CallOutcome outcome = software_->start(); !outcome) throw SetupError(outcome.text);
   take_over_commands();
+  port_.settle();
 }
 
 void ControllerTask::step(const Instant& instant) noexcept {
@@ -63,7 +67,7 @@ void ControllerTask::end(const CallOutcome& outcome) {
 }
 
 void ControllerTask::take_over_commands() {
-  const std::size_t refused = port_.accept();
+  const std::size_t refused = port_.accept(now_);
   if (refused == 0) return;
   if (report_.refused == 0) report_.first_refusal = fmt::format("at {:.3f} s: {}", seconds(now_), port_.refusal());
   report_.refused += refused;

@@ -17,6 +17,8 @@ struct ControllerTaskOptions {
   std::string software;                     ///< what reports call it
   Duration budget{};                        ///< wall time that a call may take; 0: any
   std::shared_ptr<CrashNote> crashes = {};  ///< null: nobody looks
+  ControlLinkOptions link{};                ///< between the robot and the software
+  std::uint64_t seed = 1;                   ///< of the link's chances
 };
 
 class ControllerTask final : public Algorithm {
@@ -28,8 +30,10 @@ class ControllerTask final : public Algorithm {
   void initialize() override;
   void step(const Instant& instant) noexcept override;
   void state(StateArchive& archive) override;
+  void reseed(std::uint64_t seed) override { port_.reseed(seed); }
 
   [[nodiscard]] const RobotPort& port() const { return port_; }
+  [[nodiscard]] RobotPort& port() { return port_; }
 
  private:
   void say(const std::string& line);

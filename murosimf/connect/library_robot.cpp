@@ -1,5 +1,6 @@
 #include "murosimf/connect/library_robot.h"
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -34,6 +35,8 @@ LibraryRobot::LibraryRobot(const Setup& setup, RobotPort& port, SayLine say, Opt
   robot_.use_messages = use_messages;
   robot_.send = send;
   robot_.receive = receive;
+  robot_.picture = picture;
+  robot_.draw = draw;
 }
 
 void LibraryRobot::check_options(const std::string& owner) const {
@@ -125,6 +128,28 @@ int LibraryRobot::use_messages(const murosimf_robot* robot) noexcept {
 int LibraryRobot::send(const murosimf_robot* robot, const void* bytes, std::size_t size) noexcept {
   const std::string_view text(size > 0 ? static_cast<const char*>(bytes) : "", size);
   return of(robot).port_->radio().send(text) ? 1 : 0;
+}
+
+const murosimf_picture* LibraryRobot::picture(const murosimf_robot* robot, const char* name) noexcept {
+  return of(robot).found([&] { return of(robot).port_->picture(name); });
+}
+
+int LibraryRobot::draw(const murosimf_robot* robot, const char* group, int of_robot, const murosimf_shape* shapes,
+                       std::size_t count) noexcept {
+  DrawnGroup drawn{.name = group ? group : "", .of_robot = of_robot != 0};
+  for (std::size_t i = 0; i < std::min(count, SketchPad::most_shapes + 1); ++i) {
+    const murosimf_shape& shape = shapes[i];
+    DrawnShape& one = drawn.shapes.emplace_back();
+    one.kind = static_cast<DrawnShape::Kind>(shape.kind);
+    for (std::size_t k = 0; k < std::min(shape.count, SketchPad::most_points + 1); ++k) {
+      one.points.push_back({shape.points[3 * k], shape.points[3 * k + 1], shape.points[3 * k + 2]});
+    }
+    one.size = shape.size;
+    one.color = {shape.color[0], shape.color[1], shape.color[2]};
+    one.opacity = shape.opacity;
+    if (shape.text) one.words = shape.text;
+  }
+  return of(robot).port_->draw(std::move(drawn)) ? 1 : 0;
 }
 
 int LibraryRobot::receive(const murosimf_robot* robot, murosimf_message* message) noexcept {

@@ -40,6 +40,9 @@ class LibraryRobot {
   static int use_messages(const murosimf_robot* robot) noexcept;
   static int send(const murosimf_robot* robot, const void* bytes, std::size_t size) noexcept;
   static int receive(const murosimf_robot* robot, murosimf_message* message) noexcept;
+  static int draw(const murosimf_robot* robot, const char* group, int of_robot, const murosimf_shape* shapes,
+                  std::size_t count) noexcept;
+  static const murosimf_picture* picture(const murosimf_robot* robot, const char* name) noexcept;
   template <class Look>
   [[nodiscard]] auto* found(const Look& look) noexcept;
   template <class T>

@@ -25,9 +25,10 @@ extern "C" {
 #endif
 
 /* Of this header. A program takes libraries of its own version and of all before:
+ *   3  pictures of cameras; drawings
  *   2  messages between the robots of a team
  *   1  the first one */
-#define MUROSIMF_CONTROLLER_ABI 2u
+#define MUROSIMF_CONTROLLER_ABI 3u
 
 /* Flags of a library. Instances of one library share its global variables, so they are called one after the other, in the order
  * of the robots. A library without such variables may say that its instances can be called at the same time. */
@@ -48,6 +49,19 @@ typedef struct murosimf_command {
   size_t count;
 } murosimf_command;
 
+/* The last picture of a camera, up to date in every step. Rows from the top without gaps; numbers of several bytes in this machine's
+ * order. Formats, in ROS's words: "rgb8"; "bayer_rggb8" and the like; "32FC1", [m] along the optical axis, infinite where nothing is;
+ * "16UC1", what is seen. */
+typedef struct murosimf_picture {
+  const void* bytes; /* stay to the end of the step; null: there was none yet */
+  size_t size;       /* of them */
+  uint32_t width, height;
+  const char* format;
+  double period;   /* [s] of simulated time from one picture to the next */
+  int64_t time;    /* [ns] of simulated time, at which the exposure of its first row began */
+  uint64_t number; /* of pictures that have come so far: a new one changes it */
+} murosimf_picture;
+
 /* What a robot of the team has sent. */
 typedef struct murosimf_message {
   const void* bytes;
@@ -55,6 +69,27 @@ typedef struct murosimf_message {
   const char* sender; /* name of the robot; "" if the message comes from outside of the simulation */
   int64_t sent;       /* [ns] of simulated time */
 } murosimf_message;
+
+/* What `draw` draws. Points are x, y, z [m]; colors are red, green, blue from 0 to 1; `size` [m] is the radius of circles and spheres,
+ * the width of lines and dots, the height of texts; 0: as small as can be seen. */
+typedef struct murosimf_shape {
+  uint32_t kind;
+  const double* points;
+  size_t count; /* of points */
+  double size;
+  double color[3];
+  double opacity;   /* from 0 to 1 */
+  const char* text; /* null: none */
+} murosimf_shape;
+
+enum {
+  MUROSIMF_CIRCLE,  /* around the first point, normal to z */
+  MUROSIMF_LINE,    /* through all points */
+  MUROSIMF_POINTS,  /* a dot at each */
+  MUROSIMF_SPHERE,  /* around the first point */
+  MUROSIMF_POLYGON, /* filled; points on its border */
+  MUROSIMF_TEXT     /* at the first point */
+};
 
 /* The robot of an instance; valid as long as the instance. Functions get the robot as their first argument. */
 typedef struct murosimf_robot {
@@ -93,6 +128,17 @@ typedef struct murosimf_robot {
   /* In `step`: the oldest message that has arrived and was not read yet. False if there is none. What `message` then points at stays
    * until the next call, or to the end of the step. */
   int (*receive)(const struct murosimf_robot* robot, murosimf_message* message);
+
+  /* Since version 3. */
+
+  /* In `create` only: "camera.color", "camera.depth", "camera.labels", as its camera has them. It draws from then on. Null as of
+   * `signal`. */
+  const murosimf_picture* (*picture)(const struct murosimf_robot* robot, const char* name);
+  /* In `start` and `step`: shapes for people who watch, as a group of that name, in the place of the one before; without shapes that is
+   * gone. `of_robot`: points are in the frame of the robot's base and move with it; else in that of the world. False if that is too much
+   * (docs/library.md), or numbers are not finite. */
+  int (*draw)(const struct murosimf_robot* robot, const char* group, int of_robot, const murosimf_shape* shapes,
+              size_t count);
 } murosimf_robot;
 
 /* What a library offers. Functions that may be null say so. C++ exceptions may leave any of them: they end the instance, and the run

@@ -88,6 +88,7 @@ PortCommands::Command& PortCommands::make(std::string_view name) {
 
 void PortCommands::connect_joints(Command& command, const Property<double>& property, double limit, bool beside_legs) {
   const std::span<double> column = setup_->write(property);
+  command.declare = [&property](Setup& setup) { (void)setup.write(property); };
   const std::vector<int> legs = beside_legs ? joints_of_legs(*model_) : std::vector<int>{};
   const bool positions = property.name == properties::joint_target.name;
   for (const int joint : model_->joints()) {
@@ -102,6 +103,7 @@ void PortCommands::connect_joints(Command& command, const Property<double>& prop
 
 void PortCommands::connect_walk(Command& command) {
   Vec3d& velocity = setup_->write(properties::walk_command)[0];
+  command.declare = [](Setup& setup) { (void)setup.write(properties::walk_command); };
   command.labels = {"x", "y", "turn"};
   command.places = {&velocity.x, &velocity.y, &velocity.z};
   command.lowest.assign(3, -any_velocity);
@@ -109,6 +111,7 @@ void PortCommands::connect_walk(Command& command) {
 }
 
 void PortCommands::connect_answer(Command& command) {
+  command.declare = [](Setup& setup) { (void)setup.write(game_answer); };
   command.labels = {"message"};
   command.places = {&setup_->write(game_answer)[0]};
   command.first = answer_alive;
@@ -116,7 +119,20 @@ void PortCommands::connect_answer(Command& command) {
   command.highest = {highest_answer};
 }
 
+void PortCommands::use_link(const LinkOptions& options, std::uint64_t seed) {
+  link_.emplace(options, seed, setup_->entity().name() + "/commands");
+}
+
+void PortCommands::reseed(std::uint64_t seed) {
+  if (link_) link_->reseed(seed);
+}
+
+void PortCommands::declare(Setup& setup) const {
+  for (const Command& command : commands_) command.declare(setup);
+}
+
 void PortCommands::restart() noexcept {
+  if (link_) link_->restart();
   for (Command& command : commands_) {
     for (std::size_t i = 0; i < command.staged.size(); ++i) {
       command.staged[i] = command.accepted[i] = *command.places[i] = command.first;
@@ -124,7 +140,7 @@ void PortCommands::restart() noexcept {
   }
 }
 
-std::size_t PortCommands::accept() noexcept {
+std::size_t PortCommands::accept(Duration now) noexcept {
   std::size_t count = 0;
   refused_.command = nullptr;
   for (Command& command : commands_) {
@@ -137,10 +153,35 @@ std::size_t PortCommands::accept() noexcept {
         if (count++ == 0) refused_ = {&command, i, staged};
         staged = command.accepted[i];
       }
-      *command.places[i] = command.accepted[i];
+      if (!link_) *command.places[i] = command.accepted[i];
     }
   }
+  if (link_) send(now);
   return count;
+}
+
+void PortCommands::send(Duration now) {
+  sent_.clear();
+  for (const Command& command : commands_) {
+    sent_.insert(sent_.end(), command.accepted.begin(), command.accepted.end());
+  }
+  link_->send(now, sent_);
+}
+
+void PortCommands::deliver(Duration now) noexcept {
+  const std::vector<double>* const arrived = link_ ? link_->receive(now) : nullptr;
+  if (!arrived) return;
+  auto number = arrived->begin();
+  for (const Command& command : commands_) {
+    for (double* const place : command.places) *place = *number++;
+  }
+}
+
+void PortCommands::settle() noexcept {
+  for (const Command& command : commands_) {
+    for (std::size_t i = 0; i < command.places.size(); ++i) *command.places[i] = command.accepted[i];
+  }
+  if (link_) link_->restart();
 }
 
 std::string PortCommands::refusal() const {
@@ -155,6 +196,7 @@ void PortCommands::state(StateArchive& archive) {
     archive.elements(std::span(command.accepted));
     if (archive.loads()) std::ranges::copy(command.accepted, command.staged.begin());
   }
+  if (link_) archive(*link_);
 }
 
 }  // namespace murosimf::connect

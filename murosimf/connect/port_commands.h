@@ -4,10 +4,13 @@
 #pragma once
 
 #include <deque>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "murosimf/connect/delayed_rows.h"
 #include "murosimf/connect/murosimf_controller.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/model/state_archive.h"
@@ -25,7 +28,17 @@ class PortCommands {
   void close() { setup_ = nullptr; }
   [[nodiscard]] bool walks() const;
   void restart() noexcept;
-  std::size_t accept() noexcept;
+  std::size_t accept(Duration now) noexcept;
+  /// From now on what is accepted goes over a link, and holds when it has arrived (deliver()). Before close().
+  void use_link(const LinkOptions& options, std::uint64_t seed);
+  /// Has what arrived hold.
+  void deliver(Duration now) noexcept;
+  /// Everything that is accepted holds, and nothing is on its way.
+  void settle() noexcept;
+  /// That another algorithm writes what this one does.
+  void declare(Setup& setup) const;
+  void reseed(std::uint64_t seed);
+  [[nodiscard]] const DelayedRows* link() const { return link_ ? &*link_ : nullptr; }
   [[nodiscard]] std::string refusal() const;
   void state(StateArchive& archive);
 
@@ -38,6 +51,7 @@ class PortCommands {
     std::vector<double> accepted;         // the robot's
     std::vector<double> lowest, highest;  // allowed
     std::vector<double*> places;          // in columns
+    std::function<void(Setup&)> declare;  // that it is written
     murosimf_command shown{};
   };
   struct Refused {
@@ -51,11 +65,14 @@ class PortCommands {
   void connect_walk(Command& command);
   void connect_answer(Command& command);
   [[nodiscard]] bool has(std::string_view command) const;
+  void send(Duration now);
 
   Setup* setup_;
   const Model* model_;
   std::deque<Command> commands_;  // stay where they are
   Refused refused_;
+  std::optional<DelayedRows> link_;
+  std::vector<double> sent_;  // memory of the link
 };
 
 }  // namespace murosimf::connect

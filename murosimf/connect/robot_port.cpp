@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::connect {
 
-RobotPort::RobotPort(Setup& setup) : model_(&setup.model()), commands_(setup), radio_(setup), game_(setup) {
+RobotPort::RobotPort(Setup& setup, const ControlLinkOptions& link, std::uint64_t seed)
+    : model_(&setup.model()), commands_(setup), radio_(setup), game_(setup), pictures_(setup), pad_(setup) {
+  if (link.does_something() && link.signals) link_.emplace(link.one_way(), seed, setup.entity().name() + "/signals");
+  if (link.does_something() && link.commands) commands_.use_link(link.one_way(), seed);
   for (const sensors::Reading* reading : sensors::readings_of(setup.entity())) add_sensor(setup, *reading);
   if (model_->joints().empty()) return;
   add_joints("joint.position", setup.read(properties::joint_position), true);
@@ -22,7 +26,12 @@ void RobotPort::add_sensor(Setup& setup, const sensors::Reading& found) {
     const std::span<const double> values = reading.output(output.name);
     signals_.push_back({.name = reading.info->name + "." + output.name, .labels = output.labels, .reading = &reading});
     if (output.labels.empty() && values.size() == 1) signals_.back().labels = {output.name};
-    signals_.back().shown = {values.data(), values.size(), 0, 0};
+    Signal& signal = signals_.back();
+    signal.shown = {values.data(), values.size(), 0, 0};
+    if (!link_) continue;
+    signal.measured = values;
+    signal.values.resize(values.size());
+    signal.shown.values = signal.values.data();
   }
 }
 
@@ -49,7 +58,7 @@ const murosimf_signal* RobotPort::signal(std::string_view name) {
   if (const murosimf_signal* of_game = game_.find(name)) return of_game;
   const auto found = std::ranges::find(signals_, name, &Signal::name);
   if (found == signals_.end()) throw SetupError(unknown_name("signal", name, signal_names()));
-  found->wanted = true;
+  if (!std::exchange(found->wanted, true) && link_) link_->drop();
   return &found->shown;
 }
 
@@ -60,11 +69,70 @@ const std::vector<std::string>* RobotPort::labels(std::string_view name) const {
 }
 
 void RobotPort::refresh(Duration now) noexcept {
+  now_ = now;
   radio_.refresh(now);
   game_.refresh();
+  pictures_.refresh();
+  if (link_) {
+    send_over_link(now);
+    return receive_over_link(now);
+  }
   for (Signal& signal : signals_) {
     if (signal.wanted) refresh(signal, now);
   }
+}
+
+/// Of each signal that is wanted: time, number of samples, numbers.
+void RobotPort::send_over_link(Duration now) {
+  sent_.clear();
+  for (Signal& signal : signals_) {
+    if (!signal.wanted) continue;
+    const bool of_sensor = signal.reading != nullptr;
+    sent_.push_back(static_cast<double>(of_sensor ? signal.reading->time.count() : now.count()));
+    sent_.push_back(static_cast<double>(of_sensor ? signal.reading->samples : ++signal.measurements));
+    if (of_sensor) {
+      sent_.insert(sent_.end(), signal.measured.begin(), signal.measured.end());
+    } else {
+      for (std::size_t i = 0; i < signal.values.size(); ++i) sent_.push_back(joint_value(signal, i));
+    }
+  }
+  link_->send(now, sent_);
+}
+
+void RobotPort::receive_over_link(Duration now) noexcept {
+  const std::vector<double>* const arrived = link_->receive(now);
+  if (!arrived) return;
+  auto number = arrived->begin();
+  for (Signal& signal : signals_) {
+    if (!signal.wanted) continue;
+    signal.shown.time = static_cast<std::int64_t>(*number++);
+    signal.shown.samples = static_cast<std::uint64_t>(*number++);
+    for (double& value : signal.values) value = *number++;
+  }
+}
+
+void RobotPort::restart() noexcept {
+  commands_.restart();
+  pad_.clear();
+  now_ = {};
+  if (!link_) return;
+  link_->restart();
+  for (Signal& signal : signals_) {
+    signal.measurements = signal.shown.samples = 0;
+    signal.shown.time = 0;
+    std::ranges::fill(signal.values, 0.0);
+  }
+}
+
+void RobotPort::reseed(std::uint64_t seed) {
+  commands_.reseed(seed);
+  if (link_) link_->reseed(seed);
+}
+
+/// As its bus reports it.
+double RobotPort::joint_value(const Signal& signal, std::size_t i) const noexcept {
+  const double value = signal.column[model_->joints()[i]], step = signal.steps[i];
+  return step > 0 ? step * std::round(value / step) : value;
 }
 
 void RobotPort::refresh(Signal& signal, Duration now) noexcept {
@@ -73,11 +141,7 @@ void RobotPort::refresh(Signal& signal, Duration now) noexcept {
     signal.shown.samples = signal.reading->samples;
     return;
   }
-  const std::span<const int> joints = model_->joints();
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const double value = signal.column[joints[i]], step = signal.steps[i];
-    signal.values[i] = step > 0 ? step * std::round(value / step) : value;
-  }
+  for (std::size_t i = 0; i < signal.values.size(); ++i) signal.values[i] = joint_value(signal, i);
   signal.shown.time = now.count();
   ++signal.shown.samples;
 }
@@ -85,6 +149,9 @@ void RobotPort::refresh(Signal& signal, Duration now) noexcept {
 void RobotPort::state(StateArchive& archive) {
   commands_.state(archive);
   for (Signal& signal : signals_) archive(signal.shown.samples);
+  if (!link_) return;
+  archive(*link_);
+  for (Signal& signal : signals_) archive(signal.shown.time, signal.measurements, signal.values);
 }
 
 }  // namespace murosimf::connect

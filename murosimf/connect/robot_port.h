@@ -18,13 +18,17 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "murosimf/connect/control_link_options.h"
 #include "murosimf/connect/game_signals.h"
 #include "murosimf/connect/murosimf_controller.h"
 #include "murosimf/connect/port_commands.h"
+#include "murosimf/connect/port_pictures.h"
+#include "murosimf/connect/sketch_pad.h"
 #include "murosimf/connect/team_radio.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/model/state_archive.h"
@@ -34,8 +38,9 @@ namespace murosimf::connect {
 
 class RobotPort {
  public:
-  /// Reads all sensors of the robot, which must be attached before. Throws SetupError.
-  explicit RobotPort(Setup& setup);
+  /// Reads all sensors of the robot, which must be attached before. Signals and commands go over the link; seed: of its chances. Throws
+  /// SetupError.
+  explicit RobotPort(Setup& setup, const ControlLinkOptions& link = {}, std::uint64_t seed = 1);
   RobotPort(const RobotPort&) = delete;  // software has pointers into it
   RobotPort& operator=(const RobotPort&) = delete;
 
@@ -47,25 +52,44 @@ class RobotPort {
   /// Of a signal or command that was asked for: what each number is; null if it is none of them.
   [[nodiscard]] const std::vector<std::string>* labels(std::string_view name) const;
 
+  /// Of a camera, likewise (port_pictures.h).
+  [[nodiscard]] const murosimf_picture* picture(std::string_view name) { return pictures_.find(name); }
+
   /// Messages between the robots of a team.
   [[nodiscard]] TeamRadio& radio() { return radio_; }
   [[nodiscard]] const TeamRadio& radio() const { return radio_; }
+
+  /// For people who watch (sketch_pad.h).
+  bool draw(DrawnGroup group) {
+    group.time = now_;
+    return pad_.draw(std::move(group));
+  }
 
   /// The algorithm is constructed: from now on no new commands.
   void close() {
     commands_.close();
     radio_.close();
     game_.close();
+    pictures_.close();
   }
   /// Whether the walk engine must be attached, after the algorithm that has this port.
   [[nodiscard]] bool walks() const { return commands_.walks(); }
 
   /// All commands as nobody had set them.
-  void restart() noexcept { commands_.restart(); }
+  void restart() noexcept;
   /// Before the software's step that begins at `now`: signals show what holds then.
   void refresh(Duration now) noexcept;
-  /// After it: takes over what it has set. How many numbers were refused.
-  std::size_t accept() noexcept { return commands_.accept(); }
+  /// After it: takes over what it has set, or sends it over the link. How many numbers were refused.
+  std::size_t accept(Duration now) noexcept { return commands_.accept(now); }
+  /// At the start: what it has set holds at once.
+  void settle() noexcept { commands_.settle(); }
+  /// In every tick: commands that have come over the link hold (command_arrival.h).
+  void deliver(Duration now) noexcept { commands_.deliver(now); }
+  void declare_commands(Setup& setup) const { commands_.declare(setup); }
+  void reseed(std::uint64_t seed);
+  /// What has gone over the link; null: it has none.
+  [[nodiscard]] const DelayedRows* signal_link() const { return link_ ? &*link_ : nullptr; }
+  [[nodiscard]] const DelayedRows* command_link() const { return commands_.link(); }
   /// The first number that the last accept() refused: "joint.target of l_knee is 9.5, beyond -0.1 to 2.3".
   [[nodiscard]] std::string refusal() const { return commands_.refusal(); }
 
@@ -78,20 +102,30 @@ class RobotPort {
     const sensors::Reading* reading = nullptr;  // null: of joints
     std::span<const double> column;             // of joints, by object
     std::vector<double> steps;                  // [rad] of joints' encoders, 0: none; empty: none has one
-    std::vector<double> values;                 // of joints
+    std::vector<double> values;                 // of joints, and of all that has come over a link
+    std::span<const double> measured{};         // of a sensor, before the link
+    std::uint64_t measurements = 0;             // of joints, before the link
     murosimf_signal shown{};
     bool wanted = false;
   };
   void add_sensor(Setup& setup, const sensors::Reading& reading);
   void add_joints(std::string name, std::span<const double> column, bool in_steps);
   void refresh(Signal& signal, Duration now) noexcept;
+  void send_over_link(Duration now);
+  void receive_over_link(Duration now) noexcept;
+  [[nodiscard]] double joint_value(const Signal& signal, std::size_t i) const noexcept;
   [[nodiscard]] std::vector<std::string_view> signal_names() const;
 
   const Model* model_;
-  std::deque<Signal> signals_;  // stay where they are
+  std::deque<Signal> signals_;       // stay where they are
+  std::optional<DelayedRows> link_;  // of signals; nothing: they are there at once
+  std::vector<double> sent_;         // memory of the link
   PortCommands commands_;
   TeamRadio radio_;
   GameSignals game_;
+  PortPictures pictures_;
+  SketchPad pad_;
+  Duration now_{};
 };
 
 }  // namespace murosimf::connect

@@ -17,6 +17,21 @@ constexpr std::size_t most_messages =
     20'000;                                 // in a second; what sockets buffer while a simulation stands still is less
 constexpr std::size_t longest_line = 1000;  // for the report
 
+// A cycle is at most 16 MiB long, what clients take.
+constexpr std::size_t most_message_bytes = 1024 * 1024;
+constexpr std::size_t most_picture_bytes = 14 * 1024 * 1024;
+constexpr std::size_t most_pixel_bytes = 4;
+
+DrawnShape shape_of(const wire::Shape& shape) {
+  DrawnShape drawn{.kind = static_cast<DrawnShape::Kind>(shape.kind()), .size = shape.size(), .words = shape.text()};
+  for (int i = 0; i + 2 < shape.points_size(); i += 3) {
+    drawn.points.push_back({shape.points(i), shape.points(i + 1), shape.points(i + 2)});
+  }
+  if (shape.color_size() >= 3) drawn.color = {shape.color(0), shape.color(1), shape.color(2)};
+  if (shape.color_size() >= 4) drawn.opacity = shape.color(3);
+  return drawn;
+}
+
 }  // namespace
 
 TcpSession::TcpSession(TcpClient client, TcpRobot robot, RobotPort& port, SayLine say)
@@ -53,6 +68,7 @@ void TcpSession::tell_start() {
   wire::Cycle& cycle = *outgoing_->mutable_cycle();
   cycle.Clear();
   cycle.set_start(true);
+  for (Asked& asked : pictures_) asked.told = 0;
   started_ = cycle_ + 1;
   tell();
 }
@@ -61,6 +77,14 @@ void TcpSession::tell_cycle(Duration now) {
   wire::Cycle& cycle = *outgoing_->mutable_cycle();
   cycle.set_start(false);
   cycle.set_now(now.count());
+  tell_samples(cycle);
+  tell_messages(cycle);
+  tell_pictures(cycle);
+  tell();
+}
+
+/// Memory of the cycle before is used again.
+void TcpSession::tell_samples(wire::Cycle& cycle) const {
   if (cycle.samples_size() == 0) {
     for (std::size_t i = 0; i < signals_.size(); ++i) cycle.add_samples();
   }
@@ -72,7 +96,36 @@ void TcpSession::tell_cycle(Duration now) {
     sample.mutable_values()->Clear();
     sample.mutable_values()->Add(signal.values, signal.values + signal.count);
   }
-  tell();
+}
+
+/// What does not fit comes with the next cycle.
+void TcpSession::tell_messages(wire::Cycle& cycle) {
+  cycle.clear_messages();
+  if (!has_messages_) return;
+  std::size_t bytes = 0;
+  while (bytes < most_message_bytes) {
+    const TeamMessage* received = port_->radio().receive();
+    if (!received) return;
+    wire::TeamMessage& message = *cycle.add_messages();
+    message.set_content(received->bytes);
+    message.set_sender(received->sender);
+    message.set_sent(received->sent.count());
+    bytes += received->bytes.size();
+  }
+}
+
+void TcpSession::tell_pictures(wire::Cycle& cycle) {
+  cycle.clear_pictures();
+  for (std::size_t i = 0; i < pictures_.size(); ++i) {
+    const murosimf_picture& shown = *pictures_[i].picture;
+    if (shown.number == pictures_[i].told || !shown.bytes) continue;
+    pictures_[i].told = shown.number;
+    wire::Picture& picture = *cycle.add_pictures();
+    picture.set_picture(static_cast<std::uint32_t>(i));
+    picture.set_time(shown.time);
+    picture.set_number(shown.number);
+    picture.set_content(shown.bytes, shown.size);
+  }
 }
 
 void TcpSession::tell() {
@@ -125,26 +178,53 @@ void TcpSession::take(std::string_view bytes) {
 void TcpSession::answer(const wire::Ask& ask) {
   if (++asked_ > most_questions) throw wire::WireError(fmt::format("asks for more than {} names", most_questions));
   try {
-    const bool of_signal = ask.has_signal();
     wire::Description described;
-    const std::string& name = of_signal ? ask.signal() : ask.command();
-    if (of_signal) {
-      signals_.push_back(port_->signal(name));
-    } else {
-      murosimf_command* const command = port_->command(name);
-      if (std::ranges::find(commands_, command) != commands_.end()) {
-        throw SetupError(fmt::format("the command '{}' was asked for before", name));
-      }
-      commands_.push_back(command);
-      command_names_.push_back(name);
-      described.mutable_values()->Add(command->values, command->values + command->count);
+    switch (ask.name_case()) {
+      case wire::Ask::kSignal: describe_signal(ask.signal(), described); break;
+      case wire::Ask::kPicture: describe_picture(ask.picture(), described); break;
+      case wire::Ask::kMessages:
+        port_->radio().open();
+        has_messages_ = true;
+        break;
+      default: describe_command(ask.command(), described);
     }
-    for (const std::string& label : *port_->labels(name)) described.add_labels(label);
     *outgoing_->mutable_description() = std::move(described);
   } catch (const SetupError& error) {
     outgoing_->mutable_refusal()->set_reason(error.what());
   }
   send();
+}
+
+void TcpSession::describe_signal(const std::string& name, wire::Description& described) {
+  signals_.push_back(port_->signal(name));
+  for (const std::string& label : *port_->labels(name)) described.add_labels(label);
+}
+
+void TcpSession::describe_command(const std::string& name, wire::Description& described) {
+  murosimf_command* const command = port_->command(name);
+  if (std::ranges::find(commands_, command) != commands_.end()) {
+    throw SetupError(fmt::format("the command '{}' was asked for before", name));
+  }
+  commands_.push_back(command);
+  command_names_.push_back(name);
+  described.mutable_values()->Add(command->values, command->values + command->count);
+  for (const std::string& label : *port_->labels(name)) described.add_labels(label);
+}
+
+void TcpSession::describe_picture(const std::string& name, wire::Description& described) {
+  const murosimf_picture* const shown = port_->picture(name);
+  const std::size_t bytes = std::size_t{most_pixel_bytes} * shown->width * shown->height;
+  if (picture_bytes_ + bytes > most_picture_bytes) {
+    throw SetupError(fmt::format("the picture '{}' is too large: pictures of one cycle may have {} bytes together",
+                                 name, most_picture_bytes));
+  }
+  picture_bytes_ += bytes;
+  pictures_.push_back({shown});
+  wire::PictureFormat& format = *described.mutable_picture();
+  format.set_width(shown->width);
+  format.set_height(shown->height);
+  format.set_format(shown->format);
+  format.set_period(shown->period);
 }
 
 void TcpSession::take_over(const wire::Commands& answer) {
@@ -167,10 +247,29 @@ void TcpSession::take_over(const wire::Commands& answer) {
   for (std::size_t i = 0; i < commands_.size(); ++i) {
     std::ranges::copy(answer.rows(static_cast<int>(i)).values(), commands_[i]->values);
   }
+  send_to_team(answer);
+  draw(answer);
   for (const std::string& line : answer.says()) say_(printable(line, longest_line));
   answered_ = std::max(answered_, answer.cycle());
   owes_answer_ = owes_answer_ && answer.cycle() < cycle_;
   heard_at_ = std::chrono::steady_clock::now();
+}
+
+/// What is too long or too much is counted.
+void TcpSession::send_to_team(const wire::Commands& answer) {
+  if (answer.sends_size() > 0 && !has_messages_) {
+    throw wire::WireError("sends messages to its team, and has not asked for them");
+  }
+  for (const std::string& message : answer.sends()) (void)port_->radio().send(message);
+}
+
+/// What is too much, or has no sense, is left out.
+void TcpSession::draw(const wire::Commands& answer) {
+  for (const wire::Drawing& drawing : answer.draws()) {
+    DrawnGroup group{.name = drawing.group(), .of_robot = drawing.of_robot()};
+    for (const wire::Shape& shape : drawing.shapes()) group.shapes.push_back(shape_of(shape));
+    (void)port_->draw(std::move(group));
+  }
 }
 
 void TcpSession::say_goodbye() noexcept {

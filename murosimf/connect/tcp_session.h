@@ -15,6 +15,8 @@
 namespace murosimf::wire {
 class Ask;
 class Commands;
+class Cycle;
+class Description;
 class ToClient;
 }  // namespace murosimf::wire
 
@@ -62,7 +64,15 @@ class TcpSession {
  private:
   void take(std::string_view bytes);
   void answer(const wire::Ask& ask);
+  void describe_signal(const std::string& name, wire::Description& described);
+  void describe_command(const std::string& name, wire::Description& described);
+  void describe_picture(const std::string& name, wire::Description& described);
+  void tell_samples(wire::Cycle& cycle) const;
+  void tell_messages(wire::Cycle& cycle);
+  void tell_pictures(wire::Cycle& cycle);
   void take_over(const wire::Commands& commands);
+  void send_to_team(const wire::Commands& commands);
+  void draw(const wire::Commands& commands);
   void check_rate(wire::WallTime now);
   void send();
   void tell();
@@ -74,6 +84,13 @@ class TcpSession {
   std::vector<const murosimf_signal*> signals_;
   std::vector<murosimf_command*> commands_;
   std::vector<std::string> command_names_;
+  struct Asked {
+    const murosimf_picture* picture;
+    std::uint64_t told = 0;  // number of the last one that was told
+  };
+  std::vector<Asked> pictures_;
+  std::size_t picture_bytes_ = 0;  // of one of each
+  bool has_messages_ = false;
   std::unique_ptr<wire::FromClient> incoming_;
   std::unique_ptr<wire::ToClient> outgoing_;
   std::string bytes_;

@@ -54,14 +54,16 @@ void move(Entity& robot, const Mat3d& turn, const Vec3d& base) {
 void stop(Entity& robot) {
   std::ranges::fill(robot.column(properties::linear_velocity).values, Vec3d{});
   std::ranges::fill(robot.column(properties::angular_velocity).values, Vec3d{});
-  std::ranges::fill(robot.column(properties::joint_velocity).values, 0.0);
+  if (!robot.model().joints().empty()) std::ranges::fill(robot.column(properties::joint_velocity).values, 0.0);
 }
 
 }  // namespace
 
 void place(SceneParts& parts, std::string_view name, const Placement& placement) {
-  const scene_file::RobotSpec& spec = robot_spec(parts.spec, name);
-  Entity& robot = parts.simulation->world().entity(spec.name);
+  Entity& robot = parts.simulation->world().entity(name);
+  if (std::ranges::find(parts.moving_entities, &robot) == parts.moving_entities.end()) {
+    throw SetupError(fmt::format("'{}' does not move, so it is not placed", name));
+  }
   if (robot.idle()) {
     throw SetupError(fmt::format("{} is {}, so it is not placed", name, robot.present() ? "frozen" : "not there"));
   }
@@ -69,9 +71,11 @@ void place(SceneParts& parts, std::string_view name, const Placement& placement)
   const double lowest = lowest_point(robot, turn);
   move(robot, turn, placement.position - Vec3d{0, 0, lowest});
   stop(robot);
-  const catalog::LevelOptions options = scene_file::level_options(spec);
-  parts.simulation->exchange(spec.level, robot,
-                             [&](Setup& setup) { return catalog::make_level(spec.level, setup, options); });
+  const auto spec = std::ranges::find(parts.spec.robots, name, &scene_file::RobotSpec::name);
+  const std::string level = robot.level;
+  const catalog::LevelOptions options =
+      spec == parts.spec.robots.end() ? catalog::LevelOptions{} : scene_file::level_options(*spec);
+  parts.simulation->exchange(level, robot, [&](Setup& setup) { return catalog::make_level(level, setup, options); });
   stop(robot);  // what the level had of its momentum
 }
 

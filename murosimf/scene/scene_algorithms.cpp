@@ -26,6 +26,7 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   options.library = robot.library;
   options.call_budget = robot.call_budget;
   options.reload = robot.reload;
+  options.link = robot.link;
   options.crashes = parts.crashes;
   options.software = parts.software;
   options.folder = spec.file.parent_path();

@@ -10,6 +10,7 @@
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/motion/torque_watch.h"
 #include "murosimf/scene/model_constants.h"
+#include "murosimf/scene/robot_placement.h"
 #include "murosimf/scene/scene_checks.h"
 #include "murosimf/scene/scene_presence.h"
 #include "murosimf/scene/scene_pushing.h"
@@ -52,10 +53,18 @@ std::size_t number_of(const SceneParts& parts, std::string_view entity) {
   return static_cast<std::size_t>(found - parts.moving_entities.begin());
 }
 
+void put(SceneParts& parts, const Placement& placement, const std::string& entity) {
+  place(parts, entity, placement);
+  const Vec3d& r = placement.position;
+  parts.simulation->record(
+      fmt::format("{}: placed at {:g}, {:g}, {:g} m, heading {:g} rad", entity, r.x, r.y, r.z, placement.heading));
+}
+
 void apply(SceneParts& parts, const scene_file::SceneEvent& event, const std::string& entity) {
   with_context(event.where, [&] {
     if (event.setting) return apply(parts, *event.setting, entity);
     if (event.push) return push(parts, *event.push, entity);
+    if (event.place) return put(parts, *event.place, entity);
     if (event.key == "level") return exchange_level(parts, entity, event.value);
     if (event.key == "contact") return exchange_contact(parts, entity, event.value);
     if (event.key == "present") return event.value == "true" ? enter(parts, entity) : leave(parts, entity);

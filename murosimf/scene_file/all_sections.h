@@ -26,6 +26,7 @@ struct EventTable {
 [[nodiscard]] const Section<BallSpec>& ball_section();
 [[nodiscard]] const Section<TeamSpec>& team_section();
 [[nodiscard]] const Section<RobotSpec>& robot_section();
+[[nodiscard]] const Section<connect::ControlLinkOptions>& link_section();  ///< the key `link` of a robot
 [[nodiscard]] const Section<BodySpec>& body_section();
 [[nodiscard]] const Section<PushSpec>& push_section();
 [[nodiscard]] const Section<EventTable>& event_section();

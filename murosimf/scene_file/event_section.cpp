@@ -20,6 +20,8 @@
 namespace murosimf::scene_file {
 namespace {
 
+constexpr double farthest_place = 1e5;  // [m]
+
 void check_time(double time, const std::string& where) {
   if (std::isfinite(time) && time >= 0 && time <= longest_duration) return;
   throw SetupError(fmt::format("{}: the time must be a number of seconds, at least 0", where));
@@ -57,11 +59,25 @@ std::vector<std::string> names_of(const std::vector<toml::table*>& robots) {
   return names;
 }
 
+/// [x, y], [x, y, z] or [x, y, z, heading].
+Placement read_place(const Assignment& change) {
+  const std::vector<double> numbers = property_setting(change, 0, {}).numbers;
+  const auto reaches = [](double x) { return std::abs(x) <= farthest_place; };
+  if (numbers.size() < 2 || numbers.size() > 4 || !std::ranges::all_of(numbers, reaches)) {
+    throw SetupError(fmt::format("{}: write [x, y], [x, y, z] (m) or [x, y, z, heading] (rad), at most {} each",
+                                 change.where, farthest_place));
+  }
+  Placement place{.position = {numbers[0], numbers[1], 0}};
+  if (numbers.size() > 2) place.position.z = numbers[2];
+  if (numbers.size() > 3) place.heading = numbers[3];
+  return place;
+}
+
 /// Of the ball.
 const std::vector<std::string_view>& ball_keys() {
   static const std::vector<std::string_view> keys = [] {
     std::vector<std::string_view> all = changeable_ball_keys();
-    all.insert(all.end(), {"contact", "present"});
+    all.insert(all.end(), {"contact", "present", "place"});
     return all;
   }();
   return keys;
@@ -90,11 +106,12 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
   if (entities.empty() && !bodies.empty()) {
     entities = names_of(bodies);
     used = 1;
-    const bool property = change.path.size() > 2 || change.path.back() == "contact" || change.path.back() == "present";
+    const std::string& key = change.path.back();
+    const bool property = change.path.size() > 2 || key == "contact" || key == "present" || key == "place";
     if (!property)
       throw SetupError(
           fmt::format("{}: a body has no '{}' that could change while it runs; "
-                      "its contact, its properties and whether it is present can",
+                      "its contact, its properties, its place and whether it is present can",
                       where, change.path.back()));
   }
   const std::size_t rest = change.path.size() - std::min(change.path.size(), used);
@@ -108,6 +125,7 @@ SceneEvent read_event(toml::table& scene, double time, const std::string& text, 
     event.setting = property_setting(change, used, entities);
   } else {
     check_key(change, event.key, change.path[0] == "ball" ? ball_keys() : exchangeable_keys());
+    if (event.key == "place") event.place = read_place(change);
     if (event.key == "command") {
       event.setting = property_setting(change, used, entities);
       event.setting->property = properties::walk_command.name;
@@ -163,7 +181,7 @@ const Section<EventTable>& event_section() {
 }
 
 const std::vector<std::string_view>& exchangeable_keys() {
-  static const std::vector<std::string_view> keys{"level", "contact", "servo_law", "command", "present"};
+  static const std::vector<std::string_view> keys{"level", "contact", "servo_law", "command", "present", "place"};
   return keys;
 }
 

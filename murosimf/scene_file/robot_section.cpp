@@ -24,6 +24,11 @@ void read_integrator(const TomlTable& table, std::string_view key, RobotSpec& ro
       with_context(table.where(key), [&] { return find_entry(motion::integrators(), "integrator", name).integrator; });
 }
 
+void read_link(const TomlTable& table, std::string_view key, RobotSpec& robot) {
+  const toml::table* link = table.table(key);
+  link_section().read(*link, robot.link);
+}
+
 void read_attacks(const TomlTable& table, std::string_view key, TeamSpec& team) {
   std::string side;
   table.read(key, side);
@@ -100,6 +105,7 @@ const Section<RobotSpec>& robot_section() {
        {"call_budget", &RobotSpec::call_budget, "s", "of wall time for each call of the library", between(0, 3600),
         "any"},
        {"reload", &RobotSpec::reload, "", "whether the library is loaded anew when its file changes"},
+       {"link", read_link, "", "between it and its control software: [robots.link]", {}, "none"},
        {"command", &RobotSpec::command, "m/s, rad/s", "first walking velocity: x, y, turning"},
        {"position", &RobotSpec::position, "m", "x and y of the base; z: how high the lowest point stands",
         up_to(farthest_place)},

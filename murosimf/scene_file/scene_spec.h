@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "murosimf/components/sensor_table.h"
+#include "murosimf/connect/control_link_options.h"
 #include "murosimf/connect/radio_options.h"
 #include "murosimf/math/scalar.h"
 #include "murosimf/math/vec3.h"
@@ -98,6 +99,7 @@ struct RobotSpec {
   std::string library;                          ///< file of the controller "library"; empty for none
   double call_budget = 0;                       ///< [s] of wall time for each of its calls; 0: any
   bool reload = false;                          ///< it is loaded anew when its file changes
+  connect::ControlLinkOptions link;             ///< between it and its control software
   std::string joint_reference = "filter";
   motion::Integrator integrator = motion::Integrator::semi_implicit_euler;
   bool base_rigid = false;
@@ -137,8 +139,14 @@ struct PushSpec {
   double begin = 0, end = 0;  ///< [s]
 };
 
-/// Something that changes while the scene runs: another level, law or command, who is there, a property, a push that begins, or a key of
-/// a section.
+/// Where somebody is put while a scene runs.
+struct Placement {
+  Vec3d position;      ///< [m] of the base on the ground plane; z: of its lowest point
+  double heading = 0;  ///< [rad] about the vertical
+};
+
+/// Something that changes while the scene runs: another level, law or command, who is there, where, a property, a push that begins, or a
+/// key of a section.
 struct SceneEvent {
   double time = 0;  ///< [s]
   std::string where;
@@ -147,6 +155,7 @@ struct SceneEvent {
   std::optional<PropertySetting> setting;
   std::string section{};           ///< "light" or "ball" (section_change.h); empty: entities change
   std::optional<PushSpec> push{};  ///< begin 0: from the event on
+  std::optional<Placement> place{};
 };
 
 /// How a game with a referee goes on (league/).

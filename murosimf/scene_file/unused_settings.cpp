@@ -44,6 +44,7 @@ constexpr std::array used_keys{
     UsedKey{"library", "library", UsedKey::by_controller, [](const RobotSpec& r) { return !r.library.empty(); }},
     UsedKey{"call_budget", "call_budget", UsedKey::by_controller,
             [](const RobotSpec& r) { return r.call_budget != 0; }},
+    UsedKey{"link", "link", UsedKey::by_controller, [](const RobotSpec& r) { return r.link.does_something(); }},
     UsedKey{"reload", "library", UsedKey::by_controller, [](const RobotSpec& r) { return r.reload; }},
 };
 

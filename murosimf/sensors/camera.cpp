@@ -51,6 +51,10 @@ CameraInfo info_of(const SensorSpec& spec, const CameraSpec& camera, const Mount
   info.nominal = mounting.orientation_on_link() * turn * optical_axes;
   info.labels = {"background", "ground", "line", "goal"};
   for (const Entity* moving_entity : moving_entities) info.labels.push_back(moving_entity->name());
+  info.has_color = camera.layers.color;
+  info.has_depth = camera.layers.depth;
+  info.has_labels = camera.layers.labels;
+  info.mosaic = camera.mosaic;
   return info;
 }
 

@@ -28,6 +28,8 @@ struct CameraInfo {
   Mat3d orientation;                  ///< optical axes to those of the link, true: with the mounting error
   Mat3d nominal;                      ///< the same without the error, as control software may believe it
   std::vector<std::string> labels{};  ///< names of what LabelImages show (view_source.h)
+  bool has_color = true, has_depth = false, has_labels = false;
+  std::string mosaic{};  ///< Bayer pattern, "rggb"; empty: none
 };
 
 /// Layers that the camera does not have are empty.

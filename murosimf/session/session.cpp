@@ -91,7 +91,12 @@ Lateness Session::lateness() const {
 
 void Session::run(Duration end, const std::function<void(Duration)>& progress) {
   run_until(end);
-  inside_->run(progress);
+  try {
+    inside_->run(progress);
+  } catch (...) {
+    inside_->refuse_all();  // who waits for something, waits no more
+    throw;
+  }
 }
 
 }  // namespace murosimf::session

@@ -16,26 +16,27 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 
-from murosimf_client import Robot, RobotError, messages, wire  # noqa: E402
+from murosimf_client import LINE, RequestRefused, Robot, RobotError, Shape, SimulatorError, Supervisor  # noqa: E402
+from murosimf_client import messages, supervision, wire  # noqa: E402
 
 PROGRAM, PROTOC, WALK_TO_BALL_TCP = [pathlib.Path(name).resolve() for name in sys.argv[1:4]] or [None] * 3
 SCENE = ROOT / "examples/controllers/to_the_ball_tcp.toml"
 TIME_LIMIT = 60  # [s]
 
 
-def protoc(*words, given):
+def protoc(*words, given, file):
     folder = ROOT / "murosimf/wire"
-    return subprocess.run([PROTOC, *words, f"-I{folder}", folder / "robot_protocol.proto"], input=given,
-                          stdout=subprocess.PIPE, check=True, timeout=TIME_LIMIT).stdout
+    return subprocess.run([PROTOC, *words, f"-I{folder}", folder / file], input=given, stdout=subprocess.PIPE, check=True,
+                          timeout=TIME_LIMIT).stdout
 
 
-def decoded(content):
-    text = protoc("--decode=murosimf.wire.FromClient", given=content).decode()
+def decoded(content, message="FromClient", file="robot_protocol.proto"):
+    text = protoc(f"--decode=murosimf.wire.{message}", given=content, file=file).decode()
     return " ".join(text.split())
 
 
-def encoded(text):
-    return protoc("--encode=murosimf.wire.ToClient", given=text.encode())
+def encoded(text, message="ToClient", file="robot_protocol.proto"):
+    return protoc(f"--encode=murosimf.wire.{message}", given=text.encode(), file=file)
 
 
 class Encoding(unittest.TestCase):
@@ -44,12 +45,66 @@ class Encoding(unittest.TestCase):
     def test_what_clients_send(self):
         self.assertEqual(decoded(messages.hello("striker", 62.5, "walk.py")),
                          'hello { version: 1 robot: "striker" rate: 62.5 software: "walk.py" }')
-        self.assertEqual(decoded(messages.ask("imu.gyroscope", True)), 'ask { signal: "imu.gyroscope" }')
-        self.assertEqual(decoded(messages.ask("joint.target", False)), 'ask { command: "joint.target" }')
+        self.assertEqual(decoded(messages.ask_signal("imu.gyroscope")), 'ask { signal: "imu.gyroscope" }')
+        self.assertEqual(decoded(messages.ask_command("joint.target")), 'ask { command: "joint.target" }')
+        self.assertEqual(decoded(messages.ask_picture("camera.color")), 'ask { picture: "camera.color" }')
+        self.assertEqual(decoded(messages.ask_messages()), "ask { messages: true }")
         self.assertEqual(decoded(messages.ready()), "ready { }")
         self.assertEqual(decoded(messages.commands(300, [[0.5, -1e-300, math.inf], []], ["one", "two"])),
                          "commands { cycle: 300 rows { values: 0.5 values: -1e-300 values: inf } rows { } "
                          'says: "one" says: "two" }')
+        self.assertEqual(decoded(messages.commands(1, [], [], [b"a\0\xff"])),
+                         'commands { cycle: 1 sends: "a\\000\\377" }')
+
+    def test_drawings(self):
+        drawing = messages.drawing("way", [Shape(LINE, [(0, 0, 0), (1, 2, 3)], 0.5, (1, 0, 0), "x")], True)
+        self.assertEqual(decoded(messages.commands(1, [], [], [], [drawing])),
+                         'commands { cycle: 1 draws { group: "way" of_robot: true shapes { kind: LINE points: 0 points: 0 points: 0 '
+                         'points: 1 points: 2 points: 3 size: 0.5 color: 1 color: 0 color: 0 text: "x" } } }')
+
+    def test_what_supervisors_send(self):
+        def seen(content):
+            return decoded(content, "FromSupervisor", "supervision.proto")
+
+        self.assertEqual(seen(supervision.hello("secret", "me")), 'hello { version: 1 token: "secret" name: "me" }')
+        for number, name in {supervision.STATUS: "status", supervision.PAUSE: "pause", supervision.GO_ON: "go_on",
+                             supervision.DESCRIBE: "describe", supervision.BRANCHES: "branches", supervision.SAVE: "save",
+                             supervision.FINISH: "finish"}.items():
+            self.assertEqual(seen(supervision.plain(number)), f"{name} {{ }}")
+        self.assertEqual(seen(supervision.step(7)), "step { count: 7 }")
+        self.assertEqual(seen(supervision.speed(0.5)), "speed { factor: 0.5 }")
+        self.assertEqual(seen(supervision.advance(5)), "advance { duration: 5 }")
+        self.assertEqual(seen(supervision.run_until(5)), "run_until { end: 5 }")
+        self.assertEqual(seen(supervision.change(["a", "b"])), 'change { changes: "a" changes: "b" }')
+        self.assertEqual(seen(supervision.read(["a", "b"])), 'read { patterns: "a" patterns: "b" }')
+        self.assertEqual(seen(supervision.events(3)), "events { first: 3 }")
+        self.assertEqual(seen(supervision.reset(None)), "reset { }")
+        self.assertEqual(seen(supervision.reset(9)), "reset { seed: 9 }")
+        self.assertEqual(seen(supervision.seek(-1, None)), "seek { time: -1 }")
+        self.assertEqual(seen(supervision.seek(5, 0)), "seek { time: 5 branch: 0 }")
+
+    def test_what_supervisors_are_sent(self):
+        def read(text):
+            return supervision.from_simulator(encoded(text, "ToSupervisor", "supervision.proto"))
+
+        status = supervision.Status(1, 2, True, 0.5, 0.25, 3, 4, 5, 6, 7, 8)
+        text = "time: 1 end: 2 paused: true speed: 0.5 factor: 0.25 jumps: 3 branch: 4 first: 5 last: 6 events: 7 warnings: 8"
+        self.assertEqual(read(f"status {{ {text} }}"), status)
+        self.assertEqual(read(f'welcome {{ scene: "s" seed: 1 tick: 2 status {{ {text} }} }}'),
+                         supervision.Welcome("s", 1, 2, status))
+        self.assertEqual(read('refused { reason: "no" }'), supervision.Refused("no"))
+        self.assertEqual(read('numbers { time: 5 names: "a" values: 1.5 }'), supervision.Numbers(5, ["a"], [1.5]))
+        self.assertEqual(read('description { entities { name: "a" model: "b" level: "c" contact: "d" controller: "e" team: "f" '
+                              'present: true objects: "g" objects: "h" } }'),
+                         supervision.Scene([supervision.Entity("a", "b", "c", "d", "e", "f", True, ["g", "h"])]))
+        self.assertEqual(read('events { events { time: 1 text: "a" } warnings: "b" }'),
+                         supervision.Events([supervision.Event(1, "a")], ["b"]))
+        self.assertEqual(read('branches { branches { number: 1 parent: 0 begin: 2 end: 3 commands { time: 2 text: "a" } } '
+                              "branches { } }"),
+                         supervision.Branches([supervision.Branch(1, 0, 2, 3, [supervision.Event(2, "a")]),
+                                               supervision.Branch()]))
+        self.assertEqual(read('state { time: 1 content: "\\000" }'), supervision.SavedState(1, b"\0"))
+        self.assertEqual(read("goodbye { }"), supervision.Goodbye())
 
     def test_long_messages(self):
         text = decoded(messages.commands(2**63 + 5, [[float(i) for i in range(1000)]], []))
@@ -64,6 +119,12 @@ class Encoding(unittest.TestCase):
         self.assertEqual(read(encoded('refusal { reason: "n\\303\\266" }')), messages.Refusal("nö"))
         self.assertEqual(read(encoded('description { labels: "x" labels: "y" values: 1 values: -2.5 }')),
                          messages.Description(["x", "y"], [1.0, -2.5]))
+        self.assertEqual(read(encoded('description { picture { width: 640 height: 480 format: "rgb8" period: 0.05 } }')),
+                         messages.Description(picture=messages.PictureFormat(640, 480, "rgb8", 0.05)))
+        self.assertEqual(read(encoded('cycle { messages { content: "\\000x" sender: "blue1" sent: 5 } messages { } '
+                                      'pictures { picture: 1 time: 7 number: 3 content: "\\377" } }')),
+                         messages.Cycle(messages=[messages.TeamMessage(b"\0x", "blue1", 5), messages.TeamMessage()],
+                                        pictures=[messages.ComePicture(1, 7, 3, b"\xff")]))
         self.assertEqual(read(encoded("cycle { cycle: 7 start: true now: -3 samples { time: -1 samples: 9 values: 1e300 } "
                                       "samples { } }")),
                          messages.Cycle(7, True, -3, [messages.Sample(-1, 9, [1e300]), messages.Sample()]))
@@ -163,6 +224,59 @@ class Walking(unittest.TestCase):
             port = unused.getsockname()[1]
         with self.assertRaisesRegex(RobotError, f"127.0.0.1:{port}: "):
             Robot("left", port, patience=0)
+
+
+class SupervisedRun:
+    """A run of a walk that begins paused."""
+
+    def __init__(self, *options):
+        self.process = subprocess.Popen([PROGRAM, "run", "walk", "--set", "walker.level=simplified_dynamics", "--supervise",
+                                         "0", "--paused", *options], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.port, self.token = re.search(r":(\d+), token (\w+)", self.process.stderr.readline()).groups()
+
+    def supervisor(self):
+        return Supervisor(int(self.port), self.token)
+
+    def end(self):
+        out, err = self.process.communicate(timeout=TIME_LIMIT)
+        return self.process.returncode, out, err
+
+
+class Supervising(unittest.TestCase):
+    def test_a_run_that_is_steered_is_that_of_the_same_events(self):
+        run = SupervisedRun()
+        with run.supervisor() as supervisor:
+            self.assertEqual(supervisor.tick, 0.001)
+            self.assertEqual(supervisor.advance(1.0).time, 10**9)
+            supervisor.push("walker.torso", [0, 20, 0], 0.1)
+            supervisor.advance(1.0)
+            there = supervisor.read("walker.torso.position").values
+            supervisor.seek(1.5)
+            supervisor.advance(0.5)
+            self.assertEqual(supervisor.read("walker.torso.position").values, there)
+            supervisor.place("walker", 1.0, 0.5, heading=0.25)
+            supervisor.set_level("walker", "full_dynamics")
+            supervisor.advance(1.0)
+            self.assertIn("walker", [entity.name for entity in supervisor.entities()])
+            self.assertGreaterEqual(len(supervisor.events().events), 3)
+            self.assertTrue(supervisor.status().paused)
+            with self.assertRaisesRegex(RequestRefused, "walker"):
+                supervisor.change("wolker.level = full_dynamics")
+            supervisor.finish()
+        code, out, err = run.end()
+        self.assertEqual((code, err), (0, ""))
+        same = subprocess.run([PROGRAM, "run", "walk", "--set", "walker.level=simplified_dynamics", "--duration", "3", "--at",
+                               "1:walker.torso.push=[0, 20, 0, 0.1]", "--at", "2:walker.place=[1.0, 0.5, 0.0, 0.25]", "--at",
+                               "2:walker.level=full_dynamics"], stdout=subprocess.PIPE, text=True, check=True,
+                              timeout=TIME_LIMIT).stdout
+        self.assertEqual(re.search(r"state hash (\w+)", out)[1], re.search(r"state hash (\w+)", same)[1])
+
+    def test_who_does_not_know_the_token_is_refused(self):
+        run = SupervisedRun()
+        with self.assertRaisesRegex(SimulatorError, "it does not know the token"):
+            Supervisor(int(run.port), "another")
+        run.supervisor().finish()
+        self.assertRegex(run.end()[2], r"supervisor 127.0.0.1:\d+ was refused: it does not know the token")
 
 
 if __name__ == "__main__":

@@ -10,16 +10,6 @@ namespace {
 
 using namespace connect::fixtures;
 
-template <class F>
-std::string refused(const F& f) {
-  try {
-    f();
-  } catch (const ClientError& error) {
-    return error.what();
-  }
-  return "none";
-}
-
 TEST(RobotClient, AsksForRowsByName) {
   const Listener listener;
   Software client([&] {
@@ -28,12 +18,12 @@ TEST(RobotClient, AsksForRowsByName) {
     EXPECT_EQ(robot.info().period, 0.1);
     EXPECT_EQ(robot.info().seed, 7U);
     EXPECT_TRUE(robot.info().lock_step);
-    EXPECT_TRUE(says(refused([&] { (void)robot.signal("joint.positoin"); }), {"did you mean 'joint.position'"}));
+    EXPECT_TRUE(says(error_text([&] { (void)robot.signal("joint.positoin"); }), {"did you mean 'joint.position'"}));
     const Signal& position = robot.signal("joint.position");
     const CommandRow& torque = robot.command("joint.torque_enabled");
     CommandRow& target = robot.command("joint.target");
-    EXPECT_TRUE(says(refused([&] { (void)robot.command("walk.velocity"); }), {"exclude each other"}));
-    EXPECT_TRUE(says(refused([&] { (void)robot.command("joint.target"); }), {"was asked for before"}));
+    EXPECT_TRUE(says(error_text([&] { (void)robot.command("walk.velocity"); }), {"exclude each other"}));
+    EXPECT_TRUE(says(error_text([&] { (void)robot.command("joint.target"); }), {"was asked for before"}));
     EXPECT_EQ(torque.values, std::vector<double>(21, 1.0)) << "what holds until it is set";
     EXPECT_EQ(target.labels, position.labels);
     const auto head = static_cast<std::size_t>(std::ranges::find(target.labels, "j_head") - target.labels.begin());
@@ -50,7 +40,7 @@ TEST(RobotClient, AsksForRowsByName) {
     EXPECT_EQ(position.time, robot.now());
     EXPECT_EQ(position.samples, 20U);
     EXPECT_NEAR(position.values[head], 0.3, 0.05);
-    EXPECT_TRUE(says(refused([&] { (void)robot.signal("joint.torque"); }), {"after ready()"}));
+    EXPECT_TRUE(says(error_text([&] { (void)robot.signal("joint.torque"); }), {"after ready()"}));
   });
   {
     scene::Scene scene("walk", {.seed = 7,
@@ -89,7 +79,7 @@ TEST(RobotClient, LetsOneThreadHaveSeveralRobots) {
 TEST(RobotClient, WaitsForASimulatorThatStartsLater) {
   std::uint16_t port = 0;
   { port = Listener().port(); }
-  EXPECT_TRUE(says(refused([&] { RobotClient({.robot = "left", .port = port, .patience = 0.05s}); }),
+  EXPECT_TRUE(says(error_text([&] { RobotClient({.robot = "left", .port = port, .patience = 0.05s}); }),
                    {"127.0.0.1:", "nobody listens there"}));
 }
 
@@ -97,7 +87,7 @@ TEST(RobotClient, IsToldWhyItIsRefused) {
   const Listener listener;
   listener.server->expect({"left", "right"});
   const auto error = [&](const std::string& robot, double rate = 0) {
-    return refused([&] { RobotClient({.robot = robot, .port = listener.port(), .rate = rate, .patience = 5s}); });
+    return error_text([&] { RobotClient({.robot = robot, .port = listener.port(), .rate = rate, .patience = 5s}); });
   };
   EXPECT_EQ(error("lefd"),
             "the simulator refuses: unknown robot with the controller 'tcp' 'lefd'; did you mean 'left'?");

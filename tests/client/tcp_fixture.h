@@ -95,6 +95,17 @@ class Software {
   std::thread thread_;
 };
 
+/// What a ClientError says; "none" if there is none.
+template <class F>
+std::string error_text(const F& f) {
+  try {
+    f();
+  } catch (const client::ClientError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
 /// A client without manners.
 class RawClient {
  public:

@@ -7,6 +7,7 @@
 #include "murosimf/motion/motion_properties.h"
 #include "murosimf/scene/scene.h"
 #include "tests/fixtures.h"
+#include "tests/written_scene.h"
 
 namespace murosimf::scene {
 namespace {
@@ -86,6 +87,34 @@ TEST(RobotPlacement, IsTheSameAgain) {
     return scene.simulation().state_hash();
   };
   EXPECT_EQ(run(), run());
+}
+
+// As events and commands: "place".
+TEST(RobotPlacement, IsAChangeOfRobotsBallAndBodies) {
+  const auto file = fixtures::write_scene(
+      "[ball]\nposition = [0.5, 0]\n[[robots]]\nname = 'one'\nmodel = 'kid21'\ncontroller = 'none'\n"
+      "[[bodies]]\nname = 'crate'\nshape = 'box'\nsize = [0.2, 0.2, 0.2]\nmass = 1\nposition = [0, 1, 0]\n");
+  Scene scene(file, {.events = {"0.3:ball.place=[1.5, -0.5]", "0.3:one.place=[-1, 0.25, 0, 1.5]"}, .cameras = false});
+  scene.simulation().run(200ms);
+  auto done = scene.post("crate.place = [2, 1, 0.5]");
+  scene.simulation().run(10ms);
+  done.get();
+  const auto at = [&](const std::string& name) {
+    return scene.simulation().world().entity(name).base().get(properties::position);
+  };
+  EXPECT_NEAR(at("crate").x, 2, 1e-9);
+  EXPECT_GT(at("crate").z, 0.55) << "the lowest point is at 0.5 m and falls";
+  scene.simulation().run(790ms);
+  EXPECT_NEAR(at("ball").x, 1.5, 0.01);
+  EXPECT_NEAR(at("ball").y, -0.5, 0.01);
+  EXPECT_NEAR(at("one").x, -1, 0.02);
+  EXPECT_NEAR(at("one").y, 0.25, 0.02);
+  EXPECT_LT(at("crate").z, 0.12) << "it has fallen";
+  const auto wrong = [&](const std::string& change) { return fixtures::error_of([&] { scene.post(change).get(); }); };
+  for (const char* change : {"ball.place=[1]", "one.place=[1, 2, 3, 4, 5]", "one.place=[1e6, 0]"}) {
+    EXPECT_TRUE(fixtures::says(wrong(change), {"write [x, y], [x, y, z] (m) or [x, y, z, heading] (rad)"})) << change;
+  }
+  EXPECT_TRUE(fixtures::says(wrong("oen.place=[1, 2]"), {"oen", "one"}));
 }
 
 TEST(RobotPlacement, RefusesWhoIsNotThere) {

@@ -1,0 +1,24 @@
+/// supervision_arguments.h - the options of a run that others steer (supervise/supervision.h).
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "apps/command.h"
+#include "murosimf/supervise/supervision.h"
+
+namespace murosimf::app {
+
+struct SupervisionArguments {
+  std::string where;    ///< [HOST:]PORT; empty: nobody steers
+  bool paused = false;  ///< at the beginning
+};
+
+/// The option that says where.
+Option add_supervision(const Command& command, SupervisionArguments& arguments);
+
+/// Says where supervisors connect, and by which token. Null if nobody steers. Throws SetupError, with the option.
+[[nodiscard]] std::unique_ptr<supervise::Supervision> supervision_of(session::Session& session,
+                                                                     const SupervisionArguments& arguments);
+
+}  // namespace murosimf::app

@@ -1,0 +1,46 @@
+/// port_pictures.h - pictures of a robot's cameras for its control software: bytes, by the name CAMERA.LAYER.
+///
+///     CAMERA.color    rgb8, or bayer_rggb8 and the like of a camera with a Bayer mosaic
+///     CAMERA.depth    32FC1: [m] along the optical axis, infinite where nothing is
+///     CAMERA.labels   16UC1: what is seen (sensors/view_source.h)
+///
+/// The layers are those that the camera has. Formats are named as ROS does (sensor_msgs/image_encodings.h): 8-bit channels, float,
+/// 16-bit numbers of this machine's order, rows from the top without gaps.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/connect/murosimf_controller.h"
+#include "murosimf/model/setup.h"
+#include "murosimf/sensors/camera_frame.h"
+
+namespace murosimf::connect {
+
+class PortPictures {
+ public:
+  /// `setup` must live until close().
+  explicit PortPictures(Setup& setup) : setup_(&setup) {}
+
+  /// While the robot is set up: the camera draws from then on. One that was asked for can be asked for again later. Throws SetupError:
+  /// there is no such camera or layer (with the nearest), or it is too late.
+  [[nodiscard]] const murosimf_picture* find(std::string_view name);
+  void close() { setup_ = nullptr; }
+  void refresh() noexcept;
+
+ private:
+  struct Shown {
+    std::string name, format, layer;
+    const sensors::CameraFrame* frame;
+    murosimf_picture picture;
+  };
+  void make(std::string_view name);
+  static void refresh(Shown& shown) noexcept;
+
+  Setup* setup_;
+  std::deque<Shown> shown_;  // stay where they are
+};
+
+}  // namespace murosimf::connect

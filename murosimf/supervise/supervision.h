@@ -1,0 +1,43 @@
+/// supervision.h - others steer a run from other programs and computers, over TCP (docs/supervise.md).
+///
+///     session::Session session(scene);
+///     const auto supervision = supervise::supervise(session, {.address = {"127.0.0.1", 5001}});
+///     say(supervision->token());               // who does not know it is refused
+///     session.run(60s);                        // as supervisors want
+///
+/// Each supervisor has a thread of its own: whatever it does, or does not, disturbs neither the run nor the others.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "murosimf/session/session.h"
+#include "murosimf/wire/socket.h"
+
+namespace murosimf::supervise {
+
+struct SupervisionOptions {
+  wire::Address address;
+  std::string token{};  ///< at least shortest_token characters; empty: one is drawn
+  std::function<void(const std::string& line)>
+      say{};               ///< who was refused or dropped, one line each; called by other threads
+  double hello_limit = 5;  ///< [s] of wall time in which supervisors send the token
+  double patience = 10;    ///< [s] of wall time in which they take an answer
+};
+
+inline constexpr std::size_t shortest_token = 8;    // characters
+inline constexpr std::size_t most_supervisors = 8;  // at a time
+
+class Supervision {
+ public:
+  virtual ~Supervision() = default;
+  /// Where it listens.
+  [[nodiscard]] virtual wire::Address address() const = 0;
+  [[nodiscard]] virtual const std::string& token() const = 0;
+};
+
+/// The session must outlive it. Throws SetupError: the port is in use, the token is too short; this program was built without TCP.
+[[nodiscard]] std::unique_ptr<Supervision> supervise(session::Session& session, const SupervisionOptions& options);
+
+}  // namespace murosimf::supervise

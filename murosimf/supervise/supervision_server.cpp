@@ -1,0 +1,249 @@
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/random.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <list>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+#include <supervision.pb.h>
+
+#include "murosimf/connect/tcp_client.h"
+#include "murosimf/model/error.h"
+#include "murosimf/supervise/requests.h"
+#include "murosimf/supervise/supervision.h"
+#include "murosimf/wire/reception.h"
+
+namespace murosimf::supervise {
+namespace {
+
+constexpr unsigned protocol_version = 1;
+constexpr std::size_t longest_request = 65536;  // [byte]
+constexpr std::size_t longest_name = 100;
+constexpr std::size_t most_lines = 100;  // about those who were refused
+
+std::string drawn_token() {
+  std::array<unsigned char, 16> bytes{};
+  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+    throw SetupError("this system gives no random numbers for a token");
+  }
+  std::string token;
+  for (const unsigned char byte : bytes) token += fmt::format("{:02x}", byte);
+  return token;
+}
+
+/// Takes as long for every token of that length.
+bool equal(std::string_view a, std::string_view b) {
+  unsigned char difference = a.size() == b.size() ? 0 : 1;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) difference |= static_cast<unsigned char>(a[i] ^ b[i]);
+  return difference == 0;
+}
+
+void parse(std::string_view bytes, wire::FromSupervisor& message) {
+  if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())) ||
+      message.kind_case() == wire::FromSupervisor::KIND_NOT_SET) {
+    throw wire::WireError("sends what is no message of this protocol");
+  }
+}
+
+void send(wire::Connection& connection, const wire::ToSupervisor& message) {
+  connection.send(message.SerializeAsString());
+}
+
+wire::WallTime after(double s) {
+  using WallClock = wire::WallTime::clock;
+  return WallClock::now() + std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(s));
+}
+
+/// One supervisor, in a thread of its own.
+class Supervisor {
+ public:
+  using Say = std::function<void(const std::string& line)>;
+  Supervisor(wire::Caller caller, std::string name, session::Session& session, double patience, Say say)
+      : connection_(std::move(caller.connection)),
+        name_(std::move(name)),
+        patience_(patience),
+        say_(std::move(say)),
+        wake_(::eventfd(0, EFD_CLOEXEC)),
+        requests_(session, [this] { return ends_.load() || has_gone(); }) {
+    if (wake_ < 0) throw wire::WireError("comes when too many files are open");
+    thread_ = std::thread([this] { serve(); });
+  }
+  ~Supervisor() {
+    ends_ = true;
+    (void)::eventfd_write(wake_, 1);
+    thread_.join();
+    ::close(wake_);
+  }
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
+
+  [[nodiscard]] bool is_over() const { return over_; }
+
+ private:
+  void serve() noexcept;
+  void talk();
+  void drop(const std::string& reason) noexcept;
+  void answer(std::string_view bytes);
+  [[nodiscard]] bool wait() const;
+  [[nodiscard]] bool has_gone() const;
+
+  wire::Connection connection_;
+  std::string name_;
+  double patience_;
+  Say say_;
+  int wake_;  // event that ends the thread's waiting
+  std::atomic<bool> ends_{false}, over_{false};
+  Requests requests_;
+  std::thread thread_;
+};
+
+/// For the next request; false: there will be none.
+bool Supervisor::wait() const {
+  std::array<pollfd, 2> asked{pollfd{wake_, POLLIN, 0}, {connection_.socket().number(), POLLIN, 0}};
+  (void)::poll(asked.data(), asked.size(), -1);
+  return !ends_;
+}
+
+bool Supervisor::has_gone() const {
+  pollfd asked{connection_.socket().number(), POLLRDHUP, 0};
+  return ::poll(&asked, 1, 0) > 0 && (asked.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
+}
+
+void Supervisor::serve() noexcept {
+  try {
+    talk();
+  } catch (const std::exception& error) {
+    drop(error.what());
+  }
+  connection_ = wire::Connection({}, 0);
+  over_ = true;
+}
+
+void Supervisor::talk() {
+  wire::ToSupervisor message;
+  try {
+    requests_.welcome(message);
+    send(connection_, message);
+  } catch (const SetupError&) {  // the run has ended meanwhile
+    ends_ = true;
+  }
+  while (!ends_) {
+    if (const auto bytes = connection_.receive()) {
+      answer(*bytes);
+    } else if (!wait()) {
+      break;
+    }
+  }
+  message.mutable_goodbye();
+  send(connection_, message);
+}
+
+/// Who has just gone is told nothing, and nobody is told of that.
+void Supervisor::drop(const std::string& reason) noexcept {
+  if (has_gone()) return;
+  try {
+    wire::ToSupervisor message;
+    message.mutable_refused()->set_reason(reason);
+    send(connection_, message);
+  } catch (const std::exception&) {  // it has gone now
+  }
+  if (say_) say_(fmt::format("{} was dropped: it {}", name_, reason));
+}
+
+void Supervisor::answer(std::string_view bytes) {
+  wire::FromSupervisor request;
+  wire::ToSupervisor message;
+  parse(bytes, request);
+  try {
+    requests_.answer(request, message);
+  } catch (const SetupError& error) {
+    message.mutable_refused()->set_reason(error.what());
+  }
+  send(connection_, message);
+  connection_.flush_until(after(patience_));
+}
+
+class Server final : public Supervision {
+ public:
+  Server(session::Session& session, const SupervisionOptions& options);
+  ~Server() override;
+
+  [[nodiscard]] wire::Address address() const override { return reception_->address(); }
+  [[nodiscard]] const std::string& token() const override { return options_.token; }
+
+ private:
+  void admit(wire::Caller& caller, std::string_view message);
+  void turn_away(wire::Caller& caller, const std::string& reason);
+
+  session::Session* session_;
+  SupervisionOptions options_;
+  std::list<Supervisor> supervisors_;  // of the reception's thread
+  std::size_t told_ = 0;
+  std::unique_ptr<wire::Reception> reception_;
+};
+
+Server::Server(session::Session& session, const SupervisionOptions& options) : session_(&session), options_(options) {
+  if (options_.token.empty()) options_.token = drawn_token();
+  if (options_.token.size() < shortest_token) {
+    throw SetupError(fmt::format("the token of supervisors has {} characters; at least {} are needed",
+                                 options_.token.size(), shortest_token));
+  }
+  try {
+    reception_ = std::make_unique<wire::Reception>(
+        wire::ReceptionOptions{.address = options_.address,
+                               .longest = longest_request,
+                               .hello_limit = options_.hello_limit},
+        wire::Reception::Door{[this](wire::Caller& caller, std::string_view message) { admit(caller, message); },
+                              [this](wire::Caller& caller, const std::string& reason) { turn_away(caller, reason); }});
+  } catch (const wire::WireError& error) {
+    throw SetupError(fmt::format("cannot listen on {}: {}", to_text(options_.address), error.what()));
+  }
+}
+
+Server::~Server() { reception_.reset(); }
+
+void Server::admit(wire::Caller& caller, std::string_view bytes) {
+  wire::FromSupervisor message;
+  parse(bytes, message);
+  if (!message.has_hello()) throw wire::WireError("does not begin with a Hello");
+  const wire::SupervisorHello& hello = message.hello();
+  if (hello.version() != protocol_version) {
+    throw wire::WireError(
+        fmt::format("speaks version {} of the protocol, this program {}", hello.version(), protocol_version));
+  }
+  if (!equal(hello.token(), options_.token)) throw wire::WireError("does not know the token");
+  supervisors_.remove_if([](const Supervisor& supervisor) { return supervisor.is_over(); });
+  if (supervisors_.size() >= most_supervisors) {
+    throw wire::WireError(fmt::format("comes when {} others are there, the most that may be", most_supervisors));
+  }
+  const std::string name =
+      fmt::format("supervisor {} at {}", connect::printable(hello.name(), longest_name), caller.address);
+  supervisors_.emplace_back(std::move(caller), name, *session_, options_.patience, options_.say);
+}
+
+void Server::turn_away(wire::Caller& caller, const std::string& reason) {
+  try {
+    wire::ToSupervisor message;
+    message.mutable_refused()->set_reason(reason);
+    send(caller.connection, message);
+  } catch (const std::exception&) {  // it has gone
+  }
+  if (!options_.say || told_ > most_lines) return;
+  if (told_++ == most_lines) return options_.say("more supervisors were refused; they are not told of any more");
+  options_.say(fmt::format("supervisor {} was refused: {}", caller.address, reason));
+}
+
+}  // namespace
+
+std::unique_ptr<Supervision> supervise(session::Session& session, const SupervisionOptions& options) {
+  return std::make_unique<Server>(session, options);
+}
+
+}  // namespace murosimf::supervise
