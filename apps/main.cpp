@@ -16,8 +16,11 @@
   COMMAND(render)                  \
   COMMAND(plot)                    \
   COMMAND(replay)                  \
+  COMMAND(rerun)                   \
   COMMAND(export)                  \
   COMMAND(repair)                  \
+  COMMAND(branch)                  \
+  COMMAND(sweep)                   \
   COMMAND(compare)                 \
   COMMAND(check)                   \
   COMMAND(convert)                 \

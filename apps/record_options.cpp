@@ -1,5 +1,6 @@
 #include "apps/record_options.h"
 
+#include <charconv>
 #include <fstream>
 #include <iterator>
 
@@ -8,6 +9,7 @@
 #include "apps/last_words.h"
 #include "apps/version.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/model/error.h"
 
 namespace murosimf::app {
 namespace {
@@ -21,7 +23,52 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// Empty where the system does not tell.
+/// Of "game.mcap": "game.foxglove.json".
+std::filesystem::path layout_file(const std::filesystem::path& recording) {
+  return std::filesystem::path(recording).replace_extension(".foxglove.json");
+}
+
+Duration period_of_states(double s) {
+  if (s >= 0.001 && s <= scene_file::longest_duration) return from_seconds(s);
+  throw SetupError(fmt::format("--record-states {}: must be at least 0.001 s", s));
+}
+
+std::optional<recording::TimeSpan> ticks_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto dots = text.find("..");
+  const auto number = [&](const std::string& word) {
+    double s = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), s);
+    const bool good = error == std::errc{} && end == word.data() + word.size() && s >= 0;
+    if (dots == std::string::npos || !good || s > scene_file::longest_duration) {
+      throw SetupError(fmt::format("--record-ticks '{}': write BEGIN..END in seconds, like 2.5..3", text));
+    }
+    return from_seconds(s);
+  };
+  const recording::TimeSpan span{number(text.substr(0, dots)), number(dots == std::string::npos ? "" : text.substr(dots + 2))};
+  if (span.end < span.begin) throw SetupError(fmt::format("--record-ticks '{}': it ends before it begins", text));
+  return span;
+}
+
+std::set<std::string> what_of(const RecordOptions& options) {
+  if (options.what.empty()) return recording::usually_recorded();
+  return {options.what.begin(), options.what.end()};
+}
+
+recording::RecorderOptions recorder_options(const RecordOptions& options) {
+  return {.file = options.file,
+          .rate = options.rate,
+          .what = what_of(options),
+          .program = this_program(),
+          .command_line = command_line(),
+          .state_period = period_of_states(options.states),
+          .ticks = ticks_of(options.ticks)};
+}
+
+}  // namespace
+
+std::string this_program() { return fmt::format("murosimf {} ({})", version_number(), version_commit()); }
+
 std::string command_line() {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
   const std::string words{std::istreambuf_iterator<char>(file), {}};
@@ -34,18 +81,6 @@ std::string command_line() {
   return line;
 }
 
-/// Of "game.mcap": "game.foxglove.json".
-std::filesystem::path layout_file(const std::filesystem::path& recording) {
-  return std::filesystem::path(recording).replace_extension(".foxglove.json");
-}
-
-std::set<std::string> what_of(const RecordOptions& options) {
-  if (options.what.empty()) return recording::usually_recorded();
-  return {options.what.begin(), options.what.end()};
-}
-
-}  // namespace
-
 void add_record(const Command& command, RecordOptions& options) {
   const Option record = command.add("--record", options.file, "Record the run to this file (MCAP)");
   command.add("--record-rate", options.rate, "How often poses, joints and contacts are recorded, in Hz")
@@ -53,31 +88,58 @@ void add_record(const Command& command, RecordOptions& options) {
       .shows_default();
   command
       .add("--record-what", options.what,
-           fmt::format("What is recorded, of {}; all but sensors and hashes if not given",
+           fmt::format("What is recorded, of {}; all but sensors if not given",
                        fmt::join(recording::recordable(), ", ")))
       .needs(record)
       .separated_by(',')
       .one_of(recording::recordable())
       .offers(recording::recordable());
+  command.add("--record-states", options.states, "Seconds from one whole state to the next, from which a run can go on")
+      .needs(record)
+      .shows_default();
+  command
+      .add("--record-ticks", options.ticks,
+           "BEGIN..END in seconds: the whole state of every step between, so that 'rerun' finds the first that differs")
+      .needs(record);
+}
+
+recording::RunDescription description_of(const SceneArguments& arguments, const scene::Scene& scene,
+                                         const scene::SceneOptions& options) {
+  return {.scene = arguments.file,
+          .seed = scene.spec().seed,
+          .overrides = options.overrides,
+          .events = options.events,
+          .pushes = options.pushes,
+          .plugins = arguments.plugins,
+          .libraries = options.libraries,
+          .lenient = options.lenient,
+          .cameras = options.cameras};
 }
 
 void check(const RecordOptions& options) {
   if (options.file.empty()) return;
+  ticks_of(options.ticks);
+  period_of_states(options.states);
   files::check_writable(options.file);
   if (std::filesystem::is_other(options.file)) return;
   files::check_writable(layout_file(options.file));
 }
 
 std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
-                                                   const files::FilesRead& files) {
-  if (options.file.empty()) return nullptr;
-  return std::make_unique<recording::Recorder>(
-      scene, recording::RecorderOptions{.file = options.file,
-                                        .rate = options.rate,
-                                        .what = what_of(options),
-                                        .program = fmt::format("murosimf {} ({})", version_number(), version_commit()),
-                                        .command_line = command_line(),
-                                        .files = &files});
+                                                   const files::FilesRead& files,
+                                                   const recording::RunDescription& run) {
+  recording::RecorderOptions all = recorder_options(options);
+  all.run = run;
+  all.files = &files;
+  return options.file.empty() ? nullptr : std::make_unique<recording::Recorder>(scene, all);
+}
+
+std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
+                                                   const recording::RecordedRun& run) {
+  recording::RecorderOptions all = recorder_options(options);
+  all.run = run.description();
+  all.files_of = &run.file();
+  return options.file.empty() ? nullptr : std::make_unique<recording::Recorder>(scene, all);
 }
 
 bool finish(recording::Recorder& recorder, const scene::RunReport& report, const RecordOptions& options) {

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "apps/scene_arguments.h"
 #include "murosimf/files/files_read.h"
+#include "murosimf/recording/recorded_run.h"
 #include "murosimf/recording/recorder.h"
 
 namespace murosimf::app {
@@ -15,16 +17,31 @@ struct RecordOptions {
   std::string file;               ///< MCAP; empty: nothing is recorded
   double rate = 100;              ///< [Hz]
   std::vector<std::string> what;  ///< of recording::recordable(); none: what usually is
+  double states = 10;             ///< [s] from one whole state to the next
+  std::string ticks;              ///< BEGIN..END [s]: every step
 };
 
 void add_record(const Command& command, RecordOptions& options);
 
+/// How the run is begun, for who wants to repeat it.
+[[nodiscard]] recording::RunDescription description_of(const SceneArguments& arguments, const scene::Scene& scene,
+                                                       const scene::SceneOptions& options);
+
+/// "murosimf 0.1.0 (136ba27)"
+[[nodiscard]] std::string this_program();
+/// As it could be typed again; empty where the system does not tell.
+[[nodiscard]] std::string command_line();
+
 /// Throws SetupError if the file could not be written now.
 void check(const RecordOptions& options);
 
-/// Null if nothing is recorded. `files`: notes what the scene is read from, until the first step. Before that. Throws SetupError.
+/// Null if nothing is recorded. `files`: notes what the scene is read from, until the first step, with `run` so that it can be repeated. Before that. Throws SetupError.
 [[nodiscard]] std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
-                                                                 const files::FilesRead& files);
+                                                                 const files::FilesRead& files,
+                                                                 const recording::RunDescription& run);
+/// The same for a scene that repeats a recorded run.
+[[nodiscard]] std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
+                                                                 const recording::RecordedRun& run);
 
 /// Writes what is left, and a layout for Foxglove beside the recording. Says what went wrong, once; whether nothing did.
 [[nodiscard]] bool finish(recording::Recorder& recorder, const scene::RunReport& report, const RecordOptions& options);

@@ -9,8 +9,10 @@
 #include "apps/picture_files.h"
 #include "apps/picture_source.h"
 #include "apps/render_options.h"
+#include "apps/repeat_arguments.h"
 #include "murosimf/appearance/video_file.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/recording/recorded_series.h"
 #include "murosimf/render/light.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_report.h"
@@ -19,7 +21,8 @@ namespace murosimf::app {
 namespace {
 
 void define(const Command& command, RenderOptions& options) {
-  add_scene(command, options.scene);
+  add_scene(command, options.scene,
+            "Scene file (TOML), the name of one that comes with the program, or a recording or state (MCAP)");
   command.add("--time", options.time, "Simulated seconds before the picture, or before the video begins");
   command.add("--view", options.view,
               "From where: overview (usual), top, side, left, right, a robot's name, or a view of the scene");
@@ -85,6 +88,44 @@ void say_stopped(const RenderOptions& options, const Simulation& simulation, boo
                         written ? fmt::format("'{}' ends there", file) : fmt::format("there is no '{}'", file)));
 }
 
+/// The recording that is drawn; nothing: a scene is.
+std::unique_ptr<const recording::RecordedRun> run_of(const SceneArguments& arguments) {
+  if (!recording::is_recording(arguments.file)) return nullptr;
+  refuse_changes(arguments);
+  auto run = std::make_unique<const recording::RecordedRun>(arguments.file);
+  check_plugins(*run, repeat_arguments(arguments));
+  return run;
+}
+
+std::vector<std::string> overrides_of(const RenderOptions& options) {
+  return options.light.empty() ? std::vector<std::string>{} : std::vector{"light.name=" + options.light};
+}
+
+std::unique_ptr<scene::Scene> build(const RenderOptions& options) {
+  scene::SceneOptions scene_options = options_of(options.scene);
+  for (const std::string& change : overrides_of(options)) scene_options.overrides.push_back(change);
+  return std::make_unique<scene::Scene>(options.scene.file, scene_options);
+}
+
+std::unique_ptr<scene::Scene> build(const recording::RecordedRun& run, const RenderOptions& options) {
+  load_plugins(options.scene.plugins);
+  recording::RepeatOptions repeat = options_of(repeat_arguments(options.scene));
+  repeat.overrides = overrides_of(options);
+  if (!options.camera.empty()) repeat.cameras = true;
+  return run.build(repeat);
+}
+
+/// Another light, or cameras that were off, are in none of the recorded states: the run is repeated from its start then.
+void begin(const recording::RecordedRun& run, scene::Scene& scene, const RenderOptions& options) {
+  const bool as_then = options.light.empty() && (options.camera.empty() || run.description().cameras);
+  // pictures that nobody wanted then are not in the states either, those of a camera from then on are
+  const Duration time = time_of("--time", options.time) - (options.camera.empty() ? 0 : 1) * std::chrono::seconds(1);
+  if (time_of("--time", options.time) > run.end()) {
+    throw SetupError(fmt::format("--time {}: the recording ends at {} s", options.time, seconds(run.end())));
+  }
+  run.begin(scene, std::max(Duration{}, time), as_then);
+}
+
 int render(const RenderOptions& given) {
   check(given);
   end_gently();
@@ -92,20 +133,25 @@ int render(const RenderOptions& given) {
   if (options.view.empty() && options.camera.empty()) options.view = "overview";
   if (options.camera.empty() && options.size.empty()) options.size = "1280x720";
   const Duration time = time_of("--time", options.time);
-  scene::SceneOptions scene_options = options_of(options.scene);
-  if (!options.light.empty()) scene_options.overrides.push_back("light.name=" + options.light);
-  scene::Scene scene(options.scene.file, scene_options);
+  const std::unique_ptr<const recording::RecordedRun> run = run_of(options.scene);
+  const std::unique_ptr<scene::Scene> built = run ? build(*run, options) : build(options);
+  scene::Scene& scene = *built;
   Simulation& simulation = scene.simulation();
   std::unique_ptr<PictureSource> source;
   if (!options.camera.empty()) source = make_robot_camera(scene, options);
-  simulation.initialize();
+  if (run) {
+    begin(*run, scene, options);
+  } else {
+    simulation.initialize();
+  }
   if (!source) source = make_eye(scene, options);
   for (const std::string& warning : make_report(scene).warnings) say_warning(warning);
   run_with_progress(simulation, time);
   const bool written = options.video.empty() ? write_picture(*source, simulation, options)
                                              : write_video(*source, simulation, options,
-                                                           options.duration.value_or(scene.spec().duration));
-  if (const auto line = events_to_come(scene); !interrupted() && !line.empty()) say_warning(line);
+                                                           options.duration.value_or(run ? seconds(run->end() - simulation.now())
+                                                                                         : scene.spec().duration));
+  if (const auto line = events_to_come(scene); !run && !interrupted() && !line.empty()) say_warning(line);
   if (interrupted()) say_stopped(options, simulation, written);
   return exit_code();
 }
@@ -113,7 +159,7 @@ int render(const RenderOptions& given) {
 }  // namespace
 
 void add_render(CommandLine& line) {
-  line.add<RenderOptions>("render", "Draw a scene: a picture or a video, for people or through a camera", define,
+  line.add<RenderOptions>("render", "Draw a scene or a recording: a picture or a video, for people or through a camera", define,
                           render);
 }
 

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <span>
 
 #include <fmt/format.h>
 
@@ -17,14 +16,15 @@
 #include "apps/record_options.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
+#include "apps/state_saver.h"
 #include "apps/supervision_arguments.h"
 #include "apps/web_arguments.h"
 #include "murosimf/connect/crash_note.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/files/files_read.h"
-#include "murosimf/files/input_file.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/league/league.h"
+#include "murosimf/recording/state_file.h"
 #include "murosimf/logging/run_log.h"
 #include "murosimf/runtime/clock.h"
 #include "murosimf/scene/scene.h"
@@ -50,7 +50,8 @@ struct RunOptions {
   RecordOptions record;
   std::string serial;                  ///< folder for links to serial lines
   bool no_cameras = false;             ///< nothing is drawn for cameras
-  std::string load_state, save_state;  ///< files
+  std::string from, save_state;        ///< files
+  std::vector<std::string> save_at;    ///< TIME:FILE
   GameArguments game;
   WebArguments web;
   SupervisionArguments supervision;
@@ -76,7 +77,8 @@ void define(const Command& command, RunOptions& options) {
   log.one_at_a_time().needs(out);
   command.add("--log-rate", options.log_rate, "How often properties are recorded, in Hz").needs(log).shows_default();
   add_record(command, options.record);
-  command.add("--load-state", options.load_state, "Go on from a state of this scene that --save-state has written");
+  command.add("--from", options.from, "Go on from a state of this scene: of --save-at, --save-state or a recording");
+  command.add("--save-at", options.save_at, "TIME:FILE: write the state at this time (s) to this file").one_at_a_time();
   command.add("--save-state", options.save_state, "Write the state at the end to this file");
   add_game(command, options.game);
   command.add("--listen", options.listen,
@@ -128,16 +130,6 @@ class RunProgress {
   WallClock::time_point wall_start_ = WallClock::now();
   double end_;  // [s]
 };
-
-void load(scene::Scene& scene, const std::string& file) {
-  const std::string bytes = files::read_input_file(file, files::most_state_bytes);
-  with_context(file, [&] { scene.load(std::as_bytes(std::span(bytes))); });
-}
-
-void save(scene::Scene& scene, const std::string& file) {
-  const std::vector<std::byte> bytes = scene.save();
-  files::write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
 
 /// Whether control software has crashed meanwhile. Reports of the run are written then too.
 template <class Run>
@@ -201,7 +193,7 @@ int run(const RunOptions& options) {
   check_json_file(options.json);
   if (!options.picture.empty()) files::check_writable(options.picture);
   if (!options.out.empty()) files::check_writable(options.out);
-  if (!options.save_state.empty()) files::check_writable(options.save_state);
+  StateSaver saver(options.save_at, options.save_state);
   if (!options.game.log.empty()) files::check_writable(options.game.log);
   check(options.record);
   check(options.web);
@@ -216,7 +208,7 @@ int run(const RunOptions& options) {
   scene_options.paths = !options.picture.empty();
   scene_options.terminals = options.serial;
   scene_options.pushable = is_steered(options);
-  const files::FilesRead files_read;
+  files::FilesRead files_read;
   scene_options.software = server_at(options.listen);
   scene::Scene scene(options.scene.file, scene_options);
   check_serial(scene.spec(), options.serial);
@@ -228,10 +220,14 @@ int run(const RunOptions& options) {
     log.emplace(simulation, options.log,
                 logging::RunLogOptions{.step_rate = scene.spec().rate, .property_rate = options.log_rate});
   }
-  const auto recorder = make_recorder(scene, options.record, files_read);
+  recording::RunDescription description = description_of(options.scene, scene, scene_options);
+  if (game) description.outside.emplace_back("a GameController or other teams");
+  const auto recorder = make_recorder(scene, options.record, files_read, description);
   const auto html = make_html_recording(scene, options.web);
   simulation.initialize();
-  if (!options.load_state.empty()) load(scene, options.load_state);
+  files_read.stop();
+  if (!options.from.empty()) recording::load_state(scene, options.from);
+  saver.begin(scene, files_read, description);
   if (pictures) pictures->show(scene);
 
   Duration wall{};  // without that for pictures
@@ -281,12 +277,13 @@ int run(const RunOptions& options) {
   if (html) html->finish();
   if (game && !options.game.log.empty()) files::write_file(options.game.log, game->log().to_text());
   const bool recorded = !recorder || finish(*recorder, report, options.record);
-  if (!options.save_state.empty()) save(scene, options.save_state);
+  const bool saved = saver.finish();
   if (!options.picture.empty()) write_picture(scene, options.picture);
   write_result(options.json, scene::to_text(report), options.json.empty() ? "" : scene::to_json(report));
   if (crashed) return unexpected;
   if (!recorded) return users_mistake;
-  return report.stopped ? exit_code() : 0;
+  if (report.stopped) return exit_code();
+  return saved ? 0 : users_mistake;
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ void add_any_seed(const Command& command, Seed& seed) {
 
 }  // namespace
 
-void add_scene(const Command& command, SceneArguments& scene) {
-  add_scene_file(command, scene.file);
+void add_scene(const Command& command, SceneArguments& scene, const char* meaning) {
+  add_scene_file(command, scene.file, meaning);
   command.add("--threads", scene.threads, "Threads; results do not depend on their number")
       .within(1, 256)
       .shows_default();
@@ -55,10 +55,8 @@ scene::SceneOptions options_of(const SceneArguments& scene) {
           .stop = interrupted};
 }
 
-void add_scene_file(const Command& command, std::string& file) {
-  command.add("scene", file, "Scene file (TOML), or the name of one that comes with the program")
-      .required()
-      .offers_list("scenes");
+void add_scene_file(const Command& command, std::string& file, const char* meaning) {
+  command.add("scene", file, meaning).required().offers_list("scenes");
 }
 
 void add_seed(const Command& command, std::optional<std::int64_t>& seed) { add_any_seed(command, seed); }

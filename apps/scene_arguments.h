@@ -20,12 +20,15 @@ struct SceneArguments {
   bool lenient = false, libraries = false;
 };
 
-void add_scene(const Command& command, SceneArguments& scene);
+inline constexpr const char* scene_meaning = "Scene file (TOML), or the name of one that comes with the program";
+
+/// `meaning`: of a command that takes something else in the place of a scene, too.
+void add_scene(const Command& command, SceneArguments& scene, const char* meaning = scene_meaning);
 /// For scene::Scene, with plug-ins loaded; a signal stops it (interruption.h). Throws SetupError.
 [[nodiscard]] scene::SceneOptions options_of(const SceneArguments& scene);
 
 // Some of them alone.
-void add_scene_file(const Command& command, std::string& file);
+void add_scene_file(const Command& command, std::string& file, const char* meaning = scene_meaning);
 /// 0 to the largest std::int64_t.
 void add_seed(const Command& command, std::optional<std::int64_t>& seed);
 void add_seed(const Command& command, std::optional<std::uint64_t>& seed);

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/files/files_read.h"
+#include "murosimf/files/moved_files.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -24,18 +26,8 @@ std::vector<fs::path> data_roots() {
   return roots;
 }
 
-}  // namespace
-
-std::filesystem::path find_data_file(std::string_view name, std::string_view kind, std::string_view extension,
-                                     const std::filesystem::path& beside) {
-  if (const auto file = look_for_data_file(name, kind, extension, beside)) return *file;
-  throw SetupError(fmt::format("no file '{}' or '{}{}' here or among the {} that come with the program", name, name,
-                               extension, kind));
-}
-
-std::optional<std::filesystem::path> look_for_data_file(std::string_view name, std::string_view kind,
-                                                        std::string_view extension,
-                                                        const std::filesystem::path& beside) {
+std::optional<fs::path> look_for(std::string_view name, std::string_view kind, std::string_view extension,
+                                 const fs::path& beside) {
   std::vector<fs::path> places{fs::path(name)};
   if (!beside.empty()) places.push_back(beside / name);
   for (const fs::path& root : data_roots()) {
@@ -49,6 +41,29 @@ std::optional<std::filesystem::path> look_for_data_file(std::string_view name, s
     }
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::filesystem::path find_data_file(std::string_view name, std::string_view kind, std::string_view extension,
+                                     const std::filesystem::path& beside) {
+  if (const auto file = look_for_data_file(name, kind, extension, beside)) return *file;
+  throw SetupError(fmt::format("no file '{}' or '{}{}' here or among the {} that come with the program", name, name,
+                               extension, kind));
+}
+
+std::optional<std::filesystem::path> look_for_data_file(std::string_view name, std::string_view kind,
+                                                        std::string_view extension,
+                                                        const std::filesystem::path& beside) {
+  if (const MovedFiles* moved = MovedFiles::now()) {
+    const fs::path folder = beside.empty() ? beside : moved->to_there(fs::absolute(beside).lexically_normal());
+    if (const std::string* found = moved->found(look_up_key(name, kind, extension, folder))) {
+      return found->empty() ? std::nullopt : std::optional(moved->to_here(*found));
+    }
+  }
+  const std::optional<fs::path> found = look_for(name, kind, extension, beside);
+  note_name_found(look_up_key(name, kind, extension, beside), found.value_or(fs::path{}));
+  return found;
 }
 
 std::vector<std::string> data_file_names(std::string_view kind, std::string_view extension) {

@@ -15,20 +15,38 @@ std::string content_hash(const std::string& bytes) {
   return fmt::format("{:016x}", hasher.value());
 }
 
-void attach_files(McapWriter& out, const std::vector<std::filesystem::path>& files) {
-  Metadata list{.name = "files", .values = {}};
+std::string size_and_hash(const std::string& bytes) {
+  return fmt::format("{} bytes, hash {}", bytes.size(), content_hash(bytes));
+}
+
+AttachedFiles files_now(const std::vector<std::filesystem::path>& files) {
+  AttachedFiles now{.list = {.name = "files", .values = {}}, .contents = {}};
   for (const std::filesystem::path& file : files) {
     const std::string path = std::filesystem::absolute(file).lexically_normal().string();
     std::string bytes = files::read_input_file(file, std::numeric_limits<std::int64_t>::max());
-    list.values[path] = fmt::format("{} bytes, hash {}", bytes.size(), content_hash(bytes));
+    now.list.values[path] = size_and_hash(bytes);
     if (bytes.size() > most_attached_bytes) continue;
-    out.attach({.log_time = 0,
-                .create_time = 0,
-                .name = "files" + path,
-                .media_type = "text/plain",
-                .data = std::move(bytes)});
+    now.contents.push_back({.log_time = 0,
+                            .create_time = 0,
+                            .name = "files" + path,
+                            .media_type = "text/plain",
+                            .data = std::move(bytes)});
   }
-  out.add(list);
+  return now;
+}
+
+void attach_files(McapWriter& out, const AttachedFiles& files) {
+  for (const Attachment& file : files.contents) out.attach(file);
+  out.add(files.list);
+}
+
+void copy_files(McapWriter& out, const McapReader& from) {
+  for (const AttachmentIndex& one : from.contents().attachments) {
+    if (one.name.starts_with(files_prefix)) out.attach(from.attachment(one));
+  }
+  for (const MetadataIndex& one : from.contents().metadata) {
+    if (one.name == "files") out.add(from.metadata(one));
+  }
 }
 
 }  // namespace murosimf::recording

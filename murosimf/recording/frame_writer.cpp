@@ -96,15 +96,22 @@ TextMap names_of(const RecordedSensor& sensor) {
 }  // namespace
 
 const std::vector<std::string>& recordable() {
-  static const std::vector<std::string> names = {"poses", "scene", "joints", "contacts", "sensors", "events", "hashes"};
+  static const std::vector<std::string> names = {"poses", "scene", "joints", "contacts",
+                                                 "sensors", "events", "hashes", "states"};
   return names;
 }
 
 std::set<std::string> usually_recorded() {
   std::set<std::string> names(recordable().begin(), recordable().end());
   names.erase("sensors");
-  names.erase("hashes");
   return names;
+}
+
+void put_state(std::string& bytes, Duration time, std::uint64_t hash, std::span<const std::byte> state) {
+  ProtobufWriter out(bytes);
+  put_time(out, 1, time);
+  out.fixed64(2, hash);
+  if (!state.empty()) out.bytes(3, {reinterpret_cast<const char*>(state.data()), state.size()});
 }
 
 MessageSchema sensor_schema(const RecordedSensor& sensor) {
@@ -154,6 +161,12 @@ std::uint16_t FrameWriter::channel(const std::string& topic, const MessageSchema
   return file_.add_channel(topic, "protobuf", known->second, metadata);
 }
 
+std::uint16_t FrameWriter::late_channel(std::optional<std::uint16_t>& known, const std::string& topic,
+                                        const std::string& schema) {
+  if (!known) known = channel(topic, find_schema(schema));
+  return *known;
+}
+
 std::optional<std::uint16_t> FrameWriter::channel_if(const std::string& what, const std::string& topic,
                                                      const std::string& schema, const TextMap& metadata) {
   if (!what_.contains(what)) return std::nullopt;
@@ -165,7 +178,11 @@ void FrameWriter::write(const RecordedFrame& frame) {
     for (const auto& [time, text] : frame.events) write_line(*events_, time, log_info, text);
     for (const auto& [time, text] : frame.warnings) write_line(*warnings_, time, log_warning, text);
   }
+  for (const auto& [time, text] : frame.commands) {
+    write_line(late_channel(commands_, "/commands", "foxglove.Log"), time, log_info, text);
+  }
   for (const SensorSample& sample : frame.samples) write_sample(sample);
+  write_state(frame);
   if (!frame.of_poses) return;
   const bool repeat = !scene_written_ || frame.time - *scene_written_ >= scene_period;
   if (scene_ && looks_ && (repeat || frame.present != scene_present_)) {
@@ -178,12 +195,17 @@ void FrameWriter::write(const RecordedFrame& frame) {
     if (joints_) write_joints(frame, targets);
   }
   if (contacts_) write_contacts(frame);
-  if (!hashes_ || !frame.hash) return;
+}
+
+void FrameWriter::write_state(const RecordedFrame& frame) {
+  if (!frame.hash) return;
   bytes_.clear();
-  ProtobufWriter out(bytes_);
-  put_time(out, 1, frame.time);
-  out.fixed64(2, *frame.hash);
-  file_.write(*hashes_, frame.time, bytes_);
+  put_state(bytes_, frame.time, *frame.hash, {});
+  if (hashes_) file_.write(*hashes_, frame.time, bytes_);
+  if (frame.state.empty()) return;
+  bytes_.clear();
+  put_state(bytes_, frame.time, *frame.hash, frame.state);
+  file_.write(late_channel(states_, "/state", "murosimf.State"), frame.time, bytes_);
 }
 
 void FrameWriter::write_transforms(const RecordedFrame& frame) {

@@ -8,7 +8,9 @@
 /// | `/contacts`, `/contact_forces` | murosimf.Contacts: points and forces; foxglove.SceneUpdate: the same as arrows, every 40 ms |
 /// | `/sensors/ROBOT/SENSOR` | its outputs, a type of its own |
 /// | `/events`, `/warnings` | foxglove.Log |
+/// | `/commands` | foxglove.Log: what was asked of the scene while it ran, as Scene::post takes it |
 /// | `/state_hash` | murosimf.StateHash |
+/// | `/state` | murosimf.State: all of it, as Scene::save has it |
 ///
 /// Every message stands alone: nothing of an earlier one is needed to understand it. Metadata of channels have the names that logs use.
 #pragma once
@@ -16,6 +18,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,9 +29,9 @@
 
 namespace murosimf::recording {
 
-/// What can be recorded, in the words of --record-what: "poses", "scene", "joints", "contacts", "sensors", "events", "hashes".
+/// What can be recorded, in the words of --record-what: "poses", "scene", "joints", "contacts", "sensors", "events", "hashes", "states".
 [[nodiscard]] const std::vector<std::string>& recordable();
-/// What is recorded unless somebody says otherwise: all but sensors, which are as many bytes again, and hashes, which take time.
+/// What is recorded unless somebody says otherwise: all but sensors, which are as many bytes again.
 [[nodiscard]] std::set<std::string> usually_recorded();
 
 class FrameWriter {
@@ -42,12 +45,16 @@ class FrameWriter {
  private:
   [[nodiscard]] std::uint16_t channel(const std::string& topic, const MessageSchema& schema,
                                       const TextMap& metadata = {});
+  /// One that is there as soon as it is needed.
+  [[nodiscard]] std::uint16_t late_channel(std::optional<std::uint16_t>& known, const std::string& topic,
+                                           const std::string& schema);
   [[nodiscard]] std::optional<std::uint16_t> channel_if(const std::string& what, const std::string& topic,
                                                         const std::string& schema, const TextMap& metadata = {});
   void write_transforms(const RecordedFrame& frame);
   void write_joints(const RecordedFrame& frame, bool targets);
   void write_contacts(const RecordedFrame& frame);
   void write_sample(const SensorSample& sample);
+  void write_state(const RecordedFrame& frame);
   void write_line(std::uint16_t channel, Duration time, int level, const std::string& text);
 
   MessageSink& file_;
@@ -56,12 +63,16 @@ class FrameWriter {
   const SceneLooks* looks_;
   std::set<std::string> what_;
   std::map<std::string, std::uint16_t> schemas_;
-  std::optional<std::uint16_t> transforms_, scene_, joints_, targets_, contacts_, forces_, events_, warnings_, hashes_;
+  std::optional<std::uint16_t> transforms_, scene_, joints_, targets_, contacts_, forces_, events_, warnings_, hashes_,
+      commands_, states_;
   std::vector<std::uint16_t> samples_;  // by sensor
   std::optional<Duration> scene_written_, arrows_written_;
   std::vector<char> scene_present_;
   std::string bytes_;
 };
+
+/// The message murosimf.State, without a state murosimf.StateHash.
+void put_state(std::string& bytes, Duration time, std::uint64_t hash, std::span<const std::byte> state);
 
 /// The type of a sensor's messages: `timestamp`, and a number for each of its outputs and labels ("gyroscope_x"); outputs of more than 16
 /// are lists.

@@ -82,8 +82,9 @@ struct RecordedFrame {
   std::vector<JointNumbers> joints;  ///< of all entities
   std::vector<ContactMark> contacts;
   std::vector<SensorSample> samples;
-  std::vector<std::pair<Duration, std::string>> events, warnings;  ///< new ones
-  std::optional<std::uint64_t> hash;                               ///< of the state
+  std::vector<std::pair<Duration, std::string>> events, warnings, commands;  ///< new ones
+  std::optional<std::uint64_t> hash;                                         ///< of the state
+  std::vector<std::byte> state;                                              ///< all of it (Scene::save); empty: not kept
 };
 
 /// Adds poses and joints of now.

@@ -1,12 +1,13 @@
 #include "murosimf/recording/recorder.h"
 
-#include <tuple>
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
 #include "murosimf/recording/attached_files.h"
+#include "murosimf/recording/state_file.h"
 #include "murosimf/scene/contact_marks.h"
 
 namespace murosimf::recording {
@@ -30,6 +31,10 @@ Recorder::Recorder(scene::Scene& scene, const RecorderOptions& options)
       period_(period_of(options.rate, scene.spec().rate)),
       what_(options.what),
       files_read_(options.files),
+      files_of_(options.files_of),
+      state_period_(options.state_period),
+      ticks_(options.ticks),
+      run_(options.run),
       file_(options.file, {.library = options.program, .chunk_span = chunk_span}) {
   describe(options);
   file_.sync();
@@ -41,20 +46,16 @@ Recorder::Recorder(scene::Scene& scene, const RecorderOptions& options)
 Recorder::~Recorder() = default;
 
 void Recorder::describe(const RecorderOptions& options) {
-  file_.add({.name = "murosimf",
-             .values = {{"program", options.program},
-                        {"command_line", options.command_line},
-                        {"scene", scene_.spec().name},
-                        {"seed", fmt::format("{}", scene_.spec().seed)},
-                        {"step_rate_hz", fmt::format("{}", scene_.spec().rate)},
-                        {"record_rate_hz", fmt::format("{}", options.rate)}}});
+  Metadata run = run_metadata(scene_, options.program, options.command_line);
+  run.values["record_rate_hz"] = fmt::format("{}", options.rate);
+  file_.add(run);
   std::vector<std::string> robots;
   for (const scene_file::RobotSpec& robot : scene_.spec().robots) robots.push_back(robot.name);
-  file_.attach({.log_time = 0,
-                .create_time = 0,
-                .name = "layout.json",
-                .media_type = "application/json",
-                .data = foxglove_layout(robots)});
+  attach_text("layout.json", foxglove_layout(robots));
+}
+
+void Recorder::attach_text(const std::string& name, const std::string& text) {
+  file_.attach(text_attachment(name, text, scene_.simulation().now()));
 }
 
 void Recorder::start() {
@@ -63,10 +64,33 @@ void Recorder::start() {
   entities_ = recorded_entities(world);
   if (what_.contains("sensors")) sensors_ = recorded_sensors(world);
   if (what_.contains("scene")) looks_ = std::make_unique<SceneLooks>(scene_, entities_);
-  if (files_read_) attach_files(file_, files_read_->list());  // those of meshes are known only now
+  attach_what_it_began_with();
   frames_ = std::make_unique<FrameWriter>(file_, entities_, sensors_, looks_.get(), what_);
-  next_frame_ = next_hash_ = scene_.simulation().now();
+  next_frame_ = next_hash_ = next_state_ = scene_.simulation().now();
   look();
+}
+
+/// Files of meshes are known only when the scene is initialized.
+void Recorder::attach_what_it_began_with() {
+  if (files_read_) attach_files(file_, files_now(files_read_->list()));
+  if (files_of_) copy_files(file_, *files_of_);
+  if (!run_) return;
+  run_->start = scene_.simulation().now();
+  if (files_read_) run_->names = files_read_->names();
+  attach_text("run.json", to_json(*run_));
+}
+
+bool Recorder::in_every_tick() const {
+  const Duration now = scene_.simulation().now();
+  return ticks_ && now >= ticks_->begin && now <= ticks_->end;
+}
+
+/// Sensors have rates of their own: they are looked at after every step.
+Duration Recorder::next_look() const {
+  const Duration next_step = scene_.simulation().now() + scene_.simulation().tick();
+  if (!sensors_.empty() || in_every_tick()) return next_step;
+  if (ticks_ && ticks_->begin >= next_step) return std::min(next_frame_, ticks_->begin);
+  return next_frame_;
 }
 
 /// Between two steps: what is due is taken.
@@ -76,16 +100,16 @@ void Recorder::look() {
   if (now >= next_frame_) {
     take_frame();
     while (next_frame_ <= now) next_frame_ += period_;
-  } else if (!sensors_.empty()) {
+  } else {
     RecordedFrame frame{.time = now};
     take_samples(frame);
-    if (!frame.samples.empty()) add(std::move(frame));
+    take_state(frame);
+    if (!frame.samples.empty() || frame.hash) add(std::move(frame));
   }
-  // sensors have rates of their own: they are looked at after every step
-  simulation.at(sensors_.empty() ? next_frame_ : now + simulation.tick(), [this] { look(); });
+  simulation.at(next_look(), [this] { look(); });
 }
 
-void Recorder::take_frame() {
+void Recorder::take_frame(bool is_last) {
   const Simulation& simulation = scene_.simulation();
   RecordedFrame frame{.time = simulation.now()};
   take_numbers(entities_, frame);
@@ -94,12 +118,20 @@ void Recorder::take_frame() {
   if (what_.contains("contacts")) scene::add_contact_marks(simulation.world(), frame.contacts);
   take_samples(frame);
   take_lines(frame);
-  if (what_.contains("hashes") && frame.time >= next_hash_) {
-    frame.hash = simulation.state_hash();
-    while (next_hash_ <= frame.time) next_hash_ += hash_period;
-  }
+  take_state(frame, is_last);
   last_frame_ = frame.time;
   add(std::move(frame));
+}
+
+/// Hash and state, if they are due. A run that does not begin at the time 0 began with a state.
+void Recorder::take_state(RecordedFrame& frame, bool is_last) {
+  const bool dense = in_every_tick(), loaded = !last_frame_ && frame.time > Duration{};
+  const bool state = dense || loaded || (what_.contains("states") && (is_last || frame.time >= next_state_));
+  const bool hash = state || (what_.contains("hashes") && (is_last || frame.time >= next_hash_));
+  if (hash) frame.hash = scene_.simulation().state_hash();
+  if (state) frame.state = scene_.save();
+  while (hash && next_hash_ <= frame.time) next_hash_ += hash_period;
+  while (state && next_state_ <= frame.time) next_state_ += state_period_;
 }
 
 void Recorder::take_samples(RecordedFrame& frame) {
@@ -115,6 +147,9 @@ void Recorder::take_lines(RecordedFrame& frame) {
   const Simulation& simulation = scene_.simulation();
   for (; events_ < simulation.events().size(); ++events_) {
     frame.events.emplace_back(simulation.events()[events_].time, simulation.events()[events_].text);
+  }
+  for (; commands_ < simulation.commands().size(); ++commands_) {
+    frame.commands.emplace_back(simulation.commands()[commands_].time, simulation.commands()[commands_].text);
   }
   for (; warnings_ < simulation.warnings().size(); ++warnings_) {
     frame.warnings.emplace_back(frame.time, simulation.warnings()[warnings_]);
@@ -145,19 +180,14 @@ void Recorder::write(const RecordingThread::Batch& batch) {
 
 void Recorder::finish(const scene::RunReport& report) {
   if (!frames_) start();  // of a run without steps
-  if (last_frame_ != scene_.simulation().now()) take_frame();
+  if (last_frame_ != scene_.simulation().now()) take_frame(true);
   hand_over();
   thread_->finish();
   if (!trouble().empty()) return;
   try {
-    for (const auto& [name, type, text] : {std::tuple{"report.txt", "text/plain", scene::to_text(report)},
-                                           std::tuple{"report.json", "application/json", scene::to_json(report)}}) {
-      file_.attach({.log_time = static_cast<std::uint64_t>(scene_.simulation().now().count()),
-                    .create_time = 0,
-                    .name = name,
-                    .media_type = type,
-                    .data = text});
-    }
+    texts_.emplace_back("report.txt", scene::to_text(report));
+    texts_.emplace_back("report.json", scene::to_json(report));
+    for (const auto& [name, text] : texts_) attach_text(name, text);
     file_.close();
     file_.sync();
   } catch (const SetupError& error) {

@@ -18,12 +18,19 @@
 
 #include "murosimf/files/files_read.h"
 #include "murosimf/recording/frame_writer.h"
+#include "murosimf/recording/mcap_reader.h"
 #include "murosimf/recording/mcap_writer.h"
 #include "murosimf/recording/recording_thread.h"
+#include "murosimf/recording/run_description.h"
 #include "murosimf/scene/run_report.h"
 #include "murosimf/scene/scene.h"
 
 namespace murosimf::recording {
+
+/// From when to when, both included.
+struct TimeSpan {
+  Duration begin{}, end{};
+};
 
 struct RecorderOptions {
   std::filesystem::path file;
@@ -31,8 +38,13 @@ struct RecorderOptions {
   std::set<std::string> what = usually_recorded();  ///< of recordable()
   std::string program{};                            ///< "murosimf 0.1.0 (136ba27)"
   std::string command_line{};
+  Duration state_period = std::chrono::seconds(10);  ///< from one whole state to the next, if "states" are recorded
+  std::optional<TimeSpan> ticks{};  ///< with hash and state of every step; of other times as `what` and rates say
+  std::optional<RunDescription> run{};  ///< how it was begun (`names` as `files` says): with the files it can be repeated
   /// Which files the scene was read from, until the first step; hashes of all and contents of small ones are recorded. Null: none.
   const files::FilesRead* files = nullptr;
+  /// Instead, the recording that it repeats, whose `run` has the names, too.
+  const McapReader* files_of = nullptr;
 };
 
 /// It must live as long as the run lasts, and the scene longer.
@@ -47,14 +59,21 @@ class Recorder {
 
   /// The last frame, the report and the summary.
   void finish(const scene::RunReport& report);
+  /// A text that belongs to the run, before finish().
+  void attach(const std::string& name, const std::string& text) { texts_.emplace_back(name, text); }
   /// Why nothing is recorded any more, in one line; empty: all is well.
   [[nodiscard]] std::string trouble() const;
 
  private:
   void describe(const RecorderOptions& options);
+  void attach_what_it_began_with();
+  void attach_text(const std::string& name, const std::string& text);
   void start();
   void look();
-  void take_frame();
+  void take_frame(bool is_last = false);
+  void take_state(RecordedFrame& frame, bool is_last = false);
+  [[nodiscard]] bool in_every_tick() const;
+  [[nodiscard]] Duration next_look() const;
   void take_samples(RecordedFrame& frame);
   void take_lines(RecordedFrame& frame);
   void add(RecordedFrame&& frame);
@@ -65,14 +84,19 @@ class Recorder {
   Duration period_;
   std::set<std::string> what_;
   const files::FilesRead* files_read_;
+  const McapReader* files_of_;
+  Duration state_period_;
+  std::optional<TimeSpan> ticks_;
+  std::optional<RunDescription> run_;
   McapWriter file_;
   std::vector<RecordedEntity> entities_;
   std::vector<RecordedSensor> sensors_;
   std::unique_ptr<SceneLooks> looks_;
   std::unique_ptr<FrameWriter> frames_;
-  Duration next_frame_{}, next_hash_{};
+  std::vector<std::pair<std::string, std::string>> texts_;
+  Duration next_frame_{}, next_hash_{}, next_state_{};
   std::optional<Duration> last_frame_;
-  std::size_t events_ = 0, warnings_ = 0;  // that are recorded
+  std::size_t events_ = 0, warnings_ = 0, commands_ = 0;  // that are recorded
   RecordingThread::Batch batch_;
   std::chrono::steady_clock::time_point synced_{};  // of the thread
   std::string end_trouble_;

@@ -127,6 +127,10 @@ std::vector<MessageSchema> all_schemas() {
       message_schema("murosimf.StateHash", R"(
         google.protobuf.Timestamp timestamp = 1;
         fixed64 hash = 2;)"),
+      message_schema("murosimf.State", R"(
+        google.protobuf.Timestamp timestamp = 1;
+        fixed64 hash = 2;
+        bytes state = 3;)"),
   };
 }
 

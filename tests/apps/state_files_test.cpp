@@ -17,7 +17,7 @@ TEST(StateFiles, AnotherProcessGoesOnBitForBit) {
   for (const std::string scene : {"three_on_three --no-cameras", "nudge"}) {
     const std::string whole = hash_of(murosimf("run " + scene + " --duration 1.3"));
     hash_of(murosimf("run " + scene + " --duration 0.9 --save-state " + file));
-    EXPECT_EQ(hash_of(murosimf("run " + scene + " --duration 1.3 --load-state " + file)), whole) << scene;
+    EXPECT_EQ(hash_of(murosimf("run " + scene + " --duration 1.3 --from " + file)), whole) << scene;
   }
 }
 
@@ -26,9 +26,9 @@ TEST(StateFiles, ALogMayBeginWhereTheStateIs) {
   const std::string file = scratch("state.bin").string(), log = scratch("log.csv").string();
   const std::string scene = "run three_on_three --no-cameras --duration ";
   hash_of(murosimf(scene + "0.25 --save-state " + file));
-  const std::string plain = hash_of(murosimf(scene + "0.5 --load-state " + file));
+  const std::string plain = hash_of(murosimf(scene + "0.5 --from " + file));
   const std::string logging = " --log ball.ball.position --log-rate 10 --out " + log;
-  EXPECT_EQ(hash_of(murosimf(scene + "0.5 --load-state " + file + logging)), plain);
+  EXPECT_EQ(hash_of(murosimf(scene + "0.5 --from " + file + logging)), plain);
   std::stringstream lines(read_file(log));
   std::vector<std::string> times;
   for (std::string line; std::getline(lines, line);) times.push_back(line.substr(0, line.find(',')));
@@ -38,13 +38,13 @@ TEST(StateFiles, ALogMayBeginWhereTheStateIs) {
 TEST(StateFiles, MistakesAreOneLine) {
   const std::string file = scratch("state.bin").string();
   hash_of(murosimf("run walk --duration 0.01 --save-state " + file));
-  expect_mistake("run nudge --load-state " + file, {file, "entity 'walker'"});
-  expect_mistake("run walk --load-state /nowhere/state.bin", {"/nowhere/state.bin"});
-  expect_mistake("run walk --load-state /dev/zero", {"/dev/zero"});
+  expect_mistake("run nudge --from " + file, {file, "entity 'walker'"});
+  expect_mistake("run walk --from /nowhere/state.bin", {"/nowhere/state.bin"});
+  expect_mistake("run walk --from /dev/zero", {"/dev/zero"});
   expect_mistake("run walk --save-state /nowhere/state.bin", {"/nowhere/state.bin"});
   fs::resize_file(file, fs::file_size(file) - 1);
-  expect_mistake("run walk --load-state " + file, {file, "damaged"});
-  expect_mistake("run walk --load-state " + write("text", "not a state at all, but long enough").string(), {"text"});
+  expect_mistake("run walk --from " + file, {file, "damaged"});
+  expect_mistake("run walk --from " + write("text", "not a state at all, but long enough").string(), {"text"});
 }
 
 }  // namespace

@@ -1,0 +1,63 @@
+#include "apps/state_saver.h"
+
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "apps/last_words.h"
+#include "apps/record_options.h"
+#include "murosimf/files/output_file.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::app {
+
+StateSaver::StateSaver(const std::vector<std::string>& at, const std::string& at_end) : at_end_(at_end) {
+  for (const std::string& text : at) {
+    const auto colon = text.find(':');
+    double s = -1;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), s);
+    const bool good = colon != std::string::npos && error == std::errc{} && end == text.data() + colon;
+    if (!good || !(s >= 0 && s <= scene_file::longest_duration) || colon + 1 == text.size()) {
+      throw SetupError(fmt::format("--save-at '{}': write TIME:FILE, like 2.5:walk.state", text));
+    }
+    wishes_.push_back({.time = from_seconds(s), .text = text, .file = text.substr(colon + 1)});
+    files::check_writable(wishes_.back().file);
+  }
+  if (!at_end.empty()) files::check_writable(at_end);
+}
+
+void StateSaver::begin(scene::Scene& scene, const files::FilesRead& files, const recording::RunDescription& run) {
+  if (wishes_.empty() && at_end_.empty()) return;
+  scene_ = &scene;
+  options_ = {.program = this_program(),
+              .command_line = command_line(),
+              .run = run,
+              .files = recording::files_now(files.list())};
+  options_.run.names = files.names();
+  for (Wish& wish : wishes_) {
+    if (wish.time < scene.simulation().now()) continue;
+    scene.simulation().at(wish.time, [this, &wish] {
+      save(wish.file);  // that it cannot is a warning of the run
+      wish.done = true;
+    });
+  }
+}
+
+void StateSaver::save(const std::string& file) { recording::write_state(*scene_, file, options_); }
+
+bool StateSaver::finish() {
+  bool all = true;
+  for (Wish& wish : wishes_) {
+    if (!wish.done && wish.time == scene_->simulation().now()) {
+      save(wish.file);
+      wish.done = true;
+    }
+    if (wish.done) continue;
+    say_warning(fmt::format("--save-at '{}': there is no such state", wish.text));
+    all = false;
+  }
+  if (!at_end_.empty()) save(at_end_);
+  return all;
+}
+
+}  // namespace murosimf::app

@@ -1,0 +1,45 @@
+#include "murosimf/files/moved_files.h"
+
+#include <cassert>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace murosimf::files {
+namespace {
+
+thread_local const MovedFiles* in_force = nullptr;
+
+}  // namespace
+
+std::string look_up_key(std::string_view name, std::string_view kind, std::string_view extension,
+                        const std::filesystem::path& beside) {
+  const std::string folder = beside.empty() ? "" : std::filesystem::absolute(beside).lexically_normal().string();
+  return fmt::format("{}\n{}\n{}\n{}", name, kind, extension, folder);
+}
+
+MovedFiles::MovedFiles(std::filesystem::path folder, const FoundNames& names)
+    : folder_(std::move(folder)), names_(names) {
+  assert(!in_force && "files of two runs at once");
+  in_force = this;
+}
+
+MovedFiles::~MovedFiles() { in_force = nullptr; }
+
+const MovedFiles* MovedFiles::now() noexcept { return in_force; }
+
+std::filesystem::path MovedFiles::to_here(const std::filesystem::path& path) const {
+  return folder_ / path.relative_path();
+}
+
+std::filesystem::path MovedFiles::to_there(const std::filesystem::path& path) const {
+  const std::filesystem::path inner = path.lexically_relative(folder_);
+  return inner.empty() || *inner.begin() == ".." ? path : "/" / inner;
+}
+
+const std::string* MovedFiles::found(const std::string& key) const {
+  const auto name = names_.find(key);
+  return name == names_.end() ? nullptr : &name->second;
+}
+
+}  // namespace murosimf::files

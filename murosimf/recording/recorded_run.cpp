@@ -1,0 +1,79 @@
+#include "murosimf/recording/recorded_run.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::recording {
+namespace {
+
+RunDescription description_of(const McapReader& file) {
+  return with_context(file.file().string(), [&] {
+    const std::string json = attached_text(file, "run.json");
+    if (json.empty()) throw SetupError("it does not say how its run was begun: a program that embeds it, or one of before");
+    return parse_run_description(json);
+  });
+}
+
+}  // namespace
+
+RecordedRun::RecordedRun(const std::filesystem::path& file)
+    : file_(file), description_(description_of(file_)), files_(file_), states_(file_) {
+  end_ = Duration(static_cast<Duration::rep>(file_.contents().statistics.end_time));
+}
+
+std::unique_ptr<scene::Scene> RecordedRun::build(const RepeatOptions& options) const {
+  const RunDescription& run = description_;
+  return with_context(file_.file().string(), [&] {
+    if (run.libraries && !options.libraries) {
+      throw SetupError("control software was loaded for this run; it may do what it likes: allow it with --libraries");
+    }
+    if (!run.outside.empty()) {
+      throw SetupError(fmt::format("{} took part in this run, of which there is no record", run.outside.front()));
+    }
+    scene::SceneOptions scene_options{.threads = options.threads,
+                                      .seed = run.seed,
+                                      .overrides = run.overrides,
+                                      .events = run.events,
+                                      .pushes = run.pushes,
+                                      .libraries = run.libraries,
+                                      .lenient = run.lenient,
+                                      .lanes = options.lanes,
+                                      .cameras = options.cameras.value_or(run.cameras),
+                                      .stop = options.stop};
+    scene_options.overrides.insert(scene_options.overrides.end(), options.overrides.begin(), options.overrides.end());
+    const files::MovedFiles moved(files_.folder(), run.names);
+    auto scene = std::make_unique<scene::Scene>(run.scene, scene_options);
+    check_repeatable(*scene);
+    return scene;
+  });
+}
+
+void RecordedRun::check_repeatable(const scene::Scene& scene) const {
+  for (const scene_file::RobotSpec& robot : scene.spec().robots) {
+    if (robot.controller != "tcp" && robot.controller != "serial") continue;
+    throw SetupError(fmt::format("'{}' was moved by another program (controller '{}'), of which there is no record",
+                                 robot.name, robot.controller));
+  }
+}
+
+void RecordedRun::initialize(scene::Scene& scene) const {
+  const files::MovedFiles moved(files_.folder(), description_.names);
+  scene.simulation().initialize();
+}
+
+void RecordedRun::begin(scene::Scene& scene, Duration time, bool states) const {
+  initialize(scene);
+  const Duration start = description_.start;
+  const RecordedState* from = states_.last_until(states ? std::max(time, start) : start);
+  if (from && (states || start > Duration{})) states_.load(scene, *from);
+  if (!from && start > Duration{}) throw SetupError(file_.file().string() + ": the state with which it began is missing");
+  for (const Command& command : states_.commands()) {
+    if (command.time < scene.simulation().now()) continue;
+    scene.simulation().at(command.time, [&scene, text = command.text] { static_cast<void>(scene.post(text)); });
+  }
+}
+
+}  // namespace murosimf::recording

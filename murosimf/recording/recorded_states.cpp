@@ -1,0 +1,129 @@
+#include "murosimf/recording/recorded_states.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+#include "murosimf/recording/protobuf.h"
+
+namespace murosimf::recording {
+namespace {
+
+/// Calls visit(topic, message, chunk) with all messages of some topics.
+template <class Visit>
+void visit_topics(const McapReader& file, const std::set<std::string>& topics, const Visit& visit) {
+  std::map<std::uint16_t, std::string> wanted;
+  for (const Channel& channel : file.contents().channels) {
+    if (topics.contains(channel.topic)) wanted[channel.id] = channel.topic;
+  }
+  const auto has = [&](const ChunkIndex& chunk) {
+    return chunk.message_indexes.empty() || std::ranges::any_of(wanted, [&](const auto& one) {
+             return chunk.message_indexes.contains(one.first);
+           });
+  };
+  for (std::size_t i = 0; i < file.contents().chunks.size(); ++i) {
+    const ChunkIndex& chunk = file.contents().chunks[i];
+    if (!has(chunk)) continue;
+    file.visit_messages(chunk, [&](const Message& message) {
+      const auto topic = wanted.find(message.channel_id);
+      if (topic != wanted.end()) visit(topic->second, message, i);
+    });
+  }
+}
+
+Duration time_of(const Message& message) { return Duration(static_cast<Duration::rep>(message.log_time)); }
+
+/// One of the messages murosimf.StateHash and murosimf.State.
+struct StateMessage {
+  std::uint64_t hash = 0;
+  std::string_view state;
+};
+
+StateMessage read_state(std::string_view data) {
+  StateMessage message;
+  for (ProtobufReader in(data); in.next();) {
+    if (in.field() == 2) message.hash = in.fixed64();
+    if (in.field() == 3) message.state = in.bytes();
+  }
+  return message;
+}
+
+std::string text_of_log(std::string_view data) {
+  std::string text;
+  for (ProtobufReader in(data); in.next();) {
+    if (in.field() == 3) text = in.bytes();
+  }
+  return text;
+}
+
+void add(std::map<Duration, RecordedState>& states, const RecordedState& state) {
+  const auto [known, is_new] = states.try_emplace(state.time, state);
+  if (!is_new && state.chunk) known->second = state;
+}
+
+}  // namespace
+
+std::string attached_text(const McapReader& file, const std::string& name) {
+  const auto& all = file.contents().attachments;
+  const auto found = std::ranges::find(all, name, &AttachmentIndex::name);
+  return found == all.end() ? std::string{} : file.attachment(*found).data;
+}
+
+TextMap described(const McapReader& file, const std::string& name) {
+  const auto& all = file.contents().metadata;
+  const auto found = std::ranges::find(all, name, &MetadataIndex::name);
+  return found == all.end() ? TextMap{} : file.metadata(*found).values;
+}
+
+RecordedStates::RecordedStates(const McapReader& file) : file_(&file) {
+  std::map<Duration, RecordedState> states;
+  visit_topics(file, {"/state_hash", "/state", "/commands"},
+               [&](const std::string& topic, const Message& message, std::size_t chunk) {
+                 if (topic == "/commands") {
+                   commands_.push_back({.time = time_of(message), .text = text_of_log(message.data)});
+                 } else {
+                   const StateMessage state = read_state(message.data);
+                   const bool whole = !state.state.empty();
+                   add(states, {.time = time_of(message),
+                                .hash = state.hash,
+                                .chunk = whole ? std::optional(chunk) : std::nullopt});
+                 }
+               });
+  for (const auto& [time, state] : states) states_.push_back(state);
+  std::ranges::stable_sort(commands_, {}, &Command::time);
+}
+
+const RecordedState* RecordedStates::last_until(Duration time) const {
+  const RecordedState* last = nullptr;
+  for (const RecordedState& state : states_) {
+    if (state.chunk && state.time <= time) last = &state;
+  }
+  return last;
+}
+
+std::string RecordedStates::bytes_of(const RecordedState& state) const {
+  std::string bytes;
+  file_->visit_messages(file_->contents().chunks[state.chunk.value()], [&](const Message& message) {
+    if (time_of(message) != state.time) return;
+    const auto is_state = [&](const Channel& channel) {
+      return channel.id == message.channel_id && channel.topic == "/state";
+    };
+    if (std::ranges::any_of(file_->contents().channels, is_state)) bytes = read_state(message.data).state;
+  });
+  return bytes;
+}
+
+void RecordedStates::load(scene::Scene& scene, const RecordedState& state) const {
+  const TextMap run = described(*file_, "murosimf");
+  const auto value = [&](const std::string& key) { return run.contains(key) ? run.at(key) : "?"; };
+  const std::string whose = fmt::format("{}: state of '{}' at {:.3f} s by {}", file_->file().string(), value("scene"),
+                                        seconds(state.time), value("program"));
+  const std::string bytes = bytes_of(state);
+  with_context(whose, [&] { scene.load(std::as_bytes(std::span(bytes))); });
+}
+
+}  // namespace murosimf::recording

@@ -1,0 +1,51 @@
+/// recorded_states.h - what a recording has of states: hashes, whole states, and the commands that came between.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/recording/mcap_reader.h"
+#include "murosimf/runtime/command_queue.h"
+#include "murosimf/scene/scene.h"
+
+namespace murosimf::recording {
+
+/// The state of a recorded run at an instant.
+struct RecordedState {
+  Duration time{};
+  std::uint64_t hash = 0;
+  std::optional<std::size_t> chunk;  ///< where all of it is; nothing: only the hash is recorded
+};
+
+class RecordedStates {
+ public:
+  /// `file` must outlive it. Throws SetupError if it is damaged.
+  explicit RecordedStates(const McapReader& file);
+
+  [[nodiscard]] const McapReader& file() const { return *file_; }
+  // In the order of time.
+  [[nodiscard]] const std::vector<RecordedState>& all() const { return states_; }
+  [[nodiscard]] const std::vector<Command>& commands() const { return commands_; }
+  /// The last whole one until then; null: there is none.
+  [[nodiscard]] const RecordedState* last_until(Duration time) const;
+
+  /// Scene::load with it. Throws SetupError that says whose state it is, and what does not fit.
+  void load(scene::Scene& scene, const RecordedState& state) const;
+
+ private:
+  [[nodiscard]] std::string bytes_of(const RecordedState& state) const;
+
+  const McapReader* file_;
+  std::vector<RecordedState> states_;
+  std::vector<Command> commands_;
+};
+
+/// What is attached under this name; empty if nothing is.
+[[nodiscard]] std::string attached_text(const McapReader& file, const std::string& name);
+/// The values of its metadata of this name; empty if there are none.
+[[nodiscard]] TextMap described(const McapReader& file, const std::string& name);
+
+}  // namespace murosimf::recording

@@ -1,0 +1,100 @@
+#include "murosimf/recording/rerun.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+#include "murosimf/runtime/clock.h"
+
+namespace murosimf::recording {
+namespace {
+
+/// A repetition that is compared while it runs.
+class Repetition {
+ public:
+  Repetition(const RecordedRun& run, const RerunOptions& options)
+      : run_(run), reference_(options.reference ? *options.reference : run.states()), options_(options) {}
+
+  RerunResult run() {
+    const std::unique_ptr<scene::Scene> scene = run_.build(options_.repeat);
+    scene_ = scene.get();
+    if (options_.prepare) options_.prepare(*scene);
+    run_.begin(*scene, run_.description().start);
+    Simulation& simulation = scene->simulation();
+    simulation.stop_if([&] { return ends_ || (options_.repeat.stop && options_.repeat.stop()); });
+    result_.begin = simulation.now();
+    // a recording with an end has a last look, after the last step; one that was cut off has not
+    const bool has_end = !attached_text(reference_.file(), "report.json").empty();
+    const Duration end = has_end ? run_.end() : run_.end() + simulation.tick();
+    // as the recorder looks: after the scene's own events of that time, before the commands
+    for (const RecordedState& state : reference_.all()) {
+      if (state.time < end && state.time >= simulation.now()) simulation.at(state.time, [this, &state] { look(state); });
+    }
+    Clock clock(std::nullopt);
+    simulation.run(std::max(Duration{}, end - simulation.now()), clock, options_.progress);
+    for (const RecordedState& state : reference_.all()) {
+      if (has_end && state.time == simulation.now() && state.time == end) look(state);
+    }
+    if (options_.finish) options_.finish(*scene);
+    result_.end = simulation.now();
+    result_.stopped = options_.repeat.stop && options_.repeat.stop();
+    return std::move(result_);
+  }
+
+ private:
+  void look(const RecordedState& state) {
+    if (result_.difference) return look_closer(state);
+    ++result_.compared;
+    if (scene_->simulation().state_hash() == state.hash) {
+      same_ = state.time;
+      return;
+    }
+    result_.difference = Divergence{.same = same_,
+                                    .differs = state.time,
+                                    .tick = scene_->simulation().tick(),
+                                    .looked = state.time,
+                                    .what = {},
+                                    .unlike = {}};
+    look_closer(state);
+  }
+
+  /// The numbers, at the first state from the difference on that is recorded.
+  void look_closer(const RecordedState& state) {
+    Divergence& difference = *result_.difference;
+    if (!state.chunk || difference.what || !difference.unlike.empty()) return;
+    difference.looked = state.time;
+    try {
+      const std::unique_ptr<scene::Scene> recorded = run_.build(options_.repeat);
+      run_.initialize(*recorded);
+      reference_.load(*recorded, state);
+      difference.what =
+          state_difference(recorded->simulation().world(), scene_->simulation().world());
+      if (!difference.what) difference.unlike = "every number is the same, only the hash differs";
+    } catch (const SetupError& error) {
+      difference.unlike = error.what();
+    }
+    ends_ = !options_.to_the_end;
+  }
+
+  const RecordedRun& run_;
+  const RecordedStates& reference_;
+  const RerunOptions& options_;
+  scene::Scene* scene_ = nullptr;
+  std::optional<Duration> same_;
+  bool ends_ = false;
+  RerunResult result_;
+};
+
+}  // namespace
+
+RerunResult rerun(const RecordedRun& run, const RerunOptions& options) {
+  const RecordedStates& reference = options.reference ? *options.reference : run.states();
+  if (reference.all().empty()) {
+    throw SetupError(fmt::format("{}: no state hashes are recorded (--record-what hashes): there is nothing to compare",
+                                 reference.file().file().string()));
+  }
+  return Repetition(run, options).run();
+}
+
+}  // namespace murosimf::recording

@@ -1,0 +1,23 @@
+/// scratch_folder.h - a new folder for files that nobody needs later.
+#pragma once
+
+#include <filesystem>
+
+namespace murosimf::recording {
+
+class ScratchFolder {
+ public:
+  /// Where temporary files are on this machine. Throws SetupError.
+  ScratchFolder();
+  /// Removes it with all that is in it.
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace murosimf::recording

@@ -1,0 +1,32 @@
+/// state_file.h - the state of a run at an instant as a file from which it can go on: a recording of nothing but that, with the
+/// scene, its files, and how the run was begun.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "murosimf/recording/attached_files.h"
+#include "murosimf/recording/run_description.h"
+#include "murosimf/scene/scene.h"
+
+namespace murosimf::recording {
+
+struct StateFileOptions {
+  std::string program, command_line;
+  RunDescription run;
+  AttachedFiles files;
+};
+
+/// Between two steps. The file is whole or not there at all. Throws SetupError.
+void write_state(scene::Scene& scene, const std::filesystem::path& file, const StateFileOptions& options);
+
+/// Goes on from the last whole state of such a file, of a recording, or of bytes of Scene::save. Throws SetupError that says what does
+/// not fit, and changes nothing then.
+void load_state(scene::Scene& scene, const std::filesystem::path& file);
+
+/// What recordings and states say of their run: the metadata "murosimf".
+[[nodiscard]] Metadata run_metadata(const scene::Scene& scene, const std::string& program,
+                                    const std::string& command_line);
+[[nodiscard]] Attachment text_attachment(const std::string& name, const std::string& text, Duration time);
+
+}  // namespace murosimf::recording

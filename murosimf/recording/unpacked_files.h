@@ -1,0 +1,28 @@
+/// unpacked_files.h - the files of a recorded run in a folder of their own, as long as somebody needs them.
+#pragma once
+
+#include <filesystem>
+
+#include "murosimf/recording/mcap_reader.h"
+#include "murosimf/recording/scratch_folder.h"
+
+namespace murosimf::recording {
+
+class UnpackedFiles {
+ public:
+  /// What was at /PATH is at folder()/PATH: from the recording, or, where that has only a hash, a link to the file on this machine.
+  /// Throws SetupError that says which file is missing or has changed.
+  explicit UnpackedFiles(const McapReader& file);
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
+
+ private:
+  void unpack(const McapReader& file);
+  void write(const std::filesystem::path& path, const std::string& bytes) const;
+  void link(const std::filesystem::path& path, const std::string& size_and_hash) const;
+  [[nodiscard]] std::filesystem::path place_of(const std::filesystem::path& path) const;
+
+  ScratchFolder folder_;
+};
+
+}  // namespace murosimf::recording

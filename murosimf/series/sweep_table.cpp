@@ -1,0 +1,134 @@
+// What a sweep has shown, as tables.
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "murosimf/files/json_document.h"
+#include "murosimf/series/statistics.h"
+#include "murosimf/series/sweep.h"
+#include "murosimf/series/text_table.h"
+
+namespace murosimf::series {
+namespace {
+
+/// The runs of one combination of values.
+struct Group {
+  std::vector<std::string> values;
+  std::vector<const SweepRun*> runs;  // that have been done
+};
+
+std::vector<Group> groups_of(const Sweep& sweep) {
+  std::vector<Group> groups;
+  for (const SweepRun& run : sweep.runs) {
+    if (groups.empty() || groups.back().values != run.point.values) groups.push_back({run.point.values, {}});
+    if (!run.values.empty()) groups.back().runs.push_back(&run);
+  }
+  return groups;
+}
+
+MeanInterval interval_of(const Group& group, std::size_t result) {
+  std::vector<double> values;
+  for (const SweepRun* run : group.runs) values.push_back(run->values[result]);
+  return mean_interval(values);
+}
+
+bool is_number(const std::string& text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+}  // namespace
+
+std::string to_text(const Sweep& sweep) {
+  TextTable table;
+  std::vector<std::string> head = sweep.axes;
+  head.emplace_back("runs");
+  head.insert(head.end(), sweep.results.begin(), sweep.results.end());
+  table.add(head);
+  for (const Group& group : groups_of(sweep)) {
+    std::vector<std::string> row = group.values;
+    row.push_back(fmt::format("{}", group.runs.size()));
+    for (std::size_t i = 0; i < sweep.results.size(); ++i) {
+      const MeanInterval interval = interval_of(group, i);
+      row.push_back(interval.count < 2 ? fmt::format("{:.4g}", interval.mean)
+                                       : fmt::format("{:.4g} +- {:.2g}", interval.mean, interval.half));
+    }
+    table.add(row);
+  }
+  return table.text();
+}
+
+std::string to_csv(const Sweep& sweep) {
+  std::string text = csv_line([&] {
+    std::vector<std::string> head{"run"};
+    head.insert(head.end(), sweep.axes.begin(), sweep.axes.end());
+    head.emplace_back("seed");
+    head.insert(head.end(), sweep.results.begin(), sweep.results.end());
+    return head;
+  }());
+  for (std::size_t i = 0; i < sweep.runs.size(); ++i) {
+    const SweepRun& run = sweep.runs[i];
+    if (run.values.empty()) continue;
+    std::vector<std::string> cells{fmt::format("{}", i)};
+    cells.insert(cells.end(), run.point.values.begin(), run.point.values.end());
+    cells.push_back(fmt::format("{}", run.point.seed));
+    for (const double value : run.values) cells.push_back(fmt::format("{}", value));
+    text += csv_line(cells);
+  }
+  return text;
+}
+
+std::string summary_csv(const Sweep& sweep) {
+  const std::vector<Group> groups = groups_of(sweep);
+  // only numbers can be drawn: a combination is its number if the first axis has others
+  const bool by_value =
+      !sweep.axes.empty() && std::ranges::all_of(groups, [](const Group& g) { return is_number(g.values.front()); });
+  std::vector<std::string> head{by_value ? sweep.axes.front() : "combination"};
+  for (std::size_t a = by_value ? 1 : 0; a < sweep.axes.size(); ++a) head.push_back(sweep.axes[a]);
+  head.emplace_back("runs");
+  for (const std::string& name : sweep.results) {
+    const auto unit = std::min(name.find(" ["), name.size());
+    for (const char* what : {".mean", ".low", ".high"}) head.push_back(name.substr(0, unit) + what + name.substr(unit));
+  }
+  std::string text = csv_line(head);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    std::vector<std::string> cells{by_value ? groups[g].values.front() : fmt::format("{}", g)};
+    cells.insert(cells.end(), groups[g].values.begin() + (by_value ? 1 : 0), groups[g].values.end());
+    cells.push_back(fmt::format("{}", groups[g].runs.size()));
+    for (std::size_t i = 0; i < sweep.results.size(); ++i) {
+      const MeanInterval one = interval_of(groups[g], i);
+      for (const double value : {one.mean, one.mean - one.half, one.mean + one.half}) {
+        cells.push_back(fmt::format("{}", value));
+      }
+    }
+    text += csv_line(cells);
+  }
+  return text;
+}
+
+std::string to_json(const Sweep& sweep) {
+  nlohmann::json runs = nlohmann::json::array(), summary = nlohmann::json::array();
+  for (const SweepRun& run : sweep.runs) {
+    if (run.values.empty()) continue;
+    runs.push_back({{"values", run.point.values}, {"seed", run.point.seed}, {"results", run.values}});
+  }
+  for (const Group& group : groups_of(sweep)) {
+    nlohmann::json results = nlohmann::json::array();
+    for (std::size_t i = 0; i < sweep.results.size(); ++i) {
+      const MeanInterval one = interval_of(group, i);
+      results.push_back({{"count", one.count}, {"mean", one.mean}, {"half_95", one.half}});
+    }
+    summary.push_back({{"values", group.values}, {"runs", group.runs.size()}, {"results", results}});
+  }
+  return files::json_text({{"schema", files::json_schema("sweep")},
+                           {"scene", sweep.scene},
+                           {"axes", sweep.axes},
+                           {"results", sweep.results},
+                           {"runs", runs},
+                           {"summary", summary}});
+}
+
+}  // namespace murosimf::series

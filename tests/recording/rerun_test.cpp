@@ -1,0 +1,158 @@
+// A recorded run is repeated from its file alone, and what is not the same is found and named.
+#include "murosimf/recording/rerun.h"
+
+#include <bit>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+#include "tests/recording/repeatable_run.h"
+
+namespace murosimf {
+namespace {
+
+using namespace recording;
+using namespace std::chrono_literals;
+using fixtures::RepeatableRun;
+
+RerunResult repeated(const std::filesystem::path& file) { return rerun(RecordedRun(file), {}); }
+
+std::string refusal_of(const std::filesystem::path& file) {
+  try {
+    (void)repeated(file);
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Rerun, FindsNoDifferenceWhereThereIsNone) {
+  for (const std::string scene : {"walk", "nudge", "four_levels", "three_on_three"}) {
+    const RerunResult result = repeated(record("same.mcap", {.scene = scene, .time = 2500ms}));
+    EXPECT_FALSE(result.difference) << scene << ": " << to_text(result);
+    EXPECT_EQ(result.compared, 4U) << "0, 1, 2 and 2.5 s";
+    EXPECT_EQ(result.end, 2500ms);
+  }
+}
+
+TEST(Rerun, RepeatsSeedOptionsAndCommands) {
+  const RepeatableRun run{
+      .scene = "nudge",
+      .time = 1500ms,
+      .how = {.seed = 77, .events = {"0.4:robot.level=simplified_dynamics"}, .cameras = false},
+      .when_initialized = [](scene::Scene& scene) {
+        scene.simulation().at(700ms, [&] { (void)scene.post("robot.level=full_dynamics"); });
+        scene.simulation().at(1s, [&] { (void)scene.post("ball.position=[1, 1, 0.1]"); });  // refused, or not: the same again
+      }};
+  const RecordedRun recorded(record("commands.mcap", run));
+  EXPECT_EQ(recorded.description().seed, 77U);
+  ASSERT_FALSE(recorded.states().commands().empty());
+  EXPECT_EQ(recorded.states().commands().front().time, 700ms);
+  EXPECT_FALSE(rerun(recorded, {}).difference) << to_text(rerun(recorded, {}));
+}
+
+// One bit of one joint at one tick, which the repetition does not have.
+TEST(Rerun, NamesTheOneBitThatDiffers) {
+  std::string joint;
+  double then = 0;
+  const auto flip = [&](scene::Scene& scene) {
+    scene.simulation().at(500ms, [&] {
+      Entity& robot = scene.simulation().world().entity("robot");
+      const int row = robot.model().joints()[3];
+      joint = robot.model().objects()[static_cast<std::size_t>(row)].name;
+      double& angle = robot.view("joint_position")(static_cast<std::size_t>(row), 0);
+      angle = std::bit_cast<double>(std::bit_cast<std::uint64_t>(angle) ^ 1U);
+      then = angle;
+    });
+  };
+  RepeatableRun run{.scene = "nudge", .time = 1200ms, .when_initialized = flip};
+  run.options.ticks = TimeSpan{450ms, 550ms};
+  const RerunResult result = repeated(record("bit.mcap", run));
+  ASSERT_TRUE(result.difference);
+  EXPECT_EQ(result.difference->same, 499ms);
+  EXPECT_EQ(result.difference->differs, 500ms);
+  EXPECT_TRUE(result.difference->is_one_step());
+  ASSERT_TRUE(result.difference->what) << result.difference->unlike;
+  EXPECT_EQ(result.difference->what->entity, "robot");
+  EXPECT_EQ(result.difference->what->object, joint);
+  EXPECT_EQ(result.difference->what->property, "joint_position");
+  EXPECT_EQ(result.difference->what->first, fmt::format("{}", then));
+  EXPECT_EQ(result.difference->what->others, 0U) << to_text(result);
+}
+
+// Without every step there are two instants between which it lies.
+TEST(Rerun, SaysBetweenWhichSecondsItDiffers) {
+  const auto push = [](scene::Scene& scene) {
+    scene.simulation().at(1300ms, [&] { scene.simulation().world().entity("ball").view("position")(0, 0) += 1e-9; });
+  };
+  RepeatableRun run{.scene = "three_on_three", .time = 4s, .when_initialized = push};
+  run.options.state_period = 3s;
+  const RerunResult result = repeated(record("second.mcap", run));
+  ASSERT_TRUE(result.difference);
+  EXPECT_EQ(result.difference->same, 1s);
+  EXPECT_EQ(result.difference->differs, 2s);
+  EXPECT_FALSE(result.difference->is_one_step());
+  EXPECT_EQ(result.difference->looked, 3s);
+  EXPECT_TRUE(result.difference->what);
+}
+
+TEST(Rerun, NeedsNoFileBesidesTheRecording) {
+  const auto folder = fixtures::temp_folder() / "gone";
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy_file(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "scenes/walk.toml", folder / "mine.toml");
+  const auto file = record("alone.mcap", {.scene = (folder / "mine.toml").string(), .time = 1s});
+  std::filesystem::remove_all(folder);
+  EXPECT_FALSE(repeated(file).difference);
+}
+
+TEST(Rerun, SaysWhichLargeFileIsMissingOrAnother) {
+  const auto large = fixtures::temp_folder() / "large.toml";
+  std::ofstream(large) << std::ifstream(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "scenes/walk.toml").rdbuf() << "\n# "
+                       << std::string(300'000, 'x') << "\n";
+  const auto file = record("large.mcap", {.scene = large.string(), .time = 1s});
+  EXPECT_FALSE(repeated(file).difference);
+  std::ofstream(large, std::ios::app) << "# more\n";
+  EXPECT_NE(refusal_of(file).find(large.string() + "' is another one now"), std::string::npos) << refusal_of(file);
+  std::filesystem::remove(large);
+  EXPECT_NE(refusal_of(file).find(large.string() + ": there is no such file"), std::string::npos) << refusal_of(file);
+}
+
+TEST(Rerun, RefusesARunThatSomebodyElseMoved) {
+  RepeatableRun run{.scene = "walk", .time = 100ms};
+  const auto file = record("plain.mcap", run);
+  const McapReader reader(file);
+  RunDescription description = parse_run_description(attached_text(reader, "run.json"));
+  EXPECT_EQ(description.scene, "walk");
+  EXPECT_THROW((void)parse_run_description("{\"schema\": 3}"), SetupError);
+  EXPECT_THROW((void)parse_run_description("no json"), SetupError);
+  EXPECT_THROW((void)parse_run_description("{\"schema\": \"murosimf/run_description/1\", \"scene\": 7}"), SetupError);
+}
+
+// A recording that was cut off is repeated as far as it goes.
+TEST(Rerun, RepeatsWhatIsLeftOfACutOffFile) {
+  const auto file = record("cut.mcap", {.scene = "walk", .time = 5s});
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) * 2 / 3);
+  const RerunResult result = repeated(file);
+  EXPECT_FALSE(result.difference) << to_text(result);
+  EXPECT_GE(result.compared, 3U);
+}
+
+TEST(RecordedRun, GoesOnFromEveryStateAsTheRunDid) {
+  RepeatableRun run{.scene = "four_levels", .time = 3s};
+  run.options.state_period = 700ms;
+  const RecordedRun recorded(record("states.mcap", run));
+  const std::uint64_t end = recorded.states().all().back().hash;
+  for (const Duration time : {0ms, 700ms, 1650ms, 2999ms}) {
+    const auto scene = recorded.build({});
+    recorded.begin(*scene, time);
+    EXPECT_LE(scene->simulation().now(), time);
+    EXPECT_GT(scene->simulation().now() + 700ms, time);
+    scene->simulation().run(3s - scene->simulation().now());
+    EXPECT_EQ(scene->simulation().state_hash(), end) << seconds(time);
+  }
+}
+
+}  // namespace
+}  // namespace murosimf
