@@ -1,146 +1,22 @@
 // `murosimf run`: builds a scene, runs it, reports.
 #include <algorithm>
-#include <filesystem>
-#include <functional>
-#include <memory>
 
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
-#include "apps/game_arguments.h"
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/option_values.h"
-#include "apps/picture_sequence.h"
-#include "apps/progress.h"
-#include "apps/record_options.h"
-#include "apps/scene_arguments.h"
-#include "apps/standard_output.h"
-#include "apps/state_saver.h"
-#include "apps/supervision_arguments.h"
-#include "apps/web_arguments.h"
-#include "murosimf/connect/crash_note.h"
-#include "murosimf/connect/tcp_server.h"
-#include "murosimf/files/files_read.h"
-#include "murosimf/files/output_file.h"
+#include "apps/run_advance.h"
+#include "apps/run_options.h"
+#include "apps/run_outputs.h"
 #include "murosimf/league/league.h"
 #include "murosimf/recording/state_file.h"
-#include "murosimf/logging/run_log.h"
-#include "murosimf/runtime/clock.h"
 #include "murosimf/scene/scene.h"
-#include "murosimf/scene/scene_pictures.h"
 #include "murosimf/scene/scene_report.h"
-#include "murosimf/session/session.h"
 
 namespace murosimf::app {
 namespace {
-
-struct RunOptions {
-  SceneArguments scene;
-  std::optional<double> duration;  ///< [s]
-  std::string speed;               ///< "max", or simulated seconds per wall second; empty: as it is usual
-  std::string json;                ///< file, "-" for standard output
-  std::string picture;             ///< PNG file
-  std::string pictures;            ///< folder for a sequence of PNG files
-  double picture_every = 0.5;      ///< [s] of simulated time
-  std::vector<std::string> log;    ///< what is recorded (logging/log_paths.h)
-  std::string out;                 ///< CSV file for that
-  double log_rate = 100;           ///< [Hz] of properties in it
-  std::string listen;              ///< [HOST:]PORT, empty: nobody can connect
-  RecordOptions record;
-  std::string serial;                  ///< folder for links to serial lines
-  bool no_cameras = false;             ///< nothing is drawn for cameras
-  std::string from, save_state;        ///< files
-  std::vector<std::string> save_at;    ///< TIME:FILE
-  GameArguments game;
-  WebArguments web;
-  SupervisionArguments supervision;
-};
-
-void define(const Command& command, RunOptions& options) {
-  add_scene(command, options.scene);
-  command.add("--duration", options.duration, "Simulated seconds, instead of the scene's");
-  command.add("--speed", options.speed,
-              "'max', as it is without this, or simulated seconds per second: 1 is real time, as it is with --web");
-  command.add("--json", options.json, "Write the report as JSON to this file, or to standard output with '-'");
-  command.add("--picture", options.picture, "Write a PNG picture of the field from above");
-  add_web(command, options.web);
-  const Option pictures = command.add("--pictures", options.pictures,
-                                      "Write PNG pictures of the bodies to this folder while the scene runs");
-  command.add("--picture-every", options.picture_every, "Simulated seconds from one picture to the next")
-      .needs(pictures)
-      .shows_default();
-  const Option log =
-      command.add("--log", options.log,
-                  "Record numbers: of sensors, like 'blue1.imu.*', or properties, like 'ball.ball.position'");
-  const Option out = command.add("--out", options.out, "Write them to this file (CSV)").needs(log);
-  log.one_at_a_time().needs(out);
-  command.add("--log-rate", options.log_rate, "How often properties are recorded, in Hz").needs(log).shows_default();
-  add_record(command, options.record);
-  command.add("--from", options.from, "Go on from a state of this scene: of --save-at, --save-state or a recording");
-  command.add("--save-at", options.save_at, "TIME:FILE: write the state at this time (s) to this file").one_at_a_time();
-  command.add("--save-state", options.save_state, "Write the state at the end to this file");
-  add_game(command, options.game);
-  command.add("--listen", options.listen,
-              "Take control software for robots with the controller 'tcp': PORT of this computer alone, or HOST:PORT");
-  add_supervision(command, options.supervision).excludes(pictures);
-  command.add("--serial", options.serial,
-              "Folder for links to the serial lines of robots with controller = \"serial\", one for each, named as it");
-  command.add("--no-cameras", options.no_cameras, "Draw nothing for cameras: they have no frames then");
-}
-
-using WallClock = std::chrono::steady_clock;
-
-std::shared_ptr<connect::TcpServer> server_at(const std::string& where) {
-  if (where.empty()) return nullptr;
-  connect::TcpServerOptions options{.say = [](const std::string& line) { say_warning(line); }, .stop = interrupted};
-  try {
-    options.address = wire::parse_address(where);
-  } catch (const wire::WireError& error) {
-    throw SetupError(fmt::format("--listen: {}", error.what()));
-  }
-  auto server = connect::listen_for_software(std::move(options));
-  say_note(fmt::format("listening on {}", to_text(server->address())));
-  return server;
-}
-
-std::optional<double> speed_of(const RunOptions& options) {
-  if (options.speed.empty()) return options.web.web.empty() ? std::nullopt : std::optional(1.0);
-  return read_speed(options.speed);
-}
-
-/// How far a run has come.
-class RunProgress {
- public:
-  RunProgress(Duration start, Duration end) : start_(start), end_(seconds(end)) {}
-  void show(Duration now) {
-    const double share = end_ > 0 ? seconds(now) / end_ : 1;
-    const std::string rate =
-        rate_of(seconds(now - start_), std::chrono::duration<double>(WallClock::now() - wall_start_).count());
-    line_.show(share, fmt::format("{:.1f} of {:.1f} s{}{}", seconds(now), end_, rate.empty() ? "" : ", ", rate));
-  }
-  void warn(Duration now, const std::string& text) {
-    line_.hide();
-    say_warning(fmt::format("{:.1f} s: {}", seconds(now), text));
-  }
-
- private:
-  Progress line_;
-  Duration start_;
-  WallClock::time_point wall_start_ = WallClock::now();
-  double end_;  // [s]
-};
-
-/// Whether control software has crashed meanwhile. Reports of the run are written then too.
-template <class Run>
-bool crashes(const Run& run) {
-  try {
-    run();
-    return false;
-  } catch (const connect::SoftwareCrash&) {
-    return true;
-  }
-}
 
 /// Serial lines need a place where programs find them, and a place needs lines.
 void check_serial(const scene_file::SceneSpec& spec, const std::string& folder) {
@@ -154,140 +30,40 @@ void check_serial(const scene_file::SceneSpec& spec, const std::string& folder) 
   }
 }
 
-std::string why_stopped(bool crashed) {
-  if (crashed) return "a crash";
+std::string why_stopped(const RunAdvance& advance) {
+  if (advance.crashed()) return "a crash";
   return interrupted() ? signal_name() : "a supervisor";
-}
-
-/// Whether others steer the run.
-bool is_steered(const RunOptions& options) { return !options.web.web.empty() || !options.supervision.where.empty(); }
-
-/// Why a run cannot go back in time; empty: it can.
-std::string no_way_back(const RunOptions& options) {
-  if (!options.log.empty()) return "its numbers are logged (--log)";
-  if (!options.record.file.empty()) return "it is recorded (--record)";
-  if (!options.web.html.empty()) return "it is written as HTML (--html)";
-  const GameArguments& game = options.game;
-  const bool outside = !game.game_controller.empty() || !game.team_links.empty() || !game.repeat.empty();
-  return outside ? "it has to do with the world outside" : "";
-}
-
-/// As browsers and supervisors want.
-Lateness run_steered(scene::Scene& scene, const RunOptions& options, Duration end,
-                     const std::function<void(Duration)>& show, const std::function<void(const Overrun&)>& tell) {
-  session::Session session(scene, {.speed = speed_of(options),
-                                   .paused = options.supervision.paused,
-                                   .tell_of_overruns = tell,
-                                   .no_way_back = no_way_back(options)});
-  const auto supervision = supervision_of(session, options.supervision);
-  const auto view = web_view_of(scene, session, options.web);
-  session.run(end, show);
-  return session.lateness();
 }
 
 int run(const RunOptions& options) {
   end_gently();
-  Clock clock(speed_of(options));
-  if (options.duration) (void)read_duration(*options.duration);
-  // where results go is checked before anything is computed, so that no result is lost
-  check_json_file(options.json);
-  if (!options.picture.empty()) files::check_writable(options.picture);
-  if (!options.out.empty()) files::check_writable(options.out);
-  StateSaver saver(options.save_at, options.save_state);
-  if (!options.game.log.empty()) files::check_writable(options.game.log);
-  check(options.record);
-  check(options.web);
-  if (!options.web.web.empty() && !options.pictures.empty()) {
-    throw SetupError("--web and --pictures: pictures are taken of runs that nobody stops or takes back");
-  }
-  std::optional<PictureSequence> pictures;
-  if (!options.pictures.empty()) pictures.emplace(options.pictures, options.picture_every);
-
-  scene::SceneOptions scene_options = options_of(options.scene);
-  scene_options.cameras = !options.no_cameras;
-  scene_options.paths = !options.picture.empty();
-  scene_options.terminals = options.serial;
-  scene_options.pushable = is_steered(options);
-  files::FilesRead files_read;
-  scene_options.software = server_at(options.listen);
+  check(options);
+  RunOutputs outputs(options);
+  const scene::SceneOptions scene_options = scene_options_of(options);
   scene::Scene scene(options.scene.file, scene_options);
   check_serial(scene.spec(), options.serial);
-  const Duration duration = read_duration(options.duration.value_or(scene.spec().duration));
-  Simulation& simulation = scene.simulation();
+  const double asked = options.duration.value_or(scene.spec().duration);
+  const Duration end = read_duration(asked);
   const std::unique_ptr<league::League> game = game_of(scene, options.game);
-  std::optional<logging::RunLog> log;
-  if (!options.log.empty()) {
-    log.emplace(simulation, options.log,
-                logging::RunLogOptions{.step_rate = scene.spec().rate, .property_rate = options.log_rate});
-  }
-  recording::RunDescription description = description_of(options.scene, scene, scene_options);
-  if (game) description.outside.emplace_back("a GameController or other teams");
-  const auto recorder = make_recorder(scene, options.record, files_read, description);
-  const auto html = make_html_recording(scene, options.web);
-  simulation.initialize();
-  files_read.stop();
+  outputs.attach(scene, scene_options, game.get());
+  scene.simulation().initialize();
+  outputs.scene_is_read();
   if (!options.from.empty()) recording::load_state(scene, options.from);
-  saver.begin(scene, files_read, description);
-  if (pictures) pictures->show(scene);
+  outputs.begin();
 
-  Duration wall{};  // without that for pictures
-  Lateness lateness;
-  bool crashed = false;
-  {
-    RunProgress progress(simulation.now(), duration);
-    const auto tell = [&](const Overrun& overrun) {
-      progress.warn(overrun.simulated, scene::to_text(overrun.lateness));
-    };
-    clock.tell_of_overruns(tell);
-    bool records = recorder != nullptr;
-    const auto show = [&](Duration now) {
-      progress.show(now);
-      if (!records || recorder->trouble().empty()) return;
-      progress.warn(now, "nothing is recorded any more: " + recorder->trouble());
-      records = false;
-    };
-    const auto advance_to = [&](Duration time) {
-      const auto start = WallClock::now();
-      simulation.run(std::max(Duration{}, time - simulation.now()), clock, show);
-      wall += WallClock::now() - start;
-    };
-    const auto advance = [&] {
-      if (is_steered(options)) {
-        const auto start = WallClock::now();
-        lateness = run_steered(scene, options, duration, show, tell);
-        wall += WallClock::now() - start;
-        return;
-      }
-      while (pictures && pictures->next() <= duration) {
-        advance_to(pictures->next());
-        if (interrupted()) return;
-        pictures->take();
-      }
-      advance_to(duration);
-    };
-    crashed = crashes(advance);
-    if (!is_steered(options)) lateness = clock.lateness();
-    clock.tell_of_overruns({});
-  }
-  scene::RunReport report = make_report(scene, wall, lateness);
-  if (simulation.now() < duration)
-    report.stopped = {why_stopped(crashed), options.duration.value_or(scene.spec().duration)};
-
-  if (log) log->write(options.out);
-  if (html) html->finish();
-  if (game && !options.game.log.empty()) files::write_file(options.game.log, game->log().to_text());
-  const bool recorded = !recorder || finish(*recorder, report, options.record);
-  const bool saved = saver.finish();
-  if (!options.picture.empty()) write_picture(scene, options.picture);
-  write_result(options.json, scene::to_text(report), options.json.empty() ? "" : scene::to_json(report));
-  if (crashed) return unexpected;
-  if (!recorded) return users_mistake;
+  RunAdvance advance(scene, options, outputs, end);
+  advance.run();
+  scene::RunReport report = make_report(scene, advance.wall(), advance.lateness());
+  if (scene.simulation().now() < end) report.stopped = {why_stopped(advance), asked};
+  const RunOutputs::Written written = outputs.write(report);
+  if (advance.crashed()) return unexpected;
+  if (!written.recording) return users_mistake;
   if (report.stopped) return exit_code();
-  return saved ? 0 : users_mistake;
+  return written.states ? 0 : users_mistake;
 }
 
 }  // namespace
 
-void add_run(CommandLine& line) { line.add<RunOptions>("run", "Run a scene and say what happened", define, run); }
+void add_run(CommandLine& line) { line.add<RunOptions>("run", "Run a scene and say what happened", define_run, run); }
 
 }  // namespace murosimf::app

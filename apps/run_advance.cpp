@@ -1,0 +1,83 @@
+#include "apps/run_advance.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "apps/interruption.h"
+#include "apps/last_words.h"
+#include "murosimf/connect/crash_note.h"
+#include "murosimf/scene/scene_report.h"
+#include "murosimf/session/session.h"
+
+namespace murosimf::app {
+
+RunAdvance::RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, Duration end)
+    : scene_(scene), options_(options), outputs_(outputs), start_(scene.simulation().now()), end_(end) {}
+
+void RunAdvance::run() {
+  try {
+    is_steered(options_) ? run_steered() : run_alone();
+  } catch (const connect::SoftwareCrash&) {
+    crashed_ = true;  // reports of the run are written all the same
+  }
+  line_.hide();
+}
+
+void RunAdvance::run_alone() {
+  Clock clock(speed_of(options_));
+  clock.tell_of_overruns([&](const Overrun& overrun) { warn(overrun.simulated, scene::to_text(overrun.lateness)); });
+  PictureSequence* pictures = outputs_.pictures();
+  while (pictures && pictures->next() <= end_) {
+    advance_to(pictures->next(), clock);
+    if (interrupted()) return;
+    pictures->take();
+  }
+  advance_to(end_, clock);
+}
+
+void RunAdvance::advance_to(Duration time, Clock& clock) {
+  struct AtEnd {  // also if software crashes
+    RunAdvance& run;
+    const Clock& clock;
+    WallClock::time_point start = WallClock::now();
+    ~AtEnd() {
+      run.wall_ += WallClock::now() - start;
+      run.lateness_ = clock.lateness();
+    }
+  } at_end{*this, clock};
+  Simulation& simulation = scene_.simulation();
+  simulation.run(std::max(Duration{}, time - simulation.now()), clock, [&](Duration now) { show(now); });
+}
+
+/// As browsers and supervisors want.
+void RunAdvance::run_steered() {
+  const auto tell = [&](const Overrun& overrun) { warn(overrun.simulated, scene::to_text(overrun.lateness)); };
+  session::Session session(scene_, {.speed = speed_of(options_),
+                                    .paused = options_.supervision.paused,
+                                    .tell_of_overruns = tell,
+                                    .no_way_back = no_way_back(options_)});
+  const auto supervision = supervision_of(session, options_.supervision);
+  const auto view = web_view_of(scene_, session, options_.web);
+  const auto start = WallClock::now();
+  session.run(end_, [&](Duration now) { show(now); });
+  wall_ = WallClock::now() - start;
+  lateness_ = session.lateness();
+}
+
+void RunAdvance::show(Duration now) {
+  const double share = end_ > Duration{} ? seconds(now) / seconds(end_) : 1;
+  const std::string rate =
+      rate_of(seconds(now - start_), std::chrono::duration<double>(WallClock::now() - wall_start_).count());
+  line_.show(share, fmt::format("{:.1f} of {:.1f} s{}{}", seconds(now), seconds(end_), rate.empty() ? "" : ", ", rate));
+  if (told_of_trouble_ || outputs_.trouble().empty()) return;
+  warn(now, "nothing is recorded any more: " + outputs_.trouble());
+  told_of_trouble_ = true;
+}
+
+void RunAdvance::warn(Duration now, const std::string& text) {
+  line_.hide();
+  say_warning(fmt::format("{:.1f} s: {}", seconds(now), text));
+}
+
+}  // namespace murosimf::app

@@ -1,0 +1,45 @@
+/// run_advance.h - has a scene run to its end, shows how far it has come, and takes pictures on the way.
+#pragma once
+
+#include <chrono>
+
+#include "apps/progress.h"
+#include "apps/run_options.h"
+#include "apps/run_outputs.h"
+#include "murosimf/runtime/clock.h"
+
+namespace murosimf::app {
+
+class RunAdvance {
+ public:
+  RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, Duration end);
+
+  /// Until the end, a signal, or a supervisor. Control software that crashes ends it, too.
+  void run();
+
+  [[nodiscard]] bool crashed() const { return crashed_; }
+  /// [wall] without that for pictures.
+  [[nodiscard]] Duration wall() const { return wall_; }
+  [[nodiscard]] const Lateness& lateness() const { return lateness_; }
+
+ private:
+  using WallClock = std::chrono::steady_clock;
+
+  void show(Duration now);
+  void warn(Duration now, const std::string& text);
+  void run_alone();
+  void run_steered();
+  void advance_to(Duration time, Clock& clock);
+
+  scene::Scene& scene_;
+  const RunOptions& options_;
+  RunOutputs& outputs_;
+  Duration start_, end_;
+  WallClock::time_point wall_start_ = WallClock::now();
+  Progress line_;
+  bool told_of_trouble_ = false, crashed_ = false;
+  Duration wall_{};
+  Lateness lateness_;
+};
+
+}  // namespace murosimf::app

@@ -1,0 +1,99 @@
+#include "apps/run_options.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/interruption.h"
+#include "apps/last_words.h"
+#include "apps/option_values.h"
+#include "murosimf/connect/tcp_server.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::app {
+namespace {
+
+std::shared_ptr<connect::TcpServer> server_at(const std::string& where) {
+  if (where.empty()) return nullptr;
+  connect::TcpServerOptions options{.say = [](const std::string& line) { say_warning(line); }, .stop = interrupted};
+  try {
+    options.address = wire::parse_address(where);
+  } catch (const wire::WireError& error) {
+    throw SetupError(fmt::format("--listen: {}", error.what()));
+  }
+  auto server = connect::listen_for_software(std::move(options));
+  say_note(fmt::format("listening on {}", to_text(server->address())));
+  return server;
+}
+
+}  // namespace
+
+void define_run(const Command& command, RunOptions& options) {
+  add_scene(command, options.scene);
+  command.add("--duration", options.duration, "Simulated seconds, instead of the scene's");
+  command.add("--speed", options.speed,
+              "'max', as it is without this, or simulated seconds per second: 1 is real time, as it is with --web");
+  command.add("--json", options.json, "Write the report as JSON to this file, or to standard output with '-'");
+  command.add("--picture", options.picture, "Write a PNG picture of the field from above");
+  add_web(command, options.web);
+  const Option pictures = command.add("--pictures", options.pictures,
+                                      "Write PNG pictures of the bodies to this folder while the scene runs");
+  command.add("--picture-every", options.picture_every, "Simulated seconds from one picture to the next")
+      .needs(pictures)
+      .shows_default();
+  const Option log =
+      command.add("--log", options.log,
+                  "Record numbers: of sensors, like 'blue1.imu.*', or properties, like 'ball.ball.position'");
+  const Option out = command.add("--out", options.out, "Write them to this file (CSV)").needs(log);
+  log.one_at_a_time().needs(out);
+  command.add("--log-rate", options.log_rate, "How often properties are recorded, in Hz").needs(log).shows_default();
+  add_record(command, options.record);
+  command.add("--from", options.from, "Go on from a state of this scene: of --save-at, --save-state or a recording");
+  command.add("--save-at", options.save_at, "TIME:FILE: write the state at this time (s) to this file").one_at_a_time();
+  command.add("--save-state", options.save_state, "Write the state at the end to this file");
+  add_game(command, options.game);
+  command.add("--listen", options.listen,
+              "Take control software for robots with the controller 'tcp': PORT of this computer alone, or HOST:PORT");
+  add_supervision(command, options.supervision).excludes(pictures);
+  command.add("--serial", options.serial,
+              "Folder for links to the serial lines of robots with controller = \"serial\", one for each, named as it");
+  command.add("--no-cameras", options.no_cameras, "Draw nothing for cameras: they have no frames then");
+}
+
+void check(const RunOptions& options) {
+  (void)speed_of(options);
+  if (options.duration) (void)read_duration(*options.duration);
+  check(options.record);
+  check(options.web);
+  if (is_steered(options) && !options.pictures.empty()) {
+    throw SetupError("--pictures are taken of runs that nobody stops or takes back: without --web and --supervise");
+  }
+}
+
+bool is_steered(const RunOptions& options) { return !options.web.web.empty() || !options.supervision.where.empty(); }
+
+std::string no_way_back(const RunOptions& options) {
+  if (!options.log.empty()) return "its numbers are logged (--log)";
+  if (!options.record.file.empty()) return "it is recorded (--record)";
+  if (!options.web.html.empty()) return "it is written as HTML (--html)";
+  const GameArguments& game = options.game;
+  const bool outside = !game.game_controller.empty() || !game.team_links.empty() || !game.repeat.empty();
+  return outside ? "it has to do with the world outside" : "";
+}
+
+std::optional<double> speed_of(const RunOptions& options) {
+  if (options.speed.empty()) return options.web.web.empty() ? std::nullopt : std::optional(1.0);
+  return read_speed(options.speed);
+}
+
+scene::SceneOptions scene_options_of(const RunOptions& options) {
+  scene::SceneOptions all = options_of(options.scene);
+  all.cameras = !options.no_cameras;
+  all.paths = !options.picture.empty();
+  all.terminals = options.serial;
+  all.pushable = is_steered(options);
+  all.software = server_at(options.listen);
+  return all;
+}
+
+}  // namespace murosimf::app

@@ -1,0 +1,54 @@
+/// run_options.h - what can be said to `murosimf run`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/command.h"
+#include "apps/game_arguments.h"
+#include "apps/record_options.h"
+#include "apps/scene_arguments.h"
+#include "apps/supervision_arguments.h"
+#include "apps/web_arguments.h"
+
+namespace murosimf::app {
+
+struct RunOptions {
+  SceneArguments scene;
+  std::optional<double> duration;  ///< [s]
+  std::string speed;               ///< "max", or simulated seconds per wall second; empty: as it is usual
+  std::string json;                ///< file, "-" for standard output
+  std::string picture;             ///< PNG file
+  std::string pictures;            ///< folder for a sequence of PNG files
+  double picture_every = 0.5;      ///< [s] of simulated time
+  std::vector<std::string> log;    ///< what is recorded (logging/log_paths.h)
+  std::string out;                 ///< CSV file for that
+  double log_rate = 100;           ///< [Hz] of properties in it
+  std::string listen;              ///< [HOST:]PORT, empty: nobody can connect
+  RecordOptions record;
+  std::string serial;                ///< folder for links to serial lines
+  bool no_cameras = false;           ///< nothing is drawn for cameras
+  std::string from, save_state;      ///< files
+  std::vector<std::string> save_at;  ///< TIME:FILE
+  GameArguments game;
+  WebArguments web;
+  SupervisionArguments supervision;
+};
+
+void define_run(const Command& command, RunOptions& options);
+
+/// What can be found out before anything is computed. Throws SetupError.
+void check(const RunOptions& options);
+
+/// Whether others steer the run: browsers, supervisors.
+[[nodiscard]] bool is_steered(const RunOptions& options);
+/// Why a steered run cannot go back in time; empty: it can.
+[[nodiscard]] std::string no_way_back(const RunOptions& options);
+/// Simulated seconds per wall second; nothing: as fast as possible. Throws SetupError.
+[[nodiscard]] std::optional<double> speed_of(const RunOptions& options);
+
+/// With a server that listens if one is asked for, which is said. Throws SetupError.
+[[nodiscard]] scene::SceneOptions scene_options_of(const RunOptions& options);
+
+}  // namespace murosimf::app

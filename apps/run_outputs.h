@@ -1,0 +1,55 @@
+/// run_outputs.h - what a run leaves behind: logs, recordings, states, pictures, reports.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "apps/picture_sequence.h"
+#include "apps/run_options.h"
+#include "apps/state_saver.h"
+#include "murosimf/files/files_read.h"
+#include "murosimf/logging/run_log.h"
+#include "murosimf/recording/recorder.h"
+#include "murosimf/scene/run_report.h"
+#include "murosimf/web/html_recording.h"
+
+namespace murosimf::app {
+
+class RunOutputs {
+ public:
+  /// Where results go is checked before anything is computed, so that none is lost. Throws SetupError.
+  explicit RunOutputs(const RunOptions& options);
+
+  /// Before the first step. `game`: null, if there is none.
+  void attach(scene::Scene& scene, const scene::SceneOptions& scene_options, const league::League* game);
+  /// When the scene is initialized: what is read from now on is none of its files.
+  void scene_is_read() { files_.stop(); }
+  /// When a state is loaded, if one is.
+  void begin();
+
+  /// Null if none are taken.
+  [[nodiscard]] PictureSequence* pictures() { return pictures_ ? &*pictures_ : nullptr; }
+  /// Why nothing is recorded any more; empty: all is well, or nothing was to be.
+  [[nodiscard]] std::string trouble() const { return recorder_ ? recorder_->trouble() : ""; }
+
+  struct Written {
+    bool recording = true;  ///< all of it
+    bool states = true;     ///< also those of times that the run should have come to
+  };
+  /// All of it.
+  [[nodiscard]] Written write(const scene::RunReport& report);
+
+ private:
+  const RunOptions& options_;
+  StateSaver saver_;
+  std::optional<PictureSequence> pictures_;
+  files::FilesRead files_;  // notes what is read from here on
+  recording::RunDescription description_;
+  scene::Scene* scene_ = nullptr;
+  const league::League* game_ = nullptr;
+  std::optional<logging::RunLog> log_;
+  std::unique_ptr<recording::Recorder> recorder_;
+  std::unique_ptr<web::HtmlRecording> html_;
+};
+
+}  // namespace murosimf::app
