@@ -1,5 +1,6 @@
 #include "murosimf/motion/tree_lanes.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace murosimf::motion {
