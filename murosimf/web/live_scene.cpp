@@ -104,6 +104,7 @@ void LiveScene::read_poses(const Wishes& wishes) {
   if (!reader_ || !scene_) return;
   const PoseFrame* frame = reader_->latest();
   if (!frame || frame->first.size() <= scene_->entities) return;  // of other entities than the document
+  shown_ = frame->time;
   const std::uint64_t jumps = session_.status().jumps;
   news_.poses = last_.poses = binary_message(pose_message(*scene_, *frame, jumps, false));
   if (wishes.contacts) news_.poses_with_contacts = binary_message(pose_message(*scene_, *frame, jumps, true));
@@ -133,7 +134,9 @@ void LiveScene::take(const Visit& visit) {
 void LiveScene::ask(const Wishes& wishes) {
   if (!visit_) visit_ = std::make_shared<Visit>();
   Visit& visit = *visit_;
-  visit.publish = std::exchange(is_new_reader_, false);
+  // frames come now and then; where it stands still is seen exactly
+  const session::SessionStatus status = session_.status();
+  visit.publish = std::exchange(is_new_reader_, false) || (status.paused && status.time != shown_);
   visit.known_changes = changes_;
   visit.known_entities = scene_ ? scene_->entities : 0;
   visit.paths = wishes.numbers;

@@ -83,6 +83,7 @@ class LiveScene {
   std::shared_ptr<PoseReader> reader_;
   PoseRequest request_;
   bool is_new_reader_ = false;
+  Duration shown_{};  // of the last poses
   std::shared_ptr<Visit> visit_;
   std::future<void> visited_;
   std::chrono::steady_clock::time_point next_visit_{};
