@@ -201,7 +201,8 @@ void FoxgloveConversation::control_playback(std::string_view message) {
   const auto time = in.take<std::uint64_t>();
   const std::string id(in.take(in.take<std::uint32_t>()));
   session::Session& session = live_.session();
-  if (std::isfinite(speed) && speed > 0) session.set_speed(speed);
+  const bool has_speed = std::isfinite(speed) && speed > 0;
+  if (has_speed) session.set_speed(speed);
   if (!play) session.pause();
   if (seek) {
     const session::SessionStatus now = session.status();
@@ -210,7 +211,8 @@ void FoxgloveConversation::control_playback(std::string_view message) {
     jobs_.push_back({.done = session.seek(std::clamp(Duration(wanted), now.first, now.last)), .id = id, .seek = true});
   }
   if (play && !seek) session.go_on();
-  if (!seek) send_playback(false, id);
+  // what was asked for is not there yet
+  if (!seek) send_playback(false, id, has_speed ? std::optional<double>(speed) : std::nullopt);
 }
 
 void FoxgloveConversation::introduce() {
@@ -270,7 +272,7 @@ void FoxgloveConversation::send_packet(const FoxgloveLive::Packet& packet) {
   }
 }
 
-void FoxgloveConversation::send_playback(bool seeked, const std::string& id) {
+void FoxgloveConversation::send_playback(bool seeked, const std::string& id, std::optional<double> speed) {
   enum State : std::uint8_t { playing, paused, buffering, ended };
   const session::SessionStatus status = live_.session().status();
   std::string bytes;
@@ -278,7 +280,7 @@ void FoxgloveConversation::send_playback(bool seeked, const std::string& id) {
   put_u8(bytes, !status.paused ? playing : status.time >= status.end ? ended : paused);
   const std::size_t head = bytes.size();
   put_u64(bytes, static_cast<std::uint64_t>(status.time.count()));
-  put_f32(bytes, static_cast<float>(status.speed.value_or(1)));
+  put_f32(bytes, static_cast<float>(speed.value_or(status.speed.value_or(1))));
   put_u8(bytes, seeked ? 1 : 0);
   put_u32(bytes, static_cast<std::uint32_t>(id.size()));
   bytes += id;
