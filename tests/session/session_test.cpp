@@ -128,6 +128,7 @@ TEST(Session, ShowsChangesWhileItIsPaused) {
   const auto reader = running.scene.simulation().poses().subscribe({});
   const Entity& walker = running.scene.simulation().world().entity("walker");
   const auto head = static_cast<std::size_t>(*walker.model().find_object("head"));
+  const std::string place = walker.model().objects()[0].name + ".position";
   std::size_t number = 0;
   running.session
       .visit([&](scene::Scene& scene) {
@@ -139,7 +140,7 @@ TEST(Session, ShowsChangesWhileItIsPaused) {
   ASSERT_NE(before, nullptr);
   const Vec3d head_before = before->position[before->first[number] + head];
   const Vec3d base = before->position[before->first[number]];
-  running.session.change(fmt::format("walker.position = [{}, {}, {}]", base.x + 1, base.y - 2, base.z)).get();
+  running.session.change(fmt::format("walker.{} = [{}, {}, {}]", place, base.x + 1, base.y - 2, base.z)).get();
   const PoseFrame* after = reader->latest();
   ASSERT_NE(after, nullptr);
   const Vec3d moved = after->position[after->first[number] + head] - head_before;
@@ -148,7 +149,7 @@ TEST(Session, ShowsChangesWhileItIsPaused) {
   running.session.run_until(300ms);
   running.session.go_on();
   running.comes_to(300ms);
-  const std::string event = fmt::format("0.1:walker.position=[{}, {}, {}]", base.x + 1, base.y - 2, base.z);
+  const std::string event = fmt::format("0.1:walker.{}=[{}, {}, {}]", place, base.x + 1, base.y - 2, base.z);
   EXPECT_EQ(running.hash(), hash_at(300ms, {event}));
 }
 

@@ -1,0 +1,87 @@
+/// session_inside.h - what a session consists of, and the loop of the thread that runs it. Only for session.cpp.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+
+#include "murosimf/session/session.h"
+#include "murosimf/session/speedometer.h"
+
+namespace murosimf::session {
+
+struct Session::Inside {
+  /// Something that somebody waits for.
+  struct Job {
+    std::function<void()> call;
+    std::promise<void> done;
+  };
+
+  Inside(scene::Scene& which, const SessionOptions& given)
+      : scene(which), simulation(which.simulation()), options(given), clock(given.speed), timeline(given.timeline) {
+    wishes.paused = given.paused;
+    wishes.speed = given.speed;
+    clock.tell_of_overruns(given.tell_of_overruns);
+  }
+
+  // ---- of the thread that runs it ----
+
+  void run(const std::function<void(Duration)>& progress);
+  void step();
+  void wait();
+  [[nodiscard]] bool stands() const;
+  [[nodiscard]] bool ends();
+  void attend();
+  void restart_clock();
+  void note_commands();
+  void publish(bool paused);
+  void reset(std::optional<std::uint64_t> seed);
+  void seek(Duration time, std::optional<int> branch, std::uint64_t number);
+  void has_jumped();
+  void refuse_all();
+
+  // ---- of any thread ----
+
+  std::future<void> ask(std::function<void()> call);
+  template <class Change>
+  void wish(const Change& change);
+
+  scene::Scene& scene;
+  Simulation& simulation;
+  const SessionOptions options;
+  Clock clock;
+  Timeline timeline;
+  Lateness lateness_before;  // of clocks before this one
+  Speedometer speedometer;
+  std::size_t noted = 0;   // commands
+  bool new_state = false;  // of the timeline, that others have not been told of
+
+  mutable std::mutex mutex;  // of what follows
+  std::condition_variable changed;
+  struct Wishes {
+    bool paused = false, finished = false, new_speed = false;
+    std::optional<double> speed;
+    Duration end{};
+    std::int64_t steps = 0;  // to be made although it is paused
+  } wishes;
+  bool closed = false;  // nobody runs it any more
+  std::deque<Job> jobs;
+  SessionStatus status;
+  std::vector<BranchView> branches;
+  Lateness lateness;
+  std::atomic<bool> attention{false};  // somebody wants something
+  std::atomic<std::uint64_t> seeks{0};
+};
+
+// ---- definitions ----
+
+template <class Change>
+void Session::Inside::wish(const Change& change) {
+  const std::lock_guard lock(mutex);
+  change(wishes);
+  attention.store(true);
+  changed.notify_all();
+}
+
+}  // namespace murosimf::session
