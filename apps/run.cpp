@@ -241,7 +241,7 @@ int run(const RunOptions& options) {
       if (!options.web.web.empty()) {
         const auto start = WallClock::now();
         lateness =
-            run_with_server(scene, options.web,
+            run_with_server(scene, options.web, game ? game->game() : nullptr,
                             {.speed = speed_of(options), .tell_of_overruns = tell, .no_way_back = bound_by(options)},
                             duration, show);
         wall += WallClock::now() - start;

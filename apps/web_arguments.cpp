@@ -43,12 +43,13 @@ std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, con
                                               web::HtmlOptions{.file = arguments.html, .rate = arguments.html_rate});
 }
 
-Lateness run_with_server(scene::Scene& scene, const WebArguments& arguments, const session::SessionOptions& options,
-                         Duration end, const std::function<void(Duration)>& progress) {
+Lateness run_with_server(scene::Scene& scene, const WebArguments& arguments, const league::GameTask* game,
+                         const session::SessionOptions& options, Duration end,
+                         const std::function<void(Duration)>& progress) {
   session::Session session(scene, options);
   std::optional<web::WebView> view;
   try {
-    view.emplace(scene, session, web::WebOptions{.address = address_of(arguments.web)});
+    view.emplace(scene, session, web::WebOptions{.address = address_of(arguments.web), .game = game});
   } catch (const SetupError& error) {
     throw SetupError(fmt::format("--web: {}", error.what()));
   }

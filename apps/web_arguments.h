@@ -7,6 +7,7 @@
 #include <string>
 
 #include "apps/command.h"
+#include "murosimf/league/game_task.h"
 #include "murosimf/runtime/clock.h"
 #include "murosimf/session/session.h"
 #include "murosimf/web/html_recording.h"
@@ -29,7 +30,9 @@ void check(const WebArguments& arguments);
                                                                       const WebArguments& arguments);
 
 /// Runs the scene with a server at `arguments.web`, whose addresses are said first; at `end` it pauses until a signal comes. Throws SetupError.
-Lateness run_with_server(scene::Scene& scene, const WebArguments& arguments, const session::SessionOptions& options,
-                         Duration end, const std::function<void(Duration)>& progress);
+/// `game`: null if nobody referees.
+Lateness run_with_server(scene::Scene& scene, const WebArguments& arguments, const league::GameTask* game,
+                         const session::SessionOptions& options, Duration end,
+                         const std::function<void(Duration)>& progress);
 
 }  // namespace murosimf::app

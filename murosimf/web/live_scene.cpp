@@ -51,6 +51,7 @@ const sensors::CameraFrame* wanted_frame(scene::Scene& scene, const std::string&
 
 /// What the simulation's thread fills in, once at a time.
 struct LiveScene::Visit {
+  const league::GameTask* referee = nullptr;
   // wanted
   bool publish = false;  // poses, for a reader that has none yet
   int known_changes = -1;
@@ -76,7 +77,7 @@ struct LiveScene::Visit {
     }
     time = seconds(simulation.now());
     entities = entity_states(simulation.world());
-    game = game_of(simulation.world());
+    game = game_of(referee);
     lines = lines_of(simulation);
     values = numbers.read(simulation.world(), paths);
     for (const std::string& camera : cameras) {
@@ -134,6 +135,7 @@ void LiveScene::take(const Visit& visit) {
 void LiveScene::ask(const Wishes& wishes) {
   if (!visit_) visit_ = std::make_shared<Visit>();
   Visit& visit = *visit_;
+  visit.referee = game_;
   // frames come now and then; where it stands still is seen exactly
   const session::SessionStatus status = session_.status();
   visit.publish = std::exchange(is_new_reader_, false) || (status.paused && status.time != shown_);

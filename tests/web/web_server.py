@@ -16,7 +16,9 @@ import urllib.error
 import urllib.request
 from pathlib import Path
 
-from client import Client, Refused, Run, time_of
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "league"))
+import play_with_game_controller  # noqa: E402
+from client import Client, Refused, Run, time_of  # noqa: E402
 
 PROGRAM = sys.argv.pop(1)
 
@@ -155,6 +157,21 @@ class Steering(unittest.TestCase):
             self.assertIsInstance(values["robot.imu.gyroscope.x"], float)
             client.order(do="watch", paths=["robot.nosuch"], id=3)
             self.assertIn("nosuch", client.answer(3)["error"])
+
+    def test_score(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as referee:
+            referee.bind(("127.0.0.1", 0))  # also where robots answer
+            port = play_with_game_controller.free_port()
+            with Run(PROGRAM, "three_on_three", "--duration", "60", "--no-cameras", "--game-controller", str(port),
+                     "--set", f"league.answer_port={referee.getsockname()[1]}") as run:
+                client = Client(run.port)
+                self.assertIsNone(client.state()["game"])
+                for packet in play_with_game_controller.packets():
+                    referee.sendto(packet, ("127.0.0.1", port))
+                    client.poses()
+                game = client.state(lambda state: state["game"] and state["game"]["teams"][0]["score"] == 3)["game"]
+                self.assertEqual(game["state"], "playing")
+                self.assertEqual(game["teams"][1], {"name": "red", "score": 0})
 
     def test_end(self):
         with Run(PROGRAM, "walk", "--duration", "0.5", "--json", "-") as run:
