@@ -85,6 +85,7 @@ async function testDesktop() {
   const begin = Date.now();
   const page = await open(run.address);
   console.log(`page shows the scene after ${Date.now() - begin} ms`);
+  assert.equal(await page.textContent("#messages"), "", "nothing to complain about");
   assert.equal(await page.textContent("#name"), "Three on three");
   await until(page, (now) => now && now.time > 0, "time goes on");
   assert.ok((await colors(page)) > 30, "something is drawn");
