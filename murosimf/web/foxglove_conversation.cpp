@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
-#include <cstring>
-#include <exception>
 
 #include <fmt/format.h>
 
@@ -13,6 +10,7 @@
 #include "murosimf/web/gzip.h"
 #include "murosimf/web/json_line.h"
 #include "murosimf/web/little_endian.h"
+#include "murosimf/web/waiting_jobs.h"
 
 namespace murosimf::web {
 namespace {
@@ -297,20 +295,11 @@ void FoxgloveConversation::say(int level, const std::string& text) {
 }
 
 void FoxgloveConversation::answer_jobs() {
-  for (auto job = jobs_.begin(); job != jobs_.end();) {
-    if (job->done.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-      ++job;
-      continue;
-    }
-    try {
-      job->done.get();
-    } catch (const std::exception& error) {
-      say(error_level, error.what());
-    }
-    if (!job->parameters.empty()) send_parameters(job->parameters, job->id);
-    if (job->seek) send_playback(true, job->id);
-    job = jobs_.erase(job);
-  }
+  answer_ready(jobs_, [this](const Job& job, const std::string& error) {
+    if (!error.empty()) say(error_level, error);
+    if (!job.parameters.empty()) send_parameters(job.parameters, job.id);
+    if (job.seek) send_playback(error.empty(), job.id);
+  });
 }
 
 void FoxgloveConversation::look() {

@@ -86,7 +86,7 @@ struct LiveScene::Visit {
       known_pictures[camera] = frame->number;
       pictures[camera] = picture_message(*frame);
     }
-    if (publish) simulation.publish_poses();
+    if (publish || document) simulation.publish_poses();
   }
 };
 
@@ -117,6 +117,7 @@ void LiveScene::take(const Visit& visit) {
     changes_ = visit.changes;
     document_message_ = binary_message(std::string{static_cast<char>(MessageKind::scene), 0, 0, 0} + scene_->bytes);
     ++documents_;
+    last_.poses = {};  // of other bodies
   }
   const std::string state = json_line(state_of(session_.status(), visit.entities, visit.game));
   if (std::exchange(state_, state) != state) news_.state = last_.state = text_message(state);
@@ -154,6 +155,7 @@ void LiveScene::look() {
   for (const Onlooker* onlooker : onlookers_) onlooker->add(wishes);
   if (wishes.clients == 0) {
     reader_ = nullptr;  // nothing is copied for nobody
+    last_.poses = {};
     return;
   }
   subscribe(wishes);
