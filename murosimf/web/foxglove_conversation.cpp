@@ -185,8 +185,10 @@ void FoxgloveConversation::set_parameters(const json& order) {
     if (jobs_.size() >= most_requests) throw ClientError("too many requests at once");
     const auto name = one.at("name").get<std::string>();
     if (!one.contains("value")) throw SetupError(fmt::format("{}: a parameter cannot be removed", name));
-    jobs_.push_back({.done = live_.session().change(fmt::format("{} = {}", name, text_of_value(one.at("value")))),
-                     .parameters = {name},
+    const std::string value = text_of_value(one.at("value"));
+    jobs_.push_back({.done = live_.session().change(fmt::format("{} = {}", name, value)),
+                     .parameter = name,
+                     .value = value,
                      .id = id});
   }
 }
@@ -297,7 +299,8 @@ void FoxgloveConversation::say(int level, const std::string& text) {
 void FoxgloveConversation::answer_jobs() {
   answer_ready(jobs_, [this](const Job& job, const std::string& error) {
     if (!error.empty()) say(error_level, error);
-    if (!job.parameters.empty()) send_parameters(job.parameters, job.id);
+    if (error.empty()) live_.parameter_became(job.parameter, job.value);
+    if (!job.parameter.empty()) send_parameters({job.parameter}, job.id);
     if (job.seek) send_playback(error.empty(), job.id);
   });
 }

@@ -51,8 +51,8 @@ class FoxgloveConversation final : public Conversation {
   /// Something that the simulation's thread does for this client.
   struct Job {
     std::future<void> done;
-    std::set<std::string> parameters{};  ///< to be told when it was
-    std::string id{};                    ///< of the request
+    std::string parameter{}, value{};  ///< to be told when it was; empty: none
+    std::string id{};                  ///< of the request
     bool seek = false;
   };
 
