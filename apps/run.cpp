@@ -51,7 +51,7 @@ int run(const RunOptions& options) {
   if (!options.from.empty()) recording::load_state(scene, options.from);
   outputs.begin();
 
-  RunAdvance advance(scene, options, outputs, end);
+  RunAdvance advance(scene, options, outputs, game.get(), end);
   advance.run();
   scene::RunReport report = make_report(scene, advance.wall(), advance.lateness());
   if (scene.simulation().now() < end) report.stopped = {why_stopped(advance), asked};

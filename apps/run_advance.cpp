@@ -12,8 +12,9 @@
 
 namespace murosimf::app {
 
-RunAdvance::RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, Duration end)
-    : scene_(scene), options_(options), outputs_(outputs), start_(scene.simulation().now()), end_(end) {}
+RunAdvance::RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, const league::League* game,
+                       Duration end)
+    : scene_(scene), options_(options), outputs_(outputs), game_(game), start_(scene.simulation().now()), end_(end) {}
 
 void RunAdvance::run() {
   try {
@@ -58,7 +59,7 @@ void RunAdvance::run_steered() {
                                     .tell_of_overruns = tell,
                                     .no_way_back = no_way_back(options_)});
   const auto supervision = supervision_of(session, options_.supervision);
-  const auto view = web_view_of(scene_, session, options_.web);
+  const auto view = web_view_of(scene_, session, options_.web, game_ ? game_->game() : nullptr);
   const auto start = WallClock::now();
   session.run(end_, [&](Duration now) { show(now); });
   wall_ = WallClock::now() - start;

@@ -12,7 +12,9 @@ namespace murosimf::app {
 
 class RunAdvance {
  public:
-  RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, Duration end);
+  /// `game`: null if nobody referees.
+  RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, const league::League* game,
+             Duration end);
 
   /// Until the end, a signal, or a supervisor. Control software that crashes ends it, too.
   void run();
@@ -34,6 +36,7 @@ class RunAdvance {
   scene::Scene& scene_;
   const RunOptions& options_;
   RunOutputs& outputs_;
+  const league::League* game_;
   Duration start_, end_;
   WallClock::time_point wall_start_ = WallClock::now();
   Progress line_;

@@ -40,11 +40,12 @@ std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, con
                                               web::HtmlOptions{.file = arguments.html, .rate = arguments.html_rate});
 }
 
-std::unique_ptr<web::WebView> web_view_of(scene::Scene& scene, session::Session& session,
-                                          const WebArguments& arguments) {
+std::unique_ptr<web::WebView> web_view_of(scene::Scene& scene, session::Session& session, const WebArguments& arguments,
+                                          const league::GameTask* game) {
   if (arguments.web.empty()) return nullptr;
   auto view = with_context("--web", [&] {
-    return std::make_unique<web::WebView>(scene, session, web::WebOptions{.address = address_of(arguments.web)});
+    return std::make_unique<web::WebView>(scene, session,
+                                          web::WebOptions{.address = address_of(arguments.web), .game = game});
   });
   const std::string missing = web::WebView::no_page();
   if (missing.empty()) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/command.h"
+#include "murosimf/league/game_task.h"
 #include "murosimf/session/session.h"
 #include "murosimf/web/html_recording.h"
 #include "murosimf/web/web_view.h"
@@ -26,8 +27,9 @@ void check(const WebArguments& arguments);
 [[nodiscard]] std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene,
                                                                       const WebArguments& arguments);
 
-/// Shows the session in browsers from now on; its addresses are said. Null if nobody looks on. Throws SetupError, with the option.
+/// Shows the session in browsers from now on; its addresses are said. Null if nobody looks on. `game`: whose score
+/// is shown, null if nobody referees. Throws SetupError, with the option.
 [[nodiscard]] std::unique_ptr<web::WebView> web_view_of(scene::Scene& scene, session::Session& session,
-                                                        const WebArguments& arguments);
+                                                        const WebArguments& arguments, const league::GameTask* game);
 
 }  // namespace murosimf::app

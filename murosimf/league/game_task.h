@@ -48,6 +48,9 @@ class GameTask final : public Algorithm {
   void between_steps(Scene& scene);
 
   [[nodiscard]] const GameState& game() const { return game_; }
+  // Of the scene's teams, 0 and 1.
+  [[nodiscard]] const std::string& team_name(std::size_t team) const { return options_.team_names[team]; }
+  [[nodiscard]] const TeamState& team(std::size_t team) const { return game_.teams[place_of_team_[team]]; }
   [[nodiscard]] std::uint64_t words() const { return words_; }  ///< of the referee so far
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::survey; }

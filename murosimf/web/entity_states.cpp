@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "murosimf/connect/game_view.h"
+#include "murosimf/league/game_task.h"
 
 namespace murosimf::web {
 namespace {
@@ -15,16 +15,6 @@ using nlohmann::json;
 
 constexpr std::size_t most_lines = 200;
 constexpr std::array state_names = {"initial", "ready", "set", "playing", "finished"};
-
-/// The first robot of a team other than `not_of` that a referee has told something.
-const Entity* told_robot(const World& world, const std::string& not_of) {
-  for (const auto& entity : world.entities()) {
-    if (entity->options().team.empty() || entity->options().team == not_of) continue;
-    const Column<connect::GameView>* view = entity->find(connect::game_view);
-    if (view && view->values[0].samples > 0) return entity.get();
-  }
-  return nullptr;
-}
 
 }  // namespace
 
@@ -53,18 +43,18 @@ json lines_of(const Simulation& simulation) {
   return lines;
 }
 
-json game_of(const World& world) {
-  const Entity* first = told_robot(world, "");
-  if (!first) return nullptr;
-  const Entity* other = told_robot(world, first->options().team);
-  const connect::GameView& view = first->find(connect::game_view)->values[0];
-  const auto state = static_cast<std::size_t>(std::clamp(view.state, 0.0, state_names.size() - 1.0));
-  return {{"state", state_names[state]},
-          {"half", view.half},
-          {"remaining", view.remaining},
-          {"teams",
-           {{{"name", first->options().team}, {"score", view.score[0]}},
-            {{"name", other ? other->options().team : "others"}, {"score", view.score[1]}}}}};
+json game_of(const league::GameTask* game) {
+  if (!game || game->words() == 0) return nullptr;
+  const league::GameState& state = game->game();
+  json teams = json::array();
+  for (const std::size_t team : {0, 1}) {
+    teams.push_back({{"name", game->team_name(team)}, {"score", game->team(team).score}});
+  }
+  const auto number = static_cast<std::size_t>(std::clamp<int>(state.state, 0, state_names.size() - 1));
+  return {{"state", state_names[number]},
+          {"half", state.first_half ? 1 : 2},
+          {"remaining", state.seconds_left},
+          {"teams", teams}};
 }
 
 }  // namespace murosimf::web

@@ -5,6 +5,10 @@
 
 #include "murosimf/runtime/simulation.h"
 
+namespace murosimf::league {
+class GameTask;
+}
+
 namespace murosimf::web {
 
 /// [{level, contact, controller, present, frozen}], by entity of the world.
@@ -13,7 +17,7 @@ namespace murosimf::web {
 /// The last events and warnings, at most 200 each: [{time, text, warning}] by time. Warnings have the time 0 if they do not say one.
 [[nodiscard]] nlohmann::json lines_of(const Simulation& simulation);
 
-/// {state, half, remaining, teams: [{name, score}]} as the robots are told by a referee; null if there is none.
-[[nodiscard]] nlohmann::json game_of(const World& world);
+/// {state, half, remaining, teams: [{name, score}]} of a referee; null if there is none, or it has said nothing yet.
+[[nodiscard]] nlohmann::json game_of(const league::GameTask* game);
 
 }  // namespace murosimf::web

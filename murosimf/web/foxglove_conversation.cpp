@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
-#include <cstring>
-#include <exception>
 
 #include <fmt/format.h>
 
@@ -13,6 +10,7 @@
 #include "murosimf/web/gzip.h"
 #include "murosimf/web/json_line.h"
 #include "murosimf/web/little_endian.h"
+#include "murosimf/web/waiting_jobs.h"
 
 namespace murosimf::web {
 namespace {
@@ -187,8 +185,10 @@ void FoxgloveConversation::set_parameters(const json& order) {
     if (jobs_.size() >= most_requests) throw ClientError("too many requests at once");
     const auto name = one.at("name").get<std::string>();
     if (!one.contains("value")) throw SetupError(fmt::format("{}: a parameter cannot be removed", name));
-    jobs_.push_back({.done = live_.session().change(fmt::format("{} = {}", name, text_of_value(one.at("value")))),
-                     .parameters = {name},
+    const std::string value = text_of_value(one.at("value"));
+    jobs_.push_back({.done = live_.session().change(fmt::format("{} = {}", name, value)),
+                     .parameter = name,
+                     .value = value,
                      .id = id});
   }
 }
@@ -201,7 +201,8 @@ void FoxgloveConversation::control_playback(std::string_view message) {
   const auto time = in.take<std::uint64_t>();
   const std::string id(in.take(in.take<std::uint32_t>()));
   session::Session& session = live_.session();
-  if (std::isfinite(speed) && speed > 0) session.set_speed(speed);
+  const bool has_speed = std::isfinite(speed) && speed > 0;
+  if (has_speed) session.set_speed(speed);
   if (!play) session.pause();
   if (seek) {
     const session::SessionStatus now = session.status();
@@ -210,7 +211,8 @@ void FoxgloveConversation::control_playback(std::string_view message) {
     jobs_.push_back({.done = session.seek(std::clamp(Duration(wanted), now.first, now.last)), .id = id, .seek = true});
   }
   if (play && !seek) session.go_on();
-  if (!seek) send_playback(false, id);
+  // what was asked for is not there yet
+  if (!seek) send_playback(false, id, has_speed ? std::optional<double>(speed) : std::nullopt);
 }
 
 void FoxgloveConversation::introduce() {
@@ -270,7 +272,7 @@ void FoxgloveConversation::send_packet(const FoxgloveLive::Packet& packet) {
   }
 }
 
-void FoxgloveConversation::send_playback(bool seeked, const std::string& id) {
+void FoxgloveConversation::send_playback(bool seeked, const std::string& id, std::optional<double> speed) {
   enum State : std::uint8_t { playing, paused, buffering, ended };
   const session::SessionStatus status = live_.session().status();
   std::string bytes;
@@ -278,7 +280,7 @@ void FoxgloveConversation::send_playback(bool seeked, const std::string& id) {
   put_u8(bytes, !status.paused ? playing : status.time >= status.end ? ended : paused);
   const std::size_t head = bytes.size();
   put_u64(bytes, static_cast<std::uint64_t>(status.time.count()));
-  put_f32(bytes, static_cast<float>(status.speed.value_or(1)));
+  put_f32(bytes, static_cast<float>(speed.value_or(status.speed.value_or(1))));
   put_u8(bytes, seeked ? 1 : 0);
   put_u32(bytes, static_cast<std::uint32_t>(id.size()));
   bytes += id;
@@ -295,20 +297,12 @@ void FoxgloveConversation::say(int level, const std::string& text) {
 }
 
 void FoxgloveConversation::answer_jobs() {
-  for (auto job = jobs_.begin(); job != jobs_.end();) {
-    if (job->done.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-      ++job;
-      continue;
-    }
-    try {
-      job->done.get();
-    } catch (const std::exception& error) {
-      say(error_level, error.what());
-    }
-    if (!job->parameters.empty()) send_parameters(job->parameters, job->id);
-    if (job->seek) send_playback(true, job->id);
-    job = jobs_.erase(job);
-  }
+  answer_ready(jobs_, [this](const Job& job, const std::string& error) {
+    if (!error.empty()) say(error_level, error);
+    if (error.empty()) live_.parameter_became(job.parameter, job.value);
+    if (!job.parameter.empty()) send_parameters({job.parameter}, job.id);
+    if (job.seek) send_playback(error.empty(), job.id);
+  });
 }
 
 void FoxgloveConversation::look() {

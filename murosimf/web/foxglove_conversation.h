@@ -6,6 +6,7 @@
 #include <deque>
 #include <future>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -43,15 +44,15 @@ class FoxgloveConversation final : public Conversation {
   void announce_channels();
   void send_parameters(const std::set<std::string>& names, const std::string& id);
   void send_packet(const FoxgloveLive::Packet& packet);
-  void send_playback(bool seeked, const std::string& id);
+  void send_playback(bool seeked, const std::string& id, std::optional<double> speed = {});
   void say(int level, const std::string& text);
   void answer_jobs();
 
   /// Something that the simulation's thread does for this client.
   struct Job {
     std::future<void> done;
-    std::set<std::string> parameters{};  ///< to be told when it was
-    std::string id{};                    ///< of the request
+    std::string parameter{}, value{};  ///< to be told when it was; empty: none
+    std::string id{};                  ///< of the request
     bool seek = false;
   };
 

@@ -48,6 +48,10 @@ class FoxgloveLive final : private recording::MessageSink {
   [[nodiscard]] Duration time() const { return time_; }
   /// Of robots, as they were in the last visit: "blue1.level", with its value.
   [[nodiscard]] const std::map<std::string, std::string>& parameters() const { return parameters_; }
+  /// One of them has changed; the next visit sees it.
+  void parameter_became(const std::string& name, const std::string& value) {
+    if (parameters_.contains(name)) parameters_[name] = value;
+  }
   /// Lines are to be sent all; of other channels the newest is enough.
   [[nodiscard]] bool is_of_lines(std::uint16_t channel) const;
 

@@ -51,6 +51,7 @@ const sensors::CameraFrame* wanted_frame(scene::Scene& scene, const std::string&
 
 /// What the simulation's thread fills in, once at a time.
 struct LiveScene::Visit {
+  const league::GameTask* referee = nullptr;
   // wanted
   bool publish = false;  // poses, for a reader that has none yet
   int known_changes = -1;
@@ -76,7 +77,7 @@ struct LiveScene::Visit {
     }
     time = seconds(simulation.now());
     entities = entity_states(simulation.world());
-    game = game_of(simulation.world());
+    game = game_of(referee);
     lines = lines_of(simulation);
     values = numbers.read(simulation.world(), paths);
     for (const std::string& camera : cameras) {
@@ -85,7 +86,7 @@ struct LiveScene::Visit {
       known_pictures[camera] = frame->number;
       pictures[camera] = picture_message(*frame);
     }
-    if (publish) simulation.publish_poses();
+    if (publish || document) simulation.publish_poses();
   }
 };
 
@@ -104,6 +105,7 @@ void LiveScene::read_poses(const Wishes& wishes) {
   if (!reader_ || !scene_) return;
   const PoseFrame* frame = reader_->latest();
   if (!frame || frame->first.size() <= scene_->entities) return;  // of other entities than the document
+  shown_ = frame->time;
   const std::uint64_t jumps = session_.status().jumps;
   news_.poses = last_.poses = binary_message(pose_message(*scene_, *frame, jumps, false));
   if (wishes.contacts) news_.poses_with_contacts = binary_message(pose_message(*scene_, *frame, jumps, true));
@@ -115,6 +117,7 @@ void LiveScene::take(const Visit& visit) {
     changes_ = visit.changes;
     document_message_ = binary_message(std::string{static_cast<char>(MessageKind::scene), 0, 0, 0} + scene_->bytes);
     ++documents_;
+    last_.poses = {};  // of other bodies
   }
   const std::string state = json_line(state_of(session_.status(), visit.entities, visit.game));
   if (std::exchange(state_, state) != state) news_.state = last_.state = text_message(state);
@@ -133,7 +136,10 @@ void LiveScene::take(const Visit& visit) {
 void LiveScene::ask(const Wishes& wishes) {
   if (!visit_) visit_ = std::make_shared<Visit>();
   Visit& visit = *visit_;
-  visit.publish = std::exchange(is_new_reader_, false);
+  visit.referee = game_;
+  // frames come now and then; where it stands still is seen exactly
+  const session::SessionStatus status = session_.status();
+  visit.publish = std::exchange(is_new_reader_, false) || (status.paused && status.time != shown_);
   visit.known_changes = changes_;
   visit.known_entities = scene_ ? scene_->entities : 0;
   visit.paths = wishes.numbers;
@@ -149,6 +155,7 @@ void LiveScene::look() {
   for (const Onlooker* onlooker : onlookers_) onlooker->add(wishes);
   if (wishes.clients == 0) {
     reader_ = nullptr;  // nothing is copied for nobody
+    last_.poses = {};
     return;
   }
   subscribe(wishes);

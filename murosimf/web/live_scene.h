@@ -19,6 +19,10 @@
 #include "murosimf/web/outbox.h"
 #include "murosimf/web/scene_document.h"
 
+namespace murosimf::league {
+class GameTask;
+}
+
 namespace murosimf::web {
 
 /// What clients want besides poses and state. All of it is counted anew in every look.
@@ -46,8 +50,9 @@ struct News {
 
 class LiveScene {
  public:
-  /// `poses`: of the scene's simulation. Both must outlive it.
-  LiveScene(session::Session& session, PoseFeed& poses) : session_(session), poses_(poses) {}
+  /// `poses`: of the scene's simulation; `game`: null if nobody referees. All must outlive it.
+  LiveScene(session::Session& session, PoseFeed& poses, const league::GameTask* game)
+      : session_(session), poses_(poses), game_(game) {}
 
   void join(const Onlooker& onlooker) { onlookers_.push_back(&onlooker); }
   void leave(const Onlooker& onlooker) { std::erase(onlookers_, &onlooker); }
@@ -73,6 +78,7 @@ class LiveScene {
 
   session::Session& session_;
   PoseFeed& poses_;
+  const league::GameTask* game_;
   std::vector<const Onlooker*> onlookers_;
   News news_, last_;
   std::shared_ptr<const SceneDocument> scene_;
@@ -83,6 +89,7 @@ class LiveScene {
   std::shared_ptr<PoseReader> reader_;
   PoseRequest request_;
   bool is_new_reader_ = false;
+  Duration shown_{};  // of the last poses
   std::shared_ptr<Visit> visit_;
   std::future<void> visited_;
   std::chrono::steady_clock::time_point next_visit_{};

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
 #include "murosimf/web/json_line.h"
+#include "murosimf/web/waiting_jobs.h"
 #include "murosimf/web/watched_numbers.h"
 
 namespace murosimf::web {
@@ -122,22 +122,13 @@ void PageConversation::answer(std::int64_t id, const std::string& error) {
 }
 
 void PageConversation::answer_jobs() {
-  for (auto job = jobs_.begin(); job != jobs_.end();) {
-    if (job->done.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-      ++job;
-      continue;
-    }
-    try {
-      job->done.get();
-      job->then();
-      json text{{"is", "answer"}, {"id", job->id}};
-      if (job->result) text["result"] = *job->result;
-      outbox.send(text_message(json_line(text)));
-    } catch (const std::exception& error) {
-      answer(job->id, error.what());
-    }
-    job = jobs_.erase(job);
-  }
+  answer_ready(jobs_, [this](const Job& job, const std::string& error) {
+    if (!error.empty()) return answer(job.id, error);
+    job.then();
+    json text{{"is", "answer"}, {"id", job.id}};
+    if (job.result) text["result"] = *job.result;
+    outbox.send(text_message(json_line(text)));
+  });
 }
 
 void PageConversation::show_poses() {

@@ -20,7 +20,10 @@ constexpr std::string_view page_missing =
 
 struct WebView::Inside {
   Inside(scene::Scene& scene, session::Session& session, const WebOptions& options)
-      : live(session, scene.simulation().poses()), foxglove(session), token(new_token()), server(options_of(options)) {}
+      : live(session, scene.simulation().poses(), options.game),
+        foxglove(session),
+        token(new_token()),
+        server(options_of(options)) {}
 
   Server::Options options_of(const WebOptions& given) {
     const std::string_view page = compressed_page();

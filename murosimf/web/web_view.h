@@ -14,10 +14,15 @@
 #include "murosimf/session/session.h"
 #include "murosimf/wire/socket.h"
 
+namespace murosimf::league {
+class GameTask;
+}
+
 namespace murosimf::web {
 
 struct WebOptions {
   wire::Address address;
+  const league::GameTask* game = nullptr;  ///< whose score is shown; must outlive the view
 };
 
 class WebView {

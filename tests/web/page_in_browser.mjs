@@ -27,6 +27,7 @@ const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run
 // murosimf run ... --web: its address, and how to end it.
 async function start(...words) {
   const child = spawn(program, ["run", ...words, "--web", "0"], { stdio: ["ignore", "ignore", "pipe"] });
+  children.add(child);
   let said = "";
   const address = await new Promise((resolve, reject) => {
     child.stderr.on("data", (text) => {
@@ -38,6 +39,9 @@ async function start(...words) {
   });
   return { address, end: () => new Promise((done) => { child.on("exit", done); child.kill("SIGKILL"); }) };
 }
+
+const children = new Set();
+process.on("exit", () => { for (const child of children) child.kill("SIGKILL"); });
 
 const browser = await chromium.launchPersistentContext(profile, { executablePath, headless: true, args,
   viewport: { width: 1280, height: 760 } });
@@ -81,6 +85,7 @@ async function testDesktop() {
   const begin = Date.now();
   const page = await open(run.address);
   console.log(`page shows the scene after ${Date.now() - begin} ms`);
+  assert.equal(await page.textContent("#messages"), "", "nothing to complain about");
   assert.equal(await page.textContent("#name"), "Three on three");
   await until(page, (now) => now && now.time > 0, "time goes on");
   assert.ok((await colors(page)) > 30, "something is drawn");
@@ -144,6 +149,7 @@ async function testReconnect() {
   await run.end();
   await page.waitForSelector("#state.bad", { timeout: 20000 });
   const again = spawn(program, ["run", "walk", "--duration", "60", "--web", port], { stdio: "ignore" });
+  children.add(again);
   await page.waitForSelector("#state:not(.bad)", { timeout: 30000 });
   again.kill("SIGKILL");
   await page.close();

@@ -3,17 +3,22 @@
 
 Usage: web_server.py <murosimf>
 """
+import base64
 import gzip
 import json
+import re
 import socket
 import subprocess
 import sys
-import time
+import tempfile
 import unittest
 import urllib.error
 import urllib.request
+from pathlib import Path
 
-from client import Client, Refused, Run, time_of
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "league"))
+import play_with_game_controller  # noqa: E402
+from client import Client, Refused, Run, time_of  # noqa: E402
 
 PROGRAM = sys.argv.pop(1)
 
@@ -153,6 +158,21 @@ class Steering(unittest.TestCase):
             client.order(do="watch", paths=["robot.nosuch"], id=3)
             self.assertIn("nosuch", client.answer(3)["error"])
 
+    def test_score(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as referee:
+            referee.bind(("127.0.0.1", 0))  # also where robots answer
+            port = play_with_game_controller.free_port()
+            with Run(PROGRAM, "three_on_three", "--duration", "60", "--no-cameras", "--game-controller", str(port),
+                     "--set", f"league.answer_port={referee.getsockname()[1]}") as run:
+                client = Client(run.port)
+                self.assertIsNone(client.state()["game"])
+                for packet in play_with_game_controller.packets():
+                    referee.sendto(packet, ("127.0.0.1", port))
+                    client.poses()
+                game = client.state(lambda state: state["game"] and state["game"]["teams"][0]["score"] == 3)["game"]
+                self.assertEqual(game["state"], "playing")
+                self.assertEqual(game["teams"][1], {"name": "red", "score": 0})
+
     def test_end(self):
         with Run(PROGRAM, "walk", "--duration", "0.5", "--json", "-") as run:
             client = Client(run.port)
@@ -166,6 +186,30 @@ class Steering(unittest.TestCase):
         alone = subprocess.run([PROGRAM, "run", "walk", "--duration", "0.5", "--json", "-"], capture_output=True,
                                check=True, text=True)
         self.assertEqual(json.loads(alone.stdout)["state_hash"], report["state_hash"])
+
+
+class Export(unittest.TestCase):
+    def test_the_file_is_small_and_the_run_the_same(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "game.html")
+            words = [PROGRAM, "run", "three_on_three", "--duration", "60", "--json", "-"]
+            made = subprocess.run([*words, "--html", file], capture_output=True, check=True, text=True)
+            alone = subprocess.run(words, capture_output=True, check=True, text=True)
+            self.assertEqual(json.loads(made.stdout)["state_hash"], json.loads(alone.stdout)["state_hash"])
+            self.assertLess(file.stat().st_size, 5_000_000)
+            page = file.read_text(encoding="utf-8")
+        recording = gzip.decompress(base64.b64decode(re.search(r'id="recording"[^>]*>([^<]*)<', page)[1]))
+        size = int.from_bytes(recording[:4], "little")
+        text = json.loads(recording[4:4 + size])
+        self.assertEqual(text["frames"], 60 * 25 + 1)
+        self.assertEqual(len(recording), 4 + size + text["scene_bytes"] + 2 * text["words"] * text["frames"])
+
+    def test_what_cannot_be_written(self):
+        for words, said in ((["--html", "/nosuch/game.html"], "/nosuch"), (["--html-rate", "9"], "--html"),
+                            (["--html", "x.html", "--html-rate", "0"], "frames per second")):
+            done = subprocess.run([PROGRAM, "run", "walk", *words], capture_output=True, text=True, check=False)
+            self.assertNotEqual(done.returncode, 0, words)
+            self.assertIn(said, done.stderr)
 
 
 class Clients(unittest.TestCase):
@@ -217,7 +261,8 @@ class Clients(unittest.TestCase):
             stands = two.state(lambda state: state["paused"])["time"]
             one.close()
             again = Client(run.port)
-            self.assertEqual(time_of(again.poses()), stands, "who comes while it stands still sees it, too")
+            # who comes while it stands sees it, too
+            again.wait_for(lambda m: isinstance(m, bytes) and m[0] == 1 and time_of(m) == stands)
             two.order(do="go_on", id=1)
             again.state(lambda state: not state["paused"] and state["time"] > stands)
 
@@ -235,5 +280,4 @@ class Clients(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    start = time.monotonic()
     unittest.main(verbosity=2)

@@ -41,7 +41,7 @@ export class Link implements Source {
 
   setContacts(on: boolean): void {
     this.contacts = on;
-    this.order({ do: "contacts", on });
+    if (this.isOpen()) this.order({ do: "contacts", on }); // else as soon as it is
   }
 
   async watch(paths: string[]): Promise<unknown> {
@@ -52,8 +52,10 @@ export class Link implements Source {
 
   look(camera: string | null): void {
     this.camera = camera;
-    this.order({ do: "camera", camera });
+    if (this.isOpen()) this.order({ do: "camera", camera });
   }
+
+  private isOpen(): boolean { return this.socket?.readyState === WebSocket.OPEN; }
 
   // What fails is said; nobody waits for it.
   private order(what: object): void {
@@ -62,13 +64,13 @@ export class Link implements Source {
 
   private ask(what: object): Promise<unknown> {
     return new Promise((resolve, reject) => {
-      if (this.socket?.readyState !== WebSocket.OPEN) {
+      if (!this.isOpen()) {
         reject(new Error("not connected"));
         return;
       }
       const id = this.nextId++;
       this.waiting.set(id, { resolve, reject });
-      this.socket.send(JSON.stringify({ ...what, id }));
+      this.socket?.send(JSON.stringify({ ...what, id }));
     });
   }
 

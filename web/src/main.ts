@@ -122,8 +122,10 @@ function showPanel(on: boolean): void {
   get("panel").hidden = !on;
   document.body.classList.toggle("panel", on);
   toggle(get("toggle_panel"), on);
-  const beside = on && window.matchMedia("(min-width: 641px)").matches;
-  view.setCovered(beside ? get("panel").offsetWidth + 10 : 0);
+  const box = get("panel").getBoundingClientRect();
+  if (!on) view.setCovered(0, 0);
+  else if (window.matchMedia("(min-width: 641px)").matches) view.setCovered(window.innerWidth - box.left, 0);
+  else view.setCovered(0, window.innerHeight - box.top);
 }
 
 const actions: Record<string, () => void> = {

@@ -163,8 +163,7 @@ export class Panel {
   }
 
   private describe(entity: Entity): void {
-    this.details.className = "tab";
-    this.details.style.padding = "0";
+    this.details.className = "details";
     this.details.append(make("strong", entity.name));
     if (!this.source.live) return;
     if (entity.kind === "robot") this.levels = this.choice("level", this.scene?.text.levels ?? [], "level", entity);

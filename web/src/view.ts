@@ -9,7 +9,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Part, SceneDocument } from "./scene";
 import type { Poses } from "./poses";
 
-const meters_per_newton = 1 / 500;
+const meters_per_newton = 1 / 100;
 
 function colorOf(numbers: number[]): Color {
   return new Color().setRGB(numbers[0] ?? 0.6, numbers[1] ?? 0.6, numbers[2] ?? 0.6, SRGBColorSpace);
@@ -129,7 +129,7 @@ export class View {
   private drag: { shown: Shown; body: number; start: Vector3; plane: Plane } | undefined;
   private pressed: { x: number; y: number } | undefined;
   private followed = new Vector3();
-  private covered = 0; // [px] at the right border
+  private covered = { right: 0, bottom: 0 }; // [px] at the borders
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -274,9 +274,9 @@ export class View {
     this.dirty = true;
   }
 
-  // Leaves `pixels` at the right border to something that lies over the view.
-  setCovered(pixels: number): void {
-    this.covered = pixels;
+  // Leaves pixels at the right and lower borders to something that lies over the view.
+  setCovered(right: number, bottom: number): void {
+    this.covered = { right, bottom };
     this.fit();
   }
 
@@ -292,7 +292,7 @@ export class View {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const place = point.clone().project(this.camera);
     const x = (place.x + 1) / 2 * width, y = (1 - place.y) / 2 * height;
-    return place.z < 1 && x > 8 && x < width - this.covered - 8 && y > 48 && y < height - 70;
+    return place.z < 1 && x > 8 && x < width - this.covered.right - 8 && y > 48 && y < height - Math.max(70, this.covered.bottom);
   }
 
   redraw(): void {
@@ -371,7 +371,7 @@ export class View {
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.setViewOffset(width, height, this.covered / 2, 0, width, height);
+    this.camera.setViewOffset(width, height, this.covered.right / 2, this.covered.bottom / 2, width, height);
     this.dirty = true;
   }
 
