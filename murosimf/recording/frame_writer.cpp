@@ -15,7 +15,7 @@ namespace murosimf::recording {
 namespace {
 
 constexpr Duration scene_period = std::chrono::seconds(5);        // seeks in files far away look for the one before
-constexpr Duration arrow_period = std::chrono::milliseconds(40);  // eyes need no more
+constexpr Duration arrow_period = std::chrono::milliseconds(50);  // eyes need no more
 constexpr std::size_t most_named = 16;                            // numbers of an output
 constexpr int log_info = 2, log_warning = 3;                      // foxglove.Log.Level
 

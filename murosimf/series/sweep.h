@@ -51,7 +51,8 @@ struct Sweep {
 [[nodiscard]] std::string to_text(const Sweep& sweep);
 /// A row for each run.
 [[nodiscard]] std::string to_csv(const Sweep& sweep);
-/// A row for each combination: the first axis in the first column, then mean, and the ends of the interval, of each result.
+/// Numbers only, so that they can be drawn: a row for each combination, with the values of axes that are numbers (without any: its
+/// number), then mean and ends of the interval of each result.
 [[nodiscard]] std::string summary_csv(const Sweep& sweep);
 /// Runs and summary (docs/json.md).
 [[nodiscard]] std::string to_json(const Sweep& sweep);
