@@ -45,7 +45,8 @@ std::optional<recording::TimeSpan> ticks_of(const std::string& text) {
     }
     return from_seconds(s);
   };
-  const recording::TimeSpan span{number(text.substr(0, dots)), number(dots == std::string::npos ? "" : text.substr(dots + 2))};
+  const recording::TimeSpan span{number(text.substr(0, dots)),
+                                 number(dots == std::string::npos ? "" : text.substr(dots + 2))};
   if (span.end < span.begin) throw SetupError(fmt::format("--record-ticks '{}': it ends before it begins", text));
   return span;
 }

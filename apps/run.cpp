@@ -22,8 +22,8 @@
 #include "murosimf/files/files_read.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/league/league.h"
-#include "murosimf/recording/state_file.h"
 #include "murosimf/logging/run_log.h"
+#include "murosimf/recording/state_file.h"
 #include "murosimf/runtime/clock.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/scene/scene_pictures.h"
@@ -45,10 +45,10 @@ struct RunOptions {
   double log_rate = 100;           ///< [Hz] of properties in it
   std::string listen;              ///< [HOST:]PORT, empty: nobody can connect
   RecordOptions record;
-  std::string serial;                  ///< folder for links to serial lines
-  bool no_cameras = false;             ///< nothing is drawn for cameras
-  std::string from, save_state;        ///< files
-  std::vector<std::string> save_at;    ///< TIME:FILE
+  std::string serial;                ///< folder for links to serial lines
+  bool no_cameras = false;           ///< nothing is drawn for cameras
+  std::string from, save_state;      ///< files
+  std::vector<std::string> save_at;  ///< TIME:FILE
   GameArguments game;
 };
 

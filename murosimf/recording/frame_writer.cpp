@@ -96,7 +96,7 @@ TextMap names_of(const RecordedSensor& sensor) {
 }  // namespace
 
 const std::vector<std::string>& recordable() {
-  static const std::vector<std::string> names = {"poses", "scene", "joints", "contacts",
+  static const std::vector<std::string> names = {"poses",   "scene",  "joints", "contacts",
                                                  "sensors", "events", "hashes", "states"};
   return names;
 }

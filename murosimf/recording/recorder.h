@@ -42,10 +42,12 @@ struct RecorderOptions {
   std::string command_line{};
   Duration state_period = std::chrono::seconds(10);  ///< from one whole state to the next, if "states" are recorded
   std::optional<TimeSpan> ticks{};  ///< with hash and state of every step; of other times as `what` and rates say
-  std::set<std::string> record_on{};  ///< of watchable(): only what is around such an event gets into the file; empty: all
-  Duration keep = std::chrono::seconds(30);   ///< before it,
-  Duration after = std::chrono::seconds(2);   ///< and after it
-  std::optional<RunDescription> run{};  ///< how it was begun (`names` as `files` says): with the files it can be repeated
+  std::set<std::string>
+      record_on{};  ///< of watchable(): only what is around such an event gets into the file; empty: all
+  Duration keep = std::chrono::seconds(30);  ///< before it,
+  Duration after = std::chrono::seconds(2);  ///< and after it
+  std::optional<RunDescription>
+      run{};  ///< how it was begun (`names` as `files` says): with the files it can be repeated
   /// Which files the scene was read from, until the first step; hashes of all and contents of small ones are recorded. Null: none.
   const files::FilesRead* files = nullptr;
   /// Instead, the recording that it repeats, whose `run` has the names, too.
@@ -110,7 +112,7 @@ class Recorder {
   RecordingThread::Batch batch_;
   Duration keep_, after_;
   std::optional<RunWatch> watch_;
-  std::vector<RecordingThread::Batch> held_;  // not in the file yet
+  std::vector<RecordingThread::Batch> held_;                        // not in the file yet
   std::vector<std::pair<Duration, std::string>> commands_between_;  // of what will never be in it
   Duration write_until_{-1};
   bool began_ = false;

@@ -64,7 +64,8 @@ void assign_element(toml::table& robot, const Assignment& o, std::size_t begin) 
   toml::array* list = robot[o.path[begin]].as_array();
   const std::size_t place = static_cast<std::size_t>(o.path.back().front() - '0');
   if (!list || place >= list->size()) {
-    throw SetupError(fmt::format("{}: there is no list '{}' with so many numbers; set all of it", o.where, o.path[begin]));
+    throw SetupError(
+        fmt::format("{}: there is no list '{}' with so many numbers; set all of it", o.where, o.path[begin]));
   }
   toml::table value = o.parsed();
   list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(place), std::move(*value.get("value")));

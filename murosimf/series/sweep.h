@@ -19,12 +19,13 @@ namespace murosimf::series {
 struct SweepOptions {
   std::string scene;
   std::vector<GridAxis> axes{};
-  std::vector<std::uint64_t> seeds{};     ///< none: the scene's
-  std::optional<double> duration{};       ///< [s] instead of the scene's
-  std::vector<std::string> results{};     ///< patterns (chosen_results.h); none: usual_results()
-  scene::SceneOptions common{};           ///< of all runs; `threads`: runs at a time, each is stepped by one
-  std::filesystem::path file{};           ///< where runs that are done are noted, so that a sweep goes on that was killed; empty: nowhere
-  std::string program{};                  ///< whose runs may be mixed: noted in the file
+  std::vector<std::uint64_t> seeds{};  ///< none: the scene's
+  std::optional<double> duration{};    ///< [s] instead of the scene's
+  std::vector<std::string> results{};  ///< patterns (chosen_results.h); none: usual_results()
+  scene::SceneOptions common{};        ///< of all runs; `threads`: runs at a time, each is stepped by one
+  std::filesystem::path
+      file{};  ///< where runs that are done are noted, so that a sweep goes on that was killed; empty: nowhere
+  std::string program{};                                              ///< whose runs may be mixed: noted in the file
   std::function<void(std::size_t done, std::size_t all)> progress{};  ///< from any thread, one at a time
 };
 

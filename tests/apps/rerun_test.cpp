@@ -23,7 +23,8 @@ TEST(Rerun, EverySceneGoesOnAndIsRepeatedBitForBit) {
     const double time = std::uniform_int_distribution<int>(1, 599)(random) / 1000.0;
     const Result whole = murosimf(scene + " --record " + file + " --save-at " + std::to_string(time) + ":" + state);
     if (whole.exit_code == 2) continue;  // it needs another program, or control software that is not here
-    EXPECT_EQ(state_hash_in(murosimf(scene + " --from " + state).output), state_hash_in(whole.output)) << name << " at " << time;
+    EXPECT_EQ(state_hash_in(murosimf(scene + " --from " + state).output), state_hash_in(whole.output))
+        << name << " at " << time;
     const Result again = murosimf("rerun " + file);
     EXPECT_EQ(again.exit_code, 0) << name << ": " << again.output << again.errors;
     EXPECT_NE(again.output.find("no difference"), std::string::npos) << name;
@@ -93,7 +94,8 @@ TEST(Branch, IsATableOfContinuations) {
   EXPECT_EQ(murosimf("run walk --duration 1 --save-at 0.5:" + state).exit_code, 0);
   const Result result = murosimf("branch " + state + " --duration 0.5 --set 'walker.command=[0,0,0]' --csv " + table);
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  EXPECT_EQ(read_file(table).substr(0, read_file(table).find('\n')), "branch,walker.distance [m],walker.falls,state hash");
+  EXPECT_EQ(read_file(table).substr(0, read_file(table).find('\n')),
+            "branch,walker.distance [m],walker.falls,state hash");
   EXPECT_NE(result.output.find("as it was"), std::string::npos) << result.output;
   EXPECT_NE(murosimf("branch " + state + " --json -").output.find("murosimf/branch/1"), std::string::npos);
   expect_mistake("branch " + state + " --set walker.comand=1", {"walker.comand"});
@@ -107,8 +109,8 @@ TEST(Sweep, GoesOnAfterItWasKilled) {
   std::mt19937 random(4);
   for (int i = 0; i < 4; ++i) {
     const double wait = std::uniform_real_distribution<double>(0.01, 0.2)(random);
-    const std::string command = "timeout -s KILL " + std::to_string(wait) + " " + MUROSIMF_PROGRAM + " " + sweep + " --runs " +
-                                runs.string() + " >/dev/null 2>&1";
+    const std::string command = "timeout -s KILL " + std::to_string(wait) + " " + MUROSIMF_PROGRAM + " " + sweep +
+                                " --runs " + runs.string() + " >/dev/null 2>&1";
     (void)!std::system(("(" + command + ") 2>/dev/null").c_str());
   }
   const Result last = murosimf(sweep + " --runs " + runs.string() + " --csv " + table.string());

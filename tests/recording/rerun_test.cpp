@@ -42,14 +42,15 @@ TEST(Rerun, FindsNoDifferenceWhereThereIsNone) {
 }
 
 TEST(Rerun, RepeatsSeedOptionsAndCommands) {
-  const RepeatableRun run{
-      .scene = "nudge",
-      .time = 1500ms,
-      .how = {.seed = 77, .events = {"0.4:robot.level=simplified_dynamics"}, .cameras = false},
-      .when_initialized = [](scene::Scene& scene) {
-        scene.simulation().at(700ms, [&] { (void)scene.post("robot.level=full_dynamics"); });
-        scene.simulation().at(1s, [&] { (void)scene.post("ball.position=[1, 1, 0.1]"); });  // refused, or not: the same again
-      }};
+  const RepeatableRun run{.scene = "nudge",
+                          .time = 1500ms,
+                          .how = {.seed = 77, .events = {"0.4:robot.level=simplified_dynamics"}, .cameras = false},
+                          .when_initialized = [](scene::Scene& scene) {
+                            scene.simulation().at(700ms, [&] { (void)scene.post("robot.level=full_dynamics"); });
+                            scene.simulation().at(1s, [&] {
+                              (void)scene.post("ball.position=[1, 1, 0.1]");
+                            });  // refused, or not: the same again
+                          }};
   const RecordedRun recorded(record("commands.mcap", run));
   EXPECT_EQ(recorded.description().seed, 77U);
   ASSERT_FALSE(recorded.states().commands().empty());
@@ -113,8 +114,8 @@ TEST(Rerun, NeedsNoFileBesidesTheRecording) {
 
 TEST(Rerun, SaysWhichLargeFileIsMissingOrAnother) {
   const auto large = fixtures::temp_folder() / "large.toml";
-  std::ofstream(large) << std::ifstream(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "scenes/walk.toml").rdbuf() << "\n# "
-                       << std::string(300'000, 'x') << "\n";
+  std::ofstream(large) << std::ifstream(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "scenes/walk.toml").rdbuf()
+                       << "\n# " << std::string(300'000, 'x') << "\n";
   const auto file = record("large.mcap", {.scene = large.string(), .time = 1s});
   EXPECT_FALSE(repeated(file).difference);
   std::ofstream(large, std::ios::app) << "# more\n";
@@ -190,7 +191,8 @@ TEST(RecordOn, SeesTheBallInTheGoal) {
 
 // Whatever a byte of it has become: it is repeated, or refused in one line.
 TEST(RecordedRun, OfAMutatedFileIsBuiltOrRefused) {
-  const auto file = record("whole.mcap", {.scene = "walk", .time = 300ms}), mutated = fixtures::temp_folder() / "mutated.mcap";
+  const auto file = record("whole.mcap", {.scene = "walk", .time = 300ms}),
+             mutated = fixtures::temp_folder() / "mutated.mcap";
   std::stringstream content;
   content << std::ifstream(file, std::ios::binary).rdbuf();
   std::mt19937 random(7);
