@@ -23,14 +23,16 @@ struct BranchArguments {
 
 void define(const Command& command, BranchArguments& arguments) {
   command.add("file", arguments.file, "State of 'run --save-at', or recording (MCAP)").required();
-  command.add("--time", arguments.time, "Simulated seconds at which it branches, instead of the last state in the file");
+  command.add("--time", arguments.time,
+              "Simulated seconds at which it branches, instead of the last state in the file");
   command
       .add("--set", arguments.changes,
            "PATH=VALUE: one branch with this change, as of --at; several changes with ';' between them")
       .one_at_a_time();
   command.add("--duration", arguments.duration, "Simulated seconds of each branch, instead of what is left of the run");
   command
-      .add("--result", arguments.results, "A number at the end, like 'blue1.distance', or as --log names it, like 'ball.ball.position'")
+      .add("--result", arguments.results,
+           "A number at the end, like 'blue1.distance', or as --log names it, like 'ball.ball.position'")
       .one_at_a_time();
   command.add("--csv", arguments.csv, "Write the table to this file (CSV)");
   add_json(command, arguments.json);

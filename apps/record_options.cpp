@@ -28,9 +28,9 @@ std::filesystem::path layout_file(const std::filesystem::path& recording) {
   return std::filesystem::path(recording).replace_extension(".foxglove.json");
 }
 
-Duration period_of_states(double s) {
+Duration span_of(const char* option, double s) {
   if (s >= 0.001 && s <= scene_file::longest_duration) return from_seconds(s);
-  throw SetupError(fmt::format("--record-states {}: must be at least 0.001 s", s));
+  throw SetupError(fmt::format("{} {}: must be at least 0.001 s", option, s));
 }
 
 std::optional<recording::TimeSpan> ticks_of(const std::string& text) {
@@ -45,7 +45,8 @@ std::optional<recording::TimeSpan> ticks_of(const std::string& text) {
     }
     return from_seconds(s);
   };
-  const recording::TimeSpan span{number(text.substr(0, dots)), number(dots == std::string::npos ? "" : text.substr(dots + 2))};
+  const recording::TimeSpan span{number(text.substr(0, dots)),
+                                 number(dots == std::string::npos ? "" : text.substr(dots + 2))};
   if (span.end < span.begin) throw SetupError(fmt::format("--record-ticks '{}': it ends before it begins", text));
   return span;
 }
@@ -61,8 +62,10 @@ recording::RecorderOptions recorder_options(const RecordOptions& options) {
           .what = what_of(options),
           .program = this_program(),
           .command_line = command_line(),
-          .state_period = period_of_states(options.states),
-          .ticks = ticks_of(options.ticks)};
+          .state_period = span_of("--record-states", options.states),
+          .ticks = ticks_of(options.ticks),
+          .record_on = {options.on.begin(), options.on.end()},
+          .keep = span_of("--keep", options.keep)};
 }
 
 }  // namespace
@@ -101,6 +104,16 @@ void add_record(const Command& command, RecordOptions& options) {
       .add("--record-ticks", options.ticks,
            "BEGIN..END in seconds: the whole state of every step between, so that 'rerun' finds the first that differs")
       .needs(record);
+  const Option on = command
+                        .add("--record-on", options.on,
+                             fmt::format("Record only what is around a {}", fmt::join(recording::watchable(), ", ")))
+                        .needs(record)
+                        .separated_by(',')
+                        .one_of(recording::watchable())
+                        .offers(recording::watchable());
+  command.add("--keep", options.keep, "Seconds before that, at least; two seconds after it are recorded, too")
+      .needs(on)
+      .shows_default();
 }
 
 recording::RunDescription description_of(const SceneArguments& arguments, const scene::Scene& scene,
@@ -119,7 +132,8 @@ recording::RunDescription description_of(const SceneArguments& arguments, const 
 void check(const RecordOptions& options) {
   if (options.file.empty()) return;
   ticks_of(options.ticks);
-  period_of_states(options.states);
+  span_of("--record-states", options.states);
+  span_of("--keep", options.keep);
   files::check_writable(options.file);
   if (std::filesystem::is_other(options.file)) return;
   files::check_writable(layout_file(options.file));
@@ -149,6 +163,9 @@ bool finish(recording::Recorder& recorder, const scene::RunReport& report, const
   if (!trouble.empty()) {
     if (was_good) say_warning("the recording has no end: " + trouble);
     return false;
+  }
+  if (!options.on.empty() && recorder.happened() == 0) {
+    say_note(fmt::format("no {} happened: nothing of the run is in '{}'", fmt::join(options.on, " or "), options.file));
   }
   if (std::filesystem::is_other(options.file)) return true;
   std::vector<std::string> robots;

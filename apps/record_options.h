@@ -19,6 +19,8 @@ struct RecordOptions {
   std::vector<std::string> what;  ///< of recording::recordable(); none: what usually is
   double states = 10;             ///< [s] from one whole state to the next
   std::string ticks;              ///< BEGIN..END [s]: every step
+  std::vector<std::string> on;    ///< of recording::watchable(); none: all of the run
+  double keep = 30;               ///< [s] before that
 };
 
 void add_record(const Command& command, RecordOptions& options);

@@ -147,10 +147,11 @@ int render(const RenderOptions& given) {
   if (!source) source = make_eye(scene, options);
   for (const std::string& warning : make_report(scene).warnings) say_warning(warning);
   run_with_progress(simulation, time);
-  const bool written = options.video.empty() ? write_picture(*source, simulation, options)
-                                             : write_video(*source, simulation, options,
-                                                           options.duration.value_or(run ? seconds(run->end() - simulation.now())
-                                                                                         : scene.spec().duration));
+  const bool written = options.video.empty()
+                           ? write_picture(*source, simulation, options)
+                           : write_video(*source, simulation, options,
+                                         options.duration.value_or(run ? seconds(run->end() - simulation.now())
+                                                                       : scene.spec().duration));
   if (const auto line = events_to_come(scene); !run && !interrupted() && !line.empty()) say_warning(line);
   if (interrupted()) say_stopped(options, simulation, written);
   return exit_code();
@@ -159,8 +160,8 @@ int render(const RenderOptions& given) {
 }  // namespace
 
 void add_render(CommandLine& line) {
-  line.add<RenderOptions>("render", "Draw a scene or a recording: a picture or a video, for people or through a camera", define,
-                          render);
+  line.add<RenderOptions>("render", "Draw a scene or a recording: a picture or a video, for people or through a camera",
+                          define, render);
 }
 
 }  // namespace murosimf::app

@@ -29,9 +29,9 @@ void refuse_changes(const SceneArguments& arguments) {
   const bool changes = arguments.seed || arguments.lenient || !arguments.overrides.empty() ||
                        !arguments.events.empty() || !arguments.pushes.empty();
   if (!changes) return;
-  throw SetupError(
-      fmt::format("'{}' is a recording: what happened in it stays (--seed, --set, --at, --push, --lenient are for scenes)",
-                  arguments.file));
+  throw SetupError(fmt::format(
+      "'{}' is a recording: what happened in it stays (--seed, --set, --at, --push, --lenient are for scenes)",
+      arguments.file));
 }
 
 void check_plugins(const recording::RecordedRun& run, const RepeatArguments& arguments) {

@@ -37,7 +37,8 @@ int replay(const ReplayOptions& options) {
   if (!file.contents().damage.empty()) {
     say_warning(fmt::format("{}: {}; 'murosimf repair' mends it", options.file, file.contents().damage));
   }
-  const std::string text = recording::attached_text(file, "report.txt"), json = recording::attached_text(file, "report.json");
+  const std::string text = recording::attached_text(file, "report.txt"),
+                    json = recording::attached_text(file, "report.json");
   const std::string missing = "there is no report in it: its run did not come to its end\n";
   write_result(options.json, summary(file) + "\n" + (text.empty() ? missing : text), json.empty() ? "null\n" : json);
   return 0;

@@ -61,7 +61,7 @@ recording::RerunResult repeat(const recording::RecordedRun& run, const RerunArgu
 
 /// Has the other program repeat the run; what it records of that.
 recording::McapReader other_run(const RerunArguments& arguments, const std::filesystem::path& file,
-                                 const std::string& ticks) {
+                                const std::string& ticks) {
   std::vector<std::string> words{arguments.against, "rerun",         arguments.file, "--record",
                                  file.string(),     "--record-what", "hashes"};
   if (!ticks.empty()) words.insert(words.end(), {"--record-ticks", ticks});

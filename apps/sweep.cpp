@@ -33,11 +33,13 @@ void define(const Command& command, SweepArguments& arguments) {
   command.add("--seeds", arguments.seeds, "Seeds, like 1..20 or 3,5,8; the scene's if not given");
   command
       .add("--grid", arguments.grid,
-           "PATH=A,B,C: values that something of the scene takes, like 'walker.command.0=0.1,0.2'; several: all combinations")
+           "PATH=A,B,C: values that something of the scene takes, like 'walker.command.0=0.1,0.2'; several: all "
+           "combinations")
       .one_at_a_time();
   command.add("--duration", arguments.duration, "Simulated seconds of each run, instead of the scene's");
   command
-      .add("--result", arguments.results, "A number at the end, like 'walker.distance', or as --log names it, like 'ball.ball.position'")
+      .add("--result", arguments.results,
+           "A number at the end, like 'walker.distance', or as --log names it, like 'ball.ball.position'")
       .one_at_a_time();
   command.add("--set", arguments.overrides, "PATH=VALUE: change the scene of all runs").one_at_a_time();
   command.add("--at", arguments.events, "TIME:PATH=VALUE: change it while it runs").one_at_a_time();
@@ -52,8 +54,9 @@ void define(const Command& command, SweepArguments& arguments) {
   add_json(command, arguments.json);
   add_lenient(command, arguments.lenient);
   add_plugins(command, arguments.plugins);
-  command.add("--libraries", arguments.libraries,
-              "Load the control software that the scene file names (controller = \"library\"): it may do what it likes");
+  command.add(
+      "--libraries", arguments.libraries,
+      "Load the control software that the scene file names (controller = \"library\"): it may do what it likes");
 }
 
 series::SweepOptions options_of(const SweepArguments& arguments) {

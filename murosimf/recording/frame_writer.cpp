@@ -15,7 +15,7 @@ namespace murosimf::recording {
 namespace {
 
 constexpr Duration scene_period = std::chrono::seconds(5);        // seeks in files far away look for the one before
-constexpr Duration arrow_period = std::chrono::milliseconds(40);  // eyes need no more
+constexpr Duration arrow_period = std::chrono::milliseconds(50);  // eyes need no more
 constexpr std::size_t most_named = 16;                            // numbers of an output
 constexpr int log_info = 2, log_warning = 3;                      // foxglove.Log.Level
 
@@ -96,7 +96,7 @@ TextMap names_of(const RecordedSensor& sensor) {
 }  // namespace
 
 const std::vector<std::string>& recordable() {
-  static const std::vector<std::string> names = {"poses", "scene", "joints", "contacts",
+  static const std::vector<std::string> names = {"poses",   "scene",  "joints", "contacts",
                                                  "sensors", "events", "hashes", "states"};
   return names;
 }

@@ -5,7 +5,7 @@
 /// | `/tf` | foxglove.FrameTransforms: all links of all who are there, each in the frame of its parent; bases in `world` |
 /// | `/scene` | foxglove.SceneUpdate: what all of it looks like |
 /// | `/joints`, `/targets` | foxglove.JointStates of all robots, by names like `blue1/left_knee`: as they are, and as they should be |
-/// | `/contacts`, `/contact_forces` | murosimf.Contacts: points and forces; foxglove.SceneUpdate: the same as arrows, every 40 ms |
+/// | `/contacts`, `/contact_forces` | murosimf.Contacts: points and forces; foxglove.SceneUpdate: the same as arrows, every 50 ms |
 /// | `/sensors/ROBOT/SENSOR` | its outputs, a type of its own |
 /// | `/events`, `/warnings` | foxglove.Log |
 /// | `/commands` | foxglove.Log: what was asked of the scene while it ran, as Scene::post takes it |

@@ -84,7 +84,7 @@ struct RecordedFrame {
   std::vector<SensorSample> samples;
   std::vector<std::pair<Duration, std::string>> events, warnings, commands;  ///< new ones
   std::optional<std::uint64_t> hash;                                         ///< of the state
-  std::vector<std::byte> state;                                              ///< all of it (Scene::save); empty: not kept
+  std::vector<std::byte> state;  ///< all of it (Scene::save); empty: not kept
 };
 
 /// Adds poses and joints of now.

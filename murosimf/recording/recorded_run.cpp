@@ -12,7 +12,8 @@ namespace {
 RunDescription description_of(const McapReader& file) {
   return with_context(file.file().string(), [&] {
     const std::string json = attached_text(file, "run.json");
-    if (json.empty()) throw SetupError("it does not say how its run was begun: a program that embeds it, or one of before");
+    if (json.empty())
+      throw SetupError("it does not say how its run was begun: a program that embeds it, or one of before");
     return parse_run_description(json);
   });
 }
@@ -69,7 +70,8 @@ void RecordedRun::begin(scene::Scene& scene, Duration time, bool states) const {
   const Duration start = description_.start;
   const RecordedState* from = states_.last_until(states ? std::max(time, start) : start);
   if (from && (states || start > Duration{})) states_.load(scene, *from);
-  if (!from && start > Duration{}) throw SetupError(file_.file().string() + ": the state with which it began is missing");
+  if (!from && start > Duration{})
+    throw SetupError(file_.file().string() + ": the state with which it began is missing");
   for (const Command& command : states_.commands()) {
     if (command.time < scene.simulation().now()) continue;
     scene.simulation().at(command.time, [&scene, text = command.text] { static_cast<void>(scene.post(text)); });

@@ -21,9 +21,8 @@ void visit_topics(const McapReader& file, const std::set<std::string>& topics, c
     if (topics.contains(channel.topic)) wanted[channel.id] = channel.topic;
   }
   const auto has = [&](const ChunkIndex& chunk) {
-    return chunk.message_indexes.empty() || std::ranges::any_of(wanted, [&](const auto& one) {
-             return chunk.message_indexes.contains(one.first);
-           });
+    return chunk.message_indexes.empty() ||
+           std::ranges::any_of(wanted, [&](const auto& one) { return chunk.message_indexes.contains(one.first); });
   };
   for (std::size_t i = 0; i < file.contents().chunks.size(); ++i) {
     const ChunkIndex& chunk = file.contents().chunks[i];

@@ -35,7 +35,13 @@ Recorder::Recorder(scene::Scene& scene, const RecorderOptions& options)
       state_period_(options.state_period),
       ticks_(options.ticks),
       run_(options.run),
-      file_(options.file, {.library = options.program, .chunk_span = chunk_span}) {
+      file_(options.file, {.library = options.program, .chunk_span = chunk_span}),
+      keep_(options.keep),
+      after_(options.after) {
+  if (!options.record_on.empty()) {
+    watch_.emplace(scene, options.record_on);
+    what_.insert("states");  // what is kept begins with one
+  }
   describe(options);
   file_.sync();
   thread_ = std::make_unique<RecordingThread>([this](const RecordingThread::Batch& batch) { write(batch); });
@@ -64,18 +70,21 @@ void Recorder::start() {
   entities_ = recorded_entities(world);
   if (what_.contains("sensors")) sensors_ = recorded_sensors(world);
   if (what_.contains("scene")) looks_ = std::make_unique<SceneLooks>(scene_, entities_);
-  attach_what_it_began_with();
+  if (files_read_) files_now_ = files_now(files_read_->list());
+  if (!watch_) begin_file();
   frames_ = std::make_unique<FrameWriter>(file_, entities_, sensors_, looks_.get(), what_);
   next_frame_ = next_hash_ = next_state_ = scene_.simulation().now();
   look();
 }
 
-/// Files of meshes are known only when the scene is initialized.
-void Recorder::attach_what_it_began_with() {
-  if (files_read_) attach_files(file_, files_now(files_read_->list()));
+/// Files of meshes are known only when the scene is initialized; what is kept before an event begins with a state.
+void Recorder::begin_file() {
+  if (began_) return;
+  began_ = true;
+  if (files_read_) attach_files(file_, files_now_);
   if (files_of_) copy_files(file_, *files_of_);
   if (!run_) return;
-  run_->start = scene_.simulation().now();
+  run_->start = held_.empty() ? scene_.simulation().now() : held_.front().front().time;
   if (files_read_) run_->names = files_read_->names();
   attach_text("run.json", to_json(*run_));
 }
@@ -119,6 +128,7 @@ void Recorder::take_frame(bool is_last) {
   take_samples(frame);
   take_lines(frame);
   take_state(frame, is_last);
+  if (watch_) watch(frame);
   last_frame_ = frame.time;
   add(std::move(frame));
 }
@@ -157,6 +167,7 @@ void Recorder::take_lines(RecordedFrame& frame) {
 }
 
 void Recorder::add(RecordedFrame&& frame) {
+  if (watch_ && !frame.state.empty()) hand_over();  // states begin batches
   batch_.push_back(std::move(frame));
   if (batch_.back().time - batch_.front().time >= batch_span) hand_over();
 }
@@ -164,9 +175,40 @@ void Recorder::add(RecordedFrame&& frame) {
 void Recorder::hand_over() {
   if (batch_.empty()) return;
   const std::size_t usual = batch_.size();
-  thread_->push(std::move(batch_));
+  const Duration begin = batch_.front().time;
+  held_.push_back(std::move(batch_));
   batch_ = {};
   batch_.reserve(usual + usual / 4);
+  if (watch_ && begin > write_until_) return forget_old();
+  begin_file();
+  for (RecordingThread::Batch& batch : held_) thread_->push(std::move(batch));
+  held_.clear();
+}
+
+void Recorder::watch(RecordedFrame& frame) {
+  for (std::string& event : watch_->look()) {
+    frame.events.emplace_back(frame.time, std::move(event));
+    frame.commands.insert(frame.commands.begin(), commands_between_.begin(), commands_between_.end());
+    commands_between_.clear();
+    write_until_ = frame.time + after_;
+    ++happened_;
+  }
+}
+
+/// Drops what is before the last state that is old enough; of a file that has begun commands stay, for who repeats the run.
+void Recorder::forget_old() {
+  const auto is_start = [&](const RecordingThread::Batch& batch) {
+    return !batch.front().state.empty() && batch.front().time <= scene_.simulation().now() - keep_;
+  };
+  const auto last = std::find_if(held_.rbegin(), held_.rend(), is_start);
+  if (last == held_.rend()) return;
+  const auto first_kept = std::prev(last.base());
+  for (auto batch = held_.begin(); batch != first_kept; ++batch) {
+    for (RecordedFrame& frame : *batch) {
+      if (began_) commands_between_.insert(commands_between_.end(), frame.commands.begin(), frame.commands.end());
+    }
+  }
+  held_.erase(held_.begin(), first_kept);
 }
 
 /// In the thread.
@@ -182,6 +224,7 @@ void Recorder::finish(const scene::RunReport& report) {
   if (!frames_) start();  // of a run without steps
   if (last_frame_ != scene_.simulation().now()) take_frame(true);
   hand_over();
+  begin_file();
   thread_->finish();
   if (!trouble().empty()) return;
   try {

@@ -17,11 +17,13 @@
 #include <vector>
 
 #include "murosimf/files/files_read.h"
+#include "murosimf/recording/attached_files.h"
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/mcap_reader.h"
 #include "murosimf/recording/mcap_writer.h"
 #include "murosimf/recording/recording_thread.h"
 #include "murosimf/recording/run_description.h"
+#include "murosimf/recording/run_watch.h"
 #include "murosimf/scene/run_report.h"
 #include "murosimf/scene/scene.h"
 
@@ -40,7 +42,12 @@ struct RecorderOptions {
   std::string command_line{};
   Duration state_period = std::chrono::seconds(10);  ///< from one whole state to the next, if "states" are recorded
   std::optional<TimeSpan> ticks{};  ///< with hash and state of every step; of other times as `what` and rates say
-  std::optional<RunDescription> run{};  ///< how it was begun (`names` as `files` says): with the files it can be repeated
+  std::set<std::string>
+      record_on{};  ///< of watchable(): only what is around such an event gets into the file; empty: all
+  Duration keep = std::chrono::seconds(30);  ///< before it,
+  Duration after = std::chrono::seconds(2);  ///< and after it
+  std::optional<RunDescription>
+      run{};  ///< how it was begun (`names` as `files` says): with the files it can be repeated
   /// Which files the scene was read from, until the first step; hashes of all and contents of small ones are recorded. Null: none.
   const files::FilesRead* files = nullptr;
   /// Instead, the recording that it repeats, whose `run` has the names, too.
@@ -63,10 +70,11 @@ class Recorder {
   void attach(const std::string& name, const std::string& text) { texts_.emplace_back(name, text); }
   /// Why nothing is recorded any more, in one line; empty: all is well.
   [[nodiscard]] std::string trouble() const;
+  /// Of record_on, so far.
+  [[nodiscard]] std::size_t happened() const { return happened_; }
 
  private:
   void describe(const RecorderOptions& options);
-  void attach_what_it_began_with();
   void attach_text(const std::string& name, const std::string& text);
   void start();
   void look();
@@ -78,6 +86,9 @@ class Recorder {
   void take_lines(RecordedFrame& frame);
   void add(RecordedFrame&& frame);
   void hand_over();
+  void watch(RecordedFrame& frame);
+  void begin_file();
+  void forget_old();
   void write(const RecordingThread::Batch& batch);
 
   scene::Scene& scene_;
@@ -85,6 +96,7 @@ class Recorder {
   std::set<std::string> what_;
   const files::FilesRead* files_read_;
   const McapReader* files_of_;
+  AttachedFiles files_now_;
   Duration state_period_;
   std::optional<TimeSpan> ticks_;
   std::optional<RunDescription> run_;
@@ -98,6 +110,13 @@ class Recorder {
   std::optional<Duration> last_frame_;
   std::size_t events_ = 0, warnings_ = 0, commands_ = 0;  // that are recorded
   RecordingThread::Batch batch_;
+  Duration keep_, after_;
+  std::optional<RunWatch> watch_;
+  std::vector<RecordingThread::Batch> held_;                        // not in the file yet
+  std::vector<std::pair<Duration, std::string>> commands_between_;  // of what will never be in it
+  Duration write_until_{-1};
+  bool began_ = false;
+  std::size_t happened_ = 0;
   std::chrono::steady_clock::time_point synced_{};  // of the thread
   std::string end_trouble_;
   std::unique_ptr<RecordingThread> thread_;

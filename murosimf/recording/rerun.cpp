@@ -29,7 +29,8 @@ class Repetition {
     const Duration end = has_end ? run_.end() : run_.end() + simulation.tick();
     // as the recorder looks: after the scene's own events of that time, before the commands
     for (const RecordedState& state : reference_.all()) {
-      if (state.time < end && state.time >= simulation.now()) simulation.at(state.time, [this, &state] { look(state); });
+      if (state.time < end && state.time >= simulation.now())
+        simulation.at(state.time, [this, &state] { look(state); });
     }
     Clock clock(std::nullopt);
     simulation.run(std::max(Duration{}, end - simulation.now()), clock, options_.progress);
@@ -68,8 +69,7 @@ class Repetition {
       const std::unique_ptr<scene::Scene> recorded = run_.build(options_.repeat);
       run_.initialize(*recorded);
       reference_.load(*recorded, state);
-      difference.what =
-          state_difference(recorded->simulation().world(), scene_->simulation().world());
+      difference.what = state_difference(recorded->simulation().world(), scene_->simulation().world());
       if (!difference.what) difference.unlike = "every number is the same, only the hash differs";
     } catch (const SetupError& error) {
       difference.unlike = error.what();

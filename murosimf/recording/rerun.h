@@ -11,21 +11,21 @@
 namespace murosimf::recording {
 
 struct Divergence {
-  std::optional<Duration> same;                 ///< the last instant before at which both were the same; nothing: none was recorded
-  Duration differs{};                           ///< the first one at which they were not
-  Duration tick{};                              ///< of the simulation
-  Duration looked{};                            ///< when the states of both were compared number by number
-  std::optional<StateDifference> what;          ///< first recorded, then repeated; nothing: no state was recorded from then on
-  std::string unlike;                           ///< why the recorded state could not be compared; empty: it could
+  std::optional<Duration> same;  ///< the last instant before at which both were the same; nothing: none was recorded
+  Duration differs{};            ///< the first one at which they were not
+  Duration tick{};               ///< of the simulation
+  Duration looked{};             ///< when the states of both were compared number by number
+  std::optional<StateDifference> what;  ///< first recorded, then repeated; nothing: no state was recorded from then on
+  std::string unlike;                   ///< why the recorded state could not be compared; empty: it could
   /// Whether no step is between `same` and `differs`.
   [[nodiscard]] bool is_one_step() const { return same && differs - *same <= tick; }
 };
 
 struct RerunResult {
-  std::size_t compared = 0;               ///< instants
-  Duration begin{}, end{};                ///< of the repetition
-  bool stopped = false;                   ///< early, by RepeatOptions::stop
-  std::optional<Divergence> difference;   ///< nothing: there is none
+  std::size_t compared = 0;              ///< instants
+  Duration begin{}, end{};               ///< of the repetition
+  bool stopped = false;                  ///< early, by RepeatOptions::stop
+  std::optional<Divergence> difference;  ///< nothing: there is none
 };
 
 struct RerunOptions {

@@ -13,7 +13,8 @@ std::string s(Duration time) { return fmt::format("{:.6g} s", seconds(time)); }
 std::string when(const Divergence& difference) {
   if (!difference.same) return fmt::format("differs at {}, the first instant that was compared", s(difference.differs));
   if (difference.is_one_step()) {
-    return fmt::format("differs for the first time at {}, one step after {}", s(difference.differs), s(*difference.same));
+    return fmt::format("differs for the first time at {}, one step after {}", s(difference.differs),
+                       s(*difference.same));
   }
   return fmt::format("the same at {}, different at {}", s(*difference.same), s(difference.differs));
 }
@@ -21,8 +22,8 @@ std::string when(const Divergence& difference) {
 }  // namespace
 
 std::string to_text(const RerunResult& result) {
-  std::string text = fmt::format("repeated from {} to {}, {} instants compared: ", s(result.begin), s(result.end),
-                                 result.compared);
+  std::string text =
+      fmt::format("repeated from {} to {}, {} instants compared: ", s(result.begin), s(result.end), result.compared);
   if (!result.difference) return text + (result.stopped ? "no difference until then\n" : "no difference\n");
   const Divergence& difference = *result.difference;
   text += when(difference) + "\n";
@@ -37,12 +38,9 @@ std::string to_text(const RerunResult& result) {
 }
 
 std::string to_json(const RerunResult& result) {
-  nlohmann::json root{{"schema", files::json_schema("rerun")},
-                      {"begin_s", seconds(result.begin)},
-                      {"end_s", seconds(result.end)},
-                      {"compared", result.compared},
-                      {"stopped", result.stopped},
-                      {"difference", nullptr}};
+  nlohmann::json root{
+      {"schema", files::json_schema("rerun")}, {"begin_s", seconds(result.begin)}, {"end_s", seconds(result.end)},
+      {"compared", result.compared},           {"stopped", result.stopped},        {"difference", nullptr}};
   if (result.difference) {
     const Divergence& one = *result.difference;
     nlohmann::json difference{{"same_s", one.same ? nlohmann::json(seconds(*one.same)) : nlohmann::json()},

@@ -59,9 +59,9 @@ void UnpackedFiles::write(const fs::path& path, const std::string& bytes) const 
 void UnpackedFiles::link(const fs::path& path, const std::string& size_and_hash_then) const {
   const fs::path place = place_of(path);
   const std::string needed = "it needs a file that was too large to be attached: ";
-  const std::string bytes = with_context(
-      needed.substr(0, needed.size() - 2),
-      [&] { return files::read_input_file(path, static_cast<std::uintmax_t>(std::numeric_limits<std::int64_t>::max())); });
+  const std::string bytes = with_context(needed.substr(0, needed.size() - 2), [&] {
+    return files::read_input_file(path, static_cast<std::uintmax_t>(std::numeric_limits<std::int64_t>::max()));
+  });
   if (size_and_hash(bytes) != size_and_hash_then) {
     throw SetupError(fmt::format("{}'{}' is another one now ({} then, {} now)", needed, path.string(),
                                  size_and_hash_then, size_and_hash(bytes)));

@@ -51,6 +51,26 @@ void assign_option(toml::table& robot, const Assignment& o, std::size_t begin) {
   assign(table_in(robot, o.path[begin], o), o.path.back(), o);
 }
 
+/// Whether the path ends with the place of a number in a list: command.0.
+bool is_element(const Assignment& o, std::size_t begin) {
+  const std::string& place = o.path.back();
+  const bool is_digit = place.size() == 1 && place.front() >= '0' && place.front() <= '9';
+  const auto keys = keys_of("robots");
+  return o.path.size() - begin == 2 && is_digit && std::ranges::find(keys, o.path[begin]) != keys.end();
+}
+
+/// One number of a list that is there.
+void assign_element(toml::table& robot, const Assignment& o, std::size_t begin) {
+  toml::array* list = robot[o.path[begin]].as_array();
+  const std::size_t place = static_cast<std::size_t>(o.path.back().front() - '0');
+  if (!list || place >= list->size()) {
+    throw SetupError(
+        fmt::format("{}: there is no list '{}' with so many numbers; set all of it", o.where, o.path[begin]));
+  }
+  toml::table value = o.parsed();
+  list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(place), std::move(*value.get("value")));
+}
+
 /// Names of bodies that are entities: static ones are not.
 std::vector<std::string> moving_names(const std::vector<toml::table*>& bodies, const Assignment& o) {
   std::vector<std::string> names;
@@ -87,6 +107,8 @@ void apply_override(toml::table& scene, const std::string& override_text, std::v
   } else if (!robots.empty() && rest == 1) {
     check_key(o, o.path.back(), keys_of("robots"));
     for (toml::table* robot : robots) assign(*robot, o.path.back(), o);
+  } else if (!robots.empty() && is_element(o, used)) {
+    for (toml::table* robot : robots) assign_element(*robot, o, used);
   } else if (!robots.empty() && rest >= 2 && o.path[used] == "sensors") {
     for (toml::table* robot : robots) assign_sensor(*robot, o, used);
   } else if (!robots.empty() && rest >= 2 && is_options_key(o.path[used])) {

@@ -133,9 +133,8 @@ std::string to_json(const Branches& branches) {
   nlohmann::json rows = nlohmann::json::array();
   for (const Branch& one : branches.branches) {
     if (one.values.empty()) continue;
-    rows.push_back({{"change", one.change},
-                    {"state_hash", fmt::format("{:016x}", one.state_hash)},
-                    {"results", one.values}});
+    rows.push_back(
+        {{"change", one.change}, {"state_hash", fmt::format("{:016x}", one.state_hash)}, {"results", one.values}});
   }
   return files::json_text({{"schema", files::json_schema("branch")},
                            {"file", branches.file},

@@ -19,12 +19,13 @@ namespace murosimf::series {
 struct SweepOptions {
   std::string scene;
   std::vector<GridAxis> axes{};
-  std::vector<std::uint64_t> seeds{};     ///< none: the scene's
-  std::optional<double> duration{};       ///< [s] instead of the scene's
-  std::vector<std::string> results{};     ///< patterns (chosen_results.h); none: usual_results()
-  scene::SceneOptions common{};           ///< of all runs; `threads`: runs at a time, each is stepped by one
-  std::filesystem::path file{};           ///< where runs that are done are noted, so that a sweep goes on that was killed; empty: nowhere
-  std::string program{};                  ///< whose runs may be mixed: noted in the file
+  std::vector<std::uint64_t> seeds{};  ///< none: the scene's
+  std::optional<double> duration{};    ///< [s] instead of the scene's
+  std::vector<std::string> results{};  ///< patterns (chosen_results.h); none: usual_results()
+  scene::SceneOptions common{};        ///< of all runs; `threads`: runs at a time, each is stepped by one
+  std::filesystem::path
+      file{};  ///< where runs that are done are noted, so that a sweep goes on that was killed; empty: nowhere
+  std::string program{};                                              ///< whose runs may be mixed: noted in the file
   std::function<void(std::size_t done, std::size_t all)> progress{};  ///< from any thread, one at a time
 };
 
@@ -51,7 +52,8 @@ struct Sweep {
 [[nodiscard]] std::string to_text(const Sweep& sweep);
 /// A row for each run.
 [[nodiscard]] std::string to_csv(const Sweep& sweep);
-/// A row for each combination: the first axis in the first column, then mean, and the ends of the interval, of each result.
+/// Numbers only, so that they can be drawn: a row for each combination, with the values of axes that are numbers (without any: its
+/// number), then mean and ends of the interval of each result.
 [[nodiscard]] std::string summary_csv(const Sweep& sweep);
 /// Runs and summary (docs/json.md).
 [[nodiscard]] std::string to_json(const Sweep& sweep);

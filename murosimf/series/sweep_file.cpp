@@ -15,8 +15,7 @@ namespace {
 constexpr std::uintmax_t most_bytes = 2'000'000'000;
 
 [[noreturn]] void refuse_writing(const std::filesystem::path& file) {
-  throw SetupError(
-      fmt::format("cannot write '{}': {}", file.string(), std::generic_category().message(errno)));
+  throw SetupError(fmt::format("cannot write '{}': {}", file.string(), std::generic_category().message(errno)));
 }
 
 /// The numbers of a line; empty if there are others than so many.
@@ -57,9 +56,10 @@ void SweepFile::read(const std::string& text, const std::string& head, std::size
   if (!text.starts_with(head)) {
     if (head.starts_with(text)) return;  // it was killed before its first run
     const bool is_sweep = text.starts_with(head.substr(0, head.find('\n') + 1));
-    throw SetupError(is_sweep ? "it is of another sweep: of other options, files or another version of the program; name "
-                                "another file, or remove it"
-                              : "it is no file of a sweep; name another one");
+    throw SetupError(is_sweep
+                         ? "it is of another sweep: of other options, files or another version of the program; name "
+                           "another file, or remove it"
+                         : "it is no file of a sweep; name another one");
   }
   good_bytes_ = head.size();
   while (good_bytes_ < text.size()) {

@@ -83,11 +83,14 @@ std::string to_csv(const Sweep& sweep) {
 
 std::string summary_csv(const Sweep& sweep) {
   const std::vector<Group> groups = groups_of(sweep);
-  // only numbers can be drawn: a combination is its number if the first axis has others
-  const bool by_value =
-      !sweep.axes.empty() && std::ranges::all_of(groups, [](const Group& g) { return is_number(g.values.front()); });
-  std::vector<std::string> head{by_value ? sweep.axes.front() : "combination"};
-  for (std::size_t a = by_value ? 1 : 0; a < sweep.axes.size(); ++a) head.push_back(sweep.axes[a]);
+  // only numbers can be drawn: axes of others are left out, and the combinations have numbers if none is left
+  std::vector<std::size_t> axes;
+  for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
+    if (std::ranges::all_of(groups, [a](const Group& group) { return is_number(group.values[a]); })) axes.push_back(a);
+  }
+  std::vector<std::string> head;
+  for (const std::size_t a : axes) head.push_back(sweep.axes[a]);
+  if (axes.empty()) head.emplace_back("combination");
   head.emplace_back("runs");
   for (const std::string& name : sweep.results) {
     const auto unit = std::min(name.find(" ["), name.size());
@@ -95,8 +98,9 @@ std::string summary_csv(const Sweep& sweep) {
   }
   std::string text = csv_line(head);
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    std::vector<std::string> cells{by_value ? groups[g].values.front() : fmt::format("{}", g)};
-    cells.insert(cells.end(), groups[g].values.begin() + (by_value ? 1 : 0), groups[g].values.end());
+    std::vector<std::string> cells;
+    for (const std::size_t a : axes) cells.push_back(groups[g].values[a]);
+    if (axes.empty()) cells.push_back(fmt::format("{}", g));
     cells.push_back(fmt::format("{}", groups[g].runs.size()));
     for (std::size_t i = 0; i < sweep.results.size(); ++i) {
       const MeanInterval one = interval_of(groups[g], i);

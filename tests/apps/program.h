@@ -45,6 +45,12 @@ inline Result murosimf(const std::string& arguments) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
 }
 
+/// What a report says of the state at the end.
+inline std::string state_hash_in(const std::string& report) {
+  const auto place = report.find("state hash ");
+  return place == std::string::npos ? "none: " + report : report.substr(place + 11, 16);
+}
+
 /// One line on standard error that has all the parts; no output.
 inline void expect_mistake(const std::string& arguments, const std::vector<std::string>& parts, int exit_code = 2) {
   const Result result = murosimf(arguments);

@@ -8,8 +8,7 @@ namespace {
 
 std::string hash_of(const Result& result) {
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  const auto place = result.output.find("state hash ");
-  return place == std::string::npos ? "none: " + result.output : result.output.substr(place + 11, 16);
+  return state_hash_in(result.output);
 }
 
 TEST(StateFiles, AnotherProcessGoesOnBitForBit) {

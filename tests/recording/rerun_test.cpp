@@ -3,11 +3,14 @@
 
 #include <bit>
 #include <fstream>
+#include <random>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/scene_file/field.h"
 #include "tests/recording/repeatable_run.h"
 
 namespace murosimf {
@@ -15,6 +18,7 @@ namespace {
 
 using namespace recording;
 using namespace std::chrono_literals;
+using fixtures::record;
 using fixtures::RepeatableRun;
 
 RerunResult repeated(const std::filesystem::path& file) { return rerun(RecordedRun(file), {}); }
@@ -38,14 +42,15 @@ TEST(Rerun, FindsNoDifferenceWhereThereIsNone) {
 }
 
 TEST(Rerun, RepeatsSeedOptionsAndCommands) {
-  const RepeatableRun run{
-      .scene = "nudge",
-      .time = 1500ms,
-      .how = {.seed = 77, .events = {"0.4:robot.level=simplified_dynamics"}, .cameras = false},
-      .when_initialized = [](scene::Scene& scene) {
-        scene.simulation().at(700ms, [&] { (void)scene.post("robot.level=full_dynamics"); });
-        scene.simulation().at(1s, [&] { (void)scene.post("ball.position=[1, 1, 0.1]"); });  // refused, or not: the same again
-      }};
+  const RepeatableRun run{.scene = "nudge",
+                          .time = 1500ms,
+                          .how = {.seed = 77, .events = {"0.4:robot.level=simplified_dynamics"}, .cameras = false},
+                          .when_initialized = [](scene::Scene& scene) {
+                            scene.simulation().at(700ms, [&] { (void)scene.post("robot.level=full_dynamics"); });
+                            scene.simulation().at(1s, [&] {
+                              (void)scene.post("ball.position=[1, 1, 0.1]");
+                            });  // refused, or not: the same again
+                          }};
   const RecordedRun recorded(record("commands.mcap", run));
   EXPECT_EQ(recorded.description().seed, 77U);
   ASSERT_FALSE(recorded.states().commands().empty());
@@ -109,8 +114,8 @@ TEST(Rerun, NeedsNoFileBesidesTheRecording) {
 
 TEST(Rerun, SaysWhichLargeFileIsMissingOrAnother) {
   const auto large = fixtures::temp_folder() / "large.toml";
-  std::ofstream(large) << std::ifstream(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "scenes/walk.toml").rdbuf() << "\n# "
-                       << std::string(300'000, 'x') << "\n";
+  std::ofstream(large) << std::ifstream(std::filesystem::path(MUROSIMF_SOURCE_DIR) / "scenes/walk.toml").rdbuf()
+                       << "\n# " << std::string(300'000, 'x') << "\n";
   const auto file = record("large.mcap", {.scene = large.string(), .time = 1s});
   EXPECT_FALSE(repeated(file).difference);
   std::ofstream(large, std::ios::app) << "# more\n";
@@ -137,6 +142,77 @@ TEST(Rerun, RepeatsWhatIsLeftOfACutOffFile) {
   const RerunResult result = repeated(file);
   EXPECT_FALSE(result.difference) << to_text(result);
   EXPECT_GE(result.compared, 3U);
+}
+
+// Only what is around a fall is kept, and can be repeated from there.
+TEST(RecordOn, KeepsWhatWasBeforeAFall) {
+  RepeatableRun run{.scene = "nudge", .time = 6s, .how = {.overrides = {"robot.controller=walk"}, .cameras = false}};
+  run.options.record_on = {"fall"};
+  run.options.keep = 500ms;
+  run.options.state_period = 200ms;
+  const RecordedRun recorded(record("fall.mcap", run));
+  ASSERT_FALSE(recorded.states().all().empty()) << "it falls";
+  const Duration begin = recorded.description().start;
+  EXPECT_GT(begin, 0ms);
+  EXPECT_EQ(recorded.states().all().front().time, begin);
+  EXPECT_LT(recorded.end(), 6s);
+  EXPECT_GE(recorded.end() - begin, 2500ms);
+  EXPECT_LE(recorded.end() - begin, 2500ms + 200ms + 200ms) << "a state before, and a batch behind";
+  EXPECT_FALSE(rerun(recorded, {}).difference) << to_text(rerun(recorded, {}));
+}
+
+TEST(RecordOn, KeepsNothingOfARunWithoutEvent) {
+  RepeatableRun run{.scene = "walk", .time = 2s};
+  run.options.record_on = {"fall", "goal", "freeze"};
+  EXPECT_EQ(McapReader(record("nothing.mcap", run)).contents().statistics.message_count, 0U);
+}
+
+TEST(RecordOn, SeesTheBallInTheGoal) {
+  scene::Scene scene("three_on_three", {.cameras = false});
+  RunWatch watch(scene, {"goal"});
+  scene.simulation().initialize();
+  EXPECT_TRUE(watch.look().empty());
+  const ColumnView place = scene.simulation().world().entity("ball").view("position");
+  const scene_file::FieldSize& field = scene_file::field_size(scene.spec().field.size);
+  const double radius = scene.spec().ball->radius;
+  place(0, 1) = 0;
+  place(0, 2) = radius;
+  place(0, 0) = field.length / 2 + radius - 1e-6;
+  EXPECT_TRUE(watch.look().empty()) << "a part of it is on the line";
+  place(0, 0) = field.length / 2 + radius + 1e-6;
+  EXPECT_EQ(watch.look(), std::vector<std::string>{"goal"});
+  EXPECT_TRUE(watch.look().empty()) << "once";
+  place(0, 1) = field.goal_width / 2 + 0.1;
+  EXPECT_TRUE(watch.look().empty());
+  place(0, 0) = -field.length / 2 - 2 * radius;
+  place(0, 1) = 0;
+  EXPECT_EQ(watch.look().size(), 1U) << "the other one";
+}
+
+// Whatever a byte of it has become: it is repeated, or refused in one line.
+TEST(RecordedRun, OfAMutatedFileIsBuiltOrRefused) {
+  const auto file = record("whole.mcap", {.scene = "walk", .time = 300ms}),
+             mutated = fixtures::temp_folder() / "mutated.mcap";
+  std::stringstream content;
+  content << std::ifstream(file, std::ios::binary).rdbuf();
+  std::mt19937 random(7);
+  int refused = 0;
+  for (int i = 0; i < 200; ++i) {
+    std::string bytes = content.str();
+    const std::size_t place = std::uniform_int_distribution<std::size_t>(0, bytes.size() - 1)(random);
+    bytes[place] = static_cast<char>(bytes[place] ^ (1 << i % 8));
+    std::ofstream(mutated, std::ios::binary) << bytes;
+    try {
+      const RecordedRun run(mutated);
+      const auto scene = run.build({});
+      run.begin(*scene, 200ms);
+      scene->simulation().run(10ms);
+    } catch (const SetupError& error) {
+      ++refused;
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_GT(refused, 10);
 }
 
 TEST(RecordedRun, GoesOnFromEveryStateAsTheRunDid) {
