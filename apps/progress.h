@@ -1,6 +1,7 @@
-/// progress.h - how far a long command is, and how long it will still take: one line on the terminal that changes.
+/// progress.h - how far a long command is, and how long it will still take: one line on the terminal that changes, or a line a minute in a
+/// log.
 ///
-///     [############............................] 9.0 of 30.0 s, 12 s left
+///     [############............................] 9.0 of 30.0 s, 12.3 times real time, 12 s left
 #pragma once
 
 #include <chrono>
@@ -8,7 +9,7 @@
 
 namespace murosimf::app {
 
-/// Shows nothing if standard error is no terminal.
+/// On standard error. If that is no terminal, nothing in the first minute, then a plain line a minute.
 class Progress {
  public:
   Progress();
@@ -25,9 +26,12 @@ class Progress {
  private:
   using WallClock = std::chrono::steady_clock;
 
-  bool shown_;
-  WallClock::time_point start_ = WallClock::now(), next_ = start_;
+  bool terminal_;
+  WallClock::time_point start_ = WallClock::now(), next_;
 };
+
+/// "12.3 times real time" for so many simulated seconds in `elapsed` [s]; empty while nothing can be said.
+[[nodiscard]] std::string rate_of(double simulated, double elapsed);
 
 /// "12 s left", "3 min 20 s left", "2 h 05 min left" after `elapsed` [s] for this share; empty while nothing can be said.
 [[nodiscard]] std::string time_left(double share, double elapsed);

@@ -118,10 +118,12 @@ Duration duration_of(double s) {
 /// How far a run has come.
 class RunProgress {
  public:
-  explicit RunProgress(Duration end) : end_(seconds(end)) {}
+  RunProgress(Duration start, Duration end) : start_(start), end_(seconds(end)) {}
   void show(Duration now) {
     const double share = end_ > 0 ? seconds(now) / end_ : 1;
-    line_.show(share, fmt::format("{:.1f} of {:.1f} s", seconds(now), end_));
+    const std::string rate =
+        rate_of(seconds(now - start_), std::chrono::duration<double>(WallClock::now() - wall_start_).count());
+    line_.show(share, fmt::format("{:.1f} of {:.1f} s{}{}", seconds(now), end_, rate.empty() ? "" : ", ", rate));
   }
   void warn(Duration now, const std::string& text) {
     line_.hide();
@@ -130,6 +132,8 @@ class RunProgress {
 
  private:
   Progress line_;
+  Duration start_;
+  WallClock::time_point wall_start_ = WallClock::now();
   double end_;  // [s]
 };
 
@@ -233,7 +237,7 @@ int run(const RunOptions& options) {
   bool crashed = false;
   Lateness lateness;
   {
-    RunProgress progress(duration);
+    RunProgress progress(simulation.now(), duration);
     const auto warn = [&](const Overrun& overrun) {
       progress.warn(overrun.simulated, scene::to_text(overrun.lateness));
     };

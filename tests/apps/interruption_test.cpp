@@ -172,6 +172,13 @@ TEST_F(Interruption, ProgressSaysHowMuchTimeIsLeft) {
   EXPECT_EQ(program.exit_code(), 0);
 }
 
+TEST_F(Interruption, ProgressSaysHowFastTimeGoesBy) {
+  OnTerminal program("run " + scene_ + " --duration 1e6 --no-cameras --speed 3");
+  ASSERT_TRUE(program.wait_for(" times real time")) << program.shown();
+  program.send(SIGTERM);
+  EXPECT_EQ(program.exit_code(), 143) << program.shown();
+}
+
 TEST_F(Interruption, ComparisonsShowWhatHadEnded) {
   OnTerminal program("compare " + scene_ + " --entity one --duration 0.02 --repeat 1000 --json " + file("c.json"));
   ASSERT_TRUE(program.wait_for("timing ")) << program.shown();
