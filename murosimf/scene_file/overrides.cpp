@@ -45,7 +45,10 @@ void assign_sensor(toml::table& robot, const Assignment& o, std::size_t begin) {
   assign(*table, o.path.back(), o);
 }
 
-/// options.KEY, from part `begin` of the path on; robot_options.h checks the key.
+/// Whether a key of a robot is a table: options, or its link.
+bool is_table_key(std::string_view key) { return is_options_key(key) || key == "link"; }
+
+/// options.KEY or link.KEY, from part `begin` of the path on; who reads them checks the key.
 void assign_option(toml::table& robot, const Assignment& o, std::size_t begin) {
   if (o.path.size() - begin != 2) throw SetupError(fmt::format("{}: write {}.KEY", o.where, o.path[begin]));
   assign(table_in(robot, o.path[begin], o), o.path.back(), o);
@@ -111,7 +114,7 @@ void apply_override(toml::table& scene, const std::string& override_text, std::v
     for (toml::table* robot : robots) assign_element(*robot, o, used);
   } else if (!robots.empty() && rest >= 2 && o.path[used] == "sensors") {
     for (toml::table* robot : robots) assign_sensor(*robot, o, used);
-  } else if (!robots.empty() && rest >= 2 && is_options_key(o.path[used])) {
+  } else if (!robots.empty() && rest >= 2 && is_table_key(o.path[used])) {
     for (toml::table* robot : robots) assign_option(*robot, o, used);
   } else if (!robots.empty() && rest >= 2) {
     settings.push_back(property_setting(o, used, names()));
@@ -129,7 +132,7 @@ void apply_override(toml::table& scene, const std::string& override_text, std::v
     if (toml::table* table = scene[o.path[0]].as_table()) assign(*table, o.path[1], o);
   } else if (o.path.size() >= 3 && o.path[0] == "defaults" && o.path[1] == "sensors") {
     assign_sensor(table_in(scene, "defaults", o), o, 1);
-  } else if (o.path.size() >= 3 && o.path[0] == "defaults" && is_options_key(o.path[1])) {
+  } else if (o.path.size() >= 3 && o.path[0] == "defaults" && is_table_key(o.path[1])) {
     assign_option(table_in(scene, "defaults", o), o, 1);
   } else if (o.path.size() == 2 && o.path[0] == "body_contact_options") {
     assign_option(scene, o, 0);

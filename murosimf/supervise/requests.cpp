@@ -122,26 +122,32 @@ void Requests::answer(const FromSupervisor& request, wire::ToSupervisor& answer)
     case FromSupervisor::kFinish: session_->finish(); break;
     default: throw wire::WireError("sends what is no request of this protocol");
   }
-  visit([](scene::Scene&) {});  // what it has just been told is done
+  settle();
   write_status(*answer.mutable_status());
 }
 
 /// Until it is there, or somebody else has paused it or taken it to another time.
 void Requests::advance(Duration duration) {
-  visit([](scene::Scene&) {});
+  session_->pause();
+  settle();
   const session::SessionStatus before = session_->status();
   if (duration == Duration{}) return;
   const Duration end = before.time + duration;
-  session_->run_until(end);
+  session_->run_until(end);  // before it goes on: behind its end it would go on without one
   session_->go_on();
-  // twice: what it shows of itself afterwards is of after it has gone on
-  visit([](scene::Scene&) {});
-  visit([](scene::Scene&) {});
-  for (;;) {
-    const session::SessionStatus now = session_->status();
-    if (now.time >= end || now.paused || now.jumps != before.jumps || given_up_()) return;
+  settle();
+  session::SessionStatus now = session_->status();
+  while (now.time < end && !now.paused && now.jumps == before.jumps && !given_up_()) {
     std::this_thread::sleep_for(look_again);
+    now = session_->status();
   }
+  session_->pause();
+  session_->run_until(before.end);
+}
+
+/// What its status says afterwards is of after what it was told before: it has looked twice.
+void Requests::settle() {
+  for (int i = 0; i < 2; ++i) visit([](scene::Scene&) {});
 }
 
 void Requests::change(const FromSupervisor& request) {

@@ -33,6 +33,7 @@ class Requests {
   using Patterns = std::vector<std::string>;
 
   void advance(Duration duration);
+  void settle();
   void change(const wire::FromSupervisor& request);
   void seek(const wire::FromSupervisor& request);
   void read(const Patterns& patterns, wire::ToSupervisor& answer);

@@ -209,7 +209,7 @@ TEST(LibrarySoftware, IsRefusedInOneLine) {
                               "murosimf_controller_entry"}));
   EXPECT_TRUE(fixtures::says(refusal("controller_nothing.so"), {"murosimf_controller_entry returns nothing"}));
   EXPECT_TRUE(fixtures::says(refusal("controller_other_abi.so"),
-                             {"made for version 7 of murosimf_controller.h, but this program has versions 1 to 2"}));
+                             {"made for version 7 of murosimf_controller.h, but this program has versions 1 to 3"}));
   EXPECT_TRUE(fixtures::says(refusal("controller_no_step.so"), {"lacks create, destroy or step"}));
   EXPECT_TRUE(fixtures::says(refusal("controller_save_alone.so"), {"one of save and load"}));
   EXPECT_TRUE(fixtures::says(refusal("controller_rate.so"), {"its rate is -1 Hz"}));
