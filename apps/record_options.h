@@ -17,7 +17,7 @@ struct RecordOptions {
   std::string file;               ///< MCAP; empty: nothing is recorded
   double rate = 100;              ///< [Hz]
   std::vector<std::string> what;  ///< of recording::recordable(); none: what usually is
-  double states = 10;             ///< [s] from one whole state to the next
+  double states = 30;             ///< [s] from one whole state to the next
   std::string ticks;              ///< BEGIN..END [s]: every step
   std::vector<std::string> on;    ///< of recording::watchable(); none: all of the run
   double keep = 30;               ///< [s] before that

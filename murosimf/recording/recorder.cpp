@@ -41,6 +41,7 @@ Recorder::Recorder(scene::Scene& scene, const RecorderOptions& options)
   if (!options.record_on.empty()) {
     watch_.emplace(scene, options.record_on);
     what_.insert("states");  // what is kept begins with one
+    state_period_ = std::min(state_period_, std::max(keep_ / 4, batch_span));
   }
   describe(options);
   file_.sync();

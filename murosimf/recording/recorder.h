@@ -40,7 +40,7 @@ struct RecorderOptions {
   std::set<std::string> what = usually_recorded();  ///< of recordable()
   std::string program{};                            ///< "murosimf 0.1.0 (136ba27)"
   std::string command_line{};
-  Duration state_period = std::chrono::seconds(10);  ///< from one whole state to the next, if "states" are recorded
+  Duration state_period = std::chrono::seconds(30);  ///< from one whole state to the next, if "states" are recorded
   std::optional<TimeSpan> ticks{};  ///< with hash and state of every step; of other times as `what` and rates say
   std::set<std::string>
       record_on{};  ///< of watchable(): only what is around such an event gets into the file; empty: all

@@ -4,6 +4,7 @@
 
 #include "murosimf/logging/log_paths.h"
 #include "murosimf/logging/log_plot.h"
+#include "murosimf/model/error.h"
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/sensors/reading.h"
 
@@ -25,6 +26,16 @@ std::vector<ChosenResult> reported(const scene::Scene& scene) {
     all.push_back({one.name + ".z [m]", one.position.z});
   }
   return all;
+}
+
+/// What --log would mean by it; mistakes are those of another option here.
+std::vector<logging::LoggedNumber> logged(const World& world, const std::string& pattern) {
+  try {
+    return logging::find_logged(world, {pattern});
+  } catch (const SetupError& error) {
+    const std::string text = error.what(), option = "--log ";
+    throw SetupError(text.starts_with(option) ? "--result " + text.substr(option.size()) : text);
+  }
 }
 
 double value_of(const logging::LoggedNumber& number) {
@@ -56,7 +67,7 @@ std::vector<ChosenResult> results_of(scene::Scene& scene, const std::vector<std:
       if (logging::matches_name(pattern, one.name.substr(0, one.name.find(" [")))) results.push_back(one);
     }
     if (results.size() > before) continue;
-    for (const logging::LoggedNumber& number : logging::find_logged(scene.simulation().world(), {pattern})) {
+    for (const logging::LoggedNumber& number : logged(scene.simulation().world(), pattern)) {
       results.push_back({number.name(), value_of(number)});
     }
   }

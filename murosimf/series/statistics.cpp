@@ -22,15 +22,15 @@ double student_975(std::size_t freedom) {
 MeanInterval mean_interval(const std::vector<double>& values) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   MeanInterval result{.count = 0, .mean = nan, .half = nan};
-  double sum = 0, squares = 0;
+  double first = nan, sum = 0, squares = 0;  // the sum is that of differences to the first: equal values have no spread
   for (const double value : values) {
     if (std::isnan(value)) continue;
-    ++result.count;
-    sum += value;
+    if (result.count++ == 0) first = value;
+    sum += value - first;
   }
   if (result.count == 0) return result;
   const double n = static_cast<double>(result.count);
-  result.mean = sum / n;
+  result.mean = first + sum / n;
   if (result.count < 2) return result;
   for (const double value : values) {
     if (!std::isnan(value)) squares += (value - result.mean) * (value - result.mean);

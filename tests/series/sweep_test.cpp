@@ -68,6 +68,7 @@ TEST(Statistics, IntervalIsStudents) {
   EXPECT_EQ(interval.count, 4U);
   EXPECT_EQ(interval.mean, 2.5);
   EXPECT_NEAR(interval.half, 3.18245 * std::sqrt(5.0 / 3 / 4), 1e-4);
+  EXPECT_EQ(mean_interval({0.1, 0.1, 0.1}).half, 0);
   EXPECT_TRUE(std::isnan(mean_interval({7}).half));
   EXPECT_TRUE(std::isnan(mean_interval({}).mean));
 }
