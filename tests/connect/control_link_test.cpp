@@ -90,7 +90,7 @@ TEST(ControlLink, IsRefusedIfItCannotBe) {
   const auto error = [](const std::string& key) {
     return fixtures::error_of([&] { scene::Scene(to_the_ball, walkers({key})); });
   };
-  EXPECT_TRUE(fixtures::says(error("left.link.delay=-1"), {"left.link.delay=-1", "'delay' must be from 0 to 60"}));
+  EXPECT_TRUE(fixtures::says(error("left.link.delay=-1"), {"left.link.delay=-1", "'delay' must not be negative"}));
   EXPECT_TRUE(fixtures::says(error("left.link.loss=1.5"), {"'loss' must be from 0 to 1"}));
   EXPECT_TRUE(fixtures::says(error("left.link.bandwidth=0.5"), {"must be from 1 to 1e12 bytes in a second"}));
   EXPECT_TRUE(fixtures::says(error("left.link.dealy=1"), {"dealy", "delay"}));
