@@ -59,19 +59,19 @@ viewer::WindowOptions window_options(const ViewOptions& options) {
 
 int view(const ViewOptions& options) {
   end_gently();
-  if (const std::string reason = viewer::no_window_because(); !reason.empty()) throw SetupError(reason);
   check_json_file(options.json);
   if (!options.screenshot.empty()) files::check_writable(options.screenshot);
   const viewer::WindowOptions window = window_options(options);
   viewer::ViewerOptions viewer_options;
+  viewer_options.session.speed = read_speed(options.speed);
+  if (options.duration) viewer_options.end = read_duration(*options.duration);
+  if (const std::string reason = viewer::no_window_because(); !reason.empty()) throw SetupError(reason);
   scene::SceneOptions scene_options = options_of(options.scene);
   scene_options.pushable = true;
   viewer_options.make_scene = [&options, scene_options] {
     return std::make_unique<scene::Scene>(options.scene.file, scene_options);
   };
-  viewer_options.session.speed = read_speed(options.speed);
   viewer_options.session.paused = options.paused;
-  if (options.duration) viewer_options.end = read_duration(*options.duration);
   viewer::Viewer viewer(viewer_options);
   const viewer::WindowReport shown = show(viewer, window);
   viewer.settle();

@@ -35,21 +35,20 @@ TimelineLayout::TimelineLayout(std::span<const session::BranchView> branches, in
       for (const session::BranchView& next : branches) {
         if (leading.contains(next.number) && next.parent == branch->number) until = seconds(next.begin);
       }
-      bars_.push_back({branch->number, 0, seconds(branch->begin), until, std::nullopt});
+      bars_.push_back({branch->number, 0, seconds(branch->begin), until});
       if (until >= end_of(*branch)) continue;
-      bars_.push_back({branch->number, rows_++, until, seconds(branch->end), 0});
+      bars_.push_back({branch->number, rows_++, until, seconds(branch->end)});
       continue;
     }
-    bars_.push_back({branch->number, rows_++, seconds(branch->begin), seconds(branch->end), std::nullopt});
+    bars_.push_back({branch->number, rows_++, seconds(branch->begin), seconds(branch->end)});
   }
 }
 
-int TimelineLayout::row_of(int branch) const {
-  int row = -1;
+int TimelineLayout::row_at(int branch, double time) const {
   for (const BranchBar& bar : bars_) {
-    if (bar.branch == branch && (row < 0 || bar.row < row)) row = bar.row;
+    if (bar.branch == branch && time >= bar.begin && time <= bar.end) return bar.row;
   }
-  return row;
+  return 0;
 }
 
 TimelineLayout::Place TimelineLayout::place_at(double x, int row) const {

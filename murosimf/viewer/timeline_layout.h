@@ -24,7 +24,6 @@ struct TimeMark {
 struct BranchBar {
   int branch = 0, row = 0;    ///< row 0: the present one
   double begin = 0, end = 0;  ///< [s]
-  std::optional<int> parent_row;
 };
 
 class TimelineLayout {
@@ -43,8 +42,8 @@ class TimelineLayout {
   [[nodiscard]] const std::vector<BranchBar>& bars() const { return bars_; }
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] double end() const { return end_; }
-  /// The row in which a branch is seen at a time.
-  [[nodiscard]] int row_of(int branch) const;
+  /// The row in which a branch is seen at a time; 0 if it is not known any more.
+  [[nodiscard]] int row_at(int branch, double time) const;
 
  private:
   double end_, width_;

@@ -31,6 +31,11 @@ void Viewer::begin() {
   auto next = std::make_unique<RunningScene>(options_.make_scene, options_.session, options_.end);
   frame_ = nullptr;
   running_ = std::move(next);
+  inspection_ = {};  // what the scene before was asked does not matter any more
+  asked_.clear();
+  moves_.clear();
+  moving_ = false;
+  asked_poses_at_ = Duration::min();
   ++generation_;
   reader_ = running_->scene().simulation().poses().subscribe({.period = pose_period, .contacts = true});
   session()

@@ -226,9 +226,6 @@ void Viewer::reset() { ask("reset", session().reset()); }
 void Viewer::reload() {
   try {
     begin();
-    asked_.clear();
-    moves_.clear();
-    moving_ = false;
     tell("read again");
   } catch (const SetupError& error) {
     tell(error.what(), true);

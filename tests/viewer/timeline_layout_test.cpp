@@ -19,7 +19,11 @@ TEST(TimelineLayout, ThePresentWayIsTheLowestRow) {
   const TimelineLayout layout(all, 2, 8, 1000);
   EXPECT_EQ(layout.end(), 10);
   EXPECT_EQ(layout.x_of(5), 500);
-  for (const int branch : {0, 1, 2}) EXPECT_EQ(layout.row_of(branch), 0) << branch;
+  EXPECT_EQ(layout.row_at(0, 3), 0);
+  EXPECT_EQ(layout.row_at(1, 5), 0);
+  EXPECT_EQ(layout.row_at(2, 7), 0);
+  EXPECT_NE(layout.row_at(0, 9), 0);
+  EXPECT_NE(layout.row_at(1, 6.5), layout.row_at(0, 6.5));
   EXPECT_EQ(layout.rows(), 3) << "what went on of 0 and of 1 has rows of its own";
   double end = 0;
   for (const BranchBar& bar : layout.bars()) {

@@ -31,7 +31,7 @@ void draw_robot(ImDrawList& list, const Map& map, const Vec3d& place, double tur
   const auto around = [&](double angle, double radius) {
     return vec2(middle.x + radius * std::cos(turn + angle), middle.y - radius * std::sin(turn + angle));
   };
-  list.AddTriangleFilled(around(0, 1.7 * size), around(1.2, size), around(-1.2, size), packed(outline.color));
+  list.AddTriangleFilled(around(0, 2.2 * size), around(1.2, size), around(-1.2, size), packed(outline.color));
   list.AddCircleFilled(middle, static_cast<float>(size), packed(outline.color));
   list.AddCircle(middle, static_cast<float>(size + 1), selected ? IM_COL32_WHITE : IM_COL32(0, 0, 0, 160), 0,
                  selected ? 2.5F : 1);

@@ -36,7 +36,7 @@ void scrub(Panels& panels, const TimelineLayout& layout, const Area& area) {
   panels.viewer.seek(std::min(time, place.time), place.branch);
 }
 
-void draw_bars(const TimelineLayout& layout, const Area& area, int present) {
+void draw_bars(const TimelineLayout& layout, const Area& area) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const BranchBar& bar : layout.bars()) {
     const double y = area.y + area.height - (bar.row + 1) * row_height + 2;
@@ -45,13 +45,7 @@ void draw_bars(const TimelineLayout& layout, const Area& area, int present) {
     const Color color = bar.row == 0 ? Color{0.3, 0.55, 0.85} : Color{0.38, 0.4, 0.44};
     list.AddRectFilled(low, high, packed(color), 2);
     if (bar.row > 0) list.AddLine(low, vec2(low.x, area.y + area.height - row_height), packed(color), 1);
-    if (bar.row > 0 && high.x - low.x > 60) {
-      list.PushClipRect(low, high, true);
-      list.AddText(vec2(low.x + 4, y - 3), IM_COL32(230, 230, 230, 255), fmt::format("branch {}", bar.branch).c_str());
-      list.PopClipRect();
-    }
   }
-  (void)present;
 }
 
 /// Whether the mouse is over one of them, and it was clicked.
@@ -60,7 +54,8 @@ void draw_marks(Panels& panels, const TimelineLayout& layout, const Area& area) 
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const TimeMark* near = nullptr;
   for (const TimeMark& mark : panels.viewer.events().marks()) {
-    const double x = area.x + layout.x_of(mark.time), y = area.y + area.height - row_height;
+    const double x = area.x + layout.x_of(mark.time),
+                 y = area.y + area.height - (layout.row_at(mark.branch, mark.time) + 1) * row_height;
     const ImU32 color = packed(color_of(mark.kind));
     list.AddTriangleFilled(vec2(x, y + 3), vec2(x - 4, y - 4), vec2(x + 4, y - 4), color);
     if (std::abs(mouse.x - x) < 5 && std::abs(mouse.y - y) < 8) near = &mark;
@@ -115,7 +110,7 @@ void timeline_panel(Panels& panels, const Area& area) {
   }
   if (!ImGui::IsItemActive()) panels.state.scrubs = false;
   if (panels.state.scrubs) scrub(panels, layout, strip);
-  draw_bars(layout, strip, status.branch);
+  draw_bars(layout, strip);
   draw_scale(layout, strip, seconds(status.time));
   draw_marks(panels, layout, strip);
   if (over && !panels.state.scrubs) {
