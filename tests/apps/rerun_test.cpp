@@ -115,8 +115,9 @@ TEST(Sweep, GoesOnAfterItWasKilled) {
   }
   const Result last = murosimf(sweep + " --runs " + runs.string() + " --csv " + table.string());
   EXPECT_EQ(last.exit_code, 0) << last.errors;
-  EXPECT_EQ(read_file(table), read_file(whole));
-  EXPECT_EQ(std::count(read_file(table).begin(), read_file(table).end(), '\n'), 81) << "a line for each, and the head";
+  const std::string rows = read_file(table);
+  EXPECT_EQ(rows, read_file(whole));
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 81) << "a line for each, and the head";
 }
 
 TEST(Sweep, MistakesAreOneLine) {
