@@ -48,7 +48,7 @@ TEST(Rerun, AgainstAnotherProgramNamesWhatDiffers) {
 TEST(Rerun, MistakesAreOneLine) {
   const std::string file = scratch("run.mcap").string();
   expect_mistake("run walk --duration 0.1 --record-ticks 1..2", {"--record-ticks", "--record"});
-  for (const std::string& ticks : {"1", "2..1", "a..b", "1..", "-1..2"}) {
+  for (const std::string ticks : {"1", "2..1", "a..b", "1..", "-1..2"}) {
     expect_mistake("run walk --duration 0.1 --record " + file + " --record-ticks=" + ticks, {"--record-ticks", ticks});
   }
   expect_mistake("run walk --duration 0.1 --record " + file + " --record-states 0", {"--record-states 0"});
@@ -76,7 +76,7 @@ TEST(Rerun, PicturesAreThoseOfTheLiveRun) {
             0);
   const Result drawn = murosimf("render " + file + " --time 0.7 --out " + of_file);
   if (drawn.exit_code != 0 && drawn.errors.find("draw") != std::string::npos) GTEST_SKIP() << drawn.errors;
-  for (const std::string& how : {"--time 0.7", "--time 0.7 --view top --size 320x200", "--time 0.7 --light night",
+  for (const std::string how : {"--time 0.7", "--time 0.7 --view top --size 320x200", "--time 0.7 --light night",
                                  "--time 0.7 --camera blue1.camera", "--time 0 --layer depth"}) {
     EXPECT_EQ(murosimf("render three_on_three " + how + " --out " + live).exit_code, 0) << how;
     EXPECT_EQ(murosimf("render " + file + " " + how + " --out " + of_file).exit_code, 0) << how;
@@ -115,8 +115,9 @@ TEST(Sweep, GoesOnAfterItWasKilled) {
   }
   const Result last = murosimf(sweep + " --runs " + runs.string() + " --csv " + table.string());
   EXPECT_EQ(last.exit_code, 0) << last.errors;
-  EXPECT_EQ(read_file(table), read_file(whole));
-  EXPECT_EQ(std::count(read_file(table).begin(), read_file(table).end(), '\n'), 81) << "a line for each, and the head";
+  const std::string rows = read_file(table);
+  EXPECT_EQ(rows, read_file(whole));
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 81) << "a line for each, and the head";
 }
 
 TEST(Sweep, MistakesAreOneLine) {
