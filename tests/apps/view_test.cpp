@@ -75,7 +75,7 @@ TEST_F(View, SelectPushSwitchLevelEditDragGoBack) {
   EXPECT_EQ(entity(report, "blue1")["level"], "simplified_dynamics");
   EXPECT_TRUE(has_command(report, "blue1.level = simplified_dynamics"));
   EXPECT_TRUE(has_command(report, ".push = ["));
-  EXPECT_TRUE(has_command(report, "ball.ball.position = [0.75")) << report["commands"];
+  EXPECT_TRUE(has_command(report, "ball.ball.position = [0.7")) << report["commands"];
   EXPECT_TRUE(has_command(report, "position = [0.5, 0.25, 0.05]")) << report["commands"];
   EXPECT_TRUE(report["paused"]);
   EXPECT_NEAR(report["simulated_s"].get<double>(), 0.2, 0.02);
