@@ -82,7 +82,7 @@ void StateArchive::one(T& value) {
 
 template <class T>
 void StateArchive::one(std::vector<T>& values) {
-  constexpr bool says_itself = requires(T& value, StateArchive& archive) { value.state(archive); };
+  constexpr bool says_itself = requires(T & value, StateArchive & archive) { value.state(archive); };
   values.resize(count(values.size(), is_plain<T> && !says_itself ? sizeof(T) : 1));
   all(std::span(values));
 }
