@@ -77,7 +77,7 @@ TEST(Rerun, PicturesAreThoseOfTheLiveRun) {
   const Result drawn = murosimf("render " + file + " --time 0.7 --out " + of_file);
   if (drawn.exit_code != 0 && drawn.errors.find("draw") != std::string::npos) GTEST_SKIP() << drawn.errors;
   for (const std::string how : {"--time 0.7", "--time 0.7 --view top --size 320x200", "--time 0.7 --light night",
-                                 "--time 0.7 --camera blue1.camera", "--time 0 --layer depth"}) {
+                                "--time 0.7 --camera blue1.camera", "--time 0 --layer depth"}) {
     EXPECT_EQ(murosimf("render three_on_three " + how + " --out " + live).exit_code, 0) << how;
     EXPECT_EQ(murosimf("render " + file + " " + how + " --out " + of_file).exit_code, 0) << how;
     EXPECT_EQ(read_file(of_file), read_file(live)) << how;

@@ -110,7 +110,11 @@ TEST(RobotPlacement, IsAChangeOfRobotsBallAndBodies) {
   EXPECT_NEAR(at("one").x, -1, 0.02);
   EXPECT_NEAR(at("one").y, 0.25, 0.02);
   EXPECT_LT(at("crate").z, 0.12) << "it has fallen";
-  const auto wrong = [&](const std::string& change) { return fixtures::error_of([&] { scene.post(change).get(); }); };
+  const auto wrong = [&](const std::string& change) {
+    auto refused = scene.post(change);
+    scene.simulation().run(1ms);
+    return fixtures::error_of([&] { refused.get(); });
+  };
   for (const char* change : {"ball.place=[1]", "one.place=[1, 2, 3, 4, 5]", "one.place=[1e6, 0]"}) {
     EXPECT_TRUE(fixtures::says(wrong(change), {"write [x, y], [x, y, z] (m) or [x, y, z, heading] (rad)"})) << change;
   }
