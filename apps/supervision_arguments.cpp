@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/standard_output.h"
+#include "apps/last_words.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {

@@ -193,9 +193,9 @@ void properties_of(Panels& panels, const ObjectPath& path) {
                     property.constant ? "constant of the model" : "click: plot it over time"));
     ImGui::TableNextColumn();
     if (property.constant) {
-      std::string shown;
-      for (const double number : property.numbers) shown += (shown.empty() ? "" : "  ") + number_text(number);
-      text(shown, faint);
+      std::string numbers;
+      for (const double number : property.numbers) numbers += (numbers.empty() ? "" : "  ") + number_text(number);
+      text(numbers, faint);
     } else {
       edit_value(panels, path, property);
     }
