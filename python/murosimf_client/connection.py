@@ -12,7 +12,8 @@ class SimulatorError(Exception):
 
 class Connection:
     def __init__(self, host, port, patience, longest):
-        """Waits `patience` [s] for somebody to listen: the simulator may start after its clients. `longest` [byte] of what it sends."""
+        """Waits `patience` [s] for somebody to listen: the simulator may start after its clients. `longest` [byte] of what it
+        sends."""
         self._socket = _connected(host, port, patience)
         self._longest = longest
         self._incoming = bytearray()

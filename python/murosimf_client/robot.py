@@ -142,8 +142,8 @@ class Robot:
         self._sends.append(content)
 
     def draw(self, group, shapes, of_robot=False):
-        """For people who watch: shapes as a group of that name, in the place of the one before; without shapes that is gone. Points are
-        in the world, or in the frame of the robot's base. Sent with the commands."""
+        """For people who watch: shapes as a group of that name, in the place of the one before; without shapes that is gone.
+        Points are in the world, or in the frame of the robot's base. Sent with the commands."""
         self._draws.append(messages.drawing(group, shapes, of_robot))
 
     def close(self):

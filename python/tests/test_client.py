@@ -16,8 +16,18 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 
-from murosimf_client import LINE, RequestRefused, Robot, RobotError, Shape, SimulatorError, Supervisor  # noqa: E402
-from murosimf_client import messages, supervision, wire  # noqa: E402
+from murosimf_client import (  # noqa: E402
+    LINE,
+    RequestRefused,
+    Robot,
+    RobotError,
+    Shape,
+    SimulatorError,
+    Supervisor,
+    messages,
+    supervision,
+    wire,
+)
 
 PROGRAM, PROTOC, WALK_TO_BALL_TCP = [pathlib.Path(name).resolve() for name in sys.argv[1:4]] or [None] * 3
 SCENE = ROOT / "examples/controllers/to_the_ball_tcp.toml"
@@ -59,8 +69,8 @@ class Encoding(unittest.TestCase):
     def test_drawings(self):
         drawing = messages.drawing("way", [Shape(LINE, [(0, 0, 0), (1, 2, 3)], 0.5, (1, 0, 0), "x")], True)
         self.assertEqual(decoded(messages.commands(1, [], [], [], [drawing])),
-                         'commands { cycle: 1 draws { group: "way" of_robot: true shapes { kind: LINE points: 0 points: 0 points: 0 '
-                         'points: 1 points: 2 points: 3 size: 0.5 color: 1 color: 0 color: 0 text: "x" } } }')
+                         'commands { cycle: 1 draws { group: "way" of_robot: true shapes { kind: LINE points: 0 points: 0 '
+                         'points: 0 points: 1 points: 2 points: 3 size: 0.5 color: 1 color: 0 color: 0 text: "x" } } }')
 
     def test_what_supervisors_send(self):
         def seen(content):
