@@ -126,7 +126,8 @@ recording::RunDescription description_of(const SceneArguments& arguments, const 
           .plugins = arguments.plugins,
           .libraries = options.libraries,
           .lenient = options.lenient,
-          .cameras = options.cameras};
+          .cameras = options.cameras,
+          .pushable = options.pushable};
 }
 
 void check(const RecordOptions& options) {

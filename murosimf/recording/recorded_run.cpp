@@ -43,6 +43,7 @@ std::unique_ptr<scene::Scene> RecordedRun::build(const RepeatOptions& options) c
                                       .lenient = run.lenient,
                                       .lanes = options.lanes,
                                       .cameras = options.cameras.value_or(run.cameras),
+                                      .pushable = run.pushable,
                                       .stop = options.stop};
     scene_options.overrides.insert(scene_options.overrides.end(), options.overrides.begin(), options.overrides.end());
     const files::MovedFiles moved(files_.folder(), run.names);

@@ -19,6 +19,7 @@ std::string to_json(const RunDescription& run) {
                            {"libraries", run.libraries},
                            {"lenient", run.lenient},
                            {"cameras", run.cameras},
+                           {"pushable", run.pushable},
                            {"outside", run.outside},
                            {"start_ns", run.start.count()},
                            {"names", run.names}});
@@ -40,6 +41,7 @@ RunDescription parse_run_description(const std::string& json) {
     document.at("libraries").get_to(run.libraries);
     document.at("lenient").get_to(run.lenient);
     document.at("cameras").get_to(run.cameras);
+    document.at("pushable").get_to(run.pushable);
     document.at("outside").get_to(run.outside);
     run.start = Duration(document.at("start_ns").get<Duration::rep>());
     document.at("names").get_to(run.names);

@@ -33,6 +33,7 @@ inline std::filesystem::path record(const std::string& name, const RepeatableRun
                                           .pushes = run.how.pushes,
                                           .plugins = {},
                                           .cameras = run.how.cameras,
+                                          .pushable = run.how.pushable,
                                           .outside = {},
                                           .names = {}};
   recording::Recorder recorder(scene, options);

@@ -58,6 +58,26 @@ TEST(Rerun, RepeatsSeedOptionsAndCommands) {
   EXPECT_FALSE(rerun(recorded, {}).difference) << to_text(rerun(recorded, {}));
 }
 
+// As viewers and supervisors do: whoever moves can be pushed, and pushes and places are commands like others.
+TEST(Rerun, RepeatsWhatWasTouched) {
+  RepeatableRun run{.scene = "walk",
+                    .time = 1500ms,
+                    .how = {.overrides = {"walker.level=simplified_dynamics"}, .cameras = false, .pushable = true}};
+  const auto untouched = record("untouched.mcap", run);
+  run.when_initialized = [](scene::Scene& scene) {
+    scene.simulation().at(500ms, [&] { (void)scene.post("walker.push = [12, 8, 0, 0.2]"); });
+    scene.simulation().at(1s, [&] { (void)scene.post("walker.level = full_dynamics"); });
+    scene.simulation().at(1200ms, [&] { (void)scene.post("walker.place = [1, 1, 0.3, 0.5]"); });
+  };
+  const auto touched = record("touched.mcap", run);
+  for (const auto& file : {untouched, touched}) EXPECT_FALSE(repeated(file).difference) << to_text(repeated(file));
+  const McapReader other(untouched);
+  const RecordedStates without(other);
+  const RerunResult result = rerun(RecordedRun(touched), {.reference = &without});
+  ASSERT_TRUE(result.difference) << "touches change nothing";
+  EXPECT_EQ(result.difference->same, 0s);
+}
+
 // One bit of one joint at one tick, which the repetition does not have.
 TEST(Rerun, NamesTheOneBitThatDiffers) {
   std::string joint;
