@@ -1,5 +1,5 @@
 /// control_software.h - control software of one robot as the simulation sees it, wherever it runs: in a shared library
-/// (library_software.h), and later behind a socket or a serial line.
+/// (library_software.h), behind a socket (tcp_software.h) or at a serial line (serial/serial_software.h).
 ///
 /// Whoever makes one gets a RobotPort, asks it for signals and commands by name, and keeps the pointers.
 #pragma once

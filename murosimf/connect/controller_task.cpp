@@ -68,6 +68,7 @@ void ControllerTask::end(const CallOutcome& outcome) {
 
 void ControllerTask::take_over_commands() {
   const std::size_t refused = port_.accept(now_);
+  count_link();
   if (refused == 0) return;
   if (report_.refused == 0) report_.first_refusal = fmt::format("at {:.3f} s: {}", seconds(now_), port_.refusal());
   report_.refused += refused;
@@ -78,6 +79,14 @@ void ControllerTask::count_messages() {
   if (!port_.radio().refusal().empty() && report_.first_refused_message.empty()) {
     report_.first_refused_message = fmt::format("at {:.3f} s: {}", seconds(now_), port_.radio().refusal());
   }
+}
+
+void ControllerTask::count_link() {
+  const DelayedRows *signals = port_.signal_link(), *commands = port_.command_link();
+  if (!signals && !commands) return;
+  report_.link.emplace();
+  if (signals) report_.link->signals = signals->counts();
+  if (commands) report_.link->commands = commands->counts();
 }
 
 void ControllerTask::say(const std::string& line) {

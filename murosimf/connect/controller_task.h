@@ -41,6 +41,7 @@ class ControllerTask final : public Algorithm {
   void end(const CallOutcome& outcome);
   void take_over_commands();
   void count_messages();
+  void count_link();
 
   ControllerTaskOptions options_;
   const Entity* robot_;

@@ -13,6 +13,7 @@ void DelayedRows::send(Duration now, std::span<const double> numbers) {
     ++counts_.lost;
     return;
   }
+  counts_.longest = std::max(counts_.longest, *arrival - now);
   on_their_way_.push_back({*arrival, sent_, {numbers.begin(), numbers.end()}});
 }
 
@@ -24,6 +25,8 @@ const std::vector<double>* DelayedRows::receive(Duration now) {
       newest_ = packet.number;
       received_ = std::move(packet.numbers);
       any = true;
+    } else {
+      ++counts_.overtaken;
     }
     return true;
   });

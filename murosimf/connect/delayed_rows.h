@@ -27,16 +27,13 @@ class DelayedRows {
   void reseed(std::uint64_t seed) { link_.reseed(seed); }
   void state(StateArchive& archive) { archive(link_, on_their_way_, sent_, newest_, counts_); }
 
-  struct Counts {
-    std::uint64_t sent = 0, lost = 0;
-  };
-  [[nodiscard]] const Counts& counts() const { return counts_; }
+  [[nodiscard]] const LinkCounts& counts() const { return counts_; }
 
  private:
   struct Packet {
     Duration arrival{};
     std::uint64_t number = 0;
-    std::vector<double> numbers;
+    std::vector<double> numbers{};
     void state(StateArchive& archive) { archive(arrival, number, numbers); }
   };
 
@@ -44,7 +41,7 @@ class DelayedRows {
   std::vector<Packet> on_their_way_;
   std::vector<double> received_;
   std::uint64_t sent_ = 0, newest_ = 0;  // numbers of packets, from 1 on
-  Counts counts_;
+  LinkCounts counts_;
 };
 
 }  // namespace murosimf::connect

@@ -1,6 +1,10 @@
 /// link_options.h - what a link does to what is sent over it.
 #pragma once
 
+#include <cstdint>
+
+#include "murosimf/model/time.h"
+
 namespace murosimf::connect {
 
 struct LinkOptions {
@@ -11,6 +15,13 @@ struct LinkOptions {
   double longest_queue =
       1;  ///< [s] for which a packet waits while others are being sent; if it had to wait longer, it is lost
   bool in_order = false;  ///< none overtakes another one: a stream. Otherwise jitter may reorder packets, as on a radio
+};
+
+/// Of packets.
+struct LinkCounts {
+  std::uint64_t sent = 0, lost = 0;
+  std::uint64_t overtaken = 0;  ///< came after newer ones
+  Duration longest{};           ///< on the way, of those that are not lost
 };
 
 }  // namespace murosimf::connect

@@ -1,6 +1,8 @@
 #include "murosimf/connect/port_commands.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -9,6 +11,7 @@
 #include "murosimf/locomotion/leg.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::connect {
 namespace {
@@ -19,7 +22,22 @@ constexpr double any_velocity = 100;  // [m/s, rad/s] nobody walks as fast
 
 constexpr std::string_view joint_target = "joint.target", joint_velocity_target = "joint.velocity_target",
                            joint_torque_enabled = "joint.torque_enabled", walk_velocity = "walk.velocity",
-                           walk_other_joints = "walk.other_joints", game_answer_name = "game.answer";
+                           walk_other_joints = "walk.other_joints", game_answer_name = "game.answer",
+                           position_gain = "joint.position_gain", velocity_gain = "joint.velocity_gain",
+                           torque_limit = "joint.torque_limit", joint_led = "joint.led", robot_led = "robot.led";
+constexpr std::array command_names{
+    joint_target, joint_velocity_target, joint_torque_enabled, position_gain,   velocity_gain, torque_limit, joint_led,
+    robot_led,    walk_velocity,         walk_other_joints,    game_answer_name};
+
+/// What a servo has at the start, and the most that it may be given.
+std::pair<double, double> start_and_most(const Servo& servo, std::string_view command) {
+  constexpr double gains = 20, longest = 0.5, any_torque = 1e6;  // [1], [s], [N m]
+  const double own = servo.law == "ideal_pd" ? servo.velocity_gain : 0;
+  if (command == position_gain) return {servo.position_gain, gains * servo.position_gain};
+  if (command == velocity_gain) return {own, std::max(gains * own, longest * servo.position_gain)};
+  const double most = servo.stall_torque > 0 ? servo.stall_torque : any_torque;
+  return {most, most};
+}
 
 bool is_of_walk(std::string_view name) { return name == walk_velocity || name == walk_other_joints; }
 
@@ -60,30 +78,53 @@ PortCommands::Command& PortCommands::make(std::string_view name) {
                     joint_target, is_of_walk(name) ? name : walk_velocity, walk_other_joints));
   }
   Command command{.name = std::string(name)};
-  if (name == joint_target) {
-    connect_joints(command, properties::joint_target, any_target, false);
-  } else if (name == joint_velocity_target) {
-    connect_joints(command, properties::joint_velocity_target, any_rate, false);
-  } else if (name == joint_torque_enabled) {
-    connect_joints(command, properties::torque_enabled, 1, false);
-    command.first = 1;
-    std::ranges::fill(command.lowest, 0.0);
-  } else if (name == walk_velocity) {
-    connect_walk(command);
-  } else if (name == walk_other_joints) {
-    connect_joints(command, properties::joint_target, any_target, true);
-  } else if (name == game_answer_name) {
-    connect_answer(command);
-  } else {
-    throw SetupError(unknown_name("command", name,
-                                  {joint_target, joint_velocity_target, joint_torque_enabled, walk_velocity,
-                                   walk_other_joints, game_answer_name}));
-  }
-  command.staged.assign(command.places.size(), command.first);
+  connect(command);
+  command.first.resize(command.places.size());
+  command.staged = command.first;
   command.accepted = command.staged;
   commands_.push_back(std::move(command));
   commands_.back().shown = {commands_.back().staged.data(), commands_.back().staged.size()};
   return commands_.back();
+}
+
+void PortCommands::connect(Command& command) {
+  const std::string_view name = command.name;
+  if (name == joint_target) return connect_joints(command, properties::joint_target, any_target, false);
+  if (name == joint_velocity_target) return connect_joints(command, properties::joint_velocity_target, any_rate, false);
+  if (name == walk_other_joints) return connect_joints(command, properties::joint_target, any_target, true);
+  if (name == position_gain) return connect_servos(command, properties::servo_position_gain);
+  if (name == velocity_gain) return connect_servos(command, properties::servo_velocity_gain);
+  if (name == torque_limit) return connect_servos(command, properties::servo_torque_limit);
+  if (name == robot_led) return connect_led(command);
+  if (name == walk_velocity) return connect_walk(command);
+  if (name == game_answer_name) return connect_answer(command);
+  const bool enables = name == joint_torque_enabled;
+  if (!enables && name != joint_led)
+    throw SetupError(unknown_name("command", name, {command_names.begin(), command_names.end()}));
+  connect_joints(command, enables ? properties::torque_enabled : properties::servo_led, 1, false);
+  if (enables) command.first.assign(command.places.size(), 1.0);
+  std::ranges::fill(command.lowest, 0.0);
+}
+
+/// Of all joints; those without a servo have 0, and nothing else.
+void PortCommands::connect_servos(Command& command, const Property<double>& property) {
+  connect_joints(command, property, 0, false);
+  for (std::size_t i = 0; i < command.places.size(); ++i) {
+    const Servo* servo = model_->find(properties::servo, model_->joints()[i]);
+    const auto [start, most] = servo ? start_and_most(*servo, command.name) : std::pair(0.0, 0.0);
+    command.first.push_back(start);
+    command.lowest[i] = 0;
+    command.highest[i] = most;
+  }
+}
+
+void PortCommands::connect_led(Command& command) {
+  Vec3d& color = setup_->write(properties::robot_led)[0];
+  command.declare = [](Setup& setup) { (void)setup.write(properties::robot_led); };
+  command.labels = {"red", "green", "blue"};
+  command.places = {&color.x, &color.y, &color.z};
+  command.lowest.assign(3, 0.0);
+  command.highest.assign(3, 1.0);
 }
 
 void PortCommands::connect_joints(Command& command, const Property<double>& property, double limit, bool beside_legs) {
@@ -114,7 +155,7 @@ void PortCommands::connect_answer(Command& command) {
   command.declare = [](Setup& setup) { (void)setup.write(game_answer); };
   command.labels = {"message"};
   command.places = {&setup_->write(game_answer)[0]};
-  command.first = answer_alive;
+  command.first = {answer_alive};
   command.lowest = {0};
   command.highest = {highest_answer};
 }
@@ -135,7 +176,7 @@ void PortCommands::restart() noexcept {
   if (link_) link_->restart();
   for (Command& command : commands_) {
     for (std::size_t i = 0; i < command.staged.size(); ++i) {
-      command.staged[i] = command.accepted[i] = *command.places[i] = command.first;
+      command.staged[i] = command.accepted[i] = *command.places[i] = command.first[i];
     }
   }
 }

@@ -46,7 +46,7 @@ class PortCommands {
   struct Command {
     std::string name;
     std::vector<std::string> labels;
-    double first = 0;                     // value that holds at the start
+    std::vector<double> first;            // values that hold at the start
     std::vector<double> staged;           // the software's
     std::vector<double> accepted;         // the robot's
     std::vector<double> lowest, highest;  // allowed
@@ -62,6 +62,9 @@ class PortCommands {
 
   Command& make(std::string_view name);
   void connect_joints(Command& command, const Property<double>& property, double limit, bool beside_legs);
+  void connect(Command& command);
+  void connect_servos(Command& command, const Property<double>& property);
+  void connect_led(Command& command);
   void connect_walk(Command& command);
   void connect_answer(Command& command);
   [[nodiscard]] bool has(std::string_view command) const;

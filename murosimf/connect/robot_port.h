@@ -1,5 +1,5 @@
 /// robot_port.h - what control software sees of its robot and what it may set: rows of numbers, by name at set-up, by pointer in
-/// the loop. The same for software in shared libraries and, later, behind sockets and serial lines.
+/// the loop. The same for software in shared libraries, behind sockets and at serial lines.
 ///
 /// To read (murosimf_signal):
 ///     SENSOR.OUTPUT        the last sample that has arrived, with the instant at which it was taken: imu.gyroscope
@@ -11,6 +11,11 @@
 ///     joint.target         [rad | m] of all joints, within their ranges
 ///     joint.velocity_target [rad/s | m/s] of all joints, for wheels
 ///     joint.torque_enabled [1] of all joints, 0 or 1 (the start value); where levels have servos
+///     joint.position_gain  [N m/rad] of all joints' servos, 0 where there is none; starts with the model's; where levels have servos
+///     joint.velocity_gain  [N m s/rad] likewise
+///     joint.torque_limit   [N m] likewise, of the motor; starts with the stall torque, which is no limit
+///     joint.led            [1] brightness of the LEDs at the servos, 0 to 1
+///     robot.led            [1] red, green, blue of the robot's LED, 0 to 1
 ///     walk.velocity        [m/s, m/s, rad/s] what the walk engine of the library does then; it moves the legs
 ///     walk.other_joints    [rad | m] targets of the joints that are no leg's
 ///     game.answer          [1] what the referee is answered, 0 to 4 (2, alive)

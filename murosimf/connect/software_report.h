@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/connect/link_options.h"
 #include "murosimf/connect/message_box.h"
 #include "murosimf/model/property.h"
 #include "murosimf/model/state_archive.h"
@@ -20,6 +21,10 @@ struct SoftwareReport {
     std::string text;
   };
 
+  struct LinkReport {
+    LinkCounts signals, commands;
+  };
+
   std::string software;       ///< "build/libwalk.so"
   double rate_hz = 0;         ///< of its steps
   std::int64_t calls = 0;     ///< of its step
@@ -31,6 +36,7 @@ struct SoftwareReport {
   std::string first_refusal;              ///< with its time
   std::optional<MessageCounts> messages;  ///< to and from its team; nothing: it has not asked for them
   std::string first_refused_message;      ///< with its time
+  std::optional<LinkReport> link;         ///< what has gone over it; nothing: there is none
   std::string ended;                      ///< why it does not run any more; empty: it does
   std::vector<Message> said;              ///< at most most_messages
   std::uint64_t not_kept = 0;             ///< messages after these

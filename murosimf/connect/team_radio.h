@@ -1,6 +1,6 @@
 /// team_radio.h - how control software talks to the robots of its team: bytes, at most so many per message and second.
 ///
-/// The same for software in shared libraries and, later, behind sockets. What becomes of a message: message_exchange.h.
+/// The same for software in shared libraries and behind sockets. What becomes of a message: message_exchange.h.
 #pragma once
 
 #include <optional>

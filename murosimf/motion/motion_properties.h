@@ -38,6 +38,10 @@ inline constexpr Property<double> sent_target_age  {{"sent_target_age", "1", "jo
 inline constexpr Property<double> backlash_play    {{"backlash_play", "rad", "joint", "where the motor side is in the play of the gear; 0: in the middle"}};
 inline constexpr Property<double> backlash_side    {{"backlash_side", "1", "joint", "1, -1: the motor side touches the output there; 0: it does not"}};
 inline constexpr Property<double> rotor_rate       {{"rotor_rate", "rad/s", "joint", "of the motor side of a gear with backlash"}};
+inline constexpr Property<double> servo_position_gain {{"servo_position_gain", "N m/rad", "joint", "of a servo, set by control software that asks for it; starts with the servo's own"}};
+inline constexpr Property<double> servo_velocity_gain {{"servo_velocity_gain", "N m s/rad", "joint", "likewise"}};
+inline constexpr Property<double> servo_torque_limit {{"servo_torque_limit", "N m", "joint", "likewise, of the motor; its stall torque: none"}};
+inline constexpr Property<double> servo_led        {{"servo_led", "1", "joint", "brightness of the LED at a servo, 0 to 1, set by control software"}};
 inline constexpr Property<double> torque_need      {{"torque_need", "N m | N", "joint", "joint_torque, smoothed over 20 ms"}};
 inline constexpr Property<Overload> overload       {{"overload", "N m, N m, rad/s, s", "joint", "where torque_need exceeded the servo the most: needed, given, rate, time"}};
 inline constexpr Property<double> cycle_target       {{"cycle_target", "rad | m", "joint", "target that the present control cycle runs to"}};
@@ -45,6 +49,7 @@ inline constexpr Property<double> joint_offset     {{"joint_offset", "rad | m", 
 
 // ---- variable: one for the whole entity ----
 inline constexpr Property<Quaterniond> base_quaternion {{"base_quaternion", "1", "base axes to world axes", "w x y z", Scope::base}};
+inline constexpr Property<Vec3d>  robot_led          {{"robot_led", "1", "red, green, blue", "brightness of the robot's LED, 0 to 1 each, set by control software", Scope::base}};
 inline constexpr Property<double> total_mass         {{"total_mass", "kg", "-", "mass of all objects", Scope::base}};
 inline constexpr Property<Vec3d>  common_center_of_mass {{"common_center_of_mass", "m", "world", "of all objects", Scope::base}};
 inline constexpr Property<Vec3d>  common_center_of_mass_velocity {{"common_center_of_mass_velocity", "m/s", "world", "of all objects", Scope::base}};

@@ -7,6 +7,7 @@
 
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::motion {
 namespace {
@@ -32,6 +33,7 @@ ServoCondition::ServoCondition(Setup& setup, std::string_view law)
   if (model.having(properties::servo).empty()) return;
   supply_ = input_of_servos(setup, properties::supply_voltage, [](const Servo& servo) { return servo.voltage; });
   enabled_ = input_of_servos(setup, properties::torque_enabled, [](const Servo&) { return 1.0; });
+  find_tuning(setup);
   bool heat = false;
   for (const int i : model.having(properties::servo)) {
     const Servo& servo = *model.find(properties::servo, i);
@@ -50,6 +52,23 @@ ServoCondition::ServoCondition(Setup& setup, std::string_view law)
   fresh_ = !known || std::isnan(temperature_[heats - motors_.begin()]);  // NaN: only observed so far
 }
 
+void ServoCondition::find_tuning(Setup& setup) {
+  const auto wanted = [&](const Property<double>& property) {
+    const bool any = setup.entity().find(property) != nullptr;
+    tunes_ = tunes_ || any;
+    return any ? setup.observe(property) : std::span<const double>{};
+  };
+  position_gain_ = wanted(properties::servo_position_gain);
+  velocity_gain_ = wanted(properties::servo_velocity_gain);
+  torque_limit_ = wanted(properties::servo_torque_limit);
+  for (const int i : setup.model().having(properties::servo)) {
+    const Servo& servo = *setup.model().find(properties::servo, i);
+    motors_[i].position_gain = servo.position_gain;
+    motors_[i].velocity_gain = servo.law == "ideal_pd" ? servo.velocity_gain : 0;
+    motors_[i].stall_torque = servo.stall_torque;
+  }
+}
+
 void ServoCondition::cool_down() noexcept {
   for (std::size_t i = 0; i < temperature_.size(); ++i) {
     temperature_[i] = motors_[i].numbers.heat.ambient_temperature;
@@ -63,10 +82,22 @@ void ServoCondition::take_over() noexcept {
 void ServoCondition::fill(int i, MotorInput& input) const noexcept {
   const Motor& motor = motors_[i];
   input.enabled = enabled_[i];
+  if (tunes_) tune(i, input);
   if (motor.per_volt > 0) input.supply = supply_[i] * motor.per_volt;
   if (!motor.heats) return;
   input.conductance = multibody::winding_conductance(temperature_[i]);
   input.allowed = multibody::allowed_share(motor.numbers.heat, temperature_[i]);
+}
+
+/// Nothing is set where a number is NaN. A limit from the stall torque on is none: braking may take more.
+void ServoCondition::tune(int i, MotorInput& input) const noexcept {
+  const Motor& motor = motors_[i];
+  if (!position_gain_.empty() && motor.position_gain > 0 && position_gain_[i] >= 0) {
+    input.gain = position_gain_[i] / motor.position_gain;
+  }
+  if (!velocity_gain_.empty() && velocity_gain_[i] >= 0) input.damping = velocity_gain_[i] - motor.velocity_gain;
+  if (torque_limit_.empty() || !(torque_limit_[i] >= 0)) return;
+  if (motor.stall_torque <= 0 || torque_limit_[i] < motor.stall_torque) input.limit = torque_limit_[i];
 }
 
 void ServoCondition::warm(int i, double torque, double dt) noexcept {

@@ -1,6 +1,7 @@
 /// servo_condition.h - what a robot's motors have before them: supply, whether torque is on, temperature.
 ///
 /// `supply_voltage` and `torque_enabled` are inputs: a battery, a user or control software may change them at any time.
+/// So are gains and torque limit, where control software that was attached before has asked for them.
 /// Temperature is worked out for servos with thermal numbers only (multibody/servo_motor.h); it stays if another level or
 /// law takes over that has it too.
 #pragma once
@@ -25,6 +26,8 @@ class ServoCondition {
   void take_over() noexcept;
   /// Supply, conductance, heat and switch of a servo (an object of the model).
   void fill(int object, MotorInput& input) const noexcept;
+  /// Software may change gains or limits of its servos.
+  [[nodiscard]] bool tunes() const noexcept { return tunes_; }
   [[nodiscard]] bool heats(int object) const noexcept { return motors_[static_cast<std::size_t>(object)].heats; }
   /// By object, empty without servos: [V], and 0 where torque is switched off.
   [[nodiscard]] std::span<const double> supply() const noexcept { return supply_; }
@@ -39,11 +42,17 @@ class ServoCondition {
     double per_volt = 0;  // [1/V] of the nominal voltage; 0: not known
     bool heats = false;
     multibody::ServoMotor numbers;
+    double position_gain = 0, velocity_gain = 0, stall_torque = 0;  // its own
   };
+  void find_tuning(Setup& setup);
+  void tune(int object, MotorInput& input) const noexcept;
+
   std::vector<Motor> motors_;  // by object
   std::span<const double> supply_, enabled_;
-  std::span<double> temperature_;  // [C] empty if no servo heats
-  bool fresh_ = true;              // nobody has had temperatures before
+  std::span<double> temperature_;                                         // [C] empty if no servo heats
+  std::span<const double> position_gain_, velocity_gain_, torque_limit_;  // empty: nobody sets it; NaN: not yet
+  bool tunes_ = false;
+  bool fresh_ = true;  // nobody has had temperatures before
 };
 
 }  // namespace murosimf::motion

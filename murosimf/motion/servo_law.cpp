@@ -31,14 +31,15 @@ class IdealPd final : public ServoLaw {
 
   [[nodiscard]] MotorTorque torque(const MotorInput& in, double dt) const noexcept override {
     if (in.enabled == 0) return {};
-    const double kp = servo_.position_gain, kd = servo_.velocity_gain;
+    const double kp = servo_.position_gain * in.gain, kd = servo_.velocity_gain + in.damping;
+    const double limit = std::min(limit_, in.limit);
     const double error = by_rate_ ? 0 : position_error(in);
     const double stiffness = error == 0 && servo_.dead_band > 0 ? 0 : kp;
     const double wanted = by_rate_ ? kd * (in.target - in.rate) : kp * error - kd * in.rate;
     const double linear = wanted - dt * stiffness * in.rate;
-    const double now = std::clamp(wanted, -limit_, limit_);
+    const double now = std::clamp(wanted, -limit, limit);
     // a stiff servo is not bounced from one limit to the other if the end of the step decides
-    if (std::abs(linear) > limit_) return {now, std::copysign(limit_, linear), 0};
+    if (std::abs(linear) > limit) return {now, std::copysign(limit, linear), 0};
     return {now, linear, dt * kd + dt * dt * stiffness};
   }
   [[nodiscard]] double available(double qd, double) const noexcept override { return behind_gear(servo_, limit_, qd); }

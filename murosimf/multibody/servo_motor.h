@@ -5,11 +5,12 @@
 /// winding as a share of that at 25 C:
 ///
 ///     e = target - q, in whole steps of the encoder, less the dead band       firmware, P only
-///     tau_0 = kp e s c                                                        duty cycle times stall torque T s c
+///     tau_0 = (kp e - k_d w) s c                                              duty cycle times stall torque T s c
 ///     tau_m = tau_0 - d w,  d = c T/w_0                                       back-EMF: the speed-torque line
 ///
 /// The firmware can only move the duty, so the current limit clamps tau_0 to d w +- limit first and the duty limit, +-u T s c, last:
-/// at high rates the current is what it is. With torque switched off the bridge is open: tau_m is 0, nothing brakes.
+/// at high rates the current is what it is. k_d is 0 until software sets it (firmware that takes the derivative of the position alone).
+/// With torque switched off the bridge is open: tau_m is 0, nothing brakes.
 /// In a step of h, tau_m falls with the acceleration by h d, and by h^2 kp s c more while no limit holds the duty at its
 /// end (decided at its beginning, a stiff servo bounces from one limit to the other); the encoder's steps count by
 /// their mean slope.
@@ -19,6 +20,8 @@
 /// Source: textbook permanent-magnet DC motor (stall = k_t V/R, stall/no_load = k_t^2/R) and one thermal node;
 /// temperature coefficient of copper.
 #pragma once
+
+#include <limits>
 
 #include "murosimf/math/scalar.h"
 #include "murosimf/model/servo.h"
@@ -52,6 +55,9 @@ struct MotorInput {
   S conductance = 1.0;  ///< [1] c
   S allowed = 1.0;      ///< [1] what heat leaves of the torque
   S enabled = 1.0;      ///< [1] 0: torque is switched off
+  S gain = 1.0;         ///< [1] share of kp that software has left or given
+  S damping{};          ///< [N m s/rad] k_d of software: velocity gain beyond the servo's own
+  S limit = std::numeric_limits<double>::infinity();  ///< [N m] of the motor, by software
 };
 
 template <class S>
@@ -86,19 +92,21 @@ template <class S>
 template <class S>
 [[nodiscard]] MotorTorque<S> motor_torque(const ServoMotor& motor, const MotorInput<S>& in, double h) {
   const S strength = in.supply * in.conductance, d = motor.line * in.conductance;
-  const S gain = motor.gain * strength, most = motor.most * strength, back_emf = d * in.rate;
+  const S gain = motor.gain * strength * in.gain, most = motor.most * strength, back_emf = d * in.rate;
+  const S braking = in.damping * strength;
   const S error = position_error(motor.encoder_step, motor.dead_band, in.target, in.q);
   S slope = gain;
   if (motor.dead_band > 0) slope = select(error == S(0.0), S(0.0), gain);
   const S ahead = (h * slope) * in.rate;
-  const S wanted = gain * error - ahead;
-  const S range = select(in.allowed < S(1.0), in.allowed * motor.warm_limit, S(motor.torque_limit));
+  const S wanted = gain * error - ahead - braking * in.rate;
+  const S cool = select(in.allowed < S(1.0), in.allowed * motor.warm_limit, S(motor.torque_limit));
+  const S range = select(in.limit < cool, in.limit, cool);
   const S for_current = clamped<S>(wanted, back_emf - range, back_emf + range);
   const S given = clamped<S>(for_current, -most, most);
 
   const auto free = given == wanted;
   const S damping = select(free, d, select(given == for_current, S(0.0), d));
-  const S inertia = h * damping + select(free, (h * h) * slope, S(0.0));
+  const S inertia = h * damping + select(free, (h * h) * slope + h * braking, S(0.0));
   const S torque = given - back_emf;
   const auto off = in.enabled == S(0.0);
   return {select(off, S(0.0), select(free, torque + ahead, torque)), select(off, S(0.0), torque),

@@ -57,6 +57,18 @@ json messages_object(const connect::SoftwareReport& software) {
           {"not_read", counts.not_read}, {"first_refused", software.first_refused_message}};
 }
 
+json way_object(const connect::LinkCounts& counts) {
+  return {{"sent", counts.sent},
+          {"lost", counts.lost},
+          {"overtaken", counts.overtaken},
+          {"longest_ms", 1e3 * seconds(counts.longest)}};
+}
+
+json link_object(const connect::SoftwareReport& software) {
+  if (!software.link) return nullptr;
+  return {{"signals", way_object(software.link->signals)}, {"commands", way_object(software.link->commands)}};
+}
+
 json control_object(const ControlReport& report) {
   const connect::SoftwareReport& software = report.software;
   json said = json::array();
@@ -73,6 +85,7 @@ json control_object(const ControlReport& report) {
           {"refused", software.refused},
           {"first_refusal", software.first_refusal},
           {"messages", messages_object(software)},
+          {"link", link_object(software)},
           {"ended", software.ended},
           {"said", std::move(said)},
           {"not_kept", software.not_kept}};
@@ -89,6 +102,24 @@ std::string message_text(const std::vector<ControlReport>& control) {
     const connect::MessageCounts& counts = *software.messages;
     text += fmt::format("{:<12} {:>8} {:>8} {:>8} {:>8} {:>8}\n", robot, counts.sent, counts.refused, counts.lost,
                         counts.arrived, counts.not_read);
+  }
+  return text;
+}
+
+std::string link_text(const std::vector<ControlReport>& control) {
+  std::string text;
+  for (const auto& [robot, software] : control) {
+    if (!software.link) continue;
+    if (text.empty()) {
+      text = fmt::format("\n{:<12} {:<9} {:>8} {:>8} {:>9} {:>13}\n", "link of", "", "sent", "lost", "overtaken",
+                         "the longest");
+    }
+    const auto way = [&](std::string_view what, const connect::LinkCounts& counts) {
+      text += fmt::format("{:<12} {:<9} {:>8} {:>8} {:>9} {:>10.1f} ms\n", robot, what, counts.sent, counts.lost,
+                          counts.overtaken, 1e3 * seconds(counts.longest));
+    };
+    way("signals", software.link->signals);
+    way("commands", software.link->commands);
   }
   return text;
 }
@@ -140,6 +171,7 @@ std::string to_text(const RunReport& report) {
   }
   text += control_text(report.control);
   text += message_text(report.control);
+  text += link_text(report.control);
   text += fmt::format("\n{:.2f} s simulated in {:.3f} s: {:.0f} times real time on {} thread{}\n", report.simulated,
                       report.wall, report.real_time_factor, report.threads, report.threads == 1 ? "" : "s");
   if (report.stopped) {

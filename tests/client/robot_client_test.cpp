@@ -1,5 +1,6 @@
 // The client library: names, labels and first values are those of the robot, and what goes wrong is told in one line.
 #include "murosimf/client/robot_client.h"
+#include "murosimf/motion/motion_properties.h"
 
 #include <gtest/gtest.h>
 
@@ -26,10 +27,16 @@ TEST(RobotClient, AsksForRowsByName) {
     EXPECT_TRUE(says(error_text([&] { (void)robot.command("joint.target"); }), {"was asked for before"}));
     EXPECT_EQ(torque.values, std::vector<double>(21, 1.0)) << "what holds until it is set";
     EXPECT_EQ(target.labels, position.labels);
+    CommandRow& gain = robot.command("joint.position_gain");
+    EXPECT_GT(gain.values[0], 0) << "the servo's own";
+    CommandRow& led = robot.command("robot.led");
+    EXPECT_EQ(led.labels, (std::vector<std::string>{"red", "green", "blue"}));
     const auto head = static_cast<std::size_t>(std::ranges::find(target.labels, "j_head") - target.labels.begin());
     ASSERT_TRUE(robot.next());
     EXPECT_TRUE(robot.starts());
     target.values[head] = 0.3;
+    gain.values[head] *= 2;
+    led.values = {1, 0.5, 0};
     ASSERT_TRUE(robot.next());
     EXPECT_FALSE(robot.starts());
     EXPECT_EQ(robot.now(), 0);
@@ -48,6 +55,11 @@ TEST(RobotClient, AsksForRowsByName) {
                                 .cameras = false,
                                 .software = listener.server});
     scene.simulation().run(2s);
+    const Entity& walker = scene.simulation().world().entity("walker");
+    const int head = walker.model().object_index("j_head");
+    EXPECT_EQ(walker.find(properties::servo_position_gain)->values[head],
+              2 * walker.model().find(properties::servo, head)->position_gain);
+    EXPECT_EQ(walker.find(properties::robot_led)->values[0].y, 0.5);
   }
   EXPECT_EQ(client.error(), "");
 }

@@ -86,6 +86,23 @@ TEST(ControlLink, BelongsToStateAndStart) {
   EXPECT_EQ(scene.simulation().state_hash(), there);
 }
 
+TEST(ControlLink, IsCountedInTheReport) {
+  scene::Scene scene(to_the_ball, walkers({"left.link.delay=0.02", "left.link.loss=0.25"}));
+  scene.simulation().run(20s);
+  const scene::RunReport report = make_report(scene);
+  const auto& link = report.control.at(0).software.link;
+  ASSERT_TRUE(link);
+  for (const LinkCounts& way : {link->signals, link->commands}) {
+    EXPECT_NEAR(static_cast<double>(way.lost) / static_cast<double>(way.sent), 0.25, 0.06);
+    EXPECT_EQ(way.overtaken, 0U);
+    EXPECT_EQ(way.longest, 20ms);
+  }
+  EXPECT_EQ(link->signals.sent, static_cast<std::uint64_t>(report.control[0].software.calls));
+  EXPECT_FALSE(report.control.at(1).software.link);
+  EXPECT_TRUE(fixtures::says(to_text(report), {"link of", "left         signals", "20.0 ms"}));
+  EXPECT_TRUE(fixtures::says(to_json(report), {"\"overtaken\""}));
+}
+
 TEST(ControlLink, IsRefusedIfItCannotBe) {
   const auto error = [](const std::string& key) {
     return fixtures::error_of([&] { scene::Scene(to_the_ball, walkers({key})); });

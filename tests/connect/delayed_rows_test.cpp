@@ -52,6 +52,23 @@ TEST(DelayedRows, NeverGoBackToWhatWasOvertaken) {
   EXPECT_GT(last, 1900);
 }
 
+// The second takes 1 ms, the first 100: it comes when nobody wants it any more.
+TEST(DelayedRows, AreCounted) {
+  DelayedRows rows({.delay = 0.001, .jitter = 0.1}, 3, "a");
+  std::uint64_t come = 0;
+  for (int t = 0; t < 1000; ++t) {
+    if (t < 500) rows.send(t * 1ms, std::vector{1.0 * t});
+    come += received(rows, t * 1ms).empty() ? 0U : 1U;
+  }
+  EXPECT_EQ(rows.counts().sent, 500U);
+  EXPECT_EQ(rows.counts().lost, 0U);
+  EXPECT_GT(come, 10U);
+  EXPECT_GT(rows.counts().overtaken, 100U);
+  EXPECT_LE(come + rows.counts().overtaken, 500U) << "those that come at once with newer ones are neither";
+  EXPECT_GT(rows.counts().longest, 95ms);
+  EXPECT_LE(rows.counts().longest, 101ms);
+}
+
 TEST(DelayedRows, AreLostInTheirShare) {
   DelayedRows rows({.loss = 0.25}, 3, "a");
   int come = 0;

@@ -26,6 +26,32 @@ TEST(IdealPd, IsLinearWithinItsLimit) {
   EXPECT_EQ(off.inertia, 0);
 }
 
+TEST(IdealPd, HasTheGainsAndTheLimitOfSoftware) {
+  const auto law = make_servo_law(pd());
+  const MotorInput input{.target = 0.5, .q = 0.3, .rate = -1.1, .gain = 0.25, .damping = 0.3};
+  const MotorTorque torque = law->torque(input, h);
+  EXPECT_NEAR(torque.now, 5 * 0.2 + 0.9 * 1.1, 1e-14);
+  EXPECT_NEAR(torque.inertia, h * 0.9 + h * h * 5, 1e-16);
+  const MotorTorque weak = law->torque({.target = 1, .q = 0.1, .limit = 1.5}, h);
+  EXPECT_EQ(weak.now, 1.5);
+  EXPECT_EQ(weak.torque, 1.5);
+  EXPECT_EQ(law->torque({.target = 1, .q = 0.1, .limit = 100}, h).now, 7) << "its own limit holds, too";
+}
+
+TEST(DcMotor, HasTheGainsAndTheLimitOfSoftware) {
+  const auto law = make_servo_law({.type = "motor", .stall_torque = 6, .no_load_speed = 8, .position_gain = 20});
+  const double line = 6.0 / 8;
+  MotorInput input{.target = 0.5, .q = 0.4, .rate = 1.2, .supply = 0.5, .gain = 2, .damping = 0.3};
+  const MotorTorque torque = law->torque(input, h);
+  EXPECT_NEAR(torque.now, 0.5 * (40 * 0.1 - 0.3 * 1.2) - line * 1.2, 1e-14);
+  EXPECT_NEAR(torque.torque, torque.now - h * 0.5 * 40 * 1.2, 1e-14);
+  EXPECT_NEAR(torque.inertia, h * (line + 0.5 * 0.3) + h * h * 0.5 * 40, 1e-15);
+  input.limit = 0.2;  // of the motor's torque, not of the duty
+  EXPECT_NEAR(law->torque(input, h).now, 0.2, 1e-14);
+  input.target = -3;
+  EXPECT_NEAR(law->torque(input, h).now, -0.2, 1e-14);
+}
+
 TEST(IdealPd, GivesItsLimitAndNoMore) {
   const auto law = make_servo_law(pd());
   for (const double side : {1.0, -1.0}) {

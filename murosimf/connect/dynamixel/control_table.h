@@ -40,6 +40,11 @@ enum class Item : std::uint8_t {
   torque_enable,
   led,
   hardware_error,
+  position_p_gain,
+  position_i_gain,
+  position_d_gain,
+  torque_limit,  // of 1.0; goal PWM (2.0): shares of what the servo can give
+  goal_current,
   goal_velocity,  // moving speed (1.0)
   profile_velocity,
   goal_position,
@@ -83,6 +88,10 @@ struct ServoUnits {
   double current = 0;        ///< [A] of one; 0: it measures none
   double stall_torque = 0;   ///< [N m] at 12 V
   double stall_current = 0;  ///< [A] then
+  double p_gain = 0;         ///< [1] of one
+  double i_gain = 0;         ///< [1/s]
+  double d_gain = 0;         ///< [s]
+  double full_torque = 0;    ///< [1] of Item::torque_limit: no limit
 };
 
 struct ControlTable {

@@ -6,6 +6,11 @@
 #include "murosimf/connect/dynamixel/servo_counts.h"
 
 namespace murosimf::connect::dynamixel {
+namespace {
+
+constexpr std::int32_t current_based = 5;  // operating mode
+
+}  // namespace
 
 ServoDevice::ServoDevice(const ControlTable& table, std::uint8_t id, const ServoOptions& options)
     : BusDevice(table, id), options_(options), present_(middle_pulse), goal_(middle_pulse), trajectory_(middle_pulse) {
@@ -16,7 +21,7 @@ ServoDevice::ServoDevice(const ControlTable& table, std::uint8_t id, const Servo
 ServoDevice::Mode ServoDevice::mode() const {
   if (!old()) {
     const std::int32_t mode = registers().get(Item::operating_mode);
-    return mode == 1 ? Mode::velocity : mode == 4 ? Mode::extended : Mode::position;
+    return mode == 1 ? Mode::velocity : mode == 4 || mode == current_based ? Mode::extended : Mode::position;
   }
   const std::int32_t low = registers().get(Item::lowest_position), high = registers().get(Item::highest_position);
   if (low == 0 && high == 0) return Mode::velocity;
@@ -52,7 +57,7 @@ Refusal ServoDevice::check(const Field& field, std::int32_t value) const {
 /// The goal is where the shaft is.
 void ServoDevice::stay() {
   goal_ = trajectory_ = present_;
-  velocity_ = 0;
+  velocity_ = integral_ = 0;
   show_position(Item::goal_position, present_);
 }
 
@@ -109,6 +114,39 @@ double ServoDevice::fastest() const {
   return counts * registers().table().units.velocity * pulses_per_radian;
 }
 
+double ServoDevice::gain_share() const {
+  const Field& field = *registers().table().find(Item::position_p_gain);
+  return static_cast<double>(registers().get(Item::position_p_gain)) / field.initial;
+}
+
+double ServoDevice::damping_time() const {
+  const ServoUnits& units = registers().table().units;
+  const double p = registers().table().find(Item::position_p_gain)->initial * units.p_gain;
+  return registers().get(Item::position_d_gain) * units.d_gain / p;
+}
+
+double ServoDevice::torque_share() const {
+  const Registers& at = registers();
+  const ServoUnits& units = at.table().units;
+  const double share = std::abs(at.get(Item::torque_limit)) / units.full_torque;
+  if (old() || at.get(Item::operating_mode) != current_based) return share;
+  return std::min(share, std::abs(at.get(Item::goal_current)) * units.current / units.stall_current);
+}
+
+/// Not beyond what gives all torque by itself.
+void ServoDevice::integrate(double dt) {
+  const ServoUnits& units = registers().table().units;
+  const double p = registers().get(Item::position_p_gain) * units.p_gain;
+  const double i = registers().get(Item::position_i_gain) * units.i_gain;
+  if (!torque() || mode() == Mode::velocity || p <= 0 || i <= 0) {
+    integral_ = 0;
+    return;
+  }
+  const double most = options_.full_error * torque_share() / gain_share();
+  integral_ += i / p * (angle_of(trajectory_) - angle_of(present_)) * dt;
+  integral_ = std::clamp(integral_, -most, most);
+}
+
 void ServoDevice::advance(double dt) {
   const double before = trajectory_;
   if (!torque()) {
@@ -120,18 +158,21 @@ void ServoDevice::advance(double dt) {
     const double most = fastest() * dt;
     trajectory_ += std::clamp(goal_ - trajectory_, -most, most);
   }
+  integrate(dt);
   velocity_ = torque() && trajectory_ != goal_ && dt > 0 ? (trajectory_ - before) / dt : 0;
   show_position(Item::position_trajectory, trajectory_);
   memory().set(Item::velocity_trajectory, rounded(velocity_ / pulses_per_radian / registers().table().units.velocity));
 }
 
-double ServoDevice::target() const { return std::clamp(angle_of(trajectory_), options_.lowest, options_.highest); }
+double ServoDevice::target() const {
+  return std::clamp(angle_of(trajectory_) + integral_, options_.lowest, options_.highest);
+}
 
 double ServoDevice::target_velocity() const { return torque() && turns() ? wanted_velocity() : 0; }
 
 void ServoDevice::state(StateArchive& archive) {
   BusDevice::state(archive);
-  archive(present_, goal_, trajectory_, velocity_, errors_, sensed_);
+  archive(present_, goal_, trajectory_, velocity_, integral_, errors_, sensed_);
 }
 
 }  // namespace murosimf::connect::dynamixel

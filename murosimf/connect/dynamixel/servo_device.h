@@ -2,7 +2,7 @@
 ///
 /// It knows its shaft's angle [rad], counterclockwise, 0 at the position 2048. Who simulates the shaft tells it what it feels (sense)
 /// and asks for where it wants the shaft (target). Position, velocity (wheel) and extended position (multi-turn) modes are those of
-/// the e-Manual. Torque, load, voltage and temperature are what is simulated; where nothing is, nominal values stand.
+/// the e-Manual, and current-based position mode, whose goal current limits the torque. Torque, load, voltage and temperature are what is simulated; where nothing is, nominal values stand.
 #pragma once
 
 #include <limits>
@@ -15,6 +15,7 @@ struct ServoOptions {
   double lowest = -std::numeric_limits<double>::infinity();  ///< [rad] where the shaft meets its end
   double highest = std::numeric_limits<double>::infinity();
   double stall_torque = 0;  ///< [N m] of the simulated servo; 0: that of the data sheet
+  double full_error = 0.2;  ///< [rad] between goal and shaft that makes it give that, with the gains of the factory
   bool torque = false;      ///< is on at the start
 };
 
@@ -38,7 +39,14 @@ class ServoDevice final : public BusDevice {
 
   [[nodiscard]] bool torque() const { return registers().get(Item::torque_enable) != 0; }
   [[nodiscard]] bool turns() const { return mode() == Mode::velocity; }
-  /// [rad] within its ends.
+  [[nodiscard]] bool led() const { return registers().get(Item::led) != 0; }
+  /// [1] its P gain, over that from the factory.
+  [[nodiscard]] double gain_share() const;
+  /// [s] its D gain, over the P gain from the factory.
+  [[nodiscard]] double damping_time() const;
+  /// [1] the torque that it may give, over its stall torque.
+  [[nodiscard]] double torque_share() const;
+  /// [rad] within its ends; with what its I gain adds.
   [[nodiscard]] double target() const;
   /// [rad/s]
   [[nodiscard]] double target_velocity() const;
@@ -61,6 +69,7 @@ class ServoDevice final : public BusDevice {
   [[nodiscard]] double wanted_velocity() const;
   [[nodiscard]] double fastest() const;
   void stay();
+  void integrate(double dt);
   void show_position(Item item, double pulses);
   void show_motion(double velocity);
   void show_load(double torque);
@@ -72,6 +81,7 @@ class ServoDevice final : public BusDevice {
   double goal_;              // [pulses]
   double trajectory_;        // [pulses] on its way to the goal
   double velocity_ = 0;      // [pulses/s] of the trajectory
+  double integral_ = 0;      // [rad] that the I gain adds to the target
   std::uint8_t errors_ = 0;  // bits as in protocol 1.0
   bool sensed_ = false;      // it knows where the shaft is
   bool was_on_ = false;      // the torque, before the present packet

@@ -38,12 +38,12 @@ std::vector<Field> fields_of(const Mx& servo) {
       {22, 1, eeprom, 1, 1, 1},  // resolution divider
       {24, 1, ram, 0, 0, 1, Item::torque_enable},
       {25, 1, ram, 0, 0, 1, Item::led},
-      {26, 1, ram, 0, 0, 254},   // D gain
-      {27, 1, ram, 0, 0, 254},   // I gain
-      {28, 1, ram, 32, 0, 254},  // P gain
+      {26, 1, ram, 0, 0, 254, Item::position_d_gain},
+      {27, 1, ram, 0, 0, 254, Item::position_i_gain},
+      {28, 1, ram, 32, 0, 254, Item::position_p_gain},
       {30, 2, ram, 2048, -28672, 28672, Item::goal_position},
       {32, 2, ram, 0, 0, 2047, Item::goal_velocity},
-      {34, 2, ram, 1023, 0, 1023},  // torque limit
+      {34, 2, ram, 1023, 0, 1023, Item::torque_limit},
       {36, 2, read_only, 2048, -28672, 28672, Item::present_position},
       {38, 2, read_only, 0, 0, 2047, Item::present_velocity},
       {40, 2, read_only, 0, 0, 2047, Item::present_load},
@@ -70,14 +70,15 @@ std::vector<Field> fields_of(const Mx& servo) {
 std::vector<ControlTable> servo_tables_v1() {
   constexpr double velocity_unit = 0.114 * 2 * std::numbers::pi / 60;  // [rad/s]
   constexpr double current_unit = 0.0045;                              // [A]
+  constexpr double p = 1 / 8.0, i = 1000 / 2048.0, d = 4 / 1000.0, all = 1023;
   std::vector<ControlTable> tables;
   for (const Mx& servo : {Mx{"mx28", 29, 2.5, 1.4, false, false}, Mx{"mx64", 310, 6.0, 4.1, true, false},
                           Mx{"mx106", 320, 8.4, 5.2, true, true}}) {
-    tables.push_back(
-        {servo.name,
-         Protocol::v1,
-         fields_of(servo),
-         {velocity_unit, servo.measures_current ? current_unit : 0.0, servo.stall_torque, servo.stall_current}});
+    tables.push_back({servo.name,
+                      Protocol::v1,
+                      fields_of(servo),
+                      {velocity_unit, servo.measures_current ? current_unit : 0.0, servo.stall_torque,
+                       servo.stall_current, p, i, d, all}});
   }
   return tables;
 }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int firmware_v2 = 45;
 constexpr int any = 0x7FFFFFFF;
+constexpr int full_pwm = 885;
 
 /// What differs between the models.
 struct Servo {
@@ -46,7 +47,7 @@ void append_eeprom(std::vector<Field>& fields, const Servo& servo) {
       {8, 1, eeprom, 1, 0, 7},  // baud rate
       {9, 1, eeprom, 250, 0, 254, Item::return_delay},
       {10, 1, eeprom, 0, 0, 0},  // drive mode
-      {11, 1, eeprom, 3, 1, 4, Item::operating_mode},
+      {11, 1, eeprom, 3, 1, servo.current_limit > 0 ? 5 : 4, Item::operating_mode},
       {12, 1, eeprom, 255, 0, 255, Item::secondary_id},
       {13, 1, eeprom, 2, 2, 2},  // protocol type
       {20, 4, eeprom, 0, -1044479, 1044479, Item::position_offset},
@@ -73,20 +74,20 @@ void append_ram(std::vector<Field>& fields, const Servo& servo) {
            {68, 1, ram, 2, 0, 2, Item::status_return_level},
            {69, 1, read_only, 0, 0, 1, Item::registered},
            {70, 1, read_only, 0, 0, 255, Item::hardware_error},
-           {76, 2, ram, 1920, 0, gain},                 // velocity I gain
-           {78, 2, ram, 100, 0, gain},                  // velocity P gain
-           {80, 2, ram, 0, 0, gain},                    // position D gain
-           {82, 2, ram, 0, 0, gain},                    // position I gain
-           {84, 2, ram, servo.position_gain, 0, gain},  // position P gain
-           {88, 2, ram, 0, 0, gain},                    // feed forward
-           {90, 2, ram, 0, 0, gain},                    // feed forward
-           {98, 1, ram, 0, 0, 127},                     // bus watchdog
-           {100, 2, ram, 885, -885, 885},               // goal PWM
+           {76, 2, ram, 1920, 0, gain},  // velocity I gain
+           {78, 2, ram, 100, 0, gain},   // velocity P gain
+           {80, 2, ram, 0, 0, gain, Item::position_d_gain},
+           {82, 2, ram, 0, 0, gain, Item::position_i_gain},
+           {84, 2, ram, servo.position_gain, 0, gain, Item::position_p_gain},
+           {88, 2, ram, 0, 0, gain},  // feed forward
+           {90, 2, ram, 0, 0, gain},  // feed forward
+           {98, 1, ram, 0, 0, 127},   // bus watchdog
+           {100, 2, ram, full_pwm, -full_pwm, full_pwm, Item::torque_limit},
        }) {
     fields.push_back(field);
   }
   const int current = servo.current_limit;
-  if (current > 0) fields.push_back({102, 2, ram, current, -current, current});  // goal current
+  if (current > 0) fields.push_back({102, 2, ram, current, -current, current, Item::goal_current});
   for (const Field& field : std::vector<Field>{
            {104, 4, ram, 0, -1023, 1023, Item::goal_velocity},
            {108, 4, ram, 0, 0, 32767},  // profile acceleration
@@ -112,12 +113,13 @@ void append_ram(std::vector<Field>& fields, const Servo& servo) {
 
 std::vector<ControlTable> servo_tables_v2() {
   constexpr double velocity_unit = 0.229 * 2 * std::numbers::pi / 60;  // [rad/s]
+  constexpr double p = 1 / 128.0, i = 1000 / 65536.0, d = 1e-3 / 16;   // of cycles of 1 ms
   std::vector<ControlTable> tables;
   for (const Servo& servo : servos()) {
     ControlTable table{servo.name,
                        Protocol::v2,
                        {},
-                       {velocity_unit, servo.current_unit, servo.stall_torque, servo.stall_current}};
+                       {velocity_unit, servo.current_unit, servo.stall_torque, servo.stall_current, p, i, d, full_pwm}};
     append_eeprom(table.fields, servo);
     append_ram(table.fields, servo);
     tables.push_back(std::move(table));

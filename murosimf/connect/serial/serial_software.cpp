@@ -27,6 +27,10 @@ SerialSoftware::SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::
       torque_(port.signal("joint.torque")),
       target_(port.command("joint.target")),
       enabled_(port.command("joint.torque_enabled")),
+      position_gain_(port.command("joint.position_gain")),
+      velocity_gain_(port.command("joint.velocity_gain")),
+      torque_limit_(port.command("joint.torque_limit")),
+      led_(port.command("joint.led")),
       voltage_(setup.observe(properties::supply_voltage)),
       temperature_(setup.observe(properties::servo_temperature)),
       last_byte_(WallClock::now()) {
@@ -55,6 +59,10 @@ void SerialSoftware::add_joint(const Model& model, const ServoPlace& place) {
   }
   if (const Servo* servo = model.find(properties::servo, joint.object)) {
     joint.options.stall_torque = servo->stall_torque;
+    if (servo->stall_torque > 0 && servo->position_gain > 0) {
+      joint.options.full_error = servo->stall_torque / servo->position_gain;
+    }
+    joint.own = servo;
     joint.turns = motion::follows_rate(*servo);
   }
   joint.options.torque = options_.torque;
@@ -182,11 +190,22 @@ void SerialSoftware::command() {
     const std::size_t i = joint.place.joint;
     const ServoDevice& servo = *joint.servo;
     enabled_->values[i] = servo.torque() ? 1 : 0;
+    led_->values[i] = servo.led() ? 1 : 0;
+    if (joint.own) tune(joint);
     if (rate_ && joint.turns) rate_->values[i] = joint.place.direction * servo.target_velocity();
     if (!servo.torque()) continue;
     const double target = joint.place.zero + joint.place.direction * servo.target();
     target_->values[i] = std::clamp(target, joint.range.x, joint.range.y);  // an end is not met to the last bit
   }
+}
+
+/// What the registers say of gains and limits, for the simulated servo.
+void SerialSoftware::tune(const Joint& joint) {
+  const std::size_t i = joint.place.joint;
+  const double own_damping = joint.own->law == "ideal_pd" ? joint.own->velocity_gain : 0;
+  position_gain_->values[i] = joint.own->position_gain * joint.servo->gain_share();
+  velocity_gain_->values[i] = own_damping + joint.own->position_gain * joint.servo->damping_time();
+  if (joint.own->stall_torque > 0) torque_limit_->values[i] = joint.own->stall_torque * joint.servo->torque_share();
 }
 
 void SerialSoftware::state(StateArchive& archive) {

@@ -18,6 +18,7 @@
 #include "murosimf/connect/dynamixel/servo_device.h"
 #include "murosimf/connect/serial/bus_layout.h"
 #include "murosimf/connect/serial/pseudo_terminal.h"
+#include "murosimf/model/servo.h"
 
 namespace murosimf::connect::serial {
 
@@ -55,6 +56,7 @@ class SerialSoftware final : public ControlSoftware {
     int object = 0;
     Vec3d range;                              // [rad | m] of the joint: x to y
     bool turns = false;                       // follows a rate
+    const Servo* own = nullptr;               // the simulated one; null: the joint has none
     dynamixel::ServoDevice* servo = nullptr;  // on the bus
   };
   void add_joint(const Model& model, const ServoPlace& place);
@@ -64,6 +66,7 @@ class SerialSoftware final : public ControlSoftware {
   void exchange_bytes(double now);
   void look_after_client();
   void command();
+  void tune(const Joint& joint);
   [[nodiscard]] double angle_of(const Joint& joint, double q) const;
 
   SayLine say_;
@@ -73,7 +76,7 @@ class SerialSoftware final : public ControlSoftware {
   std::vector<double> rest_;  // [rad | m] of all joints at the start
   const murosimf_signal *position_, *velocity_, *torque_;
   const murosimf_signal *gyroscope_ = nullptr, *accelerometer_ = nullptr;  // null: no IMU
-  murosimf_command *target_, *enabled_, *rate_ = nullptr;
+  murosimf_command *target_, *enabled_, *position_gain_, *velocity_gain_, *torque_limit_, *led_, *rate_ = nullptr;
   std::span<const double> voltage_, temperature_;  // by object; NaN while nobody simulates them
   std::unique_ptr<dynamixel::Bus> bus_;
   std::optional<dynamixel::BusLine> line_;

@@ -5,8 +5,11 @@
 
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "murosimf/connect/controller_task.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/motion/motion_properties.h"
 #include "murosimf/motion/servo_law.h"
 #include "murosimf/scene/scene.h"
 #include "tests/connect/serial/serial_port.h"
@@ -90,6 +93,64 @@ TEST(SerialSoftware, TorqueIsThatOfTheRobot) {
   SerialScene standing({"walker.level=articulated_dynamics", "walker.options.torque=true"});
   standing.run(1ms);
   EXPECT_EQ(standing.robot().object("j_neck").get(properties::torque_enabled), 1);
+}
+
+/// [m]
+double base_height(SerialScene& test) { return test.robot().base().get(properties::position).z; }
+
+TEST(SerialSoftware, WithoutTorqueTheRobotCollapsesAndWithItItStays) {
+  SerialScene test({"walker.level=articulated_dynamics", "walker.options.torque=true"});
+  SerialPort port(test.port());
+  for (const std::uint8_t hip :
+       {std::uint8_t{12}, std::uint8_t{18}}) {  // thighs; shins and ankles follow: it bends its knees
+    const auto shin = static_cast<std::uint8_t>(hip + 1), ankle = static_cast<std::uint8_t>(hip + 2);
+    port.send(write_packet(hip, 112, long_word(10)));
+    port.send(write_packet(shin, 112, long_word(20)));
+    port.send(write_packet(ankle, 112, long_word(10)));
+    port.send(goal(hip, 2048 - 260));
+    port.send(goal(shin, 2048 + 520));
+    port.send(goal(ankle, 2048 - 260));
+  }
+  test.run(3s);
+  const double standing = base_height(test);
+  test.run(1s);
+  EXPECT_GT(base_height(test), 0.98 * standing);
+  port.send(write_packet(0xFE, 64, {0}));
+  test.run(1500ms);
+  const double lying = base_height(test);
+  EXPECT_LT(lying, 0.6 * standing);
+  port.send(write_packet(0xFE, 64, {1}));
+  test.run(1s);
+  std::vector<double> held;
+  for (const int joint : test.robot().model().joints()) {
+    held.push_back(test.robot().find(properties::joint_position)->values[joint]);
+  }
+  test.run(1s);
+  std::size_t i = 0;
+  for (const int joint : test.robot().model().joints()) {
+    EXPECT_NEAR(test.robot().find(properties::joint_position)->values[joint], held[i++], 0.01);
+  }
+}
+
+TEST(SerialSoftware, GainsLimitsAndLedsAreThoseOfTheRobot) {
+  SerialScene test({"walker.level=articulated_dynamics", "walker.options.torque=true"});
+  const auto of_head = [&](const Property<double>& property) { return test.robot().object("j_head").get(property); };
+  const Servo& servo = *test.robot().model().find(properties::servo, test.robot().model().object_index("j_head"));
+  EXPECT_EQ(of_head(properties::servo_position_gain), servo.position_gain);
+  EXPECT_EQ(of_head(properties::servo_torque_limit), servo.stall_torque);
+  EXPECT_EQ(of_head(properties::servo_led), 0);
+  SerialPort port(test.port());
+  port.send(write_packet(head, 84, {170, 6}));  // 1706, from 850
+  port.send(write_packet(head, 80, {160, 0}));
+  port.send(write_packet(head, 100, {177, 0}));  // a fifth of 885
+  port.send(write_packet(head, 65, {1}));
+  test.run(3ms);
+  EXPECT_NEAR(of_head(properties::servo_position_gain), servo.position_gain * 1706 / 850, 1e-9);
+  EXPECT_NEAR(of_head(properties::servo_velocity_gain), servo.position_gain * 160 / 16 * 1e-3 / (850 / 128.0), 1e-9);
+  EXPECT_NEAR(of_head(properties::servo_torque_limit), 0.2 * servo.stall_torque, 1e-9);
+  EXPECT_EQ(of_head(properties::servo_led), 1);
+  EXPECT_EQ(test.robot().object("j_neck").get(properties::servo_led), 0);
+  EXPECT_EQ(software_report(test.robot())->refused, 0U);
 }
 
 /// Ids are those of the order of joints.
@@ -247,6 +308,103 @@ TEST(SerialSoftware, ResetsAndStatesAreThoseOfTheServos) {
   test.scene->simulation().reset();
   test.run(50ms);
   EXPECT_EQ(test.head_angle(), 0);
+}
+
+/// [ms] from a goal to the moment at which the robot has it; -1: not within a second.
+int goal_takes(const std::vector<std::string>& link) {
+  SerialScene test(link);
+  SerialPort port(test.port());
+  port.send(torque_on(head));
+  test.run(500ms);
+  port.send(goal(head, 2300));
+  for (int ms = 0; ms < 1000; ++ms) {
+    if (test.robot().object("j_head").get(properties::joint_target) > 0.1) return ms;
+    test.run(1ms);
+  }
+  return -1;
+}
+
+TEST(SerialSoftware, ALinkDelaysAndLosesCommands) {
+  const int at_once = goal_takes({});
+  ASSERT_GE(at_once, 0);
+  EXPECT_LE(at_once, 2);
+  EXPECT_EQ(goal_takes({"walker.link.delay=0.05"}), at_once + 50);
+  const int late = goal_takes({"walker.link.delay=0.05", "walker.link.jitter=0.04"});
+  EXPECT_GE(late, at_once + 50);
+  EXPECT_LT(late, at_once + 90);
+  EXPECT_EQ(goal_takes({"walker.link.loss=1"}), -1);
+  // a row of commands takes half a millisecond more than there is from one to the next: after half a second 250 ms wait
+  const std::size_t numbers = 21U * 6;  // target, torque, three of the servo, LED
+  const double bandwidth = 8 * static_cast<double>(numbers) / 1.5e-3;
+  const int narrow = goal_takes({fmt::format("walker.link.bandwidth={}", bandwidth), "walker.link.signals=false"});
+  EXPECT_NEAR(narrow, 250, 10);
+}
+
+TEST(SerialSoftware, ALinkDelaysWhatIsRead) {
+  SerialScene test({"walker.link.delay=0.05", "walker.link.commands=false"});
+  SerialPort port(test.port());
+  port.send(torque_on(head));
+  test.run(200ms);
+  port.send(goal(head, 2300));
+  test.run(200ms);
+  const auto read_back = [&] {
+    (void)port.answer();
+    port.send(read_head);
+    test.run(2ms);
+    std::optional<Packet> answer;
+    while (const auto next = port.answer()) answer = next;
+    return number(answer);
+  };
+  EXPECT_EQ(read_back(), 2300);
+  port.send(goal(head, 2048));
+  int before = 0;
+  while (test.head_angle() > 0.01 && before < 500) test.run(1ms), ++before;
+  EXPECT_GT(read_back(), 2060) << "it is there, and nobody knows yet";
+  test.run(200ms);
+  EXPECT_EQ(read_back(), 2048);
+  const auto& link = software_report(test.robot())->link;
+  ASSERT_TRUE(link);
+  EXPECT_EQ(link->signals.longest, 50ms);
+  EXPECT_EQ(link->commands.sent, 0U);
+}
+
+// Its client is killed in the middle of a packet; the other robot's goes on, and when all is over nothing is left open.
+TEST(SerialSoftware, APortThatIsClosedDisturbsNobodyElse) {
+  const std::size_t before = open_files();
+  {
+    const std::filesystem::path folder = fixtures::temp_folder() / "two_ports";
+    scene::Scene scene("three_on_three", {.overrides = {"blue1.controller=serial", "blue2.controller=serial"},
+                                          .terminals = folder.string(),
+                                          .cameras = false});
+    scene.simulation().step();
+    const std::size_t with_scene = open_files();
+    SerialPort first(folder / "blue1"), second(folder / "blue2");
+    second.send(torque_on(head));
+    scene.simulation().run(20ms);
+    (void)second.answer();
+    for (int i = 0; i < 40; ++i) {
+      if (i < 10) first.send(read_head);
+      if (i == 10) {
+        const Bytes half = dynamixel::to_bytes(goal(head, 3000));
+        first.send(dynamixel::ByteView(half).first(7));
+        first.hang_up();
+      }
+      second.send(goal(head, 2100 + 10 * i));
+      scene.simulation().run(10ms);
+      int answers = 0;
+      while (second.answer()) ++answers;
+      EXPECT_GE(answers, 1) << i;
+    }
+    Entity& other = scene.simulation().world().entity("blue2");
+    EXPECT_NEAR(other.object("j_head").get(properties::joint_target), (2490 - 2048) / pulses_per_radian, 1e-6);
+    const auto& said = software_report(scene.simulation().world().entity("blue1"))->said;
+    ASSERT_EQ(said.size(), 2U);  // opened, closed
+    EXPECT_TRUE(fixtures::says(said[1].text, {"blue1 was closed; torque and goals stay as they are"}));
+    second.hang_up();
+    scene.simulation().run(2ms);
+    EXPECT_EQ(open_files(), with_scene);
+  }
+  EXPECT_EQ(open_files(), before);
 }
 
 TEST(SerialSoftware, SaysWhatDoesNotFit) {
