@@ -59,9 +59,10 @@ std::string text_of_log(std::string_view data) {
   return text;
 }
 
+/// Of two at the end the later one: between them somebody changed something.
 void add(std::map<Duration, RecordedState>& states, const RecordedState& state) {
   const auto [known, is_new] = states.try_emplace(state.time, state);
-  if (!is_new && state.chunk) known->second = state;
+  if (!is_new && (state.chunk || state.hash != known->second.hash)) known->second = state;
 }
 
 }  // namespace

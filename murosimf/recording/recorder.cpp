@@ -223,7 +223,8 @@ void Recorder::write(const RecordingThread::Batch& batch) {
 
 void Recorder::finish(const scene::RunReport& report) {
   if (!frames_) start();  // of a run without steps
-  if (last_frame_ != scene_.simulation().now()) take_frame(true);
+  const bool changed = commands_ < scene_.simulation().commands().size();  // after the last step
+  if (changed || last_frame_ != scene_.simulation().now()) take_frame(true);
   hand_over();
   begin_file();
   thread_->finish();

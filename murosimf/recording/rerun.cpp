@@ -34,9 +34,7 @@ class Repetition {
     }
     Clock clock(std::nullopt);
     simulation.run(std::max(Duration{}, end - simulation.now()), clock, options_.progress);
-    for (const RecordedState& state : reference_.all()) {
-      if (has_end && state.time == simulation.now() && state.time == end) look(state);
-    }
+    if (has_end && simulation.now() == end) look_at_the_end();
     if (options_.finish) options_.finish(*scene);
     result_.end = simulation.now();
     result_.stopped = options_.repeat.stop && options_.repeat.stop();
@@ -44,6 +42,16 @@ class Repetition {
   }
 
  private:
+  /// What somebody changed after the last step comes before.
+  void look_at_the_end() {
+    const Duration end = scene_->simulation().now();
+    const auto& commands = run_.states().commands();
+    if (std::ranges::find(commands, end, &Command::time) != commands.end()) scene_->simulation().carry_out_commands();
+    for (const RecordedState& state : reference_.all()) {
+      if (state.time == end) look(state);
+    }
+  }
+
   void look(const RecordedState& state) {
     if (result_.difference) return look_closer(state);
     ++result_.compared;

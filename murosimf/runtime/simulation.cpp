@@ -143,6 +143,7 @@ void Simulation::step() {
 
 void Simulation::carry_out_commands() {
   initialize();
+  make_timed_calls();
   if (queue_.carry_out(now_)) publish_poses();
 }
 

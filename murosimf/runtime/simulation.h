@@ -178,7 +178,7 @@ class Simulation {
   void commands_were(std::vector<Command> commands) { queue_.set_history(std::move(commands)); }
 
   /// For who pauses between two steps: carries out now what others have posted, instead of at the beginning of the next step, at the same
-  /// simulated time. Poses are published again then.
+  /// simulated time; as there, after the calls of that time. Poses are published again then.
   void carry_out_commands();
   /// Poses as they are now for all who look on, also if no step was made since the last ones.
   void publish_poses() { poses_.publish_again(*world_, now_, ticks_); }

@@ -5,11 +5,13 @@
 """
 
 import math
+import os
 import pathlib
 import re
 import socket
 import subprocess
 import sys
+import tempfile
 import threading
 import unittest
 
@@ -280,6 +282,30 @@ class Supervising(unittest.TestCase):
                                "2:walker.level=full_dynamics"], stdout=subprocess.PIPE, text=True, check=True,
                               timeout=TIME_LIMIT).stdout
         self.assertEqual(re.search(r"state hash (\w+)", out)[1], re.search(r"state hash (\w+)", same)[1])
+
+    def test_what_is_recorded_of_a_steered_run_is_repeated(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "steered.mcap")
+            run = SupervisedRun("--record", file, "--at", "1:walker.command=[0.05, 0, 0]")
+            with run.supervisor() as supervisor:
+                supervisor.push("walker", [0, 5, 0], 0.05)  # before the first step
+                supervisor.advance(1.0)  # at a second, when hashes are recorded and the scene has an event of its own
+                supervisor.push("walker.torso", [0, 20, 0], 0.1)
+                supervisor.change("walker.command = [0.1, 0, 0.2]")
+                supervisor.advance(0.7345)
+                supervisor.set_level("walker", "articulated_dynamics")
+                supervisor.advance(0.5)
+                supervisor.set_level("walker", "simplified_dynamics")
+                supervisor.place("walker", 1.0, 0.5, heading=0.25)
+                supervisor.advance(0.7655)
+                supervisor.place("walker", -1.0, 0.5)  # after the last step
+                supervisor.finish()
+            code, out, err = run.end()
+            self.assertEqual((code, err), (0, ""))
+            again = subprocess.run([PROGRAM, "rerun", file], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                   timeout=TIME_LIMIT)
+            self.assertIn("no difference", again.stdout, again.stderr)
+            self.assertEqual((again.returncode, again.stderr), (0, ""))
 
     def test_who_does_not_know_the_token_is_refused(self):
         run = SupervisedRun()
