@@ -34,6 +34,14 @@ void refuse_changes(const SceneArguments& arguments) {
       arguments.file));
 }
 
+std::shared_ptr<const recording::RecordedRun> recorded_run_of(const std::string& file,
+                                                              const RepeatArguments& arguments) {
+  auto run = std::make_shared<const recording::RecordedRun>(file);
+  check_plugins(*run, arguments);
+  load_plugins(arguments.plugins);
+  return run;
+}
+
 void check_plugins(const recording::RecordedRun& run, const RepeatArguments& arguments) {
   if (run.description().plugins.size() <= arguments.plugins.size()) return;
   throw SetupError(fmt::format("{}: this run had plug-ins ({}); name them again with --plugin: a recording loads none",

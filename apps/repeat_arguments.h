@@ -1,6 +1,7 @@
 /// repeat_arguments.h - the options of commands that build a recorded run again.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,10 @@ void add_repeat(const Command& command, RepeatArguments& arguments);
 [[nodiscard]] RepeatArguments repeat_arguments(const SceneArguments& arguments);
 /// Throws SetupError for options that would make another run of it.
 void refuse_changes(const SceneArguments& arguments);
+
+/// One that is looked at, with the plug-ins that were named loaded. Throws SetupError.
+[[nodiscard]] std::shared_ptr<const recording::RecordedRun> recorded_run_of(const std::string& file,
+                                                                            const RepeatArguments& arguments);
 
 /// Recordings never load code by themselves: says which plug-ins a run had that were not named now. Throws SetupError.
 void check_plugins(const recording::RecordedRun& run, const RepeatArguments& arguments);

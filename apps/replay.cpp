@@ -1,11 +1,15 @@
-// `murosimf replay`: what a recording says of its run.
+// `murosimf replay`: what a recording says of its run; the recording in browsers, or as a page that plays it.
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
+#include "apps/interruption.h"
 #include "apps/last_words.h"
+#include "apps/option_values.h"
+#include "apps/repeat_arguments.h"
 #include "apps/standard_output.h"
+#include "apps/web_arguments.h"
 #include "murosimf/model/time.h"
-#include "murosimf/recording/recorded_run.h"
+#include "murosimf/playback/recorded_course.h"
 
 namespace murosimf::app {
 namespace {
@@ -13,10 +17,16 @@ namespace {
 struct ReplayOptions {
   std::string file;  ///< MCAP
   std::string json;  ///< file, "-" for standard output
+  std::string speed = "1";
+  std::vector<std::string> plugins;
+  WebArguments web;
 };
 
 void define(const Command& command, ReplayOptions& options) {
   command.add("file", options.file, "Recording (MCAP) of 'murosimf run --record'").required();
+  add_web(command, options.web);
+  command.add("--speed", options.speed, "Of --web: simulated seconds per second, or 'max'").shows_default();
+  add_plugins(command, options.plugins);
   add_json(command, options.json);
 }
 
@@ -31,23 +41,53 @@ std::string summary(const recording::McapReader& file) {
   return text;
 }
 
+void write_html(const std::shared_ptr<const recording::RecordedRun>& run, const recording::RepeatOptions& repeat,
+                const WebArguments& arguments) {
+  playback::RecordedCourse course(run, repeat);
+  web::HtmlRecording page(course.scene(), {.file = arguments.html, .rate = arguments.html_rate, .by_hand = true});
+  course.begin();
+  for (Duration time = course.first(); time < course.last() && !interrupted(); time += page.period()) {
+    course.seek(time, {}, [] { return false; });
+    page.take_frame();
+  }
+  if (!interrupted()) course.seek(course.last(), {}, [] { return false; });
+  page.finish();
+}
+
+void show_in_browsers(const std::shared_ptr<const recording::RecordedRun>& run, const recording::RepeatOptions& repeat,
+                      const ReplayOptions& options) {
+  session::Session session(std::make_unique<playback::RecordedCourse>(run, repeat),
+                           {.speed = read_speed(options.speed)});
+  const auto view = web_view_of(session.scene(), session, options.web, nullptr);
+  session.run(run->end());
+}
+
 int replay(const ReplayOptions& options) {
   check_json_file(options.json);
+  check(options.web);
   const recording::McapReader file(options.file);
   if (!file.contents().damage.empty()) {
     say_warning(fmt::format("{}: {}; 'murosimf repair' mends it", options.file, file.contents().damage));
+  }
+  if (!options.web.web.empty() || !options.web.html.empty()) {
+    end_gently();
+    const RepeatArguments arguments{.plugins = options.plugins};
+    const auto run = recorded_run_of(options.file, arguments);
+    if (!options.web.html.empty()) write_html(run, options_of(arguments), options.web);
+    if (!options.web.web.empty()) show_in_browsers(run, options_of(arguments), options);
   }
   const std::string text = recording::attached_text(file, "report.txt"),
                     json = recording::attached_text(file, "report.json");
   const std::string missing = "there is no report in it: its run did not come to its end\n";
   write_result(options.json, summary(file) + "\n" + (text.empty() ? missing : text), json.empty() ? "null\n" : json);
-  return 0;
+  return exit_code();
 }
 
 }  // namespace
 
 void add_replay(CommandLine& line) {
-  line.add<ReplayOptions>("replay", "Say what a recording holds, with the report of its run", define, replay);
+  line.add<ReplayOptions>("replay", "Say what a recording holds, with the report of its run; show it in browsers",
+                          define, replay);
 }
 
 }  // namespace murosimf::app

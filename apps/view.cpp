@@ -5,10 +5,14 @@
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/option_values.h"
+#include "apps/repeat_arguments.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
+#include "murosimf/playback/recorded_course.h"
+#include "murosimf/recording/recorded_series.h"
+#include "murosimf/session/live_course.h"
 #include "murosimf/viewer/view_report.h"
 #include "murosimf/viewer/window.h"
 
@@ -24,7 +28,8 @@ struct ViewOptions {
 };
 
 void define(const Command& command, ViewOptions& options) {
-  add_scene(command, options.scene);
+  add_scene(command, options.scene,
+            "Scene file (TOML), the name of one that comes with the program, or a recording (MCAP)");
   command.add("--speed", options.speed, "Simulated seconds per second, or 'max'").shows_default();
   command.add("--paused", options.paused, "Begin paused");
   command.add("--duration", options.duration, "Simulated seconds after which it pauses; without end if not given");
@@ -57,6 +62,23 @@ viewer::WindowOptions window_options(const ViewOptions& options) {
   return window;
 }
 
+/// A scene that runs, or a recording that is played; `end`: of it.
+session::MakeCourse course_of(const SceneArguments& scene, Duration& end) {
+  if (!recording::is_recording(scene.file)) {
+    scene::SceneOptions options = options_of(scene);
+    options.pushable = true;
+    return [file = scene.file, options] {
+      return std::make_unique<session::LiveCourse>(std::make_unique<scene::Scene>(file, options));
+    };
+  }
+  refuse_changes(scene);
+  const auto run = recorded_run_of(scene.file, repeat_arguments(scene));
+  end = std::min(end, run->end());
+  return [run, repeat = options_of(repeat_arguments(scene))] {
+    return std::make_unique<playback::RecordedCourse>(run, repeat);
+  };
+}
+
 int view(const ViewOptions& options) {
   end_gently();
   check_json_file(options.json);
@@ -66,11 +88,7 @@ int view(const ViewOptions& options) {
   viewer_options.session.speed = read_speed(options.speed);
   if (options.duration) viewer_options.end = read_duration(*options.duration);
   if (const std::string reason = viewer::no_window_because(); !reason.empty()) throw SetupError(reason);
-  scene::SceneOptions scene_options = options_of(options.scene);
-  scene_options.pushable = true;
-  viewer_options.make_scene = [&options, scene_options] {
-    return std::make_unique<scene::Scene>(options.scene.file, scene_options);
-  };
+  viewer_options.make_course = course_of(options.scene, viewer_options.end);
   viewer_options.session.paused = options.paused;
   viewer::Viewer viewer(viewer_options);
   const viewer::WindowReport shown = show(viewer, window);
@@ -83,7 +101,7 @@ int view(const ViewOptions& options) {
 }  // namespace
 
 void add_view(CommandLine& line) {
-  line.add<ViewOptions>("view", "Show a scene in a window, where it can be touched", define, view);
+  line.add<ViewOptions>("view", "Show a scene in a window, where it can be touched, or a recording", define, view);
 }
 
 }  // namespace murosimf::app

@@ -53,6 +53,21 @@ std::unique_ptr<scene::Scene> RecordedRun::build(const RepeatOptions& options) c
   });
 }
 
+std::unique_ptr<scene::Scene> RecordedRun::build_to_show(const RepeatOptions& options) const {
+  return with_context(file_.file().string(), [&] {
+    const files::MovedFiles moved(files_.folder(), description_.names);
+    return std::make_unique<scene::Scene>(description_.scene, scene::SceneOptions{.threads = options.threads,
+                                                                                  .seed = description_.seed,
+                                                                                  .overrides = description_.overrides,
+                                                                                  .events = description_.events,
+                                                                                  .pushes = description_.pushes,
+                                                                                  .lenient = description_.lenient,
+                                                                                  .cameras = false,
+                                                                                  .only_shown = true,
+                                                                                  .stop = options.stop});
+  });
+}
+
 void RecordedRun::check_repeatable(const scene::Scene& scene) const {
   for (const scene_file::RobotSpec& robot : scene.spec().robots) {
     if (robot.controller != "tcp" && robot.controller != "serial") continue;

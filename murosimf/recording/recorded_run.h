@@ -42,6 +42,8 @@ class RecordedRun {
 
   /// Throws SetupError: a file is missing or has changed that was too large for the recording; the run needs what cannot be repeated.
   [[nodiscard]] std::unique_ptr<scene::Scene> build(const RepeatOptions& options) const;
+  /// For who shows what was recorded, and makes no steps: of every run, whatever took part in it. Only `threads` and `stop` count.
+  [[nodiscard]] std::unique_ptr<scene::Scene> build_to_show(const RepeatOptions& options) const;
   /// With its files, unlike Simulation::initialize().
   void initialize(scene::Scene& scene) const;
   /// Initializes, goes to the last whole state until `time`, or to the start, and has the commands from then on carried out when

@@ -9,32 +9,10 @@
 
 #include "murosimf/model/error.h"
 #include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/topics.h"
 
 namespace murosimf::recording {
 namespace {
-
-/// Calls visit(topic, message, chunk) with all messages of some topics.
-template <class Visit>
-void visit_topics(const McapReader& file, const std::set<std::string>& topics, const Visit& visit) {
-  std::map<std::uint16_t, std::string> wanted;
-  for (const Channel& channel : file.contents().channels) {
-    if (topics.contains(channel.topic)) wanted[channel.id] = channel.topic;
-  }
-  const auto has = [&](const ChunkIndex& chunk) {
-    return chunk.message_indexes.empty() ||
-           std::ranges::any_of(wanted, [&](const auto& one) { return chunk.message_indexes.contains(one.first); });
-  };
-  for (std::size_t i = 0; i < file.contents().chunks.size(); ++i) {
-    const ChunkIndex& chunk = file.contents().chunks[i];
-    if (!has(chunk)) continue;
-    file.visit_messages(chunk, [&](const Message& message) {
-      const auto topic = wanted.find(message.channel_id);
-      if (topic != wanted.end()) visit(topic->second, message, i);
-    });
-  }
-}
-
-Duration time_of(const Message& message) { return Duration(static_cast<Duration::rep>(message.log_time)); }
 
 /// One of the messages murosimf.StateHash and murosimf.State.
 struct StateMessage {
@@ -49,14 +27,6 @@ StateMessage read_state(std::string_view data) {
     if (in.field() == 3) message.state = in.bytes();
   }
   return message;
-}
-
-std::string text_of_log(std::string_view data) {
-  std::string text;
-  for (ProtobufReader in(data); in.next();) {
-    if (in.field() == 3) text = in.bytes();
-  }
-  return text;
 }
 
 /// Of two at the end the later one: between them somebody changed something.

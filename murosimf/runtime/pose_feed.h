@@ -53,6 +53,11 @@ class PoseFeed {
   /// Where frames get their contacts from; none: they have none.
   void contacts_from(ContactSource source) { contacts_ = std::move(source); }
 
+  /// What frames have of contacts. The simulation's thread, between two steps.
+  void add_contacts(const World& world, std::vector<ContactMark>& contacts) const {
+    if (contacts_) contacts_(world, contacts);
+  }
+
   /// How frames are completed that are taken between two steps, after somebody has changed columns; none: as columns are.
   void complete_by(FrameCompletion completion) { completion_ = std::move(completion); }
 

@@ -147,6 +147,15 @@ void Simulation::carry_out_commands() {
   if (queue_.carry_out(now_)) publish_poses();
 }
 
+void Simulation::show_past(Duration time, std::span<const Event> events, std::span<const std::string> warnings) {
+  initialize();
+  now_ = time;
+  ticks_ = time / plan_.tick();
+  events_.assign(events.begin(), events.end());
+  warnings_.assign(warnings.begin(), warnings.end());
+  poses_.publish(*world_, now_, ticks_);
+}
+
 void Simulation::run_wave(const Wave& wave, const WaveJobs& work) {
   if constexpr (checked) checks_.before_wave(*world_, ticks_);
   alone_in_wave_ = work.jobs.size() == 1;

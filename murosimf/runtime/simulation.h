@@ -183,6 +183,10 @@ class Simulation {
   /// Poses as they are now for all who look on, also if no step was made since the last ones.
   void publish_poses() { poses_.publish_again(*world_, now_, ticks_); }
 
+  /// For who shows what was, instead of making steps: he has set columns to what they were at that time, until which this had happened.
+  /// Nothing is computed; poses are published. To go on from there would be another run: reset() or load() come before that. Initializes.
+  void show_past(Duration time, std::span<const Event> events, std::span<const std::string> warnings);
+
   /// Copies of poses for other threads.
   [[nodiscard]] PoseFeed& poses() { return poses_; }
 

@@ -85,6 +85,7 @@ struct SceneParts {
   std::shared_ptr<connect::TcpServer> software;  ///< that of the controller "tcp" comes in there; null: nowhere
   std::string terminals;                         ///< folder for links to serial lines; empty: there are none
   bool libraries = false;                        ///< those that files name are loaded
+  bool only_shown = false;                       ///< SceneOptions::only_shown
   std::shared_ptr<Assets> assets;                ///< for robots that come later
   bool lenient = false;                          ///< of their files: unknown elements are warnings
   StartOfScene at_start;

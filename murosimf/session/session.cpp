@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "murosimf/session/live_course.h"
 #include "murosimf/session/session_inside.h"
 
 namespace murosimf::session {
@@ -13,10 +14,13 @@ constexpr Duration never = Duration::max();
 }  // namespace
 
 Session::Session(scene::Scene& scene, const SessionOptions& options)
-    : inside_(std::make_unique<Inside>(scene, options)) {
-  inside_->simulation.initialize();
-  inside_->timeline.begin(inside_->simulation.now(), scene.save());
-  inside_->noted = inside_->simulation.commands().size();
+    : Session(std::make_unique<LiveCourse>(scene, LiveOptions{.timeline = options.timeline,
+                                                              .no_way_back = options.no_way_back}),
+              options) {}
+
+Session::Session(std::unique_ptr<Course> course, const SessionOptions& options)
+    : inside_(std::make_unique<Inside>(std::move(course), options)) {
+  inside_->course->begin();
   inside_->publish(options.paused);
 }
 
@@ -27,11 +31,16 @@ void Session::pause() {
 }
 
 void Session::go_on() {
+  if (status().at_end) (void)reset();
   const Duration now = status().time;
   inside_->wish([now](Inside::Wishes& wishes) {
     wishes.paused = false, wishes.steps = 0;
     if (wishes.end <= now) wishes.end = never;
   });
+}
+
+void Session::go_on_until(Duration end) {
+  inside_->wish([end](Inside::Wishes& wishes) { wishes.paused = false, wishes.steps = 0, wishes.end = end; });
 }
 
 void Session::step(std::int64_t steps) {
@@ -53,12 +62,7 @@ void Session::finish() {
 }
 
 std::future<void> Session::change(std::string text) {
-  return inside_->ask([inside = inside_.get(), text = std::move(text)] {
-    std::future<void> done = inside->scene.post(text);
-    inside->simulation.carry_out_commands();
-    inside->note_commands();
-    done.get();
-  });
+  return inside_->ask([inside = inside_.get(), text = std::move(text)] { inside->course->change(text); });
 }
 
 std::future<void> Session::reset(std::optional<std::uint64_t> seed) {
@@ -73,6 +77,10 @@ std::future<void> Session::seek(Duration time, std::optional<int> branch) {
 std::future<void> Session::visit(std::function<void(scene::Scene&)> call) {
   return inside_->ask([inside = inside_.get(), call = std::move(call)] { call(inside->scene); });
 }
+
+scene::Scene& Session::scene() { return inside_->scene; }
+
+const std::vector<std::string>& Session::known_properties() const { return inside_->course->known_properties(); }
 
 SessionStatus Session::status() const {
   const std::lock_guard lock(inside_->mutex);

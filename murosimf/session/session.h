@@ -24,6 +24,7 @@
 
 #include "murosimf/runtime/clock.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/session/course.h"
 #include "murosimf/session/timeline.h"
 
 namespace murosimf::session {
@@ -43,6 +44,7 @@ struct SessionStatus {
   Duration end{};               ///< where it pauses by itself
   Duration first{}, last{};     ///< of the present branch of the timeline, with what led to it
   bool paused = false;          ///< stands still
+  bool at_end = false;          ///< of a recording, behind which nothing comes: go_on() begins again
   std::optional<double> speed;  ///< wanted
   double factor = 0;            ///< simulated seconds per wall second, over about the last second; 0 while it is paused
   std::uint64_t jumps = 0;      ///< how often time has jumped: resets, seeks
@@ -54,6 +56,8 @@ class Session {
  public:
   /// The scene must outlive it. Initializes the scene. Throws SetupError for an impossible speed.
   explicit Session(scene::Scene& scene, const SessionOptions& options = {});
+  /// Of something else than a scene that is computed: a recording. `timeline` and `no_way_back` are the course's business.
+  explicit Session(std::unique_ptr<Course> course, const SessionOptions& options = {});
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -67,8 +71,11 @@ class Session {
   // ---- nothing is done any more, and they throw. ----
 
   void pause();
-  /// At or behind the end: without end.
+  /// At or behind the end: without end. Who gives a run that is not paused a new end, by run_until(), must not call it after that: it may
+  /// have come there already. go_on_until() does both at once.
   void go_on();
+  /// Goes on, and pauses by itself at `end`; at once if that has passed.
+  void go_on_until(Duration end);
   /// Makes so many steps (of Simulation::tick()) and pauses.
   void step(std::int64_t steps = 1);
   /// Simulated seconds per wall second; nothing: as fast as possible. Throws SetupError for an impossible one.
@@ -90,6 +97,10 @@ class Session {
   /// Ends run().
   void finish();
 
+  /// For what never changes while it runs; for everything else there is visit().
+  [[nodiscard]] scene::Scene& scene();
+  /// Course::known_properties.
+  [[nodiscard]] const std::vector<std::string>& known_properties() const;
   [[nodiscard]] SessionStatus status() const;
   /// A copy of the timeline.
   [[nodiscard]] std::vector<BranchView> branches() const;

@@ -49,14 +49,16 @@ void Session::Inside::run(const std::function<void(Duration)>& progress) {
 /// Whether no step is to be made now.
 bool Session::Inside::stands() const {
   const std::lock_guard lock(mutex);
-  return wishes.finished || (wishes.paused ? wishes.steps == 0 : simulation.now() >= wishes.end);
+  if (wishes.finished || course->at_end()) return true;
+  return wishes.paused ? wishes.steps == 0 : simulation.now() >= wishes.end;
 }
 
 bool Session::Inside::ends() {
   if (simulation.stopped()) return true;
   const std::lock_guard lock(mutex);
   if (wishes.finished) return true;
-  return !options.stays && !wishes.paused && simulation.now() >= wishes.end && jobs.empty();
+  const bool done = simulation.now() >= wishes.end || course->at_end();
+  return !options.stays && !wishes.paused && done && jobs.empty();
 }
 
 /// Until somebody wants something.
@@ -74,13 +76,7 @@ void Session::Inside::restart_clock() {
 }
 
 void Session::Inside::step() {
-  simulation.step();
-  timeline.advance(simulation.now());
-  note_commands();  // of who posts to the scene itself
-  if (timeline.wants_state(simulation.now())) {
-    timeline.keep(simulation.now(), scene.save());
-    new_state = true;
-  }
+  course->step();
   speedometer.advance(simulation.now());
   {
     const std::lock_guard lock(mutex);
@@ -125,34 +121,27 @@ void Session::Inside::attend() {
   }
 }
 
-void Session::Inside::note_commands() {
-  const std::vector<Command>& all = simulation.commands();
-  if (all.size() == noted) return;
-  timeline.note(std::span(all).subspan(noted));
-  noted = all.size();
-}
-
 void Session::Inside::publish(bool paused) {
   const Lateness& late = clock.lateness();
   const std::lock_guard lock(mutex);
-  const bool other = std::exchange(new_state, false) || status.branch != timeline.present() || branches.empty();
+  const bool other = course->has_grown();
   status.time = simulation.now();
   status.end = wishes.end;
-  status.first = timeline.first();
-  status.last = timeline.last();
+  status.first = course->first();
+  status.last = course->last();
   status.paused = paused;
+  status.at_end = course->at_end();
   status.speed = wishes.speed;
   status.factor = paused ? 0 : speedometer.factor();
-  status.branch = timeline.present();
+  status.branch = course->branch();
   status.events = simulation.events().size();
   status.warnings = simulation.warnings().size();
   lateness = {lateness_before.late_steps + late.late_steps, lateness_before.steps + late.steps,
               std::max(lateness_before.worst, late.worst)};
-  if (paused || other) branches = timeline.branches();
+  if (paused || other) branches = course->branches();
 }
 
 void Session::Inside::has_jumped() {
-  noted = simulation.commands().size();
   {
     const std::lock_guard lock(mutex);
     ++status.jumps;
@@ -162,26 +151,13 @@ void Session::Inside::has_jumped() {
 }
 
 void Session::Inside::reset(std::optional<std::uint64_t> seed) {
-  if (!options.no_way_back.empty()) throw SetupError("no reset: " + options.no_way_back);
-  scene.reset(seed);
-  timeline.begin(simulation.now(), scene.save());
+  course->reset(seed);
   has_jumped();
 }
 
 void Session::Inside::seek(Duration time, std::optional<int> branch, std::uint64_t number) {
-  if (!options.no_way_back.empty()) throw SetupError("no way back in time: " + options.no_way_back);
   if (number != seeks.load()) return;
-  const int to = branch.value_or(timeline.present());
-  const Timeline::Way way = timeline.way_to(to, time);
-  scene.load(*way.state);
-  simulation.commands_were(way.before);
-  for (const Command& command : way.then) {
-    while (simulation.now() < command.time) simulation.step();
-    (void)scene.post(command.text);
-    simulation.carry_out_commands();
-  }
-  while (simulation.now() < time && number == seeks.load() && !simulation.stopped()) simulation.step();
-  timeline.go_back(to, simulation.now());
+  course->seek(time, branch, [&] { return number != seeks.load() || simulation.stopped(); });
   {
     const std::lock_guard lock(mutex);
     wishes.paused = true, wishes.steps = 0;

@@ -4,7 +4,9 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
+#include <utility>
 
 #include "murosimf/session/session.h"
 #include "murosimf/session/speedometer.h"
@@ -18,8 +20,12 @@ struct Session::Inside {
     std::promise<void> done;
   };
 
-  Inside(scene::Scene& which, const SessionOptions& given)
-      : scene(which), simulation(which.simulation()), options(given), clock(given.speed), timeline(given.timeline) {
+  Inside(std::unique_ptr<Course> given_course, const SessionOptions& given)
+      : course(std::move(given_course)),
+        scene(course->scene()),
+        simulation(scene.simulation()),
+        options(given),
+        clock(given.speed) {
     wishes.paused = given.paused;
     wishes.speed = given.speed;
     clock.tell_of_overruns(given.tell_of_overruns);
@@ -34,7 +40,6 @@ struct Session::Inside {
   [[nodiscard]] bool ends();
   void attend();
   void restart_clock();
-  void note_commands();
   void publish(bool paused);
   void reset(std::optional<std::uint64_t> seed);
   void seek(Duration time, std::optional<int> branch, std::uint64_t number);
@@ -47,15 +52,13 @@ struct Session::Inside {
   template <class Change>
   void wish(const Change& change);
 
+  const std::unique_ptr<Course> course;
   scene::Scene& scene;
   Simulation& simulation;
   const SessionOptions options;
   Clock clock;
-  Timeline timeline;
   Lateness lateness_before;  // of clocks before this one
   Speedometer speedometer;
-  std::size_t noted = 0;   // commands
-  bool new_state = false;  // of the timeline, that others have not been told of
 
   mutable std::mutex mutex;  // of what follows
   std::condition_variable changed;

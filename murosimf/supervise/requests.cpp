@@ -133,8 +133,7 @@ void Requests::advance(Duration duration) {
   const session::SessionStatus before = session_->status();
   if (duration == Duration{}) return;
   const Duration end = before.time + duration;
-  session_->run_until(end);  // before it goes on: behind its end it would go on without one
-  session_->go_on();
+  session_->go_on_until(end);
   settle();
   session::SessionStatus now = session_->status();
   while (now.time < end && !now.paused && now.jumps == before.jumps && !given_up_()) {

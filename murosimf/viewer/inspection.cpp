@@ -31,13 +31,15 @@ EntityState state_of(const scene::SceneParts& parts, const Entity& entity) {
   return state;
 }
 
-ObjectValues values_of(const World& world, const ObjectPath& path) {
+ObjectValues values_of(const World& world, const ObjectPath& path, const std::vector<std::string>& known) {
   ObjectValues values{path, {}};
   if (path.entity < 0 || path.entity >= static_cast<int>(world.entities().size())) return values;
   Entity& entity = *world.entities()[static_cast<std::size_t>(path.entity)];
   if (path.object < 0 || path.object >= entity.model().size()) return values;
   const ObjectAccess object(entity, path.object);
   for (const std::string_view name : object.properties()) {
+    const bool shown = known.empty() || !entity.find(name) || std::ranges::find(known, name) != known.end();
+    if (!shown) continue;
     try {
       const Quantity quantity = object.get(name);
       values.properties.push_back(
@@ -73,7 +75,7 @@ Inspection inspect(const scene::Scene& scene, const InspectionRequest& request) 
   const World& world = simulation.world();
   Inspection seen{.time = simulation.now(), .changes_to_see = parts.changes_to_see};
   for (const auto& entity : world.entities()) seen.entities.push_back(state_of(parts, *entity));
-  for (const ObjectPath& path : request.objects) seen.objects.push_back(values_of(world, path));
+  for (const ObjectPath& path : request.objects) seen.objects.push_back(values_of(world, path, request.properties));
   seen.sensors_of = request.sensors_of;
   if (request.sensors_of && *request.sensors_of < static_cast<int>(world.entities().size())) {
     const Entity& entity = *world.entities()[static_cast<std::size_t>(*request.sensors_of)];

@@ -56,9 +56,10 @@ struct CameraState {
 
 /// What is to be looked at.
 struct InspectionRequest {
-  std::vector<ObjectPath> objects;  ///< all properties of these
-  std::optional<int> sensors_of;    ///< of this entity
-  bool pictures = false;            ///< also what its cameras have drawn
+  std::vector<ObjectPath> objects;      ///< all properties of these
+  std::vector<std::string> properties;  ///< but of those that change only these, if there are any
+  std::optional<int> sensors_of;        ///< of this entity
+  bool pictures = false;                ///< also what its cameras have drawn
   bool algorithms = false;
   std::size_t events_known = 0, warnings_known = 0;  ///< so many of both are known already
 };

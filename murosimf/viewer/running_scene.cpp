@@ -4,8 +4,8 @@
 
 namespace murosimf::viewer {
 
-RunningScene::RunningScene(const MakeScene& make, const session::SessionOptions& options, Duration end)
-    : scene_(make()), session_(std::make_unique<session::Session>(*scene_, options)) {
+RunningScene::RunningScene(const session::MakeCourse& make, const session::SessionOptions& options, Duration end)
+    : session_(std::make_unique<session::Session>(make(), options)) {
   thread_ = std::thread([this, end] {
     try {
       session_->run(end);

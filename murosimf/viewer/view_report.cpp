@@ -22,7 +22,7 @@ std::string to_json(Viewer& viewer, const WindowReport& shown) {
                 {"scene_ms", shown.scene_ms},
                 {"drawn_by", shown.drawn_by},
                 {"simulated_s", report.simulated},
-                {"state_hash", fmt::format("{:016x}", report.state_hash)},
+                {"state_hash", viewer.recorded() ? json() : json(fmt::format("{:016x}", report.state_hash))},
                 {"paused", viewer.status().paused},
                 {"branch", viewer.status().branch},
                 {"branches", viewer.branches().size()},

@@ -28,7 +28,7 @@ Viewer::~Viewer() = default;
 
 /// Makes the scene, and learns what it is made of before it runs.
 void Viewer::begin() {
-  auto next = std::make_unique<RunningScene>(options_.make_scene, options_.session, options_.end);
+  auto next = std::make_unique<RunningScene>(options_.make_course, options_.session, options_.end);
   frame_ = nullptr;
   running_ = std::move(next);
   inspection_ = {};  // what the scene before was asked does not matter any more
@@ -122,7 +122,7 @@ void Viewer::ask_for_inspection() {
   if (inspection_.valid()) return;
   next_inspection_ = std::chrono::steady_clock::now() +
                      std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1 / options_.inspections));
-  InspectionRequest request;
+  InspectionRequest request{.properties = session().known_properties()};
   for (const auto& [path, open] : open_objects) {
     if (open) request.objects.push_back(path);
   }
@@ -131,7 +131,7 @@ void Viewer::ask_for_inspection() {
       request.objects.push_back(wish.path);
     }
   }
-  if (selected_) request.sensors_of = selected_->entity;
+  if (selected_ && !recorded()) request.sensors_of = selected_->entity;
   for (const PlotWish& wish : plots) {
     if (wish.sensor && !request.sensors_of) request.sensors_of = wish.path.entity;
   }

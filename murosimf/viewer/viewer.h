@@ -23,7 +23,7 @@
 namespace murosimf::viewer {
 
 struct ViewerOptions {
-  MakeScene make_scene;  ///< also for every reload
+  session::MakeCourse make_course;  ///< also for every reload
   session::SessionOptions session{};
   Duration end = Duration::max();  ///< where it pauses by itself
   double inspections = 20;         ///< [Hz] of wall time
@@ -64,6 +64,8 @@ class Viewer {
   [[nodiscard]] const Inspection& seen() const { return seen_; }
   [[nodiscard]] const EventBook& events() const { return events_; }
   [[nodiscard]] const std::deque<Message>& messages() const { return messages_; }
+  /// What is shown is a recording: it can only be looked at.
+  [[nodiscard]] bool recorded() const { return !running_->session().known_properties().empty(); }
   /// How often the scene was made: for who keeps something of it.
   [[nodiscard]] int generation() const { return generation_; }
   [[nodiscard]] bool busy() const { return !asked_.empty() || inspection_.valid(); }

@@ -4,8 +4,6 @@
 #include <exception>
 #include <set>
 
-#include "murosimf/scene/contact_marks.h"
-
 namespace murosimf::web {
 namespace {
 
@@ -48,11 +46,11 @@ struct FoxgloveLive::Visit {
   }
 
   void make(scene::Scene& scene) {
-    const Simulation& simulation = scene.simulation();
+    Simulation& simulation = scene.simulation();
     if (count != simulation.world().entities().size() || changes != scene.parts().changes_to_see) set_up(scene);
     frame = {.time = simulation.now()};
     recording::take_numbers(entities, frame);
-    scene::add_contact_marks(simulation.world(), frame.contacts);
+    simulation.poses().add_contacts(simulation.world(), frame.contacts);
     for (std::size_t i = 0; i < sensors.size(); ++i) take_sample(i);
     events = std::min(events, simulation.events().size());  // a reset forgets them
     warnings = std::min(warnings, simulation.warnings().size());

@@ -53,7 +53,7 @@ HtmlRecording::HtmlRecording(scene::Scene& scene, HtmlOptions options)
   }
   (void)gunzip(compressed_page());  // this build can
   files::check_writable(options_.file);
-  scene_.simulation().after_start([this] { start(); });
+  if (!options_.by_hand) scene_.simulation().after_start([this] { start(); });
 }
 
 /// Also after a reset: what is in the file is one run.

@@ -20,7 +20,8 @@ namespace murosimf::web {
 
 struct HtmlOptions {
   std::filesystem::path file;
-  double rate = 25;  ///< [Hz] of frames; the page shows what is between them
+  double rate = 25;      ///< [Hz] of frames; the page shows what is between them
+  bool by_hand = false;  ///< frames are those of take_frame() alone: of a scene that makes no steps
 };
 
 /// It must live as long as the run lasts, and the scene longer.
@@ -31,13 +32,15 @@ class HtmlRecording {
   HtmlRecording(const HtmlRecording&) = delete;  // the simulation calls back
   HtmlRecording& operator=(const HtmlRecording&) = delete;
 
+  /// One more, as it is now, a period after the one before.
+  void take_frame();
+  [[nodiscard]] Duration period() const { return period_; }
   /// Writes the file, which is whole or not there at all. Throws SetupError.
   void finish();
 
  private:
   void start();
   void look();
-  void take_frame();
   [[nodiscard]] std::string packed() const;
 
   scene::Scene& scene_;

@@ -100,6 +100,26 @@ TEST_F(View, TheHashIsThatOfARun) {
   EXPECT_EQ(watched["state_hash"], json::parse(run.output)["state_hash"]);
 }
 
+// The time line goes over all of a recording from the first moment on, and nobody can change what was.
+TEST_F(View, ARecordingIsPlayedAndSoughtIn) {
+  const fs::path file = scratch("game.mcap");
+  ASSERT_EQ(murosimf("run three_on_three --duration 1 --record " + file.string()).exit_code, 0);
+  const json sought =
+      session(file.string(), "settle\nscrub 0.7\nsettle\nkey 1\nkey L\nsettle\nkey Left\nsettle\n", "--paused");
+  ASSERT_TRUE(sought.is_object());
+  EXPECT_NEAR(sought["simulated_s"].get<double>(), 0.69, 0.015) << "one frame before the place of the mouse";
+  EXPECT_TRUE(sought["state_hash"].is_null());
+  EXPECT_TRUE(sought["commands"].empty());
+  EXPECT_NE(sought["messages"].dump().find("this is a recording"), std::string::npos);
+  const json played = session(file.string(), "until 1\nsettle\n", "--speed max");
+  const json run = json::parse(murosimf("run three_on_three --duration 1 --json -").output);
+  for (int i = 0; i < 2; ++i) {
+    const double there = entity(played, "blue2")["position"][i].get<double>();
+    EXPECT_NEAR(there, entity(run, "blue2")["position"][i].get<double>(), 1e-4);
+  }
+  expect_mistake("view " + file.string() + " --seed 3", {"is a recording", "--seed"});
+}
+
 TEST_F(View, ScreenshotAfterAWhile) {
   const fs::path picture = scratch("picture.png");
   const Result result = murosimf("view walk --after 0.5 --size 640x480 --screenshot " + picture.string());

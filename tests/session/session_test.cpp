@@ -69,15 +69,26 @@ TEST(Session, ChangesNothingOfTheRunHoweverItIsPausedAndSteppedAndLookedAt) {
   running.session.step(7);
   running.comes_to(7ms);
   running.session.set_speed(50.0);
-  running.session.run_until(1s);
-  running.session.go_on();
+  running.session.go_on_until(1s);
   running.comes_to(1s);
   running.session.set_speed({});
-  running.session.run_until(2s);
-  running.session.go_on();
+  running.session.go_on_until(2s);
   const auto reader = running.scene.simulation().poses().subscribe({.period = 10ms, .contacts = true});
   running.comes_to(2s);
   EXPECT_EQ(running.hash(), hash_at(2s));
+}
+
+// A run that is not paused may have come to its new end before it is told to go on: it stays there all the same.
+TEST(Session, GoesOnUntilAnEndAlsoIfItIsThereAlready) {
+  Running running(2s);
+  running.session.step();  // run() has set its own end, then
+  running.comes_to(1ms);
+  for (const Duration end : {300ms, 300ms, 600ms, 600ms}) {
+    running.session.go_on_until(end);
+    running.comes_to(end);
+    running.session.visit([](scene::Scene&) {}).get();
+    EXPECT_EQ(running.session.status().time, end);
+  }
 }
 
 TEST(Session, GoesBackToWhatWasThereBit) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/model/error.h"
+#include "murosimf/session/live_course.h"
 #include "murosimf/viewer/mouse_control.h"
 
 namespace murosimf::viewer {
@@ -16,9 +17,10 @@ const std::vector<std::string> dynamic{"blue1.level=simplified_dynamics"};
 
 ViewerOptions options_with(std::vector<std::string> overrides = dynamic, Duration end = 1s) {
   ViewerOptions options;
-  options.make_scene = [overrides = std::move(overrides)] {
-    return std::make_unique<scene::Scene>("three_on_three",
-                                          scene::SceneOptions{.overrides = overrides, .pushable = true});
+  options.make_course = [overrides = std::move(overrides)] {
+    return std::make_unique<session::LiveCourse>(
+        std::make_unique<scene::Scene>("three_on_three",
+                                       scene::SceneOptions{.overrides = overrides, .pushable = true}));
   };
   options.session.paused = true;
   options.end = end;
@@ -156,7 +158,7 @@ TEST(Viewer, GoesBackAndOn) {
 TEST(Viewer, ReadsTheSceneAgain) {
   int made = 0;
   ViewerOptions options = options_with();
-  options.make_scene = [&, make = options.make_scene] {
+  options.make_course = [&, make = options.make_course] {
     if (++made == 3) throw SetupError("broken now");
     return make();
   };

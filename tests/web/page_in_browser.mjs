@@ -24,9 +24,10 @@ const profile = mkdtempSync(join(tmpdir(), "murosimf_chromium_"));
 const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
   "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
-// murosimf run ... --web: its address, and how to end it.
-async function start(...words) {
-  const child = spawn(program, ["run", ...words, "--web", "0"], { stdio: ["ignore", "ignore", "pipe"] });
+// murosimf run ... --web, or replay: its address, and how to end it.
+const start = (...words) => serve("run", ...words);
+async function serve(...words) {
+  const child = spawn(program, [...words, "--web", "0"], { stdio: ["ignore", "ignore", "pipe"] });
   children.add(child);
   let said = "";
   const address = await new Promise((resolve, reject) => {
@@ -174,8 +175,38 @@ async function testExport() {
   await page.close();
 }
 
+// A recording: played by the server over all of its time, and as one file.
+async function testRecording() {
+  const file = join(pictures, "game.mcap"), html = join(pictures, "recording.html");
+  const made = spawnSync(program, ["run", "three_on_three", "--duration", "4", "--record", file]);
+  assert.equal(made.status, 0, String(made.stderr));
+  const replay = await serve("replay", file);
+  const page = await open(replay.address);
+  await until(page, (now) => now && now.end === 4 && now.time > 0.2, "it plays");
+  const seek = (to) => page.evaluate((value) => {
+    const time = document.getElementById("time");
+    time.value = String(value);
+    time.dispatchEvent(new Event("change"));
+  }, to);
+  await seek(3);  // where it has not been yet
+  await until(page, (now) => Math.abs(now.time - 3) < 0.011 && now.paused, "it can be sought in");
+  await page.click("#contacts");
+  assert.ok((await colors(page)) > 30, "something is drawn");
+  await page.screenshot({ path: join(pictures, "recording.png") });
+  await page.click("#play");
+  await until(page, (now) => now.time === 4 && now.paused, "it comes to its end");
+  await page.click("#play");
+  await until(page, (now) => now.time < 3, "and begins again");
+  await page.close();
+  await replay.end();
+  assert.equal(spawnSync(program, ["replay", file, "--html", html]).status, 0);
+  const alone = await open(pathToFileURL(html).href);
+  await until(alone, (now) => now && now.time > 0.2 && now.end === 4, "the file plays");
+  await alone.close();
+}
+
 let failed = false;
-for (const test of [testDesktop, testPhone, testReconnect, testExport]) {
+for (const test of [testDesktop, testPhone, testReconnect, testExport, testRecording]) {
   problems.length = 0;
   try {
     await test();

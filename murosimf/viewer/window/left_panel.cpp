@@ -70,9 +70,11 @@ void robots_tab(Panels& panels) {
     }
     if (roomy || selected) {
       const float width = ImGui::GetContentRegionAvail().x;
+      ImGui::BeginDisabled(viewer.recorded());
       if (outline.is_robot) choose_level(panels, entity, state, 0.56F * width);
       if (outline.is_robot) ImGui::SameLine();
       choose_contact(panels, entity, state, -1);
+      ImGui::EndDisabled();
     }
     ImGui::PopID();
   }
@@ -192,10 +194,10 @@ void properties_of(Panels& panels, const ObjectPath& path) {
     tip(fmt::format("{} [{}]\n{}", property.name, property.unit,
                     property.constant ? "constant of the model" : "click: plot it over time"));
     ImGui::TableNextColumn();
-    if (property.constant) {
+    if (property.constant || viewer.recorded()) {
       std::string numbers;
       for (const double number : property.numbers) numbers += (numbers.empty() ? "" : "  ") + number_text(number);
-      text(numbers, faint);
+      text(numbers, property.constant ? faint : Color{0.9, 0.92, 0.95});
     } else {
       edit_value(panels, path, property);
     }

@@ -79,6 +79,7 @@ void tab(Panels& panels, const char* name, bool& open, const auto& draw) {
 void sensors_tab(Panels& panels, std::vector<std::unique_ptr<Texture>>& camera_pictures) {
   const Viewer& viewer = panels.viewer;
   if (viewer.selected_entity() < 0) return text("Select a robot: its sensors and cameras are shown here.", faint);
+  if (viewer.recorded()) return text("Of recordings, 'murosimf plot' shows sensors.", faint);
   const Inspection& seen = viewer.seen();
   if (seen.sensors_of != viewer.selected_entity()) return text("...", faint);
   if (seen.sensors.empty()) text("It has no sensors.", faint);

@@ -71,8 +71,9 @@ void draw_scale(const TimelineLayout& layout, const Area& area, double now) {
   for (const double time : ticks(0, layout.end(), static_cast<int>(area.width / 90))) {
     const double x = area.x + layout.x_of(time);
     list.AddLine(vec2(x, area.y), vec2(x, area.y + area.height), IM_COL32(255, 255, 255, 24));
-    list.AddText(vec2(x + 3, area.y + area.height + 1), packed(faint),
-                 fmt::format("{:g} s", time == 0 ? 0 : time).c_str());
+    // ticks are multiples, and the first one may be a zero with a sign
+    const std::string label = std::abs(time) < 1e-9 ? std::string("0 s") : fmt::format("{:g} s", time);
+    list.AddText(vec2(x + 3, area.y + area.height + 1), packed(faint), label.c_str());
   }
   const double x = area.x + layout.x_of(now);
   list.AddLine(vec2(x, area.y - 2), vec2(x, area.y + area.height + 2), IM_COL32(255, 255, 255, 255), 2);

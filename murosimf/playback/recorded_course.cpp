@@ -1,0 +1,165 @@
+#include "murosimf/playback/recorded_course.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/recording/topics.h"
+
+namespace murosimf::playback {
+namespace {
+
+constexpr std::string_view arrow = " -> ";  // of an event that says: another level
+
+template <class T>
+Column<T>* column_of(Entity& entity, const Property<T>& property) {
+  return dynamic_cast<Column<T>*>(entity.find(property.name));
+}
+
+void set_number(Entity& entity, const Property<double>& property, int object, double value) {
+  if (std::isnan(value)) return;
+  if (Column<double>* column = column_of(entity, property)) column->values[static_cast<std::size_t>(object)] = value;
+}
+
+}  // namespace
+
+RecordedCourse::RecordedCourse(std::shared_ptr<const recording::RecordedRun> run,
+                               const recording::RepeatOptions& options)
+    : run_(std::move(run)), scene_(run_->build_to_show(options)) {
+  run_->initialize(*scene_);
+  entities_ = recording::recorded_entities(scene_->simulation().world());
+  frames_ = std::make_unique<recording::FrameReader>(run_->file(), entities_);
+  for (const recording::RecordedEntity& entity : entities_) levels_.push_back(entity.entity->level);
+  for (const PropertyInfo& info :
+       std::initializer_list<PropertyInfo>{properties::position, properties::orientation, properties::joint_position,
+                                           properties::joint_velocity, properties::joint_torque,
+                                           properties::joint_target}) {
+    known_.emplace_back(info.name);
+  }
+  read_lines();
+}
+
+RecordedCourse::~RecordedCourse() = default;
+
+void RecordedCourse::read_lines() {
+  recording::visit_topics(run_->file(), {"/events", "/warnings"},
+                          [&](const std::string& topic, const recording::Message& message, std::size_t) {
+                            std::string text = recording::text_of_log(message.data);
+                            const Duration time = recording::time_of(message);
+                            if (topic == "/events") {
+                              events_.push_back({time, std::move(text)});
+                            } else {
+                              warnings_.emplace_back(time, std::move(text));
+                            }
+                          });
+  std::ranges::stable_sort(events_, {}, &Event::time);
+  std::ranges::stable_sort(warnings_, {}, &std::pair<Duration, std::string>::first);
+}
+
+void RecordedCourse::begin() {
+  PoseFeed& poses = scene_->simulation().poses();
+  poses.contacts_from([this](const World&, std::vector<ContactMark>& contacts) {
+    contacts.insert(contacts.end(), contacts_.begin(), contacts_.end());
+  });
+  poses.complete_by({});  // columns are as they were recorded
+  show(frames_->begin());
+}
+
+void RecordedCourse::step() {
+  if (const auto next = frames_->after(scene_->simulation().now())) show(*next);
+}
+
+bool RecordedCourse::at_end() const { return scene_->simulation().now() >= frames_->end(); }
+
+void RecordedCourse::reset(std::optional<std::uint64_t> seed) {
+  if (seed) throw SetupError("a recording has one seed");
+  show(frames_->begin());
+}
+
+void RecordedCourse::seek(Duration time, std::optional<int> branch, const std::function<bool()>& given_up) {
+  if (branch.value_or(0) != 0) throw SetupError(fmt::format("a recording has no branch {}", *branch));
+  if (!given_up()) show(time);
+}
+
+void RecordedCourse::change(const std::string& text) {
+  throw SetupError(fmt::format("{}: this is a recording; 'murosimf branch' goes on from it with changes", text));
+}
+
+std::vector<session::BranchView> RecordedCourse::branches() const {
+  return {{.number = 0,
+           .parent = {},
+           .begin = frames_->begin(),
+           .end = frames_->end(),
+           .commands = run_->states().commands(),
+           .states = {}}};
+}
+
+bool RecordedCourse::has_grown() { return !std::exchange(told_, true); }
+
+void RecordedCourse::show(Duration time) {
+  const recording::RecordedFrame& frame = frames_->at(time);
+  std::size_t link = 0, joint = 0;
+  for (std::size_t i = 0; i < entities_.size(); ++i) {
+    show_entity(i, frame, link, joint);
+    link += entities_[i].links.size();
+    joint += entities_[i].joints.size();
+  }
+  contacts_ = frame.contacts;
+  show_levels(frame.time);
+  const auto events = std::ranges::upper_bound(events_, frame.time, {}, &Event::time) - events_.begin();
+  warnings_so_far_.clear();
+  for (const auto& [when, text] : warnings_) {
+    if (when <= frame.time) warnings_so_far_.push_back(text);
+  }
+  scene_->simulation().show_past(frame.time, std::span(events_).first(static_cast<std::size_t>(events)),
+                                 warnings_so_far_);
+}
+
+void RecordedCourse::show_entity(std::size_t index, const recording::RecordedFrame& frame, std::size_t link,
+                                 std::size_t joint) {
+  const recording::RecordedEntity& recorded = entities_[index];
+  Entity& entity = scene_->simulation().world().entity(recorded.name);
+  entity.set_present(frame.present[index] != 0);
+  if (!entity.present()) return;
+  Column<Vec3d>* position = column_of(entity, properties::position);
+  Column<Mat3d>* orientation = column_of(entity, properties::orientation);
+  if (!position || !orientation) return;
+  for (int object = 0; object < entity.model().size(); ++object) {
+    const FixedObject at = entity.model().placement(object);
+    const Transformd pose = frame.poses[link + static_cast<std::size_t>(at.link)] * Transformd{at.offset, at.turn};
+    position->values[static_cast<std::size_t>(object)] = pose.position;
+    orientation->values[static_cast<std::size_t>(object)] = pose.orientation;
+  }
+  for (std::size_t k = 0; k < recorded.joints.size(); ++k) {
+    const recording::JointNumbers& numbers = frame.joints[joint + k];
+    const int object = recorded.joints[k].object;
+    set_number(entity, properties::joint_position, object, numbers.position);
+    set_number(entity, properties::joint_velocity, object, numbers.velocity);
+    set_number(entity, properties::joint_torque, object, numbers.torque);
+    set_number(entity, properties::joint_target, object, numbers.target);
+  }
+}
+
+/// As the events say: "blue1: kinematic_walking -> full_dynamics".
+void RecordedCourse::show_levels(Duration time) {
+  for (std::size_t i = 0; i < entities_.size(); ++i) {
+    Entity& entity = scene_->simulation().world().entity(entities_[i].name);
+    entity.level = levels_[i];
+    const std::string begin = entity.name() + ": ";
+    for (const Event& event : events_) {
+      if (event.time > time) break;
+      const std::size_t found = event.text.rfind(arrow);
+      if (event.text.starts_with(begin) && found != std::string::npos)
+        entity.level = event.text.substr(found + arrow.size());
+    }
+  }
+}
+
+}  // namespace murosimf::playback

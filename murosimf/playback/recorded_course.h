@@ -1,0 +1,64 @@
+/// recorded_course.h - plays a recording in a session: what viewers and servers show is what the file has of each instant; nothing is
+/// computed.
+///
+///     const auto run = std::make_shared<const recording::RecordedRun>("game.mcap");
+///     session::Session session(std::make_unique<playback::RecordedCourse>(run), {.speed = 1.0});
+///     session.run(run->end());
+///
+/// Shown are poses, joints, contacts, events, warnings and levels of detail. Nobody can change anything; whoever came into the scene
+/// after its start is not shown.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "murosimf/recording/frame_reader.h"
+#include "murosimf/recording/recorded_run.h"
+#include "murosimf/session/course.h"
+
+namespace murosimf::playback {
+
+class RecordedCourse final : public session::Course {
+ public:
+  /// Throws SetupError: the file has no poses, or its scene cannot be built.
+  explicit RecordedCourse(std::shared_ptr<const recording::RecordedRun> run,
+                          const recording::RepeatOptions& options = {});
+  ~RecordedCourse() override;
+
+  [[nodiscard]] scene::Scene& scene() override { return *scene_; }
+  void begin() override;
+  void step() override;
+  [[nodiscard]] bool at_end() const override;
+  void reset(std::optional<std::uint64_t> seed) override;
+  void seek(Duration time, std::optional<int> branch, const std::function<bool()>& given_up) override;
+  void change(const std::string& text) override;
+
+  [[nodiscard]] int branch() const override { return 0; }
+  [[nodiscard]] Duration first() const override { return frames_->begin(); }
+  [[nodiscard]] Duration last() const override { return frames_->end(); }
+  [[nodiscard]] std::vector<session::BranchView> branches() const override;
+  [[nodiscard]] bool has_grown() override;
+  [[nodiscard]] const std::vector<std::string>& known_properties() const override { return known_; }
+
+ private:
+  void show(Duration time);
+  void read_lines();
+  void show_entity(std::size_t index, const recording::RecordedFrame& frame, std::size_t link, std::size_t joint);
+  void show_levels(Duration time);
+
+  std::shared_ptr<const recording::RecordedRun> run_;
+  std::unique_ptr<scene::Scene> scene_;
+  std::vector<recording::RecordedEntity> entities_;
+  std::unique_ptr<recording::FrameReader> frames_;
+  std::vector<Event> events_;                               // of all of it, by time
+  std::vector<std::pair<Duration, std::string>> warnings_;  // likewise
+  std::vector<std::string> warnings_so_far_;
+  std::vector<std::string> levels_;  // by entity, at the start
+  std::vector<ContactMark> contacts_;
+  std::vector<std::string> known_;
+  bool told_ = false;
+};
+
+}  // namespace murosimf::playback

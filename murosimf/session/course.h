@@ -1,0 +1,57 @@
+/// course.h - what a session leads through time: a scene that is computed (live_course.h), or a recording of one that is played
+/// (playback/recorded_course.h).
+///
+/// All of it is called by the thread that runs the session.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "murosimf/scene/scene.h"
+#include "murosimf/session/timeline.h"
+
+namespace murosimf::session {
+
+class Course {
+ public:
+  virtual ~Course() = default;
+
+  /// Where everything is seen; now() is its simulation's.
+  [[nodiscard]] virtual scene::Scene& scene() = 0;
+  /// Initializes; once, before everything else.
+  virtual void begin() = 0;
+  /// To the next instant; nothing if at_end().
+  virtual void step() = 0;
+  /// Nothing comes after this instant.
+  [[nodiscard]] virtual bool at_end() const { return false; }
+
+  // These throw SetupError if it cannot be done.
+
+  /// Back to the start.
+  virtual void reset(std::optional<std::uint64_t> seed) = 0;
+  /// To an instant that was there before, of the present branch if none is given. Ends on the way there when `given_up` says so.
+  virtual void seek(Duration time, std::optional<int> branch, const std::function<bool()>& given_up) = 0;
+  /// PATH = VALUE as of Scene::post.
+  virtual void change(const std::string& text) = 0;
+
+  // Of the time line.
+
+  [[nodiscard]] virtual int branch() const = 0;
+  /// Of the present branch, with what led to it.
+  [[nodiscard]] virtual Duration first() const = 0;
+  [[nodiscard]] virtual Duration last() const = 0;
+  [[nodiscard]] virtual std::vector<BranchView> branches() const = 0;
+  /// Whether there is more of them since the last call.
+  [[nodiscard]] virtual bool has_grown() = 0;
+
+  /// Names of the properties whose columns are right at every instant; empty: all are. Can be asked from any thread.
+  [[nodiscard]] virtual const std::vector<std::string>& known_properties() const = 0;
+};
+
+using MakeCourse = std::function<std::unique_ptr<Course>()>;
+
+}  // namespace murosimf::session

@@ -1,0 +1,49 @@
+/// live_course.h - a scene that is computed while a session runs, with a time line on which one can go back.
+#pragma once
+
+#include <cstddef>
+
+#include "murosimf/session/course.h"
+
+namespace murosimf::session {
+
+struct LiveOptions {
+  TimelineOptions timeline{};  ///< what is kept for going back
+  std::string no_way_back{};   ///< why it cannot be reset or go back in time ("it is recorded"); empty: it can
+};
+
+class LiveCourse final : public Course {
+ public:
+  /// The scene must outlive it.
+  explicit LiveCourse(scene::Scene& scene, const LiveOptions& options = {});
+  explicit LiveCourse(std::unique_ptr<scene::Scene> scene, const LiveOptions& options = {});
+
+  [[nodiscard]] scene::Scene& scene() override { return scene_; }
+  void begin() override;
+  void step() override;
+  void reset(std::optional<std::uint64_t> seed) override;
+  void seek(Duration time, std::optional<int> branch, const std::function<bool()>& given_up) override;
+  void change(const std::string& text) override;
+
+  [[nodiscard]] int branch() const override { return timeline_.present(); }
+  [[nodiscard]] Duration first() const override { return timeline_.first(); }
+  [[nodiscard]] Duration last() const override { return timeline_.last(); }
+  [[nodiscard]] std::vector<BranchView> branches() const override { return timeline_.branches(); }
+  [[nodiscard]] bool has_grown() override;
+  [[nodiscard]] const std::vector<std::string>& known_properties() const override { return all_; }
+
+ private:
+  void note_commands();
+
+  std::unique_ptr<scene::Scene> own_;
+  scene::Scene& scene_;
+  Simulation& simulation_;
+  LiveOptions options_;
+  Timeline timeline_;
+  std::size_t noted_ = 0;  // commands
+  int told_branch_ = -1;
+  bool new_state_ = false;
+  std::vector<std::string> all_;  // empty
+};
+
+}  // namespace murosimf::session

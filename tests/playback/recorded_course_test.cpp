@@ -1,0 +1,152 @@
+// A recording that is played shows what the run was like, at every instant and in any order.
+#include "murosimf/playback/recorded_course.h"
+
+#include <map>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
+#include "murosimf/session/session.h"
+#include "tests/recording/repeatable_run.h"
+
+namespace murosimf {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Places of all objects that move, and joints, at instants of a run.
+struct Seen {
+  std::vector<Vec3d> position;
+  std::vector<double> joints;
+  std::size_t contacts = 0;
+};
+Seen seen_in(scene::Scene& scene) {
+  Seen seen;
+  PoseFrame frame;
+  take_poses(scene.simulation().world(), frame);
+  for (std::size_t i = 0; i < scene.simulation().world().entities().size(); ++i) {
+    const Entity& entity = *scene.simulation().world().entities()[i];
+    if (!entity.find(properties::position)) continue;
+    seen.position.insert(seen.position.end(), frame.position.begin() + static_cast<std::ptrdiff_t>(frame.first[i]),
+                         frame.position.begin() + static_cast<std::ptrdiff_t>(frame.first[i + 1]));
+  }
+  seen.joints = frame.joint_position;
+  std::vector<ContactMark> marks;
+  scene.simulation().poses().add_contacts(scene.simulation().world(), marks);
+  seen.contacts = marks.size();
+  return seen;
+}
+
+struct Recorded {
+  std::map<Duration, Seen> seen;
+  std::shared_ptr<const recording::RecordedRun> run;
+};
+/// Its state every 20 ms until 600 ms; one of its robots changes its level at 200 ms.
+Recorded recorded_run(const std::string& scene_name) {
+  Recorded result;
+  fixtures::RepeatableRun run{.scene = scene_name, .time = 600ms, .how = {.cameras = false}};
+  run.options.rate = 50;
+  run.when_initialized = [&](scene::Scene& scene) {
+    const std::string robot = scene_name == "nudge" ? "robot" : "blue1";
+    scene.simulation().at(190ms, [&scene, robot] { (void)scene.post(robot + ".level = full_dynamics"); });
+    for (Duration at{}; at < 600ms; at += 20ms) {
+      scene.simulation().at(at, [&scene, &result, at] { result.seen[at] = seen_in(scene); });
+    }
+  };
+  result.run = std::make_shared<const recording::RecordedRun>(fixtures::record(scene_name + ".mcap", run));
+  return result;
+}
+
+void expect_same(const Seen& shown, const Seen& was, Duration time) {
+  ASSERT_EQ(shown.position.size(), was.position.size());
+  for (std::size_t i = 0; i < was.position.size(); ++i) {
+    // a chain of up to eight links whose poses are rounded to 2^-15
+    EXPECT_LT(norm(shown.position[i] - was.position[i]), 5e-4) << i << " at " << seconds(time);
+  }
+  for (std::size_t i = 0; i < was.joints.size(); ++i) EXPECT_NEAR(shown.joints[i], was.joints[i], 1e-4);
+  EXPECT_EQ(shown.contacts, was.contacts) << seconds(time);
+}
+
+TEST(RecordedCourse, ShowsEveryInstantAsItWasInAnyOrder) {
+  const Recorded recorded = recorded_run("three_on_three");
+  playback::RecordedCourse course(recorded.run);
+  course.begin();
+  EXPECT_EQ(course.last(), 600ms);
+  for (const Duration time : {0ms, 580ms, 20ms, 400ms, 380ms}) {
+    course.seek(time, {}, [] { return false; });
+    EXPECT_EQ(course.scene().simulation().now(), time);
+    expect_same(seen_in(course.scene()), recorded.seen.at(time), time);
+  }
+  course.reset({});
+  for (const auto& [time, was] : recorded.seen) {
+    expect_same(seen_in(course.scene()), was, time);
+    EXPECT_FALSE(course.at_end());
+    course.step();
+  }
+  course.step();
+  EXPECT_EQ(course.scene().simulation().now(), 600ms) << "nothing comes after the end";
+}
+
+TEST(RecordedCourse, BetweenTwoFramesIsTheFirstOfThem) {
+  const Recorded recorded = recorded_run("nudge");
+  playback::RecordedCourse course(recorded.run);
+  course.begin();
+  course.seek(119ms, {}, [] { return false; });
+  EXPECT_EQ(course.scene().simulation().now(), 100ms);
+  course.seek(10s, {}, [] { return false; });
+  EXPECT_EQ(course.scene().simulation().now(), 600ms);
+}
+
+TEST(RecordedCourse, EventsAndLevelsAreThoseOfThatTime) {
+  const Recorded recorded = recorded_run("nudge");
+  playback::RecordedCourse course(recorded.run);
+  course.begin();
+  const Entity& robot = course.scene().simulation().world().entity("robot");
+  const std::string before = robot.level;
+  EXPECT_NE(before, "full_dynamics");
+  EXPECT_TRUE(course.scene().simulation().events().empty());
+  course.seek(600ms, {}, [] { return false; });
+  ASSERT_FALSE(course.scene().simulation().events().empty());
+  EXPECT_EQ(robot.level, "full_dynamics");
+  course.seek(100ms, {}, [] { return false; });
+  EXPECT_EQ(robot.level, before);
+}
+
+TEST(RecordedCourse, InASessionItPlaysAndNobodyChangesIt) {
+  const Recorded recorded = recorded_run("nudge");
+  session::Session session(std::make_unique<playback::RecordedCourse>(recorded.run), {.paused = true});
+  const auto reader = session.scene().simulation().poses().subscribe({.contacts = true});
+  std::thread thread([&] { session.run(recorded.run->end()); });
+  EXPECT_THROW(session.change("robot.level = kinematic_walking").get(), SetupError);
+  EXPECT_THROW(session.reset(3).get(), SetupError);
+  EXPECT_EQ(session.branches().size(), 1U);
+  EXPECT_EQ(session.branches()[0].end, 600ms);
+  const auto comes_to = [&](Duration time) {
+    for (int i = 0; i < 5000 && session.status().time != time; ++i) std::this_thread::sleep_for(1ms);
+    EXPECT_EQ(session.status().time, time);
+  };
+  session.step(2);
+  comes_to(40ms);
+  session.go_on();
+  comes_to(600ms);
+  session.seek(200ms).get();
+  EXPECT_TRUE(session.status().paused);
+  const PoseFrame* frame = reader->latest();
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->time, 200ms);
+  session.go_on();
+  comes_to(600ms);
+  session.visit([](scene::Scene&) {}).get();
+  EXPECT_TRUE(session.status().at_end);
+  session.go_on();  // from the start
+  session.visit([](scene::Scene&) {}).get();
+  EXPECT_GE(session.status().jumps, 2U);
+  comes_to(600ms);
+  session.finish();
+  thread.join();
+}
+
+}  // namespace
+}  // namespace murosimf
