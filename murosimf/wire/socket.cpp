@@ -20,7 +20,8 @@
 namespace murosimf::wire {
 namespace {
 
-constexpr int waiting_connections = 128;    // that the system keeps until somebody accepts them
+constexpr int waiting_connections = 128;                           // that the system keeps until somebody accepts them
+constexpr int silent = 30, between_questions = 10, questions = 3;  // [s], [s], [1] until a silent computer is gone
 constexpr int receive_buffer = 256 * 1024;  // [byte] of a socket: what a client may send that nobody has looked at
 
 using Addresses = std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)>;
@@ -49,6 +50,15 @@ std::string reason(int error) {
 
 void set_option(int socket, int level, int option, int value) {
   (void)::setsockopt(socket, level, option, &value, sizeof value);  // without it all is slower, and as right
+}
+
+/// A computer without power, or behind a cable that is out, closes no connection: the system asks whether it is still there.
+void expect_life(int socket) {
+  set_option(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
+  set_option(socket, IPPROTO_TCP, TCP_KEEPIDLE, silent);
+  set_option(socket, IPPROTO_TCP, TCP_KEEPINTVL, between_questions);
+  set_option(socket, IPPROTO_TCP, TCP_KEEPCNT, questions);
+  set_option(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, 1000 * (silent + questions * between_questions));
 }
 
 bool would_wait(int error) { return error == EAGAIN || error == EWOULDBLOCK || error == EINTR; }
@@ -141,7 +151,9 @@ Socket Socket::connect(const Address& address) {
 
 Socket Socket::accept() const {
   Socket socket(::accept4(number_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-  if (socket.is_open()) set_option(socket.number_, IPPROTO_TCP, TCP_NODELAY, 1);
+  if (!socket.is_open()) return socket;
+  set_option(socket.number_, IPPROTO_TCP, TCP_NODELAY, 1);
+  expect_life(socket.number_);
   return socket;
 }
 

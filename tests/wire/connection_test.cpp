@@ -1,6 +1,10 @@
 // Addresses as people write them, and messages that arrive whole, whatever pieces the network makes of them.
 #include "murosimf/wire/connection.h"
 
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
 #include <gtest/gtest.h>
 
 #include "tests/fixtures.h"
@@ -41,6 +45,24 @@ void send_all(const Socket& socket, std::string_view bytes) {
     bytes.remove_prefix(socket.send(bytes));
     (void)socket.wait(soon(), true);
   }
+}
+
+int option_of(const Socket& socket, int level, int option) {
+  int value = -1;
+  socklen_t size = sizeof value;
+  EXPECT_EQ(::getsockopt(socket.number(), level, option, &value, &size), 0);
+  return value;
+}
+
+// What the system makes of it needs a cable that can be pulled out.
+TEST(Socket, AsksWhetherTheOtherComputerIsStillThere) {
+  const Pair pair;
+  const Socket& far = pair.far.socket();
+  EXPECT_NE(option_of(far, SOL_SOCKET, SO_KEEPALIVE), 0);
+  const int until_gone = option_of(far, IPPROTO_TCP, TCP_KEEPIDLE) +
+                         option_of(far, IPPROTO_TCP, TCP_KEEPINTVL) * option_of(far, IPPROTO_TCP, TCP_KEEPCNT);
+  EXPECT_EQ(until_gone, 60);
+  EXPECT_EQ(option_of(far, IPPROTO_TCP, TCP_USER_TIMEOUT), 60'000) << "also while something is on its way";
 }
 
 TEST(Address, IsReadAndWritten) {
