@@ -60,7 +60,8 @@ void refuse_library_of_file(const SceneParts& parts, const scene_file::RobotSpec
 }  // namespace
 
 void attach_controller(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity) {
-  if (parts.only_shown && (robot.controller == "library" || robot.controller == "serial")) return;
+  const bool from_outside = robot.controller == "library" || robot.controller == "serial" || robot.controller == "tcp";
+  if (parts.only_shown && from_outside) return;
   refuse_library_of_file(parts, robot);
   const catalog::ControllerOptions options = controller_options(parts, robot);
   const catalog::ControllerType& controller = find_entry(catalog::controllers(), "controller", robot.controller);

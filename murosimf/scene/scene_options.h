@@ -25,7 +25,7 @@ struct SceneOptions {
   bool lenient = false;                ///< accept unknown elements in model files
   bool lanes = true;                   ///< false: equal robots do not step together (Simulation::use_lanes)
   bool cameras = true;                 ///< false: nothing is drawn for cameras; they have no frames
-  bool only_shown = false;             ///< it makes no steps: control software and serial lines are left out
+  bool only_shown = false;             ///< it makes no steps: control software and its connections are left out
   bool pushable = false;               ///< whoever moves can be pushed while it runs, also without a push in the file
   bool paths = false;                  ///< remember where everybody has been, for write_picture
   std::shared_ptr<connect::TcpServer>

@@ -114,6 +114,18 @@ TEST(RecordedCourse, EventsAndLevelsAreThoseOfThatTime) {
   EXPECT_EQ(robot.level, before);
 }
 
+// Nobody can repeat what another program did; it is shown all the same, and nobody is waited for.
+TEST(RecordedCourse, RunsThatOthersSteeredAreShown) {
+  fixtures::RepeatableRun run{.scene = "walk", .time = 100ms};
+  run.how.overrides = {"walker.controller=serial"};
+  run.how.terminals = fixtures::temp_folder().string();
+  const auto recorded = std::make_shared<const recording::RecordedRun>(fixtures::record("serial.mcap", run));
+  EXPECT_THROW((void)recorded->build({}), SetupError);
+  playback::RecordedCourse course(recorded);
+  course.begin();
+  EXPECT_EQ(course.last(), 100ms);
+}
+
 TEST(RecordedCourse, InASessionItPlaysAndNobodyChangesIt) {
   const Recorded recorded = recorded_run("nudge");
   session::Session session(std::make_unique<playback::RecordedCourse>(recorded.run), {.paused = true});
