@@ -1,5 +1,6 @@
 #include "apps/run_options.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -65,6 +66,9 @@ void check(const RunOptions& options) {
   if (options.duration) (void)read_duration(*options.duration);
   check(options.record);
   check(options.web);
+  if (options.no_cameras && std::ranges::find(options.record.what, "pictures") != options.record.what.end()) {
+    throw SetupError("--record-what pictures: --no-cameras lets nothing be drawn for cameras");
+  }
   if (is_steered(options) && !options.pictures.empty()) {
     throw SetupError("--pictures are taken of runs that nobody stops or takes back: without --web and --supervise");
   }

@@ -39,10 +39,12 @@ Recorder::Recorder(scene::Scene& scene, const RecorderOptions& options)
       keep_(options.keep),
       after_(options.after) {
   if (!options.record_on.empty()) {
+    if (what_.contains("pictures")) throw SetupError("pictures of cameras are not kept until something happens");
     watch_.emplace(scene, options.record_on);
     what_.insert("states");  // what is kept begins with one
     state_period_ = std::min(state_period_, std::max(keep_ / 4, batch_span));
   }
+  if (what_.contains("pictures")) want_pictures(scene.simulation().world());
   describe(options);
   file_.sync();
   thread_ = std::make_unique<RecordingThread>([this](const RecordingThread::Batch& batch) { write(batch); });
@@ -70,10 +72,13 @@ void Recorder::start() {
   const World& world = scene_.simulation().world();
   entities_ = recorded_entities(world);
   if (what_.contains("sensors")) sensors_ = recorded_sensors(world);
+  if (what_.contains("pictures")) cameras_ = recorded_cameras(entities_);
   if (what_.contains("scene")) looks_ = std::make_unique<SceneLooks>(scene_, entities_);
   if (files_read_) files_now_ = files_now(files_read_->list());
   if (!watch_) begin_file();
   frames_ = std::make_unique<FrameWriter>(file_, entities_, sensors_, looks_.get(), what_);
+  pictures_ = std::make_unique<PictureWriter>(file_, *frames_, cameras_);
+  drawings_ = std::make_unique<DrawingWriter>(file_, *frames_, entities_);
   next_frame_ = next_hash_ = next_state_ = scene_.simulation().now();
   look();
 }
@@ -95,10 +100,10 @@ bool Recorder::in_every_tick() const {
   return ticks_ && now >= ticks_->begin && now <= ticks_->end;
 }
 
-/// Sensors have rates of their own: they are looked at after every step.
+/// Sensors and cameras have rates of their own: they are looked at after every step.
 Duration Recorder::next_look() const {
   const Duration next_step = scene_.simulation().now() + scene_.simulation().tick();
-  if (!sensors_.empty() || in_every_tick()) return next_step;
+  if (!sensors_.empty() || !cameras_.empty() || in_every_tick()) return next_step;
   if (ticks_ && ticks_->begin >= next_step) return std::min(next_frame_, ticks_->begin);
   return next_frame_;
 }
@@ -114,7 +119,7 @@ void Recorder::look() {
     RecordedFrame frame{.time = now};
     take_samples(frame);
     take_state(frame);
-    if (!frame.samples.empty() || frame.hash) add(std::move(frame));
+    if (!frame.samples.empty() || !frame.pictures.empty() || frame.hash) add(std::move(frame));
   }
   simulation.at(next_look(), [this] { look(); });
 }
@@ -127,6 +132,7 @@ void Recorder::take_frame(bool is_last) {
   frame.contacts.reserve(what_.contains("contacts") ? usual_contacts : 0);
   if (what_.contains("contacts")) scene::add_contact_marks(simulation.world(), frame.contacts);
   take_samples(frame);
+  if (what_.contains("drawings")) sketches_.take(entities_, frame);
   take_lines(frame);
   take_state(frame, is_last);
   if (watch_) watch(frame);
@@ -152,6 +158,7 @@ void Recorder::take_samples(RecordedFrame& frame) {
     sensors_[i].samples = reading.samples;
     frame.samples.push_back({.sensor = i, .arrived = frame.time, .taken = reading.time, .values = reading.values});
   }
+  take_pictures(cameras_, frame);
 }
 
 void Recorder::take_lines(RecordedFrame& frame) {
@@ -214,7 +221,11 @@ void Recorder::forget_old() {
 
 /// In the thread.
 void Recorder::write(const RecordingThread::Batch& batch) {
-  for (const RecordedFrame& frame : batch) frames_->write(frame);
+  for (const RecordedFrame& frame : batch) {
+    frames_->write(frame);
+    pictures_->write(frame);
+    drawings_->write(frame);
+  }
   const auto now = std::chrono::steady_clock::now();
   if (now - synced_ < std::chrono::seconds(1)) return;
   file_.sync();  // what a loss of power leaves, at most a second old
@@ -223,6 +234,7 @@ void Recorder::write(const RecordingThread::Batch& batch) {
 
 void Recorder::finish(const scene::RunReport& report) {
   if (!frames_) start();  // of a run without steps
+
   const bool changed = commands_ < scene_.simulation().commands().size();  // after the last step
   if (changed || last_frame_ != scene_.simulation().now()) take_frame(true);
   hand_over();
