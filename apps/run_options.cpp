@@ -8,6 +8,7 @@
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/option_values.h"
+#include "apps/roboviz_arguments.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/model/error.h"
 
@@ -55,6 +56,7 @@ void define_run(const Command& command, RunOptions& options) {
   add_game(command, options.game);
   command.add("--listen", options.listen,
               "Take control software for robots with the controller 'tcp': PORT of this computer alone, or HOST:PORT");
+  add_roboviz(command, options.roboviz);
   add_supervision(command, options.supervision).excludes(pictures);
   command.add("--serial", options.serial,
               "Folder for links to the serial lines of robots with controller = \"serial\", one for each, named as it");

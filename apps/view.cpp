@@ -6,6 +6,7 @@
 #include "apps/last_words.h"
 #include "apps/option_values.h"
 #include "apps/repeat_arguments.h"
+#include "apps/roboviz_arguments.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/files/output_file.h"
@@ -21,7 +22,7 @@ namespace {
 
 struct ViewOptions {
   SceneArguments scene;
-  std::string speed = "1", size = "1280x720", keys, script, screenshot, json;
+  std::string speed = "1", size = "1280x720", keys, script, screenshot, json, roboviz;
   std::optional<double> after, duration;
   std::optional<std::int64_t> samples;
   bool paused = false, no_shadows = false;
@@ -42,6 +43,7 @@ void define(const Command& command, ViewOptions& options) {
   const Option after =
       command.add("--after", options.after, "End after so many seconds").within(0.0, 1e6).excludes(script);
   command.add("--screenshot", options.screenshot, "PNG file of the window, at the end").needs(after);
+  add_roboviz(command, options.roboviz);
   add_json(command, options.json);
 }
 
@@ -90,6 +92,8 @@ int view(const ViewOptions& options) {
   if (const std::string reason = viewer::no_window_because(); !reason.empty()) throw SetupError(reason);
   viewer_options.make_course = course_of(options.scene, viewer_options.end);
   viewer_options.session.paused = options.paused;
+  const auto roboviz = roboviz_door(options.roboviz);
+  viewer_options.roboviz = roboviz.get();
   viewer::Viewer viewer(viewer_options);
   const viewer::WindowReport shown = show(viewer, window);
   viewer.settle();

@@ -39,9 +39,9 @@ int bound_socket(const wire::Address& address) {
     trouble = errno;
     ::close(number);
   }
-  throw wire::WireError(fmt::format("{}: {}", to_text(address),
-                                    trouble == EADDRINUSE ? std::string("the port is in use")
-                                                          : std::system_category().message(trouble)));
+  throw wire::WireError(
+      fmt::format("{}: {}", to_text(address),
+                  trouble == EADDRINUSE ? std::string("the port is in use") : std::system_category().message(trouble)));
 }
 
 std::uint16_t port_of(int socket) {

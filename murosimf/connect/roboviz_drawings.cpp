@@ -141,9 +141,7 @@ void RobovizDrawings::take_text(Reader& in) {
       ++changes_;
       return;
     }
-    case 2:
-      changes_ += notes_.erase(in.byte());
-      return;
+    case 2: changes_ += notes_.erase(in.byte()); return;
     default: throw Damaged();
   }
 }

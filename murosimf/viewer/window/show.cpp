@@ -237,6 +237,7 @@ class Show {
                                                vec2(scene_.x + scene_.width, scene_.y + scene_.height));
     }
     paint_overlays(viewer_.overlays_now(), view_, scene_);
+    paint_drawings(viewer_.drawings_in(view_), scene_);
     paint_selection(viewer_, view_, scene_);
     if (const auto pull = mouse_.pull()) paint_pull(*pull, view_, scene_);
     Panels panels{gui_, viewer_, state_, options_.keys};
