@@ -15,6 +15,21 @@ const Drawings* drawings_of(const Entity& entity) {
   return drawn && !drawn->values.empty() ? drawn->values.data() : nullptr;
 }
 
+/// The count goes back with the state, after which there may be as many drawings that are others.
+void add_to(Hasher& hasher, const Drawings& drawings) {
+  hasher.add(drawings.changes);
+  for (const DrawnGroup& group : drawings.groups) {
+    hasher.add(static_cast<std::uint64_t>(group.time.count()));
+    for (const DrawnShape& shape : group.shapes) {
+      for (const Vec3d& point : shape.points) {
+        hasher.add(point.x);
+        hasher.add(point.y);
+        hasher.add(point.z);
+      }
+    }
+  }
+}
+
 /// The robot with that number in its team; -1: there is none.
 int entity_of(std::span<const std::string> teams, const DrawnByOthers::Note& note) {
   std::vector<std::string> names;  // of teams, and how many robots there were of each
@@ -49,7 +64,7 @@ std::uint64_t drawn_changes(const World& world) {
   Hasher hasher;
   for (const auto& entity : world.entities()) {
     const Drawings* drawings = drawings_of(*entity);
-    hasher.add(drawings ? drawings->changes : 0);
+    if (drawings) add_to(hasher, *drawings);
     hasher.add(static_cast<std::uint64_t>(entity->present() ? 1 : 0));
   }
   return hasher.value();

@@ -56,6 +56,10 @@ std::uint16_t port_of(int socket) {
 
 RobovizDoor::RobovizDoor(const wire::Address& address)
     : socket_(bound_socket(address)), wake_(::eventfd(0, EFD_CLOEXEC)), address_{address.host, port_of(socket_)} {
+  if (wake_ < 0) {
+    ::close(socket_);
+    throw wire::WireError("the system has no more files to give");
+  }
   thread_ = std::thread([this] { listen(); });
 }
 
@@ -77,8 +81,8 @@ void RobovizDoor::listen() {
   std::string packet(longest_packet, '\0');
   while (!ends_) {
     std::array<pollfd, 2> asked{{{wake_, POLLIN, 0}, {socket_, POLLIN, 0}}};
-    if (::poll(asked.data(), asked.size(), -1) < 0 || (asked[1].revents & POLLIN) == 0) continue;
-    const ssize_t size = ::recv(socket_, packet.data(), packet.size(), 0);
+    if (::poll(asked.data(), asked.size(), -1) < 0 || asked[1].revents == 0) continue;
+    const ssize_t size = ::recv(socket_, packet.data(), packet.size(), MSG_DONTWAIT);
     if (size < 0) continue;
     const std::lock_guard lock(mutex_);
     if (!drawings_.take(std::string_view(packet).substr(0, static_cast<std::size_t>(size)))) ++ignored_;

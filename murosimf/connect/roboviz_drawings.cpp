@@ -69,8 +69,9 @@ bool RobovizDrawings::take(std::string_view packet) {
   try {
     Reader in(packet);
     if (!in.any()) return false;
+    all_had_place_ = true;
     while (in.any()) take_command(in);
-    return true;
+    return all_had_place_;
   } catch (const Damaged&) {
     return false;
   }
@@ -146,12 +147,23 @@ void RobovizDrawings::take_text(Reader& in) {
   }
 }
 
-void RobovizDrawings::add(const std::string& set, DrawnShape shape) {
+bool RobovizDrawings::has_place(const std::string& set, const DrawnShape& shape) const {
+  const std::size_t more = shape.points.size();
+  if (points_ + more > most_in_all) return false;
   const auto known = sets_.find(set);
-  if (known == sets_.end() && sets_.size() >= most_sets) throw Damaged();
+  if (known == sets_.end()) return sets_.size() < most_sets;
+  return known->second.drawn.size() < most_shapes && known->second.points + more <= most_points;
+}
+
+/// What finds no place is left out; a swap behind it may make some.
+void RobovizDrawings::add(const std::string& set, DrawnShape shape) {
+  if (!has_place(set, shape)) {
+    all_had_place_ = false;
+    return;
+  }
   Set& into = sets_[set];
-  if (into.drawn.size() >= most_shapes || into.points + shape.points.size() > most_points) throw Damaged();
   into.points += shape.points.size();
+  points_ += shape.points.size();
   into.drawn.push_back(std::move(shape));
 }
 
@@ -162,7 +174,8 @@ void RobovizDrawings::swap(const std::string& begin) {
       continue;
     }
     set->second.shown = std::exchange(set->second.drawn, {});
-    set->second.points = 0;
+    points_ -= set->second.shown_points;
+    set->second.shown_points = std::exchange(set->second.points, 0);
     ++changes_;
     ++set;
   }

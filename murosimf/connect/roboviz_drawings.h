@@ -43,8 +43,9 @@ struct DrawnByOthers {
 class RobovizDrawings {
  public:
   static constexpr std::size_t most_sets = 200, most_shapes = 2000, most_points = 10'000;  // of a set between two swaps
+  static constexpr std::size_t most_in_all = 50'000;  // points, of what waits and what is shown
 
-  /// False, and the rest of the packet is ignored: it is not one, or too much of one.
+  /// False: something of it is too much, or it is no packet from some byte on, and the rest is ignored.
   bool take(std::string_view packet);
   /// What is to be seen now.
   [[nodiscard]] DrawnByOthers shown() const;
@@ -56,14 +57,17 @@ class RobovizDrawings {
   void take_shape(Reader& in);
   void take_text(Reader& in);
   void add(const std::string& set, DrawnShape shape);
+  [[nodiscard]] bool has_place(const std::string& set, const DrawnShape& shape) const;
   void swap(const std::string& begin);
 
   struct Set {
     std::vector<DrawnShape> drawn, shown;
-    std::size_t points = 0;  // of those that wait
+    std::size_t points = 0, shown_points = 0;  // of those that wait, of the others
   };
   std::map<std::string, Set> sets_;
   std::map<int, DrawnByOthers::Note> notes_;  // by agent
+  std::size_t points_ = 0;                    // of all sets
+  bool all_had_place_ = true;
   std::uint64_t changes_ = 0;
 };
 

@@ -43,8 +43,14 @@ class RecordedCourse final : public session::Course {
   [[nodiscard]] const std::vector<std::string>& known_properties() const override { return known_; }
 
  private:
+  struct LevelChange {
+    Duration time{};
+    std::size_t entity = 0;
+    std::string level;
+  };
   void show(Duration time);
   void read_lines();
+  void find_levels();
   void show_entity(std::size_t index, const recording::RecordedFrame& frame, std::size_t link, std::size_t joint);
   void show_levels(Duration time);
 
@@ -55,7 +61,7 @@ class RecordedCourse final : public session::Course {
   std::vector<Event> events_;                               // of all of it, by time
   std::vector<std::pair<Duration, std::string>> warnings_;  // likewise
   std::vector<std::string> warnings_so_far_;
-  std::vector<std::string> levels_;  // by entity, at the start
+  std::vector<LevelChange> levels_;  // first those of the start, then by time
   std::vector<ContactMark> contacts_;
   std::vector<std::string> known_;
   bool told_ = false;

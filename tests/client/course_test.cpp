@@ -62,13 +62,14 @@ TEST(Course, IsWonAsLibraryAndOverTcpWithTheSameState) { EXPECT_EQ(hash_of_libra
 /// Runs it until somebody has arrived, slower and slower while the software at the serial line has not ended a cycle: a bus waits for
 /// nobody, but here it must not depend on how busy the machine is who comes too late.
 void run_beside(scene::Scene& scene, const std::atomic<int>& cycles, const std::atomic<bool>& arrived) {
-  constexpr int usual = 3;  // [ms] an answer takes
+  constexpr int usual = 3, gone = 300;  // [ms] an answer takes; at the end nobody asks any more
   int last = 0, waited = 0;
   for (int ms = 0; ms < 60000 && !arrived; ++ms) {
     scene.simulation().run(1ms);
     const int now = cycles;
     waited = now == last ? waited + 1 : 0;
     last = now;
+    if (waited > gone) return;
     if (waited > usual) std::this_thread::sleep_for(std::chrono::milliseconds(waited - usual));
   }
 }

@@ -144,7 +144,26 @@ TEST(RobovizDrawings, NonsenseIsNeverTooMuch) {
   RobovizDrawings full;
   for (std::size_t i = 0; i < RobovizDrawings::most_shapes; ++i) EXPECT_TRUE(full.take(circle("a")));
   EXPECT_FALSE(full.take(circle("a")));
-  EXPECT_TRUE(full.take(swap("a") + circle("a")));
+  EXPECT_FALSE(full.take(circle("a") + swap("a"))) << "no place for one more";
+  ASSERT_EQ(full.shown().groups.size(), 1U) << "but the swap behind it counts";
+  EXPECT_TRUE(full.take(circle("a")));
+}
+
+TEST(RobovizDrawings, AllSetsTogetherAreNeverTooMuch) {
+  RobovizDrawings drawings;
+  const auto fill = [&](const std::string& set) {
+    std::size_t taken = 0;
+    for (std::size_t i = 0; i < RobovizDrawings::most_shapes; ++i) taken += drawings.take(circle(set)) ? 1 : 0;
+    return taken;
+  };
+  std::size_t waiting = 0;
+  for (int set = 0; set < 30; ++set) waiting += fill("s" + std::to_string(set));
+  EXPECT_EQ(waiting, RobovizDrawings::most_in_all);
+  EXPECT_FALSE(drawings.take(circle("other")));
+  EXPECT_TRUE(drawings.take(swap("")));
+  EXPECT_FALSE(drawings.take(circle("other"))) << "what is shown counts, too";
+  EXPECT_TRUE(drawings.take(swap(""))) << "nothing was drawn since";
+  EXPECT_EQ(fill("other"), RobovizDrawings::most_shapes);
 }
 
 void send(std::uint16_t port, const std::string& packet) {

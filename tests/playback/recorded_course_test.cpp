@@ -146,8 +146,7 @@ TEST(RecordedCourse, InASessionItPlaysAndNobodyChangesIt) {
   session.seek(200ms).get();
   EXPECT_TRUE(session.status().paused);
   const PoseFrame* frame = reader->latest();
-  ASSERT_TRUE(frame);
-  EXPECT_EQ(frame->time, 200ms);
+  EXPECT_TRUE(frame && frame->time == 200ms);
   session.go_on();
   comes_to(600ms);
   session.visit([](scene::Scene&) {}).get();
