@@ -187,18 +187,26 @@ void Recorder::hand_over() {
   held_.push_back(std::move(batch_));
   batch_ = {};
   batch_.reserve(usual + usual / 4);
-  if (watch_ && begin > write_until_) return forget_old();
+  if (watch_ && !asked_ && begin > write_until_) return forget_old();
   begin_file();
   for (RecordingThread::Batch& batch : held_) thread_->push(std::move(batch));
   held_.clear();
 }
 
+void Recorder::ask(bool on) {
+  if (asked_ == on) return;
+  if (!on && !newly_asked_) write_until_ = std::max(write_until_, scene_.simulation().now());
+  asked_ = newly_asked_ = on;
+}
+
 void Recorder::watch(RecordedFrame& frame) {
-  for (std::string& event : watch_->look()) {
+  std::vector<std::string> happened = watch_->look();
+  if (!happened.empty()) write_until_ = std::max(write_until_, frame.time + after_);
+  if (std::exchange(newly_asked_, false)) happened.emplace_back("the recording was asked for");
+  for (std::string& event : happened) {
     frame.events.emplace_back(frame.time, std::move(event));
     frame.commands.insert(frame.commands.begin(), commands_between_.begin(), commands_between_.end());
     commands_between_.clear();
-    write_until_ = frame.time + after_;
     ++happened_;
   }
 }

@@ -68,6 +68,8 @@ class Recorder {
 
   /// The last frame, the report and the summary.
   void finish(const scene::RunReport& report);
+  /// With record_on: from now on all is recorded, with what was kept before, or no longer, as often as one likes. Between two steps.
+  void ask(bool on);
   /// A text that belongs to the run, before finish().
   void attach(const std::string& name, const std::string& text) { texts_.emplace_back(name, text); }
   /// Why nothing is recorded any more, in one line; empty: all is well.
@@ -121,7 +123,7 @@ class Recorder {
   std::vector<RecordingThread::Batch> held_;                        // not in the file yet
   std::vector<std::pair<Duration, std::string>> commands_between_;  // of what will never be in it
   Duration write_until_{-1};
-  bool began_ = false;
+  bool began_ = false, asked_ = false, newly_asked_ = false;
   std::size_t happened_ = 0;
   std::chrono::steady_clock::time_point synced_{};  // of the thread
   std::string end_trouble_;

@@ -11,7 +11,7 @@
 namespace murosimf::recording {
 
 const std::vector<std::string>& watchable() {
-  static const std::vector<std::string> names = {"fall", "goal", "freeze"};
+  static const std::vector<std::string> names = {"fall", "goal", "freeze", "asked"};
   return names;
 }
 

@@ -32,7 +32,7 @@ class RunWatch {
 };
 
 /// "fall": a base tilted over 60 degrees. "goal": all of the ball is over a goal line, between the posts and under the crossbar.
-/// "freeze": numbers of somebody went bad.
+/// "freeze": numbers of somebody went bad. "asked": Recorder::ask, of which RunWatch knows nothing.
 [[nodiscard]] const std::vector<std::string>& watchable();
 
 }  // namespace murosimf::recording

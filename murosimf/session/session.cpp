@@ -78,6 +78,10 @@ std::future<void> Session::visit(std::function<void(scene::Scene&)> call) {
   return inside_->ask([inside = inside_.get(), call = std::move(call)] { call(inside->scene); });
 }
 
+std::future<void> Session::record(bool on) {
+  return inside_->ask([inside = inside_.get(), on] { inside->record(on); });
+}
+
 scene::Scene& Session::scene() { return inside_->scene; }
 
 const std::vector<std::string>& Session::known_properties() const { return inside_->course->known_properties(); }

@@ -35,6 +35,8 @@ struct SessionOptions {
   bool stays = true;              ///< at its end: pauses there until finish(); false: run() returns
   TimelineOptions timeline{};     ///< what is kept for going back
   std::function<void(const Overrun&)> tell_of_overruns{};  ///< called by the thread that runs it (Clock)
+  /// Has the run recorded, or no longer; called between two steps by the thread that runs it. None: nobody can ask for it.
+  std::function<void(bool on)> record{};
   std::string no_way_back{};  ///< why it cannot be reset or go back in time ("it is recorded"); empty: it can
 };
 
@@ -50,6 +52,7 @@ struct SessionStatus {
   std::uint64_t jumps = 0;      ///< how often time has jumped: resets, seeks
   int branch = 0;               ///< of the timeline
   std::size_t events = 0, warnings = 0;  ///< of the simulation, so far
+  std::optional<bool> recorded;          ///< whether somebody asks for it; nothing: nobody can
 };
 
 class Session {
@@ -94,6 +97,8 @@ class Session {
   std::future<void> seek(Duration time, std::optional<int> branch = {});
   /// Has `call` made between two steps, soon: for who reads or saves what only the simulation's thread may touch. It must change nothing.
   std::future<void> visit(std::function<void(scene::Scene&)> call);
+  /// SessionOptions::record.
+  std::future<void> record(bool on);
   /// Ends run().
   void finish();
 

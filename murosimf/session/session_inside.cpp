@@ -166,6 +166,14 @@ void Session::Inside::seek(Duration time, std::optional<int> branch, std::uint64
   has_jumped();
 }
 
+void Session::Inside::record(bool on) {
+  if (!options.record)
+    throw SetupError("this run was begun without a recording that others switch (--record FILE --record-on asked)");
+  options.record(on);
+  const std::lock_guard lock(mutex);
+  status.recorded = on;
+}
+
 void Session::Inside::refuse_all() {
   const std::lock_guard lock(mutex);
   closed = true;

@@ -27,6 +27,7 @@ struct Session::Inside {
         options(given),
         clock(given.speed) {
     wishes.paused = given.paused;
+    if (given.record) status.recorded = false;
     wishes.speed = given.speed;
     clock.tell_of_overruns(given.tell_of_overruns);
   }
@@ -43,6 +44,7 @@ struct Session::Inside {
   void publish(bool paused);
   void reset(std::optional<std::uint64_t> seed);
   void seek(Duration time, std::optional<int> branch, std::uint64_t number);
+  void record(bool on);
   void has_jumped();
   void refuse_all();
 

@@ -181,6 +181,56 @@ TEST(RecordOn, KeepsWhatWasBeforeAFall) {
   EXPECT_FALSE(rerun(recorded, {}).difference) << to_text(rerun(recorded, {}));
 }
 
+// It is recorded as long as somebody asks for it, again and again; what is there can be repeated, over the gap.
+TEST(RecordOn, KeepsWhatIsAskedFor) {
+  files::FilesRead read;
+  scene::Scene scene("walk", {.cameras = false, .pushable = true});
+  RecorderOptions options{.file = fixtures::temp_folder() / "asked.mcap", .record_on = {"asked"}, .keep = 200ms};
+  options.run = RunDescription{.scene = "walk", .seed = scene.spec().seed, .cameras = false, .pushable = true};
+  options.files = &read;
+  Recorder recorder(scene, options);
+  const auto run = [&](Duration time) { scene.simulation().run(time); };
+  scene.simulation().initialize();
+  run(1s);
+  recorder.ask(true);
+  recorder.ask(false);  // nothing between
+  run(1s);
+  recorder.ask(true);
+  run(500ms);
+  recorder.ask(false);
+  scene.post("walker.torso.push = [0, 1, 0, 0.1]");
+  run(1500ms);
+  recorder.ask(true);
+  recorder.ask(true);
+  run(300ms);
+  recorder.ask(false);
+  run(1s);
+  recorder.finish(make_report(scene));
+  EXPECT_EQ(recorder.happened(), 2U);
+  const McapReader reader(options.file);
+  std::vector<double> times;
+  for (const ChunkIndex& chunk : reader.contents().chunks) {
+    reader.visit_messages(chunk, [&](const Message& message) {
+      times.push_back(1e-9 * static_cast<double>(message.log_time));
+    });
+  }
+  ASSERT_FALSE(times.empty());
+  EXPECT_GE(times.front(), 2 - 0.2 - 0.2) << "a state before";
+  EXPECT_LE(times.front(), 2 - 0.2);
+  EXPECT_GE(times.back(), 4.3);
+  EXPECT_LE(times.back(), 4.3 + 0.2) << "a batch behind";
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] - times[i - 1] < 0.015) continue;
+    EXPECT_LE(times[i - 1], 2.5 + 0.2);
+    EXPECT_GE(times[i - 1], 2.5 - 0.02);
+    gaps.push_back(times[i] - times[i - 1]);
+  }
+  EXPECT_EQ(gaps.size(), 1U);
+  const RerunResult result = repeated(options.file);
+  EXPECT_FALSE(result.difference) << to_text(result);
+}
+
 TEST(RecordOn, KeepsNothingOfARunWithoutEvent) {
   RepeatableRun run{.scene = "walk", .time = 2s};
   run.options.record_on = {"fall", "goal", "freeze"};

@@ -201,6 +201,20 @@ TEST(Session, HasNoWayBackWhereItIsToldSo) {
   EXPECT_THROW(running.session.reset().get(), SetupError);
 }
 
+TEST(Session, IsRecordedAsAskedFor) {
+  std::string asked;
+  Running running(1s, {.paused = true, .record = [&](bool on) { asked += on ? "on " : "off "; }});
+  EXPECT_EQ(running.session.status().recorded, false);
+  running.session.record(true).get();
+  EXPECT_EQ(running.session.status().recorded, true);
+  running.session.record(false).get();
+  EXPECT_EQ(running.session.status().recorded, false);
+  EXPECT_EQ(asked, "on off ");
+  Running other(1s);
+  EXPECT_EQ(other.session.status().recorded, std::nullopt);
+  EXPECT_THROW(other.session.record(true).get(), SetupError);
+}
+
 TEST(Session, EndsByItselfUnlessItStays) {
   Running running(100ms, {.stays = false});
   for (int i = 0; i < 20000 && !running.ended; ++i) std::this_thread::sleep_for(1ms);
