@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/drawing.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/recording/topics.h"
@@ -32,7 +33,7 @@ void set_number(Entity& entity, const Property<double>& property, int object, do
 
 RecordedCourse::RecordedCourse(std::shared_ptr<const recording::RecordedRun> run,
                                const recording::RepeatOptions& options)
-    : run_(std::move(run)), scene_(run_->build_to_show(options)) {
+    : run_(std::move(run)), scene_(run_->build_to_show(options)), drawings_(run_->file()) {
   run_->initialize(*scene_);
   entities_ = recording::recorded_entities(scene_->simulation().world());
   frames_ = std::make_unique<recording::FrameReader>(run_->file(), entities_);
@@ -125,6 +126,7 @@ void RecordedCourse::show(Duration time) {
     joint += entities_[i].joints.size();
   }
   contacts_ = frame.contacts;
+  show_drawings(frame.time);
   show_levels(frame.time);
   const auto events = std::ranges::upper_bound(events_, frame.time, {}, &Event::time) - events_.begin();
   const auto warnings = std::ranges::upper_bound(warnings_, frame.time, {}, &std::pair<Duration, std::string>::first);
@@ -158,6 +160,16 @@ void RecordedCourse::show_entity(std::size_t index, const recording::RecordedFra
     set_number(entity, properties::joint_velocity, object, numbers.velocity);
     set_number(entity, properties::joint_torque, object, numbers.torque);
     set_number(entity, properties::joint_target, object, numbers.target);
+  }
+}
+
+void RecordedCourse::show_drawings(Duration time) {
+  for (auto& [robot, groups] : drawings_.news(time)) {
+    const auto known = std::ranges::find(entities_, robot, &recording::RecordedEntity::name);
+    if (known == entities_.end()) continue;  // of somebody who came later
+    Drawings& drawn = scene_->simulation().world().entity(robot).column(properties::drawings).values[0];
+    drawn.groups = std::move(groups);
+    ++drawn.changes;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/topics.h"
 
 namespace murosimf::recording {
 namespace {
@@ -20,6 +22,7 @@ namespace {
 using nlohmann::json;
 
 constexpr Duration repeat_period = std::chrono::seconds(5);  // seeks in files find one soon
+constexpr std::size_t most_kept = 32;                        // chunks: more than a repetition
 constexpr std::string_view topics = "/drawings/", shape_key = "shape";
 constexpr double thin = 2;         // [px] of lines without a width
 constexpr double speck = 0.01;     // [m] of dots without a width
@@ -143,7 +146,7 @@ void put_group(ProtobufWriter& out, const RecordedEntity& robot, const DrawnGrou
     put_time(entity, 1, group.time);
     entity.text(2, group.of_robot && !robot.links.empty() ? std::string_view(robot.links.front().frame) : "world");
     entity.text(3, robot.name + "/" + group.name);
-    entity.varint(5, group.of_robot ? 1 : 0);  // moves with its frame
+    entity.varint(5, 1);  // moves with its frame, so that nobody looks for poses of the time when it was drawn
     for (const DrawnShape& shape : group.shapes) {
       entity.message(6, [&](ProtobufWriter& pair) {
         pair.text(1, shape_key);
@@ -181,10 +184,12 @@ void SketchWatch::take(const std::vector<RecordedEntity>& entities, RecordedFram
   for (std::size_t i = 0; i < entities.size(); ++i) {
     const Column<Drawings>* drawn = entities[i].entity->find(properties::drawings);
     if (!drawn) continue;
-    const auto [seen, is_new] = seen_.try_emplace(i, 0);
-    if (seen->second == drawn->values[0].changes) continue;
-    seen->second = drawn->values[0].changes;
-    frame.drawings.push_back({.entity = i, .groups = drawn->values[0].groups});
+    const bool present = entities[i].entity->present();
+    const std::uint64_t now = present ? drawn->values[0].changes + 1 : 0;  // who is absent shows nothing
+    const auto [seen, is_new] = seen_.try_emplace(i, now);
+    if (!is_new && seen->second == now) continue;
+    seen->second = now;
+    frame.drawings.push_back({.entity = i, .groups = present ? drawn->values[0].groups : std::vector<DrawnGroup>{}});
   }
 }
 
@@ -226,26 +231,62 @@ std::vector<DrawnGroup> read_drawing_message(std::string_view bytes, const std::
   return groups;
 }
 
-std::map<std::string, std::vector<DrawnGroup>> recorded_drawings(const McapReader& file, Duration time) {
-  std::map<std::uint16_t, std::string> wanted;  // robots, by channel
+DrawingReader::DrawingReader(const McapReader& file) : file_(file) {
   for (const Channel& channel : file.contents().channels) {
-    if (channel.topic.starts_with(topics)) wanted[channel.id] = channel.topic.substr(topics.size());
+    if (channel.topic.starts_with(topics)) robots_[channel.id] = channel.topic.substr(topics.size());
   }
-  std::map<std::string, std::vector<DrawnGroup>> drawn;
   const auto& chunks = file.contents().chunks;
-  for (auto chunk = chunks.rbegin(); chunk != chunks.rend() && !wanted.empty(); ++chunk) {
-    if (chunk->start_time > static_cast<std::uint64_t>(time.count())) continue;
-    std::map<std::uint16_t, std::string> last;  // messages of this chunk
-    file.visit_messages(*chunk, [&](const Message& message) {
-      const bool until = message.log_time <= static_cast<std::uint64_t>(time.count());
-      if (until && wanted.contains(message.channel_id)) last[message.channel_id] = message.data;
-    });
-    for (const auto& [channel, bytes] : last) {
-      const std::string& robot = wanted.at(channel);
-      drawn[robot] = with_context(file.file().string(), [&] { return read_drawing_message(bytes, robot); });
-      wanted.erase(channel);
+  for (std::size_t i = 0; i < chunks.size() && !robots_.empty(); ++i) {
+    if (has_any(chunks[i], robots_)) chunks_.push_back(i);
+  }
+  std::ranges::stable_sort(chunks_, {}, [&](std::size_t i) { return chunks[i].start_time; });
+}
+
+const DrawingReader::Chunk& DrawingReader::read(std::size_t index) {
+  const auto known = std::ranges::find(kept_, index, &Chunk::index);
+  if (known != kept_.end()) {
+    kept_.splice(kept_.begin(), kept_, known);
+    return kept_.front();
+  }
+  Chunk chunk{.index = index, .sketches = {}};
+  file_.visit_messages(file_.contents().chunks[chunks_[index]], [&](const Message& message) {
+    const auto robot = robots_.find(message.channel_id);
+    if (robot != robots_.end()) chunk.sketches.push_back({time_of(message), robot->second, std::string(message.data)});
+  });
+  kept_.push_front(std::move(chunk));
+  if (kept_.size() > most_kept) kept_.pop_back();
+  return kept_.front();
+}
+
+/// The last ones until then; none is older than a repetition.
+std::map<std::string, std::string> DrawingReader::messages_at(Duration time) {
+  const auto begins = [&](std::size_t chunk) {
+    return Duration(static_cast<Duration::rep>(file_.contents().chunks[chunk].start_time));
+  };
+  std::map<std::string, std::string> last;
+  auto index = static_cast<std::size_t>(std::ranges::upper_bound(chunks_, time, {}, begins) - chunks_.begin());
+  while (index-- > 0 && last.size() < robots_.size() && begins(chunks_[index]) >= time - 2 * repeat_period) {
+    const Chunk& chunk = read(index);
+    for (auto sketch = chunk.sketches.rbegin(); sketch != chunk.sketches.rend(); ++sketch) {
+      if (sketch->time <= time) last.try_emplace(sketch->robot, sketch->bytes);
     }
   }
+  return last;
+}
+
+std::map<std::string, std::vector<DrawnGroup>> DrawingReader::news(Duration time) {
+  std::map<std::string, std::string> last = messages_at(time);
+  std::map<std::string, std::vector<DrawnGroup>> drawn;
+  with_context(file_.file().string(), [&] {
+    for (const auto& [robot, bytes] : last) {
+      const auto before = shown_.find(robot);
+      if (before == shown_.end() || before->second != bytes) drawn[robot] = read_drawing_message(bytes, robot);
+    }
+  });
+  for (const auto& [robot, bytes] : shown_) {
+    if (!last.contains(robot)) drawn[robot] = {};
+  }
+  shown_ = std::move(last);
   return drawn;
 }
 

@@ -1,6 +1,7 @@
 #include "murosimf/recording/recorder.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -224,7 +225,24 @@ void Recorder::forget_old() {
       if (began_) commands_between_.insert(commands_between_.end(), frame.commands.begin(), frame.commands.end());
     }
   }
+  keep_drawings(first_kept);
   held_.erase(held_.begin(), first_kept);
+}
+
+/// Of the frames before, each robot's last drawings, which come only when they change, go to the first frame that stays.
+void Recorder::keep_drawings(std::vector<RecordingThread::Batch>::iterator first_kept) {
+  std::vector<RobotDrawings>& kept = first_kept->front().drawings;
+  const auto has = [&](std::size_t entity) {
+    return std::ranges::find(kept, entity, &RobotDrawings::entity) != kept.end();
+  };
+  for (auto batch = first_kept; batch != held_.begin();) {
+    --batch;
+    for (RecordedFrame& frame : std::views::reverse(*batch)) {
+      for (RobotDrawings& drawn : frame.drawings) {
+        if (!has(drawn.entity)) kept.push_back(std::move(drawn));
+      }
+    }
+  }
 }
 
 /// In the thread.

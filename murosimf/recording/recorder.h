@@ -93,6 +93,7 @@ class Recorder {
   void watch(RecordedFrame& frame);
   void begin_file();
   void forget_old();
+  void keep_drawings(std::vector<RecordingThread::Batch>::iterator first_kept);
   void write(const RecordingThread::Batch& batch);
 
   scene::Scene& scene_;

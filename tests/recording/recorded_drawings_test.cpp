@@ -86,14 +86,17 @@ std::map<int, int> counts_of(ProtobufReader in) {
 
 TEST(RecordedDrawings, AreReadBackAsTheyWereAtATime) {
   const McapReader file(recorded());
-  EXPECT_TRUE(recorded_drawings(file, 90ms).empty());
-  const auto both = recorded_drawings(file, 200ms);
+  DrawingReader drawings(file);
+  EXPECT_TRUE(drawings.news(90ms).empty());
+  const auto both = drawings.news(200ms);
   ASSERT_EQ(both.size(), 1U);
   ASSERT_EQ(both.at("robot").size(), 2U);
   expect_same(both.at("robot")[0], of_all_kinds());
   expect_same(both.at("robot")[1], of_robot());
+  EXPECT_TRUE(drawings.news(250ms).empty()) << "nothing is new";
+  EXPECT_EQ(drawings.news(0ms).at("robot").size(), 0U) << "nobody has drawn yet";
   for (const Duration later : {300ms, 4000ms, 7000ms}) {
-    const auto one = recorded_drawings(file, later);
+    const auto one = DrawingReader(file).news(later);
     ASSERT_EQ(one.at("robot").size(), 1U) << seconds(later);
     expect_same(one.at("robot")[0], of_all_kinds());
   }
