@@ -25,7 +25,7 @@ struct ViewOptions {
   std::string speed = "1", size = "1280x720", keys, script, screenshot, json, roboviz;
   std::optional<double> after, duration;
   std::optional<std::int64_t> samples;
-  bool paused = false, no_shadows = false;
+  bool paused = false, no_shadows = false, shadows = false;
 };
 
 void define(const Command& command, ViewOptions& options) {
@@ -36,7 +36,8 @@ void define(const Command& command, ViewOptions& options) {
   command.add("--duration", options.duration, "Simulated seconds after which it pauses; without end if not given");
   command.add("--size", options.size, "WIDTHxHEIGHT of the window in pixels").shows_default();
   command.add("--keys", options.keys, "Which key does what (TOML; docs/viewer.md)");
-  command.add("--no-shadows", options.no_shadows, "Draw no shadows");
+  const Option none = command.add("--no-shadows", options.no_shadows, "Draw no shadows");
+  command.add("--shadows", options.shadows, "Draw shadows also where that is slow").excludes(none);
   command.add("--samples", options.samples, "To a pixel, for smooth edges; 4 with a graphics card, else 1 if not given")
       .within(1, 8);
   const Option script = command.add("--script", options.script, "Do what this file says, then end (docs/viewer.md)");
@@ -60,7 +61,7 @@ viewer::WindowOptions window_options(const ViewOptions& options) {
     throw SetupError(fmt::format("--samples {}: must be 1, 2, 4 or 8", *options.samples));
   }
   if (options.samples) window.samples = static_cast<int>(*options.samples);
-  window.shadows = !options.no_shadows;
+  if (options.shadows || options.no_shadows) window.shadows = options.shadows;
   return window;
 }
 

@@ -99,11 +99,11 @@ TEST_F(View, JointsAreMovedBySliders) {
   const fs::path picture = scratch("joints.png");
   const json report = session("nudge",
                               "key 1\nkey Z\nkey J\nkey P\nkey O\nkey O\nkey Space\nuntil 0.3\nkey Space\nsettle\n"
-                              "press Joints\nsettle\npress joint l_knee\nsettle\nlook 60 0.2 1.6\nscreenshot " +
+                              "press Joints\nsettle\npress joint j_l_shin\nsettle\nlook 60 0.2 1.6\nscreenshot " +
                                   picture.string() + "\n",
                               "--paused --roboviz 0");
   ASSERT_TRUE(report.is_object());
-  EXPECT_TRUE(has_command(report, "l_knee.joint_position = ")) << report["commands"];
+  EXPECT_TRUE(has_command(report, "j_l_shin.joint_position = ")) << report["commands"];
   EXPECT_EQ(report["drawings"]["packets"], 0);
   EXPECT_GT(fs::file_size(picture), 10000U);
 }

@@ -273,14 +273,14 @@ TEST(MouseControl, CtrlAndTheLeftButtonTurn) {
 TEST(Viewer, MovesJointsWhileItIsPaused) {
   Viewer viewer(options_with());
   viewer.select(viewer.path_of("blue1"));
-  const auto knee = [&] {
+  const auto shin = [&] {
     for (const MovableJoint& joint : viewer.joints()) {
-      if (joint.name.find("knee") != std::string::npos) return joint;
+      if (joint.name.find("shin") != std::string::npos) return joint;
     }
-    ADD_FAILURE() << "no knee";
+    ADD_FAILURE() << "no shin";
     return MovableJoint{};
   };
-  const MovableJoint before = knee();
+  const MovableJoint before = shin();
   EXPECT_LT(before.lowest, before.highest);
   const double wanted = 0.5 * (before.lowest + before.highest);
   ASSERT_GT(std::abs(wanted - before.position), 0.01);
@@ -288,7 +288,7 @@ TEST(Viewer, MovesJointsWhileItIsPaused) {
     viewer.move_joint(before.path, before.position + share * (wanted - before.position));
   }
   viewer.settle();
-  EXPECT_NEAR(knee().position, wanted, 1e-6);
+  EXPECT_NEAR(shin().position, wanted, 1e-6);
   viewer.running().finish();
   const auto& commands = viewer.running().scene().simulation().commands();
   ASSERT_FALSE(commands.empty()) << "the run can be repeated";

@@ -238,7 +238,7 @@ class Drawings(unittest.TestCase):
             self.assertEqual([one["by"] for one in drawn], ["roboviz"])
             self.assertEqual([group["name"] for group in drawn[0]["groups"]], ["blue.1.way"])
             shape = drawn[0]["groups"][0]["shapes"][0]
-            self.assertEqual((shape["kind"], shape["points"], shape["size"]), ("circle", [[1.5, -0.25, 0.0]], 0.5))
+            self.assertEqual((shape["kind"], shape["points"], shape["size"]), ("circle", [[1.5, -0.25, 0.005]], 0.5))
             late = Client(run.port)  # sees it, too
             late.wait_for(lambda m: isinstance(m, dict) and m["is"] == "drawings")
             channel = viewer.wait_for(lambda m: isinstance(m, dict) and m["op"] == "advertise" and any(
@@ -247,6 +247,8 @@ class Drawings(unittest.TestCase):
             message = viewer.wait_for(lambda m: isinstance(m, bytes) and m[0] == 1)
             self.assertIn(b"blue.1.way", message)
             client.state(lambda state: state["paused"])
+            for one in (client, viewer, late):
+                one.close()
             code, output = run.stop()
         self.assertEqual(code, 0)
         report = json.loads(output)
