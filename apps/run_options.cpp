@@ -9,6 +9,7 @@
 #include "apps/option_values.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/model/error.h"
+#include "murosimf/recording/state_file.h"
 
 namespace murosimf::app {
 namespace {
@@ -63,7 +64,7 @@ void define_run(const Command& command, RunOptions& options) {
 void check(const RunOptions& options) {
   (void)speed_of(options);
   if (options.duration) (void)read_duration(*options.duration);
-  check(options.record);
+  check(options.record, !options.supervision.where.empty());
   check(options.web);
   if (is_steered(options) && !options.pictures.empty()) {
     throw SetupError("--pictures are taken of runs that nobody stops or takes back: without --web and --supervise");
@@ -92,6 +93,7 @@ scene::SceneOptions scene_options_of(const RunOptions& options) {
   all.paths = !options.picture.empty();
   all.terminals = options.serial;
   all.pushable = is_steered(options);
+  if (!options.from.empty()) all.pushable = recording::was_pushable(options.from).value_or(all.pushable);
   all.software = server_at(options.listen);
   return all;
 }
