@@ -229,8 +229,8 @@ class Walking(unittest.TestCase):
     def test_leds_gains_and_limits(self):
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "leds.csv")
-            run = Run("--set", "defaults.level=articulated_dynamics", "--log", "left.*.robot_led", "--log",
-                      "left.j_head.servo_led", "--log", "left.j_head.servo_position_gain", "--log", "left.j_head.servo_torque_limit",
+            logged = ["left.*.robot_led", *(f"left.j_head.servo_{what}" for what in ("led", "position_gain", "torque_limit"))]
+            run = Run("--set", "defaults.level=articulated_dynamics", *(word for name in logged for word in ("--log", name)),
                       "--out", file, duration=0.3)
 
             def shine(name):
