@@ -1,5 +1,6 @@
 #include "apps/record_options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <iterator>
@@ -106,7 +107,8 @@ void add_record(const Command& command, RecordOptions& options) {
       .needs(record);
   const Option on = command
                         .add("--record-on", options.on,
-                             fmt::format("Record only what is around a {}", fmt::join(recording::watchable(), ", ")))
+                             fmt::format("Record only what is around one of these: {} (for, by supervisors)",
+                                         fmt::join(recording::watchable(), ", ")))
                         .needs(record)
                         .separated_by(',')
                         .one_of(recording::watchable())
@@ -130,8 +132,13 @@ recording::RunDescription description_of(const SceneArguments& arguments, const 
           .pushable = options.pushable};
 }
 
-void check(const RecordOptions& options) {
+bool is_asked_for(const RecordOptions& options) { return std::ranges::find(options.on, "asked") != options.on.end(); }
+
+void check(const RecordOptions& options, bool somebody_asks) {
   if (options.file.empty()) return;
+  if (is_asked_for(options) && !somebody_asks) {
+    throw SetupError("--record-on asked: nobody can ask here; supervisors can (run --supervise PORT)");
+  }
   ticks_of(options.ticks);
   span_of("--record-states", options.states);
   span_of("--keep", options.keep);
@@ -166,7 +173,8 @@ bool finish(recording::Recorder& recorder, const scene::RunReport& report, const
     return false;
   }
   if (!options.on.empty() && recorder.happened() == 0) {
-    say_note(fmt::format("no {} happened: nothing of the run is in '{}'", fmt::join(options.on, " or "), options.file));
+    say_note(fmt::format("nothing of this happened: {}; nothing of the run is in '{}'", fmt::join(options.on, ", "),
+                         options.file));
   }
   if (std::filesystem::is_other(options.file)) return true;
   std::vector<std::string> robots;

@@ -34,8 +34,11 @@ void add_record(const Command& command, RecordOptions& options);
 /// As it could be typed again; empty where the system does not tell.
 [[nodiscard]] std::string command_line();
 
-/// Throws SetupError if the file could not be written now.
-void check(const RecordOptions& options);
+/// Whether it is for others to say when it is recorded.
+[[nodiscard]] bool is_asked_for(const RecordOptions& options);
+
+/// `somebody_asks`: whether others can. Throws SetupError if the file could not be written now.
+void check(const RecordOptions& options, bool somebody_asks);
 
 /// Null if nothing is recorded. `files`: notes what the scene is read from, until the first step, with `run` so that it can be repeated. Before that. Throws SetupError.
 [[nodiscard]] std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,

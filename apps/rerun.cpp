@@ -92,7 +92,7 @@ recording::RerunResult compare_with_other(const recording::RecordedRun& run, con
 
 int rerun(const RerunArguments& arguments) {
   check_json_file(arguments.json);
-  check(arguments.record);
+  check(arguments.record, false);
   load_plugins(arguments.how.plugins);
   const recording::RecordedRun run(arguments.file);
   if (const std::string& damage = run.file().contents().damage; !damage.empty()) {

@@ -64,8 +64,10 @@ void RunAdvance::run_steered() {
   session::Session session(scene_, {.speed = speed_of(options_),
                                     .paused = options_.supervision.paused,
                                     .tell_of_overruns = tell,
+                                    .record = outputs_.record_switch(),
                                     .no_way_back = no_way_back(options_)});
-  const auto supervision = supervision_of(session, options_.supervision);
+  const auto supervision =
+      supervision_of(session, options_.supervision, [&](scene::Scene& scene) { return outputs_.state_of(scene); });
   const auto view = web_view_of(scene_, session, options_.web, {game_ ? game_->game() : nullptr, roboviz_.get()});
   const auto start = WallClock::now();
   session.run(end_, [&](Duration now) { show(now); });

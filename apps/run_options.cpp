@@ -11,6 +11,7 @@
 #include "apps/roboviz_arguments.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/model/error.h"
+#include "murosimf/recording/state_file.h"
 
 namespace murosimf::app {
 namespace {
@@ -66,7 +67,7 @@ void define_run(const Command& command, RunOptions& options) {
 void check(const RunOptions& options) {
   (void)speed_of(options);
   if (options.duration) (void)read_duration(*options.duration);
-  check(options.record);
+  check(options.record, !options.supervision.where.empty());
   check(options.web);
   if (options.no_cameras && std::ranges::find(options.record.what, "pictures") != options.record.what.end()) {
     throw SetupError("--record-what pictures: --no-cameras lets nothing be drawn for cameras");
@@ -98,6 +99,7 @@ scene::SceneOptions scene_options_of(const RunOptions& options) {
   all.paths = !options.picture.empty();
   all.terminals = options.serial;
   all.pushable = is_steered(options);
+  if (!options.from.empty()) all.pushable = recording::was_pushable(options.from).value_or(all.pushable);
   all.software = server_at(options.listen);
   return all;
 }

@@ -29,8 +29,15 @@ void RunOutputs::attach(scene::Scene& scene, const scene::SceneOptions& scene_op
 }
 
 void RunOutputs::begin() {
-  saver_.begin(*scene_, files_, description_);
+  if (!options_.save_at.empty() || !options_.save_state.empty() || !options_.supervision.where.empty()) {
+    saver_.begin(*scene_, files_, description_);
+  }
   if (pictures_) pictures_->show(*scene_);
+}
+
+std::function<void(bool)> RunOutputs::record_switch() const {
+  if (!recorder_ || !is_asked_for(options_.record)) return nullptr;
+  return [recorder = recorder_.get()](bool on) { recorder->ask(on); };
 }
 
 RunOutputs::Written RunOutputs::write(const scene::RunReport& report) {

@@ -1,6 +1,7 @@
 /// run_outputs.h - what a run leaves behind: logs, recordings, states, pictures, reports.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -31,6 +32,11 @@ class RunOutputs {
   [[nodiscard]] PictureSequence* pictures() { return pictures_ ? &*pictures_ : nullptr; }
   /// Why nothing is recorded any more; empty: all is well, or nothing was to be.
   [[nodiscard]] std::string trouble() const { return recorder_ ? recorder_->trouble() : ""; }
+
+  /// The state of now, as the file of --save-state has it. Throws SetupError.
+  [[nodiscard]] std::string state_of(scene::Scene& scene) const { return saver_.state_of(scene); }
+  /// Has it recorded, or no longer; null if nobody is to say so.
+  [[nodiscard]] std::function<void(bool)> record_switch() const;
 
   struct Written {
     bool recording = true;  ///< all of it

@@ -27,7 +27,6 @@ StateSaver::StateSaver(const std::vector<std::string>& at, const std::string& at
 }
 
 void StateSaver::begin(scene::Scene& scene, const files::FilesRead& files, const recording::RunDescription& run) {
-  if (wishes_.empty() && at_end_.empty()) return;
   scene_ = &scene;
   options_ = {.program = this_program(),
               .command_line = command_line(),

@@ -17,6 +17,8 @@ class StateSaver {
 
   /// When the scene is initialized, and a state loaded; it must outlive the run.
   void begin(scene::Scene& scene, const files::FilesRead& files, const recording::RunDescription& run);
+  /// A state of now, as such a file. Throws SetupError.
+  [[nodiscard]] std::string state_of(scene::Scene& scene) const { return recording::state_bytes(scene, options_); }
   /// Says which states there are not; whether there are all.
   [[nodiscard]] bool finish();
 

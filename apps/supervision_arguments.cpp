@@ -1,6 +1,7 @@
 #include "apps/supervision_arguments.h"
 
 #include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -22,10 +23,11 @@ Option add_supervision(const Command& command, SupervisionArguments& arguments) 
   return where;
 }
 
-std::unique_ptr<supervise::Supervision> supervision_of(session::Session& session,
-                                                       const SupervisionArguments& arguments) {
+std::unique_ptr<supervise::Supervision> supervision_of(session::Session& session, const SupervisionArguments& arguments,
+                                                       std::function<std::string(scene::Scene&)> save) {
   if (arguments.where.empty()) return nullptr;
-  supervise::SupervisionOptions options{.say = [](const std::string& line) { say_warning(line); }};
+  supervise::SupervisionOptions options{.say = [](const std::string& line) { say_warning(line); },
+                                        .save = std::move(save)};
   const char* token = std::getenv(token_variable);
   if (token) options.token = token;
   try {

@@ -23,6 +23,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/murosimf DESTINATION ${CMAKE_INSTALL_INC
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/lenses ${PROJECT_SOURCE_DIR}/models ${PROJECT_SOURCE_DIR}/motions ${PROJECT_SOURCE_DIR}/parts ${PROJECT_SOURCE_DIR}/scenes ${PROJECT_SOURCE_DIR}/servos
   DESTINATION ${CMAKE_INSTALL_DATADIR}/murosimf)
 
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/murosimf_client DESTINATION ${CMAKE_INSTALL_DATADIR}/murosimf/python
+  FILES_MATCHING PATTERN "*.py")
+
 install(EXPORT murosimf NAMESPACE murosimf:: FILE murosimfTargets.cmake DESTINATION ${murosimf_package_dir})
 
 # A static library passes its private libraries on to whoever links it; the package finds them in the same way.

@@ -1,5 +1,6 @@
 #include "murosimf/recording/state_file.h"
 
+#include <algorithm>
 #include <limits>
 #include <span>
 
@@ -33,7 +34,7 @@ Attachment text_attachment(const std::string& name, const std::string& text, Dur
           .data = text};
 }
 
-void write_state(scene::Scene& scene, const std::filesystem::path& file, const StateFileOptions& options) {
+std::string state_bytes(scene::Scene& scene, const StateFileOptions& options) {
   const Duration now = scene.simulation().now();
   const ScratchFolder folder;
   const std::filesystem::path part = folder.path() / "state.mcap";
@@ -49,7 +50,20 @@ void write_state(scene::Scene& scene, const std::filesystem::path& file, const S
   put_state(bytes, now, scene.simulation().state_hash(), scene.save());
   out.write(channel, now, bytes);
   out.close();
-  files::write_file(file, files::read_input_file(part, std::numeric_limits<std::int64_t>::max()));
+  return files::read_input_file(part, std::numeric_limits<std::int64_t>::max());
+}
+
+void write_state(scene::Scene& scene, const std::filesystem::path& file, const StateFileOptions& options) {
+  files::write_file(file, state_bytes(scene, options));
+}
+
+std::optional<bool> was_pushable(const std::filesystem::path& file) {
+  if (!is_recording(file)) return std::nullopt;
+  const McapReader reader(file);
+  const auto& all = reader.contents().attachments;
+  const bool says = std::ranges::any_of(all, [](const AttachmentIndex& one) { return one.name == "run.json"; });
+  if (!says) return std::nullopt;
+  return parse_run_description(attached_text(reader, "run.json")).pushable;
 }
 
 void load_state(scene::Scene& scene, const std::filesystem::path& file) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "murosimf/recording/attached_files.h"
@@ -17,12 +18,17 @@ struct StateFileOptions {
   AttachedFiles files;
 };
 
-/// Between two steps. The file is whole or not there at all. Throws SetupError.
+/// What stands in such a file. Between two steps. Throws SetupError.
+[[nodiscard]] std::string state_bytes(scene::Scene& scene, const StateFileOptions& options);
+/// The file is whole or not there at all.
 void write_state(scene::Scene& scene, const std::filesystem::path& file, const StateFileOptions& options);
 
 /// Goes on from the last whole state of such a file, of a recording, or of bytes of Scene::save. Throws SetupError that says what does
 /// not fit, and changes nothing then.
 void load_state(scene::Scene& scene, const std::filesystem::path& file);
+
+/// SceneOptions::pushable of the run; nothing if the file does not say it.
+[[nodiscard]] std::optional<bool> was_pushable(const std::filesystem::path& file);
 
 /// What recordings and states say of their run: the metadata "murosimf".
 [[nodiscard]] Metadata run_metadata(const scene::Scene& scene, const std::string& program,

@@ -82,6 +82,7 @@ void Requests::write_status(wire::Status& told) const {
   told.set_last(ns(status.last));
   told.set_events(status.events);
   told.set_warnings(status.warnings);
+  if (status.recorded) told.set_recorded(*status.recorded);
 }
 
 void Requests::welcome(wire::ToSupervisor& answer) {
@@ -117,6 +118,7 @@ void Requests::answer(const FromSupervisor& request, wire::ToSupervisor& answer)
       session_->reset(request.reset().has_seed() ? std::optional(request.reset().seed()) : std::nullopt).get();
       break;
     case FromSupervisor::kSeek: seek(request); break;
+    case FromSupervisor::kRecord: session_->record(request.record().on()).get(); break;
     case FromSupervisor::kBranches: return tell_branches(answer);
     case FromSupervisor::kSave: return save(answer);
     case FromSupervisor::kFinish: session_->finish(); break;
@@ -216,8 +218,9 @@ void Requests::tell_branches(wire::ToSupervisor& answer) {
 void Requests::save(wire::ToSupervisor& answer) {
   wire::SavedState& state = *answer.mutable_state();
   visit([&](scene::Scene& scene) {
-    const std::vector<std::byte> bytes = scene.save();
     state.set_time(ns(scene.simulation().now()));
+    if (save_) return state.set_content(save_(scene));
+    const std::vector<std::byte> bytes = scene.save();
     state.set_content(bytes.data(), bytes.size());
   });
 }

@@ -19,9 +19,11 @@ namespace murosimf::supervise {
 
 class Requests {
  public:
-  /// `given_up`: whether the answer is wanted no more.
-  Requests(session::Session& session, std::function<bool()> given_up)
-      : session_(&session), given_up_(std::move(given_up)) {}
+  using Save = std::function<std::string(scene::Scene&)>;
+
+  /// `save` as in SupervisionOptions. `given_up`: whether the answer is wanted no more.
+  Requests(session::Session& session, Save save, std::function<bool()> given_up)
+      : session_(&session), save_(std::move(save)), given_up_(std::move(given_up)) {}
 
   /// Waits until it is done. Throws SetupError if it cannot be, WireError if it is no request.
   void answer(const wire::FromSupervisor& request, wire::ToSupervisor& answer);
@@ -44,6 +46,7 @@ class Requests {
   void visit(const std::function<void(scene::Scene&)>& look);
 
   session::Session* session_;
+  Save save_;
   std::function<bool()> given_up_;
   std::map<Patterns, std::vector<logging::LoggedNumber>> found_;  // what patterns mean
 };

@@ -21,7 +21,9 @@ struct SupervisionOptions {
   wire::Address address;
   std::string token{};  ///< at least shortest_token characters; empty: one is drawn
   std::function<void(const std::string& line)>
-      say{};               ///< who was refused or dropped, one line each; called by other threads
+      say{};  ///< who was refused or dropped, one line each; called by other threads
+  std::function<std::string(scene::Scene&)>
+      save{};  ///< what supervisors get as a state; called between two steps; none: the bytes of Scene::save
   double hello_limit = 5;  ///< [s] of wall time in which supervisors send the token
   double patience = 10;    ///< [s] of wall time in which they take an answer
 };

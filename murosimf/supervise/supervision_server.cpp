@@ -64,14 +64,13 @@ wire::WallTime after(double s) {
 /// One supervisor, in a thread of its own.
 class Supervisor {
  public:
-  using Say = std::function<void(const std::string& line)>;
-  Supervisor(wire::Caller caller, std::string name, session::Session& session, double patience, Say say)
+  Supervisor(wire::Caller caller, std::string name, session::Session& session, const SupervisionOptions& options)
       : connection_(std::move(caller.connection)),
         name_(std::move(name)),
-        patience_(patience),
-        say_(std::move(say)),
+        patience_(options.patience),
+        say_(options.say),
         wake_(::eventfd(0, EFD_CLOEXEC)),
-        requests_(session, [this] { return ends_.load() || has_gone(); }) {
+        requests_(session, options.save, [this] { return ends_.load() || has_gone(); }) {
     if (wake_ < 0) throw wire::WireError("comes when too many files are open");
     thread_ = std::thread([this] { serve(); });
   }
@@ -97,7 +96,7 @@ class Supervisor {
   wire::Connection connection_;
   std::string name_;
   double patience_;
-  Say say_;
+  std::function<void(const std::string&)> say_;
   int wake_;  // event that ends the thread's waiting
   std::atomic<bool> ends_{false}, over_{false};
   Requests requests_;
@@ -225,7 +224,7 @@ void Server::admit(wire::Caller& caller, std::string_view bytes) {
   }
   const std::string name =
       fmt::format("supervisor {} at {}", connect::printable(hello.name(), longest_name), caller.address);
-  supervisors_.emplace_back(std::move(caller), name, *session_, options_.patience, options_.say);
+  supervisors_.emplace_back(std::move(caller), name, *session_, options_);
 }
 
 void Server::turn_away(wire::Caller& caller, const std::string& reason) {

@@ -55,6 +55,10 @@ def run_until(end):
     return field_bytes(17, field_varint(1, end))
 
 
+def record(on):
+    return field_bytes(18, field_varint(1, int(on)))
+
+
 @dataclass
 class Status:
     """Of the run, between two steps. Times are in nanoseconds of simulated time."""
@@ -70,6 +74,7 @@ class Status:
     last: int = 0  # to
     events: int = 0  # so far
     warnings: int = 0  # so far
+    recorded: bool | None = None  # whether somebody asks for it; None: nobody can
 
 
 @dataclass
@@ -140,7 +145,7 @@ class Branches:
 @dataclass
 class SavedState:
     time: int = 0  # [ns] of simulated time
-    content: bytes = b""  # for --load-state
+    content: bytes = b""  # for murosimf run --from
 
 
 @dataclass
@@ -150,7 +155,7 @@ class Goodbye:
 
 _STATUS = (Status, {1: ("time", signed), 2: ("end", signed), 3: ("paused", bool), 4: ("speed", float),
                     5: ("factor", float), 6: ("jumps", int), 7: ("branch", signed), 8: ("first", signed),
-                    9: ("last", signed), 10: ("events", int), 11: ("warnings", int)})
+                    9: ("last", signed), 10: ("events", int), 11: ("warnings", int), 12: ("recorded", bool)})
 _entity = message_reader(Entity, {1: ("name", text), 2: ("model", text), 3: ("level", text), 4: ("contact", text),
                                   5: ("controller", text), 6: ("team", text), 7: ("present", bool),
                                   8: ("objects", text, EACH)})

@@ -1,6 +1,7 @@
 """Steers a run from outside: murosimf run SCENE --supervise PORT (docs/supervise.md)."""
 
 import os
+import pathlib
 
 from . import supervision
 from .connection import Connection, SimulatorError
@@ -99,9 +100,18 @@ class Supervisor:
     def branches(self):
         return self._ask(supervision.plain(supervision.BRANCHES), supervision.Branches).branches
 
+    def record(self, on=True):
+        """Records the run to the simulator's file (--record FILE --record-on asked), with what was kept before, or no longer."""
+        return self._status_after(supervision.record(on))
+
     def save(self):
-        """The state, as bytes for --load-state."""
+        """The state, as bytes."""
         return self._ask(supervision.plain(supervision.SAVE), supervision.SavedState).content
+
+    def save_to(self, file):
+        """The state, to a file of this computer, from which another run of the scene goes on: murosimf run SCENE --from FILE."""
+        state = self.save()  # nothing is written if it fails
+        pathlib.Path(file).write_bytes(state)
 
     def finish(self):
         """Ends the run: the simulator writes its results."""

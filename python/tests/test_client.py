@@ -4,6 +4,7 @@
     python/tests/test_client.py PROGRAM PROTOC WALK_TO_BALL_TCP
 """
 
+import csv
 import math
 import os
 import pathlib
@@ -93,14 +94,17 @@ class Encoding(unittest.TestCase):
         self.assertEqual(seen(supervision.reset(None)), "reset { }")
         self.assertEqual(seen(supervision.reset(9)), "reset { seed: 9 }")
         self.assertEqual(seen(supervision.seek(-1, None)), "seek { time: -1 }")
+        self.assertEqual(seen(supervision.record(True)), "record { on: true }")
+        self.assertEqual(seen(supervision.record(False)), "record { }")
         self.assertEqual(seen(supervision.seek(5, 0)), "seek { time: 5 branch: 0 }")
 
     def test_what_supervisors_are_sent(self):
         def read(text):
             return supervision.from_simulator(encoded(text, "ToSupervisor", "supervision.proto"))
 
-        status = supervision.Status(1, 2, True, 0.5, 0.25, 3, 4, 5, 6, 7, 8)
-        text = "time: 1 end: 2 paused: true speed: 0.5 factor: 0.25 jumps: 3 branch: 4 first: 5 last: 6 events: 7 warnings: 8"
+        status = supervision.Status(1, 2, True, 0.5, 0.25, 3, 4, 5, 6, 7, 8, False)
+        text = ("time: 1 end: 2 paused: true speed: 0.5 factor: 0.25 jumps: 3 branch: 4 first: 5 last: 6 events: 7 warnings: 8 "
+                "recorded: false")
         self.assertEqual(read(f"status {{ {text} }}"), status)
         self.assertEqual(read(f'welcome {{ scene: "s" seed: 1 tick: 2 status {{ {text} }} }}'),
                          supervision.Welcome("s", 1, 2, status))
@@ -158,8 +162,8 @@ class Encoding(unittest.TestCase):
 class Run:
     """A run of the example scene, with what it prints."""
 
-    def __init__(self, *options):
-        self.process = subprocess.Popen([PROGRAM, "run", SCENE, "--listen", "0", "--duration", "10", *options],
+    def __init__(self, *options, duration=10):
+        self.process = subprocess.Popen([PROGRAM, "run", SCENE, "--listen", "0", "--duration", str(duration), *options],
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.port = int(self.process.stderr.readline().rpartition(":")[2])
 
@@ -221,6 +225,46 @@ class Walking(unittest.TestCase):
         self.assertEqual(len(errors), 2)
         for error in errors:
             self.assertIn("did you mean 'imu.gyroscope'", error)
+
+    def test_leds_gains_and_limits(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "leds.csv")
+            logged = ["left.*.robot_led", *(f"left.j_head.servo_{what}" for what in ("led", "position_gain", "torque_limit"))]
+            run = Run("--set", "defaults.level=articulated_dynamics", *(word for name in logged for word in ("--log", name)),
+                      "--out", file, duration=0.3)
+
+            def shine(name):
+                with Robot(name, run.port) as robot:
+                    leds, led = robot.command("joint.led"), robot.command("robot.led")
+                    gains, limits = robot.command("joint.position_gain"), robot.command("joint.torque_limit")
+                    head = gains.labels.index("j_head")
+                    before.append((gains.values[head], limits.values[head]))
+                    for cycle in robot.cycles():
+                        if cycle.now < 10**8:
+                            continue
+                        leds.values[leds.labels.index("j_head")] = 0.5
+                        led.values[:] = [1.0, 0.25, 0.0]
+                        gains.values[head] = before[0][0] / 2
+                        limits.values[head] = before[0][1] / 4
+
+            before = []
+            threads = [threading.Thread(target=shine, args=[name]) for name in ("left", "right")]
+            for thread in threads:
+                thread.start()
+            code, _, err = run.end()
+            self.assertEqual(code, 0, err)
+            for thread in threads:
+                thread.join(TIME_LIMIT)
+            with open(file, newline="") as table:
+                rows = list(csv.DictReader(table))
+
+            def numbers(row):
+                return [float(value) for name, value in row.items() if name != "time [s]"]
+
+            (gain, limit), _ = before
+            self.assertGreater(min(gain, limit), 0)
+            self.assertEqual(numbers(rows[0]), [0, 0, 0, 0, gain, limit])
+            self.assertEqual(numbers(rows[-1]), [1, 0.25, 0, 0.5, gain / 2, limit / 4])
 
     def test_who_is_refused_is_told_why(self):
         run = Run("--set", "defaults.options.wait=1")
@@ -302,10 +346,49 @@ class Supervising(unittest.TestCase):
                 supervisor.finish()
             code, out, err = run.end()
             self.assertEqual((code, err), (0, ""))
-            again = subprocess.run([PROGRAM, "rerun", file], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                                   timeout=TIME_LIMIT)
+            again = subprocess.run([PROGRAM, "rerun", file], capture_output=True, text=True, timeout=TIME_LIMIT)
             self.assertIn("no difference", again.stdout, again.stderr)
             self.assertEqual((again.returncode, again.stderr), (0, ""))
+
+    def test_records_what_is_asked_for(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "asked.mcap")
+            run = SupervisedRun("--record", file, "--record-on", "asked,fall", "--keep", "0.2")
+            with run.supervisor() as supervisor:
+                self.assertIs(supervisor.advance(1.0).recorded, False)
+                self.assertIs(supervisor.record().recorded, True)
+                supervisor.push("walker.torso", [0, 2, 0], 0.1)
+                supervisor.advance(0.5)
+                self.assertIs(supervisor.record(False).recorded, False)
+                supervisor.advance(1.0)
+                supervisor.finish()
+            self.assertEqual(run.end()[::2], (0, ""))
+            again = subprocess.run([PROGRAM, "rerun", file], capture_output=True, text=True, timeout=TIME_LIMIT)
+            self.assertIn("no difference", again.stdout, again.stderr)
+            begin, end = map(float, re.search(r"from (\S+) s to (\S+) s", again.stdout).groups())
+            self.assertTrue(0.6 <= begin <= 0.8 and 1.4 <= end <= 1.7, again.stdout)
+        run = SupervisedRun()
+        with run.supervisor() as supervisor:
+            self.assertIsNone(supervisor.status().recorded)
+            with self.assertRaisesRegex(RequestRefused, "--record-on asked"):
+                supervisor.record()
+            supervisor.finish()
+        run.end()
+
+    def test_another_run_goes_on_from_a_saved_state(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "one.state")
+            run = SupervisedRun()
+            with run.supervisor() as supervisor:
+                supervisor.advance(1.0)
+                supervisor.save_to(file)
+                supervisor.finish()
+            run.end()
+            walk = [PROGRAM, "run", "walk", "--set", "walker.level=simplified_dynamics", "--duration", "2"]
+            hashes = [re.search(r"state hash (\w+)", subprocess.run([*walk, *more], capture_output=True, text=True, check=True,
+                                                                    timeout=TIME_LIMIT).stdout)[1]
+                      for more in ([], ["--from", file])]
+            self.assertEqual(*hashes)
 
     def test_who_does_not_know_the_token_is_refused(self):
         run = SupervisedRun()

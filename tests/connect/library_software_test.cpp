@@ -43,6 +43,11 @@ double head_target(const scene::Scene& scene, const std::string& robot = "walker
   return scene.simulation().world().entity(robot).object("j_head").get(properties::joint_target);
 }
 
+std::size_t open_files() {
+  const fs::directory_iterator all("/proc/self/fd");
+  return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+}
+
 std::string refusal(const std::string& library, const std::vector<std::string>& options = {}) {
   const std::string message =
       fixtures::error_of([&] { scene::Scene("walk", with(walker_with(controllers + library, options))); });
@@ -226,6 +231,27 @@ TEST(LibrarySoftware, MayRefuseItsRobot) {
                              {"unknown option of library '", "'mistak'; did you mean 'mistake'?"}));
   EXPECT_TRUE(fixtures::says(refusal("controller_1.so", {"options.at=early"}),
                              {"the option 'at' is a text; it must be a number"}));
+}
+
+// Whether it is refused, throws, or runs to the end.
+TEST(LibrarySoftware, LeavesNoFileOpen) {
+  const auto use = [] {
+    for (const std::string name :
+         {"nosuch.so", "controller_other_abi.so", "controller_no_entry.so", "controller_unknown_symbol.so"}) {
+      (void)refusal(name);
+    }
+    for (const std::string mistake : {"create", "throw", "far"}) {
+      try {
+        scene::Scene scene("walk", with(walker_with(controllers + "controller_1.so", {"options.mistake=" + mistake})));
+        scene.simulation().run(40ms);
+      } catch (const SetupError&) {
+      }
+    }
+  };
+  use();  // what the process keeps from then on
+  const std::size_t files = open_files();
+  use();
+  EXPECT_EQ(open_files(), files);
 }
 
 /// Runs until the robot's software has said something, for 10 s at most. The last thing that it has said.

@@ -276,6 +276,14 @@ TEST(Supervision, SavesAState) {
   EXPECT_EQ(other.simulation().state_hash(), hash_at(1s));
 }
 
+TEST(Supervision, HasNothingRecordedWhereNobodyCanAsk) {
+  SupervisedRun run;
+  Client client(run, run.supervision->token());
+  EXPECT_FALSE(client.ask([](FromSupervisor& m) { m.mutable_status(); }).status().has_recorded());
+  EXPECT_TRUE(says(client.ask([](FromSupervisor& m) { m.mutable_record()->set_on(true); }).refused().reason(),
+                   {"--record-on asked"}));
+}
+
 TEST(Supervision, EndsTheRun) {
   SupervisedRun run;
   Client client(run, run.supervision->token()), other(run, run.supervision->token());
