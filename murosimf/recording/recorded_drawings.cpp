@@ -182,7 +182,7 @@ DrawnGroup read_group(ProtobufReader in, const std::string& robot) {
 
 void SketchWatch::take(const std::vector<RecordedEntity>& entities, RecordedFrame& frame) {
   for (std::size_t i = 0; i < entities.size(); ++i) {
-    const Column<Drawings>* drawn = entities[i].entity->find(properties::drawings);
+    const Column<Drawings>* drawn = entities[i].columns.drawings;
     if (!drawn) continue;
     const auto [seen, is_new] = seen_.try_emplace(i, 0);
     if (seen->second == drawn->values[0].changes) continue;
