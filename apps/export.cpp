@@ -32,12 +32,7 @@ void define(const Command& command, ExportOptions& options) {
 int export_motion(const recording::McapReader& file, const ExportOptions& options) {
   if (!options.patterns.empty())
     throw SetupError("--bvh writes the motion of all joints: it takes no names of numbers");
-  constexpr double seen = 0.001;  // [m]
-  const recording::BvhMotion motion = recording::bvh_of(file, options.robot);
-  if (motion.gave_way > seen) {
-    say_warning(fmt::format("joints gave way by up to {:.1f} mm; BVH has none that do", 1000 * motion.gave_way));
-  }
-  files::write_file(options.bvh, motion.text);
+  files::write_file(options.bvh, recording::bvh_of(file, options.robot));
   return 0;
 }
 

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double centimetres = 100, degrees = 180 / std::numbers::pi;
 constexpr double digits = 1e-6;               // of what is written, and no -0
-constexpr double slides = 0.005;              // [m] more than joints of any level give way
+constexpr double slides = 0.001;              // [m] from the mean: far more than steps of what is recorded
 constexpr double stub = 0.05;                 // [m] of an end that has no direction
 constexpr std::size_t most_frames = 1000000;  // nearly three hours at 100 Hz
 constexpr std::size_t most_joints = 1000;
@@ -114,13 +114,11 @@ class Motion {
     check_sliding(file, robot);
   }
 
-  [[nodiscard]] BvhMotion write(Duration period) const {
-    BvhMotion motion;
-    for (const Joint& joint : joints_) motion.gave_way = std::max(motion.gave_way, gave_way(joint));
-    motion.text = "HIERARCHY\n";
-    put_joint(motion.text, 0, 0);
-    put_motion(motion.text, period);
-    return motion;
+  [[nodiscard]] std::string write(Duration period) const {
+    std::string text = "HIERARCHY\n";
+    put_joint(text, 0, 0);
+    put_motion(text, period);
+    return text;
   }
 
  private:
@@ -180,16 +178,15 @@ class Motion {
       }
     }
     for (std::size_t i = 1; i < joints_.size(); ++i) {
-      if (gave_way(joints_[i]) > slides) refuse_sliding(robot, joints_[i].name);
+      if (moved(joints_[i]) > slides) refuse_sliding(robot, joints_[i].name);
     }
   }
   [[noreturn]] static void refuse_sliding(const std::string& robot, const std::string& joint) {
     throw SetupError(fmt::format("joint '{}' of '{}' slides; BVH has only joints that turn", joint, robot));
   }
 
-  /// [m] from the mean.
-  [[nodiscard]] double gave_way(const Joint& joint) const {
-    if (&joint == joints_.data()) return 0;
+  /// [m] how far its place was from the mean.
+  [[nodiscard]] double moved(const Joint& joint) const {
     const Vec3d mean = offset(joint);
     return std::max(norm(joint.high - mean), norm(joint.low - mean));
   }
@@ -271,7 +268,7 @@ Vec3d bvh_angles(const Mat3d& R) noexcept {
   return {std::atan2(-R.y.x, R.y.y), std::atan2(sine, cosine), std::atan2(-R.x.z, R.z.z)};
 }
 
-BvhMotion bvh_of(const McapReader& recording, const std::string& robot) {
+std::string bvh_of(const McapReader& recording, const std::string& robot) {
   return with_context(recording.file().string(), [&] {
     const std::string name = robot_of(links_by_owner(recording), robot);
     return Motion(recording, name).write(period_of(recording));

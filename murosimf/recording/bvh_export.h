@@ -1,6 +1,6 @@
 /// bvh_export.h - one robot of a recording as motion capture: the BVH file (Biovision hierarchy) that Blender and others read.
 ///
-///     std::ofstream("blue1.bvh") << bvh_of(McapReader("game.mcap"), "blue1").text;
+///     files::write_file("blue1.bvh", bvh_of(McapReader("game.mcap"), "blue1"));
 ///
 /// Axes are those of BVH, y up: its X, Y and Z are y (left), z (up) and x (forward) of the robot and the world; lengths are centimetres,
 /// angles degrees. A joint turns by Rz(a) Rx(b) Ry(c), its channels Zrotation, Xrotation and Yrotation:
@@ -16,14 +16,9 @@
 
 namespace murosimf::recording {
 
-struct BvhMotion {
-  std::string text;     ///< the file
-  double gave_way = 0;  ///< [m] how far joints have moved from their means; BVH shows the means
-};
-
 /// `robot`: its name; empty: the only one that has joints. One frame for each of the recording's period from the robot's first on, which
 /// is the last one where some are missing. Throws SetupError: no such robot, a joint slides, no poses, a damaged file.
-[[nodiscard]] BvhMotion bvh_of(const McapReader& recording, const std::string& robot);
+[[nodiscard]] std::string bvh_of(const McapReader& recording, const std::string& robot);
 
 /// (a, b, c) [rad] of Rz(a) Rx(b) Ry(c) = R.
 [[nodiscard]] Vec3d bvh_angles(const Mat3d& R) noexcept;

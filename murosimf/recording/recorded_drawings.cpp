@@ -182,7 +182,7 @@ DrawnGroup read_group(ProtobufReader in, const std::string& robot) {
 
 void SketchWatch::take(const std::vector<RecordedEntity>& entities, RecordedFrame& frame) {
   for (std::size_t i = 0; i < entities.size(); ++i) {
-    const Column<Drawings>* drawn = entities[i].entity->find(properties::drawings);
+    const Column<Drawings>* drawn = entities[i].columns.drawings;
     if (!drawn) continue;
     const bool present = entities[i].entity->present();
     const std::uint64_t now = present ? drawn->values[0].changes + 1 : 0;  // who is absent shows nothing

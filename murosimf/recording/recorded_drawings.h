@@ -25,6 +25,7 @@ class FrameWriter;
 /// In the simulation's thread: looks for what is new. At first all is, also that there is nothing.
 class SketchWatch {
  public:
+  /// After take_numbers(), which finds the columns.
   void take(const std::vector<RecordedEntity>& entities, RecordedFrame& frame);
 
  private:

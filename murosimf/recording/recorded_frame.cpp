@@ -63,6 +63,7 @@ void RecordedColumns::follow(const Entity& entity) {
   joint_velocity = keep(entity, properties::joint_velocity);
   joint_torque = keep(entity, properties::joint_torque);
   joint_target = keep(entity, properties::joint_target);
+  drawings = keep(entity, properties::drawings);
   level_ = entity.level;
 }
 

@@ -26,6 +26,7 @@ class RecordedColumns {
   const Column<Mat3d>* orientation = nullptr;
   const Column<double>*joint_position = nullptr, *joint_velocity = nullptr, *joint_torque = nullptr,
         *joint_target = nullptr;
+  const Column<Drawings>* drawings = nullptr;
 
  private:
   template <class T>
