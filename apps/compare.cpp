@@ -10,6 +10,7 @@
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/compare/compare_report.h"
+#include "murosimf/recording/state_file.h"
 
 namespace murosimf::app {
 namespace {
@@ -19,6 +20,7 @@ struct CompareArguments {
   std::vector<std::string> thresholds;  ///< NAME=VALUE
   std::string json;                     ///< file, "-" for standard output
   std::string plots;                    ///< folder for PNG files
+  std::string from;                     ///< file with a state; empty: the scene's beginning
   std::vector<std::string> plugins;
 };
 
@@ -31,7 +33,8 @@ void define(const Command& command, CompareArguments& arguments) {
       .separated_by(',');
   command.add("--set", options.overrides, "PATH=VALUE: change the scene, for example 'field.surface=grass'")
       .one_at_a_time();
-  command.add("--duration", options.duration, "Simulated seconds, instead of the scene's");
+  command.add("--duration", options.duration, "Simulated seconds at the end, instead of the scene's");
+  command.add("--from", arguments.from, "Begin from a state of this scene: of 'run --save-at', or a recording");
   add_seed(command, options.seed);
   command.add("--repeat", options.repeat, "Timed runs per level; their median counts").within(1, 1000).shows_default();
   command.add("--threshold", arguments.thresholds, "NAME=VALUE: what still counts as the same").one_at_a_time();
@@ -54,6 +57,9 @@ int compare(const CompareArguments& arguments) {
   compare::CompareOptions options = arguments.options;
   options.progress = [&](double share, const std::string& what) { progress->show(share, what); };
   options.stop = interrupted;
+  if (!arguments.from.empty()) {
+    options.go_to_start = [&](scene::Scene& scene) { recording::load_state(scene, arguments.from); };
+  }
   const compare::Comparison comparison = compare::compare(options);
   progress.reset();
   if (comparison.stopped) say_error(fmt::format("stopped by {}; what had not ended is missing", signal_name()));

@@ -1,10 +1,11 @@
-// `murosimf export`: numbers of a recording as a table.
+// `murosimf export`: numbers of a recording as a table, or a robot's motion.
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
 #include "apps/last_words.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
+#include "murosimf/recording/bvh_export.h"
 #include "murosimf/recording/recorded_series.h"
 
 namespace murosimf::app {
@@ -13,23 +14,42 @@ namespace {
 struct ExportOptions {
   std::string file;                   ///< MCAP
   std::vector<std::string> patterns;  ///< numbers; none: all
-  std::string csv, npy;               ///< files to write
+  std::string csv, npy, bvh;          ///< files to write
+  std::string robot;                  ///< of the motion
 };
 
 void define(const Command& command, ExportOptions& options) {
   command.add("file", options.file, "Recording (MCAP) of 'murosimf run --record'").required();
   command.add("patterns", options.patterns, "Numbers, like 'blue1.*.joint_position'; all if not given");
   const Option csv = command.add("--csv", options.csv, "Table to write (CSV), as 'run --log' does");
-  command.add("--npy", options.npy, "Array to write for NumPy, with a named field for each number").excludes(csv);
+  const Option npy = command.add("--npy", options.npy, "Array to write for NumPy, with a named field for each number");
+  const Option bvh = command.add("--bvh", options.bvh, "Motion of a robot to write (BVH), for Blender");
+  npy.excludes(csv);
+  bvh.excludes(csv).excludes(npy);
+  command.add("--robot", options.robot, "Whose motion; not needed where only one has joints").needs(bvh);
+}
+
+int export_motion(const recording::McapReader& file, const ExportOptions& options) {
+  if (!options.patterns.empty())
+    throw SetupError("--bvh writes the motion of all joints: it takes no names of numbers");
+  constexpr double seen = 0.001;  // [m]
+  const recording::BvhMotion motion = recording::bvh_of(file, options.robot);
+  if (motion.gave_way > seen) {
+    say_warning(fmt::format("joints gave way by up to {:.1f} mm; BVH has none that do", 1000 * motion.gave_way));
+  }
+  files::write_file(options.bvh, motion.text);
+  return 0;
 }
 
 int export_recording(const ExportOptions& options) {
-  if (options.csv.empty() == options.npy.empty()) {
-    throw SetupError("say where the numbers go: either --csv FILE.csv or --npy FILE.npy");
+  const std::string out = options.csv + options.npy + options.bvh;  // only one
+  if (out.empty()) {
+    throw SetupError("say where it goes: --csv FILE.csv or --npy FILE.npy for numbers, or --bvh FILE.bvh for a motion");
   }
-  files::check_writable(options.csv.empty() ? options.npy : options.csv);
+  files::check_writable(out);
   const recording::McapReader file(options.file);
   if (!file.contents().damage.empty()) say_warning(fmt::format("{}: {}", options.file, file.contents().damage));
+  if (!options.bvh.empty()) return export_motion(file, options);
   const std::vector<logging::LogSeries> series = recording::series_of(file, options.patterns);
   if (!options.npy.empty()) {
     files::write_file(options.npy, recording::to_npy(series));
@@ -44,7 +64,8 @@ int export_recording(const ExportOptions& options) {
 }  // namespace
 
 void add_export(CommandLine& line) {
-  line.add<ExportOptions>("export", "Write numbers of a recording as a table", define, export_recording);
+  line.add<ExportOptions>("export", "Write numbers of a recording as a table, or the motion of a robot", define,
+                          export_recording);
 }
 
 }  // namespace murosimf::app

@@ -1,13 +1,17 @@
 #include "apps/picture_source.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "apps/interruption.h"
 #include "apps/option_values.h"
+#include "murosimf/connect/drawn.h"
+#include "murosimf/model/properties.h"
 #include "murosimf/render/image_png.h"
 #include "murosimf/render/renderer.h"
+#include "murosimf/render/seen_drawing.h"
 #include "murosimf/scene/scene_pictures.h"
 #include "murosimf/scene/scene_viewpoints.h"
 
@@ -31,8 +35,10 @@ class Eye final : public PictureSource {
         view_(options.view),
         size_(read_size(options.size)),
         layer_(layer_of(options.layer)),
+        drawings_(options.drawings.begin(), options.drawings.end()),
         fps_(options.fps),
         slow_(options.slow) {
+    if (!drawings_.empty() && layer_ != Layer::color) throw SetupError("--drawings are drawn over colors");
     (void)scene::viewpoint_perspective(scene, view_, size_.width, size_.height);
     const auto for_people = [shadows = !options.no_shadows](scene_file::LightSpec& light) {
       light.shadows = shadows;
@@ -49,17 +55,37 @@ class Eye final : public PictureSource {
     sensors::View view;
     const sensors::Layers layers{layer_ == Layer::color, layer_ == Layer::depth, layer_ == Layer::labels};
     render::Renderer& renderer = painter_->renderer();
-    renderer.draw(scene::viewpoint_perspective(scene_, view_, size_.width, size_.height), layers, 0, view);
+    const sensors::Perspective from = scene::viewpoint_perspective(scene_, view_, size_.width, size_.height);
+    renderer.draw(from, layers, 0, view);
     if (const std::string trouble = renderer.trouble(); !trouble.empty()) throw SetupError(trouble);
+    if (!drawings_.empty()) draw_drawings(from, view.color);
     if (layer_ == Layer::depth) return render::shown(view.depth);
     return layer_ == Layer::labels ? render::shown(view.labels) : std::move(view.color);
   }
 
  private:
+  /// Of those groups that are wanted.
+  void draw_drawings(const sensors::Perspective& from, imaging::ColorImage& picture) const {
+    const World& world = scene_.simulation().world();
+    std::vector<render::SeenShape> shapes;
+    for (const connect::Drawn& drawn : connect::drawn_by_robots(world)) {
+      const auto base = world.entities()[static_cast<std::size_t>(drawn.entity)]->base();
+      const Transformd robot{base.get(properties::position), base.get(properties::orientation)};
+      for (const DrawnGroup& group : drawn.groups) {
+        if (!drawings_.contains("all") && !drawings_.contains(drawn.by + "/" + group.name)) continue;
+        for (const DrawnShape& shape : group.shapes) {
+          render::see(shape, group.of_robot ? robot : Transformd{}, from, shapes);
+        }
+      }
+    }
+    render::draw_over(picture, shapes);
+  }
+
   scene::Scene& scene_;
   std::string view_;
   PictureSize size_;
   Layer layer_;
+  std::set<std::string> drawings_;
   double fps_, slow_;
   std::unique_ptr<scene::ScenePainter> painter_;
 };

@@ -92,7 +92,7 @@ void add_record(const Command& command, RecordOptions& options) {
       .shows_default();
   command
       .add("--record-what", options.what,
-           fmt::format("What is recorded, of {}; all but sensors if not given",
+           fmt::format("What is recorded, of {}; all but sensors and pictures if not given",
                        fmt::join(recording::recordable(), ", ")))
       .needs(record)
       .separated_by(',')

@@ -34,6 +34,12 @@ void define(const Command& command, RenderOptions& options) {
   command
       .add("--stance", options.stance, "Yellow feet where a robot stands at kinematic_walking, in pictures from a view")
       .excludes(camera);
+  command
+      .add("--drawings", options.drawings,
+           "What control software draws, in pictures from a view: groups as ROBOT/NAME, or all of them")
+      .value_if_alone("all")
+      .separated_by(',')
+      .excludes(camera);
   command.add("--out", options.out, "PNG file to write");
   const Option video = command.add("--video", options.video, "Video file to write, .mp4, .webm or .gif (needs ffmpeg)");
   command.add("--fps", options.fps, "Pictures per second of a video; a camera has its own")

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/scene_arguments.h"
 
@@ -10,19 +11,20 @@ namespace murosimf::app {
 
 struct RenderOptions {
   SceneArguments scene;
-  double time = 0;                 ///< [s] of the picture, or of the video's beginning
-  std::string view;                ///< name of a place (scene/scene_viewpoints.h)
-  std::string camera;              ///< ROBOT.CAMERA instead
-  std::string size;                ///< WIDTHxHEIGHT; empty: 1280x720
-  std::string layer = "color";     ///< or depth, labels
-  std::string light;               ///< instead of the scene's
-  bool stance = false;             ///< standing feet of kinematic walkers are yellow
-  bool no_shadows = false;         ///< in pictures for people; cameras have what the scene says
-  std::string out;                 ///< PNG file
-  std::string video;               ///< video file
-  double fps = 25;                 ///< of a video that is no camera's
-  double slow = 1;                 ///< a video takes so many times longer than what it shows
-  std::optional<double> duration;  ///< [s] of the video
+  double time = 0;                    ///< [s] of the picture, or of the video's beginning
+  std::string view;                   ///< name of a place (scene/scene_viewpoints.h)
+  std::string camera;                 ///< ROBOT.CAMERA instead
+  std::string size;                   ///< WIDTHxHEIGHT; empty: 1280x720
+  std::string layer = "color";        ///< or depth, labels
+  std::string light;                  ///< instead of the scene's
+  bool stance = false;                ///< standing feet of kinematic walkers are yellow
+  bool no_shadows = false;            ///< in pictures for people; cameras have what the scene says
+  std::vector<std::string> drawings;  ///< groups that control software draws, "blue1/ball"; "all"; none
+  std::string out;                    ///< PNG file
+  std::string video;                  ///< video file
+  double fps = 25;                    ///< of a video that is no camera's
+  double slow = 1;                    ///< a video takes so many times longer than what it shows
+  std::optional<double> duration;     ///< [s] of the video
 };
 
 }  // namespace murosimf::app

@@ -58,7 +58,7 @@ void show_in_browsers(const std::shared_ptr<const recording::RecordedRun>& run, 
                       const ReplayOptions& options) {
   session::Session session(std::make_unique<playback::RecordedCourse>(run, repeat),
                            {.speed = read_speed(options.speed)});
-  const auto view = web_view_of(session.scene(), session, options.web, nullptr);
+  const auto view = web_view_of(session.scene(), session, options.web, {});
   session.run(run->end());
 }
 

@@ -7,6 +7,7 @@
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/option_values.h"
+#include "apps/roboviz_arguments.h"
 #include "apps/run_advance.h"
 #include "apps/run_options.h"
 #include "apps/run_outputs.h"
@@ -54,6 +55,7 @@ int run(const RunOptions& options) {
   RunAdvance advance(scene, options, outputs, game.get(), end);
   advance.run();
   scene::RunReport report = make_report(scene, advance.wall(), advance.lateness());
+  report.drawings = packets_of(advance.roboviz());
   if (scene.simulation().now() < end) report.stopped = {why_stopped(advance), asked};
   const RunOutputs::Written written = outputs.write(report);
   if (advance.crashed()) return unexpected;

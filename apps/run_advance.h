@@ -2,10 +2,12 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 
 #include "apps/progress.h"
 #include "apps/run_options.h"
 #include "apps/run_outputs.h"
+#include "murosimf/connect/roboviz_door.h"
 #include "murosimf/runtime/clock.h"
 
 namespace murosimf::app {
@@ -23,6 +25,8 @@ class RunAdvance {
   /// [wall] without that for pictures.
   [[nodiscard]] Duration wall() const { return wall_; }
   [[nodiscard]] const Lateness& lateness() const { return lateness_; }
+  /// Null if no other program draws.
+  [[nodiscard]] const connect::RobovizDoor* roboviz() const { return roboviz_.get(); }
 
  private:
   using WallClock = std::chrono::steady_clock;
@@ -37,6 +41,7 @@ class RunAdvance {
   const RunOptions& options_;
   RunOutputs& outputs_;
   const league::League* game_;
+  std::unique_ptr<connect::RobovizDoor> roboviz_;
   Duration start_, end_;
   WallClock::time_point wall_start_ = WallClock::now();
   Progress line_;

@@ -1,5 +1,6 @@
 #include "apps/run_options.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/option_values.h"
+#include "apps/roboviz_arguments.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/state_file.h"
@@ -55,6 +57,7 @@ void define_run(const Command& command, RunOptions& options) {
   add_game(command, options.game);
   command.add("--listen", options.listen,
               "Take control software for robots with the controller 'tcp': PORT of this computer alone, or HOST:PORT");
+  add_roboviz(command, options.roboviz);
   add_supervision(command, options.supervision).excludes(pictures);
   command.add("--serial", options.serial,
               "Folder for links to the serial lines of robots with controller = \"serial\", one for each, named as it");
@@ -66,6 +69,9 @@ void check(const RunOptions& options) {
   if (options.duration) (void)read_duration(*options.duration);
   check(options.record, !options.supervision.where.empty());
   check(options.web);
+  if (options.no_cameras && std::ranges::find(options.record.what, "pictures") != options.record.what.end()) {
+    throw SetupError("--record-what pictures: --no-cameras lets nothing be drawn for cameras");
+  }
   if (is_steered(options) && !options.pictures.empty()) {
     throw SetupError("--pictures are taken of runs that nobody stops or takes back: without --web and --supervise");
   }

@@ -26,6 +26,7 @@ struct RunOptions {
   std::string out;                 ///< CSV file for that
   double log_rate = 100;           ///< [Hz] of properties in it
   std::string listen;              ///< [HOST:]PORT, empty: nobody can connect
+  std::string roboviz;             ///< [HOST:]PORT, empty: no other program draws
   RecordOptions record;
   std::string serial;                ///< folder for links to serial lines
   bool no_cameras = false;           ///< nothing is drawn for cameras

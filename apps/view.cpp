@@ -6,6 +6,7 @@
 #include "apps/last_words.h"
 #include "apps/option_values.h"
 #include "apps/repeat_arguments.h"
+#include "apps/roboviz_arguments.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/files/output_file.h"
@@ -21,10 +22,10 @@ namespace {
 
 struct ViewOptions {
   SceneArguments scene;
-  std::string speed = "1", size = "1280x720", keys, script, screenshot, json;
+  std::string speed = "1", size = "1280x720", keys, script, screenshot, json, roboviz;
   std::optional<double> after, duration;
   std::optional<std::int64_t> samples;
-  bool paused = false, no_shadows = false;
+  bool paused = false, no_shadows = false, shadows = false;
 };
 
 void define(const Command& command, ViewOptions& options) {
@@ -35,13 +36,15 @@ void define(const Command& command, ViewOptions& options) {
   command.add("--duration", options.duration, "Simulated seconds after which it pauses; without end if not given");
   command.add("--size", options.size, "WIDTHxHEIGHT of the window in pixels").shows_default();
   command.add("--keys", options.keys, "Which key does what (TOML; docs/viewer.md)");
-  command.add("--no-shadows", options.no_shadows, "Draw no shadows");
+  const Option none = command.add("--no-shadows", options.no_shadows, "Draw no shadows");
+  command.add("--shadows", options.shadows, "Draw shadows also where that is slow").excludes(none);
   command.add("--samples", options.samples, "To a pixel, for smooth edges; 4 with a graphics card, else 1 if not given")
       .within(1, 8);
   const Option script = command.add("--script", options.script, "Do what this file says, then end (docs/viewer.md)");
   const Option after =
       command.add("--after", options.after, "End after so many seconds").within(0.0, 1e6).excludes(script);
   command.add("--screenshot", options.screenshot, "PNG file of the window, at the end").needs(after);
+  add_roboviz(command, options.roboviz);
   add_json(command, options.json);
 }
 
@@ -58,7 +61,7 @@ viewer::WindowOptions window_options(const ViewOptions& options) {
     throw SetupError(fmt::format("--samples {}: must be 1, 2, 4 or 8", *options.samples));
   }
   if (options.samples) window.samples = static_cast<int>(*options.samples);
-  window.shadows = !options.no_shadows;
+  if (options.shadows || options.no_shadows) window.shadows = options.shadows;
   return window;
 }
 
@@ -90,6 +93,8 @@ int view(const ViewOptions& options) {
   if (const std::string reason = viewer::no_window_because(); !reason.empty()) throw SetupError(reason);
   viewer_options.make_course = course_of(options.scene, viewer_options.end);
   viewer_options.session.paused = options.paused;
+  const auto roboviz = roboviz_door(options.roboviz);
+  viewer_options.roboviz = roboviz.get();
   viewer::Viewer viewer(viewer_options);
   const viewer::WindowReport shown = show(viewer, window);
   viewer.settle();

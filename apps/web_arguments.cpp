@@ -41,11 +41,13 @@ std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, con
 }
 
 std::unique_ptr<web::WebView> web_view_of(scene::Scene& scene, session::Session& session, const WebArguments& arguments,
-                                          const league::GameTask* game) {
+                                          const ShownInBrowsers& shown) {
   if (arguments.web.empty()) return nullptr;
   auto view = with_context("--web", [&] {
     return std::make_unique<web::WebView>(scene, session,
-                                          web::WebOptions{.address = address_of(arguments.web), .game = game});
+                                          web::WebOptions{.address = address_of(arguments.web),
+                                                          .game = shown.game,
+                                                          .roboviz = shown.roboviz});
   });
   const std::string missing = web::WebView::no_page();
   if (missing.empty()) {

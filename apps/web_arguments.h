@@ -27,9 +27,14 @@ void check(const WebArguments& arguments);
 [[nodiscard]] std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene,
                                                                       const WebArguments& arguments);
 
-/// Shows the session in browsers from now on; its addresses are said. Null if nobody looks on. `game`: whose score
-/// is shown, null if nobody referees. Throws SetupError, with the option.
+/// What browsers show besides the scene; all of it must outlive the view.
+struct ShownInBrowsers {
+  const league::GameTask* game = nullptr;         ///< whose score; null: nobody referees
+  const connect::RobovizDoor* roboviz = nullptr;  ///< what other programs draw; null: they do not
+};
+
+/// Shows the session in browsers from now on; its addresses are said. Null if nobody looks on. Throws SetupError, with the option.
 [[nodiscard]] std::unique_ptr<web::WebView> web_view_of(scene::Scene& scene, session::Session& session,
-                                                        const WebArguments& arguments, const league::GameTask* game);
+                                                        const WebArguments& arguments, const ShownInBrowsers& shown);
 
 }  // namespace murosimf::app

@@ -4,6 +4,7 @@
 
 #include "murosimf/collision/contact_parameters.h"
 #include "murosimf/collision/contact_properties.h"
+#include "murosimf/collision/ground_lanes.h"
 #include "murosimf/collision/impulse_response.h"
 #include "murosimf/collision/soft_start.h"
 #include "murosimf/model/properties.h"
@@ -130,34 +131,67 @@ void GroundContact::rest() noexcept {
 }
 
 void GroundContact::step(const Instant& instant) noexcept {
-  if (dynamic_ == 0) return rest();
+  if (!begin_step(instant)) return;
+  finder_.find_on_planes(r_, R_, set_.points, set_.tests);
+  find_rest(0);
+  end_step(instant);
+}
+
+bool GroundContact::goes_with(const Algorithm& other) const {
+  const auto* same = dynamic_cast<const GroundContact*>(&other);
+  return same && finder_.finds_like(same->finder_);
+}
+
+std::unique_ptr<LaneGroup> GroundContact::join(std::span<Algorithm* const> members) const {
+  return std::make_unique<GroundLanes>(members_of<GroundContact>(members));
+}
+
+/// False if there is nothing to be found.
+bool GroundContact::begin_step(const Instant& instant) noexcept {
+  if (dynamic_ == 0) {
+    rest();
+    return false;
+  }
   clear_loads();
+  const Wrenchd* const applied = applied_force_.data();
+  Wrenchd *const external = external_force_.data(), *const rest_force = set_.rest_force.data();
   for (const int object : model().bodies()) {
-    external_force_[object] = set_.rest_force[object] = applied_force_[object];
+    external[object] = rest_force[object] = applied[object];
   }
   choose_terms();
   seam_.terms.dt = seconds(instant.period);
-  find_contacts();
+  previous_.swap(set_.points);
+  set_.points.clear();
+  set_.tests = {};
+  return true;
+}
+
+/// After the contacts with planes: the others, and the velocities of all from number `first` on.
+void GroundContact::find_rest(std::size_t first) noexcept {
+  finder_.find_on_statics(r_, R_, set_.points, set_.tests);
+  set_velocities(first);
+}
+
+void GroundContact::set_velocities(std::size_t first) noexcept {
+  for (std::size_t i = first; i < set_.points.size(); ++i) {
+    ContactPoint& c = set_.points[i];
+    c.velocity = v_[c.object] + cross(w_[c.object], c.point - r_[c.object]);
+    c.angular_velocity = w_[c.object];
+  }
+}
+
+void GroundContact::end_step(const Instant& instant) noexcept {
   remember();
   note_interpenetration(instant.now);
   law_->prepare(set_.points, seam_.terms);
   set_.loaded.clear();
+  int last = -1;  // points of one body follow each other
   for (const ContactPoint& c : set_.points) {
-    if (std::find(set_.loaded.begin(), set_.loaded.end(), c.object) == set_.loaded.end())
-      set_.loaded.push_back(c.object);
+    if (c.object == last) continue;
+    last = c.object;
+    if (std::find(set_.loaded.begin(), set_.loaded.end(), last) == set_.loaded.end()) set_.loaded.push_back(last);
   }
   write_loads(set_, r_, external_force_, external_damping_);
-}
-
-void GroundContact::find_contacts() {
-  previous_.swap(set_.points);
-  set_.points.clear();
-  set_.tests = {};
-  finder_.find(r_, R_, set_.points, set_.tests);
-  for (ContactPoint& c : set_.points) {
-    c.velocity = v_[c.object] + cross(w_[c.object], c.point - r_[c.object]);
-    c.angular_velocity = w_[c.object];
-  }
 }
 
 /// A body that touched the ground already was not put there, whatever point of it a law has kept: that comes out as fast as the others.

@@ -38,19 +38,26 @@ class GroundContact final : public Algorithm {
   void initialize() override;
   void model_exchanged(const Entity& entity) override;
   void step(const Instant& instant) noexcept override;
+  [[nodiscard]] bool goes_with(const Algorithm& other) const override;
+  [[nodiscard]] std::unique_ptr<LaneGroup> join(std::span<Algorithm* const> members) const override;
 
   /// From the next step on. Points keep their memory if both laws have the same (contact_law.h, island_use), else it
   /// begins anew. To be called between steps.
   void exchange_law(std::shared_ptr<const ContactLaw> law);
 
  private:
+  friend GroundLanes;
+
   void make_terms();
   [[nodiscard]] const Model& model() const { return entity_.model(); }
   [[nodiscard]] bool wants_stiff_terms() const noexcept;
   void choose_terms() noexcept;
   void clear_loads() noexcept;
   void rest() noexcept;
-  void find_contacts();
+  [[nodiscard]] bool begin_step(const Instant& instant) noexcept;
+  void find_rest(std::size_t first) noexcept;
+  void set_velocities(std::size_t first) noexcept;
+  void end_step(const Instant& instant) noexcept;
   void begin_lift(ContactPoint& point) const noexcept;
   void remember();
   [[nodiscard]] bool has_crossed(const ContactPoint& point) const noexcept;

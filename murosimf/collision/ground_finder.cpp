@@ -21,10 +21,6 @@ double round_radius(const Shape& shape) {
   return sphere ? sphere->radius : 0;
 }
 
-std::uint64_t features_of_all(const std::vector<GroundShape>& shapes) {
-  return shapes.empty() ? 0 : shapes.back().first_feature + features_of(shapes.back().placed.shape);
-}
-
 }  // namespace
 
 std::vector<GroundPlane> ground_planes(const Entity* environment) {
@@ -56,7 +52,7 @@ std::size_t GroundFinder::most_on_planes() const { return 8 * shapes_->size() * 
 void GroundFinder::find(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                         TestCounts& tests) noexcept {
   find_on_planes(r, R, found, tests);
-  if (!environment_->empty()) find_on_statics(r, R, found, tests);
+  find_on_statics(r, R, found, tests);
 }
 
 void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
@@ -76,13 +72,13 @@ void GroundFinder::find_on_planes(std::span<const Vec3d> r, std::span<const Mat3
         found[i].feature += feature;
       }
     }
-    feature += features_of_all(*shapes_);
+    feature += features_of_all(shapes);
   }
 }
 
 void GroundFinder::find_on_statics(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                                    TestCounts& tests) noexcept {
-  if (!is_near_statics_(*environment_, r[0], own_.reach(), tests.volumes)) return;
+  if (environment_->empty() || !is_near_statics_(*environment_, r[0], own_.reach(), tests.volumes)) return;
   own_.refit(r, R);
   candidates_.clear();
   const auto add = [&](int other, int own) {

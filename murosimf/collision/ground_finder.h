@@ -19,6 +19,8 @@
 
 namespace murosimf::collision {
 
+class GroundLanes;
+
 class GroundFinder {
  public:
   /// `environment`: null for none.
@@ -57,12 +59,20 @@ class GroundFinder {
   /// Appends contacts, sorted by feature; geometry and `surface` only. r [m], R: poses of the entity's objects.
   void find(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
             TestCounts& tests) noexcept;
-
- private:
+  /// Its parts: those with planes, and then those with what stands there.
   void find_on_planes(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                       TestCounts& tests) const noexcept;
   void find_on_statics(std::span<const Vec3d> r, std::span<const Mat3d> R, std::vector<ContactPoint>& found,
                        TestCounts& tests) noexcept;
+  /// Both find the same on planes from the same poses.
+  [[nodiscard]] bool finds_like(const GroundFinder& other) const noexcept {
+    return shapes_ == other.shapes_ && environment_ == other.environment_ &&
+           all_touch_planes_ == other.all_touch_planes_;
+  }
+
+ private:
+  friend GroundLanes;
+
   void add_contacts(int own, int other, const geometry::Manifold& manifold,
                     std::vector<ContactPoint>& found) const noexcept;
   [[nodiscard]] std::uint32_t surface(std::size_t other_kind, std::size_t own_shape) const noexcept;

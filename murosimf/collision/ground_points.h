@@ -37,6 +37,11 @@ struct GroundShape {
 /// Numbers that the features of one shape take: eight, more for a polyhedron of more vertices.
 [[nodiscard]] std::uint32_t features_of(const Shape& shape);
 
+/// Of shapes of one model, in their order.
+[[nodiscard]] inline std::uint64_t features_of_all(std::span<const GroundShape> shapes) {
+  return shapes.empty() ? 0 : shapes.back().first_feature + features_of(shapes.back().placed.shape);
+}
+
 /// In any attitude, with its object at r [m]: most shapes are, and this takes but one product.
 [[nodiscard]] inline bool is_out_of_reach(const GroundShape& shape, const Vec3d& r, const GroundPlane& plane) {
   return dot(plane.normal, r) - plane.height > shape.object_reach;

@@ -19,12 +19,12 @@ Mat3d frame_about(const Vec3d& n) {
   return {n, t, cross(n, t)};
 }
 
-/// Both sides of a contact may be bodies of one entity: numbers that belong together are added up.
-void merge_equal(ResponseRows& rows, std::size_t first, std::size_t middle) {
+/// Both sides of a contact may be bodies of one entity: numbers that belong together are added up. The second side's begin at `middle`.
+void merge_equal(ResponseRows& rows, std::size_t middle) {
   std::size_t end = middle;
   for (std::size_t k = middle; k < rows.index.size(); ++k) {
-    const auto same = std::find(rows.index.begin() + static_cast<std::ptrdiff_t>(first),
-                                rows.index.begin() + static_cast<std::ptrdiff_t>(middle), rows.index[k]);
+    const auto same =
+        std::find(rows.index.begin(), rows.index.begin() + static_cast<std::ptrdiff_t>(middle), rows.index[k]);
     const auto at = static_cast<std::size_t>(same - rows.index.begin());
     if (at < middle) {
       rows.value[at] += rows.value[k];
@@ -42,10 +42,11 @@ void merge_equal(ResponseRows& rows, std::size_t first, std::size_t middle) {
 void IslandSolver::start(double dt) {
   dt_ = dt;
   members_.clear();
-  z_.clear();
+  z_.assign(1, 0.0);
   contacts_.clear();
-  rows_.index.clear();
-  rows_.value.clear();
+  index_.clear();
+  rows_.clear();
+  columns_.clear();
 }
 
 int IslandSolver::add(ImpulseResponse& response) {
@@ -63,10 +64,28 @@ void IslandSolver::add_side(Contact& contact, double sign, const Side& side) {
   const Member& member = members_[side.member];
   const Vec3d velocity = member.response->free_velocity(side.object, point, side.velocity);
   contact.free += sign * transposed_times(contact.frame, velocity);
-  const std::size_t first = rows_.index.size();
+  const std::size_t first = response_.index.size();
   const Mat3d directions{sign * contact.frame.x, sign * contact.frame.y, sign * contact.frame.z};
-  member.response->respond(side.object, point, directions, rows_);
-  for (std::size_t k = first; k < rows_.index.size(); ++k) rows_.index[k] += static_cast<int>(member.offset);
+  member.response->respond(side.object, point, directions, response_);
+  for (std::size_t k = first; k < response_.index.size(); ++k) response_.index[k] += static_cast<int>(member.offset);
+}
+
+/// So that sweeps find it as they need it.
+void IslandSolver::keep_response(Contact& c) {
+  c.first = index_.size();
+  c.last = c.first + response_.index.size();
+  while (response_.index.size() % 4 != 0) response_.add(0, {});
+  for (std::size_t k = 0; k < response_.index.size(); ++k) {
+    const Vec3d& row = response_.value[k];
+    index_.push_back(static_cast<std::size_t>(response_.index[k]));
+    rows_.emplace_back(row.x, row.y, row.z, 0.0);
+  }
+  for (std::size_t k = 0; k < response_.index.size(); k += 4) {
+    const Vec3d* const row = &response_.value[k];
+    columns_.push_back({{row[0].x, row[1].x, row[2].x, row[3].x},
+                        {row[0].y, row[1].y, row[2].y, row[3].y},
+                        {row[0].z, row[1].z, row[2].z, row[3].z}});
+  }
 }
 
 void IslandSolver::add(ContactPoint& point, const ContactParameters& p, const Side& a, const Side& b) {
@@ -74,13 +93,14 @@ void IslandSolver::add(ContactPoint& point, const ContactParameters& p, const Si
   c.point = &point;
   c.parameters = &p;
   c.frame = frame_about(point.normal);
-  c.first = rows_.index.size();
+  response_.index.clear();
+  response_.value.clear();
   add_side(c, 1, a);
-  const std::size_t middle = rows_.index.size();
+  const std::size_t middle = response_.index.size();
   add_side(c, -1, b);
-  if (a.member >= 0 && a.member == b.member) merge_equal(rows_, c.first, middle);
-  c.last = rows_.index.size();
-  for (std::size_t k = c.first; k < c.last; ++k) c.W += outer(rows_.value[k]);
+  if (a.member >= 0 && a.member == b.member) merge_equal(response_, middle);
+  for (const Vec3d& row : response_.value) c.W += outer(row);
+  keep_response(c);
   const double b_n = std::max(least_damping, implicit_damping(point, p, dt_));
   const double b_t = std::max(least_damping, p.tangent_damping + dt_ * p.tangent_stiffness);
   c.R_n = 1 / (dt_ * b_n);
@@ -106,14 +126,22 @@ void IslandSolver::invert(Contact& c) noexcept {
 }
 
 Vec3d IslandSolver::velocity(const Contact& c) const noexcept {
-  Vec3d v = c.free;
-  for (std::size_t k = c.first; k < c.last; ++k) v += z_[rows_.index[k]] * rows_.value[k];
-  return v;
+  Four v(c.free.x, c.free.y, c.free.z, 0.0);
+  for (std::size_t k = c.first; k < c.last; ++k) v = v + z_[index_[k]] * rows_[k];
+  return {v[0], v[1], v[2]};
 }
 
 void IslandSolver::push(Contact& c, const Vec3d& impulse) noexcept {
   c.lambda += impulse;
-  for (std::size_t k = c.first; k < c.last; ++k) z_[rows_.index[k]] += dot(rows_.value[k], impulse);
+  for (std::size_t k = c.first; k < c.last; k += 4) {
+    const Columns& rows = columns_[k / 4];
+    const Four change = impulse.x * rows.x + impulse.y * rows.y + impulse.z * rows.z;
+    const std::size_t* const index = &index_[k];
+    z_[index[0]] += change[0];
+    z_[index[1]] += change[1];
+    z_[index[2]] += change[2];
+    z_[index[3]] += change[3];
+  }
 }
 
 /// Returns by how much [m/s] the contact's velocity changes.

@@ -21,6 +21,7 @@
 
 #include "murosimf/collision/contact.h"
 #include "murosimf/collision/impulse_response.h"
+#include "murosimf/math/four.h"
 
 namespace murosimf::collision {
 
@@ -59,7 +60,7 @@ class IslandSolver {
   struct Contact {
     ContactPoint* point;
     const ContactParameters* parameters;
-    std::size_t first, last;         // of both sides in rows_; B's with the opposite sign
+    std::size_t first, last;         // of both sides in index_ and rows_; B's with the opposite sign
     Mat3d frame;                     // n, t1, t2
     Vec3d free;                      // [m/s] velocity along the frame's axes without contacts
     Vec3d lambda;                    // [N s] along the frame's axes
@@ -71,7 +72,13 @@ class IslandSolver {
     double wish_n, wish_1, wish_2;   // [m/s] right-hand sides
   };
 
+  /// The same three numbers of four rows.
+  struct Columns {
+    Four x, y, z;
+  };
+
   void add_side(Contact& contact, double sign, const Side& side);
+  void keep_response(Contact& contact);
   static void invert(Contact& contact) noexcept;
   [[nodiscard]] Vec3d velocity(const Contact& contact) const noexcept;
   void push(Contact& contact, const Vec3d& impulse) noexcept;
@@ -82,9 +89,12 @@ class IslandSolver {
 
   double dt_ = 0;
   std::vector<Member> members_;
-  std::vector<double> z_;
+  std::vector<double> z_;  // the first number is nobody's
   std::vector<Contact> contacts_;
-  ResponseRows rows_;
+  ResponseRows response_;         // of one contact; working memory
+  std::vector<std::size_t> index_;  // of all contacts: which number of z_; each contact's filled up to fours with nobody's
+  std::vector<Four> rows_;        // with these, along the contact's frame
+  std::vector<Columns> columns_;  // the same, four at a time
 };
 
 }  // namespace murosimf::collision

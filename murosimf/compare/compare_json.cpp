@@ -94,6 +94,7 @@ std::string to_json(const Comparison& c, const Recommendation& recommendation, c
   return files::json_text({{"schema", files::json_schema("compare")},
                            {"scene", c.scene},
                            {"entity", c.entity},
+                           {"start_s", c.start},
                            {"duration_s", c.duration},
                            {"seed", c.seed},
                            {"timed_runs", c.repeat},

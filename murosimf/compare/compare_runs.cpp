@@ -32,7 +32,20 @@ scene::SceneOptions scene_options(const CompareOptions& options) {
   return result;
 }
 
+/// As the state has it, and the robot changed there: it keeps its motion, as at a change of level in a run.
+std::unique_ptr<scene::Scene> build_at_start(const CompareOptions& options, const CompareEntry& entry) {
+  auto scene = std::make_unique<scene::Scene>(options.scene, scene_options(options));
+  scene->simulation().initialize();
+  options.go_to_start(*scene);
+  const auto robot = std::ranges::find(scene->spec().robots, options.entity, &scene_file::RobotSpec::name);
+  const scene_file::RobotSpec before = *robot;
+  if (before.level != entry.level) scene->exchange_level(options.entity, entry.level);
+  if (!entry.contact.empty() && before.contact != entry.contact) scene->exchange_contact(options.entity, entry.contact);
+  return scene;
+}
+
 std::unique_ptr<scene::Scene> build(const CompareOptions& options, const CompareEntry& entry) {
+  if (options.go_to_start) return build_at_start(options, entry);
   scene::SceneOptions scene = scene_options(options);
   scene.overrides.push_back(fmt::format("{}.level={}", options.entity, entry.level));
   if (!entry.contact.empty()) scene.overrides.push_back(fmt::format("{}.contact={}", options.entity, entry.contact));
@@ -98,23 +111,25 @@ void tell(const CompareOptions& options, const Comparison& c, std::size_t runs_d
 bool has_servos(const Model& model) { return !model.having(properties::servo).empty(); }
 
 /// Runs it once with an observer.
-void observe(const CompareOptions& options, double duration, CompareEntry& entry) {
+void observe(const CompareOptions& options, const Comparison& comparison, CompareEntry& entry) {
   const auto scene = build(options, entry);
   Simulation& simulation = scene->simulation();
+  const Duration start = simulation.now(), end = from_seconds(comparison.duration);
+  const double longest = comparison.duration - comparison.start;
   Entity& robot = simulation.world().entity(options.entity);
   const bool servos = entry.traits.servos;
   if (servos && !robot.model().joints().empty() && !has_servos(robot.model())) {
     throw SetupError(fmt::format("model '{}' has no servos", robot.model().name()));
   }
-  const auto& recorder =
-      simulation.attach<motion::MotionRecorder>("motion_recorder", robot, scene->spec().rate,
-                                                motion::MotionRecorderOptions{.servos = servos, .longest = duration});
+  const auto& recorder = simulation.attach<motion::MotionRecorder>(
+      "motion_recorder", robot, scene->spec().rate,
+      motion::MotionRecorderOptions{.servos = servos, .longest = longest, .start = comparison.start});
   std::vector<Entity*> others = scene->moving_entities();
   std::erase(others, &robot);
   const auto& outcome =
-      simulation.attach<OutcomeRecorder>("outcome_recorder", scene->spec().rate, robot, others, duration);
-  simulation.run(from_seconds(duration));
-  if (simulation.now() < from_seconds(duration)) {
+      simulation.attach<OutcomeRecorder>("outcome_recorder", scene->spec().rate, robot, others, longest);
+  simulation.run(end - start);
+  if (simulation.now() < end) {
     entry.stopped = true;
     entry.refusal = fmt::format("stopped at {:.3f} s", seconds(simulation.now()));
     return;
@@ -131,7 +146,7 @@ void observe_all(const CompareOptions& options, Comparison& result) {
     CompareEntry& entry = result.entries[i];
     tell(options, result, i, fmt::format("{} {}", entry.level, entry.contact));
     try {
-      observe(options, result.duration, entry);
+      observe(options, result, entry);
     } catch (const SetupError& error) {
       entry.refusal = error.what();
     }
@@ -156,11 +171,12 @@ std::size_t find_reference(const std::vector<CompareEntry>& entries) {
   return best;
 }
 
-double timed_run(const CompareOptions& options, double duration, const CompareEntry& entry) {
+double timed_run(const CompareOptions& options, double end, const CompareEntry& entry) {
   const auto scene = build(options, entry);
   scene->simulation().initialize();
+  const Duration duration = from_seconds(end) - scene->simulation().now();
   const double start = processor_time();
-  scene->simulation().run(from_seconds(duration));
+  scene->simulation().run(duration);
   return processor_time() - start;
 }
 
@@ -183,14 +199,18 @@ void measure_cost(const CompareOptions& options, Comparison& result) {
     }
   }
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (!times[i].empty()) result.entries[i].cost = 1e6 * median(times[i]) / result.duration;
+    if (!times[i].empty()) result.entries[i].cost = 1e6 * median(times[i]) / (result.duration - result.start);
   }
 }
 
-double checked_duration(const CompareOptions& options, const scene_file::SceneSpec& spec) {
+double checked_duration(const CompareOptions& options, const scene_file::SceneSpec& spec, double start) {
   const double duration = options.duration.value_or(spec.duration);
   if (!(duration > 0) || duration > longest_record) {
     throw SetupError(fmt::format("--duration {}: must be a number above 0 and up to {}", duration, longest_record));
+  }
+  if (duration <= start) {
+    throw SetupError(
+        fmt::format("the run ends at {:g} s, the state is of {:g} s; say a later end: --duration S", duration, start));
   }
   return duration;
 }
@@ -207,15 +227,21 @@ Comparison compare(const CompareOptions& options) {
   if (options.repeat < 1) throw SetupError(fmt::format("--repeat {}: must be at least 1", options.repeat));
   Comparison result;
   {
-    const scene::Scene scene(options.scene, scene_options(options));
+    scene::Scene scene(options.scene, scene_options(options));
     const scene_file::SceneSpec& spec = scene.spec();
     result.scene = spec.name;
     result.entity = options.entity;
-    result.duration = checked_duration(options, spec);
+    const std::vector<CompareEntry> entries = entries_for(options, find_robot(spec, options.entity));
+    check_events(spec, options.entity);
+    if (options.go_to_start) {
+      scene.simulation().initialize();
+      options.go_to_start(scene);
+    }
+    result.start = seconds(scene.simulation().now());
+    result.duration = checked_duration(options, spec, result.start);
     result.seed = spec.seed;
     result.repeat = options.repeat;
-    result.entries = entries_for(options, find_robot(spec, options.entity));
-    check_events(spec, options.entity);
+    result.entries = entries;
   }
   observe_all(options, result);
   result.reference = find_reference(result.entries);

@@ -11,6 +11,10 @@
 #include "murosimf/compare/outcome_recorder.h"
 #include "murosimf/model/motion_level.h"
 
+namespace murosimf::scene {
+class Scene;
+}
+
 namespace murosimf::compare {
 
 struct CompareOptions {
@@ -19,10 +23,12 @@ struct CompareOptions {
   std::vector<std::string> levels;     ///< empty: all
   std::vector<std::string> contacts;   ///< empty: the scene's for that robot
   std::vector<std::string> overrides;  ///< PATH=VALUE, as for --set
-  std::optional<double> duration;      ///< [s] instead of the scene's
+  std::optional<double> duration;      ///< [s] of simulated time at the end, instead of the scene's
   std::optional<std::uint64_t> seed;   ///< instead of the scene's
   int repeat = 3;                      ///< timed runs per level; their median counts
   bool lenient = false;                ///< accept unknown elements in model files
+  /// Brings a scene that was just built to where all runs begin, for example to a saved state; empty: its own beginning.
+  std::function<void(scene::Scene& scene)> go_to_start{};
   /// Told what runs, and the share of the work that is done; may be empty.
   std::function<void(double share, const std::string& what)> progress{};
   std::function<bool()> stop{};  ///< true: end with what there is; may be empty
@@ -49,7 +55,7 @@ struct CompareEntry {
 
 struct Comparison {
   std::string scene, entity;
-  double duration = 0;  ///< [s]
+  double start = 0, duration = 0;  ///< [s] from when to when
   std::uint64_t seed = 0;
   int repeat = 0;
   std::vector<CompareEntry> entries;  ///< levels from simple to detailed, laws as they were asked for

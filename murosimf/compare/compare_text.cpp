@@ -14,7 +14,9 @@ namespace {
 std::string law(const CompareEntry& entry) { return entry.contact.empty() ? "-" : entry.contact; }
 
 std::string head(const Comparison& c) {
-  return fmt::format("{}: {} for {:g} s, seed {}; reference: {}\n", c.scene, c.entity, c.duration, c.seed,
+  const std::string span =
+      c.start > 0 ? fmt::format("from {:g} to {:g} s", c.start, c.duration) : fmt::format("for {:g} s", c.duration);
+  return fmt::format("{}: {} {}, seed {}; reference: {}\n", c.scene, c.entity, span, c.seed,
                      label(c, c.entries[c.reference]));
 }
 

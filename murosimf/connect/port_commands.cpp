@@ -31,7 +31,7 @@ constexpr std::array command_names{
 
 /// What a servo has at the start, and the most that it may be given.
 std::pair<double, double> start_and_most(const Servo& servo, std::string_view command) {
-  constexpr double gains = 20, longest = 0.5, any_torque = 1e6;  // [1], [s], [N m]
+  constexpr double gains = 21, longest = 0.5, any_torque = 1e6;  // [1], [s], [N m]
   const double own = servo.law == "ideal_pd" ? servo.velocity_gain : 0;
   if (command == position_gain) return {servo.position_gain, gains * servo.position_gain};
   if (command == velocity_gain) return {own, std::max(gains * own, longest * servo.position_gain)};

@@ -10,6 +10,15 @@
 
 namespace murosimf::geometry {
 
+/// Calls `emit(corner, point)` for each corner of a box at `center` [m] with these axes, world frame.
+template <class S, class Emit>
+MUROSIMF_INLINE void for_corners(const Box& box, const Vec3<S>& center, const Mat3<S>& axes, const Emit& emit) {
+  const Vec3<S> x = box.half_size.x * axes.x, y = box.half_size.y * axes.y, z = box.half_size.z * axes.z;
+  const Vec3<S> sides[4]{-x - y, x - y, y - x, x + y};
+  for (std::uint32_t i = 0; i < 4; ++i) emit(i, center + (sides[i] - z));
+  for (std::uint32_t i = 0; i < 4; ++i) emit(i + 4, center + (sides[i] + z));
+}
+
 /// Calls `emit(feature, point, radius)` for each point of the shape that may be the lowest; world frame. The lowest point
 /// of the shape is always among them; of a polyhedron with more than eight vertices below the plane only one about as deep
 /// (spread.h). Features rise from point to point. `radius` [m]: of the surface that rolls there.
@@ -26,10 +35,7 @@ struct LowPoints {
   }
   template <class Emit>
   void operator()(const Box& s, const Emit& emit) const {
-    const Vec3d x = s.half_size.x * R.x, y = s.half_size.y * R.y, z = s.half_size.z * R.z;
-    const Vec3d sides[4]{-x - y, x - y, y - x, x + y};
-    for (std::uint32_t i = 0; i < 4; ++i) emit(i, center + (sides[i] - z), 0.0);
-    for (std::uint32_t i = 0; i < 4; ++i) emit(i + 4, center + (sides[i] + z), 0.0);
+    for_corners(s, center, R, [&](std::uint32_t corner, const Vec3d& point) { emit(corner, point, 0.0); });
   }
   template <class Emit>
   void operator()(const Capsule& s, const Emit& emit) const {

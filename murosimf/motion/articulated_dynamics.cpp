@@ -87,9 +87,15 @@ void ArticulatedDynamics::check_inertias() {
 }
 
 void ArticulatedDynamics::step(const Instant& instant) noexcept {
-  if (tree_.integrator() == Integrator::rk4 && !tree_.contacts.solved()) return step_rk4(seconds(instant.period));
+  const double dt = seconds(instant.period);
+  if (tree_.integrator() == Integrator::rk4 && !tree_.contacts.solved()) return step_rk4(dt);
+  if (advance(dt)) tree_.finish_step();
+}
+
+/// All of a step but MovingTree::finish_step, which is to follow unless this is false.
+bool ArticulatedDynamics::advance(double dt) noexcept {
   if (!tree_.contacts.solved()) {
-    begin_step(seconds(instant.period));
+    begin_step(dt);
     auto loads = multibody::Loads::of_last_pass;
     tree_.contacts.settle([&] {
       const bool settled = solve(std::exchange(loads, multibody::Loads::of_repeated_pass));
@@ -97,21 +103,22 @@ void ArticulatedDynamics::step(const Instant& instant) noexcept {
       return settled;
     });
   }
-  end_step();
+  if (end_step()) return true;
+  tree_.halt(targets_sane_ ? too_fast : joints_insane);
+  return false;
 }
 
-/// All that is left once the accelerations of the step stand.
-void ArticulatedDynamics::end_step() noexcept {
-  if (!targets_sane_) return tree_.halt(joints_insane);
-  if (!accelerations_are_sane()) return tree_.halt(too_fast);
+/// All that is left once the accelerations of the step stand. False, and nothing moved, if something is no sensible number.
+bool ArticulatedDynamics::end_step() noexcept {
+  if (!targets_sane_ || !accelerations_are_sane()) return false;
   report_torques();
   keep_loads();
   tree_.contacts.commit();
   const Twistd base = bodies_[0].acceleration;
-  if (!tree_.advance_base(base, dt_)) return tree_.halt(too_fast);
+  if (!tree_.advance_base(base, dt_)) return false;
   advance_joints(dt_);
   finish_drives();
-  tree_.finish_step();
+  return true;
 }
 
 void ArticulatedDynamics::step_rk4(double dt) noexcept {

@@ -45,7 +45,8 @@ class ArticulatedDynamics final : public MotionLevel, private collision::Impulse
   void apply(std::span<const double> z) noexcept override;
 
   void step_rk4(double dt) noexcept;
-  void end_step() noexcept;
+  [[nodiscard]] bool advance(double dt) noexcept;
+  [[nodiscard]] bool end_step() noexcept;
   void begin_step(double dt) noexcept;
   void drive_joints(double dt) noexcept;
   void recall_loads() noexcept;

@@ -1,6 +1,7 @@
 #include "murosimf/motion/articulated_lanes.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace murosimf::motion {
 namespace {
@@ -53,13 +54,28 @@ ArticulatedLanes::ArticulatedLanes(std::vector<ArticulatedDynamics*> members)
 }
 
 void ArticulatedLanes::step(LaneMask due, const Instant& instant) noexcept {
-  const LaneMask lanes = trees_.ready(due);
-  for_lanes(due & ~lanes, [&](int lane) { member(lane).step(instant); });
-  if (lanes == 0) return;
+  if (std::popcount(due) < fewest_in_lanes) return for_lanes(due, [&](int lane) { member(lane).step(instant); });
   dt_ = seconds(instant.period);
-  begin(lanes);
-  settle(lanes);
-  end(lanes);
+  const LaneMask lanes = trees_.ready(due);
+  LaneMask moved = 0;
+  if (lanes != 0) {
+    begin(lanes);
+    settle(lanes);
+    moved = end(lanes);
+  }
+  const LaneMask alone = advance_alone(due & ~lanes);
+  trees_.finish_step(moved | alone, alone);
+}
+
+/// Those of them that have moved.
+LaneMask ArticulatedLanes::advance_alone(LaneMask lanes) noexcept {
+  LaneMask moved = 0;
+  for_lanes(lanes, [&](int lane) {
+    if (!member(lane).advance(dt_)) return;
+    trees_.take_advanced(lane);
+    moved |= lane_bit(lane);
+  });
+  return moved;
 }
 
 void ArticulatedLanes::begin(LaneMask lanes) noexcept {
@@ -181,7 +197,8 @@ void ArticulatedLanes::recall_outcomes(LaneMask open) noexcept {
   }
 }
 
-void ArticulatedLanes::end(LaneMask lanes) noexcept {
+/// Of those that have moved, the end of the step is still to come (TreeLanes::finish_step).
+LaneMask ArticulatedLanes::end(LaneMask lanes) noexcept {
   const LaneMask of_sane_rates = lanes_of_sane_rates();
   LaneMask together = 0;
   for_lanes(lanes, [&](int lane) {
@@ -197,7 +214,7 @@ void ArticulatedLanes::end(LaneMask lanes) noexcept {
   const LaneMask moved = trees_.advance_bases(bodies_[0].acceleration, dt_, together);
   for_lanes(together & ~moved, [&](int lane) { member(lane).tree_.halt(too_fast); });
   advance_joints(moved);
-  trees_.finish_step(moved);
+  return moved;
 }
 
 /// As ArticulatedDynamics::accelerations_are_sane, but for the base.

@@ -2,7 +2,7 @@
 ///
 /// The step of articulated_dynamics.h with packs in the place of numbers. What differs from robot to robot in kind goes lane by lane:
 /// contacts and their law, targets on their way. A robot whose contacts agree keeps what its pass has given while others repeat
-/// theirs; one that an island solver has settled, or that is in flight, steps alone.
+/// theirs. One that an island solver has settled is advanced alone, but the poses and links that follow from that are worked out in lanes.
 #pragma once
 
 #include <span>
@@ -41,7 +41,8 @@ class ArticulatedLanes final : public LaneGroup {
   void predict_contacts(int lane) noexcept;
   void keep_outcomes() noexcept;
   void recall_outcomes(LaneMask open) noexcept;
-  void end(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask end(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask advance_alone(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask lanes_of_sane_rates() const noexcept;
   void report_torques(LaneMask lanes) noexcept;
   void keep_loads(LaneMask lanes) noexcept;

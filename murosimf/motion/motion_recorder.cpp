@@ -21,6 +21,7 @@ std::int64_t steps_per_sample(Duration period) {
 MotionRecorder::MotionRecorder(Setup& setup, const MotionRecorderOptions& options)
     : model_(setup.model()),
       stride_(steps_per_sample(setup.period())),
+      start_(from_seconds(options.start)),
       r_(setup.read(properties::position)),
       v_(setup.read(properties::linear_velocity)),
       w_(setup.read(properties::angular_velocity)),
@@ -57,7 +58,7 @@ void MotionRecorder::find_servos(const Model& model) {
   }
 }
 
-void MotionRecorder::initialize() { take_sample({}); }
+void MotionRecorder::initialize() { take_sample(start_); }
 
 void MotionRecorder::state(StateArchive& archive) {
   archive(record_.samples, record_.torques, record_.full_duty);

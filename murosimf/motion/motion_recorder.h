@@ -40,6 +40,7 @@ struct MotionRecord {
 struct MotionRecorderOptions {
   bool servos = false;    ///< servos move the joints: watch whether they ask for full duty
   double longest = 60.0;  ///< [s] for which memory is set aside
+  double start = 0;       ///< [s] when it begins
 };
 
 /// Between two samples of a recorder, if one is executed with this period.
@@ -84,6 +85,7 @@ class MotionRecorder final : public Algorithm {
   std::array<std::vector<Grip>, 2> grips_, new_grips_;
   std::vector<double> torque_sum_;  // [N m | N] by joint since the last sample
   std::int64_t stride_;             // steps per sample
+  Duration start_;
   std::int64_t steps_ = 0, full_steps_ = 0;
   double slip_ = 0;
   bool full_ = false;  // since the last sample

@@ -76,9 +76,9 @@ bool MovingTree::goes_with(const MovingTree& other) const noexcept {
          options_.integrator == Integrator::semi_implicit_euler;
 }
 
-/// Lanes leave the tree's own links as they were.
+/// Lanes leave the tree's own links as they were, most times.
 void MovingTree::take_links_back() noexcept {
-  if (lanes_) update_links();
+  if (!has_own_links_) update_links();
 }
 
 void MovingTree::take_changes() noexcept {
@@ -97,6 +97,7 @@ void MovingTree::refresh() noexcept {
 
 void MovingTree::update_links() noexcept {
   lanes_ = nullptr;
+  has_own_links_ = true;
   multibody::link_motions<double>(columns.model.tree(), columns.r, columns.R, columns.w[0], columns.qd, links);
   whole_ = multibody::composite_inertia<double>(links);
   const Vec3d c = (1 / whole_.mass) * whole_.first;

@@ -116,7 +116,7 @@ class MovingTree {
   [[nodiscard]] Integrator integrator() const { return options_.integrator; }
   /// Of all links, about O.
   [[nodiscard]] const RigidInertia<double>& composite_inertia() const { return whole_; }
-  /// To be called last in a step: poses, velocities, links, common mass.
+  /// To be called last in a step, unless lanes do it (TreeLanes::take_advanced): poses, velocities, links, common mass.
   void finish_step() noexcept;
   void halt(const char* reason) noexcept;
 
@@ -160,7 +160,8 @@ class MovingTree {
   RungeKutta4 runge_kutta_;
   std::vector<double> start_row_;
   std::vector<double> row_;           // the state while Runge-Kutta works on it
-  const TreeLanes* lanes_ = nullptr;  // that have worked out the links of the present state; null: they are here
+  const TreeLanes* lanes_ = nullptr;  // that have worked out the links of the present state; null: nobody else has
+  bool has_own_links_ = true;         // they are here, too
   WrittenState written_;              // when poses, velocities and links were last worked out
   RigidInertia<double> whole_;        // of the links
   Sym6d base_inertia_;

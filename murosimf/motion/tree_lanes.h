@@ -2,7 +2,8 @@
 ///
 /// Poses, velocities and links are worked out in packs, with the kernels and so with the bits of a robot alone. Columns get what
 /// others read of them. Links stay here from step to step: whoever needs those of one robot alone works them out again
-/// (MovingTree::take_changes). A robot whose columns somebody has changed is taken in anew.
+/// (MovingTree::take_changes), unless it gets them at the end of each step, as one that an island solver settles. A robot whose columns
+/// somebody has changed is taken in anew.
 #pragma once
 
 #include <span>
@@ -37,15 +38,17 @@ class TreeLanes {
     tree(lane).predict_contacts(dt, motion_of, acceleration_of);
   }
 
-  /// Those of these robots that can step in lanes now: nobody has settled their step already, and they are not in flight, where their
-  /// momentum is kept by other means. None if they are too few.
+  /// Those of these robots that can step in lanes now: nobody has settled their step already. None if they are too few.
   [[nodiscard]] LaneMask ready(LaneMask due) const noexcept;
 
-  /// Advances the bases by a'_0 for a step of dt [s], and puts those of the lanes that have come to a sensible state back into their
-  /// columns; of the others nothing is changed. Returns these lanes. None may be in flight (MovingTree::advance_base).
+  /// MovingTree::advance_base by a'_0 for a step of dt [s]: puts the bases of the lanes that have come to a sensible state back into their
+  /// columns; of the others nothing is changed. Returns these lanes.
   [[nodiscard]] LaneMask advance_bases(const Twist<Pack8>& acceleration, double dt, LaneMask lanes) noexcept;
-  /// The end of a step of these lanes, once bases and joints stand where they will: as MovingTree::finish_step.
-  void finish_step(LaneMask lanes) noexcept;
+  /// Takes in the base and the joints of a robot that has been advanced alone, for the end of its step.
+  void take_advanced(int lane) noexcept;
+  /// The end of a step of these lanes, once bases and joints stand where they will: as MovingTree::finish_step. Robots of `with_links` get
+  /// their links back.
+  void finish_step(LaneMask lanes, LaneMask with_links = 0) noexcept;
 
   [[nodiscard]] MovingTree& tree(int lane) const noexcept { return *trees_[static_cast<std::size_t>(lane)]; }
 
@@ -59,6 +62,10 @@ class TreeLanes {
   struct Motion {
     Twistd velocity, bias;
   };
+  /// As MovingTree has it.
+  struct CenterMotion {
+    Vec3<Pack8> linear, angular, center;
+  };
   /// What a body feels, by lane.
   struct Load {
     LaneMask loaded = 0, damped = 0;
@@ -67,12 +74,21 @@ class TreeLanes {
   };
   void gather_load(std::size_t object, LaneMask lanes) noexcept;
   void see_load_from_base(int link, std::size_t object, double dt) noexcept;
+  [[nodiscard]] LaneMask in_flight(LaneMask lanes) const noexcept;
+  [[nodiscard]] CenterMotion momentum(const Vec3<Pack8>& center) const noexcept;
+  void want_momentum(LaneMask flying, double dt) noexcept;
+  [[nodiscard]] Vec3<Pack8> center_of_mass() const noexcept { return poses.r[0] + (1 / whole.mass) * whole.first; }
+  void correct_momentum(LaneMask flying) noexcept;
+  void refresh() noexcept;
   void put_back_whole(LaneMask lanes) noexcept;
+  void put_back_links(int lane) const noexcept;
 
   std::vector<MovingTree*> trees_;
   LaneMask fresh_ = 0;  // lanes that have their robot as this left it
   multibody::FreeBody<Pack8> base_;
-  std::vector<char> is_busy_;      // by object: it may feel something
+  CenterMotion wanted_;  // after the present step, of the lanes in flight
+  LaneMask flying_ = 0;  // these
+  std::vector<char> is_busy_;      // by object: it touches something
   std::vector<std::size_t> busy_;  // those that may, in the model's order
   Load load_;                      // working memory
 };

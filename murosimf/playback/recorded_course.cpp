@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/model/drawing.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/recording/topics.h"
@@ -32,11 +33,10 @@ void set_number(Entity& entity, const Property<double>& property, int object, do
 
 RecordedCourse::RecordedCourse(std::shared_ptr<const recording::RecordedRun> run,
                                const recording::RepeatOptions& options)
-    : run_(std::move(run)), scene_(run_->build_to_show(options)) {
+    : run_(std::move(run)), scene_(run_->build_to_show(options)), drawings_(run_->file()) {
   run_->initialize(*scene_);
   entities_ = recording::recorded_entities(scene_->simulation().world());
   frames_ = std::make_unique<recording::FrameReader>(run_->file(), entities_);
-  for (const recording::RecordedEntity& entity : entities_) levels_.push_back(entity.entity->level);
   for (const PropertyInfo& info :
        std::initializer_list<PropertyInfo>{properties::position, properties::orientation, properties::joint_position,
                                            properties::joint_velocity, properties::joint_torque,
@@ -61,6 +61,20 @@ void RecordedCourse::read_lines() {
                           });
   std::ranges::stable_sort(events_, {}, &Event::time);
   std::ranges::stable_sort(warnings_, {}, &std::pair<Duration, std::string>::first);
+  find_levels();
+}
+
+/// As the events say: "blue1: kinematic_walking -> full_dynamics".
+void RecordedCourse::find_levels() {
+  for (std::size_t i = 0; i < entities_.size(); ++i) levels_.push_back({{}, i, entities_[i].entity->level});
+  for (const Event& event : events_) {
+    const std::size_t name = event.text.find(": "), found = event.text.rfind(arrow);
+    if (name == std::string::npos || found == std::string::npos) continue;
+    const auto entity = std::ranges::find(entities_, event.text.substr(0, name), &recording::RecordedEntity::name);
+    if (entity == entities_.end()) continue;
+    levels_.push_back(
+        {event.time, static_cast<std::size_t>(entity - entities_.begin()), event.text.substr(found + arrow.size())});
+  }
 }
 
 void RecordedCourse::begin() {
@@ -112,11 +126,13 @@ void RecordedCourse::show(Duration time) {
     joint += entities_[i].joints.size();
   }
   contacts_ = frame.contacts;
+  show_drawings(frame.time);
   show_levels(frame.time);
   const auto events = std::ranges::upper_bound(events_, frame.time, {}, &Event::time) - events_.begin();
-  warnings_so_far_.clear();
-  for (const auto& [when, text] : warnings_) {
-    if (when <= frame.time) warnings_so_far_.push_back(text);
+  const auto warnings = std::ranges::upper_bound(warnings_, frame.time, {}, &std::pair<Duration, std::string>::first);
+  warnings_so_far_.resize(std::min(warnings_so_far_.size(), static_cast<std::size_t>(warnings - warnings_.begin())));
+  for (auto next = warnings_.begin() + static_cast<std::ptrdiff_t>(warnings_so_far_.size()); next != warnings; ++next) {
+    warnings_so_far_.push_back(next->second);
   }
   scene_->simulation().show_past(frame.time, std::span(events_).first(static_cast<std::size_t>(events)),
                                  warnings_so_far_);
@@ -147,18 +163,20 @@ void RecordedCourse::show_entity(std::size_t index, const recording::RecordedFra
   }
 }
 
-/// As the events say: "blue1: kinematic_walking -> full_dynamics".
+void RecordedCourse::show_drawings(Duration time) {
+  for (auto& [robot, groups] : drawings_.news(time)) {
+    const auto known = std::ranges::find(entities_, robot, &recording::RecordedEntity::name);
+    if (known == entities_.end()) continue;  // of somebody who came later
+    Drawings& drawn = scene_->simulation().world().entity(robot).column(properties::drawings).values[0];
+    drawn.groups = std::move(groups);
+    ++drawn.changes;
+  }
+}
+
 void RecordedCourse::show_levels(Duration time) {
-  for (std::size_t i = 0; i < entities_.size(); ++i) {
-    Entity& entity = scene_->simulation().world().entity(entities_[i].name);
-    entity.level = levels_[i];
-    const std::string begin = entity.name() + ": ";
-    for (const Event& event : events_) {
-      if (event.time > time) break;
-      const std::size_t found = event.text.rfind(arrow);
-      if (event.text.starts_with(begin) && found != std::string::npos)
-        entity.level = event.text.substr(found + arrow.size());
-    }
+  World& world = scene_->simulation().world();
+  for (const LevelChange& change : levels_) {
+    if (change.time <= time) world.entity(entities_[change.entity].name).level = change.level;
   }
 }
 

@@ -5,7 +5,7 @@
 ///     session::Session session(std::make_unique<playback::RecordedCourse>(run), {.speed = 1.0});
 ///     session.run(run->end());
 ///
-/// Shown are poses, joints, contacts, events, warnings and levels of detail. Nobody can change anything; whoever came into the scene
+/// Shown are poses, joints, contacts, drawings, events, warnings and levels of detail. Nobody can change anything; whoever came into the scene
 /// after its start is not shown.
 #pragma once
 
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "murosimf/recording/frame_reader.h"
+#include "murosimf/recording/recorded_drawings.h"
 #include "murosimf/recording/recorded_run.h"
 #include "murosimf/session/course.h"
 
@@ -43,19 +44,27 @@ class RecordedCourse final : public session::Course {
   [[nodiscard]] const std::vector<std::string>& known_properties() const override { return known_; }
 
  private:
+  struct LevelChange {
+    Duration time{};
+    std::size_t entity = 0;
+    std::string level;
+  };
   void show(Duration time);
   void read_lines();
+  void find_levels();
   void show_entity(std::size_t index, const recording::RecordedFrame& frame, std::size_t link, std::size_t joint);
+  void show_drawings(Duration time);
   void show_levels(Duration time);
 
   std::shared_ptr<const recording::RecordedRun> run_;
   std::unique_ptr<scene::Scene> scene_;
   std::vector<recording::RecordedEntity> entities_;
   std::unique_ptr<recording::FrameReader> frames_;
+  recording::DrawingReader drawings_;
   std::vector<Event> events_;                               // of all of it, by time
   std::vector<std::pair<Duration, std::string>> warnings_;  // likewise
   std::vector<std::string> warnings_so_far_;
-  std::vector<std::string> levels_;  // by entity, at the start
+  std::vector<LevelChange> levels_;  // first those of the start, then by time
   std::vector<ContactMark> contacts_;
   std::vector<std::string> known_;
   bool told_ = false;

@@ -13,7 +13,8 @@
 namespace murosimf::recording {
 namespace {
 
-constexpr std::size_t most_kept = 4;  // chunks
+constexpr std::size_t most_kept = 4;                                                            // chunks
+constexpr auto latest = static_cast<std::uint64_t>(std::numeric_limits<Duration::rep>::max());  // [ns]
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -25,8 +26,10 @@ FrameReader::FrameReader(const McapReader& file, const std::vector<RecordedEntit
   for (std::size_t i = 0; i < chunks.size() && !poses.empty(); ++i) {
     if (has_any(chunks[i], poses)) chunks_.push_back(i);
   }
+  std::erase_if(chunks_, [&](std::size_t i) {
+    return chunks[i].end_time > latest || chunks[i].start_time > chunks[i].end_time;
+  });
   std::ranges::stable_sort(chunks_, {}, [&](std::size_t i) { return chunks[i].start_time; });
-  std::erase_if(chunks_, [&](std::size_t i) { return chunks[i].start_time > chunks[i].end_time; });
   for (std::size_t i = 0; i < entities.size(); ++i) {
     for (const RecordedEntity::Link& link : entities[i].links) links_.emplace(link.frame, Place{i, links_.size()});
     for (const RecordedEntity::Joint& joint : entities[i].joints) joints_.emplace(joint.name, Place{i, joints_.size()});
@@ -37,6 +40,12 @@ FrameReader::FrameReader(const McapReader& file, const std::vector<RecordedEntit
   if (first == last) throw SetupError(file.file().string() + ": it has no poses (--record-what)");
   begin_ = read(first).frames.begin()->first;
   end_ = read(last - 1).frames.rbegin()->first;
+  if (begin_ > end_) refuse_index();
+}
+
+/// What the index says of chunks' times is not what their messages say.
+void FrameReader::refuse_index() const {
+  throw SetupError(file_.file().string() + ": its index of times is wrong; 'murosimf repair' mends it");
 }
 
 const FrameReader::Chunk& FrameReader::read(std::size_t index) {
@@ -50,6 +59,7 @@ const FrameReader::Chunk& FrameReader::read(std::size_t index) {
   file_.visit_messages(file_.contents().chunks[chunks_[index]], [&](const Message& message) {
     const auto channel = channels_.find(message.channel_id);
     if (channel == channels_.end()) return;
+    if (message.log_time > latest) return;
     Messages& messages = all[time_of(message)];
     const std::string& topic = channel->second;
     (topic == "/tf"        ? messages.transforms
@@ -88,7 +98,7 @@ const RecordedFrame& FrameReader::at(Duration time) {
     });
     return frame_;
   }
-  return frame_;
+  refuse_index();
 }
 
 std::optional<Duration> FrameReader::after(Duration time) {

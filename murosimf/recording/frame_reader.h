@@ -44,6 +44,7 @@ class FrameReader {
     std::size_t index = 0;  // in chunks_
     std::map<Duration, Messages> frames;
   };
+  [[noreturn]] void refuse_index() const;
   const Chunk& read(std::size_t index);
   void take_transforms(std::string_view data);
   void take_joints(std::string_view data, bool targets);

@@ -96,14 +96,15 @@ TextMap names_of(const RecordedSensor& sensor) {
 }  // namespace
 
 const std::vector<std::string>& recordable() {
-  static const std::vector<std::string> names = {"poses",   "scene",  "joints", "contacts",
-                                                 "sensors", "events", "hashes", "states"};
+  static const std::vector<std::string> names = {"poses",  "scene",  "joints", "contacts", "sensors",
+                                                 "events", "hashes", "states", "drawings", "pictures"};
   return names;
 }
 
 std::set<std::string> usually_recorded() {
   std::set<std::string> names(recordable().begin(), recordable().end());
   names.erase("sensors");
+  names.erase("pictures");
   return names;
 }
 
@@ -159,6 +160,10 @@ std::uint16_t FrameWriter::channel(const std::string& topic, const MessageSchema
   auto [known, is_new] = schemas_.try_emplace(schema.name, std::uint16_t{0});
   if (is_new) known->second = file_.add_schema(schema.name, "protobuf", descriptors_of(schema));
   return file_.add_channel(topic, "protobuf", known->second, metadata);
+}
+
+std::uint16_t FrameWriter::add_channel(const std::string& topic, const std::string& schema) {
+  return channel(topic, find_schema(schema));
 }
 
 std::uint16_t FrameWriter::late_channel(std::optional<std::uint16_t>& known, const std::string& topic,

@@ -12,6 +12,8 @@
 /// | `/state_hash` | murosimf.StateHash |
 /// | `/state` | murosimf.State: all of it, as Scene::save has it |
 ///
+/// Beside them stand pictures (recorded_picture.h) and drawings (recorded_drawings.h).
+///
 /// Every message stands alone: nothing of an earlier one is needed to understand it. Metadata of channels have the names that logs use.
 #pragma once
 
@@ -29,9 +31,10 @@
 
 namespace murosimf::recording {
 
-/// What can be recorded, in the words of --record-what: "poses", "scene", "joints", "contacts", "sensors", "events", "hashes", "states".
+/// What can be recorded, in the words of --record-what: "poses", "scene", "joints", "contacts", "sensors", "events", "hashes",
+/// "states", "drawings", "pictures".
 [[nodiscard]] const std::vector<std::string>& recordable();
-/// What is recorded unless somebody says otherwise: all but sensors, which are as many bytes again.
+/// What is recorded unless somebody says otherwise: all but sensors, which are as many bytes again, and pictures, which are far more.
 [[nodiscard]] std::set<std::string> usually_recorded();
 
 class FrameWriter {
@@ -41,6 +44,8 @@ class FrameWriter {
               const std::vector<RecordedSensor>& sensors, const SceneLooks* looks, const std::set<std::string>& what);
 
   void write(const RecordedFrame& frame);
+  /// For others, who write into it themselves.
+  [[nodiscard]] std::uint16_t add_channel(const std::string& topic, const std::string& schema);
 
  private:
   [[nodiscard]] std::uint16_t channel(const std::string& topic, const MessageSchema& schema,

@@ -69,6 +69,7 @@ McapReader::McapReader(const std::filesystem::path& file, McapReading reading) :
 std::string McapReader::bytes_at(std::uint64_t offset, std::uint64_t length) const {
   if (offset > size_ || length > size_ - offset) throw SetupError("the file ends too early");
   std::string bytes(length, '\0');
+  const std::lock_guard lock(reading_);
   const bool good = std::fseek(stream_.get(), static_cast<long>(offset), SEEK_SET) == 0 &&
                     std::fread(bytes.data(), 1, length, stream_.get()) == length;
   if (!good) throw SetupError("the file cannot be read to its end");

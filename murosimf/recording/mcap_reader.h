@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,7 @@ class McapReader {
   void note_damage(const std::string& damage);
 
   std::filesystem::path file_;
+  mutable std::mutex reading_;  // several threads may read what they ask for
   files::FilePtr stream_;
   std::uint64_t size_ = 0;
   McapContents contents_;

@@ -40,6 +40,11 @@ class ProtobufWriter {
     tag(field, Wire::fixed64);
     fixed(value, 8);
   }
+  void fixed32(int field, std::uint32_t value) {
+    if (value == 0) return;
+    tag(field, Wire::fixed32);
+    fixed(value, 4);
+  }
   void text(int field, std::string_view value) {
     if (!value.empty()) bytes(field, value);
   }

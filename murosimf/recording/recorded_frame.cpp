@@ -74,24 +74,28 @@ void take_numbers(std::vector<RecordedEntity>& entities, RecordedFrame& frame) {
     joints += one.joints.size();
   }
   frame.present.reserve(entities.size());
-  frame.poses.reserve(links);
-  frame.joints.reserve(joints);
+  frame.poses.resize(links);
+  frame.joints.resize(joints);
+  // Written in place: a temporary is stored by halves and loaded whole, for which a processor waits.
+  Transformd* pose = frame.poses.data();
+  JointNumbers* numbers = frame.joints.data();
   for (RecordedEntity& one : entities) {
     RecordedColumns& columns = one.columns;
     columns.follow(*one.entity);
     const bool placed = columns.position && columns.orientation;
     frame.present.push_back(placed && one.entity->present() ? 1 : 0);
-    if (!placed) frame.poses.insert(frame.poses.end(), one.links.size(), Transformd{});
     for (const RecordedEntity::Link& link : one.links) {
-      if (!placed) break;
       const auto i = static_cast<std::size_t>(link.object);
-      frame.poses.push_back({columns.position->values[i], columns.orientation->values[i]});
+      if (placed) pose->position = columns.position->values[i];
+      if (placed) pose->orientation = columns.orientation->values[i];
+      ++pose;
     }
     for (const RecordedEntity::Joint& joint : one.joints) {
-      frame.joints.push_back({.position = number_at(columns.joint_position, joint.object),
-                              .velocity = number_at(columns.joint_velocity, joint.object),
-                              .torque = number_at(columns.joint_torque, joint.object),
-                              .target = number_at(columns.joint_target, joint.object)});
+      numbers->position = number_at(columns.joint_position, joint.object);
+      numbers->velocity = number_at(columns.joint_velocity, joint.object);
+      numbers->torque = number_at(columns.joint_torque, joint.object);
+      numbers->target = number_at(columns.joint_target, joint.object);
+      ++numbers;
     }
   }
 }

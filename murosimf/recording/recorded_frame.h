@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/imaging/image.h"
+#include "murosimf/model/drawing.h"
 #include "murosimf/model/world.h"
 #include "murosimf/runtime/pose_frame.h"
 #include "murosimf/sensors/reading.h"
@@ -68,6 +70,20 @@ struct SensorSample {
   std::vector<double> values;
 };
 
+/// What a camera has shown: colors or a mosaic.
+struct CameraPicture {
+  std::size_t camera = 0;  ///< index of the RecordedCamera
+  Duration taken{};
+  imaging::ColorImage color;
+  imaging::GrayImage mosaic;
+};
+
+/// What the software of a robot draws, from this frame on.
+struct RobotDrawings {
+  std::size_t entity = 0;  ///< index of the RecordedEntity
+  std::vector<DrawnGroup> groups;
+};
+
 struct JointNumbers {
   double position = 0, velocity = 0;  ///< [rad | m], [rad/s | m/s]
   double torque = 0, target = 0;      ///< [N m | N], [rad | m]; NaN: its level has none
@@ -82,6 +98,8 @@ struct RecordedFrame {
   std::vector<JointNumbers> joints;  ///< of all entities
   std::vector<ContactMark> contacts;
   std::vector<SensorSample> samples;
+  std::vector<CameraPicture> pictures;
+  std::vector<RobotDrawings> drawings;
   std::vector<std::pair<Duration, std::string>> events, warnings, commands;  ///< new ones
   std::optional<std::uint64_t> hash;                                         ///< of the state
   std::vector<std::byte> state;  ///< all of it (Scene::save); empty: not kept

@@ -1,6 +1,7 @@
 #include "murosimf/recording/recorder.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,10 +40,12 @@ Recorder::Recorder(scene::Scene& scene, const RecorderOptions& options)
       keep_(options.keep),
       after_(options.after) {
   if (!options.record_on.empty()) {
+    if (what_.contains("pictures")) throw SetupError("pictures of cameras are not kept until something happens");
     watch_.emplace(scene, options.record_on);
     what_.insert("states");  // what is kept begins with one
     state_period_ = std::min(state_period_, std::max(keep_ / 4, batch_span));
   }
+  if (what_.contains("pictures")) want_pictures(scene.simulation().world());
   describe(options);
   file_.sync();
   thread_ = std::make_unique<RecordingThread>([this](const RecordingThread::Batch& batch) { write(batch); });
@@ -70,10 +73,13 @@ void Recorder::start() {
   const World& world = scene_.simulation().world();
   entities_ = recorded_entities(world);
   if (what_.contains("sensors")) sensors_ = recorded_sensors(world);
+  if (what_.contains("pictures")) cameras_ = recorded_cameras(entities_);
   if (what_.contains("scene")) looks_ = std::make_unique<SceneLooks>(scene_, entities_);
   if (files_read_) files_now_ = files_now(files_read_->list());
   if (!watch_) begin_file();
   frames_ = std::make_unique<FrameWriter>(file_, entities_, sensors_, looks_.get(), what_);
+  pictures_ = std::make_unique<PictureWriter>(file_, *frames_, cameras_);
+  drawings_ = std::make_unique<DrawingWriter>(file_, *frames_, entities_);
   next_frame_ = next_hash_ = next_state_ = scene_.simulation().now();
   look();
 }
@@ -95,10 +101,10 @@ bool Recorder::in_every_tick() const {
   return ticks_ && now >= ticks_->begin && now <= ticks_->end;
 }
 
-/// Sensors have rates of their own: they are looked at after every step.
+/// Sensors and cameras have rates of their own: they are looked at after every step.
 Duration Recorder::next_look() const {
   const Duration next_step = scene_.simulation().now() + scene_.simulation().tick();
-  if (!sensors_.empty() || in_every_tick()) return next_step;
+  if (!sensors_.empty() || !cameras_.empty() || in_every_tick()) return next_step;
   if (ticks_ && ticks_->begin >= next_step) return std::min(next_frame_, ticks_->begin);
   return next_frame_;
 }
@@ -114,7 +120,7 @@ void Recorder::look() {
     RecordedFrame frame{.time = now};
     take_samples(frame);
     take_state(frame);
-    if (!frame.samples.empty() || frame.hash) add(std::move(frame));
+    if (!frame.samples.empty() || !frame.pictures.empty() || frame.hash) add(std::move(frame));
   }
   simulation.at(next_look(), [this] { look(); });
 }
@@ -127,6 +133,7 @@ void Recorder::take_frame(bool is_last) {
   frame.contacts.reserve(what_.contains("contacts") ? usual_contacts : 0);
   if (what_.contains("contacts")) scene::add_contact_marks(simulation.world(), frame.contacts);
   take_samples(frame);
+  if (what_.contains("drawings")) sketches_.take(entities_, frame);
   take_lines(frame);
   take_state(frame, is_last);
   if (watch_) watch(frame);
@@ -152,6 +159,7 @@ void Recorder::take_samples(RecordedFrame& frame) {
     sensors_[i].samples = reading.samples;
     frame.samples.push_back({.sensor = i, .arrived = frame.time, .taken = reading.time, .values = reading.values});
   }
+  take_pictures(cameras_, frame);
 }
 
 void Recorder::take_lines(RecordedFrame& frame) {
@@ -217,12 +225,33 @@ void Recorder::forget_old() {
       if (began_) commands_between_.insert(commands_between_.end(), frame.commands.begin(), frame.commands.end());
     }
   }
+  keep_drawings(first_kept);
   held_.erase(held_.begin(), first_kept);
+}
+
+/// Of the frames before, each robot's last drawings, which come only when they change, go to the first frame that stays.
+void Recorder::keep_drawings(std::vector<RecordingThread::Batch>::iterator first_kept) {
+  std::vector<RobotDrawings>& kept = first_kept->front().drawings;
+  const auto has = [&](std::size_t entity) {
+    return std::ranges::find(kept, entity, &RobotDrawings::entity) != kept.end();
+  };
+  for (auto batch = first_kept; batch != held_.begin();) {
+    --batch;
+    for (RecordedFrame& frame : std::views::reverse(*batch)) {
+      for (RobotDrawings& drawn : frame.drawings) {
+        if (!has(drawn.entity)) kept.push_back(std::move(drawn));
+      }
+    }
+  }
 }
 
 /// In the thread.
 void Recorder::write(const RecordingThread::Batch& batch) {
-  for (const RecordedFrame& frame : batch) frames_->write(frame);
+  for (const RecordedFrame& frame : batch) {
+    frames_->write(frame);
+    pictures_->write(frame);
+    drawings_->write(frame);
+  }
   const auto now = std::chrono::steady_clock::now();
   if (now - synced_ < std::chrono::seconds(1)) return;
   file_.sync();  // what a loss of power leaves, at most a second old
@@ -230,7 +259,8 @@ void Recorder::write(const RecordingThread::Batch& batch) {
 }
 
 void Recorder::finish(const scene::RunReport& report) {
-  if (!frames_) start();                                                   // of a run without steps
+  if (!frames_) start();  // of a run without steps
+
   const bool changed = commands_ < scene_.simulation().commands().size();  // after the last step
   if (changed || last_frame_ != scene_.simulation().now()) take_frame(true);
   hand_over();

@@ -21,6 +21,8 @@
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/mcap_reader.h"
 #include "murosimf/recording/mcap_writer.h"
+#include "murosimf/recording/recorded_drawings.h"
+#include "murosimf/recording/recorded_picture.h"
 #include "murosimf/recording/recording_thread.h"
 #include "murosimf/recording/run_description.h"
 #include "murosimf/recording/run_watch.h"
@@ -91,6 +93,7 @@ class Recorder {
   void watch(RecordedFrame& frame);
   void begin_file();
   void forget_old();
+  void keep_drawings(std::vector<RecordingThread::Batch>::iterator first_kept);
   void write(const RecordingThread::Batch& batch);
 
   scene::Scene& scene_;
@@ -105,8 +108,12 @@ class Recorder {
   McapWriter file_;
   std::vector<RecordedEntity> entities_;
   std::vector<RecordedSensor> sensors_;
+  std::vector<RecordedCamera> cameras_;
+  SketchWatch sketches_;
   std::unique_ptr<SceneLooks> looks_;
   std::unique_ptr<FrameWriter> frames_;
+  std::unique_ptr<PictureWriter> pictures_;
+  std::unique_ptr<DrawingWriter> drawings_;
   std::vector<std::pair<std::string, std::string>> texts_;
   Duration next_frame_{}, next_hash_{}, next_state_{};
   std::optional<Duration> last_frame_;

@@ -109,6 +109,21 @@ std::vector<MessageSchema> all_schemas() {
       message_schema("foxglove.JointStates", R"(
         google.protobuf.Timestamp timestamp = 1;
         repeated foxglove.JointState joints = 2;)"),
+      message_schema("foxglove.CompressedImage", R"(
+        google.protobuf.Timestamp timestamp = 1;
+        string frame_id = 4;
+        bytes data = 2;
+        string format = 3;)"),
+      message_schema("foxglove.CameraCalibration", R"(
+        google.protobuf.Timestamp timestamp = 1;
+        string frame_id = 9;
+        fixed32 width = 2;
+        fixed32 height = 3;
+        string distortion_model = 4;
+        repeated double D = 5;
+        repeated double K = 6;
+        repeated double R = 7;
+        repeated double P = 8;)"),
       message_schema("foxglove.Log", R"(
         enum Level { UNKNOWN = 0; DEBUG = 1; INFO = 2; WARNING = 3; ERROR = 4; FATAL = 5; }
         google.protobuf.Timestamp timestamp = 1;

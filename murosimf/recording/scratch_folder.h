@@ -1,4 +1,6 @@
 /// scratch_folder.h - a new folder for files that nobody needs later.
+///
+/// It is locked as long as its process lives. What a process has left that was killed is removed by the next one that needs such a folder.
 #pragma once
 
 #include <filesystem>
@@ -18,6 +20,7 @@ class ScratchFolder {
 
  private:
   std::filesystem::path path_;
+  int lock_ = -1;  // of the folder; ends with the process, however that ends
 };
 
 }  // namespace murosimf::recording

@@ -2,6 +2,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/render/field_picture.h"
 #include "murosimf/render/image_png.h"
+#include "murosimf/render/seen_drawing.h"
 
 namespace murosimf::render {
 namespace {
@@ -16,6 +17,8 @@ std::string field_picture_png(const Markings& /*markings*/, const std::vector<Pa
                               const FieldPictureOptions& /*options*/) {
   refuse();
 }
+
+void draw_over(imaging::ColorImage& /*picture*/, const std::vector<SeenShape>& /*shapes*/) { refuse(); }
 
 std::string image_png(const imaging::ColorImage& /*image*/, const std::string& /*title*/) { refuse(); }
 

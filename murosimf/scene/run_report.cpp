@@ -155,6 +155,11 @@ json stop_object(const RunReport& report) {
   return {{"time_s", report.simulated}, {"by", report.stopped->by}, {"asked_s", report.stopped->asked}};
 }
 
+json drawings_object(const RunReport& report) {
+  if (!report.drawings) return nullptr;
+  return {{"packets", report.drawings->packets}, {"ignored", report.drawings->ignored}};
+}
+
 }  // namespace
 
 std::string to_text(const RunReport& report) {
@@ -180,6 +185,10 @@ std::string to_text(const RunReport& report) {
   }
   text += fmt::format("seed {}, state hash {:016x}\n", report.seed, report.state_hash);
   text += sensor_line(report.sensors);
+  if (report.drawings) {
+    text += fmt::format("drawings for RoboViz: {} packets, {} of them ignored\n", report.drawings->packets,
+                        report.drawings->ignored);
+  }
   for (const Event& event : report.events) text += fmt::format("{:.3f} s: {}\n", seconds(event.time), event.text);
   for (const std::string& note : report.notes) text += fmt::format("note: {}\n", note);
   for (const std::string& warning : report.warnings) text += fmt::format("warning: {}\n", warning);
@@ -199,6 +208,7 @@ std::string to_json(const RunReport& report) {
             {"entities", json::array()},
             {"sensors", json::object()},
             {"control", json::array()},
+            {"drawings", drawings_object(report)},
             {"algorithms", json::array()},
             {"events", json::array()},
             {"notes", report.notes},

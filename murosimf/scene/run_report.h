@@ -40,6 +40,12 @@ struct EarlyStop {
   double asked = 0;  ///< [s] of simulated time that there should have been
 };
 
+/// What came in for drawings of other programs (connect/roboviz_door.h).
+struct DrawingPackets {
+  std::uint64_t packets = 0;
+  std::uint64_t ignored = 0;  ///< of them: damaged, or too much
+};
+
 struct RunReport {
   std::string scene;
   double simulated = 0;  ///< [s]
@@ -52,6 +58,7 @@ struct RunReport {
   std::vector<EntityReport> entities;
   std::vector<SensorReport> sensors;
   std::vector<ControlReport> control;
+  std::optional<DrawingPackets> drawings;  ///< nothing: nobody could send any
   std::vector<AlgorithmStatistics> algorithms;
   std::vector<Event> events;
   std::vector<std::string> notes;     ///< what a level cannot show: nothing is wrong
@@ -67,7 +74,8 @@ struct RunReport {
 /// sensors {entity: {sensor: {type, time_s, samples, outputs: {name: {unit, labels, values}}}}} with null for what is no
 /// finite number, control [{robot, software, rate_hz, calls, us_per_call, worst_us, worst_at_s, budget_us (null: any), over_budget,
 /// refused, first_refusal, messages (null: none; or {sent, refused, lost, arrived, not_read, first_refused}),
-/// link (null: none; or signals and commands: {sent, lost, overtaken, longest_ms}), ended, said [{time_s, text}], not_kept}], algorithms [{name, rate_hz, calls, us_per_call}], events [{time_s, text}], notes [], warnings [].
+/// link (null: none; or signals and commands: {sent, lost, overtaken, longest_ms}), ended, said [{time_s, text}], not_kept}], drawings (null, or {packets,
+/// ignored}), algorithms [{name, rate_hz, calls, us_per_call}], events [{time_s, text}], notes [], warnings [].
 [[nodiscard]] std::string to_json(const RunReport& report);
 
 }  // namespace murosimf::scene

@@ -1,6 +1,7 @@
 #include "murosimf/viewer/inspection.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/error.h"
@@ -60,6 +61,21 @@ CameraState state_of(const sensors::CameraFrame& frame, bool with_picture) {
   return state;
 }
 
+void add_loads(const scene::SceneParts& parts, const World& world, std::vector<JointLoad>& loads) {
+  for (std::size_t i = 0; i < world.entities().size(); ++i) {
+    const Entity& entity = *world.entities()[i];
+    const Column<double>* torque = entity.find(properties::joint_torque);
+    if (!torque || !entity.present() || std::ranges::find(parts.robots, &entity) == parts.robots.end()) continue;
+    for (const int object : entity.model().having(properties::servo)) {
+      const Servo& servo = *entity.model().find(properties::servo, object);
+      const double limit = servo.torque_limit > 0 ? servo.torque_limit : servo.stall_torque;
+      if (!(limit > 0)) continue;
+      loads.push_back(
+          {{static_cast<int>(i), object}, std::abs(torque->values[static_cast<std::size_t>(object)]) / limit});
+    }
+  }
+}
+
 template <class T>
 std::size_t copy_from(std::size_t known, const std::vector<T>& all, std::vector<T>& into) {
   const std::size_t first = std::min(known, all.size());
@@ -85,6 +101,9 @@ Inspection inspect(const scene::Scene& scene, const InspectionRequest& request) 
     }
   }
   if (request.algorithms) seen.algorithms = simulation.statistics();
+  if (request.loads) add_loads(parts, world, seen.loads);
+  seen.drawings = connect::drawn_changes(world);
+  if (seen.drawings != request.drawings_known) seen.drawn = connect::drawn_by_robots(world);
   seen.first_event = copy_from(request.events_known, simulation.events(), seen.events);
   std::vector<std::string> warnings = parts.remarks.warnings();
   warnings.insert(warnings.end(), simulation.warnings().begin(), simulation.warnings().end());

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/connect/drawn.h"
 #include "murosimf/imaging/image.h"
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/scene/scene.h"
@@ -54,6 +55,12 @@ struct CameraState {
   imaging::ColorImage picture;  ///< empty if there is none
 };
 
+/// What a joint's servo gives, of what it can.
+struct JointLoad {
+  ObjectPath path;
+  double share = 0;  ///< |joint_torque| by the limit of the servo's torque
+};
+
 /// What is to be looked at.
 struct InspectionRequest {
   std::vector<ObjectPath> objects;      ///< all properties of these
@@ -61,6 +68,8 @@ struct InspectionRequest {
   std::optional<int> sensors_of;        ///< of this entity
   bool pictures = false;                ///< also what its cameras have drawn
   bool algorithms = false;
+  bool loads = false;                                ///< of the joints of all robots
+  std::uint64_t drawings_known = 0;                  ///< Inspection::drawings, of those that are known already
   std::size_t events_known = 0, warnings_known = 0;  ///< so many of both are known already
 };
 
@@ -73,7 +82,10 @@ struct Inspection {
   std::vector<SensorState> sensors;
   std::vector<CameraState> cameras;
   std::vector<AlgorithmStatistics> algorithms;
-  std::size_t first_event = 0, first_warning = 0;  ///< numbers of those that follow
+  std::vector<JointLoad> loads;
+  std::uint64_t drawings = 0;                        ///< changes with what is drawn for people who watch
+  std::optional<std::vector<connect::Drawn>> drawn;  ///< that; nothing: it is known
+  std::size_t first_event = 0, first_warning = 0;    ///< numbers of those that follow
   std::vector<Event> events;
   std::vector<std::string> warnings;  ///< of the scene, then of the simulation
 };

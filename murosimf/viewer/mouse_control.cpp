@@ -5,8 +5,9 @@
 namespace murosimf::viewer {
 namespace {
 
-constexpr double still = 4;          // [px] by which a click may slip
-constexpr double least_force = 0.5;  // [N] of a push that is meant
+constexpr double still = 4;            // [px] by which a click may slip
+constexpr double least_force = 0.5;    // [N] of a push that is meant
+constexpr double least_moment = 0.05;  // [N m]
 
 }  // namespace
 
@@ -15,7 +16,7 @@ void MouseControl::press(Button button, const Held& held, const Pixel& pixel, co
   button_ = button;
   began_ = last_ = pixel;
   went_far_ = false;
-  if (held.ctrl) return begin_with_thing(Kind::push, pixel, view, pick);
+  if (held.ctrl) return begin_with_thing(button == Button::left ? Kind::twist : Kind::push, pixel, view, pick);
   if (held.shift && button == Button::left) return begin_with_thing(Kind::place, pixel, view, pick);
   kind_ = button == Button::left && !held.alt ? Kind::orbit : Kind::pan;
 }
@@ -63,7 +64,8 @@ void MouseControl::release(const Pixel& pixel, const sensors::Perspective& view,
   const auto pulled = pull();
   const Kind kind = kind_;
   kind_ = Kind::none;
-  if (kind == Kind::push && pulled && norm(pulled->force) > least_force) viewer_.push(pulled->path, pulled->force);
+  if (pulled && norm(pulled->force) > least_force) viewer_.push(pulled->path, pulled->force);
+  if (pulled && norm(pulled->moment) > least_moment) viewer_.twist(pulled->path, pulled->moment);
   if (kind != Kind::orbit || went_far_) return;
   const auto hit = pick(pixel);
   if (hit && hit->path && viewer_.outline()[static_cast<std::size_t>(hit->path->entity)].moves) {
@@ -88,8 +90,11 @@ void MouseControl::wheel(double clicks) {
 }
 
 std::optional<MouseControl::Pull> MouseControl::pull() const {
-  if (kind_ != Kind::push || !went_far_) return std::nullopt;
-  return Pull{path_, grabbed_, to_, viewer_.newtons_per_meter * (to_ - grabbed_)};
+  if ((kind_ != Kind::push && kind_ != Kind::twist) || !went_far_) return std::nullopt;
+  const Vec3d way = to_ - grabbed_;
+  if (kind_ == Kind::push) return Pull{path_, grabbed_, to_, viewer_.newtons_per_meter * way};
+  // the front is what the eye sees of it, against the normal
+  return Pull{path_, grabbed_, to_, {}, viewer_.newton_meters_per_meter * cross(way, normal_)};
 }
 
 }  // namespace murosimf::viewer

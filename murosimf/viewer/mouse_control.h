@@ -2,7 +2,8 @@
 ///
 /// left drag: turn about the middle · right drag, or left with Alt: move the picture · wheel: nearer, farther · click: select ·
 /// double click: select, and look at it · right double click: look at that place; with Ctrl: follow it · Shift and left drag: move a robot, the ball
-/// or a body over the ground, while it is paused · Ctrl and drag: push it, along the plane of the picture.
+/// or a body over the ground, while it is paused · Ctrl and right drag: push it, along the plane of the picture · Ctrl and left drag:
+/// turn it as if its front were pulled that way.
 #pragma once
 
 #include <functional>
@@ -32,6 +33,7 @@ class MouseControl {
     ObjectPath path;
     Vec3d from, to;  ///< [m] world
     Vec3d force;     ///< [N]
+    Vec3d moment{};  ///< [N m]
   };
 
   explicit MouseControl(Viewer& viewer) : viewer_(viewer) {}
@@ -46,7 +48,7 @@ class MouseControl {
   [[nodiscard]] std::optional<Pull> pull() const;
 
  private:
-  enum class Kind { none, orbit, pan, place, push, nothing };
+  enum class Kind { none, orbit, pan, place, push, twist, nothing };
   void begin_with_thing(Kind kind, const Pixel& pixel, const sensors::Perspective& view, const Pick& pick);
   [[nodiscard]] std::optional<Vec3d> dragged_to(const Pixel& pixel, const sensors::Perspective& view) const;
 

@@ -12,7 +12,7 @@ namespace murosimf::viewer {
 namespace {
 
 constexpr Color contact_color{1.0, 0.95, 0.2}, force_color{1.0, 0.3, 0.9}, center_color{0.15, 0.95, 0.95},
-    box_color{0.75, 0.8, 0.85}, support_color{0.35, 1.0, 0.45};
+    box_color{0.75, 0.8, 0.85}, support_color{0.35, 1.0, 0.45}, moment_color{1.0, 0.25, 0.8};
 
 /// One entity of a frame.
 struct Posed {
@@ -141,6 +141,22 @@ void add_contacts(const PoseFrame& frame, const OverlayOptions& options, Overlay
   }
 }
 
+void add_zero_moment_point(const PoseFrame& frame, std::size_t entity, Overlays& into) {
+  const auto point = zero_moment_point(frame, static_cast<int>(entity));
+  if (!point) return;
+  into.marks.push_back({.points = {*point}, .color = moment_color, .width = 4, .filled = true});
+  into.marks.push_back({.points = {*point}, .color = moment_color, .width = 8});
+}
+
+void add_loads(const PoseFrame& frame, const Inspection& seen, Overlays& into) {
+  for (const JointLoad& load : seen.loads) {
+    const auto entity = static_cast<std::size_t>(load.path.entity);
+    if (entity + 1 >= frame.first.size() || !frame.present[entity]) continue;
+    const Vec3d place = frame.position[frame.first[entity] + static_cast<std::size_t>(load.path.object)];
+    into.marks.push_back({.points = {place}, .color = color_of_load(load.share), .width = 6, .filled = true});
+  }
+}
+
 }  // namespace
 
 Overlays overlays(const PoseFrame& frame, std::span<const EntityOutline> outline, const Inspection& seen,
@@ -161,13 +177,33 @@ Overlays overlays(const PoseFrame& frame, std::span<const EntityOutline> outline
                 .filled = true};
       if (hull.points.size() > 2) into.marks.push_back(std::move(hull));
     }
+    if (options.zero_moment_points && outline[i].is_robot) add_zero_moment_point(frame, i, into);
     if (options.bounding_volumes) add_boxes(entity, into);
     if (options.centers_of_mass) add_center_of_mass(entity, into);
     if (options.frames && static_cast<int>(i) == selected) add_axes(entity, into);
     add_name(entity, level, options, into);
   }
+  if (options.joint_loads) add_loads(frame, seen, into);
   add_contacts(frame, options, into);
   return into;
+}
+
+std::optional<Vec3d> zero_moment_point(const PoseFrame& frame, int entity) {
+  double force = 0;
+  Vec3d moment;
+  for (const ContactMark& mark : frame.contacts) {
+    if (mark.ground_contact_of != entity || !(mark.force.z > 0)) continue;
+    force += mark.force.z;
+    moment += mark.force.z * mark.point;
+  }
+  constexpr double least = 1e-3;  // [N]
+  if (force < least) return std::nullopt;
+  return (1 / force) * moment;
+}
+
+Color color_of_load(double share) {
+  const double s = std::clamp(share, 0.0, 1.0);
+  return {std::min(1.0, 2 * s), std::min(1.0, 2 - 2 * s), 0.1};
 }
 
 std::optional<Vec3d> center_of_mass(const Model& model, std::span<const Vec3d> r, std::span<const Mat3d> R) {

@@ -17,6 +17,7 @@ namespace murosimf::viewer {
 struct OverlayOptions {
   bool contacts = false, forces = false, centers_of_mass = false, frames = false, bounding_volumes = false;
   bool names = true, levels = false, standing_feet = false, support_polygons = false;
+  bool zero_moment_points = false, joint_loads = false, drawings = true;
   double force_scale = 0.005;  ///< [m/N] length of an arrow
 };
 
@@ -44,6 +45,11 @@ struct Overlays {
 /// [m] world, of all of an entity at that moment; nothing if it has no mass.
 [[nodiscard]] std::optional<Vec3d> center_of_mass(const Model& model, std::span<const Vec3d> r,
                                                   std::span<const Mat3d> R);
+/// [m] world: where the ground's forces on an entity act, without a moment that would tip it (zero moment point, on level ground the
+/// center of pressure); nothing if the ground does not carry it.
+[[nodiscard]] std::optional<Vec3d> zero_moment_point(const PoseFrame& frame, int entity);
+/// From green (0) by yellow (0.5) to red (1 and more).
+[[nodiscard]] Color color_of_load(double share);
 /// Corners of the convex hull in x and y, counterclockwise.
 [[nodiscard]] std::vector<Vec3d> hull_on_ground(std::vector<Vec3d> points);
 /// The same color for the same level everywhere.

@@ -35,6 +35,7 @@ constexpr std::array grammar{
     Grammar{"press", Kind::press, Grammar::Text::rest, 0, "press TEXT"},
     Grammar{"drag", Kind::drag, Grammar::Text::name, 2, "drag NAME X Y"},
     Grammar{"push", Kind::push, Grammar::Text::name, 3, "push NAME X Y Z"},
+    Grammar{"twist", Kind::twist, Grammar::Text::name, 3, "twist NAME X Y Z"},
     Grammar{"type", Kind::type, Grammar::Text::rest, 0, "type TEXT"},
     Grammar{"scrub", Kind::scrub, Grammar::Text::none, 1, "scrub SECONDS"},
     Grammar{"look", Kind::look, Grammar::Text::none, 3, "look AZIMUTH_DEG ELEVATION DISTANCE"},

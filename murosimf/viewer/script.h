@@ -9,7 +9,8 @@
 ///     double blue1                # clicks twice, which selects
 ///     press Reset                 # a button, field or row of a panel, by what is written there
 ///     drag ball 1 0.5             # with Shift: moves it to x, y [m] on the field
-///     push blue1.torso 0 0.3 0    # with Ctrl: pulls by x, y, z [m] in the world
+///     push blue1.torso 0 0.3 0    # with Ctrl and the right button: pulls by x, y, z [m] in the world
+///     twist blue1.torso 0 0.3 0   # with Ctrl and the left button: the same turns it
 ///     type 0.25                   # text into the field that has the focus, then Enter
 ///     scrub 1.5                   # drags on the time line to 1.5 s
 ///     look 30 0.3 4               # free view: azimuth [deg], elevation [rad], distance [m] from what is selected
@@ -35,6 +36,7 @@ struct ScriptStep {
     press,
     drag,
     push,
+    twist,
     type,
     scrub,
     look,

@@ -54,6 +54,8 @@ void Viewer::begin() {
     if (outline_[i].is_ball) ball_ = static_cast<int>(i);
   }
   events_ = {};
+  drawn_.clear();
+  drawings_known_ = 0;
   jumps_seen_ = 0;
   in_goal_ = false;
   if (selected_ && selected_->entity >= static_cast<int>(outline_.size())) selected_.reset();
@@ -137,6 +139,8 @@ void Viewer::ask_for_inspection() {
   }
   request.pictures = wants_pictures;
   request.algorithms = wants_algorithms;
+  request.loads = overlay.joint_loads;
+  request.drawings_known = drawings_known_;
   jumps_asked_ = status_.jumps;
   if (jumps_asked_ == jumps_seen_) request.events_known = events_.events_known();
   request.warnings_known = jumps_asked_ == jumps_seen_ ? events_.warnings_known() : 0;
@@ -156,6 +160,8 @@ void Viewer::take_inspection() {
   jumps_seen_ = jumps_asked_;
   seen_ = std::move(*coming_);
   events_.take(seen_, status_.branch, jumped);
+  if (seen_.drawn) drawn_ = std::move(*seen_.drawn);
+  drawings_known_ = seen_.drawings;
   record_plots();
 }
 
@@ -210,14 +216,10 @@ void Viewer::collect_answers() {
   }
   std::erase_if(asked_, [](const Asked& asked) { return !asked.done.valid(); });
   if (moving_ || moves_.empty()) return;
-  const auto [entity, place] = *moves_.begin();
+  const auto [path, value] = *moves_.begin();
   moves_.erase(moves_.begin());
   moving_ = true;
-  const EntityOutline& whom = outline_[static_cast<std::size_t>(entity)];
-  ask("move",
-      session().change(fmt::format("{}.{}.position = [{}, {}, {}]", whom.name, whom.model->objects()[0].name, place.x,
-                                   place.y, place.z)),
-      true);
+  ask("move", session().change(fmt::format("{} = {}", path, value)), true);
 }
 
 void Viewer::tell(std::string text, bool mistake) {

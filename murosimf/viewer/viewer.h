@@ -9,9 +9,11 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "murosimf/render/seen_drawing.h"
 #include "murosimf/viewer/actions.h"
 #include "murosimf/viewer/camera_rig.h"
 #include "murosimf/viewer/event_book.h"
@@ -20,13 +22,18 @@
 #include "murosimf/viewer/plot_book.h"
 #include "murosimf/viewer/running_scene.h"
 
+namespace murosimf::connect {
+class RobovizDoor;
+}
+
 namespace murosimf::viewer {
 
 struct ViewerOptions {
   session::MakeCourse make_course;  ///< also for every reload
   session::SessionOptions session{};
-  Duration end = Duration::max();  ///< where it pauses by itself
-  double inspections = 20;         ///< [Hz] of wall time
+  Duration end = Duration::max();                 ///< where it pauses by itself
+  double inspections = 20;                        ///< [Hz] of wall time
+  const connect::RobovizDoor* roboviz = nullptr;  ///< whose drawings are shown; must outlive the viewer
 };
 
 /// What the viewer tells people.
@@ -34,6 +41,13 @@ struct Message {
   std::string text;
   bool mistake = false;
   std::chrono::steady_clock::time_point when = std::chrono::steady_clock::now();
+};
+
+/// A joint that people can move.
+struct MovableJoint {
+  ObjectPath path;
+  std::string name;
+  double lowest = 0, highest = 0, position = 0;  ///< [rad | m]
 };
 
 /// Parts of the window that can be switched off, and wishes that only the window fulfils.
@@ -81,6 +95,13 @@ class Viewer {
   [[nodiscard]] ObjectPath path_of(const std::string& text) const;
   [[nodiscard]] RigView rig_view() const;
   [[nodiscard]] Overlays overlays_now() const;
+  /// What is drawn for people who watch, as it is seen in a picture.
+  [[nodiscard]] std::vector<render::SeenShape> drawings_in(const sensors::Perspective& view) const;
+  /// "blue1/ball": who draws, and the name of a group.
+  [[nodiscard]] std::vector<std::string> drawing_groups() const;
+  [[nodiscard]] const connect::RobovizDoor* roboviz() const { return options_.roboviz; }
+  /// Joints of what is selected that can be moved, in the order of the model.
+  [[nodiscard]] std::vector<MovableJoint> joints() const;
 
   // ---- What people do ----
   void perform(Action action);
@@ -98,8 +119,12 @@ class Viewer {
   }
   /// [m] world: of its base. Only one move is on its way at a time; the last one wins.
   void move(int entity, const Vec3d& place);
+  /// [rad | m] While it is paused; as move().
+  void move_joint(const ObjectPath& path, double position);
   /// [N] world, for push_seconds.
   void push(const ObjectPath& path, const Vec3d& force);
+  /// [N m] likewise.
+  void twist(const ObjectPath& path, const Vec3d& moment);
   void seek(double time, std::optional<int> branch = {});
   void reset();
   void reload();
@@ -109,7 +134,8 @@ class Viewer {
   CameraRig rig;
   OverlayOptions overlay;
   WindowState window;
-  double push_seconds = 0.1, newtons_per_meter = 200;
+  double push_seconds = 0.1, newtons_per_meter = 200, newton_meters_per_meter = 20;
+  std::set<std::string> hidden_groups;      ///< of drawing_groups()
   std::optional<Vec3d> pointed_at;          ///< [m] on the ground, below the mouse
   std::map<ObjectPath, bool> open_objects;  ///< whose properties are looked at
   bool wants_sensors = false, wants_pictures = false, wants_algorithms = false;
@@ -131,6 +157,7 @@ class Viewer {
   void begin();
   void ask(std::string what, std::future<void> done, bool silent = false);
   void collect_answers();
+  [[nodiscard]] std::vector<connect::Drawn> all_drawn() const;
   void take_frame();
   void take_inspection();
   void ask_for_inspection();
@@ -164,7 +191,9 @@ class Viewer {
   EventBook events_;
   std::deque<Message> messages_;
   std::vector<Asked> asked_;
-  std::map<int, Vec3d> moves_;  // that wait until the last one has been done
+  std::map<std::string, std::string> moves_;  // PATH = VALUE: that wait until the last one has been done
+  std::vector<connect::Drawn> drawn_;         // by robots
+  std::uint64_t drawings_known_ = 0;
   bool moving_ = false;
   Duration asked_poses_at_ = Duration::min();
   std::optional<ObjectPath> selected_;

@@ -121,6 +121,9 @@ bool Viewer::perform_overlay(Action action) {
     case Action::levels: return toggle(overlay.levels);
     case Action::standing_feet: return toggle(overlay.standing_feet);
     case Action::support_polygons: return toggle(overlay.support_polygons);
+    case Action::zero_moment_points: return toggle(overlay.zero_moment_points);
+    case Action::joint_loads: return toggle(overlay.joint_loads);
+    case Action::drawings: return toggle(overlay.drawings);
     case Action::field_map: return toggle(window.field_map);
     case Action::left_panel: return toggle(window.left_panel);
     case Action::right_panel: return toggle(window.right_panel);
@@ -207,12 +210,23 @@ void Viewer::set_property(const ObjectPath& path, const PropertyValue& property)
 }
 
 void Viewer::move(int entity, const Vec3d& place) {
-  moves_[entity] = place;
+  moves_[path_text({entity, 0}) + ".position"] = fmt::format("[{}, {}, {}]", place.x, place.y, place.z);
+  collect_answers();
+}
+
+void Viewer::move_joint(const ObjectPath& path, double position) {
+  if (!status_.paused) return tell("pause first (Space), then move joints", true);
+  moves_[path_text(path) + ".joint_position"] = fmt::format("{}", position);
   collect_answers();
 }
 
 void Viewer::push(const ObjectPath& path, const Vec3d& force) {
   change(fmt::format("{}.push = [{:.4g}, {:.4g}, {:.4g}, {:g}]", path_text(path), force.x, force.y, force.z,
+                     push_seconds));
+}
+
+void Viewer::twist(const ObjectPath& path, const Vec3d& moment) {
+  change(fmt::format("{}.push = [0, 0, 0, {:.4g}, {:.4g}, {:.4g}, {:g}]", path_text(path), moment.x, moment.y, moment.z,
                      push_seconds));
 }
 

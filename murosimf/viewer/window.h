@@ -22,8 +22,8 @@ struct WindowOptions {
   std::optional<double> after{};                    ///< [s] of wall time, after which that is taken, and it ends
   std::optional<int>
       samples{};  ///< to a pixel of the scene, 1 to 8: smooth edges; nothing: 4, or 1 if the processor draws
-  bool shadows = true;
-  StopRequest stop{};  ///< ends it
+  std::optional<bool> shadows{};  ///< nothing: unless the processor draws, and is too slow with them (docs/viewer.md)
+  StopRequest stop{};             ///< ends it
 };
 
 /// What it has done.

@@ -3,6 +3,12 @@
 #include <algorithm>
 #include <exception>
 #include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "murosimf/connect/drawn.h"
+#include "murosimf/connect/roboviz_door.h"
 
 namespace murosimf::web {
 namespace {
@@ -13,7 +19,7 @@ constexpr auto between_frames = 33ms;  // [wall]
 constexpr auto while_it_stands = 1s;   // [wall] a frame is repeated, for who has come since
 
 const std::set<std::string>& sent() {
-  static const std::set<std::string> what = {"poses", "scene", "joints", "contacts", "sensors", "events"};
+  static const std::set<std::string> what = {"poses", "scene", "joints", "contacts", "sensors", "events", "drawings"};
   return what;
 }
 
@@ -27,6 +33,9 @@ struct FoxgloveLive::Visit {
   std::vector<recording::RecordedEntity> entities;
   std::vector<recording::RecordedSensor> sensors;
   std::unique_ptr<recording::SceneLooks> looks;
+  recording::SketchWatch sketches;
+  std::vector<std::string> teams;   // of all entities of the world
+  std::vector<std::size_t> places;  // of `entities` in it
   int changes = -1;
   std::size_t events = 0, warnings = 0;  // that were taken
 
@@ -42,6 +51,13 @@ struct FoxgloveLive::Visit {
     sensors = recording::recorded_sensors(world);
     looks = std::make_unique<recording::SceneLooks>(scene, entities);
     scene_name = scene.spec().name;
+    sketches = {};
+    teams.clear();
+    places.clear();
+    for (const auto& entity : world.entities()) teams.push_back(entity->options().team);
+    for (const recording::RecordedEntity& one : entities) {
+      places.push_back(static_cast<std::size_t>(world.index_of(one.entity)));
+    }
     ++setups;
   }
 
@@ -52,6 +68,7 @@ struct FoxgloveLive::Visit {
     recording::take_numbers(entities, frame);
     simulation.poses().add_contacts(simulation.world(), frame.contacts);
     for (std::size_t i = 0; i < sensors.size(); ++i) take_sample(i);
+    sketches.take(entities, frame);
     events = std::min(events, simulation.events().size());  // a reset forgets them
     warnings = std::min(warnings, simulation.warnings().size());
     for (; events < simulation.events().size(); ++events) {
@@ -109,11 +126,48 @@ bool FoxgloveLive::is_of_lines(std::uint16_t channel) const {
   return name == "foxglove.Log";
 }
 
-void FoxgloveLive::take(const Visit& visit) {
+/// All of it is sent anew by them.
+void FoxgloveLive::renew_writers(Visit& visit) {
+  recording::MessageSink& sink = *this;
+  writer_ = std::make_unique<recording::FrameWriter>(sink, visit.entities, visit.sensors, visit.looks.get(), sent());
+  drawings_ = std::make_unique<recording::DrawingWriter>(sink, *writer_, visit.entities);
+  visit.sketches = {};
+  others_changes_ = 0;
+}
+
+/// Each on a topic of its own, like `/drawings/roboviz`; of texts at robots `/drawings/roboviz/blue1`.
+void FoxgloveLive::write_drawings_of_others(const Visit& visit) {
+  const auto others = roboviz_ ? roboviz_->shown() : nullptr;
+  if (!others || std::exchange(others_changes_, others->changes) == others->changes) return;
+  std::map<std::string, std::string> messages;
+  const auto put = [&](const std::string& topic, const recording::RecordedEntity& whom,
+                       const std::vector<DrawnGroup>& groups) {
+    if (!drawn_by_others_.contains(topic)) {
+      drawn_by_others_[topic] = writer_->add_channel(topic, "foxglove.SceneUpdate");
+    }
+    messages[topic] = recording::drawing_message(time_, whom, groups);
+  };
+  for (const connect::Drawn& drawn : connect::drawn_by_others(*others, visit.teams)) {
+    const auto place = std::ranges::find(visit.places, static_cast<std::size_t>(drawn.entity));
+    recording::RecordedEntity whom{.name = drawn.by};
+    if (place == visit.places.end()) {
+      put("/drawings/" + drawn.by, whom, drawn.groups);
+    } else {
+      whom.links = visit.entities[static_cast<std::size_t>(place - visit.places.begin())].links;
+      put(fmt::format("/drawings/{}/{}", drawn.by, visit.entities[static_cast<std::size_t>(place - visit.places.begin())].name),
+          whom, drawn.groups);
+    }
+  }
+  for (const auto& [topic, channel] : drawn_by_others_) {  // what is drawn no more is deleted
+    const auto message = messages.find(topic);
+    write(channel, time_, message != messages.end() ? message->second : recording::drawing_message(time_, {}, {}));
+  }
+}
+
+void FoxgloveLive::take(Visit& visit) {
   const std::uint64_t jumps = session_.status().jumps;
   if (!writer_ || setups_ != visit.setups || jumps_ != jumps) {  // a writer counts on time that goes on
-    recording::MessageSink& sink = *this;
-    writer_ = std::make_unique<recording::FrameWriter>(sink, visit.entities, visit.sensors, visit.looks.get(), sent());
+    renew_writers(visit);
     setups_ = visit.setups;
     jumps_ = jumps;
   }
@@ -121,6 +175,8 @@ void FoxgloveLive::take(const Visit& visit) {
   parameters_ = visit.parameters;
   time_ = visit.frame.time;
   writer_->write(visit.frame);
+  drawings_->write(visit.frame);
+  write_drawings_of_others(visit);
 }
 
 void FoxgloveLive::look() {

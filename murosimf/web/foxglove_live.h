@@ -14,7 +14,12 @@
 #include <vector>
 
 #include "murosimf/recording/frame_writer.h"
+#include "murosimf/recording/recorded_drawings.h"
 #include "murosimf/session/session.h"
+
+namespace murosimf::connect {
+class RobovizDoor;
+}
 
 namespace murosimf::web {
 
@@ -25,7 +30,9 @@ struct FoxgloveChannel {
 
 class FoxgloveLive final : private recording::MessageSink {
  public:
-  explicit FoxgloveLive(session::Session& session) : session_(session) {}
+  /// `roboviz`: null if no other program draws. Both must outlive it.
+  explicit FoxgloveLive(session::Session& session, const connect::RobovizDoor* roboviz = nullptr)
+      : session_(session), roboviz_(roboviz) {}
   ~FoxgloveLive() override;
 
   struct Packet {
@@ -62,9 +69,12 @@ class FoxgloveLive final : private recording::MessageSink {
   [[nodiscard]] std::uint16_t add_channel(const std::string& topic, const std::string& encoding, std::uint16_t schema,
                                           recording::TextMap metadata) override;
   void write(std::uint16_t channel, Duration time, std::string_view data) override;
-  void take(const Visit& visit);
+  void take(Visit& visit);
+  void renew_writers(Visit& visit);
+  void write_drawings_of_others(const Visit& visit);
 
   session::Session& session_;
+  const connect::RobovizDoor* roboviz_;
   int clients_ = 0;
   std::string scene_name_;
   std::vector<std::pair<std::string, std::string>> schemas_;  // name, descriptors
@@ -78,6 +88,9 @@ class FoxgloveLive final : private recording::MessageSink {
   std::future<void> visited_;
   std::chrono::steady_clock::time_point next_visit_{};
   std::unique_ptr<recording::FrameWriter> writer_;
+  std::unique_ptr<recording::DrawingWriter> drawings_;
+  std::map<std::string, std::uint16_t> drawn_by_others_;  // channels, by topic
+  std::uint64_t others_changes_ = 0;                      // that were sent
   std::uint64_t setups_ = 0, jumps_ = 0;  // that the writer was made for
 };
 

@@ -1,8 +1,11 @@
 #include "murosimf/web/live_scene.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "murosimf/connect/roboviz_door.h"
+#include "murosimf/web/drawings_message.h"
 #include "murosimf/web/entity_states.h"
 #include "murosimf/web/json_line.h"
 #include "murosimf/web/picture_message.h"
@@ -58,6 +61,7 @@ struct LiveScene::Visit {
   std::size_t known_entities = 0;
   std::vector<std::string> paths, cameras;
   std::map<std::string, std::uint64_t> known_pictures;  // numbers of frames
+  std::uint64_t known_drawings = 0;                     // connect::drawn_changes
 
   // found
   std::shared_ptr<const SceneDocument> document;
@@ -66,6 +70,9 @@ struct LiveScene::Visit {
   json entities, game, lines;
   std::vector<std::pair<std::string, std::optional<double>>> values;
   std::map<std::string, std::string> pictures;
+  bool is_new_drawing = false;
+  std::vector<connect::Drawn> drawn;
+  std::vector<std::string> teams;
 
   WatchedNumbers numbers;  // kept from visit to visit
 
@@ -87,6 +94,17 @@ struct LiveScene::Visit {
       pictures[camera] = picture_message(*frame);
     }
     if (publish || document) simulation.publish_poses();
+    take_drawings(simulation.world());
+  }
+
+  void take_drawings(const World& world) {
+    const std::uint64_t changes_of_drawings = connect::drawn_changes(world);
+    is_new_drawing = known_drawings != changes_of_drawings || document;
+    known_drawings = changes_of_drawings;
+    if (!is_new_drawing) return;
+    drawn = connect::drawn_by_robots(world);
+    teams.clear();
+    for (const auto& entity : world.entities()) teams.push_back(entity->options().team);
   }
 };
 
@@ -128,9 +146,26 @@ void LiveScene::take(const Visit& visit) {
     for (const auto& [path, value] : visit.values) values[path] = value ? json(*value) : json(nullptr);
     news_.values = text_message(json_line({{"is", "values"}, {"time", visit.time}, {"values", values}}));
   }
+  take_drawings(visit);
   for (const auto& [camera, bytes] : visit.pictures) {
     if (!bytes.empty()) news_.pictures[camera] = last_.pictures[camera] = binary_message(bytes);
   }
+}
+
+void LiveScene::take_drawings(const Visit& visit) {
+  const auto others = roboviz_ ? roboviz_->shown() : nullptr;
+  const std::uint64_t changes_of_others = others ? others->changes : 0;
+  if (!visit.is_new_drawing && changes_of_others == drawn_by_others_) return;
+  drawn_by_others_ = changes_of_others;
+  if (visit.is_new_drawing) {
+    drawn_ = visit.drawn;
+    teams_ = visit.teams;
+  }
+  std::vector<connect::Drawn> all = drawn_;
+  if (others) std::ranges::move(connect::drawn_by_others(*others, teams_), std::back_inserter(all));
+  if (all.empty() && !is_drawn_) return;
+  is_drawn_ = !all.empty();
+  news_.drawings = last_.drawings = text_message(drawings_message(all));
 }
 
 void LiveScene::ask(const Wishes& wishes) {
@@ -170,7 +205,8 @@ void LiveScene::look() {
   read_poses(wishes);
   const auto now = std::chrono::steady_clock::now();
   if (now < next_visit_) return;
-  next_visit_ = now + (wishes.numbers.empty() && wishes.cameras.empty() ? between_visits : between_numbers);
+  const bool often = is_drawn_ || !wishes.numbers.empty() || !wishes.cameras.empty();
+  next_visit_ = now + (often ? between_numbers : between_visits);
   ask(wishes);
 }
 

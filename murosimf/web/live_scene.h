@@ -14,11 +14,15 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/connect/drawn.h"
 #include "murosimf/runtime/pose_feed.h"
 #include "murosimf/session/session.h"
 #include "murosimf/web/outbox.h"
 #include "murosimf/web/scene_document.h"
 
+namespace murosimf::connect {
+class RobovizDoor;
+}
 namespace murosimf::league {
 class GameTask;
 }
@@ -44,15 +48,16 @@ class Onlooker {
 /// Messages that were new in the last look. Null bytes: there was none.
 struct News {
   Message poses, poses_with_contacts;
-  Message state, lines, values;
+  Message state, lines, values, drawings;
   std::map<std::string, Message> pictures;  ///< by camera
 };
 
 class LiveScene {
  public:
-  /// `poses`: of the scene's simulation; `game`: null if nobody referees. All must outlive it.
-  LiveScene(session::Session& session, PoseFeed& poses, const league::GameTask* game)
-      : session_(session), poses_(poses), game_(game) {}
+  /// `poses`: of the scene's simulation; `game`: null if nobody referees; `roboviz`: null if no other program draws. All must outlive it.
+  LiveScene(session::Session& session, PoseFeed& poses, const league::GameTask* game,
+            const connect::RobovizDoor* roboviz = nullptr)
+      : session_(session), poses_(poses), game_(game), roboviz_(roboviz) {}
 
   void join(const Onlooker& onlooker) { onlookers_.push_back(&onlooker); }
   void leave(const Onlooker& onlooker) { std::erase(onlookers_, &onlooker); }
@@ -73,12 +78,14 @@ class LiveScene {
   struct Visit;
   void read_poses(const Wishes& wishes);
   void take(const Visit& visit);
+  void take_drawings(const Visit& visit);
   void ask(const Wishes& wishes);
   void subscribe(const Wishes& wishes);
 
   session::Session& session_;
   PoseFeed& poses_;
   const league::GameTask* game_;
+  const connect::RobovizDoor* roboviz_;
   std::vector<const Onlooker*> onlookers_;
   News news_, last_;
   std::shared_ptr<const SceneDocument> scene_;
@@ -93,7 +100,11 @@ class LiveScene {
   std::shared_ptr<Visit> visit_;
   std::future<void> visited_;
   std::chrono::steady_clock::time_point next_visit_{};
-  std::string state_, lines_;  // that clients have
+  std::string state_, lines_;          // that clients have
+  std::vector<std::string> teams_;     // of entities
+  std::vector<connect::Drawn> drawn_;  // by robots
+  std::uint64_t drawn_by_others_ = 0;  // changes that clients have
+  bool is_drawn_ = false;              // anything
 };
 
 }  // namespace murosimf::web

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-enum Kind { poses, state, lines, values, picture };  // of views (outbox.h)
+enum Kind { poses, state, lines, values, picture, drawings };  // of views (outbox.h)
 
 constexpr int most_unseen = 4;            // a page that draws slowly gets fewer poses, not older ones
 constexpr std::size_t most_paths = 64;    // that a client watches
@@ -145,6 +145,7 @@ void PageConversation::look() {
     if (first) {
       if (live_.last().state.bytes) outbox.show(state, live_.last().state);
       if (live_.last().lines.bytes) outbox.show(lines, live_.last().lines);
+      if (live_.last().drawings.bytes) outbox.show(drawings, live_.last().drawings);
     }
     missed_ = live_.last().poses;
   }
@@ -156,6 +157,7 @@ void PageConversation::look() {
   if (missed_.bytes) show_poses();
   if (news.state.bytes) outbox.show(state, news.state);
   if (news.lines.bytes) outbox.show(lines, news.lines);
+  if (news.drawings.bytes) outbox.show(drawings, news.drawings);
   if (news.values.bytes && !paths_.empty()) outbox.show(values, news.values);
   const auto seen = news.pictures.find(camera_);
   if (seen != news.pictures.end()) outbox.show(picture, seen->second);

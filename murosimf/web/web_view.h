@@ -14,6 +14,9 @@
 #include "murosimf/session/session.h"
 #include "murosimf/wire/socket.h"
 
+namespace murosimf::connect {
+class RobovizDoor;
+}
 namespace murosimf::league {
 class GameTask;
 }
@@ -22,7 +25,8 @@ namespace murosimf::web {
 
 struct WebOptions {
   wire::Address address;
-  const league::GameTask* game = nullptr;  ///< whose score is shown; must outlive the view
+  const league::GameTask* game = nullptr;         ///< whose score is shown; must outlive the view
+  const connect::RobovizDoor* roboviz = nullptr;  ///< whose drawings are shown; must outlive the view
 };
 
 class WebView {

@@ -41,8 +41,8 @@ class Socket {
   [[nodiscard]] static Socket listen(const Address& address);
   [[nodiscard]] static Socket connect(const Address& address);  ///< waits, as long as the system does
 
-  /// A socket to who has come; one that is not open if nobody has. It ends if the other computer does not answer for a minute: without
-  /// power, or off the network. (TCP keepalive, RFC 9293 section 3.8.4; user timeout, RFC 5482.)
+  /// A socket to who has come; one that is not open if nobody has. It ends if the other computer does not answer for a minute (without
+  /// power, or off the network), or takes nothing of what waits for it for as long. (TCP keepalive, RFC 9293 section 3.8.4; user timeout, RFC 5482.)
   [[nodiscard]] Socket accept() const;
 
   [[nodiscard]] bool is_open() const { return number_ >= 0; }

@@ -21,6 +21,7 @@ constexpr NumericOption numeric_options[]{
     {"run walk --duration 0.1 --record FILE", "--record-states"},
     {"run walk --duration 0.1 --record FILE --record-on fall", "--keep"},
     {"run walk --duration 0.1 --html FILE", "--html-rate"},
+    {"replay FILE --html FILE", "--html-rate"},
     {"rerun FILE", "--threads"},
     {"rerun FILE --record FILE", "--record-rate"},
     {"rerun FILE --record FILE", "--record-states"},

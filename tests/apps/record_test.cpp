@@ -62,6 +62,19 @@ TEST(Record, IsExportedAsTheLogOfTheSameRun) {
   EXPECT_EQ(read_file(array).substr(1, 5), "NUMPY");
 }
 
+TEST(Record, IsExportedAsMotionCapture) {
+  const fs::path file = scratch("run.mcap"), motion = scratch("walker.bvh");
+  EXPECT_EQ(murosimf("run walk --duration 0.5 --record " + file.string()).exit_code, 0);
+  const std::string bvh = "export " + file.string() + " --bvh " + motion.string();
+  const Result exported = murosimf(bvh + " --robot walker");
+  EXPECT_EQ(exported.exit_code, 0) << exported.errors;
+  EXPECT_EQ(exported.output + exported.errors, "");
+  EXPECT_NE(read_file(motion).find("Frames: 51\nFrame Time: 0.010000000\n"), std::string::npos);
+  expect_mistake(bvh + " --robot wlker", {"'wlker'", "did you mean 'walker'"});
+  expect_mistake(bvh + " walker.*", {"--bvh", "no names of numbers"});
+  expect_mistake("export " + file.string() + " --robot walker", {"--robot", "--bvh"});
+}
+
 TEST(Record, ExportAndReplayRefuseMistakesInOneLine) {
   const fs::path file = scratch("run.mcap");
   EXPECT_EQ(murosimf("run walk --duration 0.1 --record " + file.string()).exit_code, 0);

@@ -156,6 +156,18 @@ TEST_F(Render, AVideoThroughACameraShowsEachOfItsFramesOnce) {
       << "frames that come late are the same frames";
 }
 
+TEST_F(Render, AVideoIsMadeOfARecordingAlone) {
+  if (!has_ffmpeg()) GTEST_SKIP() << "no ffmpeg here";
+  const std::string options = " --size 65x41 --view corner --time 0.1 --duration 0.4 --fps 10";
+  const std::string live = draw(options, "a.gif");
+  EXPECT_EQ(murosimf("run " + scene_.string() + " --duration 0.6 --record " + file("run.mcap")).exit_code, 0);
+  fs::remove(scene_);
+  const Result result = murosimf("render " + file("run.mcap") + options + video("b.gif"));
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(pictures_in_gif(live), 4);
+  EXPECT_TRUE(read_file(file("b.gif")) == live) << "the pictures are the live ones";
+}
+
 /// [s] for which the first picture of a GIF is shown.
 double seconds_of_first_picture(const std::string& gif) {
   const auto at = gif.find(std::string("\x21\xf9\x04", 3));

@@ -55,6 +55,8 @@ TEST_F(View, SelectPushSwitchLevelEditDragGoBack) {
                               "settle\n"
                               "push blue1 0.1 0 0\n"
                               "settle\n"
+                              "twist blue1 0.1 0 0\n"
+                              "settle\n"
                               "drag ball 0.75 0.5\n"
                               "settle\n"
                               "press position\n"  // of the selected object
@@ -75,6 +77,7 @@ TEST_F(View, SelectPushSwitchLevelEditDragGoBack) {
   EXPECT_EQ(entity(report, "blue1")["level"], "simplified_dynamics");
   EXPECT_TRUE(has_command(report, "blue1.level = simplified_dynamics"));
   EXPECT_TRUE(has_command(report, ".push = ["));
+  EXPECT_TRUE(has_command(report, ".push = [0, 0, 0, ")) << report["commands"];
   EXPECT_TRUE(has_command(report, "ball.ball.position = [0.7")) << report["commands"];
   EXPECT_TRUE(has_command(report, "position = [0.5, 0.25, 0.05]")) << report["commands"];
   EXPECT_TRUE(report["paused"]);
@@ -89,6 +92,20 @@ TEST_F(View, ResetKeepsTheRunAsABranch) {
               "--paused --speed max");
   ASSERT_TRUE(report.is_object());
   EXPECT_GE(report["branches"].get<int>(), 2);
+}
+
+// A click on the middle of a slider puts the joint into the middle of its range; what robots bear is colored.
+TEST_F(View, JointsAreMovedBySliders) {
+  const fs::path picture = scratch("joints.png");
+  const json report = session("nudge",
+                              "key 1\nkey Z\nkey J\nkey P\nkey O\nkey O\nkey Space\nuntil 0.3\nkey Space\nsettle\n"
+                              "press Joints\nsettle\npress joint j_l_shin\nsettle\nlook 60 0.2 1.6\nscreenshot " +
+                                  picture.string() + "\n",
+                              "--paused --roboviz 0");
+  ASSERT_TRUE(report.is_object());
+  EXPECT_TRUE(has_command(report, "j_l_shin.joint_position = ")) << report["commands"];
+  EXPECT_EQ(report["drawings"]["packets"], 0);
+  EXPECT_GT(fs::file_size(picture), 10000U);
 }
 
 // Rule: a run that is watched is the same as one that is not.

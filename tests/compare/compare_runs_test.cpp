@@ -175,6 +175,57 @@ TEST(Compare, TheSameSeedGivesTheSameRecord) {
   EXPECT_NE(first.x, other.x);
 }
 
+/// Of scene push when the ball is on its way, and which samples the robot's level gives from there to the end at 1 s.
+struct Thrown {
+  static constexpr double start = 0.15;
+
+  Thrown() {
+    scene::Scene scene("push");
+    auto& simulation = scene.simulation();
+    simulation.run(from_seconds(start));
+    state = scene.save();
+    const auto& recorder =
+        simulation.attach<motion::MotionRecorder>("motion_recorder", simulation.world().entity("robot"), 1000,
+                                                  motion::MotionRecorderOptions{.longest = 1, .start = start});
+    simulation.run(from_seconds(1 - start));
+    samples = recorder.record().samples;
+  }
+
+  std::vector<std::byte> state;
+  std::vector<motion::MotionSample> samples;
+};
+
+TEST(Compare, FromAStateAllLevelsBeginThere) {
+  const Thrown thrown;
+  CompareOptions options = experiment("push", "robot");
+  options.duration = 1;
+  options.go_to_start = [&](scene::Scene& scene) { scene.load(thrown.state); };
+  const Comparison c = compare(options);
+  EXPECT_DOUBLE_EQ(c.start, Thrown::start);
+  ASSERT_EQ(c.entries.size(), 4U);
+  for (const CompareEntry& entry : c.entries) {
+    ASSERT_TRUE(entry.ran()) << entry.level << ": " << entry.refusal;
+    const auto& samples = entry.record.samples;
+    ASSERT_EQ(samples.size(), thrown.samples.size()) << entry.level;
+    EXPECT_DOUBLE_EQ(samples.front().time, thrown.start);
+    EXPECT_DOUBLE_EQ(samples.back().time, 1);
+    EXPECT_EQ(norm(samples.front().base - thrown.samples.front().base), 0) << entry.level;
+  }
+  const auto& same = c.entries[c.reference].record.samples;
+  ASSERT_EQ(c.entries[c.reference].level, "articulated_dynamics") << "as in the scene";
+  for (std::size_t i = 0; i < same.size(); ++i) EXPECT_EQ(norm(same[i].base - thrown.samples[i].base), 0) << i;
+  EXPECT_EQ(falls_in(c.entries[c.reference].measures.events), 1) << "it is hit after the start";
+  EXPECT_EQ(falls_in(c.entries[0].measures.events), 0) << "nobody pushes a robot over at kinematic_walking";
+}
+
+TEST(Compare, FromAStateItEndsLater) {
+  const Thrown thrown;
+  CompareOptions options = experiment("push", "robot");
+  options.duration = 0.1;
+  options.go_to_start = [&](scene::Scene& scene) { scene.load(thrown.state); };
+  EXPECT_THROW((void)compare(options), SetupError);
+}
+
 std::string refusal(const CompareOptions& options) {
   try {
     static_cast<void>(compare(options));

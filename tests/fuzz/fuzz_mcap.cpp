@@ -1,4 +1,5 @@
 // Recordings, MCAP: by their summaries and looked through.
+#include "murosimf/recording/frame_reader.h"
 #include "murosimf/recording/mcap_reader.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -14,6 +15,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       }
       for (const auto& index : reader.contents().attachments) (void)reader.attachment(index);
       for (const auto& index : reader.contents().metadata) (void)reader.metadata(index);
+      const std::vector<recording::RecordedEntity> nobody;
+      recording::FrameReader frames(reader, nobody);
+      int left = 100;
+      for (std::optional<Duration> time = frames.begin(); time && left > 0; time = frames.after(*time), --left) {
+        if (frames.at(*time).time > *time) std::abort();
+      }
     });
   }
   return 0;

@@ -12,10 +12,10 @@
 namespace murosimf::test {
 namespace {
 
-std::uint64_t hash_of(int threads, std::uint64_t seed, const std::vector<std::string>& overrides = {}) {
+std::uint64_t hash_of(int threads, std::uint64_t seed, const std::vector<std::string>& overrides, double duration = 5) {
   scene::Scene scene(std::string(MUROSIMF_SOURCE_DIR) + "/scenes/three_on_three.toml",
                      {.threads = threads, .seed = seed, .overrides = overrides});
-  scene.simulation().run(from_seconds(8.0));
+  scene.simulation().run(from_seconds(duration));
   return scene.simulation().state_hash();
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/model/properties.h"
+
 namespace murosimf::viewer {
 namespace {
 
@@ -94,6 +96,55 @@ TEST(Overlays, SupportPolygonIsUnderTheRobotThatTouches) {
     }
     EXPECT_TRUE(near_somebody);
   }
+}
+
+// A robot that stands still is carried below its center of mass; forces at 0 and 1 m of 1 and 3 N act at 0.75 m.
+TEST(Overlays, ZeroMomentPoint) {
+  PoseFrame frame;
+  frame.contacts = {{{0, 2, 0}, {5, 0, 1}, 7}, {{1, 2, 0}, {0, 5, 3}, 7}, {{9, 9, 0}, {0, 0, 100}, 8}, {{8, 8, 1}, {0, 0, 100}, -1}};
+  const auto point = zero_moment_point(frame, 7);
+  ASSERT_TRUE(point);
+  EXPECT_NEAR(point->x, 0.75, 1e-12);
+  EXPECT_NEAR(point->y, 2, 1e-12);
+  EXPECT_FALSE(zero_moment_point(frame, 6));
+  const Moment moment(std::chrono::milliseconds(800));
+  int shown = 0;
+  for (std::size_t i = 0; i < moment.outline.size(); ++i) {
+    if (!moment.outline[i].is_robot) continue;
+    const auto carried = zero_moment_point(moment.frame, static_cast<int>(i));
+    if (!carried) continue;
+    ++shown;
+    const std::size_t first = moment.frame.first[i], rows = moment.frame.first[i + 1] - first;
+    const auto center =
+        center_of_mass(*moment.outline[i].model, std::span(moment.frame.position).subspan(first, rows),
+                       std::span(moment.frame.orientation).subspan(first, rows));
+    EXPECT_LT(std::hypot(carried->x - center->x, carried->y - center->y), 0.15) << moment.outline[i].name;
+  }
+  EXPECT_GT(shown, 0);
+}
+
+TEST(Overlays, JointLoadsAreSharesOfTheServos) {
+  EXPECT_EQ(color_of_load(0), (Color{0, 1, 0.1}));
+  EXPECT_EQ(color_of_load(0.5), (Color{1, 1, 0.1}));
+  EXPECT_EQ(color_of_load(3), (Color{1, 0, 0.1}));
+  scene::Scene scene("nudge");
+  auto reader = scene.simulation().poses().subscribe({});
+  scene.simulation().run(std::chrono::milliseconds(300));
+  const Inspection seen = inspect(scene, {.loads = true});
+  ASSERT_FALSE(seen.loads.empty());
+  const Entity& robot = *scene.simulation().world().entities()[static_cast<std::size_t>(seen.loads[0].path.entity)];
+  bool loaded = false;
+  for (const JointLoad& load : seen.loads) {
+    const Servo& servo = *robot.model().find(properties::servo, load.path.object);
+    const double torque = robot.find(properties::joint_torque)->values[static_cast<std::size_t>(load.path.object)];
+    const double limit = servo.torque_limit > 0 ? servo.torque_limit : servo.stall_torque;
+    EXPECT_NEAR(load.share * limit, std::abs(torque), 1e-9);
+    loaded = loaded || load.share > 0.05;
+  }
+  EXPECT_TRUE(loaded) << "it stands";
+  const auto outline = outline_of(scene);
+  const auto drawn = overlays(*reader->latest(), outline, seen, {.names = false, .joint_loads = true}, -1);
+  EXPECT_EQ(drawn.marks.size(), seen.loads.size());
 }
 
 }  // namespace

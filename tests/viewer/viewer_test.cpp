@@ -1,9 +1,15 @@
 #include "murosimf/viewer/viewer.h"
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "murosimf/connect/roboviz_door.h"
 #include "murosimf/model/error.h"
 #include "murosimf/session/live_course.h"
 #include "murosimf/viewer/mouse_control.h"
@@ -183,9 +189,10 @@ struct Mouse {
     view = viewer.rig.view(viewer.rig_view(), 800, 600);
     at = *pixel_of(view, place);
   }
-  void drag(const MouseControl::Held& held, const Vec3d& way) {
+  void drag(const MouseControl::Held& held, const Vec3d& way,
+            MouseControl::Button button = MouseControl::Button::left) {
     const Pixel to = *pixel_of(view, *viewer.place_of(*pick(at)->path) + way);
-    control.press(MouseControl::Button::left, held, at, view, pick);
+    control.press(button, held, at, view, pick);
     control.move({0.5 * (at.x + to.x), 0.5 * (at.y + to.y)}, view);
     control.move(to, view);
     control.release(to, view, pick);
@@ -227,7 +234,7 @@ TEST(MouseControl, CtrlPushesAlongThePicture) {
   Viewer viewer(options_with());
   Mouse mouse(viewer, "blue1");
   const Vec3d way = 0.1 * mouse.view.axes.x;
-  mouse.drag({.ctrl = true}, way);
+  mouse.drag({.ctrl = true}, way, MouseControl::Button::right);
   viewer.settle();
   viewer.running().finish();
   const auto& commands = viewer.running().scene().simulation().commands();
@@ -240,6 +247,91 @@ TEST(MouseControl, CtrlPushesAlongThePicture) {
   const Vec3d force = 200 * way;
   EXPECT_NEAR(norm(Vec3d{fx, fy, fz} - force), 0, 0.02);
   EXPECT_EQ(time, 0.1);
+}
+
+// What the eye sees of a thing is pulled: to the right turns it about the axis that points up in the picture, by the right hand.
+TEST(MouseControl, CtrlAndTheLeftButtonTurn) {
+  Viewer viewer(options_with());
+  Mouse mouse(viewer, "blue1");
+  mouse.drag({.ctrl = true}, 0.1 * mouse.view.axes.x);
+  viewer.settle();
+  viewer.running().finish();
+  const auto& commands = viewer.running().scene().simulation().commands();
+  ASSERT_EQ(commands.size(), 1U);
+  double f[3], m[3], time = 0;
+  const auto bracket = commands[0].text.find('[');
+  ASSERT_EQ(std::sscanf(commands[0].text.c_str() + bracket, "[%lf, %lf, %lf, %lf, %lf, %lf, %lf]", &f[0], &f[1], &f[2],
+                        &m[0], &m[1], &m[2], &time),
+            7)
+      << commands[0].text;
+  const Vec3d up = -1.0 * mouse.view.axes.y;  // y of the picture points down
+  EXPECT_EQ(std::hypot(f[0], f[1], f[2]), 0);
+  EXPECT_NEAR(norm(Vec3d{m[0], m[1], m[2]} - 2.0 * up), 0, 0.002) << "20 N m for a meter";
+  EXPECT_EQ(time, 0.1);
+}
+
+TEST(Viewer, MovesJointsWhileItIsPaused) {
+  Viewer viewer(options_with());
+  viewer.select(viewer.path_of("blue1"));
+  const auto shin = [&] {
+    for (const MovableJoint& joint : viewer.joints()) {
+      if (joint.name.find("shin") != std::string::npos) return joint;
+    }
+    ADD_FAILURE() << "no shin";
+    return MovableJoint{};
+  };
+  const MovableJoint before = shin();
+  EXPECT_LT(before.lowest, before.highest);
+  const double wanted = 0.5 * (before.lowest + before.highest);
+  ASSERT_GT(std::abs(wanted - before.position), 0.01);
+  for (const double share : {0.25, 0.5, 1.0}) {
+    viewer.move_joint(before.path, before.position + share * (wanted - before.position));
+  }
+  viewer.settle();
+  EXPECT_NEAR(shin().position, wanted, 1e-6);
+  viewer.running().finish();
+  const auto& commands = viewer.running().scene().simulation().commands();
+  ASSERT_FALSE(commands.empty()) << "the run can be repeated";
+  EXPECT_NE(commands.back().text.find(before.name + ".joint_position = "), std::string::npos);
+}
+
+/// A circle on the ground in the group "way", as agents of the league send it (tests/connect/roboviz_test.cpp has all of it).
+void draw_circle(std::uint16_t port) {
+  const std::string packet = std::string("\1\0", 2) + "1.00000.50000.25001.0000" + "\xff\x80" + '\0' + "way" + '\0' +
+                             std::string(2, '\0') + "way" + '\0';
+  const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in to{};
+  to.sin_family = AF_INET;
+  to.sin_port = htons(port);
+  to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  ASSERT_GT(::sendto(socket, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
+  ::close(socket);
+}
+
+// Rule: drawings of others change nothing, and can be switched off by their groups.
+TEST(Viewer, ShowsWhatOthersDraw) {
+  const connect::RobovizDoor door({"127.0.0.1", 0});
+  ViewerOptions options = options_with(dynamic, 200ms);
+  options.roboviz = &door;
+  Viewer viewer(options);
+  const auto shapes = [&] { return viewer.drawings_in(viewer.rig.view(viewer.rig_view(), 800, 600)); };
+  EXPECT_TRUE(shapes().empty());
+  draw_circle(door.address().port);
+  for (int i = 0; i < 2000 && shapes().empty(); ++i) std::this_thread::sleep_for(1ms);
+  ASSERT_FALSE(shapes().empty());
+  const Pixel middle = *pixel_of(viewer.rig.view(viewer.rig_view(), 800, 600), {1, 0.5, 0});
+  EXPECT_LT(std::hypot(shapes()[0].points[0].x - middle.x, shapes()[0].points[0].y - middle.y), 60);
+  EXPECT_EQ(viewer.drawing_groups(), std::vector<std::string>{"roboviz/way"});
+  viewer.hidden_groups.insert("roboviz/way");
+  EXPECT_TRUE(shapes().empty());
+  EXPECT_EQ(viewer.drawing_groups().size(), 1U) << "it can be switched on again";
+  viewer.hidden_groups.clear();
+  viewer.perform(Action::drawings);
+  EXPECT_TRUE(shapes().empty());
+  watch_to_end(viewer);
+  scene::Scene alone("three_on_three", {.overrides = dynamic});
+  alone.simulation().run(200ms);
+  EXPECT_EQ(hash_of(viewer), alone.simulation().state_hash());
 }
 
 TEST(MouseControl, ARunningSceneIsNotMoved) {

@@ -4,6 +4,7 @@
 // Exit: 0 all well, 1 not, 77 there is no Chromium or playwright-core (the test is skipped).
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
+import { createSocket } from "node:dgram";
 import { existsSync, mkdirSync, mkdtempSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -38,7 +39,7 @@ async function serve(...words) {
     });
     child.on("exit", () => reject(new Error(said)));
   });
-  return { address, end: () => new Promise((done) => { child.on("exit", done); child.kill("SIGKILL"); }) };
+  return { address, said: () => said, end: () => new Promise((done) => { child.on("exit", done); child.kill("SIGKILL"); }) };
 }
 
 const children = new Set();
@@ -82,7 +83,7 @@ const colors = (page) => page.evaluate(async () => {
 });
 
 async function testDesktop() {
-  const run = await start("three_on_three", "--duration", "60", "--set", "red.*.level=simplified_dynamics");
+  const run = await start("three_on_three", "--duration", "60", "--set", "red.*.level=simplified_dynamics", "--roboviz", "0");
   const begin = Date.now();
   const page = await open(run.address);
   console.log(`page shows the scene after ${Date.now() - begin} ms`);
@@ -121,10 +122,90 @@ async function testDesktop() {
   await page.screenshot({ path: join(pictures, "plots.png") });
   await page.click("#play");
   await until(page, (now) => now.paused, "paused again");
+  await pushByDragging(page, "red1");
+  await goBackOnTheTimeLine(page);
+  await lookThroughACamera(page, "blue1");
+  await seeDrawings(page, run.said());
   await page.click("#reset");
   await until(page, (now) => now.time === 0, "back at the start");
   await page.close();
   await run.end();
+}
+
+// Pulls at the trunk of a robot where it is seen: a push to the right of the picture.
+async function pushByDragging(page, robot) {
+  await page.click("#push_mode");
+  const at = await page.evaluate((name) => {
+    const { view, scene } = window.murosimf;
+    const entity = scene().text.entities.findIndex((one) => one.name === name);
+    const { x, y, z } = view.basePlace(entity).clone().project(view.camera);
+    const box = document.getElementById("view").getBoundingClientRect();
+    return { x: box.left + (x + 1) / 2 * box.width, y: box.top + (1 - y) / 2 * box.height, z };
+  }, robot);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  await page.mouse.move(at.x + 20, at.y, { steps: 3 });
+  await page.mouse.move(at.x + 60, at.y, { steps: 3 });
+  assert.ok(await page.evaluate(() => window.murosimf.view.arrow.visible), "an arrow shows the pull");
+  await page.mouse.up();
+  const line = page.locator(`#messages div:has-text('${robot}.'):has-text('.push = [')`).last();
+  await line.waitFor({ timeout: 20000 });
+  const force = /push = \[([-\d.]+), ([-\d.]+), 0/.exec(await line.textContent());
+  assert.ok(Number(force[1]) > 0.1 && Math.abs(Number(force[2])) < 0.2 * Number(force[1]), `to the right: ${force}`);
+  await page.click("#push_mode");
+}
+
+// Drags the thumb of the time line to its middle.
+async function goBackOnTheTimeLine(page) {
+  const before = await state(page), box = await page.locator("#time").boundingBox();
+  const share = (before.time - before.begin) / (before.end - before.begin);
+  const to = (before.begin + before.time) / 2;
+  const place = (part) => box.x + 8 + part * (box.width - 16); // of a thumb 16 px wide
+  await page.mouse.move(place(share), box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(place((to - before.begin) / (before.end - before.begin)), box.y + box.height / 2, { steps: 4 });
+  await page.mouse.up();
+  await until(page, (now) => now.time < before.time - 0.1 && now.paused, "back by the time line");
+  assert.ok(Math.abs((await state(page)).time - to) < 1, "about where it was dragged to");
+}
+
+async function lookThroughACamera(page, robot) {
+  await page.click('#tabs button:has-text("Camera")');
+  const name = await page.evaluate((who) => [...document.querySelectorAll('select[aria-label="Camera"] option')]
+    .map((one) => one.value).find((one) => one.startsWith(`${who}.`)), robot);
+  assert.ok(name, "it has a camera");
+  await page.selectOption('select[aria-label="Camera"]', name);
+  await page.click("#play");
+  await page.waitForFunction(() => {
+    const picture = document.getElementById("picture");
+    const data = picture.getContext("2d").getImageData(0, 0, picture.width, picture.height).data;
+    return new Set(data).size > 3; // a canvas that is empty has one value, one color four at most
+  }, undefined, { timeout: 60000 });
+  await page.screenshot({ path: join(pictures, "camera.png") });
+  await page.click("#play");
+  await until(page, (now) => now.paused, "paused after the camera");
+}
+
+// A circle and a text as agents of the league send them for RoboViz; the panel switches their group.
+async function seeDrawings(page, said) {
+  const port = Number(/RoboViz on 127.0.0.1:(\d+)/.exec(said)[1]);
+  const numbers = (...all) => Buffer.from(all.map((one) => one.toFixed(4).slice(0, 6)).join(""));
+  const orange = Buffer.from([255, 128, 0]), group = Buffer.from("blue.1.plan\0");
+  const packet = Buffer.concat([Buffer.from([1, 0]), numbers(0.5, 0.25, 1, 2), orange, group,
+    Buffer.from([2, 0]), numbers(0, 0, 0.5), orange, Buffer.from("plan A\0"), group, Buffer.from([0, 0]), Buffer.from("blue\0")]);
+  const door = createSocket("udp4");
+  await new Promise((done) => { door.send(packet, port, "127.0.0.1", done); });
+  door.close();
+  await page.click('#tabs button:has-text("Scene")');
+  const box = page.locator("label:has-text('roboviz/blue.1.plan') input");
+  await box.waitFor({ timeout: 20000 });
+  const things = () => page.evaluate(() => window.murosimf.view.drawings.world.children.flatMap((group) => group.children).length);
+  assert.equal(await things(), 2);
+  await page.screenshot({ path: join(pictures, "drawings.png") });
+  await box.uncheck();
+  assert.equal(await things(), 0);
+  await box.check();
+  assert.equal(await things(), 2);
 }
 
 async function testPhone() {

@@ -212,6 +212,59 @@ class Export(unittest.TestCase):
             self.assertIn(said, done.stderr)
 
 
+def number(value):
+    """As agents of the league write it for RoboViz: six characters."""
+    return f"{value:.4f}"[:6].encode()
+
+
+def circle(name, x, y, radius):
+    """A packet for RoboViz: an orange circle of the set `name`, which is shown."""
+    drawn = bytes([1, 0]) + b"".join(map(number, (x, y, radius, 2))) + bytes([255, 128, 0]) + name + b"\0"
+    return drawn + bytes([0, 0]) + name + b"\0"
+
+
+class Drawings(unittest.TestCase):
+    def test_what_is_drawn_for_roboviz(self):
+        with Run(PROGRAM, "walk", "--duration", "0.5", "--roboviz", "0", "--json", "-") as run, \
+                socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as agent:
+            door = re.search(r"RoboViz on 127.0.0.1:(\d+) \(UDP\)", "".join(run.said))
+            agent.connect(("127.0.0.1", int(door[1])))
+            client, viewer = Client(run.port), Client(run.port, protocol="foxglove.sdk.v1")
+            client.poses()
+            agent.send(b"nonsense")
+            agent.send(circle(b"blue.1.way", 1.5, -0.25, 0.5)[:-3])  # cut off: the circle waits
+            agent.send(bytes([0, 0]) + b"blue\0")
+            drawn = client.wait_for(lambda m: isinstance(m, dict) and m["is"] == "drawings")["drawings"]
+            self.assertEqual([one["by"] for one in drawn], ["roboviz"])
+            self.assertEqual([group["name"] for group in drawn[0]["groups"]], ["blue.1.way"])
+            shape = drawn[0]["groups"][0]["shapes"][0]
+            self.assertEqual((shape["kind"], shape["points"], shape["size"]), ("circle", [[1.5, -0.25, 0.005]], 0.5))
+            late = Client(run.port)  # sees it, too
+            late.wait_for(lambda m: isinstance(m, dict) and m["is"] == "drawings")
+            channel = viewer.wait_for(lambda m: isinstance(m, dict) and m["op"] == "advertise" and any(
+                one["topic"] == "/drawings/roboviz" for one in m["channels"]))["channels"][-1]
+            viewer.order(op="subscribe", subscriptions=[{"id": 7, "channelId": channel["id"]}])
+            message = viewer.wait_for(lambda m: isinstance(m, bytes) and m[0] == 1)
+            self.assertIn(b"blue.1.way", message)
+            client.state(lambda state: state["paused"])
+            for one in (client, viewer, late):
+                one.close()
+            code, output = run.stop()
+        self.assertEqual(code, 0)
+        report = json.loads(output)
+        self.assertEqual(report["drawings"], {"packets": 3, "ignored": 2})
+        alone = subprocess.run([PROGRAM, "run", "walk", "--duration", "0.5", "--json", "-"], capture_output=True, check=True)
+        self.assertEqual(report["state_hash"], json.loads(alone.stdout)["state_hash"])
+        self.assertIsNone(json.loads(alone.stdout)["drawings"])
+
+    def test_port_in_use(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+            taken.bind(("127.0.0.1", 0))
+            port = taken.getsockname()[1]
+            done = subprocess.run([PROGRAM, "run", "walk", "--roboviz", str(port)], capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (2, f"murosimf: --roboviz: 127.0.0.1:{port}: the port is in use\n"))
+
+
 class Clients(unittest.TestCase):
     def test_nonsense_ends_only_who_says_it(self):
         with Run(PROGRAM, "walk", "--duration", "600") as run:

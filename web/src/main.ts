@@ -39,6 +39,10 @@ const listener: Listener = {
   lines: (lines) => panel.setLines(lines),
   values: (at, values) => panel.values(at, values),
   picture: (picture) => panel.show_picture(picture),
+  drawings(drawn) {
+    view.showDrawings(drawn);
+    panel.setGroups(view.drawings.names, (name) => view.drawings.isShown(name));
+  },
   connected(yes, why) {
     get("state").classList.toggle("bad", !yes);
     if (!yes) get("state").textContent = why || "not connected; trying again";
@@ -116,6 +120,7 @@ view.onPush = (entity, body, pull) => {
   push(body, entity, pull.clone().setLength(strength));
 };
 panel.onSelect = (entity) => select(entity);
+panel.onGroup = (name, on) => view.switchGroup(name, on);
 panel.onPush = (right, away) => push(trunkOf(selected), selected, view.horizontal(right, away).multiplyScalar(panel.force));
 
 function showPanel(on: boolean): void {

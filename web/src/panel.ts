@@ -10,6 +10,7 @@ type Tab = (typeof tabs)[number];
 export class Panel {
   onSelect: (entity: number) => void = () => undefined;
   onPush: (right: number, away: number) => void = () => undefined;
+  onGroup: (name: string, on: boolean) => void = () => undefined;
   force = 40; // [N]
   pushTime = 0.1; // [s]
   private readonly pages = new Map<Tab, HTMLElement>();
@@ -17,6 +18,8 @@ export class Panel {
   private readonly who = make("div", "", "tab");
   private readonly details = make("div");
   private readonly list = make("div", "", "list");
+  private readonly groups = make("div", "", "details");
+  private grouped = "";
   private readonly plots: Plot[] = [];
   private readonly plotList = make("div");
   private readonly picture = make("canvas");
@@ -43,7 +46,7 @@ export class Panel {
       bar.append(button);
     }
     get("panel").append(bar);
-    this.who.append(this.list, this.details);
+    this.who.append(this.list, this.details, this.groups);
     this.pages.set("Scene", this.who);
     this.pages.set("Events", this.events);
     this.pages.set("Plots", this.makePlots());
@@ -116,6 +119,24 @@ export class Panel {
       row.title = "Go to this time";
       row.onclick = () => this.source.seek(line.time);
       this.events.append(row);
+    }
+  }
+
+  // Groups of drawings by name, to be switched.
+  setGroups(names: string[], isShown: (name: string) => boolean): void {
+    const now = names.join("\n");
+    if (this.grouped === now) return;
+    this.grouped = now;
+    this.groups.replaceChildren();
+    if (names.length > 0) this.groups.append(make("strong", "drawings"));
+    for (const name of names) {
+      const row = make("label", "", "row group");
+      const box = make("input");
+      box.type = "checkbox";
+      box.checked = isShown(name);
+      box.onchange = () => this.onGroup(name, box.checked);
+      row.append(make("span", name), box);
+      this.groups.append(row);
     }
   }
 

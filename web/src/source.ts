@@ -41,6 +41,22 @@ export interface Picture {
   pixels: Uint8Array; // red, green, blue
 }
 
+export interface DrawnShape {
+  kind: "circle" | "line" | "dots" | "sphere" | "polygon" | "text";
+  points: number[][]; // [m]
+  size: number; // [m] radius, width, height of letters; 0: as small as can be seen
+  color: number[];
+  opacity: number;
+  words: string;
+}
+
+// Groups of one who draws for people.
+export interface Drawn {
+  entity: number; // of the scene document; -1: no robot in particular
+  by: string;
+  groups: { name: string; of_robot: boolean; shapes: DrawnShape[] }[];
+}
+
 export interface Listener {
   scene(scene: SceneDocument): void;
   poses(poses: Poses): void;
@@ -48,6 +64,7 @@ export interface Listener {
   lines(lines: Line[]): void;
   values(time: number, values: Record<string, number | null>): void;
   picture(picture: Picture): void;
+  drawings(drawn: Drawn[]): void;
   connected(yes: boolean, why: string): void;
 }
 

@@ -1,13 +1,16 @@
 // The scene in three dimensions: bodies, field, names, contact forces; who is selected; where the eye is.
 import {
-  AmbientLight, ArrowHelper, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color, ConeGeometry, CylinderGeometry, DirectionalLight,
+  AmbientLight, ArrowHelper, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight,
   Group, HemisphereLight, Matrix4, Mesh, MeshLambertMaterial, MeshBasicMaterial, Object3D, PCFSoftShadowMap, PerspectiveCamera,
-  Plane, PlaneGeometry, Quaternion, Raycaster, RingGeometry, Scene, SphereGeometry, Sprite, SpriteMaterial, SRGBColorSpace, Vector2,
+  Plane, PlaneGeometry, Quaternion, Raycaster, RingGeometry, Scene, SphereGeometry, Sprite, SRGBColorSpace, Vector2,
   Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { Drawings } from "./drawings";
+import { label } from "./label";
 import type { Part, SceneDocument } from "./scene";
 import type { Poses } from "./poses";
+import type { Drawn } from "./source";
 
 const meters_per_newton = 1 / 100;
 
@@ -61,32 +64,6 @@ function merged(parts: Part[], scene: SceneDocument): BufferGeometry {
   return all;
 }
 
-function label(text: string, color: string): Sprite {
-  const canvas = document.createElement("canvas");
-  const pen = canvas.getContext("2d")!;
-  const size = 36, font = `600 ${size}px system-ui, sans-serif`;
-  pen.font = font;
-  canvas.width = Math.ceil(pen.measureText(text).width) + 26;
-  canvas.height = size + 16;
-  pen.font = font;
-  pen.fillStyle = "rgba(18, 24, 29, 0.78)";
-  pen.beginPath();
-  pen.roundRect(0, 0, canvas.width, canvas.height, 12);
-  pen.fill();
-  pen.fillStyle = color;
-  pen.fillRect(0, canvas.height - 5, canvas.width, 5);
-  pen.fillStyle = "#fff";
-  pen.fillText(text, 13, size + 1);
-  const texture = new CanvasTexture(canvas);
-  texture.colorSpace = SRGBColorSpace;
-  const sprite = new Sprite(new SpriteMaterial({ map: texture, sizeAttenuation: false, depthTest: false }));
-  const height = 0.024;
-  sprite.scale.set((height * canvas.width) / canvas.height, height, 1);
-  sprite.center.set(0.5, -0.25);
-  sprite.renderOrder = 10;
-  return sprite;
-}
-
 const arrowMaterial = new MeshBasicMaterial({ color: 0xff5a1f });
 const shaft = new CylinderGeometry(0.007, 0.007, 0.75, 8).translate(0, 0.375, 0);
 const tip = new ConeGeometry(0.02, 0.25, 12).translate(0, 0.875, 0);
@@ -112,6 +89,7 @@ export class View {
   pushMode = false;
   following = false;
   frames = 0; // drawn so far
+  readonly drawings = new Drawings();
 
   private readonly renderer: WebGLRenderer;
   private readonly stage = new Scene();
@@ -138,7 +116,7 @@ export class View {
     this.renderer.shadowMap.type = PCFSoftShadowMap;
     this.stage.background = new Color(0xb2bcc6);
     this.stage.add(new HemisphereLight(0xdde6ee, 0x5c6657, 1.5), new AmbientLight(0xffffff, 0.25), this.sun, this.sun.target,
-      this.content, this.forces, this.arrow);
+      this.content, this.forces, this.arrow, this.drawings.world);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.bias = -0.0006;
@@ -219,8 +197,27 @@ export class View {
       shown.label?.position.set(pose.bodies[0]!, pose.bodies[1]!, top + 0.08);
     });
     this.placeForces(poses);
+    this.placeDrawings();
     this.placeRing();
     if (this.following) this.follow();
+    this.dirty = true;
+  }
+
+  showDrawings(drawn: Drawn[]): void {
+    this.drawings.show(drawn);
+    this.placeDrawings();
+  }
+
+  switchGroup(name: string, on: boolean): void {
+    this.drawings.switchGroup(name, on);
+    this.placeDrawings();
+  }
+
+  private placeDrawings(): void {
+    this.drawings.place((entity) => {
+      const shown = this.shown.find((one) => one.entity === entity);
+      return shown?.group.visible ? shown.bodies[0] : undefined;
+    });
     this.dirty = true;
   }
 

@@ -71,12 +71,13 @@ void paint(ImDrawList& list, const sensors::Perspective& view, const Area& area,
 }
 
 /// Letters with a dark shade behind, readable on grass and shirts.
-void paint_letters(ImDrawList& list, const ImVec2& middle, const std::string& letters, ImU32 color) {
-  const ImVec2 size = ImGui::CalcTextSize(letters.c_str());
+void paint_letters(ImDrawList& list, const ImVec2& middle, const std::string& letters, ImU32 color, float height = 0) {
+  const float scale = height > 0 ? height / ImGui::GetFontSize() : 1;
+  const ImVec2 usual = ImGui::CalcTextSize(letters.c_str()), size(scale * usual.x, scale * usual.y);
   const ImVec2 corner = vec2(std::round(middle.x - 0.5 * size.x), std::round(middle.y - 0.5 * size.y));
   list.AddRectFilled(vec2(corner.x - 3, corner.y - 1), vec2(corner.x + size.x + 3, corner.y + size.y + 1),
                      IM_COL32(0, 0, 0, 120), 3);
-  list.AddText(corner, color, letters.c_str());
+  list.AddText(ImGui::GetFont(), scale * ImGui::GetFontSize(), corner, color, letters.c_str());
 }
 
 /// Draws into the area only.
@@ -103,12 +104,33 @@ void paint_overlays(const Overlays& overlays, const sensors::Perspective& view, 
   }
 }
 
+void paint_drawings(const std::vector<render::SeenShape>& shapes, const Area& area) {
+  const Clipped clipped(area);
+  for (const render::SeenShape& shape : shapes) {
+    const ImU32 color = packed(shape.color, shape.opacity);
+    std::vector<ImVec2> points;
+    for (const Vec3d& point : shape.points) points.push_back(in_area({point.x, point.y}, area));
+    const int count = static_cast<int>(points.size());
+    switch (shape.kind) {
+      case render::SeenShape::Kind::line:
+        clipped.list.AddPolyline(points.data(), count, color, 0, static_cast<float>(shape.size));
+        break;
+      case render::SeenShape::Kind::area: clipped.list.AddConvexPolyFilled(points.data(), count, color); break;
+      case render::SeenShape::Kind::words:
+        paint_letters(clipped.list, points[0], shape.words, color, static_cast<float>(shape.size));
+        break;
+    }
+  }
+}
+
 void paint_pull(const MouseControl::Pull& pull, const sensors::Perspective& view, const Area& area) {
   const Clipped clipped(area);
   const Mark arrow{.points = {pull.from, pull.to}, .color = {1, 0.35, 0.1}, .width = 4, .arrow = true};
   paint(clipped.list, view, area, arrow);
   if (const auto pixel = pixel_of(view, pull.to)) {
-    paint_letters(clipped.list, in_area({pixel->x, pixel->y - 18}, area), fmt::format("{:.1f} N", norm(pull.force)),
+    const bool turns = norm(pull.moment) > 0;
+    paint_letters(clipped.list, in_area({pixel->x, pixel->y - 18}, area),
+                  turns ? fmt::format("{:.2f} N m", norm(pull.moment)) : fmt::format("{:.1f} N", norm(pull.force)),
                   packed({1, 0.8, 0.5}));
   }
 }

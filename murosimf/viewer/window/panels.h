@@ -65,6 +65,7 @@ void plots_tab(Panels& panels);
 void events_tab(Panels& panels);
 void algorithms_tab(Panels& panels);
 void view_tab(Panels& panels);
+void joints_tab(Panels& panels);
 /// Curves of the last `window` [s] until `now` [s].
 void draw_plot(const Plot& plot, double now, double window, double width, double height);
 [[nodiscard]] std::string number_text(double number);
@@ -75,6 +76,8 @@ void begin_part(const char* name, const Area& area);
 /// Contacts, forces, names and the like over the picture in `area`; a push that is being pulled.
 void paint_overlays(const Overlays& overlays, const sensors::Perspective& view, const Area& area);
 void paint_pull(const MouseControl::Pull& pull, const sensors::Perspective& view, const Area& area);
+/// What is drawn for people who watch.
+void paint_drawings(const std::vector<render::SeenShape>& shapes, const Area& area);
 /// A frame about what is selected.
 void paint_selection(const Viewer& viewer, const sensors::Perspective& view, const Area& area);
 

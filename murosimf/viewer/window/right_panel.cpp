@@ -74,7 +74,41 @@ void tab(Panels& panels, const char* name, bool& open, const auto& draw) {
   ImGui::EndTabItem();
 }
 
+/// Groups of drawings, each to be switched.
+void drawing_boxes(Panels& panels) {
+  Viewer& viewer = panels.viewer;
+  if (!viewer.overlay.drawings) return;
+  for (const std::string& group : viewer.drawing_groups()) {
+    bool shown = !viewer.hidden_groups.contains(group);
+    if (!panels.gui.checkbox(group, shown)) continue;
+    if (shown) {
+      viewer.hidden_groups.erase(group);
+    } else {
+      viewer.hidden_groups.insert(group);
+    }
+  }
+}
+
 }  // namespace
+
+void joints_tab(Panels& panels) {
+  Viewer& viewer = panels.viewer;
+  const std::vector<MovableJoint> joints = viewer.joints();
+  if (joints.empty()) return text("Select a robot: its joints are shown here.", faint);
+  const bool movable = viewer.status().paused && !viewer.recorded();
+  text(movable ? "rad, of wheels and sliders m" : "Pause (Space) to move joints.", faint);
+  ImGui::BeginDisabled(!movable);
+  for (const MovableJoint& joint : joints) {
+    auto position = static_cast<float>(joint.position);
+    ImGui::SetNextItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
+    if (ImGui::SliderFloat(joint.name.c_str(), &position, static_cast<float>(joint.lowest),
+                           static_cast<float>(joint.highest), "%.3f")) {
+      viewer.move_joint(joint.path, position);
+    }
+    panels.gui.remember("joint " + joint.name);
+  }
+  ImGui::EndDisabled();
+}
 
 void sensors_tab(Panels& panels, std::vector<std::unique_ptr<Texture>>& camera_pictures) {
   const Viewer& viewer = panels.viewer;
@@ -134,21 +168,28 @@ void view_tab(Panels& panels) {
                                                        {Action::forces, &overlay.forces},
                                                        {Action::centers_of_mass, &overlay.centers_of_mass},
                                                        {Action::support_polygons, &overlay.support_polygons},
+                                                       {Action::zero_moment_points, &overlay.zero_moment_points},
+                                                       {Action::joint_loads, &overlay.joint_loads},
                                                        {Action::standing_feet, &overlay.standing_feet},
                                                        {Action::levels, &overlay.levels},
                                                        {Action::names, &overlay.names},
                                                        {Action::frames, &overlay.frames},
                                                        {Action::bounding_volumes, &overlay.bounding_volumes},
-                                                       {Action::field_map, &viewer.window.field_map}}) {
+                                                       {Action::field_map, &viewer.window.field_map},
+                                                       {Action::drawings, &overlay.drawings}}) {
     box(action, *value);
   }
+  drawing_boxes(panels);
   auto scale = static_cast<float>(1000 * overlay.force_scale);
   if (ImGui::SliderFloat("mm per N", &scale, 0.1F, 100, "%.1f", ImGuiSliderFlags_Logarithmic))
     overlay.force_scale = 1e-3 * scale;
-  text("Pushes (Ctrl and drag)", faint);
-  auto gain = static_cast<float>(viewer.newtons_per_meter), time = static_cast<float>(viewer.push_seconds);
+  text("Pushes (Ctrl and right drag; left turns)", faint);
+  auto gain = static_cast<float>(viewer.newtons_per_meter), time = static_cast<float>(viewer.push_seconds),
+       turning = static_cast<float>(viewer.newton_meters_per_meter);
   if (ImGui::SliderFloat("N per m", &gain, 1, 5000, "%.0f", ImGuiSliderFlags_Logarithmic))
     viewer.newtons_per_meter = gain;
+  if (ImGui::SliderFloat("N m per m", &turning, 0.1F, 1000, "%.1f", ImGuiSliderFlags_Logarithmic))
+    viewer.newton_meters_per_meter = turning;
   if (ImGui::SliderFloat("s", &time, 0.01F, 2, "%.2f", ImGuiSliderFlags_Logarithmic)) viewer.push_seconds = time;
   text("Picture", faint);
   bool smooth = panels.state.quality.samples > 1;
@@ -165,6 +206,7 @@ void right_panel(Panels& panels, const Area& area, std::vector<std::unique_ptr<T
   bool open = false;
   if (ImGui::BeginTabBar("right tabs", ImGuiTabBarFlags_FittingPolicyResizeDown)) {
     tab(panels, "Object", open, [&] { object_tab(panels); });
+    tab(panels, "Joints", open, [&] { joints_tab(panels); });
     tab(panels, "Sensors", open, [&] { sensors_tab(panels, camera_pictures); });
     viewer.wants_pictures = open;
     tab(panels, "Plots", open, [&] { plots_tab(panels); });

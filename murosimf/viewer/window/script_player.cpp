@@ -13,6 +13,7 @@ constexpr double longest_run = 300;  // [s] of wall time that `until` waits
 constexpr double longest_pause = 5;  // [s] that it waits for one who stands still
 constexpr double longest_look = 3;   // [s] that an item of a panel is looked for
 constexpr int moves = 6;             // pictures that a drag takes
+constexpr int left_button = 0, right_button = 1;
 
 double since(std::chrono::steady_clock::time_point then) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
@@ -60,7 +61,8 @@ bool ScriptPlayer::begin(const ScriptStep& step, const Stage& stage) {
     case Kind::double_click: click(where(step, stage), 2); return true;
     case Kind::press: return press_item(step, stage);
     case Kind::drag:
-    case Kind::push: drag_thing(step, stage); return true;
+    case Kind::push:
+    case Kind::twist: drag_thing(step, stage); return true;
     case Kind::type:
       for (const char letter : step.text) frame({TextInput{static_cast<unsigned char>(letter)}});
       key({.key = "Enter"});
@@ -68,7 +70,7 @@ bool ScriptPlayer::begin(const ScriptStep& step, const Stage& stage) {
     case Kind::scrub: {
       const Area& line = stage.panels.timeline;
       const Pixel to{line.x + step.numbers[0] / stage.panels.timeline_end * line.width, line.y + line.height - 4};
-      pull({to.x + 1, to.y}, to, nullptr);
+      pull({to.x + 1, to.y}, to, nullptr, left_button);
       return true;
     }
     case Kind::look:
@@ -125,19 +127,19 @@ void ScriptPlayer::click(const Pixel& pixel, int times) {
   frames(1);
 }
 
-void ScriptPlayer::pull(const Pixel& from, const Pixel& to, const char* held) {
+void ScriptPlayer::pull(const Pixel& from, const Pixel& to, const char* held, int button) {
   frame({MoveInput{from}});
   KeyChord chord{.key = held ? held : "Ctrl"};
   chord.ctrl = held && chord.key == "Ctrl";
   chord.shift = held && chord.key == "Shift";
   frame({KeyInput{chord, held != nullptr, false}});
-  frame({ButtonInput{0, true}});
+  frame({ButtonInput{button, true}});
   for (int i = 1; i <= moves; ++i) {
     const double share = static_cast<double>(i) / moves;
     frame({MoveInput{{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)}}});
   }
   frames(2);
-  frame({ButtonInput{0, false}});
+  frame({ButtonInput{button, false}});
   frame({KeyInput{{.key = chord.key}, false, false}});
 }
 
@@ -148,7 +150,7 @@ void ScriptPlayer::drag_thing(const ScriptStep& step, const Stage& stage) {
   if (!hit || !hit->path || hit->path->entity != path.entity)
     throw SetupError(fmt::format("something hides '{}'", step.text));
   Vec3d way{step.numbers[0], step.numbers[1], 0};
-  if (step.kind == Kind::push) {
+  if (step.kind != Kind::drag) {
     way.z = step.numbers[2];
   } else {
     const Vec3d now = stage.viewer.place_of({path.entity, 0}).value_or(hit->point);
@@ -156,7 +158,8 @@ void ScriptPlayer::drag_thing(const ScriptStep& step, const Stage& stage) {
   }
   const auto to = pixel_of(stage.view, hit->point + way);
   if (!to) throw SetupError("that place is behind the eye");
-  pull(from, in_window(*to, stage.area), step.kind == Kind::push ? "Ctrl" : "Shift");
+  pull(from, in_window(*to, stage.area), step.kind == Kind::drag ? "Shift" : "Ctrl",
+       step.kind == Kind::push ? right_button : left_button);
 }
 
 }  // namespace murosimf::viewer

@@ -37,7 +37,7 @@ class ScriptPlayer {
   [[nodiscard]] Pixel where(const ScriptStep& step, const Stage& stage) const;
   bool press_item(const ScriptStep& step, const Stage& stage);
   void click(const Pixel& pixel, int times);
-  void pull(const Pixel& from, const Pixel& to, const char* held);
+  void pull(const Pixel& from, const Pixel& to, const char* held, int button);
   void key(const KeyChord& chord);
   void frame(std::vector<Input> inputs) { frames_.push_back(std::move(inputs)); }
   void frames(int count) { frames_.resize(frames_.size() + static_cast<std::size_t>(count)); }

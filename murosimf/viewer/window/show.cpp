@@ -22,6 +22,8 @@ constexpr double most_pictures = 60;        // [Hz] pictures
 constexpr double calm_wait = 0.05;          // [s] of a paused window that nobody touches
 constexpr double double_click_time = 0.35;  // [s]
 constexpr double flying = 2;                // [m/s]
+constexpr double fluent = 30;               // [Hz] pictures: fewer, and shadows go
+constexpr int judged_pictures = 60;         // before that is said
 
 double seconds_since(WallClock::time_point then) {
   return std::chrono::duration<double>(WallClock::now() - then).count();
@@ -58,7 +60,8 @@ class Show {
     if (options.script) player_.emplace(*options.script);
     window_.make_nobody_current();
     picture_.emplace(viewer);
-    state_.quality = {options.samples.value_or(picture_->software() ? 1 : 4), options.shadows};
+    state_.quality = {options.samples.value_or(picture_->software() ? 1 : 4), options.shadows.value_or(true)};
+    may_drop_shadows_ = picture_->software() && !options.shadows && !player_ && options.screenshot.empty();
     state_.drawn_by = report_.drawn_by = picture_->drawn_by();
     pick_ = [this](const Pixel& pixel) { return picture_->pick(view_, pixel); };
   }
@@ -109,9 +112,22 @@ class Show {
     window_.make_nobody_current();
     window_.set_full_screen(viewer_.window.full_screen);
     ++report_.pictures;
+    if (is_new_ && may_drop_shadows_) judge_speed(seconds_since(last_));
     state_.frames_per_second += 0.05 * (1 / std::max(1e-3, wall) - state_.frames_per_second);
     const double left = 1 / most_pictures - seconds_since(last_);
     if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
+  }
+
+  /// `took`: [s] for a picture with a new scene. Whoever switches shadows himself has them as he wants.
+  void judge_speed(double took) {
+    drawing_ += took;
+    if (++judged_ < judged_pictures) return;
+    may_drop_shadows_ = false;
+    if (!state_.quality.shadows || drawing_ * fluent < judged_) return;
+    state_.quality.shadows = false;
+    viewer_.tell(fmt::format(
+        "shadows are off: the processor draws, and came to {:.0f} pictures per second; View switches them on",
+        judged_ / drawing_));
   }
 
   void arrange() {
@@ -162,10 +178,11 @@ class Show {
     const Pixel at = in_scene(pointer_);
     if (!input.pressed) return mouse_.drags() ? mouse_.release(at, view_, pick_) : void();
     if (gui_.wants_mouse() || !scene_.holds(pointer_)) return;
-    const bool again =
-        seconds_since(pressed_) < double_click_time && std::hypot(at.x - pressed_at_.x, at.y - pressed_at_.y) < 4;
+    const bool again = button == pressed_button_ && seconds_since(pressed_) < double_click_time &&
+                       std::hypot(at.x - pressed_at_.x, at.y - pressed_at_.y) < 4;
     pressed_ = again ? WallClock::time_point{} : WallClock::now();
     pressed_at_ = at;
+    pressed_button_ = button;
     if (again) return mouse_.double_click(button, held_, at, pick_);
     mouse_.press(button, held_, at, view_, pick_);
   }
@@ -237,6 +254,7 @@ class Show {
                                                vec2(scene_.x + scene_.width, scene_.y + scene_.height));
     }
     paint_overlays(viewer_.overlays_now(), view_, scene_);
+    paint_drawings(viewer_.drawings_in(view_), scene_);
     paint_selection(viewer_, view_, scene_);
     if (const auto pull = mouse_.pull()) paint_pull(*pull, view_, scene_);
     Panels panels{gui_, viewer_, state_, options_.keys};
@@ -291,13 +309,16 @@ class Show {
   std::vector<std::unique_ptr<Texture>> camera_textures_;
   sensors::View pixels_, camera_pixels_;
   std::optional<Drawn> drawn_;
-  bool is_new_ = false, after_taken_ = false;
+  bool is_new_ = false, after_taken_ = false, may_drop_shadows_ = false;
+  int judged_ = 0;
+  double drawing_ = 0;  // [s]
   sensors::Perspective view_;
   Area top_, left_, right_, bottom_, scene_;
   int width_ = 1280, height_ = 720;
   MouseControl::Held held_;
   std::map<std::string, Action> flown_;
   Pixel pointer_{-1, -1}, pressed_at_;
+  MouseControl::Button pressed_button_ = MouseControl::Button::left;
   WallClock::time_point pressed_, begin_, last_;
   WindowReport report_;
   std::int64_t scenes_drawn_ = 0;

@@ -78,7 +78,8 @@ void help_window(Panels& panels, const Area& area) {
     };
     row("click, double click", "select; select and look at it");
     row("drag left, right; wheel", "turn about the middle, move; nearer and farther");
-    row("Ctrl and drag", "push what is there, along the plane of the picture");
+    row("Ctrl and right drag", "push what is there, along the plane of the picture");
+    row("Ctrl and left drag", "turn what is there, as if its front were pulled");
     row("Shift and drag", "move a robot, the ball or a body, while it is paused");
     row("right double click", "look at that place; with Ctrl: follow it");
     for (const ActionInfo& info : actions()) {

@@ -1,0 +1,23 @@
+/// roboviz_arguments.h - the option --roboviz: where programs draw that know RoboViz.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "apps/command.h"
+#include "murosimf/connect/roboviz_door.h"
+#include "murosimf/scene/run_report.h"
+
+namespace murosimf::app {
+
+/// `where`: [HOST:]PORT; empty: nobody draws.
+void add_roboviz(const Command& command, std::string& where);
+
+/// Open from now on, which is said; null if nobody draws. Throws SetupError.
+[[nodiscard]] std::unique_ptr<connect::RobovizDoor> roboviz_door(const std::string& where);
+
+/// For reports; nothing if there is no door.
+[[nodiscard]] std::optional<scene::DrawingPackets> packets_of(const connect::RobovizDoor* door);
+
+}  // namespace murosimf::app

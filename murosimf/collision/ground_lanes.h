@@ -1,0 +1,48 @@
+/// ground_lanes.h - contact of up to eight copies of one robot with the ground: what stands on planes is found in lanes.
+///
+/// A step of ground_contact.h. How far shapes are above each plane, and the corners of boxes near it, are worked out for all robots at
+/// once; other shapes near it, what stands on the ground, memory and forces one robot after the other.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "murosimf/collision/ground_contact.h"
+#include "murosimf/model/lane_group.h"
+
+namespace murosimf::collision {
+
+class GroundLanes final : public LaneGroup {
+ public:
+  /// One to eight, of which each goes with each (GroundContact::goes_with); they outlive this.
+  explicit GroundLanes(std::vector<GroundContact*> members);
+  void step(LaneMask due, const Instant& instant) noexcept override;
+
+ private:
+  /// How a body is turned and how it moves: [m/s] of its origin, [rad/s]; world frame.
+  struct Place {
+    Vec3<Pack8> v, w;
+    Mat3<Pack8> R;
+  };
+  /// What points of one shape on one plane have in common.
+  struct Meeting {
+    const GroundShape& shape;
+    const GroundPlane& plane;
+    std::uint64_t first_feature;
+    std::uint32_t surface;
+  };
+  [[nodiscard]] GroundContact& member(int lane) const noexcept { return *members_[static_cast<std::size_t>(lane)]; }
+  void find_on_planes(LaneMask lanes) noexcept;
+  void find_one_by_one(const Meeting& meeting, LaneMask lanes) noexcept;
+  void find_corners(const Meeting& meeting, const Box& box, const Vec3<Pack8>& origin, LaneMask lanes) noexcept;
+  [[nodiscard]] Place place_of(std::size_t object, LaneMask lanes) noexcept;
+  template <class T, class Column>
+  void take(std::span<const std::size_t> objects, LaneMask lanes, T* packs, const Column& column) noexcept;
+
+  std::vector<GroundContact*> members_;
+  std::vector<std::size_t> objects_;  // by shape: its object
+  std::vector<Vec3<Pack8>> origins_;  // [m] by shape, of its object
+  std::vector<double> nobody_;        // stands for the columns of lanes without robot
+};
+
+}  // namespace murosimf::collision

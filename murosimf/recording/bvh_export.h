@@ -1,0 +1,31 @@
+/// bvh_export.h - one robot of a recording as motion capture: the BVH file (Biovision hierarchy) that Blender and others read.
+///
+///     std::ofstream("blue1.bvh") << bvh_of(McapReader("game.mcap"), "blue1").text;
+///
+/// Axes are those of BVH, y up: its X, Y and Z are y (left), z (up) and x (forward) of the robot and the world; lengths are centimetres,
+/// angles degrees. A joint turns by Rz(a) Rx(b) Ry(c), its channels Zrotation, Xrotation and Yrotation:
+///
+///     sin b = R21,  tan c = -R20 / R22,  tan a = -R01 / R11;   |b| = 90 degrees: a = 0, tan c = R02 / R00
+#pragma once
+
+#include <string>
+
+#include "murosimf/math/mat3.h"
+#include "murosimf/math/vec3.h"
+#include "murosimf/recording/mcap_reader.h"
+
+namespace murosimf::recording {
+
+struct BvhMotion {
+  std::string text;     ///< the file
+  double gave_way = 0;  ///< [m] how far joints have moved from their means; BVH shows the means
+};
+
+/// `robot`: its name; empty: the only one that has joints. One frame for each of the recording's period from the robot's first on, which
+/// is the last one where some are missing. Throws SetupError: no such robot, a joint slides, no poses, a damaged file.
+[[nodiscard]] BvhMotion bvh_of(const McapReader& recording, const std::string& robot);
+
+/// (a, b, c) [rad] of Rz(a) Rx(b) Ry(c) = R.
+[[nodiscard]] Vec3d bvh_angles(const Mat3d& R) noexcept;
+
+}  // namespace murosimf::recording

@@ -1,0 +1,293 @@
+#include "murosimf/recording/recorded_drawings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "murosimf/model/error.h"
+#include "murosimf/recording/foxglove_messages.h"
+#include "murosimf/recording/frame_writer.h"
+#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/topics.h"
+
+namespace murosimf::recording {
+namespace {
+
+using nlohmann::json;
+
+constexpr Duration repeat_period = std::chrono::seconds(5);  // seeks in files find one soon
+constexpr std::size_t most_kept = 32;                        // chunks: more than a repetition
+constexpr std::string_view topics = "/drawings/", shape_key = "shape";
+constexpr double thin = 2;         // [px] of lines without a width
+constexpr double speck = 0.01;     // [m] of dots without a width
+constexpr double small_text = 14;  // [px] of texts without a height
+constexpr int corners = 48;        // of a circle
+constexpr std::uint64_t delete_all = 1, line_loop = 1;
+// Fields of foxglove.SceneEntity.
+constexpr int spheres = 9, lines = 11, triangles = 12, texts = 13;
+
+constexpr std::array<std::string_view, DrawnShape::kinds> kind_names = {"circle", "line",    "dots",
+                                                                        "sphere", "polygon", "text"};
+
+void put_ink(ProtobufWriter& out, int field, const DrawnShape& shape) {
+  out.message(field, [&](ProtobufWriter& in) {
+    in.number(1, shape.color.red);
+    in.number(2, shape.color.green);
+    in.number(3, shape.color.blue);
+    in.number(4, shape.opacity);
+  });
+}
+
+void put_line(ProtobufWriter& out, const DrawnShape& shape, const std::vector<Vec3d>& points, bool closed,
+              double width) {
+  out.message(lines, [&](ProtobufWriter& in) {
+    if (closed) in.varint(1, line_loop);
+    in.number(3, width > 0 ? width : thin);
+    in.varint(4, width > 0 ? 0 : 1);
+    for (const Vec3d& point : points) put_vector(in, 5, point);
+    put_ink(in, 6, shape);
+  });
+}
+
+void put_ball(ProtobufWriter& out, const DrawnShape& shape, const Vec3d& center, double width) {
+  out.message(spheres, [&](ProtobufWriter& in) {
+    put_pose(in, 1, {center, {}}, pose_step);
+    put_vector(in, 2, {width, width, width});
+    put_ink(in, 3, shape);
+  });
+}
+
+/// A fan around the first corner: right for all that are convex.
+void put_area(ProtobufWriter& out, const DrawnShape& shape) {
+  std::vector<std::uint32_t> fan;
+  for (std::uint32_t i = 2; i < shape.points.size(); ++i) fan.insert(fan.end(), {0, i - 1, i});
+  out.message(triangles, [&](ProtobufWriter& in) {
+    for (const Vec3d& point : shape.points) put_vector(in, 2, point);
+    put_ink(in, 3, shape);
+    in.packed_fixed32(5, fan);
+  });
+}
+
+void put_words(ProtobufWriter& out, const DrawnShape& shape) {
+  out.message(texts, [&](ProtobufWriter& in) {
+    put_pose(in, 1, {shape.points.front(), {}}, pose_step);
+    in.varint(2, 1);
+    in.number(3, shape.size > 0 ? shape.size : small_text);
+    in.varint(4, shape.size > 0 ? 0 : 1);
+    put_ink(in, 5, shape);
+    in.text(6, shape.words);
+  });
+}
+
+std::vector<Vec3d> around(const Vec3d& center, double radius) {
+  std::vector<Vec3d> points;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    points.push_back(center + Vec3d{radius * std::cos(angle), radius * std::sin(angle), 0});
+  }
+  return points;
+}
+
+void put_shape(ProtobufWriter& out, const DrawnShape& shape) {
+  if (shape.points.empty()) return;
+  const Vec3d& first = shape.points.front();
+  switch (shape.kind) {
+    case DrawnShape::circle: return put_line(out, shape, around(first, shape.size), true, 0);
+    case DrawnShape::line: return put_line(out, shape, shape.points, false, shape.size);
+    case DrawnShape::dots:
+      for (const Vec3d& point : shape.points) put_ball(out, shape, point, shape.size > 0 ? shape.size : speck);
+      return;
+    case DrawnShape::sphere: return put_ball(out, shape, first, shape.size > 0 ? 2 * shape.size : speck);
+    case DrawnShape::polygon: return put_area(out, shape);
+    case DrawnShape::text: return put_words(out, shape);
+  }
+}
+
+std::string to_json(const DrawnShape& shape) {
+  json points = json::array();
+  for (const Vec3d& point : shape.points) points.push_back({point.x, point.y, point.z});
+  const json all = {{"kind", kind_names[shape.kind]},
+                    {"points", points},
+                    {"size", shape.size},
+                    {"color", {shape.color.red, shape.color.green, shape.color.blue}},
+                    {"opacity", shape.opacity},
+                    {"words", shape.words}};
+  return all.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+DrawnShape read_shape(std::string_view text) {
+  try {
+    const json all = json::parse(text);
+    const auto kind = std::ranges::find(kind_names, all.at("kind").get<std::string>());
+    if (kind == kind_names.end()) throw SetupError("a drawing has a shape of no known kind");
+    DrawnShape shape{.kind = static_cast<DrawnShape::Kind>(kind - kind_names.begin())};
+    for (const json& point : all.at("points")) {
+      shape.points.push_back({point.at(0).get<double>(), point.at(1).get<double>(), point.at(2).get<double>()});
+    }
+    all.at("size").get_to(shape.size);
+    const json& color = all.at("color");
+    shape.color = {color.at(0).get<double>(), color.at(1).get<double>(), color.at(2).get<double>()};
+    all.at("opacity").get_to(shape.opacity);
+    all.at("words").get_to(shape.words);
+    return shape;
+  } catch (const json::exception&) {
+    throw SetupError("a drawing is damaged");
+  }
+}
+
+void put_group(ProtobufWriter& out, const RecordedEntity& robot, const DrawnGroup& group) {
+  out.message(2, [&](ProtobufWriter& entity) {
+    put_time(entity, 1, group.time);
+    entity.text(2, group.of_robot && !robot.links.empty() ? std::string_view(robot.links.front().frame) : "world");
+    entity.text(3, robot.name + "/" + group.name);
+    entity.varint(5, 1);  // moves with its frame, so that nobody looks for poses of the time when it was drawn
+    for (const DrawnShape& shape : group.shapes) {
+      entity.message(6, [&](ProtobufWriter& pair) {
+        pair.text(1, shape_key);
+        pair.text(2, to_json(shape));
+      });
+    }
+    for (const DrawnShape& shape : group.shapes) put_shape(entity, shape);
+  });
+}
+
+void read_metadata(ProtobufReader in, DrawnGroup& group) {
+  bool is_shape = false;
+  while (in.next()) {
+    if (in.field() == 1) is_shape = in.bytes() == shape_key;
+    if (in.field() == 2 && is_shape) group.shapes.push_back(read_shape(in.bytes()));
+  }
+}
+
+DrawnGroup read_group(ProtobufReader in, const std::string& robot) {
+  DrawnGroup group;
+  while (in.next()) {
+    if (in.field() == 1) group.time = read_time(in.message());
+    if (in.field() == 2) group.of_robot = in.bytes() != "world";
+    if (in.field() == 3) group.name = in.bytes();
+    if (in.field() == 6) read_metadata(in.message(), group);
+  }
+  if (!group.name.starts_with(robot + "/")) throw SetupError("a drawing is of another robot than its topic says");
+  group.name.erase(0, robot.size() + 1);
+  return group;
+}
+
+}  // namespace
+
+void SketchWatch::take(const std::vector<RecordedEntity>& entities, RecordedFrame& frame) {
+  for (std::size_t i = 0; i < entities.size(); ++i) {
+    const Column<Drawings>* drawn = entities[i].entity->find(properties::drawings);
+    if (!drawn) continue;
+    const bool present = entities[i].entity->present();
+    const std::uint64_t now = present ? drawn->values[0].changes + 1 : 0;  // who is absent shows nothing
+    const auto [seen, is_new] = seen_.try_emplace(i, now);
+    if (!is_new && seen->second == now) continue;
+    seen->second = now;
+    frame.drawings.push_back({.entity = i, .groups = present ? drawn->values[0].groups : std::vector<DrawnGroup>{}});
+  }
+}
+
+void DrawingWriter::write(const RecordedFrame& frame) {
+  const auto put = [&](std::size_t entity, Sheet& sheet) {
+    file_.write(sheet.channel, frame.time, drawing_message(frame.time, entities_[entity], sheet.groups));
+    sheet.written = frame.time;
+  };
+  for (const RobotDrawings& drawn : frame.drawings) {
+    auto [sheet, is_new] = sheets_.try_emplace(drawn.entity);
+    if (is_new) {
+      sheet->second.channel =
+          frames_.add_channel(std::string(topics) + entities_[drawn.entity].name, "foxglove.SceneUpdate");
+    }
+    sheet->second.groups = drawn.groups;
+    put(drawn.entity, sheet->second);
+  }
+  for (auto& [entity, sheet] : sheets_) {
+    if (frame.time - sheet.written >= repeat_period) put(entity, sheet);
+  }
+}
+
+std::string drawing_message(Duration time, const RecordedEntity& robot, const std::vector<DrawnGroup>& groups) {
+  std::string bytes;
+  ProtobufWriter out(bytes);
+  out.message(1, [&](ProtobufWriter& deletion) {
+    put_time(deletion, 1, time);
+    deletion.varint(2, delete_all);
+  });
+  for (const DrawnGroup& group : groups) put_group(out, robot, group);
+  return bytes;
+}
+
+std::vector<DrawnGroup> read_drawing_message(std::string_view bytes, const std::string& robot) {
+  std::vector<DrawnGroup> groups;
+  for (ProtobufReader in(bytes); in.next();) {
+    if (in.field() == 2) groups.push_back(read_group(in.message(), robot));
+  }
+  return groups;
+}
+
+DrawingReader::DrawingReader(const McapReader& file) : file_(file) {
+  for (const Channel& channel : file.contents().channels) {
+    if (channel.topic.starts_with(topics)) robots_[channel.id] = channel.topic.substr(topics.size());
+  }
+  const auto& chunks = file.contents().chunks;
+  for (std::size_t i = 0; i < chunks.size() && !robots_.empty(); ++i) {
+    if (has_any(chunks[i], robots_)) chunks_.push_back(i);
+  }
+  std::ranges::stable_sort(chunks_, {}, [&](std::size_t i) { return chunks[i].start_time; });
+}
+
+const DrawingReader::Chunk& DrawingReader::read(std::size_t index) {
+  const auto known = std::ranges::find(kept_, index, &Chunk::index);
+  if (known != kept_.end()) {
+    kept_.splice(kept_.begin(), kept_, known);
+    return kept_.front();
+  }
+  Chunk chunk{.index = index, .sketches = {}};
+  file_.visit_messages(file_.contents().chunks[chunks_[index]], [&](const Message& message) {
+    const auto robot = robots_.find(message.channel_id);
+    if (robot != robots_.end()) chunk.sketches.push_back({time_of(message), robot->second, std::string(message.data)});
+  });
+  kept_.push_front(std::move(chunk));
+  if (kept_.size() > most_kept) kept_.pop_back();
+  return kept_.front();
+}
+
+/// The last ones until then; none is older than a repetition.
+std::map<std::string, std::string> DrawingReader::messages_at(Duration time) {
+  const auto begins = [&](std::size_t chunk) {
+    return Duration(static_cast<Duration::rep>(file_.contents().chunks[chunk].start_time));
+  };
+  std::map<std::string, std::string> last;
+  auto index = static_cast<std::size_t>(std::ranges::upper_bound(chunks_, time, {}, begins) - chunks_.begin());
+  while (index-- > 0 && last.size() < robots_.size() && begins(chunks_[index]) >= time - 2 * repeat_period) {
+    const Chunk& chunk = read(index);
+    for (auto sketch = chunk.sketches.rbegin(); sketch != chunk.sketches.rend(); ++sketch) {
+      if (sketch->time <= time) last.try_emplace(sketch->robot, sketch->bytes);
+    }
+  }
+  return last;
+}
+
+std::map<std::string, std::vector<DrawnGroup>> DrawingReader::news(Duration time) {
+  std::map<std::string, std::string> last = messages_at(time);
+  std::map<std::string, std::vector<DrawnGroup>> drawn;
+  with_context(file_.file().string(), [&] {
+    for (const auto& [robot, bytes] : last) {
+      const auto before = shown_.find(robot);
+      if (before == shown_.end() || before->second != bytes) drawn[robot] = read_drawing_message(bytes, robot);
+    }
+  });
+  for (const auto& [robot, bytes] : shown_) {
+    if (!last.contains(robot)) drawn[robot] = {};
+  }
+  shown_ = std::move(last);
+  return drawn;
+}
+
+}  // namespace murosimf::recording

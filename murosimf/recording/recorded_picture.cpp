@@ -1,0 +1,146 @@
+#include "murosimf/recording/recorded_picture.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "murosimf/imaging/lens_fit.h"
+#include "murosimf/recording/foxglove_messages.h"
+#include "murosimf/recording/frame_writer.h"
+#include "murosimf/render/image_png.h"
+
+namespace murosimf::recording {
+namespace {
+
+/// In OpenCV's words, which Foxglove knows.
+struct Distortion {
+  std::string model;
+  std::vector<double> coefficients;
+  imaging::LensSpec lens;
+};
+
+Distortion distortion_of(const imaging::Lens& lens) {
+  constexpr std::size_t plane = 5, angles = 4;  // coefficients that readers expect
+  Distortion told{lens.spec().model, lens.spec().coefficients, lens.spec()};
+  if (told.model == "ray_polynomial") {
+    told.lens = imaging::fit_lens(lens, "equidistant").spec;
+    told.coefficients = told.lens.coefficients;
+    told.model = "equidistant";
+  }
+  if (told.model == "perspective") told.model = "plumb_bob";
+  if (told.model == "plumb_bob") told.coefficients.resize(plane);
+  if (told.model == "equidistant") {
+    told.model = "kannala_brandt";
+    told.coefficients.resize(angles);
+  }
+  return told;
+}
+
+/// foxglove.CompressedImage
+std::string message_of(const RecordedCamera& camera, const CameraPicture& picture) {
+  std::string bytes;
+  ProtobufWriter out(bytes);
+  put_time(out, 1, picture.taken);
+  out.bytes(2, render::image_png(picture.mosaic.empty() ? picture.color : render::shown(picture.mosaic)));
+  out.text(3, "png");
+  out.text(4, camera.frame);
+  return bytes;
+}
+
+/// The fields of foxglove.CameraCalibration but its time.
+std::string calibration_of(const RecordedCamera& camera) {
+  const Distortion told = distortion_of(camera.shown->info->lens);
+  const imaging::LensSpec& lens = told.lens;
+  std::string bytes;
+  ProtobufWriter out(bytes);
+  out.fixed32(2, static_cast<std::uint32_t>(lens.width));
+  out.fixed32(3, static_cast<std::uint32_t>(lens.height));
+  out.text(4, told.model);
+  out.packed_numbers(5, told.coefficients);
+  out.packed_numbers(6, std::array{lens.fx, lens.skew, lens.cx, 0.0, lens.fy, lens.cy, 0.0, 0.0, 1.0});
+  out.packed_numbers(7, std::array{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0});
+  out.packed_numbers(8, std::array{lens.fx, lens.skew, lens.cx, 0.0, 0.0, lens.fy, lens.cy, 0.0, 0.0, 0.0, 1.0, 0.0});
+  out.text(9, camera.frame);
+  return bytes;
+}
+
+/// The fields of foxglove.FrameTransform but its time.
+std::string place_of(const RecordedCamera& camera) {
+  const sensors::CameraInfo& info = *camera.shown->info;
+  std::string bytes;
+  ProtobufWriter out(bytes);
+  out.text(2, camera.link);
+  out.text(3, camera.frame);
+  put_vector(out, 4, rounded(info.position, pose_step));
+  put_rotation(out, 5, info.orientation);
+  return bytes;
+}
+
+/// The field `timestamp`, which every one of them begins with.
+std::string stamp(Duration time) {
+  std::string bytes;
+  ProtobufWriter out(bytes);
+  put_time(out, 1, time);
+  return bytes;
+}
+
+}  // namespace
+
+void want_pictures(World& world) {
+  for (const auto& entity : world.entities()) {
+    for (const sensors::CameraFrame* frame : sensors::frames_of(*entity)) {
+      (void)sensors::want_frames(*entity, frame->info->name);
+    }
+  }
+}
+
+std::vector<RecordedCamera> recorded_cameras(const std::vector<RecordedEntity>& entities) {
+  std::vector<RecordedCamera> cameras;
+  for (const RecordedEntity& one : entities) {
+    for (const sensors::CameraFrame* frame : sensors::frames_of(*one.entity)) {
+      const auto link = std::ranges::find(one.links, frame->info->link, &RecordedEntity::Link::object);
+      if (link == one.links.end() || (!frame->info->has_color && frame->info->mosaic.empty())) continue;
+      cameras.push_back({.topic = fmt::format("/cameras/{}/{}", one.name, frame->info->name),
+                         .frame = fmt::format("{}/{}/optical", one.name, frame->info->name),
+                         .link = link->frame,
+                         .shown = frame});
+    }
+  }
+  return cameras;
+}
+
+void take_pictures(std::vector<RecordedCamera>& cameras, RecordedFrame& frame) {
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const sensors::CameraFrame& shown = *cameras[i].shown;
+    if (shown.number == cameras[i].number) continue;
+    cameras[i].number = shown.number;
+    if (shown.color.empty() && shown.mosaic.empty()) continue;  // nothing can be drawn here
+    frame.pictures.push_back({.camera = i, .taken = shown.time, .color = shown.color, .mosaic = shown.mosaic});
+  }
+}
+
+PictureWriter::PictureWriter(MessageSink& file, FrameWriter& frames, const std::vector<RecordedCamera>& cameras)
+    : file_(file), cameras_(cameras) {
+  if (!cameras.empty()) transforms_ = frames.add_channel("/cameras/tf", "foxglove.FrameTransforms");
+  for (const RecordedCamera& camera : cameras) {
+    told_.push_back({.picture = frames.add_channel(camera.topic + "/image", "foxglove.CompressedImage"),
+                     .calibration = frames.add_channel(camera.topic + "/calibration", "foxglove.CameraCalibration"),
+                     .calibrated = calibration_of(camera),
+                     .placed = place_of(camera)});
+  }
+}
+
+void PictureWriter::write(const RecordedFrame& frame) {
+  for (const CameraPicture& picture : frame.pictures) {
+    const Told& told = told_[picture.camera];
+    const std::string time = stamp(picture.taken);
+    std::string placed;
+    ProtobufWriter(placed).bytes(1, time + told.placed);
+    file_.write(transforms_, frame.time, placed);
+    file_.write(told.calibration, frame.time, time + told.calibrated);
+    file_.write(told.picture, frame.time, message_of(cameras_[picture.camera], picture));
+  }
+}
+
+}  // namespace murosimf::recording

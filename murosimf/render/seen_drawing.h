@@ -1,0 +1,34 @@
+/// seen_drawing.h - drawings for people who watch (model/drawing.h) as a picture shows them: lines, areas and words in its pixels.
+///
+/// Over the picture, not in it: nothing hides them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "murosimf/imaging/image.h"
+#include "murosimf/math/transform.h"
+#include "murosimf/model/drawing.h"
+#include "murosimf/sensors/view_source.h"
+
+namespace murosimf::render {
+
+/// Points are pixels, x to the right and y down from the top left corner.
+struct SeenShape {
+  enum class Kind { line, area, words };
+  Kind kind = Kind::line;
+  std::vector<Vec3d> points;  ///< of words: their middle
+  double size = 1;            ///< [px] width of lines, height of words
+  Color color;
+  double opacity = 1;
+  std::string words;
+};
+
+/// `frame`: of the shape's points, in the world. What is behind the eye is cut off.
+void see(const DrawnShape& shape, const Transformd& frame, const sensors::Perspective& view,
+         std::vector<SeenShape>& into);
+
+/// Draws them over a picture. Throws SetupError if this build has no pictures.
+void draw_over(imaging::ColorImage& picture, const std::vector<SeenShape>& shapes);
+
+}  // namespace murosimf::render

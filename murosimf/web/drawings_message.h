@@ -1,0 +1,15 @@
+/// drawings_message.h - what is drawn for people who watch, as a message for the page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "murosimf/connect/drawn.h"
+
+namespace murosimf::web {
+
+/// JSON text: `{"is": "drawings", "drawings": [{entity, by, groups: [{name, of_robot, shapes: [{kind, points, size, color, opacity, words}]}]}]}`.
+/// `entity`: place in the scene document, -1: none. Points are rounded to 0.1 mm.
+[[nodiscard]] std::string drawings_message(const std::vector<connect::Drawn>& all);
+
+}  // namespace murosimf::web
