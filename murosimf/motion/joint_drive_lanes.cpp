@@ -1,12 +1,17 @@
 #include "murosimf/motion/joint_drive_lanes.h"
 
+#include <algorithm>
+
 namespace murosimf::motion {
 
 JointDriveLanes::JointDriveLanes(std::vector<const JointDrives*> robots)
     : robots_(std::move(robots)),
       target_(robots_.front()->objects_.size() + 1),
       supply_(target_.size()),
-      enabled_(target_.size()) {}
+      enabled_(target_.size()) {
+  const auto tunes = [](const JointDrives* robot) { return robot->condition_.tunes(); };
+  if (std::ranges::any_of(robots_, tunes)) tuning_.resize(target_.size());
+}
 
 void JointDriveLanes::take_inputs(PoseLanes& poses, LaneMask lanes) noexcept {
   const auto robot = [&](int lane) -> const JointDrives& { return *robots_[static_cast<std::size_t>(lane)]; };
@@ -18,6 +23,20 @@ void JointDriveLanes::take_inputs(PoseLanes& poses, LaneMask lanes) noexcept {
   if (robots_.front()->condition_.supply().empty()) return;  // no servos
   take(supply_, [&](int lane) { return robot(lane).condition_.supply().data(); });
   take(enabled_, [&](int lane) { return robot(lane).condition_.enabled().data(); });
+  if (!tuning_.empty()) take_tuning(poses, lanes);
+}
+
+void JointDriveLanes::take_tuning(PoseLanes& poses, LaneMask lanes) noexcept {
+  for (std::size_t k = 0; k < poses.joints().size(); ++k) {
+    Tuning& tuning = tuning_[k + 1];
+    for_lanes(lanes, [&](int lane) {
+      MotorInput input;
+      robots_[static_cast<std::size_t>(lane)]->condition_.tune(static_cast<int>(poses.joints()[k]), input);
+      tuning.gain.set_lane(lane, input.gain);
+      tuning.damping.set_lane(lane, input.damping);
+      tuning.limit.set_lane(lane, input.limit);
+    });
+  }
 }
 
 JointDriveLanes::Answer JointDriveLanes::drive(std::size_t link, int object, const Pack8& q, const Pack8& qd,
@@ -29,6 +48,12 @@ JointDriveLanes::Answer JointDriveLanes::drive(std::size_t link, int object, con
     multibody::MotorInput<Pack8> input{.target = target_[link], .q = q, .rate = qd, .enabled = enabled_[link]};
     const double per_volt = first.condition_.per_volt(static_cast<std::size_t>(object));
     if (per_volt > 0) input.supply = supply_[link] * per_volt;
+    if (!tuning_.empty()) {
+      const Tuning& tuning = tuning_[link];
+      input.gain = tuning.gain;
+      input.damping = tuning.damping;
+      input.limit = tuning.limit;
+    }
     const auto torque = joint.law->torque_in_lanes(input, dt);
     answer.gear = joint.gear;
     answer.motor_torque = torque.now;

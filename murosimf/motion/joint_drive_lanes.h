@@ -21,8 +21,14 @@ class JointDriveLanes {
   [[nodiscard]] Answer drive(std::size_t link, int object, const Pack8& q, const Pack8& qd, double dt) const noexcept;
 
  private:
+  void take_tuning(PoseLanes& poses, LaneMask lanes) noexcept;
+
   std::vector<const JointDrives*> robots_;
   std::vector<Pack8> target_, supply_, enabled_;  // by link: [rad | m | rad/s], [V], [1]
+  struct Tuning {
+    Pack8 gain = 1.0, damping{}, limit{};  // as of MotorInput
+  };
+  std::vector<Tuning> tuning_;  // by link; empty: no software sets gains and limits
 };
 
 }  // namespace murosimf::motion

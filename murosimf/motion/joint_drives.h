@@ -42,11 +42,8 @@ class JointDrives {
   /// Takes whole turns out of the positions [rad] of wheels (velocity_joints.h).
   void wrap(std::span<double> q) const noexcept { bus_.turning().wrap(q); }
 
-  /// Whether copies of the robot differ in numbers only: no wheels, and no servos with play, a temperature, or
-  /// gains and limits that software sets.
-  [[nodiscard]] bool are_alike() const noexcept {
-    return remembering_.empty() && bus_.turning().joints().empty() && !condition_.tunes();
-  }
+  /// Whether copies of the robot differ in numbers only: no wheels, and no servos with play or a temperature.
+  [[nodiscard]] bool are_alike() const noexcept { return remembering_.empty() && bus_.turning().joints().empty(); }
 
   /// What acts in a joint.
   template <class S>

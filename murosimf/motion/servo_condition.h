@@ -28,6 +28,8 @@ class ServoCondition {
   void fill(int object, MotorInput& input) const noexcept;
   /// Software may change gains or limits of its servos.
   [[nodiscard]] bool tunes() const noexcept { return tunes_; }
+  /// Gains and limit that it has set for a servo; nothing, if there is none or it has set none.
+  void tune(int object, MotorInput& input) const noexcept;
   [[nodiscard]] bool heats(int object) const noexcept { return motors_[static_cast<std::size_t>(object)].heats; }
   /// By object, empty without servos: [V], and 0 where torque is switched off.
   [[nodiscard]] std::span<const double> supply() const noexcept { return supply_; }
@@ -45,7 +47,6 @@ class ServoCondition {
     double position_gain = 0, velocity_gain = 0, stall_torque = 0;  // its own
   };
   void find_tuning(Setup& setup);
-  void tune(int object, MotorInput& input) const noexcept;
 
   std::vector<Motor> motors_;  // by object
   std::span<const double> supply_, enabled_;

@@ -189,6 +189,40 @@ TEST(ServoCommands, LedsAreStatesOfTheRobot) {
   EXPECT_EQ(*arm.task->port().labels("robot.led"), (std::vector<std::string>{"red", "green", "blue"}));
 }
 
+/// State after half a second of eight equal robots on the ground, most of which have gains and limits of their own.
+std::uint64_t hash_of_eight(bool lanes) {
+  test::Rig rig;
+  for (int number = 0; number < 8; ++number) {
+    Entity& robot = rig.add("robot" + std::to_string(number), test::kid21());
+    const SoftwareMaker make = [number](Setup&, RobotPort& port, const SayLine&) {
+      murosimf_command* target = port.command("joint.target");
+      std::vector<murosimf_command*> tuned;
+      for (const char* name : {"joint.position_gain", "joint.velocity_gain", "joint.torque_limit"}) {
+        if (number > static_cast<int>(tuned.size())) tuned.push_back(port.command(name));
+      }
+      return std::make_unique<ServoSoftware>([target, tuned, number, cycle = 0]() mutable {
+        for (std::size_t i = 0; i < target->count; ++i) target->values[i] = 0.02 * cycle;
+        if (++cycle != 20) return;
+        for (murosimf_command* row : tuned) {
+          for (std::size_t i = 0; i < row->count; ++i) row->values[i] = 0.1 * number * (row->values[i] + 0.1);
+        }
+      });
+    };
+    rig.simulation.attach<ControllerTask>("software", robot, 100, make, ControllerTaskOptions{});
+    rig.attach_dynamics(robot, {.level = "articulated_dynamics"});
+  }
+  rig.simulation.use_lanes(lanes);
+  rig.run(0.5);
+  EXPECT_EQ(rig.simulation.algorithms_in_lanes(), lanes ? 8U : 0U);
+  const auto height = [&](const char* name) {
+    return rig.simulation.world().entity(name).base().get(properties::position).z;
+  };
+  EXPECT_NE(height("robot1"), height("robot3")) << "they have other servos";
+  return rig.simulation.state_hash();
+}
+
+TEST(ServoCommands, AreTheSameInLanes) { EXPECT_EQ(hash_of_eight(true), hash_of_eight(false)); }
+
 // Without torque the arm is a pendulum of period 2 pi sqrt(I / (m g l)); with it, it stands still where it was told to be.
 TEST(ServoCommands, WithoutTorqueAJointSwingsAsAPendulum) {
   BoltedArm arm(springy(), {"joint.target", "joint.torque_enabled", "joint.position_gain"});
