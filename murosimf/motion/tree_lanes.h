@@ -81,7 +81,7 @@ class TreeLanes {
   void correct_momentum(LaneMask flying) noexcept;
   void refresh() noexcept;
   void put_back_whole(LaneMask lanes) noexcept;
-  void put_back_links(int lane) const noexcept;
+  void put_back_links(LaneMask lanes) const noexcept;
 
   std::vector<MovingTree*> trees_;
   LaneMask fresh_ = 0;  // lanes that have their robot as this left it
