@@ -8,10 +8,10 @@
 /// provides them without the matrix.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
+#include "murosimf/math/four.h"
 #include "murosimf/math/spatial.h"
 
 namespace murosimf::collision {
@@ -27,16 +27,23 @@ struct ResponseRows {
   }
 };
 
+/// Three forces side by side.
+using ThreeForces = Wrench<Four>;
+
+/// The three numbers of a row.
+[[nodiscard]] inline Vec3d first_three(const Four& row) noexcept { return {row[0], row[1], row[2]}; }
+
 /// Forces [N m, N] of 1 N along each column of `directions`, at `arm` [m] from the point about which moments are taken.
-[[nodiscard]] inline std::array<Wrenchd, 3> unit_forces(const Vec3d& arm, const Mat3d& directions) noexcept {
+[[nodiscard]] inline ThreeForces unit_forces(const Vec3d& arm, const Mat3d& directions) noexcept {
   const auto& [a, b, c] = directions;
-  return {Wrenchd{cross(arm, a), a}, Wrenchd{cross(arm, b), b}, Wrenchd{cross(arm, c), c}};
+  const Vec3<Four> force{{a.x, b.x, c.x, 0.0}, {a.y, b.y, c.y, 0.0}, {a.z, b.z, c.z, 0.0}};
+  return {cross(arm, force), force};
 }
 
 /// Appends numbers 0 to 5 of y: of a rigid body with the factored inertia F F^T under three forces.
-inline void add_rigid_response(const Cholesky6<double>& factor, const std::array<Wrenchd, 3>& forces, ResponseRows& y) {
-  const auto a = factor.forward(forces[0]), b = factor.forward(forces[1]), c = factor.forward(forces[2]);
-  for (int i = 0; i < 6; ++i) y.add(i, {a[i], b[i], c[i]});
+inline void add_rigid_response(const Cholesky6<double>& factor, const ThreeForces& forces, ResponseRows& y) {
+  const auto rows = factor.forward(forces);
+  for (int i = 0; i < 6; ++i) y.add(i, first_three(rows[static_cast<std::size_t>(i)]));
 }
 
 class ImpulseResponse {

@@ -5,6 +5,7 @@
 
 #include "murosimf/collision/contact_law_parts.h"
 #include "murosimf/collision/soft_start.h"
+#include "murosimf/math/inline.h"
 
 namespace murosimf::collision {
 namespace {
@@ -72,19 +73,21 @@ void IslandSolver::add_side(Contact& contact, double sign, const Side& side) {
 
 /// So that sweeps find it as they need it.
 void IslandSolver::keep_response(Contact& c) {
+  const std::size_t count = response_.index.size();
   c.first = index_.size();
-  c.last = c.first + response_.index.size();
-  while (response_.index.size() % 4 != 0) response_.add(0, {});
-  for (std::size_t k = 0; k < response_.index.size(); ++k) {
+  c.last = c.first + count;
+  const std::size_t end = c.first + (count + 3) / 4 * 4;
+  index_.resize(end);
+  rows_.resize(end);
+  columns_.resize(end / 4);
+  for (std::size_t k = 0; k < count; ++k) {
     const Vec3d& row = response_.value[k];
-    index_.push_back(static_cast<std::size_t>(response_.index[k]));
-    rows_.emplace_back(row.x, row.y, row.z, 0.0);
+    index_[c.first + k] = static_cast<std::size_t>(response_.index[k]);
+    rows_[c.first + k] = Four(row.x, row.y, row.z, 0.0);
   }
-  for (std::size_t k = 0; k < response_.index.size(); k += 4) {
-    const Vec3d* const row = &response_.value[k];
-    columns_.push_back({{row[0].x, row[1].x, row[2].x, row[3].x},
-                        {row[0].y, row[1].y, row[2].y, row[3].y},
-                        {row[0].z, row[1].z, row[2].z, row[3].z}});
+  for (std::size_t k = c.first; k < end; k += 4) {
+    const Four &a = rows_[k], &b = rows_[k + 1], &d = rows_[k + 2], &e = rows_[k + 3];
+    columns_[k / 4] = {{a[0], b[0], d[0], e[0]}, {a[1], b[1], d[1], e[1]}, {a[2], b[2], d[2], e[2]}};
   }
 }
 
@@ -125,13 +128,13 @@ void IslandSolver::invert(Contact& c) noexcept {
   c.slide_mass = 1 / (0.5 * (a + d) + std::sqrt(0.25 * (a - d) * (a - d) + b * b));
 }
 
-Vec3d IslandSolver::velocity(const Contact& c) const noexcept {
+MUROSIMF_INLINE Vec3d IslandSolver::velocity(const Contact& c) const noexcept {
   Four v(c.free.x, c.free.y, c.free.z, 0.0);
   for (std::size_t k = c.first; k < c.last; ++k) v = v + z_[index_[k]] * rows_[k];
   return {v[0], v[1], v[2]};
 }
 
-void IslandSolver::push(Contact& c, const Vec3d& impulse) noexcept {
+MUROSIMF_INLINE void IslandSolver::push(Contact& c, const Vec3d& impulse) noexcept {
   c.lambda += impulse;
   for (std::size_t k = c.first; k < c.last; k += 4) {
     const Columns& rows = columns_[k / 4];

@@ -91,9 +91,10 @@ class IslandSolver {
   std::vector<Member> members_;
   std::vector<double> z_;  // the first number is nobody's
   std::vector<Contact> contacts_;
-  ResponseRows response_;         // of one contact; working memory
-  std::vector<std::size_t> index_;  // of all contacts: which number of z_; each contact's filled up to fours with nobody's
-  std::vector<Four> rows_;        // with these, along the contact's frame
+  ResponseRows response_;  // of one contact; working memory
+  std::vector<std::size_t>
+      index_;               // of all contacts: which number of z_; each contact's filled up to fours with nobody's
+  std::vector<Four> rows_;  // with these, along the contact's frame
   std::vector<Columns> columns_;  // the same, four at a time
 };
 

@@ -180,9 +180,13 @@ void PairFinder::test(std::vector<MovingEntity>& moving_entities, int a, int b,
   pair.a = a;
   pair.b = b;
   geometry::Manifold manifold;
+  int of = -1;  // shape of the first that has `sphere`
+  geometry::BoundingSphere sphere;
   for (const auto& [i, j] : shapes) {
     ++set.tests.volumes;
-    if (!overlap(first.sphere(i), second.sphere(j))) continue;
+    if (i != of) sphere = first.sphere(i);
+    of = i;
+    if (!overlap(sphere, second.sphere(j))) continue;
     ++set.tests.objects;
     const CollidingShape &shape_a = first.compound.shapes()[i], &shape_b = second.compound.shapes()[j];
     if (!geometry::collide(shape_a.placed.shape, first.pose(i), shape_b.placed.shape, second.pose(j), manifold)) {

@@ -30,6 +30,12 @@ class Four {
     for (std::size_t i = 0; i < registers; ++i) sum.part_[i] = a.part_[i] + b.part_[i];
     return sum;
   }
+  friend Four operator-(const Four& a, const Four& b) {
+    Four difference;
+    for (std::size_t i = 0; i < registers; ++i) difference.part_[i] = a.part_[i] - b.part_[i];
+    return difference;
+  }
+  friend Four operator*(const Four& a, double b) { return b * a; }
   friend Four operator*(double a, const Four& b) {
     Four product;
     for (std::size_t i = 0; i < registers; ++i) product.part_[i] = a * b.part_[i];

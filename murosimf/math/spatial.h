@@ -119,8 +119,9 @@ class Cholesky6 {
  public:
   explicit Cholesky6(const Sym6<S>& A);
 
-  /// L^-1 force.
-  [[nodiscard]] std::array<S, 6> forward(const Wrench<S>& force) const;
+  /// L^-1 force; of several forces, if T has one in each lane.
+  template <class T>
+  [[nodiscard]] std::array<T, 6> forward(const Wrench<T>& force) const;
   /// L^-T y.
   [[nodiscard]] Twist<S> backward(std::array<S, 6> y) const;
 
@@ -231,8 +232,9 @@ Cholesky6<S>::Cholesky6(const Sym6<S>& A)
 }
 
 template <class S>
-std::array<S, 6> Cholesky6<S>::forward(const Wrench<S>& force) const {
-  std::array<S, 6> y{force.n.x, force.n.y, force.n.z, force.f.x, force.f.y, force.f.z};
+template <class T>
+std::array<T, 6> Cholesky6<S>::forward(const Wrench<T>& force) const {
+  std::array<T, 6> y{force.n.x, force.n.y, force.n.z, force.f.x, force.f.y, force.f.z};
   for (int i = 0; i < 6; ++i) {
     for (int k = 0; k < i; ++k) y[i] = y[i] - L_[i][k] * y[k];
     y[i] = y[i] * inverse_[i];

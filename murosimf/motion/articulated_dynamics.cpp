@@ -87,9 +87,8 @@ void ArticulatedDynamics::check_inertias() {
 }
 
 void ArticulatedDynamics::step(const Instant& instant) noexcept {
-  const double dt = seconds(instant.period);
-  if (tree_.integrator() == Integrator::rk4 && !tree_.contacts.solved()) return step_rk4(dt);
-  if (advance(dt)) tree_.finish_step();
+  if (tree_.integrator() == Integrator::rk4 && !tree_.contacts.solved()) return step_rk4(seconds(instant.period));
+  if (advance(seconds(instant.period))) tree_.finish_step();
 }
 
 /// All of a step but MovingTree::finish_step, which is to follow unless this is false.
@@ -114,8 +113,7 @@ bool ArticulatedDynamics::end_step() noexcept {
   report_torques();
   keep_loads();
   tree_.contacts.commit();
-  const Twistd base = bodies_[0].acceleration;
-  if (!tree_.advance_base(base, dt_)) return false;
+  if (!tree_.advance_base(bodies_[0].acceleration, dt_)) return false;
   advance_joints(dt_);
   finish_drives();
   return true;
@@ -166,8 +164,8 @@ bool ArticulatedDynamics::free_pass(double dt) noexcept {
 }
 
 Vec3d ArticulatedDynamics::free_velocity(int object, const Vec3d& point, const Vec3d& velocity) const noexcept {
-  const int link = tree_.columns.model.tree().link_of[object];
-  return tree_.next_velocity(object, point, velocity, bodies_[link].acceleration, dt_);
+  const Twistd& acceleration = bodies_[tree_.columns.model.tree().link_of[object]].acceleration;
+  return tree_.next_velocity(object, point, velocity, acceleration, dt_);
 }
 
 void ArticulatedDynamics::respond(int object, const Vec3d& point, const Mat3d& directions,
@@ -177,11 +175,11 @@ void ArticulatedDynamics::respond(int object, const Vec3d& point, const Mat3d& d
   for (int l = tree.link_of[object]; l > 0; l = tree.links[l].parent) {
     const auto& body = bodies_[l];
     const Twistd& axis = tree_.links[l].axis;
-    const Vec3d along{dot(axis, forces[0]), dot(axis, forces[1]), dot(axis, forces[2])};
-    y.add(5 + l, root_[l] * along);
-    forces[0] -= (along.x * body.inverse_D) * body.U;
-    forces[1] -= (along.y * body.inverse_D) * body.U;
-    forces[2] -= (along.z * body.inverse_D) * body.U;
+    const Four along = dot(axis.w, forces.n) + dot(axis.v, forces.f);
+    y.add(5 + l, collision::first_three(root_[l] * along));
+    const Four share = along * body.inverse_D;
+    forces.n -= share * body.U.n;
+    forces.f -= share * body.U.f;
   }
   tree_.respond_at_base(forces, y);
 }

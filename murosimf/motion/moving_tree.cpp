@@ -117,7 +117,7 @@ void MovingTree::factor_base() noexcept {
   if (!options_.fixed_base) factor_.emplace(base_inertia_);
 }
 
-void MovingTree::respond_at_base(const std::array<Wrenchd, 3>& forces, collision::ResponseRows& y) const noexcept {
+void MovingTree::respond_at_base(const collision::ThreeForces& forces, collision::ResponseRows& y) const noexcept {
   if (!options_.fixed_base) collision::add_rigid_response(*factor_, forces, y);
 }
 

@@ -86,11 +86,11 @@ class MovingTree {
   /// Prepares the responses below, for the inertia of the last base_acceleration.
   void factor_base() noexcept;
   /// Unit forces at `point` [m] along the columns of `directions`, about O.
-  [[nodiscard]] std::array<Wrenchd, 3> forces_about_base(const Vec3d& point, const Mat3d& directions) const noexcept {
+  [[nodiscard]] collision::ThreeForces forces_about_base(const Vec3d& point, const Mat3d& directions) const noexcept {
     return collision::unit_forces(point - columns.r[0], directions);
   }
   /// Numbers 0 to 5 of a response (collision/impulse_response.h): of forces about O that have arrived at the base.
-  void respond_at_base(const std::array<Wrenchd, 3>& forces, collision::ResponseRows& y) const noexcept;
+  void respond_at_base(const collision::ThreeForces& forces, collision::ResponseRows& y) const noexcept;
   /// The same for one force, added to a row of all numbers.
   void respond_at_base(const Wrenchd& force, std::span<double> row) const noexcept;
   /// What the impulses z (first six numbers) add to a'_0.

@@ -230,8 +230,8 @@ void TreeLanes::finish_step(LaneMask lanes, LaneMask with_links) noexcept {
     tree.written_.remember(tree.columns);
     tree.lanes_ = this;
     tree.has_own_links_ = has_lane(with_links, lane);
-    if (tree.has_own_links_) put_back_links(lane);
   });
+  put_back_links(lanes & with_links);
   fresh_ = lanes;
 }
 
@@ -260,10 +260,14 @@ void TreeLanes::refresh() noexcept {
   whole = multibody::composite_inertia<Pack8>(links);
 }
 
-void TreeLanes::put_back_links(int lane) const noexcept {
-  MovingTree& tree = this->tree(lane);
-  for (std::size_t l = 0; l < links.size(); ++l) tree.links[l] = lane_of_link(links[l], lane);
-  tree.whole_ = {whole.mass, lane_of(whole.first, lane), lane_of(whole.second, lane)};
+/// Link by link: the packs of all are more than the first-level cache holds.
+void TreeLanes::put_back_links(LaneMask lanes) const noexcept {
+  for (std::size_t l = 0; l < links.size(); ++l) {
+    for_lanes(lanes, [&](int lane) { tree(lane).links[l] = lane_of_link(links[l], lane); });
+  }
+  for_lanes(lanes, [&](int lane) {
+    tree(lane).whole_ = {whole.mass, lane_of(whole.first, lane), lane_of(whole.second, lane)};
+  });
 }
 
 /// The robot as one body: as MovingTree::update_links has it.

@@ -81,13 +81,13 @@ class TreeLanes {
   void correct_momentum(LaneMask flying) noexcept;
   void refresh() noexcept;
   void put_back_whole(LaneMask lanes) noexcept;
-  void put_back_links(int lane) const noexcept;
+  void put_back_links(LaneMask lanes) const noexcept;
 
   std::vector<MovingTree*> trees_;
   LaneMask fresh_ = 0;  // lanes that have their robot as this left it
   multibody::FreeBody<Pack8> base_;
-  CenterMotion wanted_;  // after the present step, of the lanes in flight
-  LaneMask flying_ = 0;  // these
+  CenterMotion wanted_;            // after the present step, of the lanes in flight
+  LaneMask flying_ = 0;            // these
   std::vector<char> is_busy_;      // by object: it touches something
   std::vector<std::size_t> busy_;  // those that may, in the model's order
   Load load_;                      // working memory
