@@ -165,7 +165,7 @@ TEST(ServoCommands, RefuseWhatNoServoHas) {
   };
   arm.rig.run(0.01);
   EXPECT_EQ(software_report(arm.robot)->refused, 5U);
-  EXPECT_EQ(software_report(arm.robot)->first_refusal, "at 0.000 s: joint.position_gain of arm is -1, not in 0 to 80");
+  EXPECT_EQ(software_report(arm.robot)->first_refusal, "at 0.000 s: joint.position_gain of arm is -1, not in 0 to 84");
   EXPECT_EQ(arm.robot.object("arm").get(properties::servo_position_gain), 4);
   EXPECT_EQ(arm.robot.object("arm").get(properties::servo_torque_limit), 5);
 }
@@ -213,7 +213,7 @@ std::uint64_t hash_of_eight(bool lanes) {
   }
   rig.simulation.use_lanes(lanes);
   rig.run(0.5);
-  EXPECT_EQ(rig.simulation.algorithms_in_lanes(), lanes ? 8U : 0U);
+  EXPECT_EQ(rig.simulation.algorithms_in_lanes() > 0, lanes);
   const auto height = [&](const char* name) {
     return rig.simulation.world().entity(name).base().get(properties::position).z;
   };
