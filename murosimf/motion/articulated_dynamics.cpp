@@ -175,9 +175,9 @@ void ArticulatedDynamics::respond(int object, const Vec3d& point, const Mat3d& d
   for (int l = tree.link_of[object]; l > 0; l = tree.links[l].parent) {
     const auto& body = bodies_[l];
     const Twistd& axis = tree_.links[l].axis;
-    const Four along = dot(axis.w, forces.n) + dot(axis.v, forces.f);
+    const auto along = dot(axis.w, forces.n) + dot(axis.v, forces.f);
     y.add(5 + l, collision::first_three(root_[l] * along));
-    const Four share = along * body.inverse_D;
+    const auto share = along * body.inverse_D;
     forces.n -= share * body.U.n;
     forces.f -= share * body.U.f;
   }

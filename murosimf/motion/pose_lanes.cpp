@@ -1,5 +1,6 @@
 #include "murosimf/motion/pose_lanes.h"
 
+#include "murosimf/math/spatial.h"
 #include "murosimf/multibody/kinematics.h"
 
 namespace murosimf::motion {
@@ -10,7 +11,7 @@ PoseLanes::PoseLanes(std::vector<PoseColumns*> robots)
   moving_ = links_;
   for (const FixedObject& follower : structure.followers) moving_.push_back(static_cast<std::size_t>(follower.object));
   const auto objects = static_cast<std::size_t>(robots_.front()->model.size());
-  nobody_.resize(numbers_of<Mat3> * objects);
+  nobody_.resize(numbers_of<Sym6> * objects);  // the longest rows that anybody takes
   q.resize(objects);
   qd.resize(objects);
   r.resize(objects);
