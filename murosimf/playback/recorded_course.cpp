@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <set>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -34,6 +36,10 @@ void set_number(Entity& entity, const Property<double>& property, int object, do
 RecordedCourse::RecordedCourse(std::shared_ptr<const recording::RecordedRun> run,
                                const recording::RepeatOptions& options)
     : run_(std::move(run)), scene_(run_->build_to_show(options)), drawings_(run_->file()) {
+  const std::set<std::string> draw = drawings_.robots();
+  for (const auto& entity : scene_->simulation().world().entities()) {
+    if (draw.contains(entity->name())) (void)entity->column(properties::drawings);
+  }
   run_->initialize(*scene_);
   entities_ = recording::recorded_entities(scene_->simulation().world());
   frames_ = std::make_unique<recording::FrameReader>(run_->file(), entities_);
@@ -167,7 +173,9 @@ void RecordedCourse::show_drawings(Duration time) {
   for (auto& [robot, groups] : drawings_.news(time)) {
     const auto known = std::ranges::find(entities_, robot, &recording::RecordedEntity::name);
     if (known == entities_.end()) continue;  // of somebody who came later
-    Drawings& drawn = scene_->simulation().world().entity(robot).column(properties::drawings).values[0];
+    Column<Drawings>* column = column_of(scene_->simulation().world().entity(robot), properties::drawings);
+    if (!column) continue;
+    Drawings& drawn = column->values[0];
     drawn.groups = std::move(groups);
     ++drawn.changes;
   }

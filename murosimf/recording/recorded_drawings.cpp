@@ -242,6 +242,12 @@ DrawingReader::DrawingReader(const McapReader& file) : file_(file) {
   std::ranges::stable_sort(chunks_, {}, [&](std::size_t i) { return chunks[i].start_time; });
 }
 
+std::set<std::string> DrawingReader::robots() const {
+  std::set<std::string> names;
+  for (const auto& [channel, robot] : robots_) names.insert(robot);
+  return names;
+}
+
 const DrawingReader::Chunk& DrawingReader::read(std::size_t index) {
   const auto known = std::ranges::find(kept_, index, &Chunk::index);
   if (known != kept_.end()) {

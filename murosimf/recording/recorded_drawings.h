@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <list>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,6 +63,8 @@ class DrawingReader {
  public:
   /// The file must outlive it.
   explicit DrawingReader(const McapReader& file);
+  /// Who draws.
+  [[nodiscard]] std::set<std::string> robots() const;
   /// What robots draw at a time, of those whose drawings are not as after the last call. Throws SetupError: the file is damaged there.
   [[nodiscard]] std::map<std::string, std::vector<DrawnGroup>> news(Duration time);
 

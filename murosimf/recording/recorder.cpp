@@ -9,7 +9,6 @@
 #include "murosimf/model/error.h"
 #include "murosimf/recording/attached_files.h"
 #include "murosimf/recording/state_file.h"
-#include "murosimf/scene/contact_marks.h"
 
 namespace murosimf::recording {
 namespace {
@@ -131,7 +130,7 @@ void Recorder::take_frame(bool is_last) {
   take_numbers(entities_, frame);
   constexpr std::size_t usual_contacts = 64;
   frame.contacts.reserve(what_.contains("contacts") ? usual_contacts : 0);
-  if (what_.contains("contacts")) scene::add_contact_marks(simulation.world(), frame.contacts);
+  if (what_.contains("contacts")) touching_.add(simulation.world(), frame.contacts);
   take_samples(frame);
   if (what_.contains("drawings")) sketches_.take(entities_, frame);
   take_lines(frame);

@@ -21,6 +21,7 @@
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/mcap_reader.h"
 #include "murosimf/recording/mcap_writer.h"
+#include "murosimf/recording/recorded_contacts.h"
 #include "murosimf/recording/recorded_drawings.h"
 #include "murosimf/recording/recorded_picture.h"
 #include "murosimf/recording/recording_thread.h"
@@ -110,6 +111,7 @@ class Recorder {
   std::vector<RecordedSensor> sensors_;
   std::vector<RecordedCamera> cameras_;
   SketchWatch sketches_;
+  ContactWatch touching_;
   std::unique_ptr<SceneLooks> looks_;
   std::unique_ptr<FrameWriter> frames_;
   std::unique_ptr<PictureWriter> pictures_;

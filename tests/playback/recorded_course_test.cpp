@@ -117,7 +117,7 @@ TEST(RecordedCourse, EventsAndLevelsAreThoseOfThatTime) {
 
 TEST(RecordedCourse, DrawingsAreThoseOfThatTime) {
   fixtures::RepeatableRun run{.scene = "walk", .time = 300ms};
-  run.when_initialized = [](scene::Scene& scene) {
+  run.when_built = [](scene::Scene& scene) {
     Drawings& drawn = scene.simulation().world().entity("walker").column(properties::drawings).values[0];
     scene.simulation().at(100ms, [&drawn] {
       drawn.groups.push_back(

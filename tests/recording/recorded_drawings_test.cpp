@@ -2,6 +2,8 @@
 #include "murosimf/recording/recorded_drawings.h"
 
 #include <map>
+#include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -87,6 +89,7 @@ std::map<int, int> counts_of(ProtobufReader in) {
 TEST(RecordedDrawings, AreReadBackAsTheyWereAtATime) {
   const McapReader file(recorded());
   DrawingReader drawings(file);
+  EXPECT_EQ(drawings.robots(), std::set<std::string>{"robot"});
   EXPECT_TRUE(drawings.news(90ms).empty());
   const auto both = drawings.news(200ms);
   ASSERT_EQ(both.size(), 1U);

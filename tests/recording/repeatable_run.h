@@ -16,7 +16,7 @@ struct RepeatableRun {
   Duration time{};
   recording::RecorderOptions options{};
   scene::SceneOptions how{.cameras = false};
-  std::function<void(scene::Scene&)> when_initialized{};
+  std::function<void(scene::Scene&)> when_built{}, when_initialized{};
 };
 
 /// Its file.
@@ -24,6 +24,7 @@ inline std::filesystem::path record(const std::string& name, const RepeatableRun
   files::FilesRead read;
   recording::RecorderOptions options = run.options;
   scene::Scene scene(run.scene, run.how);
+  if (run.when_built) run.when_built(scene);
   options.file = temp_folder() / name;
   options.files = &read;
   options.run = recording::RunDescription{.scene = run.scene,
