@@ -127,6 +127,29 @@ TEST_F(Render, LayersLightsAndShadowsAreOtherPictures) {
   EXPECT_TRUE(pictures.contains(draw("--light hall --size 120x70"))) << "the scene's light";
 }
 
+// It draws a polygon in front of the robot when it has seen a picture.
+TEST_F(Render, DrawingsOfSoftwareAreOverThePicture) {
+  const fs::path scene =
+      write("drawing.toml", "[[robots]]\nname = 'one'\nmodel = 'kid21'\ncontroller = 'library'\nlibrary = '" +
+                                std::string(MUROSIMF_CONTROLLERS) +
+                                "/controller_pictures.so'\noptions = {picture = 'camera.color'}\n" +
+                                "[robots.sensors.camera]\nwidth = 40\nheight = 30\n");
+  const auto picture = [&](const std::string& options) {
+    const fs::path file = scratch("drawing.png");
+    const Result result =
+        murosimf("render " + scene.string() + " --libraries --time 0.2 --view side --size 160x90 --out " +
+                 file.string() + " " + options);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return read_file(file);
+  };
+  const std::string without = picture("");
+  EXPECT_NE(picture("--drawings"), without);
+  EXPECT_EQ(picture("--drawings one/picture"), picture("--drawings all"));
+  EXPECT_EQ(picture("--drawings one/other"), without);
+  expect_mistake("render " + scene.string() + " --libraries --layer depth --drawings --out x.png",
+                 {"--drawings", "colors"});
+}
+
 TEST_F(Render, TheSameCallGivesTheSamePicture) {
   for (const char* options : {"--size 120x70 --time 0.5 --view one", "--camera one.camera --time 0.5"}) {
     const std::string first = draw(options);

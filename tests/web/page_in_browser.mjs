@@ -83,7 +83,8 @@ const colors = (page) => page.evaluate(async () => {
 });
 
 async function testDesktop() {
-  const run = await start("three_on_three", "--duration", "60", "--set", "red.*.level=simplified_dynamics", "--roboviz", "0");
+  const run = await start("three_on_three", "--duration", "60", "--set", "red.*.level=simplified_dynamics",
+    "--set", "blue1.sensors.camera.always_on=true", "--roboviz", "0");
   const begin = Date.now();
   const page = await open(run.address);
   console.log(`page shows the scene after ${Date.now() - begin} ms`);

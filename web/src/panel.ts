@@ -306,7 +306,8 @@ export class Panel {
     this.camera.setAttribute("aria-label", "Camera");
     this.camera.onchange = () => this.source.look(this.camera.value || null);
     this.picture.id = "picture";
-    page.append(this.camera, this.picture);
+    page.append(this.camera, this.picture,
+      make("p", "A camera draws if control software reads it, or the scene says always_on = true.", "hint"));
     return page;
   }
 }
