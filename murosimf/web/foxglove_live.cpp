@@ -154,7 +154,8 @@ void FoxgloveLive::write_drawings_of_others(const Visit& visit) {
       put("/drawings/" + drawn.by, whom, drawn.groups);
     } else {
       whom.links = visit.entities[static_cast<std::size_t>(place - visit.places.begin())].links;
-      put(fmt::format("/drawings/{}/{}", drawn.by, visit.entities[static_cast<std::size_t>(place - visit.places.begin())].name),
+      put(fmt::format("/drawings/{}/{}", drawn.by,
+                      visit.entities[static_cast<std::size_t>(place - visit.places.begin())].name),
           whom, drawn.groups);
     }
   }

@@ -91,7 +91,7 @@ class FoxgloveLive final : private recording::MessageSink {
   std::unique_ptr<recording::DrawingWriter> drawings_;
   std::map<std::string, std::uint16_t> drawn_by_others_;  // channels, by topic
   std::uint64_t others_changes_ = 0;                      // that were sent
-  std::uint64_t setups_ = 0, jumps_ = 0;  // that the writer was made for
+  std::uint64_t setups_ = 0, jumps_ = 0;                  // that the writer was made for
 };
 
 }  // namespace murosimf::web

@@ -101,7 +101,10 @@ TEST(Overlays, SupportPolygonIsUnderTheRobotThatTouches) {
 // A robot that stands still is carried below its center of mass; forces at 0 and 1 m of 1 and 3 N act at 0.75 m.
 TEST(Overlays, ZeroMomentPoint) {
   PoseFrame frame;
-  frame.contacts = {{{0, 2, 0}, {5, 0, 1}, 7}, {{1, 2, 0}, {0, 5, 3}, 7}, {{9, 9, 0}, {0, 0, 100}, 8}, {{8, 8, 1}, {0, 0, 100}, -1}};
+  frame.contacts = {{{0, 2, 0}, {5, 0, 1}, 7},
+                    {{1, 2, 0}, {0, 5, 3}, 7},
+                    {{9, 9, 0}, {0, 0, 100}, 8},
+                    {{8, 8, 1}, {0, 0, 100}, -1}};
   const auto point = zero_moment_point(frame, 7);
   ASSERT_TRUE(point);
   EXPECT_NEAR(point->x, 0.75, 1e-12);
@@ -115,9 +118,8 @@ TEST(Overlays, ZeroMomentPoint) {
     if (!carried) continue;
     ++shown;
     const std::size_t first = moment.frame.first[i], rows = moment.frame.first[i + 1] - first;
-    const auto center =
-        center_of_mass(*moment.outline[i].model, std::span(moment.frame.position).subspan(first, rows),
-                       std::span(moment.frame.orientation).subspan(first, rows));
+    const auto center = center_of_mass(*moment.outline[i].model, std::span(moment.frame.position).subspan(first, rows),
+                                       std::span(moment.frame.orientation).subspan(first, rows));
     EXPECT_LT(std::hypot(carried->x - center->x, carried->y - center->y), 0.15) << moment.outline[i].name;
   }
   EXPECT_GT(shown, 0);
