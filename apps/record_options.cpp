@@ -107,7 +107,7 @@ void add_record(const Command& command, RecordOptions& options) {
       .needs(record);
   const Option on = command
                         .add("--record-on", options.on,
-                             fmt::format("Record only what is around one of these: {} (for, by supervisors)",
+                             fmt::format("Record only what is around one of these: {} (for, by supervisors or in the window)",
                                          fmt::join(recording::watchable(), ", ")))
                         .needs(record)
                         .separated_by(',')
@@ -137,7 +137,7 @@ bool is_asked_for(const RecordOptions& options) { return std::ranges::find(optio
 void check(const RecordOptions& options, bool somebody_asks) {
   if (options.file.empty()) return;
   if (is_asked_for(options) && !somebody_asks) {
-    throw SetupError("--record-on asked: nobody can ask here; supervisors can (run --supervise PORT)");
+    throw SetupError("--record-on asked: nobody can ask here; supervisors can (run --supervise PORT), and the window (view)");
   }
   ticks_of(options.ticks);
   span_of("--record-states", options.states);

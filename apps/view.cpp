@@ -9,6 +9,7 @@
 #include "apps/roboviz_arguments.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
+#include "apps/view_recording.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/playback/recorded_course.h"
@@ -25,6 +26,7 @@ struct ViewOptions {
   std::string speed = "1", size = "1280x720", keys, script, screenshot, json, roboviz;
   std::optional<double> after, duration;
   std::optional<std::int64_t> samples;
+  RecordOptions record;
   bool paused = false, no_shadows = false, shadows = false;
 };
 
@@ -44,6 +46,7 @@ void define(const Command& command, ViewOptions& options) {
   const Option after =
       command.add("--after", options.after, "End after so many seconds").within(0.0, 1e6).excludes(script);
   command.add("--screenshot", options.screenshot, "PNG file of the window, at the end").needs(after);
+  add_record(command, options.record);
   add_roboviz(command, options.roboviz);
   add_json(command, options.json);
 }
@@ -65,15 +68,17 @@ viewer::WindowOptions window_options(const ViewOptions& options) {
   return window;
 }
 
-/// A scene that runs, or a recording that is played; `end`: of it.
-session::MakeCourse course_of(const SceneArguments& scene, Duration& end) {
+/// A scene that runs, or a recording that is played; `end`: of it. `recording`: null if nothing is recorded.
+session::MakeCourse course_of(const SceneArguments& scene, ViewRecording* recording, Duration& end) {
   if (!recording::is_recording(scene.file)) {
     scene::SceneOptions options = options_of(scene);
     options.pushable = true;
+    if (recording) return [recording, options] { return recording->make_course(options); };
     return [file = scene.file, options] {
       return std::make_unique<session::LiveCourse>(std::make_unique<scene::Scene>(file, options));
     };
   }
+  if (recording) throw SetupError("--record: this is a recording already");
   refuse_changes(scene);
   const auto run = recorded_run_of(scene.file, repeat_arguments(scene));
   end = std::min(end, run->end());
@@ -91,7 +96,11 @@ int view(const ViewOptions& options) {
   viewer_options.session.speed = read_speed(options.speed);
   if (options.duration) viewer_options.end = read_duration(*options.duration);
   if (const std::string reason = viewer::no_window_because(); !reason.empty()) throw SetupError(reason);
-  viewer_options.make_course = course_of(options.scene, viewer_options.end);
+  std::optional<ViewRecording> recording;
+  if (!options.record.file.empty()) recording.emplace(options.scene, options.record);
+  viewer_options.make_course = course_of(options.scene, recording ? &*recording : nullptr, viewer_options.end);
+  if (recording) viewer_options.session.no_way_back = ViewRecording::no_way_back();
+  if (is_asked_for(options.record)) viewer_options.session.record = [&](bool on) { recording->record(on); };
   viewer_options.session.paused = options.paused;
   const auto roboviz = roboviz_door(options.roboviz);
   viewer_options.roboviz = roboviz.get();
@@ -99,8 +108,9 @@ int view(const ViewOptions& options) {
   const viewer::WindowReport shown = show(viewer, window);
   viewer.settle();
   viewer.running().finish();
+  const bool recorded = !recording || recording->finish();
   write_result(options.json, to_text(viewer, shown), options.json.empty() ? "" : to_json(viewer, shown));
-  return exit_code();
+  return recorded ? exit_code() : users_mistake;
 }
 
 }  // namespace

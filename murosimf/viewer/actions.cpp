@@ -14,6 +14,7 @@ constexpr std::array table{
     ActionInfo{Action::real_time, "real_time", "Backslash", "real time"},
     ActionInfo{Action::reset, "reset", "Backspace", "back to the start; what was stays a branch of the time line"},
     ActionInfo{Action::reload, "reload", "R", "read the scene's file and its robots again, and start"},
+    ActionInfo{Action::record, "record", "F9", "record, or no longer (view --record FILE --record-on asked)"},
     ActionInfo{Action::place_ball, "place_ball", "B", "put the ball where the mouse points"},
     ActionInfo{Action::next_level, "next_level", "L", "next level of detail of the selected robot"},
     ActionInfo{Action::next_contact, "next_contact", "K", "next contact law of what is selected"},

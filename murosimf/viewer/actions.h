@@ -15,6 +15,7 @@ enum class Action {
   real_time,
   reset,
   reload,
+  record,
   place_ball,
   next_level,
   next_contact,

@@ -128,6 +128,7 @@ class Viewer {
   void seek(double time, std::optional<int> branch = {});
   void reset();
   void reload();
+  void record();  ///< from now on, or no longer
   void tell(std::string text, bool mistake = false);
 
   // ---- What panels set ----

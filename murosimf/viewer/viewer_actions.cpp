@@ -48,6 +48,7 @@ bool Viewer::perform_session(Action action) {
       return true;
     case Action::reset: reset(); return true;
     case Action::reload: reload(); return true;
+    case Action::record: record(); return true;
     case Action::place_ball: place_ball(); return true;
     case Action::next_level: next_level(); return true;
     case Action::next_contact: next_contact(); return true;
@@ -235,6 +236,11 @@ void Viewer::seek(double time, std::optional<int> branch) {
 }
 
 void Viewer::reset() { ask("reset", session().reset()); }
+
+void Viewer::record() {
+  const bool on = !status_.recorded.value_or(false);
+  ask(on ? "recording" : "no longer recording", session().record(on));
+}
 
 /// What cannot be read leaves the old scene running.
 void Viewer::reload() {

@@ -108,6 +108,29 @@ TEST_F(View, JointsAreMovedBySliders) {
   EXPECT_GT(fs::file_size(picture), 10000U);
 }
 
+// What is done in the window while it is recorded is repeated; there is no way back, and nothing is recorded that nobody asked for.
+TEST_F(View, RecordsWhileSomebodyWantsIt) {
+  const fs::path file = scratch("asked.mcap");
+  const std::string script =
+      "key Space\nuntil 0.3\nkey Space\nsettle\npress Record\nsettle\npush robot 0.2 0 0\nsettle\n"
+      "key Space\nuntil 0.6\nkey Space\nsettle\nkey F9\nsettle\nkey Backspace\nsettle\n";
+  const json report = session("nudge", script, "--paused --record " + file.string() + " --record-on asked --keep 1");
+  ASSERT_TRUE(report.is_object());
+  EXPECT_TRUE(has_command(report, ".push = ["));
+  EXPECT_GT(report["simulated_s"].get<double>(), 0.5) << "no reset";
+  EXPECT_NE(report["messages"].dump().find("the run is recorded"), std::string::npos) << report["messages"];
+  const Result again = murosimf("rerun " + file.string());
+  EXPECT_EQ(again.exit_code, 0) << again.output << again.errors;
+  EXPECT_NE(murosimf("replay " + file.string()).output.find("/commands"), std::string::npos);
+  const fs::path other = scratch("nothing.mcap");
+  ASSERT_TRUE(session("nudge", "until 0.1\nsettle\n", "--record " + other.string() + " --record-on asked").is_object());
+  EXPECT_FALSE(fs::exists(other)) << "nobody asked";
+  const fs::path whole = scratch("whole.mcap");
+  ASSERT_TRUE(session("nudge", "until 0.2\nsettle\n", "--record " + whole.string()).is_object());
+  EXPECT_EQ(murosimf("rerun " + whole.string()).exit_code, 0);
+  expect_mistake("view " + whole.string() + " --record " + other.string(), {"--record", "a recording already"});
+}
+
 // Rule: a run that is watched is the same as one that is not.
 TEST_F(View, TheHashIsThatOfARun) {
   const json watched =

@@ -26,8 +26,7 @@ except ImportError as missing:
 
 SCENE, CAMERA, BALL, DURATION = "three_on_three", "red2.camera", "ball/ball", 1
 # Lenses of three models, one that is told in the words of another, and pixels behind a filter.
-LENSES = [[], ["calibration='wolfgang_amy'"], ["calibration='nubots_nugus1'"],
-          ["lens='ray_polynomial'", "a1=1", "a2=-0.05"], ["mosaic='rggb'"]]
+LENSES = [[], ["calibration='wolfgang_amy'"]]
 
 
 def check(good, text):

@@ -39,6 +39,7 @@ void toolbar(Panels& panels, const Area& area) {
   does("Back", Action::step_back);
   does(status.paused ? "Run" : "Pause", Action::run_or_pause);
   does("Step", Action::step);
+  if (status.recorded) does(*status.recorded ? "Record no more" : "Record", Action::record);
   speed_choice(panels);
   ImGui::SameLine();
   text(fmt::format("{:.3f} s", seconds(status.time)));

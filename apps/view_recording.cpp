@@ -1,0 +1,33 @@
+#include "apps/view_recording.h"
+
+#include <utility>
+
+#include "murosimf/model/error.h"
+#include "murosimf/scene/scene_report.h"
+#include "murosimf/session/live_course.h"
+
+namespace murosimf::app {
+
+ViewRecording::ViewRecording(const SceneArguments& scene, const RecordOptions& options)
+    : arguments_(scene), options_(options) {
+  check(options, true);
+}
+
+std::unique_ptr<session::Course> ViewRecording::make_course(const scene::SceneOptions& options) {
+  if (scene_) throw SetupError("no other scene: " + no_way_back());
+  files_.emplace();
+  auto scene = std::make_unique<scene::Scene>(arguments_.file, options);
+  recorder_ = make_recorder(*scene, options_, *files_, description_of(arguments_, *scene, options));
+  scene->simulation().initialize();
+  files_->stop();
+  scene_ = scene.get();
+  begin_ = std::chrono::steady_clock::now();
+  return std::make_unique<session::LiveCourse>(std::move(scene), session::LiveOptions{.no_way_back = no_way_back()});
+}
+
+bool ViewRecording::finish() {
+  const auto wall = std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - begin_);
+  return app::finish(*recorder_, scene::make_report(*scene_, wall), options_);
+}
+
+}  // namespace murosimf::app

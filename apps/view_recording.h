@@ -1,0 +1,38 @@
+/// view_recording.h - records what is shown in a window, all of it or while somebody wants it.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "apps/record_options.h"
+#include "apps/scene_arguments.h"
+#include "murosimf/session/course.h"
+
+namespace murosimf::app {
+
+class ViewRecording {
+ public:
+  /// Both must outlive it. Throws SetupError if the file could not be written now.
+  ViewRecording(const SceneArguments& scene, const RecordOptions& options);
+
+  /// The scene with its recorder; once. Throws SetupError.
+  [[nodiscard]] std::unique_ptr<session::Course> make_course(const scene::SceneOptions& options);
+  /// From now on, or no longer; in the thread that runs the scene.
+  void record(bool on) { recorder_->ask(on); }
+  /// Why nobody can go back in time.
+  [[nodiscard]] static std::string no_way_back() { return "the run is recorded"; }
+  /// When nothing runs any more: writes what is left; whether the recording has all of it.
+  [[nodiscard]] bool finish();
+
+ private:
+  const SceneArguments& arguments_;
+  const RecordOptions& options_;
+  std::optional<files::FilesRead> files_;  // that the scene is made of
+  scene::Scene* scene_ = nullptr;
+  std::unique_ptr<recording::Recorder> recorder_;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+}  // namespace murosimf::app
