@@ -25,7 +25,7 @@ except ImportError as missing:
     sys.exit(77)
 
 SCENE, CAMERA, BALL, DURATION = "three_on_three", "red2.camera", "ball/ball", 1
-# Lenses of three models, one that is told in the words of another, and pixels behind a filter.
+# No lens, and one that bends what is seen.
 LENSES = [[], ["calibration='wolfgang_amy'"]]
 
 
