@@ -186,8 +186,8 @@ void SketchWatch::take(const std::vector<RecordedEntity>& entities, RecordedFram
     if (!drawn) continue;
     const bool present = entities[i].entity->present();
     const std::uint64_t now = present ? drawn->values[0].changes + 1 : 0;  // who is absent shows nothing
-    const auto [seen, is_new] = seen_.try_emplace(i, now);
-    if (!is_new && seen->second == now) continue;
+    const auto [seen, is_new] = seen_.try_emplace(i, present ? 1 : 0);
+    if (seen->second == now && !(is_new && clears_)) continue;
     seen->second = now;
     frame.drawings.push_back({.entity = i, .groups = present ? drawn->values[0].groups : std::vector<DrawnGroup>{}});
   }

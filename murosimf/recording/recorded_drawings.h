@@ -23,13 +23,17 @@ namespace murosimf::recording {
 
 class FrameWriter;
 
-/// In the simulation's thread: looks for what is new. At first all is, also that there is nothing.
+/// In the simulation's thread: looks for what is new.
 class SketchWatch {
  public:
+  /// `clears`: at first it also says where nothing is drawn, for who has shown something there.
+  explicit SketchWatch(bool clears = false) : clears_(clears) {}
+
   /// After take_numbers(), which finds the columns.
   void take(const std::vector<RecordedEntity>& entities, RecordedFrame& frame);
 
  private:
+  bool clears_;
   std::map<std::size_t, std::uint64_t> seen_;  // changes and 1, by entity; 0: it is absent
 };
 

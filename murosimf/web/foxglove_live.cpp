@@ -51,7 +51,7 @@ struct FoxgloveLive::Visit {
     sensors = recording::recorded_sensors(world);
     looks = std::make_unique<recording::SceneLooks>(scene, entities);
     scene_name = scene.spec().name;
-    sketches = {};
+    sketches = recording::SketchWatch(true);
     teams.clear();
     places.clear();
     for (const auto& entity : world.entities()) teams.push_back(entity->options().team);
@@ -131,7 +131,7 @@ void FoxgloveLive::renew_writers(Visit& visit) {
   recording::MessageSink& sink = *this;
   writer_ = std::make_unique<recording::FrameWriter>(sink, visit.entities, visit.sensors, visit.looks.get(), sent());
   drawings_ = std::make_unique<recording::DrawingWriter>(sink, *writer_, visit.entities);
-  visit.sketches = {};
+  visit.sketches = recording::SketchWatch(true);
   others_changes_ = 0;
 }
 
