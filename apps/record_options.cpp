@@ -105,14 +105,15 @@ void add_record(const Command& command, RecordOptions& options) {
       .add("--record-ticks", options.ticks,
            "BEGIN..END in seconds: the whole state of every step between, so that 'rerun' finds the first that differs")
       .needs(record);
-  const Option on = command
-                        .add("--record-on", options.on,
-                             fmt::format("Record only what is around one of these: {} (for, by supervisors or in the window)",
-                                         fmt::join(recording::watchable(), ", ")))
-                        .needs(record)
-                        .separated_by(',')
-                        .one_of(recording::watchable())
-                        .offers(recording::watchable());
+  const Option on =
+      command
+          .add("--record-on", options.on,
+               fmt::format("Record only what is around one of these: {} (for, by supervisors or in the window)",
+                           fmt::join(recording::watchable(), ", ")))
+          .needs(record)
+          .separated_by(',')
+          .one_of(recording::watchable())
+          .offers(recording::watchable());
   command.add("--keep", options.keep, "Seconds before that, at least; two seconds after it are recorded, too")
       .needs(on)
       .shows_default();
@@ -137,7 +138,8 @@ bool is_asked_for(const RecordOptions& options) { return std::ranges::find(optio
 void check(const RecordOptions& options, bool somebody_asks) {
   if (options.file.empty()) return;
   if (is_asked_for(options) && !somebody_asks) {
-    throw SetupError("--record-on asked: nobody can ask here; supervisors can (run --supervise PORT), and the window (view)");
+    throw SetupError(
+        "--record-on asked: nobody can ask here; supervisors can (run --supervise PORT), and the window (view)");
   }
   ticks_of(options.ticks);
   span_of("--record-states", options.states);
