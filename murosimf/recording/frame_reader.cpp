@@ -85,12 +85,12 @@ const RecordedFrame& FrameReader::at(Duration time) {
     const Chunk& chunk = read(--index);
     const auto later = chunk.frames.upper_bound(wanted);
     if (later == chunk.frames.begin()) continue;
-    const auto& [when, messages] = *std::prev(later);
-    frame_ = {.time = when, .of_poses = true};
+    const auto& found = *std::prev(later);
+    frame_ = {.time = found.first, .of_poses = true};
     frame_.present.assign(entities_.size(), 0);
     frame_.poses.assign(links_.size(), {});
     frame_.joints.assign(joints_.size(), {unknown, unknown, unknown, unknown});
-    with_context(file_.file().string(), [&, &messages = messages] {
+    with_context(file_.file().string(), [&, &messages = found.second] {
       take_transforms(messages.transforms);
       take_joints(messages.joints, false);
       take_joints(messages.targets, true);
