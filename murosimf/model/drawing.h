@@ -5,8 +5,10 @@
 ///     for (const DrawnGroup& group : drawn->values[0].groups) ...
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "murosimf/math/vec3.h"
@@ -38,6 +40,10 @@ struct DrawnShape {
 
   void state(StateArchive& archive) { archive(kind, points, size, color.red, color.green, color.blue, opacity, words); }
 };
+
+/// What files and messages call them, by kind.
+inline constexpr std::array<std::string_view, DrawnShape::kinds> drawn_kind_names{"circle", "line",    "dots",
+                                                                                  "sphere", "polygon", "text"};
 
 struct DrawnGroup {
   std::string name;       ///< unique; a new group of this name replaces the old one

@@ -1,7 +1,6 @@
 #include "murosimf/recording/recorded_drawings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -31,9 +30,6 @@ constexpr int corners = 48;        // of a circle
 constexpr std::uint64_t delete_all = 1, line_loop = 1;
 // Fields of foxglove.SceneEntity.
 constexpr int spheres = 9, lines = 11, triangles = 12, texts = 13;
-
-constexpr std::array<std::string_view, DrawnShape::kinds> kind_names = {"circle", "line",    "dots",
-                                                                        "sphere", "polygon", "text"};
 
 void put_ink(ProtobufWriter& out, int field, const DrawnShape& shape) {
   out.message(field, [&](ProtobufWriter& in) {
@@ -112,7 +108,7 @@ void put_shape(ProtobufWriter& out, const DrawnShape& shape) {
 std::string to_json(const DrawnShape& shape) {
   json points = json::array();
   for (const Vec3d& point : shape.points) points.push_back({point.x, point.y, point.z});
-  const json all = {{"kind", kind_names[shape.kind]},
+  const json all = {{"kind", drawn_kind_names[shape.kind]},
                     {"points", points},
                     {"size", shape.size},
                     {"color", {shape.color.red, shape.color.green, shape.color.blue}},
@@ -124,9 +120,9 @@ std::string to_json(const DrawnShape& shape) {
 DrawnShape read_shape(std::string_view text) {
   try {
     const json all = json::parse(text);
-    const auto kind = std::ranges::find(kind_names, all.at("kind").get<std::string>());
-    if (kind == kind_names.end()) throw SetupError("a drawing has a shape of no known kind");
-    DrawnShape shape{.kind = static_cast<DrawnShape::Kind>(kind - kind_names.begin())};
+    const auto kind = std::ranges::find(drawn_kind_names, all.at("kind").get<std::string>());
+    if (kind == drawn_kind_names.end()) throw SetupError("a drawing has a shape of no known kind");
+    DrawnShape shape{.kind = static_cast<DrawnShape::Kind>(kind - drawn_kind_names.begin())};
     for (const json& point : all.at("points")) {
       shape.points.push_back({point.at(0).get<double>(), point.at(1).get<double>(), point.at(2).get<double>()});
     }

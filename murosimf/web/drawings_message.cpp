@@ -1,10 +1,10 @@
 #include "murosimf/web/drawings_message.h"
 
-#include <array>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
 
+#include "murosimf/model/drawing.h"
 #include "murosimf/web/json_line.h"
 
 namespace murosimf::web {
@@ -12,16 +12,17 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<const char*, DrawnShape::kinds> kind_names{"circle", "line", "dots", "sphere", "polygon", "text"};
-
 double rounded_length(double x) { return std::round(1e4 * x) / 1e4; }
 
 json shape_object(const DrawnShape& shape) {
   json points = json::array();
   for (const Vec3d& p : shape.points) points.push_back({rounded_length(p.x), rounded_length(p.y), rounded_length(p.z)});
-  return {{"kind", kind_names[shape.kind]},     {"points", std::move(points)},
-          {"size", rounded_length(shape.size)}, {"color", {shape.color.red, shape.color.green, shape.color.blue}},
-          {"opacity", shape.opacity},           {"words", shape.words}};
+  return {{"kind", drawn_kind_names[shape.kind]},
+          {"points", std::move(points)},
+          {"size", rounded_length(shape.size)},
+          {"color", {shape.color.red, shape.color.green, shape.color.blue}},
+          {"opacity", shape.opacity},
+          {"words", shape.words}};
 }
 
 json group_object(const DrawnGroup& group) {
