@@ -56,10 +56,11 @@ TEST(PseudoTerminal, TakesOnlyAsMuchAsThereIsRoomFor) {
   PseudoTerminal terminal;
   const SerialPort port(terminal.name());
   const Bytes flood(1 << 20, 0x55);
-  const std::size_t taken = terminal.send(flood);
+  std::size_t taken = terminal.send(flood);
   EXPECT_GT(taken, 1000U);
+  // The kernel moves what has come to the reader's end at a time of its own, which makes room once more.
+  while (const std::size_t more = terminal.send(flood)) taken += more;
   EXPECT_LT(taken, flood.size());
-  EXPECT_EQ(terminal.send(flood), 0U);
   terminal.discard();
   EXPECT_TRUE(port.received().empty());
 }
