@@ -5,6 +5,7 @@
 
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/error.h"
+#include "murosimf/model/properties.h"
 #include "murosimf/motion/motion_properties.h"
 
 namespace murosimf::viewer {
