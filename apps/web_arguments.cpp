@@ -47,7 +47,7 @@ std::unique_ptr<web::WebView> web_view_of(scene::Scene& scene, session::Session&
     return std::make_unique<web::WebView>(scene, session,
                                           web::WebOptions{.address = address_of(arguments.web),
                                                           .game = shown.game,
-                                                          .roboviz = shown.roboviz});
+                                                          .others = shown.others});
   });
   const std::string missing = web::WebView::no_page();
   if (missing.empty()) {

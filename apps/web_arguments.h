@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/command.h"
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/league/game_task.h"
 #include "murosimf/session/session.h"
 #include "murosimf/web/html_recording.h"
@@ -30,7 +31,7 @@ void check(const WebArguments& arguments);
 /// What browsers show besides the scene; all of it must outlive the view.
 struct ShownInBrowsers {
   const league::GameTask* game = nullptr;         ///< whose score; null: nobody referees
-  const connect::RobovizDoor* roboviz = nullptr;  ///< what other programs draw; null: they do not
+  const connect::DrawingBoard* others = nullptr;  ///< what other programs draw; null: they do not
 };
 
 /// Shows the session in browsers from now on; its addresses are said. Null if nobody looks on. Throws SetupError, with the option.

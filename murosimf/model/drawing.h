@@ -5,6 +5,7 @@
 ///     for (const DrawnGroup& group : drawn->values[0].groups) ...
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -39,6 +40,12 @@ struct DrawnShape {
   std::string words;   ///< of a text
 
   void state(StateArchive& archive) { archive(kind, points, size, color.red, color.green, color.blue, opacity, words); }
+
+  friend bool operator==(const DrawnShape& a, const DrawnShape& b) {
+    const auto same = [](const Vec3d& p, const Vec3d& q) { return p.x == q.x && p.y == q.y && p.z == q.z; };
+    return a.kind == b.kind && a.size == b.size && a.color == b.color && a.opacity == b.opacity && a.words == b.words &&
+           std::ranges::equal(a.points, b.points, same);
+  }
 };
 
 /// What files and messages call them, by kind.
@@ -52,6 +59,7 @@ struct DrawnGroup {
   std::vector<DrawnShape> shapes;
 
   void state(StateArchive& archive) { archive(name, of_robot, time, shapes); }
+  friend bool operator==(const DrawnGroup&, const DrawnGroup&) = default;
 };
 
 /// Of one robot.
