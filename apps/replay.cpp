@@ -44,8 +44,10 @@ std::string summary(const recording::McapReader& file) {
 
 void write_html(const std::shared_ptr<const recording::RecordedRun>& run, const recording::RepeatOptions& repeat,
                 const WebArguments& arguments) {
-  playback::RecordedCourse course(run, repeat);
-  web::HtmlRecording page(course.scene(), {.file = arguments.html, .rate = arguments.html_rate, .by_hand = true});
+  const auto others = std::make_shared<connect::PinnedDrawings>();
+  playback::RecordedCourse course(run, repeat, others);
+  web::HtmlRecording page(
+      course.scene(), {.file = arguments.html, .rate = arguments.html_rate, .by_hand = true, .others = others.get()});
   course.begin();
   for (Duration time = course.first(); time < course.last() && !interrupted(); time += page.period()) {
     course.seek(time, {}, [] { return false; });

@@ -34,10 +34,12 @@ void check(const WebArguments& arguments) {
   if (!arguments.html.empty()) files::check_writable(arguments.html);
 }
 
-std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, const WebArguments& arguments) {
+std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, const WebArguments& arguments,
+                                                        const connect::DrawingBoard* others) {
   if (arguments.html.empty()) return nullptr;
-  return std::make_unique<web::HtmlRecording>(scene,
-                                              web::HtmlOptions{.file = arguments.html, .rate = arguments.html_rate});
+  return std::make_unique<web::HtmlRecording>(scene, web::HtmlOptions{.file = arguments.html,
+                                                                      .rate = arguments.html_rate,
+                                                                      .others = others});
 }
 
 std::unique_ptr<web::WebView> web_view_of(scene::Scene& scene, session::Session& session, const WebArguments& arguments,

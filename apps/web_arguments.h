@@ -24,9 +24,10 @@ void add_web(const Command& command, WebArguments& arguments);
 /// Throws SetupError: an address that is none, a file that could not be written.
 void check(const WebArguments& arguments);
 
-/// Null if none is asked for. Before the first step.
+/// Null if none is asked for. Before the first step. `others`: what other programs draw; null: they do not.
 [[nodiscard]] std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene,
-                                                                      const WebArguments& arguments);
+                                                                      const WebArguments& arguments,
+                                                                      const connect::DrawingBoard* others);
 
 /// What browsers show besides the scene; all of it must outlive the view.
 struct ShownInBrowsers {
