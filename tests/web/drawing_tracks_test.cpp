@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "murosimf/web/gzip.h"
+
 namespace murosimf {
 namespace {
 
@@ -131,6 +133,29 @@ TEST(DrawingTracks, WhatStaysIsNotWrittenAgain) {
   EXPECT_EQ(ball["frames"], json::parse("[0, 5, 1]"));
   EXPECT_EQ(ball["looks"], json::parse("[[0], null, null]"));
   EXPECT_EQ(ball["points"], json::parse("[[1000, 2000, 3000], [2, 0, 0], [2, 0, 0]]"));
+}
+
+// A ball, a path to it and 12 particles of each of six robots, all of them anew in each of 25 frames per second: with the page and poses of
+// three on three, 1.8 MB, it has to stay well below 5 MB.
+TEST(DrawingTracks, AMinuteOfSixRobotsIsSmall) {
+  std::mt19937 random(3);
+  const auto noise = [&] { return static_cast<double>(random() % 1000) / 1000 - 0.5; };
+  web::DrawingTracks tracks;
+  for (std::size_t frame = 0; frame <= 1500; ++frame) {
+    const double t = static_cast<double>(frame) / 25;
+    std::vector<Drawn> all;
+    for (int robot = 0; robot < 6; ++robot) {
+      const Vec3d ball{1.5 * std::cos(t / 3) + 0.02 * noise(), std::sin(t / 3) + 0.02 * noise(), 0.07};
+      DrawnShape path{.kind = DrawnShape::line}, cloud{.kind = DrawnShape::dots};
+      for (int i = 0; i < 20; ++i) path.points.push_back(i / 19.0 * ball);
+      for (int i = 0; i < 12; ++i) cloud.points.push_back({0.3 * noise() + robot, 0.3 * noise(), 0});
+      DrawnGroup group{.name = "belief"};
+      group.shapes = {{.kind = DrawnShape::circle, .points = {ball}, .size = 0.2}, path, cloud};
+      all.push_back({.entity = robot, .by = "robot" + std::to_string(robot), .groups = {group}});
+    }
+    tracks.take(frame, all);
+  }
+  EXPECT_LT(4 * web::gzip(tracks.object().dump()).size() / 3, 1'500'000U) << "as base64";
 }
 
 }  // namespace
