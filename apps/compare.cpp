@@ -33,7 +33,7 @@ void define(const Command& command, CompareArguments& arguments) {
       .separated_by(',');
   command.add("--set", options.overrides, "PATH=VALUE: change the scene, for example 'field.surface=grass'")
       .one_at_a_time();
-  command.add("--duration", options.duration, "Simulated seconds at the end, instead of the scene's");
+  command.add("--duration", options.end, "Simulated time at which runs end, in seconds, instead of the scene's");
   command.add("--from", arguments.from, "Begin from a state of this scene: of 'run --save-at', or a recording");
   add_seed(command, options.seed);
   command.add("--repeat", options.repeat, "Timed runs per level; their median counts").within(1, 1000).shows_default();

@@ -1,6 +1,7 @@
 #include "apps/picture_source.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
@@ -9,6 +10,8 @@
 #include "apps/option_values.h"
 #include "murosimf/connect/drawn.h"
 #include "murosimf/model/properties.h"
+#include "murosimf/recording/recorded_drawings.h"
+#include "murosimf/recording/recorded_others.h"
 #include "murosimf/render/image_png.h"
 #include "murosimf/render/renderer.h"
 #include "murosimf/render/seen_drawing.h"
@@ -30,7 +33,7 @@ Layer layer_of(const std::string& name) {
 /// A place from where people look.
 class Eye final : public PictureSource {
  public:
-  Eye(scene::Scene& scene, const RenderOptions& options)
+  Eye(scene::Scene& scene, const RenderOptions& options, const recording::RecordedRun* run)
       : scene_(scene),
         view_(options.view),
         size_(read_size(options.size)),
@@ -48,6 +51,8 @@ class Eye final : public PictureSource {
       if (stance) renderer.mark_standing_feet({1, 0.85, 0});
     };
     painter_ = std::make_unique<scene::ScenePainter>(scene, for_people, mark_feet);
+    if (run && !drawings_.empty()) recorded_.emplace(run->file());
+    if (recorded_) others_.emplace(scene.simulation().world());
   }
   [[nodiscard]] double fps() const override { return fps_; }
   [[nodiscard]] double rate() const override { return fps_ * slow_; }
@@ -64,13 +69,27 @@ class Eye final : public PictureSource {
   }
 
  private:
+  /// By robots now, and by others then.
+  [[nodiscard]] std::vector<connect::Drawn> all_drawn() {
+    const World& world = scene_.simulation().world();
+    std::vector<connect::Drawn> all = connect::drawn_by_robots(world);
+    if (!recorded_) return all;
+    (void)others_->take(recorded_->news(scene_.simulation().now()));
+    std::ranges::move(connect::drawn_by_others(others_->shown(), connect::teams_of(world)), std::back_inserter(all));
+    return all;
+  }
+
   /// Of those groups that are wanted.
-  void draw_drawings(const sensors::Perspective& from, imaging::ColorImage& picture) const {
+  void draw_drawings(const sensors::Perspective& from, imaging::ColorImage& picture) {
     const World& world = scene_.simulation().world();
     std::vector<render::SeenShape> shapes;
-    for (const connect::Drawn& drawn : connect::drawn_by_robots(world)) {
-      const auto base = world.entities()[static_cast<std::size_t>(drawn.entity)]->base();
-      const Transformd robot{base.get(properties::position), base.get(properties::orientation)};
+    for (const connect::Drawn& drawn : all_drawn()) {
+      Transformd robot;
+      if (drawn.entity >= 0) {
+        const auto& entity = world.entities()[static_cast<std::size_t>(drawn.entity)];
+        if (!entity->present()) continue;
+        robot = {entity->base().get(properties::position), entity->base().get(properties::orientation)};
+      }
       for (const DrawnGroup& group : drawn.groups) {
         if (!drawings_.contains("all") && !drawings_.contains(drawn.by + "/" + group.name)) continue;
         for (const DrawnShape& shape : group.shapes) {
@@ -88,6 +107,8 @@ class Eye final : public PictureSource {
   std::set<std::string> drawings_;
   double fps_, slow_;
   std::unique_ptr<scene::ScenePainter> painter_;
+  std::optional<recording::DrawingReader> recorded_;
+  std::optional<recording::OthersThen> others_;
 };
 
 /// A camera that a robot carries.
@@ -172,8 +193,9 @@ std::unique_ptr<PictureSource> make_robot_camera(scene::Scene& scene, const Rend
   return camera;
 }
 
-std::unique_ptr<PictureSource> make_eye(scene::Scene& scene, const RenderOptions& options) {
-  return std::make_unique<Eye>(scene, options);
+std::unique_ptr<PictureSource> make_eye(scene::Scene& scene, const RenderOptions& options,
+                                        const recording::RecordedRun* run) {
+  return std::make_unique<Eye>(scene, options, run);
 }
 
 }  // namespace murosimf::app

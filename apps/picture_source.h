@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "apps/render_options.h"
+#include "murosimf/recording/recorded_run.h"
 #include "murosimf/scene/scene.h"
 #include "murosimf/sensors/camera_frame.h"
 
@@ -26,7 +27,9 @@ class PictureSource {
 /// drawn here.
 [[nodiscard]] std::unique_ptr<PictureSource> make_robot_camera(scene::Scene& scene, const RenderOptions& options);
 
-/// A place from where people look; after the scene is initialized. Throws SetupError.
-[[nodiscard]] std::unique_ptr<PictureSource> make_eye(scene::Scene& scene, const RenderOptions& options);
+/// A place from where people look; after the scene is initialized. `run`: whose scene it is, which has what other programs drew then; null:
+/// none, must outlive it. Throws SetupError.
+[[nodiscard]] std::unique_ptr<PictureSource> make_eye(scene::Scene& scene, const RenderOptions& options,
+                                                      const recording::RecordedRun* run);
 
 }  // namespace murosimf::app

@@ -7,6 +7,7 @@
 
 #include "apps/command.h"
 #include "apps/scene_arguments.h"
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/files/files_read.h"
 #include "murosimf/recording/recorded_run.h"
 #include "murosimf/recording/recorder.h"
@@ -40,10 +41,12 @@ void add_record(const Command& command, RecordOptions& options);
 /// `somebody_asks`: whether others can. Throws SetupError if the file could not be written now.
 void check(const RecordOptions& options, bool somebody_asks);
 
-/// Null if nothing is recorded. `files`: notes what the scene is read from, until the first step, with `run` so that it can be repeated. Before that. Throws SetupError.
+/// Null if nothing is recorded. `files`: notes what the scene is read from, until the first step, with `run` so that it can be repeated;
+/// `others`: what other programs draw, null: they do not. Before that. Throws SetupError.
 [[nodiscard]] std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
                                                                  const files::FilesRead& files,
-                                                                 const recording::RunDescription& run);
+                                                                 const recording::RunDescription& run,
+                                                                 const connect::DrawingBoard* others);
 /// The same for a scene that repeats a recorded run.
 [[nodiscard]] std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
                                                                  const recording::RecordedRun& run);

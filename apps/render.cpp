@@ -36,7 +36,9 @@ void define(const Command& command, RenderOptions& options) {
       .excludes(camera);
   command
       .add("--drawings", options.drawings,
-           "What control software draws, in pictures from a view: groups as ROBOT/NAME, or all of them")
+           "What control software draws, in pictures from a view: groups as ROBOT/NAME, or all of them; of recordings "
+           "also "
+           "what other programs drew: roboviz/NAME")
       .value_if_alone("all")
       .separated_by(',')
       .excludes(camera);
@@ -150,7 +152,7 @@ int render(const RenderOptions& given) {
   } else {
     simulation.initialize();
   }
-  if (!source) source = make_eye(scene, options);
+  if (!source) source = make_eye(scene, options, run.get());
   for (const std::string& warning : make_report(scene).warnings) say_warning(warning);
   run_with_progress(simulation, time);
   const bool written = options.video.empty()

@@ -19,7 +19,7 @@ struct RenderOptions {
   std::string light;                  ///< instead of the scene's
   bool stance = false;                ///< standing feet of kinematic walkers are yellow
   bool no_shadows = false;            ///< in pictures for people; cameras have what the scene says
-  std::vector<std::string> drawings;  ///< groups that control software draws, "blue1/ball"; "all"; none
+  std::vector<std::string> drawings;  ///< groups, "blue1/ball", "roboviz/ball"; "all"; none
   std::string out;                    ///< PNG file
   std::string video;                  ///< video file
   double fps = 25;                    ///< of a video that is no camera's

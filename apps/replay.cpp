@@ -8,6 +8,7 @@
 #include "apps/repeat_arguments.h"
 #include "apps/standard_output.h"
 #include "apps/web_arguments.h"
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/model/time.h"
 #include "murosimf/playback/recorded_course.h"
 
@@ -43,8 +44,10 @@ std::string summary(const recording::McapReader& file) {
 
 void write_html(const std::shared_ptr<const recording::RecordedRun>& run, const recording::RepeatOptions& repeat,
                 const WebArguments& arguments) {
-  playback::RecordedCourse course(run, repeat);
-  web::HtmlRecording page(course.scene(), {.file = arguments.html, .rate = arguments.html_rate, .by_hand = true});
+  const auto others = std::make_shared<connect::PinnedDrawings>();
+  playback::RecordedCourse course(run, repeat, others);
+  web::HtmlRecording page(
+      course.scene(), {.file = arguments.html, .rate = arguments.html_rate, .by_hand = true, .others = others.get()});
   course.begin();
   for (Duration time = course.first(); time < course.last() && !interrupted(); time += page.period()) {
     course.seek(time, {}, [] { return false; });
@@ -56,9 +59,10 @@ void write_html(const std::shared_ptr<const recording::RecordedRun>& run, const 
 
 void show_in_browsers(const std::shared_ptr<const recording::RecordedRun>& run, const recording::RepeatOptions& repeat,
                       const ReplayOptions& options) {
-  session::Session session(std::make_unique<playback::RecordedCourse>(run, repeat),
+  const auto others = std::make_shared<connect::PinnedDrawings>();
+  session::Session session(std::make_unique<playback::RecordedCourse>(run, repeat, others),
                            {.speed = read_speed(options.speed)});
-  const auto view = web_view_of(session.scene(), session, options.web, {});
+  const auto view = web_view_of(session.scene(), session, options.web, {.others = others.get()});
   session.run(run->end());
 }
 

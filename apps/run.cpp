@@ -46,16 +46,17 @@ int run(const RunOptions& options) {
   const double asked = options.duration.value_or(scene.spec().duration);
   const Duration end = read_duration(asked);
   const std::unique_ptr<league::League> game = game_of(scene, options.game);
-  outputs.attach(scene, scene_options, game.get());
+  const std::unique_ptr<connect::RobovizDoor> roboviz = roboviz_door(options.roboviz);
+  outputs.attach(scene, scene_options, game.get(), roboviz.get());
   scene.simulation().initialize();
   outputs.scene_is_read();
   if (!options.from.empty()) recording::load_state(scene, options.from);
   outputs.begin();
 
-  RunAdvance advance(scene, options, outputs, game.get(), end);
+  RunAdvance advance(scene, options, outputs, game.get(), roboviz.get(), end);
   advance.run();
   scene::RunReport report = make_report(scene, advance.wall(), advance.lateness());
-  report.drawings = packets_of(advance.roboviz());
+  report.drawings = packets_of(roboviz.get());
   if (scene.simulation().now() < end) report.stopped = {why_stopped(advance), asked};
   const RunOutputs::Written written = outputs.write(report);
   if (advance.crashed()) return unexpected;

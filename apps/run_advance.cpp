@@ -6,7 +6,6 @@
 
 #include "apps/interruption.h"
 #include "apps/last_words.h"
-#include "apps/roboviz_arguments.h"
 #include "murosimf/connect/crash_note.h"
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/session/session.h"
@@ -14,12 +13,12 @@
 namespace murosimf::app {
 
 RunAdvance::RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, const league::League* game,
-                       Duration end)
+                       const connect::DrawingBoard* others, Duration end)
     : scene_(scene),
       options_(options),
       outputs_(outputs),
       game_(game),
-      roboviz_(roboviz_door(options.roboviz)),
+      others_(others),
       start_(scene.simulation().now()),
       end_(end) {}
 
@@ -68,7 +67,7 @@ void RunAdvance::run_steered() {
                                     .no_way_back = no_way_back(options_)});
   const auto supervision =
       supervision_of(session, options_.supervision, [&](scene::Scene& scene) { return outputs_.state_of(scene); });
-  const auto view = web_view_of(scene_, session, options_.web, {game_ ? game_->game() : nullptr, roboviz_.get()});
+  const auto view = web_view_of(scene_, session, options_.web, {game_ ? game_->game() : nullptr, others_});
   const auto start = WallClock::now();
   session.run(end_, [&](Duration now) { show(now); });
   wall_ = WallClock::now() - start;

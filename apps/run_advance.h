@@ -7,16 +7,16 @@
 #include "apps/progress.h"
 #include "apps/run_options.h"
 #include "apps/run_outputs.h"
-#include "murosimf/connect/roboviz_door.h"
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/runtime/clock.h"
 
 namespace murosimf::app {
 
 class RunAdvance {
  public:
-  /// `game`: null if nobody referees.
+  /// `game`: null if nobody referees; `others`: null if no other program draws.
   RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutputs& outputs, const league::League* game,
-             Duration end);
+             const connect::DrawingBoard* others, Duration end);
 
   /// Until the end, a signal, or a supervisor. Control software that crashes ends it, too.
   void run();
@@ -25,8 +25,6 @@ class RunAdvance {
   /// [wall] without that for pictures.
   [[nodiscard]] Duration wall() const { return wall_; }
   [[nodiscard]] const Lateness& lateness() const { return lateness_; }
-  /// Null if no other program draws.
-  [[nodiscard]] const connect::RobovizDoor* roboviz() const { return roboviz_.get(); }
 
  private:
   using WallClock = std::chrono::steady_clock;
@@ -41,7 +39,7 @@ class RunAdvance {
   const RunOptions& options_;
   RunOutputs& outputs_;
   const league::League* game_;
-  std::unique_ptr<connect::RobovizDoor> roboviz_;
+  const connect::DrawingBoard* others_;
   Duration start_, end_;
   WallClock::time_point wall_start_ = WallClock::now();
   Progress line_;

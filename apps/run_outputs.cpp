@@ -15,7 +15,8 @@ RunOutputs::RunOutputs(const RunOptions& options) : options_(options), saver_(op
   if (!options.pictures.empty()) pictures_.emplace(options.pictures, options.picture_every);
 }
 
-void RunOutputs::attach(scene::Scene& scene, const scene::SceneOptions& scene_options, const league::League* game) {
+void RunOutputs::attach(scene::Scene& scene, const scene::SceneOptions& scene_options, const league::League* game,
+                        const connect::DrawingBoard* others) {
   scene_ = &scene;
   game_ = game;
   if (!options_.log.empty()) {
@@ -24,8 +25,8 @@ void RunOutputs::attach(scene::Scene& scene, const scene::SceneOptions& scene_op
   }
   description_ = description_of(options_.scene, scene, scene_options);
   if (game) description_.outside.emplace_back("a GameController or other teams");
-  recorder_ = make_recorder(scene, options_.record, files_, description_);
-  html_ = make_html_recording(scene, options_.web);
+  recorder_ = make_recorder(scene, options_.record, files_, description_, others);
+  html_ = make_html_recording(scene, options_.web, others);
 }
 
 void RunOutputs::begin() {

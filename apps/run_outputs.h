@@ -8,6 +8,7 @@
 #include "apps/picture_sequence.h"
 #include "apps/run_options.h"
 #include "apps/state_saver.h"
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/files/files_read.h"
 #include "murosimf/logging/run_log.h"
 #include "murosimf/recording/recorder.h"
@@ -21,8 +22,9 @@ class RunOutputs {
   /// Where results go is checked before anything is computed, so that none is lost. Throws SetupError.
   explicit RunOutputs(const RunOptions& options);
 
-  /// Before the first step. `game`: null, if there is none.
-  void attach(scene::Scene& scene, const scene::SceneOptions& scene_options, const league::League* game);
+  /// Before the first step. `game`: null, if there is none; `others`: what other programs draw until write(), null: they do not.
+  void attach(scene::Scene& scene, const scene::SceneOptions& scene_options, const league::League* game,
+              const connect::DrawingBoard* others);
   /// When the scene is initialized: what is read from now on is none of its files.
   void scene_is_read() { files_.stop(); }
   /// When a state is loaded, if one is.

@@ -10,6 +10,7 @@
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "apps/view_recording.h"
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/playback/recorded_course.h"
@@ -68,8 +69,10 @@ viewer::WindowOptions window_options(const ViewOptions& options) {
   return window;
 }
 
-/// A scene that runs, or a recording that is played; `end`: of it. `recording`: null if nothing is recorded.
-session::MakeCourse course_of(const SceneArguments& scene, ViewRecording* recording, Duration& end) {
+/// A scene that runs, or a recording that is played, with what other programs drew then; `end`: of it. `recording`: null if nothing is
+/// recorded.
+session::MakeCourse course_of(const SceneArguments& scene, ViewRecording* recording, Duration& end,
+                              const std::shared_ptr<connect::PinnedDrawings>& others) {
   if (!recording::is_recording(scene.file)) {
     scene::SceneOptions options = options_of(scene);
     options.pushable = true;
@@ -82,8 +85,8 @@ session::MakeCourse course_of(const SceneArguments& scene, ViewRecording* record
   refuse_changes(scene);
   const auto run = recorded_run_of(scene.file, repeat_arguments(scene));
   end = std::min(end, run->end());
-  return [run, repeat = options_of(repeat_arguments(scene))] {
-    return std::make_unique<playback::RecordedCourse>(run, repeat);
+  return [run, repeat = options_of(repeat_arguments(scene)), others] {
+    return std::make_unique<playback::RecordedCourse>(run, repeat, others);
   };
 }
 
@@ -96,20 +99,23 @@ int view(const ViewOptions& options) {
   viewer_options.session.speed = read_speed(options.speed);
   if (options.duration) viewer_options.end = read_duration(*options.duration);
   if (const std::string reason = viewer::no_window_because(); !reason.empty()) throw SetupError(reason);
+  const auto roboviz = roboviz_door(options.roboviz);
+  const auto drawn_then = std::make_shared<connect::PinnedDrawings>();
   std::optional<ViewRecording> recording;
-  if (!options.record.file.empty()) recording.emplace(options.scene, options.record);
-  viewer_options.make_course = course_of(options.scene, recording ? &*recording : nullptr, viewer_options.end);
+  if (!options.record.file.empty()) recording.emplace(options.scene, options.record, roboviz.get());
+  viewer_options.make_course =
+      course_of(options.scene, recording ? &*recording : nullptr, viewer_options.end, drawn_then);
   if (recording) viewer_options.session.no_way_back = ViewRecording::no_way_back();
   if (is_asked_for(options.record)) viewer_options.session.record = [&](bool on) { recording->record(on); };
   viewer_options.session.paused = options.paused;
-  const auto roboviz = roboviz_door(options.roboviz);
-  viewer_options.roboviz = roboviz.get();
+  viewer_options.others = roboviz ? static_cast<const connect::DrawingBoard*>(roboviz.get()) : drawn_then.get();
   viewer::Viewer viewer(viewer_options);
   const viewer::WindowReport shown = show(viewer, window);
   viewer.settle();
   viewer.running().finish();
   const bool recorded = !recording || recording->finish();
-  write_result(options.json, to_text(viewer, shown), options.json.empty() ? "" : to_json(viewer, shown));
+  write_result(options.json, to_text(viewer, shown),
+               options.json.empty() ? "" : to_json(viewer, shown, packets_of(roboviz.get())));
   return recorded ? exit_code() : users_mistake;
 }
 

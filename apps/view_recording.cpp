@@ -8,8 +8,9 @@
 
 namespace murosimf::app {
 
-ViewRecording::ViewRecording(const SceneArguments& scene, const RecordOptions& options)
-    : arguments_(scene), options_(options) {
+ViewRecording::ViewRecording(const SceneArguments& scene, const RecordOptions& options,
+                             const connect::DrawingBoard* others)
+    : arguments_(scene), options_(options), others_(others) {
   check(options, true);
 }
 
@@ -17,7 +18,7 @@ std::unique_ptr<session::Course> ViewRecording::make_course(const scene::SceneOp
   if (scene_) throw SetupError("no other scene: " + no_way_back());
   files_.emplace();
   auto scene = std::make_unique<scene::Scene>(arguments_.file, options);
-  recorder_ = make_recorder(*scene, options_, *files_, description_of(arguments_, *scene, options));
+  recorder_ = make_recorder(*scene, options_, *files_, description_of(arguments_, *scene, options), others_);
   scene->simulation().initialize();
   files_->stop();
   scene_ = scene.get();

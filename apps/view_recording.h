@@ -8,14 +8,15 @@
 
 #include "apps/record_options.h"
 #include "apps/scene_arguments.h"
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/session/course.h"
 
 namespace murosimf::app {
 
 class ViewRecording {
  public:
-  /// Both must outlive it. Throws SetupError if the file could not be written now.
-  ViewRecording(const SceneArguments& scene, const RecordOptions& options);
+  /// All must outlive it. `others`: what other programs draw; null: they do not. Throws SetupError if the file could not be written now.
+  ViewRecording(const SceneArguments& scene, const RecordOptions& options, const connect::DrawingBoard* others);
 
   /// The scene with its recorder; once. Throws SetupError.
   [[nodiscard]] std::unique_ptr<session::Course> make_course(const scene::SceneOptions& options);
@@ -29,6 +30,7 @@ class ViewRecording {
  private:
   const SceneArguments& arguments_;
   const RecordOptions& options_;
+  const connect::DrawingBoard* others_;
   std::optional<files::FilesRead> files_;  // that the scene is made of
   scene::Scene* scene_ = nullptr;
   std::unique_ptr<recording::Recorder> recorder_;

@@ -34,10 +34,12 @@ void check(const WebArguments& arguments) {
   if (!arguments.html.empty()) files::check_writable(arguments.html);
 }
 
-std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, const WebArguments& arguments) {
+std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, const WebArguments& arguments,
+                                                        const connect::DrawingBoard* others) {
   if (arguments.html.empty()) return nullptr;
-  return std::make_unique<web::HtmlRecording>(scene,
-                                              web::HtmlOptions{.file = arguments.html, .rate = arguments.html_rate});
+  return std::make_unique<web::HtmlRecording>(scene, web::HtmlOptions{.file = arguments.html,
+                                                                      .rate = arguments.html_rate,
+                                                                      .others = others});
 }
 
 std::unique_ptr<web::WebView> web_view_of(scene::Scene& scene, session::Session& session, const WebArguments& arguments,
@@ -47,7 +49,7 @@ std::unique_ptr<web::WebView> web_view_of(scene::Scene& scene, session::Session&
     return std::make_unique<web::WebView>(scene, session,
                                           web::WebOptions{.address = address_of(arguments.web),
                                                           .game = shown.game,
-                                                          .roboviz = shown.roboviz});
+                                                          .others = shown.others});
   });
   const std::string missing = web::WebView::no_page();
   if (missing.empty()) {

@@ -24,6 +24,8 @@ add_oracle_test(lenses_against_opencv $<TARGET_FILE:dump_lens>)
 add_oracle_test(mcap_against_official $<TARGET_FILE:dump_mcap>)
 add_oracle_test(recording_against_official $<TARGET_FILE:murosimf_app>)
 add_oracle_test(recorded_pictures $<TARGET_FILE:murosimf_app>)
+add_oracle_test(recorded_drawings $<TARGET_FILE:murosimf_app>)
+set_tests_properties(oracle.recorded_drawings PROPERTIES PROCESSORS 2 TIMEOUT 300)  # in real time
 add_oracle_test(bvh_against_recording $<TARGET_FILE:murosimf_app>)
 add_oracle_test(serial_with_vendor_sdk $<TARGET_FILE:murosimf_app>)
 if(TARGET PkgConfig::websockets)

@@ -95,7 +95,7 @@ std::string to_json(const Comparison& c, const Recommendation& recommendation, c
                            {"scene", c.scene},
                            {"entity", c.entity},
                            {"start_s", c.start},
-                           {"duration_s", c.duration},
+                           {"end_s", c.end},
                            {"seed", c.seed},
                            {"timed_runs", c.repeat},
                            {"stopped", c.stopped},

@@ -114,8 +114,8 @@ bool has_servos(const Model& model) { return !model.having(properties::servo).em
 void observe(const CompareOptions& options, const Comparison& comparison, CompareEntry& entry) {
   const auto scene = build(options, entry);
   Simulation& simulation = scene->simulation();
-  const Duration start = simulation.now(), end = from_seconds(comparison.duration);
-  const double longest = comparison.duration - comparison.start;
+  const Duration start = simulation.now(), end = from_seconds(comparison.end);
+  const double longest = comparison.end - comparison.start;
   Entity& robot = simulation.world().entity(options.entity);
   const bool servos = entry.traits.servos;
   if (servos && !robot.model().joints().empty() && !has_servos(robot.model())) {
@@ -194,25 +194,25 @@ void measure_cost(const CompareOptions& options, Comparison& result) {
       const std::size_t runs = (static_cast<std::size_t>(round) + 1) * times.size() + i;
       tell(options, result, runs, fmt::format("timing {} of {}", round + 1, options.repeat));
       if (!result.entries[i].ran() || asked_to_stop(options)) continue;
-      const double time = timed_run(options, result.duration, result.entries[i]);
+      const double time = timed_run(options, result.end, result.entries[i]);
       if (!asked_to_stop(options)) times[i].push_back(time);
     }
   }
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (!times[i].empty()) result.entries[i].cost = 1e6 * median(times[i]) / (result.duration - result.start);
+    if (!times[i].empty()) result.entries[i].cost = 1e6 * median(times[i]) / (result.end - result.start);
   }
 }
 
-double checked_duration(const CompareOptions& options, const scene_file::SceneSpec& spec, double start) {
-  const double duration = options.duration.value_or(spec.duration);
-  if (!(duration > 0) || duration > longest_record) {
-    throw SetupError(fmt::format("--duration {}: must be a number above 0 and up to {}", duration, longest_record));
+double checked_end(const CompareOptions& options, const scene_file::SceneSpec& spec, double start) {
+  const double end = options.end.value_or(spec.duration);
+  if (!(end > 0) || end > longest_record) {
+    throw SetupError(fmt::format("--duration {}: must be a number above 0 and up to {}", end, longest_record));
   }
-  if (duration <= start) {
+  if (end <= start) {
     throw SetupError(
-        fmt::format("the run ends at {:g} s, the state is of {:g} s; say a later end: --duration S", duration, start));
+        fmt::format("the run ends at {:g} s, the state is of {:g} s; say a later end: --duration S", end, start));
   }
-  return duration;
+  return end;
 }
 
 }  // namespace
@@ -238,7 +238,7 @@ Comparison compare(const CompareOptions& options) {
       options.go_to_start(scene);
     }
     result.start = seconds(scene.simulation().now());
-    result.duration = checked_duration(options, spec, result.start);
+    result.end = checked_end(options, spec, result.start);
     result.seed = spec.seed;
     result.repeat = options.repeat;
     result.entries = entries;

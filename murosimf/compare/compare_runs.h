@@ -23,7 +23,7 @@ struct CompareOptions {
   std::vector<std::string> levels;     ///< empty: all
   std::vector<std::string> contacts;   ///< empty: the scene's for that robot
   std::vector<std::string> overrides;  ///< PATH=VALUE, as for --set
-  std::optional<double> duration;      ///< [s] of simulated time at the end, instead of the scene's
+  std::optional<double> end;           ///< [s] simulated time at which runs end, instead of the scene's
   std::optional<std::uint64_t> seed;   ///< instead of the scene's
   int repeat = 3;                      ///< timed runs per level; their median counts
   bool lenient = false;                ///< accept unknown elements in model files
@@ -55,7 +55,7 @@ struct CompareEntry {
 
 struct Comparison {
   std::string scene, entity;
-  double start = 0, duration = 0;  ///< [s] from when to when
+  double start = 0, end = 0;  ///< [s] simulated time, from when to when
   std::uint64_t seed = 0;
   int repeat = 0;
   std::vector<CompareEntry> entries;  ///< levels from simple to detailed, laws as they were asked for

@@ -15,7 +15,7 @@ std::string law(const CompareEntry& entry) { return entry.contact.empty() ? "-" 
 
 std::string head(const Comparison& c) {
   const std::string span =
-      c.start > 0 ? fmt::format("from {:g} to {:g} s", c.start, c.duration) : fmt::format("for {:g} s", c.duration);
+      c.start > 0 ? fmt::format("from {:g} to {:g} s", c.start, c.end) : fmt::format("for {:g} s", c.end);
   return fmt::format("{}: {} {}, seed {}; reference: {}\n", c.scene, c.entity, span, c.seed,
                      label(c, c.entries[c.reference]));
 }

@@ -1,6 +1,7 @@
 #include "murosimf/connect/drawn.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace murosimf::connect {
@@ -8,7 +9,6 @@ namespace {
 
 constexpr double above_base = 0.35;  // [m] notes at robots
 constexpr double note_height = 0.1;  // [m]
-constexpr auto others_name = "roboviz";
 
 const Drawings* drawings_of(const Entity& entity) {
   const Column<Drawings>* drawn = entity.find(properties::drawings);
@@ -28,23 +28,6 @@ void add_to(Hasher& hasher, const Drawings& drawings) {
       }
     }
   }
-}
-
-/// The robot with that number in its team; -1: there is none.
-int entity_of(std::span<const std::string> teams, const DrawnByOthers::Note& note) {
-  std::vector<std::string> names;  // of teams, and how many robots there were of each
-  std::vector<int> members;
-  for (std::size_t i = 0; i < teams.size(); ++i) {
-    if (teams[i].empty()) continue;
-    const auto number = static_cast<std::size_t>(std::ranges::find(names, teams[i]) - names.begin());
-    if (number == names.size()) {
-      names.push_back(teams[i]);
-      members.push_back(0);
-    }
-    if (static_cast<int>(number) == note.team && members[number] == note.number) return static_cast<int>(i);
-    ++members[number];
-  }
-  return -1;
 }
 
 }  // namespace
@@ -70,17 +53,44 @@ std::uint64_t drawn_changes(const World& world) {
   return hasher.value();
 }
 
+std::vector<std::string> teams_of(const World& world) {
+  std::vector<std::string> teams;
+  for (const auto& entity : world.entities()) teams.push_back(entity->options().team);
+  return teams;
+}
+
+std::vector<std::optional<TeamPlace>> team_places(std::span<const std::string> teams) {
+  std::vector<std::string_view> names;  // of teams, and how many robots there were of each
+  std::vector<int> members;
+  std::vector<std::optional<TeamPlace>> places;
+  for (const std::string& team : teams) {
+    if (team.empty()) {
+      places.emplace_back();
+      continue;
+    }
+    const auto number = static_cast<std::size_t>(std::ranges::find(names, team) - names.begin());
+    if (number == names.size()) {
+      names.push_back(team);
+      members.push_back(0);
+    }
+    places.push_back(TeamPlace{static_cast<int>(number), members[number]++});
+  }
+  return places;
+}
+
 std::vector<Drawn> drawn_by_others(const DrawnByOthers& others, std::span<const std::string> teams) {
   std::vector<Drawn> all;
-  if (!others.groups.empty()) all.push_back({-1, others_name, others.groups});
+  if (!others.groups.empty()) all.push_back({-1, std::string(others_name), others.groups});
+  const std::vector<std::optional<TeamPlace>> places = team_places(teams);
   for (const DrawnByOthers::Note& note : others.notes) {
-    const int entity = entity_of(teams, note);
-    if (entity < 0) continue;
+    const auto place = std::ranges::find(places, TeamPlace{note.team, note.number});
+    if (place == places.end()) continue;
+    const auto entity = static_cast<int>(place - places.begin());
     DrawnShape text{.kind = DrawnShape::text, .points = {{0, 0, above_base}}, .size = note_height, .color = note.color};
     text.words = note.text;
     DrawnGroup group{.name = "annotation", .of_robot = true};
     group.shapes.push_back(std::move(text));
-    all.push_back({entity, others_name, {std::move(group)}});
+    all.push_back({entity, std::string(others_name), {std::move(group)}});
   }
   return all;
 }

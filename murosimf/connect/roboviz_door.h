@@ -17,19 +17,17 @@
 
 namespace murosimf::connect {
 
-class RobovizDoor {
+class RobovizDoor final : public DrawingBoard {
  public:
   static constexpr std::uint16_t usual_port = 32769;
 
   /// Port 0: one that is free. Throws WireError if nobody can listen there.
   explicit RobovizDoor(const wire::Address& address);
-  ~RobovizDoor();
-  RobovizDoor(const RobovizDoor&) = delete;
-  RobovizDoor& operator=(const RobovizDoor&) = delete;
+  ~RobovizDoor() override;
 
   [[nodiscard]] const wire::Address& address() const { return address_; }
-  /// What is to be seen now; never null. A copy, made if something is new.
-  [[nodiscard]] std::shared_ptr<const DrawnByOthers> shown() const;
+  /// A copy, made if something is new.
+  [[nodiscard]] std::shared_ptr<const DrawnByOthers> shown() const override;
   [[nodiscard]] std::uint64_t packets() const { return packets_; }
   [[nodiscard]] std::uint64_t ignored() const { return ignored_; }  ///< of them
 

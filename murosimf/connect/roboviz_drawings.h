@@ -23,22 +23,10 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/model/drawing.h"
 
 namespace murosimf::connect {
-
-/// Groups in the order of their names, and a text for each robot that has one.
-struct DrawnByOthers {
-  struct Note {
-    int team = 0;    ///< 0 left, 1 right
-    int number = 0;  ///< in its team, from 0
-    Color color;
-    std::string text;
-  };
-  std::vector<DrawnGroup> groups;
-  std::vector<Note> notes;
-  std::uint64_t changes = 0;
-};
 
 class RobovizDrawings {
  public:

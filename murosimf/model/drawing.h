@@ -5,6 +5,7 @@
 ///     for (const DrawnGroup& group : drawn->values[0].groups) ...
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -32,13 +33,19 @@ struct DrawnShape {
   static constexpr std::uint32_t kinds = 6;
 
   Kind kind = circle;
-  std::vector<Vec3d> points;
+  std::vector<Vec3d> points{};
   double size = 0;  ///< [m] radius, width of lines and dots, height of texts; 0: as small as can be seen
   Color color{1, 1, 1};
-  double opacity = 1;  ///< from 0 to 1
-  std::string words;   ///< of a text
+  double opacity = 1;   ///< from 0 to 1
+  std::string words{};  ///< of a text
 
   void state(StateArchive& archive) { archive(kind, points, size, color.red, color.green, color.blue, opacity, words); }
+
+  friend bool operator==(const DrawnShape& a, const DrawnShape& b) {
+    const auto same = [](const Vec3d& p, const Vec3d& q) { return p.x == q.x && p.y == q.y && p.z == q.z; };
+    return a.kind == b.kind && a.size == b.size && a.color == b.color && a.opacity == b.opacity && a.words == b.words &&
+           std::ranges::equal(a.points, b.points, same);
+  }
 };
 
 /// What files and messages call them, by kind.
@@ -49,9 +56,10 @@ struct DrawnGroup {
   std::string name;       ///< unique; a new group of this name replaces the old one
   bool of_robot = false;  ///< points are in the frame of its base and move with it; otherwise in the world
   Duration time{};        ///< simulated, when it was drawn
-  std::vector<DrawnShape> shapes;
+  std::vector<DrawnShape> shapes{};
 
   void state(StateArchive& archive) { archive(name, of_robot, time, shapes); }
+  friend bool operator==(const DrawnGroup&, const DrawnGroup&) = default;
 };
 
 /// Of one robot.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <map>
 #include <set>
 #include <span>
 #include <string>
@@ -34,14 +35,15 @@ void set_number(Entity& entity, const Property<double>& property, int object, do
 }  // namespace
 
 RecordedCourse::RecordedCourse(std::shared_ptr<const recording::RecordedRun> run,
-                               const recording::RepeatOptions& options)
-    : run_(std::move(run)), scene_(run_->build_to_show(options)), drawings_(run_->file()) {
+                               const recording::RepeatOptions& options, std::shared_ptr<connect::PinnedDrawings> others)
+    : run_(std::move(run)), scene_(run_->build_to_show(options)), drawings_(run_->file()), others_(std::move(others)) {
   const std::set<std::string> draw = drawings_.robots();
   for (const auto& entity : scene_->simulation().world().entities()) {
     if (draw.contains(entity->name())) (void)entity->column(properties::drawings);
   }
   run_->initialize(*scene_);
   entities_ = recording::recorded_entities(scene_->simulation().world());
+  others_then_.emplace(scene_->simulation().world());
   frames_ = std::make_unique<recording::FrameReader>(run_->file(), entities_);
   for (const PropertyInfo& info :
        std::initializer_list<PropertyInfo>{properties::position, properties::orientation, properties::joint_position,
@@ -89,6 +91,7 @@ void RecordedCourse::begin() {
     contacts.insert(contacts.end(), contacts_.begin(), contacts_.end());
   });
   poses.complete_by({});  // columns are as they were recorded
+  if (others_) others_->pin({});
   show(frames_->begin());
 }
 
@@ -170,10 +173,12 @@ void RecordedCourse::show_entity(std::size_t index, const recording::RecordedFra
 }
 
 void RecordedCourse::show_drawings(Duration time) {
-  for (auto& [robot, groups] : drawings_.news(time)) {
-    const auto known = std::ranges::find(entities_, robot, &recording::RecordedEntity::name);
-    if (known == entities_.end()) continue;  // of somebody who came later
-    Column<Drawings>* column = column_of(scene_->simulation().world().entity(robot), properties::drawings);
+  std::map<recording::DrawingTopic, std::vector<DrawnGroup>> news = drawings_.news(time);
+  if (others_then_->take(news) && others_) others_->pin(others_then_->shown());
+  for (auto& [topic, groups] : news) {
+    const auto known = std::ranges::find(entities_, topic.robot, &recording::RecordedEntity::name);
+    if (topic.by_others || known == entities_.end()) continue;  // of somebody who came later
+    Column<Drawings>* column = column_of(scene_->simulation().world().entity(topic.robot), properties::drawings);
     if (!column) continue;
     Drawings& drawn = column->values[0];
     drawn.groups = std::move(groups);

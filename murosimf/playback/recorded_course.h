@@ -11,11 +11,14 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/recording/frame_reader.h"
 #include "murosimf/recording/recorded_drawings.h"
+#include "murosimf/recording/recorded_others.h"
 #include "murosimf/recording/recorded_run.h"
 #include "murosimf/session/course.h"
 
@@ -23,9 +26,11 @@ namespace murosimf::playback {
 
 class RecordedCourse final : public session::Course {
  public:
-  /// Throws SetupError: the file has no poses, or its scene cannot be built.
+  /// `others`: where is seen what other programs drew then; null: nobody looks. Throws SetupError: the file has no poses, or its scene
+  /// cannot be built.
   explicit RecordedCourse(std::shared_ptr<const recording::RecordedRun> run,
-                          const recording::RepeatOptions& options = {});
+                          const recording::RepeatOptions& options = {},
+                          std::shared_ptr<connect::PinnedDrawings> others = nullptr);
   ~RecordedCourse() override;
 
   [[nodiscard]] scene::Scene& scene() override { return *scene_; }
@@ -61,6 +66,8 @@ class RecordedCourse final : public session::Course {
   std::vector<recording::RecordedEntity> entities_;
   std::unique_ptr<recording::FrameReader> frames_;
   recording::DrawingReader drawings_;
+  std::shared_ptr<connect::PinnedDrawings> others_;
+  std::optional<recording::OthersThen> others_then_;
   std::vector<Event> events_;                               // of all of it, by time
   std::vector<std::pair<Duration, std::string>> warnings_;  // likewise
   std::vector<std::string> warnings_so_far_;

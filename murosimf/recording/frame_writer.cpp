@@ -162,8 +162,8 @@ std::uint16_t FrameWriter::channel(const std::string& topic, const MessageSchema
   return file_.add_channel(topic, "protobuf", known->second, metadata);
 }
 
-std::uint16_t FrameWriter::add_channel(const std::string& topic, const std::string& schema) {
-  return channel(topic, find_schema(schema));
+std::uint16_t FrameWriter::add_channel(const std::string& topic, const std::string& schema, const TextMap& metadata) {
+  return channel(topic, find_schema(schema), metadata);
 }
 
 std::uint16_t FrameWriter::late_channel(std::optional<std::uint16_t>& known, const std::string& topic,

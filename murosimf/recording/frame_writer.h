@@ -45,7 +45,8 @@ class FrameWriter {
 
   void write(const RecordedFrame& frame);
   /// For others, who write into it themselves.
-  [[nodiscard]] std::uint16_t add_channel(const std::string& topic, const std::string& schema);
+  [[nodiscard]] std::uint16_t add_channel(const std::string& topic, const std::string& schema,
+                                          const TextMap& metadata = {});
 
  private:
   [[nodiscard]] std::uint16_t channel(const std::string& topic, const MessageSchema& schema,

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "murosimf/connect/drawn.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/frame_writer.h"
@@ -23,10 +24,11 @@ using nlohmann::json;
 constexpr Duration repeat_period = std::chrono::seconds(5);  // seeks in files find one soon
 constexpr std::size_t most_kept = 32;                        // chunks: more than a repetition
 constexpr std::string_view topics = "/drawings/", shape_key = "shape";
-constexpr double thin = 2;         // [px] of lines without a width
-constexpr double speck = 0.01;     // [m] of dots without a width
-constexpr double small_text = 14;  // [px] of texts without a height
-constexpr int corners = 48;        // of a circle
+constexpr std::string_view drawn_by = "drawn_by", others = "others";  // metadata of channels
+constexpr double thin = 2;                                            // [px] of lines without a width
+constexpr double speck = 0.01;                                        // [m] of dots without a width
+constexpr double small_text = 14;                                     // [px] of texts without a height
+constexpr int corners = 48;                                           // of a circle
 constexpr std::uint64_t delete_all = 1, line_loop = 1;
 // Fields of foxglove.SceneEntity.
 constexpr int spheres = 9, lines = 11, triangles = 12, texts = 13;
@@ -122,7 +124,8 @@ DrawnShape read_shape(std::string_view text) {
     const json all = json::parse(text);
     const auto kind = std::ranges::find(drawn_kind_names, all.at("kind").get<std::string>());
     if (kind == drawn_kind_names.end()) throw SetupError("a drawing has a shape of no known kind");
-    DrawnShape shape{.kind = static_cast<DrawnShape::Kind>(kind - drawn_kind_names.begin())};
+    DrawnShape shape;
+    shape.kind = static_cast<DrawnShape::Kind>(kind - drawn_kind_names.begin());
     for (const json& point : all.at("points")) {
       shape.points.push_back({point.at(0).get<double>(), point.at(1).get<double>(), point.at(2).get<double>()});
     }
@@ -137,11 +140,29 @@ DrawnShape read_shape(std::string_view text) {
   }
 }
 
-void put_group(ProtobufWriter& out, const RecordedEntity& robot, const DrawnGroup& group) {
+/// Who has drawn it.
+std::string name_of(const DrawingTopic& topic) {
+  return topic.by_others ? std::string(connect::others_name) : topic.robot;
+}
+
+/// "/drawings/blue1", "/drawings/roboviz", "/drawings/roboviz/blue1"
+std::string text_of(const DrawingTopic& topic) {
+  const std::string text = std::string(topics) + name_of(topic);
+  return topic.by_others && !topic.robot.empty() ? text + "/" + topic.robot : text;
+}
+
+DrawingTopic topic_of(const Channel& channel) {
+  const auto by = channel.metadata.find(std::string(drawn_by));
+  if (by == channel.metadata.end() || by->second != others) return {false, channel.topic.substr(topics.size())};
+  const std::string world = text_of({true, {}});
+  return {true, channel.topic.size() > world.size() ? channel.topic.substr(world.size() + 1) : ""};
+}
+
+void put_group(ProtobufWriter& out, const FrameDrawings& drawn, const DrawnGroup& group) {
   out.message(2, [&](ProtobufWriter& entity) {
     put_time(entity, 1, group.time);
-    entity.text(2, group.of_robot && !robot.links.empty() ? std::string_view(robot.links.front().frame) : "world");
-    entity.text(3, robot.name + "/" + group.name);
+    entity.text(2, group.of_robot && !drawn.base.empty() ? std::string_view(drawn.base) : "world");
+    entity.text(3, name_of(drawn.topic) + "/" + group.name);
     entity.varint(5, 1);  // moves with its frame, so that nobody looks for poses of the time when it was drawn
     for (const DrawnShape& shape : group.shapes) {
       entity.message(6, [&](ProtobufWriter& pair) {
@@ -161,7 +182,7 @@ void read_metadata(ProtobufReader in, DrawnGroup& group) {
   }
 }
 
-DrawnGroup read_group(ProtobufReader in, const std::string& robot) {
+DrawnGroup read_group(ProtobufReader in, const std::string& whose) {
   DrawnGroup group;
   while (in.next()) {
     if (in.field() == 1) group.time = read_time(in.message());
@@ -169,8 +190,8 @@ DrawnGroup read_group(ProtobufReader in, const std::string& robot) {
     if (in.field() == 3) group.name = in.bytes();
     if (in.field() == 6) read_metadata(in.message(), group);
   }
-  if (!group.name.starts_with(robot + "/")) throw SetupError("a drawing is of another robot than its topic says");
-  group.name.erase(0, robot.size() + 1);
+  if (!group.name.starts_with(whose + "/")) throw SetupError("a drawing is of another robot than its topic says");
+  group.name.erase(0, whose.size() + 1);
   return group;
 }
 
@@ -185,62 +206,70 @@ void SketchWatch::take(const std::vector<RecordedEntity>& entities, RecordedFram
     const auto [seen, is_new] = seen_.try_emplace(i, present ? 1 : 0);
     if (seen->second == now && !(is_new && clears_)) continue;
     seen->second = now;
-    frame.drawings.push_back({.entity = i, .groups = present ? drawn->values[0].groups : std::vector<DrawnGroup>{}});
+    FrameDrawings& sheet = frame.drawings.emplace_back();
+    sheet.topic.robot = entities[i].name;
+    if (!entities[i].links.empty()) sheet.base = entities[i].links.front().frame;
+    if (present) sheet.groups = drawn->values[0].groups;
   }
 }
 
 void DrawingWriter::write(const RecordedFrame& frame) {
-  const auto put = [&](std::size_t entity, Sheet& sheet) {
-    file_.write(sheet.channel, frame.time, drawing_message(frame.time, entities_[entity], sheet.groups));
+  const auto put = [&](Sheet& sheet) {
+    file_.write(sheet.channel, frame.time, drawing_message(frame.time, sheet.drawn));
     sheet.written = frame.time;
   };
-  for (const RobotDrawings& drawn : frame.drawings) {
-    auto [sheet, is_new] = sheets_.try_emplace(drawn.entity);
+  for (const FrameDrawings& drawn : frame.drawings) {
+    auto [sheet, is_new] = sheets_.try_emplace(drawn.topic);
     if (is_new) {
-      sheet->second.channel =
-          frames_.add_channel(std::string(topics) + entities_[drawn.entity].name, "foxglove.SceneUpdate");
+      TextMap metadata;
+      if (drawn.topic.by_others) metadata.emplace(drawn_by, others);
+      sheet->second.channel = frames_.add_channel(text_of(drawn.topic), "foxglove.SceneUpdate", metadata);
     }
-    sheet->second.groups = drawn.groups;
-    put(drawn.entity, sheet->second);
+    sheet->second.drawn = drawn;
+    put(sheet->second);
   }
-  for (auto& [entity, sheet] : sheets_) {
-    if (frame.time - sheet.written >= repeat_period) put(entity, sheet);
+  for (auto& [topic, sheet] : sheets_) {
+    if (frame.time - sheet.written >= repeat_period) put(sheet);
   }
 }
 
-std::string drawing_message(Duration time, const RecordedEntity& robot, const std::vector<DrawnGroup>& groups) {
+std::string drawing_message(Duration time, const FrameDrawings& drawn) {
   std::string bytes;
   ProtobufWriter out(bytes);
   out.message(1, [&](ProtobufWriter& deletion) {
     put_time(deletion, 1, time);
     deletion.varint(2, delete_all);
   });
-  for (const DrawnGroup& group : groups) put_group(out, robot, group);
+  for (const DrawnGroup& group : drawn.groups) put_group(out, drawn, group);
   return bytes;
 }
 
-std::vector<DrawnGroup> read_drawing_message(std::string_view bytes, const std::string& robot) {
+std::vector<DrawnGroup> read_drawing_message(std::string_view bytes, const DrawingTopic& topic) {
   std::vector<DrawnGroup> groups;
   for (ProtobufReader in(bytes); in.next();) {
-    if (in.field() == 2) groups.push_back(read_group(in.message(), robot));
+    if (in.field() == 2) groups.push_back(read_group(in.message(), name_of(topic)));
   }
   return groups;
 }
 
 DrawingReader::DrawingReader(const McapReader& file) : file_(file) {
   for (const Channel& channel : file.contents().channels) {
-    if (channel.topic.starts_with(topics)) robots_[channel.id] = channel.topic.substr(topics.size());
+    if (!channel.topic.starts_with(topics)) continue;
+    channels_[channel.id] = channel.topic;
+    topics_[channel.id] = topic_of(channel);
   }
   const auto& chunks = file.contents().chunks;
-  for (std::size_t i = 0; i < chunks.size() && !robots_.empty(); ++i) {
-    if (has_any(chunks[i], robots_)) chunks_.push_back(i);
+  for (std::size_t i = 0; i < chunks.size() && !channels_.empty(); ++i) {
+    if (has_any(chunks[i], channels_)) chunks_.push_back(i);
   }
   std::ranges::stable_sort(chunks_, {}, [&](std::size_t i) { return chunks[i].start_time; });
 }
 
 std::set<std::string> DrawingReader::robots() const {
   std::set<std::string> names;
-  for (const auto& [channel, robot] : robots_) names.insert(robot);
+  for (const auto& [channel, topic] : topics_) {
+    if (!topic.by_others) names.insert(topic.robot);
+  }
   return names;
 }
 
@@ -252,8 +281,8 @@ const DrawingReader::Chunk& DrawingReader::read(std::size_t index) {
   }
   Chunk chunk{.index = index, .sketches = {}};
   file_.visit_messages(file_.contents().chunks[chunks_[index]], [&](const Message& message) {
-    const auto robot = robots_.find(message.channel_id);
-    if (robot != robots_.end()) chunk.sketches.push_back({time_of(message), robot->second, std::string(message.data)});
+    const auto topic = topics_.find(message.channel_id);
+    if (topic != topics_.end()) chunk.sketches.push_back({time_of(message), topic->second, std::string(message.data)});
   });
   kept_.push_front(std::move(chunk));
   if (kept_.size() > most_kept) kept_.pop_back();
@@ -261,32 +290,32 @@ const DrawingReader::Chunk& DrawingReader::read(std::size_t index) {
 }
 
 /// The last ones until then; none is older than a repetition.
-std::map<std::string, std::string> DrawingReader::messages_at(Duration time) {
+std::map<DrawingTopic, std::string> DrawingReader::messages_at(Duration time) {
   const auto begins = [&](std::size_t chunk) {
     return Duration(static_cast<Duration::rep>(file_.contents().chunks[chunk].start_time));
   };
-  std::map<std::string, std::string> last;
+  std::map<DrawingTopic, std::string> last;
   auto index = static_cast<std::size_t>(std::ranges::upper_bound(chunks_, time, {}, begins) - chunks_.begin());
-  while (index-- > 0 && last.size() < robots_.size() && begins(chunks_[index]) >= time - 2 * repeat_period) {
+  while (index-- > 0 && last.size() < topics_.size() && begins(chunks_[index]) >= time - 2 * repeat_period) {
     const Chunk& chunk = read(index);
     for (auto sketch = chunk.sketches.rbegin(); sketch != chunk.sketches.rend(); ++sketch) {
-      if (sketch->time <= time) last.try_emplace(sketch->robot, sketch->bytes);
+      if (sketch->time <= time) last.try_emplace(sketch->topic, sketch->bytes);
     }
   }
   return last;
 }
 
-std::map<std::string, std::vector<DrawnGroup>> DrawingReader::news(Duration time) {
-  std::map<std::string, std::string> last = messages_at(time);
-  std::map<std::string, std::vector<DrawnGroup>> drawn;
+std::map<DrawingTopic, std::vector<DrawnGroup>> DrawingReader::news(Duration time) {
+  std::map<DrawingTopic, std::string> last = messages_at(time);
+  std::map<DrawingTopic, std::vector<DrawnGroup>> drawn;
   with_context(file_.file().string(), [&] {
-    for (const auto& [robot, bytes] : last) {
-      const auto before = shown_.find(robot);
-      if (before == shown_.end() || before->second != bytes) drawn[robot] = read_drawing_message(bytes, robot);
+    for (const auto& [topic, bytes] : last) {
+      const auto before = shown_.find(topic);
+      if (before == shown_.end() || before->second != bytes) drawn[topic] = read_drawing_message(bytes, topic);
     }
   });
-  for (const auto& [robot, bytes] : shown_) {
-    if (!last.contains(robot)) drawn[robot] = {};
+  for (const auto& [topic, bytes] : shown_) {
+    if (!last.contains(topic)) drawn[topic] = {};
   }
   shown_ = std::move(last);
   return drawn;

@@ -1,8 +1,9 @@
-/// recorded_drawings.h - what control software draws (model/drawing.h), as Foxglove shows it, and read back.
+/// recorded_drawings.h - what control software and others draw (model/drawing.h), as Foxglove shows it, and read back.
 ///
 /// On the topic `/drawings/ROBOT` stands a foxglove.SceneUpdate whenever something is new, and every 5 s: everything on the topic is deleted,
 /// and all groups that are there are drawn, each an entity of its name in the frame of the robot's base or the world. The entity's
-/// metadata have each shape as JSON, with all digits; that is what is read back.
+/// metadata have each shape as JSON, with all digits; that is what is read back. What others draw (recorded_others.h) stands on
+/// `/drawings/roboviz`, what they draw at a robot on `/drawings/roboviz/ROBOT`; the channel's metadata tell them from a robot of that name.
 #pragma once
 
 #include <cstddef>
@@ -40,55 +41,54 @@ class SketchWatch {
 /// In the thread that writes: topics are there as soon as somebody draws.
 class DrawingWriter {
  public:
-  DrawingWriter(MessageSink& file, FrameWriter& frames, const std::vector<RecordedEntity>& entities)
-      : file_(file), frames_(frames), entities_(entities) {}
+  DrawingWriter(MessageSink& file, FrameWriter& frames) : file_(file), frames_(frames) {}
   void write(const RecordedFrame& frame);
 
  private:
   struct Sheet {
     std::uint16_t channel = 0;
-    std::vector<DrawnGroup> groups;
+    FrameDrawings drawn;
     Duration written{};
   };
   MessageSink& file_;
   FrameWriter& frames_;
-  const std::vector<RecordedEntity>& entities_;
-  std::map<std::size_t, Sheet> sheets_;  // by entity
+  std::map<DrawingTopic, Sheet> sheets_;
 };
 
 /// One message.
-[[nodiscard]] std::string drawing_message(Duration time, const RecordedEntity& robot,
-                                          const std::vector<DrawnGroup>& groups);
-/// What it says; `robot`: its name. Throws SetupError.
-[[nodiscard]] std::vector<DrawnGroup> read_drawing_message(std::string_view bytes, const std::string& robot);
+[[nodiscard]] std::string drawing_message(Duration time, const FrameDrawings& drawn);
+/// What it says. Throws SetupError.
+[[nodiscard]] std::vector<DrawnGroup> read_drawing_message(std::string_view bytes, const DrawingTopic& topic);
 
 /// For who shows a recording, at any time and in any order.
 class DrawingReader {
  public:
   /// The file must outlive it.
   explicit DrawingReader(const McapReader& file);
-  /// Who draws.
+  /// Robots whose software draws.
   [[nodiscard]] std::set<std::string> robots() const;
-  /// What robots draw at a time, of those whose drawings are not as after the last call. Throws SetupError: the file is damaged there.
-  [[nodiscard]] std::map<std::string, std::vector<DrawnGroup>> news(Duration time);
+  /// What is drawn at a time, of topics that are not as after the last call. Throws SetupError: the file is damaged there.
+  [[nodiscard]] std::map<DrawingTopic, std::vector<DrawnGroup>> news(Duration time);
 
  private:
   struct Sketch {
     Duration time{};
-    std::string robot, bytes;
+    DrawingTopic topic;
+    std::string bytes;
   };
   struct Chunk {
     std::size_t index = 0;  // in chunks_
     std::vector<Sketch> sketches;
   };
   const Chunk& read(std::size_t index);
-  [[nodiscard]] std::map<std::string, std::string> messages_at(Duration time);
+  [[nodiscard]] std::map<DrawingTopic, std::string> messages_at(Duration time);
 
   const McapReader& file_;
-  std::map<std::uint16_t, std::string> robots_;  // by channel
-  std::vector<std::size_t> chunks_;              // of the file, with drawings, by time
-  std::list<Chunk> kept_;                        // the last one that was asked for first
-  std::map<std::string, std::string> shown_;     // messages, by robot
+  std::map<std::uint16_t, std::string> channels_;  // topics as text
+  std::map<std::uint16_t, DrawingTopic> topics_;   // of the same
+  std::vector<std::size_t> chunks_;                // of the file, with drawings, by time
+  std::list<Chunk> kept_;                          // the last one that was asked for first
+  std::map<DrawingTopic, std::string> shown_;      // messages
 };
 
 }  // namespace murosimf::recording

@@ -1,6 +1,7 @@
 /// recorded_frame.h - what a recording takes of a simulation at one instant: copied between two steps, written by another thread.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -79,9 +80,17 @@ struct CameraPicture {
   imaging::GrayImage mosaic;
 };
 
-/// What the software of a robot draws, from this frame on.
-struct RobotDrawings {
-  std::size_t entity = 0;  ///< index of the RecordedEntity
+/// Whose drawings they are: of a robot's software, or of others (connect/drawing_board.h), at that robot or in the world.
+struct DrawingTopic {
+  bool by_others = false;
+  std::string robot;  ///< its name; empty: in the world
+  friend auto operator<=>(const DrawingTopic&, const DrawingTopic&) = default;
+};
+
+/// What somebody draws, from this frame on: all of the topic.
+struct FrameDrawings {
+  DrawingTopic topic;
+  std::string base;  ///< frame of the robot's base, "blue1/trunk"; empty: there is none
   std::vector<DrawnGroup> groups;
 };
 
@@ -100,7 +109,7 @@ struct RecordedFrame {
   std::vector<ContactMark> contacts;
   std::vector<SensorSample> samples;
   std::vector<CameraPicture> pictures;
-  std::vector<RobotDrawings> drawings;
+  std::vector<FrameDrawings> drawings;
   std::vector<std::pair<Duration, std::string>> events, warnings, commands;  ///< new ones
   std::optional<std::uint64_t> hash;                                         ///< of the state
   std::vector<std::byte> state;  ///< all of it (Scene::save); empty: not kept

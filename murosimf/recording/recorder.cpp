@@ -17,6 +17,7 @@ constexpr Duration batch_span = std::chrono::milliseconds(100);  // of simulated
 // With a batch on its way, and those that wait, less than a second of simulated time is not in the file.
 constexpr Duration chunk_span = std::chrono::milliseconds(400);
 constexpr Duration hash_period = std::chrono::seconds(1);
+constexpr Duration others_period = std::chrono::milliseconds(40);  // between looks at their drawings: eyes need no more
 
 Duration period_of(double rate, double fastest) {
   if (rate >= slowest_rate && rate <= fastest) return from_seconds(1 / rate);
@@ -36,6 +37,7 @@ Recorder::Recorder(scene::Scene& scene, const RecorderOptions& options)
       ticks_(options.ticks),
       run_(options.run),
       file_(options.file, {.library = options.program, .chunk_span = chunk_span}),
+      others_(what_.contains("drawings") ? options.others : nullptr),
       keep_(options.keep),
       after_(options.after) {
   if (!options.record_on.empty()) {
@@ -71,6 +73,7 @@ void Recorder::start() {
   if (frames_) throw SetupError("a recording is of one run: this one began anew");
   const World& world = scene_.simulation().world();
   entities_ = recorded_entities(world);
+  others_watch_.meet(world, entities_);
   if (what_.contains("sensors")) sensors_ = recorded_sensors(world);
   if (what_.contains("pictures")) cameras_ = recorded_cameras(entities_);
   if (what_.contains("scene")) looks_ = std::make_unique<SceneLooks>(scene_, entities_);
@@ -78,8 +81,8 @@ void Recorder::start() {
   if (!watch_) begin_file();
   frames_ = std::make_unique<FrameWriter>(file_, entities_, sensors_, looks_.get(), what_);
   pictures_ = std::make_unique<PictureWriter>(file_, *frames_, cameras_);
-  drawings_ = std::make_unique<DrawingWriter>(file_, *frames_, entities_);
-  next_frame_ = next_hash_ = next_state_ = scene_.simulation().now();
+  drawings_ = std::make_unique<DrawingWriter>(file_, *frames_);
+  next_frame_ = next_hash_ = next_state_ = next_others_ = scene_.simulation().now();
   look();
 }
 
@@ -132,7 +135,7 @@ void Recorder::take_frame(bool is_last) {
   frame.contacts.reserve(what_.contains("contacts") ? usual_contacts : 0);
   if (what_.contains("contacts")) touching_.add(simulation.world(), frame.contacts);
   take_samples(frame);
-  if (what_.contains("drawings")) sketches_.take(entities_, frame);
+  take_drawings(frame, is_last);
   take_lines(frame);
   take_state(frame, is_last);
   if (watch_) watch(frame);
@@ -159,6 +162,13 @@ void Recorder::take_samples(RecordedFrame& frame) {
     frame.samples.push_back({.sensor = i, .arrived = frame.time, .taken = reading.time, .values = reading.values});
   }
   take_pictures(cameras_, frame);
+}
+
+void Recorder::take_drawings(RecordedFrame& frame, bool is_last) {
+  if (what_.contains("drawings")) sketches_.take(entities_, frame);
+  if (!others_ || (!is_last && frame.time < next_others_)) return;
+  others_watch_.take(*others_->shown(), frame);
+  next_others_ = frame.time + others_period;
 }
 
 void Recorder::take_lines(RecordedFrame& frame) {
@@ -228,17 +238,17 @@ void Recorder::forget_old() {
   held_.erase(held_.begin(), first_kept);
 }
 
-/// Of the frames before, each robot's last drawings, which come only when they change, go to the first frame that stays.
+/// Of the frames before, the last drawings of each topic, which come only when they change, go to the first frame that stays.
 void Recorder::keep_drawings(std::vector<RecordingThread::Batch>::iterator first_kept) {
-  std::vector<RobotDrawings>& kept = first_kept->front().drawings;
-  const auto has = [&](std::size_t entity) {
-    return std::ranges::find(kept, entity, &RobotDrawings::entity) != kept.end();
+  std::vector<FrameDrawings>& kept = first_kept->front().drawings;
+  const auto has = [&](const DrawingTopic& topic) {
+    return std::ranges::find(kept, topic, &FrameDrawings::topic) != kept.end();
   };
   for (auto batch = first_kept; batch != held_.begin();) {
     --batch;
     for (RecordedFrame& frame : std::views::reverse(*batch)) {
-      for (RobotDrawings& drawn : frame.drawings) {
-        if (!has(drawn.entity)) kept.push_back(std::move(drawn));
+      for (FrameDrawings& drawn : frame.drawings) {
+        if (!has(drawn.topic)) kept.push_back(std::move(drawn));
       }
     }
   }

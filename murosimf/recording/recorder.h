@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/files/files_read.h"
 #include "murosimf/recording/attached_files.h"
 #include "murosimf/recording/frame_writer.h"
@@ -23,6 +24,7 @@
 #include "murosimf/recording/mcap_writer.h"
 #include "murosimf/recording/recorded_contacts.h"
 #include "murosimf/recording/recorded_drawings.h"
+#include "murosimf/recording/recorded_others.h"
 #include "murosimf/recording/recorded_picture.h"
 #include "murosimf/recording/recording_thread.h"
 #include "murosimf/recording/run_description.h"
@@ -55,6 +57,8 @@ struct RecorderOptions {
   const files::FilesRead* files = nullptr;
   /// Instead, the recording that it repeats, whose `run` has the names, too.
   const McapReader* files_of = nullptr;
+  /// What other programs draw, a part of "drawings"; must outlive the run. Null: nobody else draws.
+  const connect::DrawingBoard* others = nullptr;
 };
 
 /// It must live as long as the run lasts, and the scene longer.
@@ -88,6 +92,7 @@ class Recorder {
   [[nodiscard]] bool in_every_tick() const;
   [[nodiscard]] Duration next_look() const;
   void take_samples(RecordedFrame& frame);
+  void take_drawings(RecordedFrame& frame, bool is_last);
   void take_lines(RecordedFrame& frame);
   void add(RecordedFrame&& frame);
   void hand_over();
@@ -111,13 +116,15 @@ class Recorder {
   std::vector<RecordedSensor> sensors_;
   std::vector<RecordedCamera> cameras_;
   SketchWatch sketches_;
+  const connect::DrawingBoard* others_;
+  OthersWatch others_watch_;
   ContactWatch touching_;
   std::unique_ptr<SceneLooks> looks_;
   std::unique_ptr<FrameWriter> frames_;
   std::unique_ptr<PictureWriter> pictures_;
   std::unique_ptr<DrawingWriter> drawings_;
   std::vector<std::pair<std::string, std::string>> texts_;
-  Duration next_frame_{}, next_hash_{}, next_state_{};
+  Duration next_frame_{}, next_hash_{}, next_state_{}, next_others_{};
   std::optional<Duration> last_frame_;
   std::size_t events_ = 0, warnings_ = 0, commands_ = 0;  // that are recorded
   RecordingThread::Batch batch_;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/files/json_document.h"
+#include "murosimf/scene/drawing_packets_json.h"
 
 namespace murosimf::scene {
 namespace {
@@ -155,11 +156,6 @@ json stop_object(const RunReport& report) {
   return {{"time_s", report.simulated}, {"by", report.stopped->by}, {"asked_s", report.stopped->asked}};
 }
 
-json drawings_object(const RunReport& report) {
-  if (!report.drawings) return nullptr;
-  return {{"packets", report.drawings->packets}, {"ignored", report.drawings->ignored}};
-}
-
 }  // namespace
 
 std::string to_text(const RunReport& report) {
@@ -208,7 +204,7 @@ std::string to_json(const RunReport& report) {
             {"entities", json::array()},
             {"sensors", json::object()},
             {"control", json::array()},
-            {"drawings", drawings_object(report)},
+            {"drawings", json_of(report.drawings)},
             {"algorithms", json::array()},
             {"events", json::array()},
             {"notes", report.notes},

@@ -5,22 +5,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "murosimf/connect/roboviz_door.h"
 #include "murosimf/files/json_document.h"
+#include "murosimf/scene/drawing_packets_json.h"
 #include "murosimf/scene/scene_report.h"
 
 namespace murosimf::viewer {
 
-namespace {
-
-nlohmann::json drawings_object(const Viewer& viewer) {
-  if (!viewer.roboviz()) return nullptr;
-  return {{"packets", viewer.roboviz()->packets()}, {"ignored", viewer.roboviz()->ignored()}};
-}
-
-}  // namespace
-
-std::string to_json(Viewer& viewer, const WindowReport& shown) {
+std::string to_json(Viewer& viewer, const WindowReport& shown, const std::optional<scene::DrawingPackets>& packets) {
   using nlohmann::json;
   const scene::Scene& scene = viewer.running().scene();
   const scene::RunReport report = make_report(scene);
@@ -38,7 +29,7 @@ std::string to_json(Viewer& viewer, const WindowReport& shown) {
                 {"branches", viewer.branches().size()},
                 {"selected", viewer.selected() ? json(viewer.path_text(*viewer.selected())) : json()},
                 {"screenshots", shown.files},
-                {"drawings", drawings_object(viewer)},
+                {"drawings", scene::json_of(packets)},
                 {"commands", json::array()},
                 {"marks", json::array()},
                 {"messages", json::array()},

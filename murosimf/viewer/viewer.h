@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/render/seen_drawing.h"
 #include "murosimf/viewer/actions.h"
 #include "murosimf/viewer/camera_rig.h"
@@ -22,18 +23,15 @@
 #include "murosimf/viewer/plot_book.h"
 #include "murosimf/viewer/running_scene.h"
 
-namespace murosimf::connect {
-class RobovizDoor;
-}
-
 namespace murosimf::viewer {
 
 struct ViewerOptions {
   session::MakeCourse make_course;  ///< also for every reload
   session::SessionOptions session{};
-  Duration end = Duration::max();                 ///< where it pauses by itself
-  double inspections = 20;                        ///< [Hz] of wall time
-  const connect::RobovizDoor* roboviz = nullptr;  ///< whose drawings are shown; must outlive the viewer
+  Duration end = Duration::max();  ///< where it pauses by itself
+  double inspections = 20;         ///< [Hz] of wall time
+  const connect::DrawingBoard* others =
+      nullptr;  ///< what other programs draw; must outlive the viewer; null: they do not
 };
 
 /// What the viewer tells people.
@@ -99,7 +97,6 @@ class Viewer {
   [[nodiscard]] std::vector<render::SeenShape> drawings_in(const sensors::Perspective& view) const;
   /// "blue1/ball": who draws, and the name of a group.
   [[nodiscard]] std::vector<std::string> drawing_groups() const;
-  [[nodiscard]] const connect::RobovizDoor* roboviz() const { return options_.roboviz; }
   /// Joints of what is selected that can be moved, in the order of the model.
   [[nodiscard]] std::vector<MovableJoint> joints() const;
 

@@ -1,8 +1,9 @@
 // The viewer: what is drawn for people who watch, and joints that they move.
 #include <algorithm>
 #include <iterator>
+#include <numbers>
 
-#include "murosimf/connect/roboviz_door.h"
+#include "murosimf/connect/drawn.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/viewer/viewer.h"
 
@@ -12,16 +13,16 @@ namespace {
 std::string group_text(const connect::Drawn& drawn, const DrawnGroup& group) { return drawn.by + "/" + group.name; }
 
 /// [rad] of joints without a range.
-constexpr double without_range = 3.14159;
+constexpr double without_range = std::numbers::pi;
 
 }  // namespace
 
 std::vector<connect::Drawn> Viewer::all_drawn() const {
   std::vector<connect::Drawn> all = drawn_;
-  if (!options_.roboviz) return all;
+  if (!options_.others) return all;
   std::vector<std::string> teams;
   for (const EntityOutline& whom : outline_) teams.push_back(whom.team);
-  std::ranges::move(connect::drawn_by_others(*options_.roboviz->shown(), teams), std::back_inserter(all));
+  std::ranges::move(connect::drawn_by_others(*options_.others->shown(), teams), std::back_inserter(all));
   return all;
 }
 

@@ -5,10 +5,7 @@
 #include <set>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "murosimf/connect/drawn.h"
-#include "murosimf/connect/roboviz_door.h"
+#include "murosimf/recording/recorded_others.h"
 
 namespace murosimf::web {
 namespace {
@@ -34,8 +31,7 @@ struct FoxgloveLive::Visit {
   std::vector<recording::RecordedSensor> sensors;
   std::unique_ptr<recording::SceneLooks> looks;
   recording::SketchWatch sketches;
-  std::vector<std::string> teams;   // of all entities of the world
-  std::vector<std::size_t> places;  // of `entities` in it
+  recording::OthersWatch others;
   int changes = -1;
   std::size_t events = 0, warnings = 0;  // that were taken
 
@@ -52,12 +48,7 @@ struct FoxgloveLive::Visit {
     looks = std::make_unique<recording::SceneLooks>(scene, entities);
     scene_name = scene.spec().name;
     sketches = recording::SketchWatch(true);
-    teams.clear();
-    places.clear();
-    for (const auto& entity : world.entities()) teams.push_back(entity->options().team);
-    for (const recording::RecordedEntity& one : entities) {
-      places.push_back(static_cast<std::size_t>(world.index_of(one.entity)));
-    }
+    others.meet(world, entities);
     ++setups;
   }
 
@@ -130,39 +121,9 @@ bool FoxgloveLive::is_of_lines(std::uint16_t channel) const {
 void FoxgloveLive::renew_writers(Visit& visit) {
   recording::MessageSink& sink = *this;
   writer_ = std::make_unique<recording::FrameWriter>(sink, visit.entities, visit.sensors, visit.looks.get(), sent());
-  drawings_ = std::make_unique<recording::DrawingWriter>(sink, *writer_, visit.entities);
+  drawings_ = std::make_unique<recording::DrawingWriter>(sink, *writer_);
   visit.sketches = recording::SketchWatch(true);
-  others_changes_ = 0;
-}
-
-/// Each on a topic of its own, like `/drawings/roboviz`; of texts at robots `/drawings/roboviz/blue1`.
-void FoxgloveLive::write_drawings_of_others(const Visit& visit) {
-  const auto others = roboviz_ ? roboviz_->shown() : nullptr;
-  if (!others || std::exchange(others_changes_, others->changes) == others->changes) return;
-  std::map<std::string, std::string> messages;
-  const auto put = [&](const std::string& topic, const recording::RecordedEntity& whom,
-                       const std::vector<DrawnGroup>& groups) {
-    if (!drawn_by_others_.contains(topic)) {
-      drawn_by_others_[topic] = writer_->add_channel(topic, "foxglove.SceneUpdate");
-    }
-    messages[topic] = recording::drawing_message(time_, whom, groups);
-  };
-  for (const connect::Drawn& drawn : connect::drawn_by_others(*others, visit.teams)) {
-    const auto place = std::ranges::find(visit.places, static_cast<std::size_t>(drawn.entity));
-    recording::RecordedEntity whom{.name = drawn.by};
-    if (place == visit.places.end()) {
-      put("/drawings/" + drawn.by, whom, drawn.groups);
-    } else {
-      whom.links = visit.entities[static_cast<std::size_t>(place - visit.places.begin())].links;
-      put(fmt::format("/drawings/{}/{}", drawn.by,
-                      visit.entities[static_cast<std::size_t>(place - visit.places.begin())].name),
-          whom, drawn.groups);
-    }
-  }
-  for (const auto& [topic, channel] : drawn_by_others_) {  // what is drawn no more is deleted
-    const auto message = messages.find(topic);
-    write(channel, time_, message != messages.end() ? message->second : recording::drawing_message(time_, {}, {}));
-  }
+  visit.others.say_again();
 }
 
 void FoxgloveLive::take(Visit& visit) {
@@ -176,8 +137,8 @@ void FoxgloveLive::take(Visit& visit) {
   parameters_ = visit.parameters;
   time_ = visit.frame.time;
   writer_->write(visit.frame);
+  if (others_) visit.others.take(*others_->shown(), visit.frame);
   drawings_->write(visit.frame);
-  write_drawings_of_others(visit);
 }
 
 void FoxgloveLive::look() {

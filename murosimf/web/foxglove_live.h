@@ -13,13 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/recorded_drawings.h"
 #include "murosimf/session/session.h"
-
-namespace murosimf::connect {
-class RobovizDoor;
-}
 
 namespace murosimf::web {
 
@@ -30,9 +27,9 @@ struct FoxgloveChannel {
 
 class FoxgloveLive final : private recording::MessageSink {
  public:
-  /// `roboviz`: null if no other program draws. Both must outlive it.
-  explicit FoxgloveLive(session::Session& session, const connect::RobovizDoor* roboviz = nullptr)
-      : session_(session), roboviz_(roboviz) {}
+  /// `others`: null if no other program draws. Both must outlive it.
+  explicit FoxgloveLive(session::Session& session, const connect::DrawingBoard* others = nullptr)
+      : session_(session), others_(others) {}
   ~FoxgloveLive() override;
 
   struct Packet {
@@ -71,10 +68,9 @@ class FoxgloveLive final : private recording::MessageSink {
   void write(std::uint16_t channel, Duration time, std::string_view data) override;
   void take(Visit& visit);
   void renew_writers(Visit& visit);
-  void write_drawings_of_others(const Visit& visit);
 
   session::Session& session_;
-  const connect::RobovizDoor* roboviz_;
+  const connect::DrawingBoard* others_;
   int clients_ = 0;
   std::string scene_name_;
   std::vector<std::pair<std::string, std::string>> schemas_;  // name, descriptors
@@ -89,9 +85,7 @@ class FoxgloveLive final : private recording::MessageSink {
   std::chrono::steady_clock::time_point next_visit_{};
   std::unique_ptr<recording::FrameWriter> writer_;
   std::unique_ptr<recording::DrawingWriter> drawings_;
-  std::map<std::string, std::uint16_t> drawn_by_others_;  // channels, by topic
-  std::uint64_t others_changes_ = 0;                      // that were sent
-  std::uint64_t setups_ = 0, jumps_ = 0;                  // that the writer was made for
+  std::uint64_t setups_ = 0, jumps_ = 0;  // that the writer was made for
 };
 
 }  // namespace murosimf::web

@@ -1,9 +1,11 @@
 #include "murosimf/web/html_recording.h"
 
-#include <cmath>
+#include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
+#include "murosimf/connect/drawn.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/web/entity_states.h"
@@ -60,6 +62,8 @@ HtmlRecording::HtmlRecording(scene::Scene& scene, HtmlOptions options)
 void HtmlRecording::start() {
   times_.clear();
   frames_.clear();
+  drawings_ = {};
+  drawn_.reset();
   scene_.simulation().at(scene_.simulation().now(), [this] { look(); });
 }
 
@@ -75,6 +79,18 @@ void HtmlRecording::take_frame() {
   take_poses(simulation.world(), poses_);
   times_.push_back(poses_.time);
   frames_.push_back(pose_message(document_, poses_, 0, false));
+  take_drawings();
+}
+
+void HtmlRecording::take_drawings() {
+  const World& world = scene_.simulation().world();
+  const auto others = options_.others ? options_.others->shown() : nullptr;
+  const std::pair now{connect::drawn_changes(world), others ? others->changes : 0};
+  if (drawn_ == now) return;
+  drawn_ = now;
+  std::vector<connect::Drawn> all = connect::drawn_by_robots(world);
+  if (others) std::ranges::move(connect::drawn_by_others(*others, connect::teams_of(world)), std::back_inserter(all));
+  drawings_.take(times_.size() - 1, all);
 }
 
 std::string HtmlRecording::packed() const {
@@ -84,6 +100,7 @@ std::string HtmlRecording::packed() const {
                       {"words", frames_.front().size() / 2},
                       {"lines", lines_of(simulation)},
                       {"entities", entity_states(simulation.world())}};
+  if (!drawings_.empty()) text["drawings"] = drawings_.object();
   const std::string head = json_line(text);
   std::string bytes;
   put_u32(bytes, static_cast<std::uint32_t>(head.size()));

@@ -1,19 +1,24 @@
-/// html_recording.h - a run as one HTML file that plays by itself in any browser: page, looks and poses in it.
+/// html_recording.h - a run as one HTML file that plays by itself in any browser: page, looks, poses and drawings in it.
 ///
 ///     scene::Scene scene("three_on_three");
 ///     web::HtmlRecording recording(scene, {.file = "game.html"});
 ///     scene.simulation().run(60s);
 ///     recording.finish();
 ///
-/// Poses are rounded as in pose_message.h, and stored as docs/web.md says. Recording changes no result.
+/// Poses are rounded as in pose_message.h, drawings to 1 mm, and stored as docs/web.md says. Recording changes no result.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/runtime/pose_frame.h"
 #include "murosimf/scene/scene.h"
+#include "murosimf/web/drawing_tracks.h"
 #include "murosimf/web/scene_document.h"
 
 namespace murosimf::web {
@@ -22,6 +27,8 @@ struct HtmlOptions {
   std::filesystem::path file;
   double rate = 25;      ///< [Hz] of frames; the page shows what is between them
   bool by_hand = false;  ///< frames are those of take_frame() alone: of a scene that makes no steps
+  const connect::DrawingBoard* others =
+      nullptr;  ///< what other programs draw; must outlive the recording; null: they do not
 };
 
 /// It must live as long as the run lasts, and the scene longer.
@@ -41,6 +48,7 @@ class HtmlRecording {
  private:
   void start();
   void look();
+  void take_drawings();
   [[nodiscard]] std::string packed() const;
 
   scene::Scene& scene_;
@@ -50,6 +58,8 @@ class HtmlRecording {
   std::vector<Duration> times_;
   std::vector<std::string> frames_;  // pose messages, all of the same size
   PoseFrame poses_;
+  DrawingTracks drawings_;
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> drawn_;  // changes that were taken, of robots and of others
 };
 
 /// Frames of equal size as columns of differences, which compress well: word by word (16 bits) the differences from frame to frame, low

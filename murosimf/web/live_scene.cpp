@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "murosimf/connect/roboviz_door.h"
 #include "murosimf/web/drawings_message.h"
 #include "murosimf/web/entity_states.h"
 #include "murosimf/web/json_line.h"
@@ -103,8 +102,7 @@ struct LiveScene::Visit {
     known_drawings = changes_of_drawings;
     if (!is_new_drawing) return;
     drawn = connect::drawn_by_robots(world);
-    teams.clear();
-    for (const auto& entity : world.entities()) teams.push_back(entity->options().team);
+    teams = connect::teams_of(world);
   }
 };
 
@@ -153,7 +151,7 @@ void LiveScene::take(const Visit& visit) {
 }
 
 void LiveScene::take_drawings(const Visit& visit) {
-  const auto others = roboviz_ ? roboviz_->shown() : nullptr;
+  const auto others = others_ ? others_->shown() : nullptr;
   const std::uint64_t changes_of_others = others ? others->changes : 0;
   if (!visit.is_new_drawing && changes_of_others == drawn_by_others_) return;
   drawn_by_others_ = changes_of_others;

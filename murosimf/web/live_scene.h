@@ -14,15 +14,13 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/connect/drawn.h"
 #include "murosimf/runtime/pose_feed.h"
 #include "murosimf/session/session.h"
 #include "murosimf/web/outbox.h"
 #include "murosimf/web/scene_document.h"
 
-namespace murosimf::connect {
-class RobovizDoor;
-}
 namespace murosimf::league {
 class GameTask;
 }
@@ -54,10 +52,10 @@ struct News {
 
 class LiveScene {
  public:
-  /// `poses`: of the scene's simulation; `game`: null if nobody referees; `roboviz`: null if no other program draws. All must outlive it.
+  /// `poses`: of the scene's simulation; `game`: null if nobody referees; `others`: null if no other program draws. All must outlive it.
   LiveScene(session::Session& session, PoseFeed& poses, const league::GameTask* game,
-            const connect::RobovizDoor* roboviz = nullptr)
-      : session_(session), poses_(poses), game_(game), roboviz_(roboviz) {}
+            const connect::DrawingBoard* others = nullptr)
+      : session_(session), poses_(poses), game_(game), others_(others) {}
 
   void join(const Onlooker& onlooker) { onlookers_.push_back(&onlooker); }
   void leave(const Onlooker& onlooker) { std::erase(onlookers_, &onlooker); }
@@ -85,7 +83,7 @@ class LiveScene {
   session::Session& session_;
   PoseFeed& poses_;
   const league::GameTask* game_;
-  const connect::RobovizDoor* roboviz_;
+  const connect::DrawingBoard* others_;
   std::vector<const Onlooker*> onlookers_;
   News news_, last_;
   std::shared_ptr<const SceneDocument> scene_;

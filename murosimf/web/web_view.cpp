@@ -20,8 +20,8 @@ constexpr std::string_view page_missing =
 
 struct WebView::Inside {
   Inside(scene::Scene& scene, session::Session& session, const WebOptions& options)
-      : live(session, scene.simulation().poses(), options.game, options.roboviz),
-        foxglove(session, options.roboviz),
+      : live(session, scene.simulation().poses(), options.game, options.others),
+        foxglove(session, options.others),
         token(new_token()),
         server(options_of(options)) {}
 

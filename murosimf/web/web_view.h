@@ -11,12 +11,10 @@
 #include <memory>
 #include <string>
 
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/session/session.h"
 #include "murosimf/wire/socket.h"
 
-namespace murosimf::connect {
-class RobovizDoor;
-}
 namespace murosimf::league {
 class GameTask;
 }
@@ -26,7 +24,7 @@ namespace murosimf::web {
 struct WebOptions {
   wire::Address address;
   const league::GameTask* game = nullptr;         ///< whose score is shown; must outlive the view
-  const connect::RobovizDoor* roboviz = nullptr;  ///< whose drawings are shown; must outlive the view
+  const connect::DrawingBoard* others = nullptr;  ///< whose drawings are shown; must outlive the view
 };
 
 class WebView {

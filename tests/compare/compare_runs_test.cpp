@@ -134,7 +134,7 @@ TEST_P(Experiments, NeedTheLevelThatTheirPhysicsNeeds) {
 
 TEST(Compare, OtherRobotsStayAsTheyAre) {
   CompareOptions options = experiment("duel", "blue1");
-  options.duration = 0.5;
+  options.end = 0.5;
   options.levels = {"simplified_dynamics", "kinematic_walking"};
   const Comparison c = compare(options);
   ASSERT_EQ(c.entries.size(), 2U);
@@ -145,7 +145,7 @@ TEST(Compare, OtherRobotsStayAsTheyAre) {
 
 TEST(Compare, AsksEveryLawButOnlyWhereThereIsContact) {
   CompareOptions options = experiment("walk", "walker");
-  options.duration = 0.2;
+  options.end = 0.2;
   options.contacts = {"implicit_stick", "paper"};
   const Comparison c = compare(options);
   ASSERT_EQ(c.entries.size(), 7U);
@@ -156,7 +156,7 @@ TEST(Compare, AsksEveryLawButOnlyWhereThereIsContact) {
 
 TEST(Compare, LevelsThatTheModelCannotHaveAreListed) {
   CompareOptions options = experiment("car_crash", "car");
-  options.duration = 0.1;
+  options.end = 0.1;
   const Comparison c = compare(options);
   EXPECT_NE(c.entries[0].refusal.find("0 soles"), std::string::npos);
   EXPECT_TRUE(c.entries[1].ran());
@@ -164,7 +164,7 @@ TEST(Compare, LevelsThatTheModelCannotHaveAreListed) {
 
 TEST(Compare, TheSameSeedGivesTheSameRecord) {
   CompareOptions options = experiment("three_on_three", "red1");
-  options.duration = 0.5;
+  options.end = 0.5;
   options.levels = {"full_dynamics"};
   options.seed = 7;
   const auto end = [&] { return compare(options).entries[0].measures.end; };
@@ -198,7 +198,7 @@ struct Thrown {
 TEST(Compare, FromAStateAllLevelsBeginThere) {
   const Thrown thrown;
   CompareOptions options = experiment("push", "robot");
-  options.duration = 1;
+  options.end = 1;
   options.go_to_start = [&](scene::Scene& scene) { scene.load(thrown.state); };
   const Comparison c = compare(options);
   EXPECT_DOUBLE_EQ(c.start, Thrown::start);
@@ -221,7 +221,7 @@ TEST(Compare, FromAStateAllLevelsBeginThere) {
 TEST(Compare, FromAStateItEndsLater) {
   const Thrown thrown;
   CompareOptions options = experiment("push", "robot");
-  options.duration = 0.1;
+  options.end = 0.1;
   options.go_to_start = [&](scene::Scene& scene) { scene.load(thrown.state); };
   EXPECT_THROW((void)compare(options), SetupError);
 }
@@ -248,8 +248,8 @@ TEST(Compare, SaysWhatIsWrong) {
   EXPECT_NE(with([](auto& o) { o.levels = {"full"}; }).find("did you mean 'full_dynamics'?"), std::string::npos);
   EXPECT_NE(with([](auto& o) { o.contacts = {"papr"}; }).find("did you mean 'paper'?"), std::string::npos);
   EXPECT_NE(with([](auto& o) { o.overrides = {"robot.levl=x"}; }).find("did you mean 'level'?"), std::string::npos);
-  for (const double duration : {0.0, -1.0, std::nan(""), 1e9}) {
-    EXPECT_NE(with([&](auto& o) { o.duration = duration; }).find("--duration"), std::string::npos) << duration;
+  for (const double end : {0.0, -1.0, std::nan(""), 1e9}) {
+    EXPECT_NE(with([&](auto& o) { o.end = end; }).find("--duration"), std::string::npos) << end;
   }
   EXPECT_NE(with([](auto& o) { o.repeat = 0; }).find("--repeat 0"), std::string::npos);
   EXPECT_NE(refusal(experiment("changing_levels", "walker")).find("changes on the way"), std::string::npos);

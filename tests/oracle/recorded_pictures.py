@@ -19,7 +19,8 @@ try:
     import numpy as np
     from mcap.reader import make_reader
     from mcap_protobuf.decoder import DecoderFactory
-    from recording_against_official import check_schemas, mistakes, positions, rotation
+    from mistakes import check, end
+    from recording_against_official import check_schemas, positions, rotation
 except ImportError as missing:
     print(f"skipped: {missing}; pip install mcap mcap-protobuf-support foxglove-schemas-protobuf opencv-python-headless")
     sys.exit(77)
@@ -27,12 +28,6 @@ except ImportError as missing:
 SCENE, CAMERA, BALL, DURATION = "three_on_three", "red2.camera", "ball/ball", 1
 # No lens, and one that bends what is seen.
 LENSES = [[], ["calibration='wolfgang_amy'"]]
-
-
-def check(good, text):
-    """Notes what is wrong."""
-    if not good:
-        mistakes.append(text)
 
 
 def words(changes):
@@ -125,10 +120,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         compared = sum(compare(sys.argv[1], Path(name), changes) for changes in LENSES)
     check(compared >= 3 * len(LENSES), f"only {compared} pictures")
-    for mistake in mistakes[:20]:
-        print(mistake)
-    print(f"{compared} pictures, {len(mistakes)} mistakes")
-    sys.exit(1 if mistakes else 0)
+    end(f"{compared} pictures, ")
 
 
 if __name__ == "__main__":

@@ -22,20 +22,13 @@ try:
     from google.protobuf import descriptor_pb2
     from mcap.reader import make_reader
     from mcap_protobuf.decoder import DecoderFactory
+    from mistakes import check, end
 except ImportError as missing:
     print(f"skipped: {missing}; pip install mcap mcap-protobuf-support foxglove-schemas-protobuf")
     sys.exit(77)
 
 # Half a step of what is recorded, and for poses of what adds up along a leg of 0.5 m with seven joints.
 JOINT, VELOCITY, LEG = 2.0**-15, 2.0**-6, 2.5e-4
-
-mistakes = []
-
-
-def check(good, text):
-    """Notes what is wrong."""
-    if not good:
-        mistakes.append(text)
 
 
 def record(program, folder, scene, log, *words):
@@ -153,10 +146,7 @@ def main():
         check(any(path.endswith("nudge.toml") for path in metadata["files"]), f"no scene in {metadata['files']}")
         topics = {c.topic: summary.statistics.channel_message_counts.get(i, 0) for i, c in summary.channels.items()}
         check(topics["/tf"] == 201 and topics["/state_hash"] == 3 and topics["/scene"] >= 1, f"counts: {topics}")
-    for mistake in mistakes[:20]:
-        print(mistake)
-    print(f"{len(mistakes)} mistakes")
-    sys.exit(1 if mistakes else 0)
+    end()
 
 
 if __name__ == "__main__":

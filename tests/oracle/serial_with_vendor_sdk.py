@@ -28,6 +28,8 @@ if not os.path.exists("/dev/ptmx"):
     print("skipped: there are no pseudo terminals here")
     sys.exit(77)
 
+from mistakes import end, mistakes
+
 sdk.port_handler.LATENCY_TIMER = 200  # [ms] of its time-outs: machines that test are busy
 SERVOS = list(range(1, 22))  # of kid21
 IMU = 200
@@ -36,8 +38,6 @@ MIDDLE, PER_RADIAN = 2048, 4096 / 6.283185307179586
 V1 = {"protocol": 1.0, "torque": 24, "led": 25, "goal": 30, "present": 36, "voltage": 42, "size": 2, "models": {29, 310}}
 V2 = {"protocol": 2.0, "torque": 64, "led": 65, "goal": 116, "present": 132, "voltage": 144, "size": 4, "models": {30, 311}}
 X = {**V2, "models": {1020}}
-
-mistakes = []
 
 
 def expect(what, got, wanted):
@@ -237,10 +237,7 @@ def main():
         with Robot(program, folder, X, **{"options.bus": f"{folder}/x.csv"}) as robot:
             check_bus(robot)
         check_walk(program, folder)
-    for mistake in mistakes:
-        print(mistake)
-    print("as on the bus" if not mistakes else f"{len(mistakes)} mistakes")
-    sys.exit(1 if mistakes else 0)
+    end()
 
 
 def joints_of(program):

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "murosimf/connect/drawing_board.h"
 #include "murosimf/model/drawing.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
@@ -140,6 +141,36 @@ TEST(RecordedCourse, DrawingsAreThoseOfThatTime) {
     EXPECT_EQ(drawn.groups.size(), groups) << seconds(time);
     EXPECT_EQ(drawn.changes == changes, time == 160ms) << seconds(time);
     changes = drawn.changes;
+  }
+}
+
+TEST(RecordedCourse, DrawingsOfOtherProgramsAreThoseOfThatTime) {
+  connect::PinnedDrawings live;
+  fixtures::RepeatableRun run{.scene = "walk", .time = 300ms};
+  run.options.others = &live;
+  run.when_built = [&](scene::Scene& scene) {
+    scene.simulation().at(100ms, [&] {
+      connect::DrawnByOthers drawn;
+      drawn.groups.push_back({.name = "way"});
+      drawn.groups[0].shapes.push_back({.kind = DrawnShape::circle, .points = {{1, 2, 0}}});
+      live.pin(std::move(drawn));
+    });
+    scene.simulation().at(200ms, [&] { live.pin({}); });
+  };
+  const auto recorded = std::make_shared<const recording::RecordedRun>(fixtures::record("drawn_by_others.mcap", run));
+  const auto shown = std::make_shared<connect::PinnedDrawings>();
+  for (int reload = 0; reload < 2; ++reload) {
+    playback::RecordedCourse course(recorded, {}, shown);
+    course.begin();
+    EXPECT_TRUE(shown->shown()->groups.empty()) << "what an earlier course showed is gone";
+    std::uint64_t changes = shown->shown()->changes;
+    for (const auto& [time, groups] :
+         std::vector<std::pair<Duration, std::size_t>>{{250ms, 0}, {150ms, 1}, {160ms, 1}, {50ms, 0}, {140ms, 1}}) {
+      course.seek(time, {}, [] { return false; });
+      EXPECT_EQ(shown->shown()->groups.size(), groups) << seconds(time);
+      EXPECT_EQ(shown->shown()->changes == changes, time == 160ms) << seconds(time);
+      changes = shown->shown()->changes;
+    }
   }
 }
 

@@ -87,21 +87,22 @@ std::map<int, int> counts_of(ProtobufReader in) {
 }
 
 TEST(RecordedDrawings, AreReadBackAsTheyWereAtATime) {
+  const DrawingTopic robot{false, "robot"};
   const McapReader file(recorded());
   DrawingReader drawings(file);
   EXPECT_EQ(drawings.robots(), std::set<std::string>{"robot"});
   EXPECT_TRUE(drawings.news(90ms).empty());
   const auto both = drawings.news(200ms);
   ASSERT_EQ(both.size(), 1U);
-  ASSERT_EQ(both.at("robot").size(), 2U);
-  expect_same(both.at("robot")[0], of_all_kinds());
-  expect_same(both.at("robot")[1], of_robot());
+  ASSERT_EQ(both.at(robot).size(), 2U);
+  expect_same(both.at(robot)[0], of_all_kinds());
+  expect_same(both.at(robot)[1], of_robot());
   EXPECT_TRUE(drawings.news(250ms).empty()) << "nothing is new";
-  EXPECT_EQ(drawings.news(0ms).at("robot").size(), 0U) << "nobody has drawn yet";
+  EXPECT_EQ(drawings.news(0ms).at(robot).size(), 0U) << "nobody has drawn yet";
   for (const Duration later : {300ms, 4000ms, 7000ms}) {
     const auto one = DrawingReader(file).news(later);
-    ASSERT_EQ(one.at("robot").size(), 1U) << seconds(later);
-    expect_same(one.at("robot")[0], of_all_kinds());
+    ASSERT_EQ(one.at(robot).size(), 1U) << seconds(later);
+    expect_same(one.at(robot)[0], of_all_kinds());
   }
 }
 
@@ -144,13 +145,13 @@ TEST(RecordedDrawings, AreEntitiesOfFoxglove) {
 }
 
 TEST(RecordedDrawings, DamageIsSaid) {
-  const RecordedEntity robot{.entity = nullptr, .name = "one", .links = {}, .joints = {}, .columns = {}};
-  const std::string message = drawing_message(1s, robot, {of_all_kinds()});
-  EXPECT_EQ(read_drawing_message(message, "one").size(), 1U);
-  EXPECT_THROW((void)read_drawing_message(message, "two"), SetupError);
+  const DrawingTopic one{false, "one"}, two{false, "two"};
+  const std::string message = drawing_message(1s, {.topic = one, .base = "", .groups = {of_all_kinds()}});
+  EXPECT_EQ(read_drawing_message(message, one).size(), 1U);
+  EXPECT_THROW((void)read_drawing_message(message, two), SetupError);
   for (std::size_t size = 1; size + 1 < message.size(); size += 7) {
     try {
-      (void)read_drawing_message(std::string_view(message).substr(0, size), "one");
+      (void)read_drawing_message(std::string_view(message).substr(0, size), one);
     } catch (const SetupError& error) {
       EXPECT_STRNE(error.what(), "");
     }

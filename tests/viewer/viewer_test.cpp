@@ -312,7 +312,7 @@ void draw_circle(std::uint16_t port) {
 TEST(Viewer, ShowsWhatOthersDraw) {
   const connect::RobovizDoor door({"127.0.0.1", 0});
   ViewerOptions options = options_with(dynamic, 200ms);
-  options.roboviz = &door;
+  options.others = &door;
   Viewer viewer(options);
   const auto shapes = [&] { return viewer.drawings_in(viewer.rig.view(viewer.rig_view(), 800, 600)); };
   EXPECT_TRUE(shapes().empty());

@@ -257,6 +257,81 @@ async function testExport() {
   await page.close();
 }
 
+// As agents of the league send them for RoboViz: a circle of the set `name`, which is shown; a radius of 0: nothing is.
+function circlePacket(name, radius) {
+  const show = Buffer.from(`\0\0${name}\0`);
+  const numbers = [0.5, 0.25, radius, 2].map((one) => one.toFixed(4).slice(0, 6)).join("");
+  const circle = Buffer.concat([Buffer.from([1, 0]), Buffer.from(numbers), Buffer.from([255, 128, 0]), Buffer.from(`${name}\0`)]);
+  return radius > 0 ? Buffer.concat([circle, show]) : show;
+}
+
+// Another program draws a circle, and takes it away; what time that was, a recording says in every form.
+async function testDrawingsOfThen() {
+  const html = join(pictures, "drawn.html"), file = join(pictures, "drawn.mcap");
+  const child = spawn(program, ["run", "three_on_three", "--duration", "4", "--speed", "1", "--roboviz", "0", "--html", html,
+    "--record", file], { stdio: ["ignore", "ignore", "pipe"] });
+  children.add(child);
+  const port = await new Promise((done) => child.stderr.on("data", (text) => {
+    const found = /RoboViz on 127.0.0.1:(\d+)/.exec(text);
+    if (found) done(Number(found[1]));
+  }));
+  const door = createSocket("udp4"), ended = new Promise((done) => { child.on("exit", done); });
+  for (const radius of [0.5, 1, 0]) {
+    await new Promise((done) => { setTimeout(done, 800); });
+    await new Promise((done) => { door.send(circlePacket("blue.1.plan", radius), port, "127.0.0.1", done); });
+  }
+  door.close();
+  assert.equal(await ended, 0);
+  const replay = await serve("replay", file);
+  const spans = [];
+  for (const address of [pathToFileURL(html).href, replay.address]) {
+    const page = await open(address);
+    if (!(await state(page)).paused) await page.click("#play");
+    await until(page, (now) => now.paused, "paused");
+    spans.push(await timesOfRadii(page));
+    if (address.startsWith("file:")) await switchGroup(page, spans[0][0].from);
+    await page.close();
+  }
+  await replay.end();
+  for (const span of spans) assert.deepEqual(span.map((one) => one.radius), [0.5, 1], JSON.stringify(spans));
+  for (const i of [0, 1]) assert.ok(Math.abs(spans[0][i].from - spans[1][i].from) < 0.21, JSON.stringify(spans));
+}
+
+const seekTo = (page, to) => page.evaluate((value) => {
+  const time = document.getElementById("time");
+  time.value = String(value);
+  time.dispatchEvent(new Event("change"));
+}, to);
+const radiiDrawn = (page) => page.evaluate(() => window.murosimf.view.drawings.world.children.flatMap((group) =>
+  group.children.map((ring) => (ring.geometry.parameters.innerRadius + ring.geometry.parameters.outerRadius) / 2)));
+
+// From when to when which circle is seen, by going through the time line backward.
+async function timesOfRadii(page) {
+  const found = [];
+  for (let tenth = 38; tenth >= 0; --tenth) {
+    await seekTo(page, tenth / 10);
+    await until(page, (now) => Math.abs(now.time - tenth / 10) < 0.02, "there");
+    await page.waitForTimeout(150); // the server looks for drawings up to 25 times per second
+    const [radius] = await radiiDrawn(page);
+    if (radius === undefined) continue;
+    if (found[0] && Math.abs(found[0].radius - radius) < 1e-6) found[0].from = tenth / 10;
+    else found.unshift({ radius: Math.round(1000 * radius) / 1000, from: tenth / 10, to: tenth / 10 });
+  }
+  return found;
+}
+
+async function switchGroup(page, time) {
+  await seekTo(page, time);
+  await page.waitForFunction(() => window.murosimf.view.drawings.world.children.length === 1);
+  const box = page.locator("label:has-text('roboviz/blue.1.plan') input");
+  await box.waitFor({ timeout: 20000 });
+  await page.screenshot({ path: join(pictures, "drawn.png") });
+  await box.uncheck();
+  assert.deepEqual(await radiiDrawn(page), []);
+  await box.check();
+  assert.equal((await radiiDrawn(page)).length, 1);
+}
+
 // A recording: played by the server over all of its time, and as one file.
 async function testRecording() {
   const file = join(pictures, "game.mcap"), html = join(pictures, "recording.html");
@@ -288,7 +363,7 @@ async function testRecording() {
 }
 
 let failed = false;
-for (const test of [testDesktop, testPhone, testReconnect, testExport, testRecording]) {
+for (const test of [testDesktop, testPhone, testReconnect, testExport, testRecording, testDrawingsOfThen]) {
   problems.length = 0;
   try {
     await test();

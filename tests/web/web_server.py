@@ -11,6 +11,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import urllib.error
 import urllib.request
@@ -71,6 +72,32 @@ class Entry(unittest.TestCase):
             with self.assertRaises(Refused):
                 Client(run.port)
             Client(run.port, path=f"/?token={run.token}").close()
+
+    def test_html_file_has_what_was_drawn_at_its_time(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file, recorded, replayed = (Path(folder, name) for name in ("live.html", "run.mcap", "replayed.html"))
+            command = [PROGRAM, "run", "walk", "--duration", "3", "--speed", "1", "--roboviz", "0", "--html", file,
+                       "--record", recorded]
+            with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as run, \
+                    socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as agent:
+                agent.connect(("127.0.0.1", int(re.search(r"127.0.0.1:(\d+) \(UDP\)", run.stderr.readline())[1])))
+                for packet in (circle(b"way", 1.5, -0.25, 0.5), circle(b"way", 1.75, -0.25, 0.5), bytes([0, 0]) + b"way\0"):
+                    time.sleep(0.5)
+                    agent.send(packet)
+                run.wait(timeout=60)
+            subprocess.run([PROGRAM, "replay", recorded, "--html", replayed], capture_output=True, check=True)
+            found = [recording_of(one)[0] for one in (file, replayed)]
+        frames = []
+        for text in found:
+            self.assertEqual(text["drawings"]["looks"], [["circle", 0.5, 1, 0.502, 0, 1, "", 1]])
+            track, = text["drawings"]["tracks"]
+            self.assertEqual([track[key] for key in ("by", "entity", "name", "of_robot")], ["roboviz", -1, "way", False])
+            self.assertEqual(track["points"], [[1500, -250, 5], [250, 0, 0], []])
+            self.assertEqual(track["looks"], [[0], None, []])
+            frames.append([sum(track["frames"][:i + 1]) for i in range(3)])
+        live, then = frames
+        self.assertLess(max(abs(a - b) for a, b in zip(live, then, strict=True)), 3, f"frames of 40 ms: {frames}")
+        self.assertEqual(live, sorted(set(live)))
 
     def test_port_in_use(self):
         with socket.socket() as taken:
@@ -188,6 +215,14 @@ class Steering(unittest.TestCase):
         self.assertEqual(json.loads(alone.stdout)["state_hash"], report["state_hash"])
 
 
+def recording_of(file):
+    """What an HTML file says, and how many bytes follow on it."""
+    page = file.read_text(encoding="utf-8")
+    recording = gzip.decompress(base64.b64decode(re.search(r'id="recording"[^>]*>([^<]*)<', page)[1]))
+    size = int.from_bytes(recording[:4], "little")
+    return json.loads(recording[4:4 + size]), len(recording) - 4 - size
+
+
 class Export(unittest.TestCase):
     def test_the_file_is_small_and_the_run_the_same(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -197,12 +232,10 @@ class Export(unittest.TestCase):
             alone = subprocess.run(words, capture_output=True, check=True, text=True)
             self.assertEqual(json.loads(made.stdout)["state_hash"], json.loads(alone.stdout)["state_hash"])
             self.assertLess(file.stat().st_size, 5_000_000)
-            page = file.read_text(encoding="utf-8")
-        recording = gzip.decompress(base64.b64decode(re.search(r'id="recording"[^>]*>([^<]*)<', page)[1]))
-        size = int.from_bytes(recording[:4], "little")
-        text = json.loads(recording[4:4 + size])
+            text, others = recording_of(file)
         self.assertEqual(text["frames"], 60 * 25 + 1)
-        self.assertEqual(len(recording), 4 + size + text["scene_bytes"] + 2 * text["words"] * text["frames"])
+        self.assertEqual(others, text["scene_bytes"] + 2 * text["words"] * text["frames"])
+        self.assertNotIn("drawings", text)
 
     def test_what_cannot_be_written(self):
         for words, said in ((["--html", "/nosuch/game.html"], "/nosuch"), (["--html-rate", "9"], "--html"),
@@ -256,6 +289,32 @@ class Drawings(unittest.TestCase):
         alone = subprocess.run([PROGRAM, "run", "walk", "--duration", "0.5", "--json", "-"], capture_output=True, check=True)
         self.assertEqual(report["state_hash"], json.loads(alone.stdout)["state_hash"])
         self.assertIsNone(json.loads(alone.stdout)["drawings"])
+
+    def test_html_file_has_what_was_drawn_at_its_time(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file, recorded, replayed = (Path(folder, name) for name in ("live.html", "run.mcap", "replayed.html"))
+            command = [PROGRAM, "run", "walk", "--duration", "3", "--speed", "1", "--roboviz", "0", "--html", file,
+                       "--record", recorded]
+            with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as run, \
+                    socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as agent:
+                agent.connect(("127.0.0.1", int(re.search(r"127.0.0.1:(\d+) \(UDP\)", run.stderr.readline())[1])))
+                for packet in (circle(b"way", 1.5, -0.25, 0.5), circle(b"way", 1.75, -0.25, 0.5), bytes([0, 0]) + b"way\0"):
+                    time.sleep(0.5)
+                    agent.send(packet)
+                run.wait(timeout=60)
+            subprocess.run([PROGRAM, "replay", recorded, "--html", replayed], capture_output=True, check=True)
+            found = [recording_of(one)[0] for one in (file, replayed)]
+        frames = []
+        for text in found:
+            self.assertEqual(text["drawings"]["looks"], [["circle", 0.5, 1, 0.502, 0, 1, "", 1]])
+            track, = text["drawings"]["tracks"]
+            self.assertEqual([track[key] for key in ("by", "entity", "name", "of_robot")], ["roboviz", -1, "way", False])
+            self.assertEqual(track["points"], [[1500, -250, 5], [250, 0, 0], []])
+            self.assertEqual(track["looks"], [[0], None, []])
+            frames.append([sum(track["frames"][:i + 1]) for i in range(3)])
+        live, then = frames
+        self.assertLess(max(abs(a - b) for a, b in zip(live, then, strict=True)), 3, f"frames of 40 ms: {frames}")
+        self.assertEqual(live, sorted(set(live)))
 
     def test_port_in_use(self):
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:

@@ -2,6 +2,7 @@
 import { blend, readPoses, type Poses } from "./poses";
 import { SceneDocument } from "./scene";
 import type { EntityState, Line, Listener, Source } from "./source";
+import { type DrawingsText, Tracks } from "./tracks";
 
 interface RecordingText {
   scene_bytes: number;
@@ -9,6 +10,7 @@ interface RecordingText {
   words: number; // numbers of 16 bits of a frame
   lines: Line[];
   entities: EntityState[];
+  drawings?: DrawingsText;
 }
 
 async function unpacked(base64: string): Promise<ArrayBuffer> {
@@ -37,6 +39,8 @@ export class Player implements Source {
   readonly live = false;
   private frames: Poses[] = [];
   private text: RecordingText | undefined;
+  private tracks: Tracks | undefined;
+  private drawn = ""; // versions of the tracks
   private time = 0;
   private paused = false;
   private speed = 1;
@@ -90,6 +94,7 @@ export class Player implements Source {
     this.listener.scene(new SceneDocument(new Uint8Array(data, scene, this.text.scene_bytes)));
     this.frames = frames(new Uint8Array(data, planes), this.text.frames, this.text.words).map((frame) => readPoses(frame));
     this.listener.lines(this.text.lines);
+    if (this.text.drawings) this.tracks = new Tracks(this.text.drawings);
     this.time = this.begin();
     this.show();
     this.tell();
@@ -117,6 +122,16 @@ export class Player implements Source {
     if (!a || !b) return;
     const share = b.time > a.time ? Math.min(1, Math.max(0, (this.time - a.time) / (b.time - a.time))) : 1;
     this.listener.poses(share === 1 ? b : blend(a, b, share));
+    this.draw(this.time >= b.time ? next : next - 1);
+  }
+
+  // What was drawn at that frame, if it is not seen already.
+  private draw(frame: number): void {
+    if (!this.tracks) return;
+    const versions = this.tracks.at(frame), now = versions.join();
+    if (now === this.drawn) return;
+    this.drawn = now;
+    this.listener.drawings(this.tracks.drawn(versions));
   }
 
   private tell(): void {

@@ -1,0 +1,50 @@
+/// drawing_tracks.h - what is drawn for people who watch (connect/drawn.h), over all frames of an HTML file: a track for each group, which
+/// says only what has changed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "murosimf/connect/drawn.h"
+
+namespace murosimf::web {
+
+class DrawingTracks {
+ public:
+  /// All that is drawn from this frame on, which is none of those before.
+  void take(std::size_t frame, const std::vector<connect::Drawn>& all);
+  [[nodiscard]] bool empty() const { return tracks_.empty(); }
+
+  /// `{looks: [[kind, size, red, green, blue, opacity, words, points]], tracks: [{entity, by, name, of_robot, frames, looks, points}]}`.
+  /// Each version of a group has one number in `frames`, how many frames after the version before, and one element in the other two:
+  /// `looks` has one number for each shape, null if they are those before, none if the group is gone; `points` are all coordinates [mm],
+  /// as differences to the version before if that has as many.
+  [[nodiscard]] nlohmann::json object() const;
+
+ private:
+  using Numbers = std::vector<std::int64_t>;
+  struct Version {
+    std::size_t frame = 0;
+    bool same_looks = false;
+    Numbers looks, points;
+  };
+  struct Track {
+    Numbers looks, points;  // of the last version
+    std::vector<Version> versions;
+  };
+  using Key = std::tuple<int, std::string, std::string, bool>;  // entity, by, name, of_robot
+  std::int64_t look_of(const DrawnShape& shape);
+  static void add(Track& track, std::size_t frame, Numbers looks, Numbers points);
+
+  std::map<Key, Track> tracks_;
+  std::map<std::string, std::int64_t> looks_;  // by JSON text
+  std::vector<std::string> looks_in_order_;
+};
+
+}  // namespace murosimf::web
