@@ -48,6 +48,7 @@ export interface DrawnShape {
   color: number[];
   opacity: number;
   words: string;
+  triangles?: number[][]; // of a polygon: numbers of points
 }
 
 // Groups of one who draws for people.
