@@ -1,6 +1,7 @@
 #include "murosimf/web/foxglove_live.h"
 
 #include <algorithm>
+#include <deque>
 #include <exception>
 #include <set>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include "murosimf/connect/drawn.h"
 #include "murosimf/connect/roboviz_door.h"
+#include "murosimf/recording/recorded_picture.h"
 
 namespace murosimf::web {
 namespace {
@@ -32,6 +34,8 @@ struct FoxgloveLive::Visit {
   std::size_t count = 0;  // of entities in the world
   std::vector<recording::RecordedEntity> entities;
   std::vector<recording::RecordedSensor> sensors;
+  std::vector<recording::RecordedCamera> cameras;
+  std::shared_ptr<std::deque<sensors::CameraFrame>> infos;  // that `cameras` point to: copies, without pictures
   std::unique_ptr<recording::SceneLooks> looks;
   recording::SketchWatch sketches;
   std::vector<std::string> teams;   // of all entities of the world
@@ -49,6 +53,11 @@ struct FoxgloveLive::Visit {
     changes = scene.parts().changes_to_see;
     entities = recording::recorded_entities(world);
     sensors = recording::recorded_sensors(world);
+    cameras = recording::recorded_cameras(entities);
+    infos = std::make_shared<std::deque<sensors::CameraFrame>>();
+    for (recording::RecordedCamera& camera : cameras) {
+      camera.shown = &infos->emplace_back(sensors::CameraFrame{.info = camera.shown->info});
+    }
     looks = std::make_unique<recording::SceneLooks>(scene, entities);
     scene_name = scene.spec().name;
     sketches = recording::SketchWatch(true);
@@ -91,7 +100,103 @@ struct FoxgloveLive::Visit {
   }
 };
 
+/// Encoded in a thread of its own: a picture takes longer than the server may sleep.
+struct FoxgloveLive::Pictures {
+  struct Sink final : recording::MessageSink {
+    std::uint16_t add_schema(const std::string&, const std::string&, std::string) override { return 0; }
+    std::uint16_t add_channel(const std::string&, const std::string&, std::uint16_t, recording::TextMap) override {
+      return 0;
+    }
+    void write(std::uint16_t channel, Duration time, std::string_view data) override {
+      packets.push_back({.channel = channel, .time = time, .bytes = std::make_shared<const std::string>(data)});
+    }
+    std::vector<Packet> packets;
+  };
+
+  Pictures(const Visit& visit, recording::FrameWriter& channels)
+      : infos(visit.infos), cameras(visit.cameras), writer(sink, channels, cameras) {}
+
+  std::vector<Packet> encode(const recording::RecordedFrame& frame) {
+    sink.packets.clear();
+    writer.write(frame);
+    return std::move(sink.packets);
+  }
+
+  std::shared_ptr<std::deque<sensors::CameraFrame>> infos;
+  std::vector<recording::RecordedCamera> cameras;
+  Sink sink;
+  recording::PictureWriter writer;
+  std::map<std::string, std::uint64_t> told;  // numbers (SeenPicture)
+  std::future<std::vector<Packet>> encoded;   // waits when it is destroyed
+};
+
+namespace {
+
+constexpr std::string_view of_cameras = "/cameras/";
+
+/// "blue1.camera" of "/cameras/blue1/camera/image"; empty: of no camera.
+std::string camera_of(const std::string& topic) {
+  const std::size_t end = topic.rfind('/');
+  if (!topic.starts_with(of_cameras) || end <= of_cameras.size()) return {};
+  std::string camera = topic.substr(of_cameras.size(), end - of_cameras.size());
+  std::ranges::replace(camera, '/', '.');
+  return camera;
+}
+
+}  // namespace
+
+FoxgloveLive::FoxgloveLive(session::Session& session, const OnlookerCameras& cameras,
+                           const connect::RobovizDoor* roboviz)
+    : session_(session), onlooker_cameras_(cameras), roboviz_(roboviz) {}
 FoxgloveLive::~FoxgloveLive() = default;
+
+void FoxgloveLive::subscribe(std::uint16_t channel, bool on) {
+  int& count = subscribers_[channel];
+  count += on ? 1 : -1;
+  if (count > 0) return;
+  subscribers_.erase(channel);
+  const std::string camera = camera_of(channels_[channel - 1U].topic);
+  if (camera.empty()) return;
+  last_.erase(channel);  // who comes later sees what is there then
+  if (pictures_ && !wanted_cameras().contains(camera)) pictures_->told.erase(camera);
+}
+
+std::set<std::string> FoxgloveLive::wanted_cameras() const {
+  std::set<std::string> wanted;
+  for (const auto& [channel, count] : subscribers_) wanted.insert(camera_of(channels_[channel - 1U].topic));
+  wanted.erase("");
+  return wanted;
+}
+
+std::string FoxgloveLive::trouble_of(std::uint16_t channel) const {
+  const std::string camera = camera_of(channels_[channel - 1U].topic);
+  const auto seen = camera.empty() ? std::nullopt : onlooker_cameras_.seen(camera);
+  return seen ? seen->trouble : "";
+}
+
+void FoxgloveLive::take_pictures() {
+  if (!pictures_) return;
+  if (pictures_->encoded.valid()) {
+    if (pictures_->encoded.wait_for(0s) != std::future_status::ready) return;
+    for (const Packet& packet : pictures_->encoded.get()) {
+      if (subscribers_.contains(packet.channel)) put(packet);
+    }
+  }
+  const std::set<std::string> wanted = wanted_cameras();
+  recording::RecordedFrame frame;
+  for (std::size_t i = 0; i < pictures_->cameras.size() && !wanted.empty(); ++i) {
+    const std::string camera = camera_of(pictures_->cameras[i].topic + "/image");
+    const auto seen = wanted.contains(camera) ? onlooker_cameras_.seen(camera) : std::nullopt;
+    if (!seen || !seen->frame || std::exchange(pictures_->told[camera], seen->number) == seen->number) continue;
+    frame.time = seen->frame->time;
+    frame.pictures.push_back(
+        {.camera = i, .taken = seen->frame->time, .color = seen->frame->color, .mosaic = seen->frame->mosaic});
+  }
+  if (frame.pictures.empty()) return;
+  pictures_->encoded = std::async(std::launch::async, [pictures = pictures_.get(), frame = std::move(frame)] {
+    return pictures->encode(frame);
+  });
+}
 
 std::uint16_t FoxgloveLive::add_schema(const std::string& name, const std::string&, std::string data) {
   const auto known = std::ranges::find(schemas_, name, [](const auto& schema) { return schema.first; });
@@ -111,8 +216,11 @@ std::uint16_t FoxgloveLive::add_channel(const std::string& topic, const std::str
 }
 
 void FoxgloveLive::write(std::uint16_t channel, Duration time, std::string_view data) {
-  const Packet packet{.channel = channel, .time = time, .bytes = std::make_shared<const std::string>(data)};
-  last_[channel] = packet;
+  put({.channel = channel, .time = time, .bytes = std::make_shared<const std::string>(data)});
+}
+
+void FoxgloveLive::put(const Packet& packet) {
+  last_[packet.channel] = packet;
   news_.push_back(packet);
 }
 
@@ -169,6 +277,7 @@ void FoxgloveLive::take(Visit& visit) {
   const std::uint64_t jumps = session_.status().jumps;
   if (!writer_ || setups_ != visit.setups || jumps_ != jumps) {  // a writer counts on time that goes on
     renew_writers(visit);
+    if (!pictures_ || setups_ != visit.setups) pictures_ = std::make_unique<Pictures>(visit, *writer_);
     setups_ = visit.setups;
     jumps_ = jumps;
   }
@@ -183,6 +292,7 @@ void FoxgloveLive::take(Visit& visit) {
 void FoxgloveLive::look() {
   news_.clear();
   if (clients_ == 0) return;
+  take_pictures();
   if (visited_.valid()) {
     if (visited_.wait_for(0s) != std::future_status::ready) return;
     try {

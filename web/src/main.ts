@@ -39,6 +39,7 @@ const listener: Listener = {
   lines: (lines) => panel.setLines(lines),
   values: (at, values) => panel.values(at, values),
   picture: (picture) => panel.show_picture(picture),
+  cameraNote: (note) => panel.noteCamera(note),
   drawings(drawn) {
     view.showDrawings(drawn);
     panel.setGroups(view.drawings.names, (name) => view.drawings.isShown(name));

@@ -41,6 +41,13 @@ export interface Picture {
   pixels: Uint8Array; // red, green, blue
 }
 
+// Of the camera that is looked through.
+export interface CameraNote {
+  camera: string;
+  own: boolean; // it draws for itself; else it is drawn for who looks
+  trouble: string; // why there is no picture; empty: all is well
+}
+
 export interface DrawnShape {
   kind: "circle" | "line" | "dots" | "sphere" | "polygon" | "text";
   points: number[][]; // [m]
@@ -65,6 +72,7 @@ export interface Listener {
   lines(lines: Line[]): void;
   values(time: number, values: Record<string, number | null>): void;
   picture(picture: Picture): void;
+  cameraNote(note: CameraNote): void;
   drawings(drawn: Drawn[]): void;
   connected(yes: boolean, why: string): void;
 }
