@@ -22,7 +22,7 @@ constexpr auto between_visits = 100ms;   // [wall]
 constexpr auto between_numbers = 40ms;   // while somebody plots
 constexpr Duration frame_period = 16ms;  // [wall] of poses
 
-json state_of(const session::SessionStatus& status, const json& entities, const json& game) {
+json state_of(const session::SessionStatus& status, const json& entities, const json& beliefs, const json& game) {
   const Duration known = std::max(status.time, status.last);
   const bool endless = status.end == Duration::max();
   return {{"is", "state"},
@@ -37,6 +37,7 @@ json state_of(const session::SessionStatus& status, const json& entities, const 
             {"branch", status.branch},
             {"jumps", status.jumps},
             {"entities", entities},
+            {"beliefs", beliefs},
             {"game", game}}}};
 }
 
@@ -61,7 +62,7 @@ struct LiveScene::Visit {
   std::shared_ptr<const SceneDocument> document;
   int changes = -1;
   double time = 0;  // [s]
-  json entities, game, lines;
+  json entities, beliefs, game, lines;
   std::vector<std::pair<std::string, std::optional<double>>> values;
   bool is_new_drawing = false;
   std::vector<connect::Drawn> drawn;
@@ -77,6 +78,7 @@ struct LiveScene::Visit {
     }
     time = seconds(simulation.now());
     entities = entity_states(simulation.world());
+    beliefs = beliefs_of(simulation.world());
     game = game_of(referee);
     lines = lines_of(simulation);
     values = numbers.read(simulation.world(), paths);
@@ -124,7 +126,7 @@ void LiveScene::take(const Visit& visit) {
     ++documents_;
     last_.poses = {};  // of other bodies
   }
-  const std::string state = json_line(state_of(session_.status(), visit.entities, visit.game));
+  const std::string state = json_line(state_of(session_.status(), visit.entities, visit.beliefs, visit.game));
   if (std::exchange(state_, state) != state) news_.state = last_.state = text_message(state);
   const std::string lines = json_line({{"is", "lines"}, {"lines", visit.lines}});
   if (std::exchange(lines_, lines) != lines) news_.lines = last_.lines = text_message(lines);

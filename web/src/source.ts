@@ -26,6 +26,7 @@ export interface State {
   factor: number; // the same, measured
   branch: number;
   entities: EntityState[]; // as those of the scene document
+  beliefs?: ([number, number, number] | null)[]; // [m, m, rad] where robots take themselves to be
   game: Game | null;
 }
 
