@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <exception>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -10,6 +11,7 @@
 
 #include "murosimf/connect/drawn.h"
 #include "murosimf/connect/roboviz_door.h"
+#include "murosimf/model/error.h"
 #include "murosimf/recording/recorded_picture.h"
 
 namespace murosimf::web {
@@ -100,34 +102,57 @@ struct FoxgloveLive::Visit {
   }
 };
 
-/// Encoded in a thread of its own: a picture takes longer than the server may sleep.
+/// Made in threads of its own: calibrations and pictures take longer than the server may sleep. Its channels have numbers of their own.
 struct FoxgloveLive::Pictures {
   struct Sink final : recording::MessageSink {
-    std::uint16_t add_schema(const std::string&, const std::string&, std::string) override { return 0; }
-    std::uint16_t add_channel(const std::string&, const std::string&, std::uint16_t, recording::TextMap) override {
-      return 0;
+    std::uint16_t add_schema(const std::string& name, const std::string&, std::string data) override {
+      schemas.emplace_back(name, std::move(data));
+      return static_cast<std::uint16_t>(schemas.size() - 1);
+    }
+    std::uint16_t add_channel(const std::string& topic, const std::string&, std::uint16_t schema,
+                              recording::TextMap) override {
+      channels.emplace_back(topic, schema);
+      return static_cast<std::uint16_t>(channels.size() - 1);
     }
     void write(std::uint16_t channel, Duration time, std::string_view data) override {
       packets.push_back({.channel = channel, .time = time, .bytes = std::make_shared<const std::string>(data)});
     }
+    std::vector<std::pair<std::string, std::string>> schemas;
+    std::vector<std::pair<std::string, std::uint16_t>> channels;  // topic, schema
     std::vector<Packet> packets;
   };
 
-  Pictures(const Visit& visit, recording::FrameWriter& channels)
-      : infos(visit.infos), cameras(visit.cameras), writer(sink, channels, cameras) {}
+  explicit Pictures(const Visit& visit) : infos(visit.infos), cameras(visit.cameras) {
+    work = std::async(std::launch::async, [this] { writer.emplace(sink, frames, cameras); });
+  }
 
-  std::vector<Packet> encode(const recording::RecordedFrame& frame) {
-    sink.packets.clear();
-    writer.write(frame);
-    return std::move(sink.packets);
+  /// Whether nothing is under way. What could not be done is the trouble.
+  [[nodiscard]] bool is_free() {
+    if (!work.valid()) return true;
+    if (work.wait_for(0s) != std::future_status::ready) return false;
+    try {
+      work.get();
+    } catch (const SetupError& error) {
+      trouble = error.what();
+    }
+    return true;
+  }
+
+  void encode(recording::RecordedFrame frame) {
+    work = std::async(std::launch::async, [this, frame = std::move(frame)] { writer->write(frame); });
   }
 
   std::shared_ptr<std::deque<sensors::CameraFrame>> infos;
   std::vector<recording::RecordedCamera> cameras;
+  std::vector<recording::RecordedEntity> no_entities;
+  std::vector<recording::RecordedSensor> no_sensors;
   Sink sink;
-  recording::PictureWriter writer;
+  recording::FrameWriter frames{sink, no_entities, no_sensors, nullptr, {}};
+  std::optional<recording::PictureWriter> writer;
+  std::vector<std::uint16_t> channels;        // of the server, by the sink's
   std::map<std::string, std::uint64_t> told;  // numbers (SeenPicture)
-  std::future<std::vector<Packet>> encoded;   // waits when it is destroyed
+  std::string trouble;
+  std::future<void> work;  // waits when it is destroyed
 };
 
 namespace {
@@ -171,16 +196,20 @@ std::set<std::string> FoxgloveLive::wanted_cameras() const {
 std::string FoxgloveLive::trouble_of(std::uint16_t channel) const {
   const std::string camera = camera_of(channels_[channel - 1U].topic);
   const auto seen = camera.empty() ? std::nullopt : onlooker_cameras_.seen(camera);
+  if (!camera.empty() && pictures_ && !pictures_->trouble.empty()) return pictures_->trouble;
   return seen ? seen->trouble : "";
 }
 
 void FoxgloveLive::take_pictures() {
-  if (!pictures_) return;
-  if (pictures_->encoded.valid()) {
-    if (pictures_->encoded.wait_for(0s) != std::future_status::ready) return;
-    for (const Packet& packet : pictures_->encoded.get()) {
-      if (subscribers_.contains(packet.channel)) put(packet);
-    }
+  if (!pictures_ || !pictures_->is_free() || !pictures_->writer) return;
+  for (std::size_t i = pictures_->channels.size(); i < pictures_->sink.channels.size(); ++i) {
+    const auto& [topic, schema] = pictures_->sink.channels[i];
+    const auto& [name, data] = pictures_->sink.schemas[schema];
+    pictures_->channels.push_back(add_channel(topic, "protobuf", add_schema(name, "protobuf", data), {}));
+  }
+  for (Packet& packet : std::exchange(pictures_->sink.packets, {})) {
+    packet.channel = pictures_->channels[packet.channel];
+    if (subscribers_.contains(packet.channel)) put(packet);
   }
   const std::set<std::string> wanted = wanted_cameras();
   recording::RecordedFrame frame;
@@ -192,10 +221,7 @@ void FoxgloveLive::take_pictures() {
     frame.pictures.push_back(
         {.camera = i, .taken = seen->frame->time, .color = seen->frame->color, .mosaic = seen->frame->mosaic});
   }
-  if (frame.pictures.empty()) return;
-  pictures_->encoded = std::async(std::launch::async, [pictures = pictures_.get(), frame = std::move(frame)] {
-    return pictures->encode(frame);
-  });
+  if (!frame.pictures.empty() && pictures_->trouble.empty()) pictures_->encode(std::move(frame));
 }
 
 std::uint16_t FoxgloveLive::add_schema(const std::string& name, const std::string&, std::string data) {
@@ -277,7 +303,7 @@ void FoxgloveLive::take(Visit& visit) {
   const std::uint64_t jumps = session_.status().jumps;
   if (!writer_ || setups_ != visit.setups || jumps_ != jumps) {  // a writer counts on time that goes on
     renew_writers(visit);
-    if (!pictures_ || setups_ != visit.setups) pictures_ = std::make_unique<Pictures>(visit, *writer_);
+    if (!pictures_ || setups_ != visit.setups) pictures_ = std::make_unique<Pictures>(visit);
     setups_ = visit.setups;
     jumps_ = jumps;
   }

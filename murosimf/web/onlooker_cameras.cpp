@@ -121,6 +121,7 @@ struct OnlookerCameras::Inside {
   explicit Inside(session::Session& of) : session(of) {}
 
   void work();
+  void load_driver();
   [[nodiscard]] bool visit(const std::set<std::string>& cameras);
   void show(const Found& found);
   void draw(const Found& found);
@@ -136,14 +137,29 @@ struct OnlookerCameras::Inside {
   std::atomic<std::uint64_t> drawn = 0;
   // of the thread
   std::shared_ptr<Visit> now;
+  World nothing;
+  std::unique_ptr<render::Renderer>
+      driver;  // of nothing: what loads long is not to be loaded by the simulation's thread
   std::map<std::string, Eye> eyes;
   std::map<std::string, std::pair<Duration, std::int64_t>> last;  // time and number of the picture that was drawn last
   std::thread thread;
 };
 
+void OnlookerCameras::Inside::load_driver() {
+  if (driver) return;
+  try {
+    driver = std::make_unique<render::Renderer>(nothing, std::vector<Entity*>{}, render::appearance_of_shapes);
+  } catch (const SetupError& error) {
+    now->cannot = error.what();
+  }
+}
+
 /// Whether it was made before nobody wanted it any more.
 bool OnlookerCameras::Inside::visit(const std::set<std::string>& cameras) {
-  if (!now) now = std::make_shared<Visit>();
+  if (!now) {
+    now = std::make_shared<Visit>();
+    load_driver();
+  }
   now->wanted = cameras;
   std::future<void> done = session.visit([visit = now](scene::Scene& scene) { visit->make(scene); });
   while (done.wait_for(patience) != std::future_status::ready) {
@@ -236,6 +252,7 @@ void OnlookerCameras::Inside::work() {
       if (wanted.empty()) {
         lock.unlock();
         now = nullptr;  // with the renderer
+        driver = nullptr;
         eyes.clear();
         last.clear();
         lock.lock();

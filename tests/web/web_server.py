@@ -319,6 +319,12 @@ class Cameras(unittest.TestCase):
         alone = subprocess.run([PROGRAM, "run", *cls.words], capture_output=True, check=True, text=True)
         cls.state_hash = json.loads(alone.stdout)["state_hash"]
 
+    def camera_channels(self, viewer):
+        """By topic."""
+        return {one["topic"]: one for one in viewer.wait_for(
+            lambda m: isinstance(m, dict) and m["op"] == "advertise" and any(
+                one["topic"].startswith("/cameras/") for one in m["channels"]))["channels"]}
+
     def assert_rendered(self, picture):
         self.assertEqual(picture[0], self.rendered[0])
         differences = [abs(a - b) for a, b in zip(picture[1], self.rendered[1], strict=True)]
@@ -364,8 +370,7 @@ class Cameras(unittest.TestCase):
     def test_foxglove_sees_any_camera(self):
         with Run(PROGRAM, *self.words) as run:
             viewer = Client(run.port, protocol="foxglove.sdk.v1")
-            channels = viewer.wait_for(lambda m: isinstance(m, dict) and m["op"] == "advertise")["channels"]
-            topics = {one["topic"]: one for one in channels}
+            topics = self.camera_channels(viewer)
             self.assertEqual(topics["/cameras/blue1/camera/image"]["schemaName"], "foxglove.CompressedImage")
             page = Client(run.port)
             page.state(lambda state: state["paused"])
@@ -398,8 +403,7 @@ class Cameras(unittest.TestCase):
             client.order(do="camera", camera="blue1.camera", id=1)
             note = client.wait_for(lambda m: isinstance(m, dict) and m["is"] == "camera")
             self.assertRegex(note["trouble"], r"^no pictures by OpenGL: [^\n]*$")
-            channels = viewer.wait_for(lambda m: isinstance(m, dict) and m["op"] == "advertise")["channels"]
-            channel = next(one["id"] for one in channels if one["topic"] == "/cameras/blue1/camera/image")
+            channel = self.camera_channels(viewer)["/cameras/blue1/camera/image"]["id"]
             viewer.order(op="subscribe", subscriptions=[{"id": 5, "channelId": channel}])
             status = viewer.wait_for(lambda m: isinstance(m, dict) and m["op"] == "status")
             self.assertEqual(status["message"], note["trouble"])

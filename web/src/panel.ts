@@ -160,7 +160,7 @@ export class Panel {
     if (note.camera !== this.camera.value) return;
     this.cameraHint.classList.toggle("bad", note.trouble !== "");
     this.cameraHint.textContent = note.trouble || (note.own ? "As the robot gets it."
-      : "Drawn for who looks, of this moment: without exposure time, rolling shutter and delay. Nobody in the simulation reads it.");
+      : "Drawn for who looks, of this moment: without exposure time, rolling shutter and delay.");
   }
 
   // Pictures of another one come, or none.
