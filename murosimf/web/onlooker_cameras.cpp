@@ -24,7 +24,9 @@ using namespace std::chrono_literals;
 using WallClock = std::chrono::steady_clock;
 
 constexpr auto between_pictures = 40ms;  // [wall]
-constexpr auto patience = 20ms;          // [wall] until it is seen that nobody waits any more
+constexpr auto keeps_renderer =
+    30s;                         // [wall] after the last look: making one holds the simulation up for some milliseconds
+constexpr auto patience = 20ms;  // [wall] until it is seen that nobody waits any more
 
 struct CameraPath {
   std::string robot, camera;
@@ -121,6 +123,7 @@ struct OnlookerCameras::Inside {
   explicit Inside(session::Session& of) : session(of) {}
 
   void work();
+  [[nodiscard]] std::set<std::string> next_cameras(WallClock::time_point next);
   void load_driver();
   [[nodiscard]] bool visit(const std::set<std::string>& cameras);
   void show(const Found& found);
@@ -131,7 +134,7 @@ struct OnlookerCameras::Inside {
   session::Session& session;
   std::mutex mutex;  // of these
   std::condition_variable changed;
-  std::set<std::string> wanted;
+  std::set<std::string> wanted, newly_wanted;
   bool stops = false;
   std::map<std::string, SeenPicture> pictures;
   std::atomic<std::uint64_t> drawn = 0;
@@ -243,30 +246,37 @@ void OnlookerCameras::Inside::show(const Found& found) {
   if (found.own) tell(found.path, {.frame = found.own, .own = true});
 }
 
+/// Waits until somebody wants pictures, and it is time for them; none: it ends.
+std::set<std::string> OnlookerCameras::Inside::next_cameras(WallClock::time_point next) {
+  std::unique_lock lock(mutex);
+  const auto is_called = [&] { return stops || !wanted.empty(); };
+  if (wanted.empty()) {
+    eyes.clear();
+    if (!changed.wait_for(lock, keeps_renderer, is_called)) {
+      now = nullptr;
+      driver = nullptr;
+      changed.wait(lock, is_called);
+    }
+  }
+  changed.wait_until(lock, next, [&] { return stops; });
+  if (stops) return {};
+  std::erase_if(eyes, [&](const auto& one) { return !wanted.contains(one.first); });
+  for (const std::string& camera : std::exchange(newly_wanted, {})) {
+    last.erase(camera);
+    if (now) now->known.erase(camera);
+  }
+  return wanted;
+}
+
 void OnlookerCameras::Inside::work() {
   auto next = WallClock::now();
   while (true) {
-    std::set<std::string> cameras;
-    {
-      std::unique_lock lock(mutex);
-      if (wanted.empty()) {
-        lock.unlock();
-        now = nullptr;  // with the renderer
-        driver = nullptr;
-        eyes.clear();
-        last.clear();
-        lock.lock();
-      }
-      changed.wait(lock, [&] { return stops || !wanted.empty(); });
-      changed.wait_until(lock, next, [&] { return stops; });
-      if (stops) return;
-      cameras = wanted;
-      std::erase_if(eyes, [&](const auto& one) { return !cameras.contains(one.first); });
-      std::erase_if(last, [&](const auto& one) { return !cameras.contains(one.first); });
-      if (now) std::erase_if(now->known, [&](const auto& one) { return !cameras.contains(one.first); });
-    }
+    const std::set<std::string> cameras = next_cameras(next);
     const auto begin = WallClock::now();
-    if (!cameras.empty() && visit(cameras)) {
+    if (cameras.empty()) {
+      const std::lock_guard lock(mutex);
+      if (stops) return;
+    } else if (visit(cameras)) {
       for (const Found& found : now->found) show(found);
     }
     // the processor may be what draws: half of its time is others'
@@ -289,6 +299,9 @@ OnlookerCameras::~OnlookerCameras() {
 void OnlookerCameras::want(const std::set<std::string>& cameras) {
   const std::lock_guard lock(inside_->mutex);
   if (cameras == inside_->wanted) return;
+  for (const std::string& camera : cameras) {
+    if (!inside_->wanted.contains(camera)) inside_->newly_wanted.insert(camera);
+  }
   inside_->wanted = cameras;
   std::erase_if(inside_->pictures, [&](const auto& one) { return !cameras.contains(one.first); });
   if (!cameras.empty() && !inside_->thread.joinable()) inside_->thread = std::thread([this] { inside_->work(); });

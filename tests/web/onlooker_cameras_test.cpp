@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -99,6 +100,9 @@ TEST_F(OnlookerCamerasTest, SeeWhatTheCameraWouldSeeAndChangeNothing) {
     }
   }
   EXPECT_EQ(different, 0) << "of 19,200 pixels";
+  std::set<int> greens;
+  for (const imaging::Rgb& pixel : own.color.pixels()) greens.insert(pixel.green);
+  EXPECT_GT(greens.size(), 30U) << "there is something to be seen";
   run.finish();
   EXPECT_EQ(run.scene.simulation().state_hash(), alone);
   EXPECT_EQ(sensors::frames_of(run.scene.simulation().world().entity("blue1")).at(0)->number, 0U);
@@ -122,6 +126,11 @@ TEST_F(OnlookerCamerasTest, DrawOnlyWhatSomebodyWants) {
   EXPECT_EQ(cameras.drawn(), 2U);
   cameras.want({camera, "red1.camera"});
   ASSERT_TRUE(wait_until([&] { return cameras.drawn() == 4; }));
+  for (int i = 0; i < 20; ++i) {  // whoever looks away and again sees it again, though nothing has moved
+    cameras.want({});
+    cameras.want({camera});
+    ASSERT_TRUE(wait_until([&] { return cameras.seen(camera) && cameras.seen(camera)->frame; })) << i;
+  }
 }
 
 TEST_F(OnlookerCamerasTest, ACameraThatDrawsShowsItsOwnPictures) {
@@ -134,6 +143,9 @@ TEST_F(OnlookerCamerasTest, ACameraThatDrawsShowsItsOwnPictures) {
     return seen && seen->frame && seen->frame->number == 2;
   })) << "those of 0 and 0.05 s";
   EXPECT_TRUE(cameras.seen(camera)->own);
+  cameras.want({});
+  cameras.want({camera});
+  ASSERT_TRUE(wait_until([&] { return cameras.seen(camera) && cameras.seen(camera)->frame; }));
   EXPECT_EQ(cameras.drawn(), 0U);
 }
 
