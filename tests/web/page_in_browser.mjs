@@ -227,7 +227,7 @@ async function seeDrawings(page, said) {
 
 // A robot that localizes itself: its ghost stands where it says, and can be switched.
 async function testGhosts() {
-  const run = await start("self_localization", "--duration", "1");
+  const run = await start("self_localization", "--duration", "0.04");
   const page = await open(run.address);
   await until(page, (now) => now && now.paused && now.beliefs?.some((one) => one), "somebody believes something");
   const ghost = () => page.evaluate(() => {
@@ -243,6 +243,10 @@ async function testGhosts() {
   assert.ok(seen.shown && seen.meshes > 5, "a whole robot");
   assert.ok(Math.hypot(seen.at[0] - seen.said[0], seen.at[1] - seen.said[1]) < 1e-3, `where it says: ${JSON.stringify(seen)}`);
   assert.ok(Math.abs(seen.at[2] - seen.truth[2]) < 1e-6, "at its height");
+  assert.ok(Math.hypot(seen.at[0] - seen.truth[0], seen.at[1] - seen.truth[1]) > 0.05, "it does not know its place yet");
+  await page.evaluate(() => window.murosimf.select(window.murosimf.scene().text.entities.findIndex((one) => one.name === "robot")));
+  await page.click("#follow");
+  await page.waitForTimeout(300);
   await page.screenshot({ path: join(pictures, "ghosts.png") });
   await page.click("#ghosts");
   assert.equal((await ghost()).shown, false);
