@@ -75,10 +75,10 @@ void JointDrives::drive_servo(int i, double q, double qd, double dt, Answer& ans
   const MotorTorque torque = motor(i, q, qd, dt);
   answer.gear = joint.gear;
   answer.motor_torque = torque.now;
-  answer.motor = {torque.torque, torque.inertia};
-  answer.servo = answer.motor;
-  damp(answer.servo, joint.viscous, qd, dt);
-  answer.all = answer.servo;
+  JointDrive drive{torque.torque, torque.inertia};  // a copy from `answer` would wait for what was just written there
+  answer.motor = drive;
+  damp(drive, joint.viscous, qd, dt);
+  answer.servo = answer.all = drive;
 }
 
 JointDrives::Answer JointDrives::drive(int i, double q, double qd, double dt) const noexcept {

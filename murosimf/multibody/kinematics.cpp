@@ -103,9 +103,11 @@ void velocities(const Tree& tree, std::span<const S> qd, std::span<const Vec3<S>
     const int i = link.object;
     const int p = tree.links[link.parent].object;
     const Vec3<S> joint = qd[i] * joint_axis(R[i], link);
-    w[i] = w[p];
-    v[i] = v[p] + cross(w[p], r[i] - r[p]);
-    (link.kind == LinkKind::revolute ? w[i] : v[i]) += joint;
+    Vec3<S> turning = w[p];  // in registers: a copy in memory would wait for what was just written there
+    Vec3<S> moving = v[p] + cross(turning, r[i] - r[p]);
+    (link.kind == LinkKind::revolute ? turning : moving) += joint;
+    w[i] = turning;
+    v[i] = moving;
   }
   for (const FixedObject& fixed : tree.followers) {
     const int p = tree.links[fixed.link].object;

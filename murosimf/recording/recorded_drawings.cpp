@@ -15,6 +15,7 @@
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/protobuf.h"
 #include "murosimf/recording/topics.h"
+#include "murosimf/render/polygon_triangles.h"
 
 namespace murosimf::recording {
 namespace {
@@ -63,12 +64,14 @@ void put_ball(ProtobufWriter& out, const DrawnShape& shape, const Vec3d& center,
 
 /// A fan around the first corner: right for all that are convex.
 void put_area(ProtobufWriter& out, const DrawnShape& shape) {
-  std::vector<std::uint32_t> fan;
-  for (std::uint32_t i = 2; i < shape.points.size(); ++i) fan.insert(fan.end(), {0, i - 1, i});
+  std::vector<std::uint32_t> corners_of_triangles;
+  for (const auto& triangle : render::polygon_triangles(shape.points)) {
+    corners_of_triangles.insert(corners_of_triangles.end(), triangle.begin(), triangle.end());
+  }
   out.message(triangles, [&](ProtobufWriter& in) {
     for (const Vec3d& point : shape.points) put_vector(in, 2, point);
     put_ink(in, 3, shape);
-    in.packed_fixed32(5, fan);
+    in.packed_fixed32(5, corners_of_triangles);
   });
 }
 

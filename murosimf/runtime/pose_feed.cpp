@@ -26,6 +26,14 @@ std::shared_ptr<PoseReader> PoseFeed::subscribe(const PoseRequest& request) {
   return reader;
 }
 
+void PoseFeed::take(const World& world, Duration now, std::int64_t tick, PoseFrame& frame) const {
+  take_poses(world, frame);
+  if (completion_) completion_(world, frame);
+  frame.time = now;
+  frame.tick = tick;
+  frame.contacts.clear();
+}
+
 void PoseFeed::publish_to_all(const World& world, Duration now, std::int64_t tick, bool again) {
   const std::lock_guard lock(mutex_);
   std::erase_if(readers_, [](const auto& reader) { return reader.expired(); });

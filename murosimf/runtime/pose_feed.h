@@ -58,6 +58,10 @@ class PoseFeed {
     if (contacts_) contacts_(world, contacts);
   }
 
+  /// A frame for who visits instead of subscribing, without contacts; allocates only if it is too small. The simulation's thread, between
+  /// two steps.
+  void take(const World& world, Duration now, std::int64_t tick, PoseFrame& frame) const;
+
   /// How frames are completed that are taken between two steps, after somebody has changed columns; none: as columns are.
   void complete_by(FrameCompletion completion) { completion_ = std::move(completion); }
 

@@ -18,6 +18,8 @@
 
 namespace murosimf::sensors {
 
+struct CameraSpec;  // camera_spec.h
+
 /// What does not change while a camera runs.
 struct CameraInfo {
   std::string name{};                 ///< unique on its robot
@@ -29,7 +31,8 @@ struct CameraInfo {
   Mat3d nominal;                      ///< the same without the error, as control software may believe it
   std::vector<std::string> labels{};  ///< names of what LabelImages show (view_source.h)
   bool has_color = true, has_depth = false, has_labels = false;
-  std::string mosaic{};  ///< Bayer pattern, "rggb"; empty: none
+  std::string mosaic{};                      ///< Bayer pattern, "rggb"; empty: none
+  std::shared_ptr<const CameraSpec> spec{};  ///< all of it, for who makes its pictures beside it (camera_eye.h)
 };
 
 /// Layers that the camera does not have are empty.
@@ -42,6 +45,7 @@ struct CameraFrame {
   imaging::LabelImage labels{};
   std::shared_ptr<const CameraInfo> info{};
   bool wanted = false;  ///< somebody reads it
+  bool draws = false;   ///< frames come, since the start
 };
 
 void append_hash(Hasher& hasher, const CameraFrame& frame);

@@ -55,6 +55,8 @@ constexpr std::array table{
     ActionInfo{Action::zero_moment_points, "moment_points", "Z", "zero moment points: where the ground's forces act"},
     ActionInfo{Action::joint_loads, "joint_loads", "J",
                "joint torques by what the servos can give: green, yellow at half, red at all of it"},
+    ActionInfo{Action::beliefs, "beliefs", "H",
+               "where robots take themselves to be: ring and arrow, a line to the truth"},
     ActionInfo{Action::drawings, "drawings", "O", "what control software draws"},
     ActionInfo{Action::field_map, "field_map", "I", "the field from above in a corner"},
     ActionInfo{Action::left_panel, "left_panel", "Tab", "panels on the left"},

@@ -54,6 +54,7 @@ enum class Action {
   support_polygons,
   zero_moment_points,
   joint_loads,
+  beliefs,
   drawings,
   field_map,
   left_panel,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "murosimf/behavior/beliefs.h"
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
@@ -29,6 +30,7 @@ EntityState state_of(const scene::SceneParts& parts, const Entity& entity) {
   if (base_value(entity, properties::dynamic) == 0.0) {
     if (const auto foot = base_value(entity, properties::stance_foot)) state.standing_foot = *foot != 0 ? 1 : 0;
   }
+  state.believed_pose = behavior::believed_pose(entity);
   state.falls = static_cast<int>(base_value(entity, properties::falls).value_or(0));
   return state;
 }

@@ -39,6 +39,7 @@ struct EntityState {
   bool is_robot = false, moves = false, present = true, frozen = false;
   int standing_foot = -1;  ///< 0 or 1 at kinematic_walking, else -1
   int falls = 0;
+  std::optional<Vec3d> believed_pose;  ///< [m, m, rad] where it takes itself to be (behavior/beliefs.h)
 };
 
 struct SensorState {

@@ -94,14 +94,31 @@ void add_axes(const Posed& entity, Overlays& into) {
   }
 }
 
-void add_level(const Posed& entity, const std::string& level, Overlays& into) {
+/// [m] About as large as a robot.
+std::vector<Vec3d> ring_around(const Vec3d& middle) {
   constexpr int corners = 24;
-  Mark ring{.color = color_of_level(level), .width = 3, .closed = true};
-  const Vec3d middle{entity.r[0].x, entity.r[0].y, 0.005};
+  std::vector<Vec3d> ring;
   for (int i = 0; i < corners; ++i) {
-    ring.points.push_back(middle + 0.22 * Vec3d{std::cos(2 * pi * i / corners), std::sin(2 * pi * i / corners), 0});
+    ring.push_back(middle + 0.22 * Vec3d{std::cos(2 * pi * i / corners), std::sin(2 * pi * i / corners), 0});
   }
-  into.marks.push_back(std::move(ring));
+  return ring;
+}
+
+void add_level(const Posed& entity, const std::string& level, Overlays& into) {
+  into.marks.push_back({.points = ring_around({entity.r[0].x, entity.r[0].y, 0.005}),
+                        .color = color_of_level(level),
+                        .width = 3,
+                        .closed = true});
+}
+
+/// A ring and an arrow where a robot takes itself to be, and a line from there to where it is.
+void add_belief(const Posed& entity, const Vec3d& believed, Overlays& into) {
+  const Color& color = entity.outline.color;
+  constexpr double height = 0.006, length = 0.35;  // [m]
+  const Vec3d at{believed.x, believed.y, height}, ahead{std::cos(believed.z), std::sin(believed.z), 0};
+  into.marks.push_back({.points = ring_around(at), .color = color, .width = 2, .closed = true, .filled = true});
+  into.marks.push_back({.points = {at, at + length * ahead}, .color = color, .width = 3, .arrow = true});
+  into.marks.push_back({.points = {at, {entity.r[0].x, entity.r[0].y, height}}, .color = color, .width = 1});
 }
 
 /// [m] Above the highest of its origins.
@@ -178,6 +195,7 @@ Overlays overlays(const PoseFrame& frame, std::span<const EntityOutline> outline
       if (hull.points.size() > 2) into.marks.push_back(std::move(hull));
     }
     if (options.zero_moment_points && outline[i].is_robot) add_zero_moment_point(frame, i, into);
+    if (options.beliefs && seen.entities[i].believed_pose) add_belief(entity, *seen.entities[i].believed_pose, into);
     if (options.bounding_volumes) add_boxes(entity, into);
     if (options.centers_of_mass) add_center_of_mass(entity, into);
     if (options.frames && static_cast<int>(i) == selected) add_axes(entity, into);

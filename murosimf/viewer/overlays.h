@@ -17,7 +17,7 @@ namespace murosimf::viewer {
 struct OverlayOptions {
   bool contacts = false, forces = false, centers_of_mass = false, frames = false, bounding_volumes = false;
   bool names = true, levels = false, standing_feet = false, support_polygons = false;
-  bool zero_moment_points = false, joint_loads = false, drawings = true;
+  bool zero_moment_points = false, joint_loads = false, beliefs = false, drawings = true;
   double force_scale = 0.005;  ///< [m/N] length of an arrow
 };
 

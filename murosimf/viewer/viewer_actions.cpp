@@ -124,6 +124,7 @@ bool Viewer::perform_overlay(Action action) {
     case Action::support_polygons: return toggle(overlay.support_polygons);
     case Action::zero_moment_points: return toggle(overlay.zero_moment_points);
     case Action::joint_loads: return toggle(overlay.joint_loads);
+    case Action::beliefs: return toggle(overlay.beliefs);
     case Action::drawings: return toggle(overlay.drawings);
     case Action::field_map: return toggle(window.field_map);
     case Action::left_panel: return toggle(window.left_panel);

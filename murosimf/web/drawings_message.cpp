@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/model/drawing.h"
+#include "murosimf/render/polygon_triangles.h"
 #include "murosimf/web/json_line.h"
 
 namespace murosimf::web {
@@ -17,12 +18,14 @@ double rounded_length(double x) { return std::round(1e4 * x) / 1e4; }
 json shape_object(const DrawnShape& shape) {
   json points = json::array();
   for (const Vec3d& p : shape.points) points.push_back({rounded_length(p.x), rounded_length(p.y), rounded_length(p.z)});
-  return {{"kind", drawn_kind_names[shape.kind]},
-          {"points", std::move(points)},
-          {"size", rounded_length(shape.size)},
-          {"color", {shape.color.red, shape.color.green, shape.color.blue}},
-          {"opacity", shape.opacity},
-          {"words", shape.words}};
+  json object{{"kind", drawn_kind_names[shape.kind]},
+              {"points", std::move(points)},
+              {"size", rounded_length(shape.size)},
+              {"color", {shape.color.red, shape.color.green, shape.color.blue}},
+              {"opacity", shape.opacity},
+              {"words", shape.words}};
+  if (shape.kind == DrawnShape::polygon) object["triangles"] = render::polygon_triangles(shape.points);
+  return object;
 }
 
 json group_object(const DrawnGroup& group) {

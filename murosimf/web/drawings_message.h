@@ -8,7 +8,8 @@
 
 namespace murosimf::web {
 
-/// JSON text: `{"is": "drawings", "drawings": [{entity, by, groups: [{name, of_robot, shapes: [{kind, points, size, color, opacity, words}]}]}]}`.
+/// JSON text: `{"is": "drawings", "drawings": [{entity, by, groups: [{name, of_robot, shapes: [{kind, points, size, color, opacity, words}]}]}]}`; of
+/// polygons also `triangles`, three numbers of points each.
 /// `entity`: place in the scene document, -1: none. Points are rounded to 0.1 mm.
 [[nodiscard]] std::string drawings_message(const std::vector<connect::Drawn>& all);
 

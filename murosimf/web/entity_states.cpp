@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
+#include "murosimf/behavior/beliefs.h"
 #include "murosimf/league/game_task.h"
 
 namespace murosimf::web {
@@ -15,6 +17,8 @@ using nlohmann::json;
 
 constexpr std::size_t most_lines = 200;
 constexpr std::array state_names = {"initial", "ready", "set", "playing", "finished"};
+
+double rounded(double x) { return std::round(1e4 * x) / 1e4; }
 
 }  // namespace
 
@@ -26,6 +30,15 @@ json entity_states(const World& world) {
                    {"controller", entity->controller},
                    {"present", entity->present()},
                    {"frozen", entity->frozen()}});
+  }
+  return all;
+}
+
+json beliefs_of(const World& world) {
+  json all = json::array();
+  for (const auto& entity : world.entities()) {
+    const auto pose = behavior::believed_pose(*entity);
+    all.push_back(pose ? json{rounded(pose->x), rounded(pose->y), rounded(pose->z)} : json(nullptr));
   }
   return all;
 }

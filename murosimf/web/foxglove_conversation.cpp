@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -83,6 +84,11 @@ std::string command_of(const json& twist) {
 
 }  // namespace
 
+FoxgloveConversation::~FoxgloveConversation() {
+  for (const auto& [channel, id] : subscriptions_) live_.subscribe(channel, false);
+  live_.leave();
+}
+
 void FoxgloveConversation::receive(std::string_view message, bool binary) {
   if (jobs_.size() >= most_requests) throw ClientError("too many requests at once");
   try {
@@ -130,15 +136,20 @@ void FoxgloveConversation::subscribe(const json& order) {
       say(error_level, fmt::format("there is no channel {}", channel));
       continue;
     }
-    subscriptions_[static_cast<std::uint16_t>(channel)] = id;
-    const FoxgloveLive::Packet last = live_.last(static_cast<std::uint16_t>(channel));
-    if (last.bytes) send_packet(last);
+    if (subscriptions_.insert_or_assign(static_cast<std::uint16_t>(channel), id).second)
+      live_.subscribe(static_cast<std::uint16_t>(channel), true);
+    if (const auto last = live_.last(static_cast<std::uint16_t>(channel)); last.bytes) send_packet(last);
   }
 }
 
 void FoxgloveConversation::unsubscribe(const json& order) {
   for (const json& id : order.at("subscriptionIds")) {
-    std::erase_if(subscriptions_, [&](const auto& one) { return one.second == id.get<std::uint32_t>(); });
+    std::erase_if(subscriptions_, [&](const auto& one) {
+      if (one.second != id.get<std::uint32_t>()) return false;
+      live_.subscribe(one.first, false);
+      told_troubles_.erase(one.first);
+      return true;
+    });
   }
 }
 
@@ -162,10 +173,10 @@ void FoxgloveConversation::take_published(std::string_view message) {
   if (found == published_.end()) throw SetupError("a message of a channel that was not advertised");
   const json body = json::parse(in.rest(), nullptr, false);
   if (body.is_discarded()) throw SetupError(fmt::format("{}: this is no JSON", found->second));
-  const std::string robot = commanded_robot(found->second);
-  if (!robot.empty()) return change(fmt::format("{}.command = {}", robot, command_of(body)));
-  if (!body.is_object() || !body.contains("data")) throw SetupError("/change: messages are {data: \"PATH = VALUE\"}");
-  change(text_of_value(body.at("data")));
+  if (const std::string robot = commanded_robot(found->second); !robot.empty())
+    return change(fmt::format("{}.command = {}", robot, command_of(body)));
+  if (body.is_object() && body.contains("data")) return change(text_of_value(body.at("data")));
+  throw SetupError("/change: messages are {data: \"PATH = VALUE\"}");
 }
 
 void FoxgloveConversation::change(const std::string& text) { jobs_.push_back({.done = live_.session().change(text)}); }
@@ -180,7 +191,6 @@ void FoxgloveConversation::get_parameters(const json& order) {
 
 /// Any change by PATH = VALUE; what can be read of them afterwards is told.
 void FoxgloveConversation::set_parameters(const json& order) {
-  const std::string id = id_of(order);
   for (const json& one : order.at("parameters")) {
     if (jobs_.size() >= most_requests) throw ClientError("too many requests at once");
     const auto name = one.at("name").get<std::string>();
@@ -189,7 +199,7 @@ void FoxgloveConversation::set_parameters(const json& order) {
     jobs_.push_back({.done = live_.session().change(fmt::format("{} = {}", name, value)),
                      .parameter = name,
                      .value = value,
-                     .id = id});
+                     .id = id_of(order)});
   }
 }
 
@@ -296,6 +306,14 @@ void FoxgloveConversation::say(int level, const std::string& text) {
   outbox.send(text_message(json_line({{"op", "status"}, {"level", level}, {"message", text}})));
 }
 
+/// Each of them once.
+void FoxgloveConversation::tell_troubles() {
+  for (const auto& [channel, id] : subscriptions_) {
+    const std::string trouble = live_.trouble_of(channel);
+    if (!trouble.empty() && std::exchange(told_troubles_[channel], trouble) != trouble) say(error_level, trouble);
+  }
+}
+
 void FoxgloveConversation::answer_jobs() {
   answer_ready(jobs_, [this](const Job& job, const std::string& error) {
     if (!error.empty()) say(error_level, error);
@@ -310,6 +328,7 @@ void FoxgloveConversation::look() {
   if (!introduced_) introduce();
   if (announced_ < live_.channels().size()) announce_channels();
   answer_jobs();
+  tell_troubles();
   for (const FoxgloveLive::Packet& packet : live_.news()) send_packet(packet);
   if (live_.news().empty()) return;
   std::string clock;
@@ -319,15 +338,13 @@ void FoxgloveConversation::look() {
   std::set<std::string> other;
   for (const std::string& name : watched_) {
     const auto now = live_.parameters().find(name);
-    if (now == live_.parameters().end() || told_[name] == now->second) continue;
-    told_[name] = now->second;
+    if (now == live_.parameters().end() || std::exchange(told_[name], now->second) == now->second) continue;
     other.insert(name);
   }
   if (!other.empty()) send_parameters(other, "");
-  const std::string before = playback_;
   const session::SessionStatus status = live_.session().status();
   const char state = !status.paused ? 0 : status.time >= status.end ? 3 : 1;
-  if (before.empty() || before[1] != state) send_playback(false, "");
+  if (playback_.empty() || playback_[1] != state) send_playback(false, "");
 }
 
 }  // namespace murosimf::web

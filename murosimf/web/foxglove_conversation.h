@@ -22,7 +22,7 @@ namespace murosimf::web {
 class FoxgloveConversation final : public Conversation {
  public:
   explicit FoxgloveConversation(FoxgloveLive& live) : live_(live) { live_.join(); }
-  ~FoxgloveConversation() override { live_.leave(); }
+  ~FoxgloveConversation() override;
   FoxgloveConversation(const FoxgloveConversation&) = delete;
   FoxgloveConversation& operator=(const FoxgloveConversation&) = delete;
 
@@ -45,6 +45,7 @@ class FoxgloveConversation final : public Conversation {
   void send_parameters(const std::set<std::string>& names, const std::string& id);
   void send_packet(const FoxgloveLive::Packet& packet);
   void send_playback(bool seeked, const std::string& id, std::optional<double> speed = {});
+  void tell_troubles();
   void say(int level, const std::string& text);
   void answer_jobs();
 
@@ -61,6 +62,7 @@ class FoxgloveConversation final : public Conversation {
   bool introduced_ = false;
   std::size_t announced_ = 0;                             // channels
   std::map<std::uint16_t, std::uint32_t> subscriptions_;  // by channel
+  std::map<std::uint16_t, std::string> told_troubles_;    // by channel
   std::map<std::uint32_t, std::string> published_;        // topics by the client's channels
   std::set<std::string> watched_;                         // parameters
   std::map<std::string, std::string> told_;               // values of these

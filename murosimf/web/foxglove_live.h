@@ -1,6 +1,8 @@
 /// foxglove_live.h - a running scene as messages for Foxglove and Lichtblick: those of recordings (recording/frame_writer.h), as they come.
 ///
-/// In the server's thread. As long as somebody is connected, the simulation's thread is visited up to 30 times per wall second, and copies
+/// Pictures of cameras (recording/recorded_picture.h) come while somebody has subscribed to them, of any camera (onlooker_cameras.h).
+///
+/// In the server's thread; pictures are encoded in another. As long as somebody is connected, the simulation's thread is visited up to 30 times per wall second, and copies
 /// what recordings would have of that instant.
 #pragma once
 
@@ -9,6 +11,7 @@
 #include <future>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +20,7 @@
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/recorded_drawings.h"
 #include "murosimf/session/session.h"
+#include "murosimf/web/onlooker_cameras.h"
 
 namespace murosimf::web {
 
@@ -27,9 +31,9 @@ struct FoxgloveChannel {
 
 class FoxgloveLive final : private recording::MessageSink {
  public:
-  /// `others`: null if no other program draws. Both must outlive it.
-  explicit FoxgloveLive(session::Session& session, const connect::DrawingBoard* others = nullptr)
-      : session_(session), others_(others) {}
+  /// `others`: null if no other program draws. All must outlive it.
+  FoxgloveLive(session::Session& session, const OnlookerCameras& cameras, const connect::DrawingBoard* others = nullptr)
+      : session_(session), onlooker_cameras_(cameras), others_(others) {}
   ~FoxgloveLive() override;
 
   struct Packet {
@@ -40,7 +44,14 @@ class FoxgloveLive final : private recording::MessageSink {
 
   void join() { ++clients_; }
   void leave() { --clients_; }
+  /// A client wants a channel, or no longer.
+  void subscribe(std::uint16_t channel, bool on);
   void look();
+
+  /// Those whose pictures somebody wants.
+  [[nodiscard]] std::set<std::string> wanted_cameras() const;
+  /// Why there is no picture on a channel, in one line; empty: all is well, or it is not one of pictures.
+  [[nodiscard]] std::string trouble_of(std::uint16_t channel) const;
 
   [[nodiscard]] session::Session& session() { return session_; }
   [[nodiscard]] const std::string& scene_name() const { return scene_name_; }
@@ -61,6 +72,7 @@ class FoxgloveLive final : private recording::MessageSink {
 
  private:
   struct Visit;
+  struct Pictures;
   [[nodiscard]] std::uint16_t add_schema(const std::string& name, const std::string& encoding,
                                          std::string data) override;
   [[nodiscard]] std::uint16_t add_channel(const std::string& topic, const std::string& encoding, std::uint16_t schema,
@@ -68,8 +80,11 @@ class FoxgloveLive final : private recording::MessageSink {
   void write(std::uint16_t channel, Duration time, std::string_view data) override;
   void take(Visit& visit);
   void renew_writers(Visit& visit);
+  void put(const Packet& packet);
+  void take_pictures();
 
   session::Session& session_;
+  const OnlookerCameras& onlooker_cameras_;
   const connect::DrawingBoard* others_;
   int clients_ = 0;
   std::string scene_name_;
@@ -85,7 +100,9 @@ class FoxgloveLive final : private recording::MessageSink {
   std::chrono::steady_clock::time_point next_visit_{};
   std::unique_ptr<recording::FrameWriter> writer_;
   std::unique_ptr<recording::DrawingWriter> drawings_;
-  std::uint64_t setups_ = 0, jumps_ = 0;  // that the writer was made for
+  std::unique_ptr<Pictures> pictures_;
+  std::map<std::uint16_t, int> subscribers_;  // by channel
+  std::uint64_t setups_ = 0, jumps_ = 0;      // that the writer was made for
 };
 
 }  // namespace murosimf::web

@@ -18,10 +18,10 @@ using nlohmann::json;
 using namespace std::chrono_literals;
 
 constexpr auto between_visits = 100ms;   // [wall]
-constexpr auto between_numbers = 40ms;   // while somebody plots or looks through a camera
+constexpr auto between_numbers = 40ms;   // while somebody plots
 constexpr Duration frame_period = 16ms;  // [wall] of poses
 
-json state_of(const session::SessionStatus& status, const json& entities, const json& game) {
+json state_of(const session::SessionStatus& status, const json& entities, const json& beliefs, const json& game) {
   const Duration known = std::max(status.time, status.last);
   const bool endless = status.end == Duration::max();
   return {{"is", "state"},
@@ -36,17 +36,13 @@ json state_of(const session::SessionStatus& status, const json& entities, const 
             {"branch", status.branch},
             {"jumps", status.jumps},
             {"entities", entities},
+            {"beliefs", beliefs},
             {"game", game}}}};
 }
 
-const sensors::CameraFrame* wanted_frame(scene::Scene& scene, const std::string& camera) {
-  const std::size_t dot = camera.find('.');
-  if (dot == std::string::npos) return nullptr;
-  try {
-    return &sensors::want_frames(scene.simulation().world().entity(camera.substr(0, dot)), camera.substr(dot + 1));
-  } catch (const SetupError&) {
-    return nullptr;
-  }
+/// Whose pictures of a camera are, and why there are none.
+json note_of(const std::string& camera, const SeenPicture& seen) {
+  return {{"is", "camera"}, {"camera", camera}, {"own", seen.own}, {"trouble", seen.trouble}};
 }
 
 }  // namespace
@@ -58,17 +54,15 @@ struct LiveScene::Visit {
   bool publish = false;  // poses, for a reader that has none yet
   int known_changes = -1;
   std::size_t known_entities = 0;
-  std::vector<std::string> paths, cameras;
-  std::map<std::string, std::uint64_t> known_pictures;  // numbers of frames
-  std::uint64_t known_drawings = 0;                     // connect::drawn_changes
+  std::vector<std::string> paths;
+  std::uint64_t known_drawings = 0;  // connect::drawn_changes
 
   // found
   std::shared_ptr<const SceneDocument> document;
   int changes = -1;
   double time = 0;  // [s]
-  json entities, game, lines;
+  json entities, beliefs, game, lines;
   std::vector<std::pair<std::string, std::optional<double>>> values;
-  std::map<std::string, std::string> pictures;
   bool is_new_drawing = false;
   std::vector<connect::Drawn> drawn;
   std::vector<std::string> teams;
@@ -83,15 +77,10 @@ struct LiveScene::Visit {
     }
     time = seconds(simulation.now());
     entities = entity_states(simulation.world());
+    beliefs = beliefs_of(simulation.world());
     game = game_of(referee);
     lines = lines_of(simulation);
     values = numbers.read(simulation.world(), paths);
-    for (const std::string& camera : cameras) {
-      const sensors::CameraFrame* frame = wanted_frame(scene, camera);
-      if (!frame || frame->number == 0 || known_pictures[camera] == frame->number) continue;
-      known_pictures[camera] = frame->number;
-      pictures[camera] = picture_message(*frame);
-    }
     if (publish || document) simulation.publish_poses();
     take_drawings(simulation.world());
   }
@@ -135,7 +124,7 @@ void LiveScene::take(const Visit& visit) {
     ++documents_;
     last_.poses = {};  // of other bodies
   }
-  const std::string state = json_line(state_of(session_.status(), visit.entities, visit.game));
+  const std::string state = json_line(state_of(session_.status(), visit.entities, visit.beliefs, visit.game));
   if (std::exchange(state_, state) != state) news_.state = last_.state = text_message(state);
   const std::string lines = json_line({{"is", "lines"}, {"lines", visit.lines}});
   if (std::exchange(lines_, lines) != lines) news_.lines = last_.lines = text_message(lines);
@@ -145,8 +134,22 @@ void LiveScene::take(const Visit& visit) {
     news_.values = text_message(json_line({{"is", "values"}, {"time", visit.time}, {"values", values}}));
   }
   take_drawings(visit);
-  for (const auto& [camera, bytes] : visit.pictures) {
-    if (!bytes.empty()) news_.pictures[camera] = last_.pictures[camera] = binary_message(bytes);
+}
+
+void LiveScene::take_pictures(const Wishes& wishes) {
+  wanted_cameras_ = {wishes.cameras.begin(), wishes.cameras.end()};
+  const auto is_forgotten = [&](const auto& one) { return !wanted_cameras_.contains(one.first); };
+  std::erase_if(last_.pictures, is_forgotten);
+  std::erase_if(last_.camera_notes, is_forgotten);
+  std::erase_if(told_pictures_, is_forgotten);
+  for (const std::string& camera : wishes.cameras) {
+    const std::optional<SeenPicture> seen = cameras_.seen(camera);
+    if (!seen || std::exchange(told_pictures_[camera], seen->number) == seen->number) continue;
+    const Message note = text_message(json_line(note_of(camera, *seen)));
+    Message& known = last_.camera_notes[camera];
+    if (!known.bytes || *known.bytes != *note.bytes) news_.camera_notes[camera] = known = note;
+    const std::string picture = seen->frame ? picture_message(*seen->frame) : "";
+    if (!picture.empty()) news_.pictures[camera] = last_.pictures[camera] = binary_message(picture);
   }
 }
 
@@ -176,9 +179,7 @@ void LiveScene::ask(const Wishes& wishes) {
   visit.known_changes = changes_;
   visit.known_entities = scene_ ? scene_->entities : 0;
   visit.paths = wishes.numbers;
-  visit.cameras = wishes.cameras;
   visit.document = nullptr;
-  visit.pictures.clear();
   visited_ = session_.visit([visit = visit_](scene::Scene& scene) { visit->make(scene); });
 }
 
@@ -186,6 +187,7 @@ void LiveScene::look() {
   news_ = {};
   Wishes wishes;
   for (const Onlooker* onlooker : onlookers_) onlooker->add(wishes);
+  take_pictures(wishes);
   if (wishes.clients == 0) {
     reader_ = nullptr;  // nothing is copied for nobody
     last_.poses = {};
@@ -203,7 +205,7 @@ void LiveScene::look() {
   read_poses(wishes);
   const auto now = std::chrono::steady_clock::now();
   if (now < next_visit_) return;
-  const bool often = is_drawn_ || !wishes.numbers.empty() || !wishes.cameras.empty();
+  const bool often = is_drawn_ || !wishes.numbers.empty();
   next_visit_ = now + (often ? between_numbers : between_visits);
   ask(wishes);
 }

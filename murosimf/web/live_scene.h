@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "murosimf/connect/drawn.h"
 #include "murosimf/runtime/pose_feed.h"
 #include "murosimf/session/session.h"
+#include "murosimf/web/onlooker_cameras.h"
 #include "murosimf/web/outbox.h"
 #include "murosimf/web/scene_document.h"
 
@@ -47,15 +49,16 @@ class Onlooker {
 struct News {
   Message poses, poses_with_contacts;
   Message state, lines, values, drawings;
-  std::map<std::string, Message> pictures;  ///< by camera
+  std::map<std::string, Message> pictures,
+      camera_notes;  ///< by camera; a note says whose picture it is, or why there is none
 };
 
 class LiveScene {
  public:
   /// `poses`: of the scene's simulation; `game`: null if nobody referees; `others`: null if no other program draws. All must outlive it.
-  LiveScene(session::Session& session, PoseFeed& poses, const league::GameTask* game,
+  LiveScene(session::Session& session, PoseFeed& poses, const OnlookerCameras& cameras, const league::GameTask* game,
             const connect::DrawingBoard* others = nullptr)
-      : session_(session), poses_(poses), game_(game), others_(others) {}
+      : session_(session), poses_(poses), cameras_(cameras), game_(game), others_(others) {}
 
   void join(const Onlooker& onlooker) { onlookers_.push_back(&onlooker); }
   void leave(const Onlooker& onlooker) { std::erase(onlookers_, &onlooker); }
@@ -65,6 +68,8 @@ class LiveScene {
 
   [[nodiscard]] const News& news() const { return news_; }
   [[nodiscard]] session::Session& session() { return session_; }
+  /// Cameras that somebody looks through.
+  [[nodiscard]] const std::set<std::string>& wanted_cameras() const { return wanted_cameras_; }
 
   /// The scene document as a message, and how often it has changed; 0: there is none yet.
   [[nodiscard]] const Message& document() const { return document_message_; }
@@ -77,11 +82,13 @@ class LiveScene {
   void read_poses(const Wishes& wishes);
   void take(const Visit& visit);
   void take_drawings(const Visit& visit);
+  void take_pictures(const Wishes& wishes);
   void ask(const Wishes& wishes);
   void subscribe(const Wishes& wishes);
 
   session::Session& session_;
   PoseFeed& poses_;
+  const OnlookerCameras& cameras_;
   const league::GameTask* game_;
   const connect::DrawingBoard* others_;
   std::vector<const Onlooker*> onlookers_;
@@ -98,11 +105,13 @@ class LiveScene {
   std::shared_ptr<Visit> visit_;
   std::future<void> visited_;
   std::chrono::steady_clock::time_point next_visit_{};
-  std::string state_, lines_;          // that clients have
-  std::vector<std::string> teams_;     // of entities
-  std::vector<connect::Drawn> drawn_;  // by robots
-  std::uint64_t drawn_by_others_ = 0;  // changes that clients have
-  bool is_drawn_ = false;              // anything
+  std::set<std::string> wanted_cameras_;
+  std::map<std::string, std::uint64_t> told_pictures_;  // numbers (SeenPicture)
+  std::string state_, lines_;                           // that clients have
+  std::vector<std::string> teams_;                      // of entities
+  std::vector<connect::Drawn> drawn_;                   // by robots
+  std::uint64_t drawn_by_others_ = 0;                   // changes that clients have
+  bool is_drawn_ = false;                               // anything
 };
 
 }  // namespace murosimf::web

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-enum Kind { poses, state, lines, values, picture, drawings };  // of views (outbox.h)
+enum Kind { poses, state, lines, values, picture, drawings, camera_note };  // of views (outbox.h)
 
 constexpr int most_unseen = 4;            // a page that draws slowly gets fewer poses, not older ones
 constexpr std::size_t most_paths = 64;    // that a client watches
@@ -74,6 +74,7 @@ void PageConversation::carry_out(const std::string& what, const json& order, std
   }
   if (what == "watch") return watch(order, id);
   if (what == "names") return names(order, id);
+  if (what == "camera") return look_through(order, id);
   if (what == "pause") {
     session.pause();
   } else if (what == "go_on") {
@@ -84,10 +85,6 @@ void PageConversation::carry_out(const std::string& what, const json& order, std
     session.set_speed(get<json>(order, "speed").is_null() ? std::nullopt : std::optional(finite(order, "speed")));
   } else if (what == "contacts") {
     contacts_ = get<bool>(order, "on");
-  } else if (what == "camera") {
-    camera_ = get<json>(order, "camera").is_null() ? "" : get<std::string>(order, "camera");
-    const auto known = live_.last().pictures.find(camera_);
-    if (known != live_.last().pictures.end()) outbox.show(picture, known->second);
   } else {
     throw ClientError(fmt::format("nobody knows how to do '{}'", what.substr(0, 40)));
   }
@@ -101,6 +98,24 @@ void PageConversation::watch(const json& order, std::int64_t id) {
     for (const std::string& path : paths) (void)find_number(scene.simulation().world(), path);
   });
   jobs_.push_back({.id = id, .done = std::move(done), .result = nullptr, .then = [this, paths] { paths_ = paths; }});
+}
+
+/// What is seen already comes at once.
+void PageConversation::look_through(const json& order, std::int64_t id) {
+  camera_.clear();
+  ++cameras_chosen_;
+  if (get<json>(order, "camera").is_null()) return answer(id, "");
+  const auto camera = get<std::string>(order, "camera");
+  std::future<void> done = live_.session().visit([camera](scene::Scene& scene) { check_camera(scene, camera); });
+  const std::uint64_t number = cameras_chosen_;
+  jobs_.push_back({.id = id, .done = std::move(done), .result = nullptr, .then = [this, camera, number] {
+                     if (number != cameras_chosen_) return;  // another one was chosen meanwhile
+                     camera_ = camera;
+                     const auto note = live_.last().camera_notes.find(camera);
+                     if (note != live_.last().camera_notes.end()) outbox.show(camera_note, note->second);
+                     const auto known = live_.last().pictures.find(camera);
+                     if (known != live_.last().pictures.end()) outbox.show(picture, known->second);
+                   }});
 }
 
 void PageConversation::names(const json& order, std::int64_t id) {
@@ -159,6 +174,8 @@ void PageConversation::look() {
   if (news.lines.bytes) outbox.show(lines, news.lines);
   if (news.drawings.bytes) outbox.show(drawings, news.drawings);
   if (news.values.bytes && !paths_.empty()) outbox.show(values, news.values);
+  const auto note = news.camera_notes.find(camera_);
+  if (note != news.camera_notes.end()) outbox.show(camera_note, note->second);
   const auto seen = news.pictures.find(camera_);
   if (seen != news.pictures.end()) outbox.show(picture, seen->second);
 }

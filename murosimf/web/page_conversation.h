@@ -36,6 +36,7 @@ class PageConversation final : public Conversation, public Onlooker {
   };
   void carry_out(const std::string& what, const nlohmann::json& order, std::int64_t id);
   void watch(const nlohmann::json& order, std::int64_t id);
+  void look_through(const nlohmann::json& order, std::int64_t id);
   void names(const nlohmann::json& order, std::int64_t id);
   void wait_for(std::int64_t id, std::future<void> done);
   void answer(std::int64_t id, const std::string& error);
@@ -47,9 +48,10 @@ class PageConversation final : public Conversation, public Onlooker {
   std::uint64_t document_ = 0;  // that it has
   bool contacts_ = false;
   std::vector<std::string> paths_;
-  std::string camera_;
-  int unseen_ = 0;  // messages of poses that it has not said to have seen
-  Message missed_;  // poses that it could not take when they came
+  std::string camera_;                // that it looks through; empty: none
+  std::uint64_t cameras_chosen_ = 0;  // so far
+  int unseen_ = 0;                    // messages of poses that it has not said to have seen
+  Message missed_;                    // poses that it could not take when they came
 };
 
 }  // namespace murosimf::web

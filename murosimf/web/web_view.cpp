@@ -1,9 +1,12 @@
 #include "murosimf/web/web_view.h"
 
+#include <set>
+
 #include <fmt/format.h>
 
 #include "murosimf/web/entry.h"
 #include "murosimf/web/foxglove_conversation.h"
+#include "murosimf/web/onlooker_cameras.h"
 #include "murosimf/web/page.h"
 #include "murosimf/web/page_conversation.h"
 #include "murosimf/web/server.h"
@@ -20,8 +23,9 @@ constexpr std::string_view page_missing =
 
 struct WebView::Inside {
   Inside(scene::Scene& scene, session::Session& session, const WebOptions& options)
-      : live(session, scene.simulation().poses(), options.game, options.others),
-        foxglove(session, options.others),
+      : cameras(session),
+        live(session, scene.simulation().poses(), cameras, options.game, options.others),
+        foxglove(session, cameras, options.others),
         token(new_token()),
         server(options_of(options)) {}
 
@@ -40,9 +44,13 @@ struct WebView::Inside {
             .look = [this] {
               live.look();
               foxglove.look();
+              std::set<std::string> wanted = foxglove.wanted_cameras();
+              wanted.insert(live.wanted_cameras().begin(), live.wanted_cameras().end());
+              cameras.want(wanted);
             }};
   }
 
+  OnlookerCameras cameras;
   LiveScene live;         // of the server's thread
   FoxgloveLive foxglove;  // likewise
   const std::string token;

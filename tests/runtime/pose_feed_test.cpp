@@ -70,6 +70,25 @@ TEST(PoseFeed, ShowsWhatTheColumnsHaveAfterTheStep) {
   EXPECT_EQ(reader->latest(), nullptr) << "no newer one";
 }
 
+TEST(PoseFeed, WhoVisitsGetsTheSameCompletedAndNobodyElseDoes) {
+  Moving moving;
+  PoseFeed& poses = moving.simulation.poses();
+  const auto reader = poses.subscribe();
+  moving.simulation.run(3ms);
+  const PoseFrame published = *reader->latest();
+  poses.contacts_from([](const World&, std::vector<ContactMark>& contacts) { contacts.emplace_back(); });
+  poses.complete_by([](const World&, PoseFrame& frame) { frame.position[2].y = 7; });
+  PoseFrame taken{.contacts = {{}}};
+  poses.take(moving.simulation.world(), moving.simulation.now(), 3, taken);
+  EXPECT_EQ(taken.time, Duration(3ms));
+  EXPECT_EQ(taken.tick, 3);
+  EXPECT_EQ(taken.first, published.first);
+  EXPECT_EQ(norm(taken.position[1] - published.position[1]), 0);
+  EXPECT_EQ(taken.position[2].y, 7);
+  EXPECT_TRUE(taken.contacts.empty());
+  EXPECT_EQ(reader->latest(), nullptr);
+}
+
 TEST(PoseFeed, TheStartIsAFrame) {
   Moving moving;
   const auto reader = moving.simulation.poses().subscribe();

@@ -98,6 +98,23 @@ TEST(Overlays, SupportPolygonIsUnderTheRobotThatTouches) {
   }
 }
 
+TEST(Overlays, BeliefsStandWhereRobotsTakeThemselvesToBe) {
+  Moment moment;
+  const OverlayOptions beliefs{.names = false, .beliefs = true};
+  EXPECT_TRUE(overlays(moment.frame, moment.outline, moment.seen, beliefs, -1).marks.empty())
+      << "nobody has an opinion";
+  const auto robot = static_cast<std::size_t>(
+      moment.scene.simulation().world().index_of(&moment.scene.simulation().world().entity("red1")));
+  moment.seen.entities[robot].believed_pose = Vec3d{1, 2, pi / 2};
+  const auto marks = overlays(moment.frame, moment.outline, moment.seen, beliefs, -1).marks;
+  ASSERT_EQ(marks.size(), 3U);
+  for (const Vec3d& p : marks[0].points) EXPECT_NEAR(std::hypot(p.x - 1, p.y - 2), 0.22, 1e-12);
+  EXPECT_TRUE(marks[1].arrow);
+  EXPECT_NEAR(marks[1].points[1].x, 1, 1e-12);
+  EXPECT_GT(marks[1].points[1].y, 2.1) << "along y";
+  EXPECT_NEAR(marks[2].points[1].x, moment.frame.position[moment.frame.first[robot]].x, 1e-12) << "to the truth";
+}
+
 // A robot that stands still is carried below its center of mass; forces at 0 and 1 m of 1 and 3 N act at 0.75 m.
 TEST(Overlays, ZeroMomentPoint) {
   PoseFrame frame;

@@ -117,9 +117,9 @@ class Client:
 class Run:
     """murosimf run SCENE --web: ends with the block."""
 
-    def __init__(self, program, *words, web="0"):
-        self.process = subprocess.Popen([program, "run", *words, "--web", web], stderr=subprocess.PIPE,
-                                        stdout=subprocess.PIPE, text=True)
+    def __init__(self, program, *words, web="0", command="run", **environment):
+        self.process = subprocess.Popen([program, command, *words, "--web", web], stderr=subprocess.PIPE,
+                                        stdout=subprocess.PIPE, text=True, env={**os.environ, **environment})
         self.said = []
         while True:
             line = self.process.stderr.readline()

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "murosimf/math/quaternion.h"
+#include "murosimf/web/drawings_message.h"
 #include "murosimf/web/gzip.h"
 #include "murosimf/web/html_recording.h"
 #include "murosimf/web/outbox.h"
@@ -35,6 +36,23 @@ PoseFrame frame_of(const std::vector<Vec3d>& positions) {
 }
 
 const SceneDocument document{.bytes = {}, .moving = {{.index = 0, .objects = {0, 1}}}, .entities = 1};
+
+// An L whose concave corner is the third: no triangle may have the corners around it alone.
+TEST(DrawingsMessage, HasTrianglesOfPolygons) {
+  const DrawnShape polygon{.kind = DrawnShape::polygon,
+                           .points = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}};
+  const DrawnShape dots{.kind = DrawnShape::dots, .points = {{0, 0, 0}}};
+  const connect::Drawn drawn{.entity = -1, .by = "somebody", .groups = {{.name = "area", .shapes = {polygon, dots}}}};
+  const auto shapes = nlohmann::json::parse(drawings_message({drawn}))["drawings"][0]["groups"][0]["shapes"];
+  double area = 0;
+  for (const auto& triangle : shapes[0]["triangles"]) {
+    const Vec3d &a = polygon.points[triangle[0]], &b = polygon.points[triangle[1]], &c = polygon.points[triangle[2]];
+    area += 0.5 * norm(cross(b - a, c - a));
+  }
+  EXPECT_EQ(shapes[0]["triangles"].size(), 4U);
+  EXPECT_NEAR(area, 3, 1e-12);
+  EXPECT_FALSE(shapes[1].contains("triangles"));
+}
 
 TEST(PoseMessage, SaysWhereEverythingIs) {
   const Vec3d base{1.5, -2.25, 0.3}, link{1.6, -2.5, 0.1};

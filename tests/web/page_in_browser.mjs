@@ -84,7 +84,7 @@ const colors = (page) => page.evaluate(async () => {
 
 async function testDesktop() {
   const run = await start("three_on_three", "--duration", "60", "--set", "red.*.level=simplified_dynamics",
-    "--set", "blue1.sensors.camera.always_on=true", "--roboviz", "0");
+    "--roboviz", "0");
   const begin = Date.now();
   const page = await open(run.address);
   console.log(`page shows the scene after ${Date.now() - begin} ms`);
@@ -101,6 +101,7 @@ async function testDesktop() {
   await page.selectOption('select[aria-label="level"]', "full_dynamics");
   const red = await page.evaluate(() => window.murosimf.scene().text.entities.findIndex((one) => one.name === "red1"));
   await until(page, (now) => now.entities[red].level === "full_dynamics", "another level");
+  assert.ok(await page.locator("#ghosts").isHidden(), "nobody says where he takes himself to be");
   await page.click("#contacts");
   await page.click('button[aria-label="Push right"]');
   await page.waitForSelector("#messages div:has-text('push')");
@@ -182,6 +183,7 @@ async function lookThroughACamera(page, robot) {
     const data = picture.getContext("2d").getImageData(0, 0, picture.width, picture.height).data;
     return new Set(data).size > 3; // a canvas that is empty has one value, one color four at most
   }, undefined, { timeout: 60000 });
+  assert.match(await page.textContent("#panel"), /Drawn for who looks/, "nobody reads it");
   await page.screenshot({ path: join(pictures, "camera.png") });
   await page.click("#play");
   await until(page, (now) => now.paused, "paused after the camera");
@@ -191,9 +193,11 @@ async function lookThroughACamera(page, robot) {
 async function seeDrawings(page, said) {
   const port = Number(/RoboViz on 127.0.0.1:(\d+)/.exec(said)[1]);
   const numbers = (...all) => Buffer.from(all.map((one) => one.toFixed(4).slice(0, 6)).join(""));
+  const corners = [[0, 0, 0], [2, 0, 0], [2, 1, 0], [1, 1, 0], [1, 2, 0], [0, 2, 0]]; // an L of 3 square meters
   const orange = Buffer.from([255, 128, 0]), group = Buffer.from("blue.1.plan\0");
   const packet = Buffer.concat([Buffer.from([1, 0]), numbers(0.5, 0.25, 1, 2), orange, group,
-    Buffer.from([2, 0]), numbers(0, 0, 0.5), orange, Buffer.from("plan A\0"), group, Buffer.from([0, 0]), Buffer.from("blue\0")]);
+    Buffer.from([2, 0]), numbers(0, 0, 0.5), orange, Buffer.from("plan A\0"), group,
+    Buffer.from([1, 4, 6]), orange, Buffer.from([255]), numbers(...corners.flat()), group, Buffer.from([0, 0]), Buffer.from("blue\0")]);
   const door = createSocket("udp4");
   await new Promise((done) => { door.send(packet, port, "127.0.0.1", done); });
   door.close();
@@ -201,12 +205,55 @@ async function seeDrawings(page, said) {
   const box = page.locator("label:has-text('roboviz/blue.1.plan') input");
   await box.waitFor({ timeout: 20000 });
   const things = () => page.evaluate(() => window.murosimf.view.drawings.world.children.flatMap((group) => group.children).length);
-  assert.equal(await things(), 2);
+  assert.equal(await things(), 3);
+  const area = await page.evaluate(() => {
+    const filled = window.murosimf.view.drawings.world.children.flatMap((one) => one.children)
+      .find((one) => one.geometry?.getIndex()?.count === 12 && one.geometry.getAttribute("position").count === 6);
+    const at = filled.geometry.getAttribute("position"), index = [...filled.geometry.getIndex().array];
+    let sum = 0;
+    for (let i = 0; i < index.length; i += 3) {
+      const [a, b, c] = index.slice(i, i + 3);
+      sum += Math.abs((at.getX(b) - at.getX(a)) * (at.getY(c) - at.getY(a)) - (at.getY(b) - at.getY(a)) * (at.getX(c) - at.getX(a))) / 2;
+    }
+    return sum;
+  });
+  assert.ok(Math.abs(area - 3) < 1e-6, `the triangles of an L cover it: ${area}`);
   await page.screenshot({ path: join(pictures, "drawings.png") });
   await box.uncheck();
   assert.equal(await things(), 0);
   await box.check();
-  assert.equal(await things(), 2);
+  assert.equal(await things(), 3);
+}
+
+// A robot that localizes itself: its ghost stands where it says, and can be switched.
+async function testGhosts() {
+  const run = await start("self_localization", "--duration", "0.04");
+  const page = await open(run.address);
+  await until(page, (now) => now && now.paused && now.beliefs?.some((one) => one), "somebody believes something");
+  const ghost = () => page.evaluate(() => {
+    const { view, state, scene } = window.murosimf;
+    const entity = scene().text.entities.findIndex((one) => one.name === "robot");
+    const group = view.ghosts.world.children[0];
+    const at = view.basePlace(entity).clone();
+    const truth = at.clone();
+    at.applyMatrix4(group.matrix);
+    return { shown: group.visible, meshes: group.children.length, at: at.toArray(), truth: truth.toArray(), said: state().beliefs[entity] };
+  });
+  const seen = await ghost();
+  assert.ok(seen.shown && seen.meshes > 5, "a whole robot");
+  assert.ok(Math.hypot(seen.at[0] - seen.said[0], seen.at[1] - seen.said[1]) < 1e-3, `where it says: ${JSON.stringify(seen)}`);
+  assert.ok(Math.abs(seen.at[2] - seen.truth[2]) < 1e-6, "at its height");
+  assert.ok(Math.hypot(seen.at[0] - seen.truth[0], seen.at[1] - seen.truth[1]) > 0.05, "it does not know its place yet");
+  await page.evaluate(() => window.murosimf.select(window.murosimf.scene().text.entities.findIndex((one) => one.name === "robot")));
+  await page.click("#follow");
+  await page.waitForTimeout(300);
+  await page.screenshot({ path: join(pictures, "ghosts.png") });
+  await page.click("#ghosts");
+  assert.equal((await ghost()).shown, false);
+  await page.keyboard.press("g");
+  assert.equal((await ghost()).shown, true);
+  await page.close();
+  await run.end();
 }
 
 async function testPhone() {
@@ -363,7 +410,7 @@ async function testRecording() {
 }
 
 let failed = false;
-for (const test of [testDesktop, testPhone, testReconnect, testExport, testRecording, testDrawingsOfThen]) {
+for (const test of [testDesktop, testGhosts, testPhone, testReconnect, testExport, testRecording, testDrawingsOfThen]) {
   problems.length = 0;
   try {
     await test();

@@ -8,6 +8,7 @@ import gzip
 import json
 import re
 import socket
+import struct
 import subprocess
 import sys
 import tempfile
@@ -15,6 +16,7 @@ import time
 import unittest
 import urllib.error
 import urllib.request
+import zlib
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "league"))
@@ -322,6 +324,147 @@ class Drawings(unittest.TestCase):
             port = taken.getsockname()[1]
             done = subprocess.run([PROGRAM, "run", "walk", "--roboviz", str(port)], capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, done.stderr), (2, f"murosimf: --roboviz: 127.0.0.1:{port}: the port is in use\n"))
+
+
+def is_picture(message):
+    return isinstance(message, bytes) and message[0] == 2
+
+
+def pixels_of(message):
+    """Width, height, and red, green, blue of each pixel of a picture for the page."""
+    return struct.unpack_from("<HH", message, 2), message[8:]
+
+
+def read_png(data):
+    """The same of a PNG file of 8 bits, with or without opacity."""
+    width, height, _, color = struct.unpack_from(">IIBB", data, 16)
+    packed, at = b"", 8
+    while at < len(data):
+        size = int.from_bytes(data[at:at + 4], "big")
+        if data[at + 4:at + 8] == b"IDAT":
+            packed += data[at + 8:at + 8 + size]
+        at += size + 12
+    raw, step = zlib.decompress(packed), {2: 3, 6: 4}[color]
+    row, pixels = bytearray(width * step), bytearray()
+    for y in range(height):
+        kind, line = raw[y * (width * step + 1)], bytearray(raw[y * (width * step + 1) + 1:(y + 1) * (width * step + 1)])
+        for i, byte in enumerate(line):
+            left, corner = (line[i - step], row[i - step]) if i >= step else (0, 0)
+            up = row[i]
+            nearest = min((left, up, corner), key=lambda one, sum_=left + up - corner: abs(sum_ - one))
+            line[i] = (byte + (0, left, up, (left + up) // 2, nearest)[kind]) & 255
+        row = line
+        pixels += b"".join(line[i:i + 3] for i in range(0, len(line), step))
+    return (width, height), bytes(pixels)
+
+
+SMALL = ["--set", "blue1.sensors.camera.width=200", "--set", "blue1.sensors.camera.height=150"]
+
+
+class Cameras(unittest.TestCase):
+    """Nobody in the scene reads this camera."""
+    words = ["three_on_three", *SMALL, "--duration", "0.5", "--json", "-"]
+
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "seen.png")
+            words = [PROGRAM, "render", *cls.words[:-4], "--time", "0.5", "--camera", "blue1.camera", "--out", file]
+            made = subprocess.run(words, capture_output=True, check=False, text=True)
+            if "no pictures by OpenGL" in made.stderr:
+                raise unittest.SkipTest(made.stderr)
+            cls.rendered = read_png(file.read_bytes())
+        alone = subprocess.run([PROGRAM, "run", *cls.words], capture_output=True, check=True, text=True)
+        cls.state_hash = json.loads(alone.stdout)["state_hash"]
+
+    def camera_channels(self, viewer):
+        """By topic."""
+        return {one["topic"]: one for one in viewer.wait_for(
+            lambda m: isinstance(m, dict) and m["op"] == "advertise" and any(
+                one["topic"].startswith("/cameras/") for one in m["channels"]))["channels"]}
+
+    def assert_rendered(self, picture):
+        self.assertEqual(picture[0], self.rendered[0])
+        differences = [abs(a - b) for a, b in zip(picture[1], self.rendered[1], strict=True)]
+        self.assertLess(sum(differences) / len(differences), 0.1, "of 255")
+        self.assertLess(sum(one > 8 for one in differences), 0.001 * len(differences))
+
+    def test_page_sees_any_camera_and_changes_nothing(self):
+        with Run(PROGRAM, *self.words) as run:
+            client = Client(run.port)
+            client.order(do="camera", camera="blue1.camera", id=1)
+            self.assertNotIn("error", client.answer(1))
+            note = client.wait_for(lambda m: isinstance(m, dict) and m["is"] == "camera")
+            self.assertEqual(note, {"is": "camera", "camera": "blue1.camera", "own": False, "trouble": ""})
+            client.wait_for(is_picture)
+            client.state(lambda state: state["paused"])
+            late = Client(run.port)
+            late.order(do="camera", camera="blue1.camera", id=1)
+            late.wait_for(is_picture)
+            time.sleep(1)  # the last picture is of the end
+            late.order(do="camera", camera=None, id=2)
+            late.answer(2)
+            late.order(do="camera", camera="blue1.camera", id=3)
+            self.assert_rendered(pixels_of(late.wait_for(is_picture)))
+            client.order(do="camera", camera="blue1.camra", id=2)
+            self.assertIn("did you mean 'blue1.camera'", client.answer(2)["error"])
+            code, output = run.stop()
+        self.assertEqual((code, json.loads(output)["state_hash"]), (0, self.state_hash))
+
+    def test_no_picture_comes_when_nobody_looks(self):
+        with Run(PROGRAM, "three_on_three", *SMALL, "--duration", "600") as run:
+            client = Client(run.port)
+            client.order(do="camera", camera="blue1.camera", id=1)
+            for _ in range(3):
+                client.wait_for(is_picture)
+            client.order(do="camera", camera=None, id=2)
+            client.answer(2)
+            answered = time.monotonic()
+            while time.monotonic() < answered + 1.5:
+                message = client.wait_for(lambda m: True)
+                if time.monotonic() > answered + 0.3:  # one may have been on its way
+                    self.assertFalse(is_picture(message))
+
+    def test_foxglove_sees_any_camera(self):
+        with Run(PROGRAM, *self.words) as run:
+            viewer = Client(run.port, protocol="foxglove.sdk.v1")
+            topics = self.camera_channels(viewer)
+            self.assertEqual(topics["/cameras/blue1/camera/image"]["schemaName"], "foxglove.CompressedImage")
+            page = Client(run.port)
+            page.state(lambda state: state["paused"])
+            viewer.order(op="subscribe", subscriptions=[
+                {"id": number, "channelId": topics[f"/cameras/blue1/camera/{what}"]["id"]}
+                for number, what in ((5, "image"), (6, "calibration"))])
+
+            came = {}
+            while len(came) < 2:  # in any order
+                message = viewer.wait_for(lambda m: isinstance(m, bytes) and m[0] == 1)
+                came[int.from_bytes(message[1:5], "little")] = message
+            self.assertIn(b"blue1/camera/optical", came[6])
+            self.assert_rendered(read_png(came[5][came[5].index(b"\x89PNG"):]))
+            code, output = run.stop()
+        self.assertEqual((code, json.loads(output)["state_hash"]), (0, self.state_hash))
+
+    def test_recordings_are_looked_at_through_cameras_too(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = str(Path(folder, "game.mcap"))
+            subprocess.run([PROGRAM, "run", *self.words[:-2], "--record", file], capture_output=True, check=True)
+            with Run(PROGRAM, file, command="replay") as replay:
+                client = Client(replay.port)
+                client.state(lambda state: state["paused"] and state["time"] == 0.5)
+                client.order(do="camera", camera="blue1.camera", id=1)
+                self.assert_rendered(pixels_of(client.wait_for(is_picture)))
+
+    def test_where_nothing_draws_one_line_says_so(self):
+        with Run(PROGRAM, *self.words, **{"__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"}) as run:
+            client, viewer = Client(run.port), Client(run.port, protocol="foxglove.sdk.v1")
+            client.order(do="camera", camera="blue1.camera", id=1)
+            note = client.wait_for(lambda m: isinstance(m, dict) and m["is"] == "camera")
+            self.assertRegex(note["trouble"], r"^no pictures by OpenGL: [^\n]*$")
+            channel = self.camera_channels(viewer)["/cameras/blue1/camera/image"]["id"]
+            viewer.order(op="subscribe", subscriptions=[{"id": 5, "channelId": channel}])
+            status = viewer.wait_for(lambda m: isinstance(m, dict) and m["op"] == "status")
+            self.assertEqual(status["message"], note["trouble"])
 
 
 class Clients(unittest.TestCase):

@@ -21,10 +21,10 @@ function rod(a: Vector3, b: Vector3, width: number, material: Material): Mesh {
   return mesh;
 }
 
-function polygon(corners: Vector3[], material: Material): Mesh {
+function polygon(corners: Vector3[], triangles: number[][], material: Material): Mesh {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(corners.flatMap((p) => p.toArray())), 3));
-  geometry.setIndex(corners.slice(2).flatMap((_, i) => [0, i + 1, i + 2]));
+  geometry.setIndex(triangles.flat());
   return new Mesh(geometry, material);
 }
 
@@ -57,7 +57,7 @@ function made(shape: DrawnShape): Object3D[] {
         return ball;
       });
     }
-    case "polygon": return [polygon(points, material)];
+    case "polygon": return [polygon(points, shape.triangles ?? [], material)];
     case "text": {
       if (shape.words === "") return [];
       const sprite = label(shape.words, `#${color.getHexString(SRGBColorSpace)}`, Math.max(shape.size, least.text));

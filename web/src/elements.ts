@@ -21,6 +21,7 @@ const strokes: Record<string, string> = {
   above: '<rect x="3" y="6" width="18" height="12"/><path d="M12 6v12"/><circle cx="12" cy="12" r="2.5"/>',
   names: '<path d="M3 8l9-5 9 5v11H3z"/><path d="M8 14h8"/>',
   contacts: '<path d="M12 20V6M7 10l5-6 5 6M4 20h16"/>',
+  ghost: '<path d="M5 20V10a7 7 0 0 1 14 0v10l-3-2-2 2-2-2-2 2-2-2zM9 11v.5M15 11v.5"/>',
   push: '<path d="M3 12h11M10 7l5 5-5 5M20 4v16"/>',
   left: '<path d="M19 12H5M11 6l-6 6 6 6"/>',
   right: '<path d="M5 12h14M13 6l6 6-6 6"/>',

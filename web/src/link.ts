@@ -1,7 +1,7 @@
 // The WebSocket to a running simulation (docs/web.md). Lost, it is looked for again.
 import { readPoses } from "./poses";
 import { SceneDocument } from "./scene";
-import type { Drawn, Line, Listener, Source, State } from "./source";
+import type { CameraNote, Drawn, Line, Listener, Source, State } from "./source";
 
 const kinds = { poses: 1, picture: 2, scene: 3 };
 
@@ -14,6 +14,7 @@ type FromServer =
   | { is: "state"; state: State }
   | { is: "lines"; lines: Line[] }
   | { is: "drawings"; drawings: Drawn[] }
+  | ({ is: "camera" } & CameraNote)
   | { is: "values"; time: number; values: Record<string, number | null> }
   | { is: "answer"; id: number; error?: string; result?: unknown };
 
@@ -125,6 +126,7 @@ export class Link implements Source {
       case "state": this.listener.state(message.state); break;
       case "lines": this.listener.lines(message.lines); break;
       case "drawings": this.listener.drawings(message.drawings); break;
+      case "camera": this.listener.cameraNote(message); break;
       case "values": this.listener.values(message.time, message.values); break;
       case "answer": {
         const waiting = this.waiting.get(message.id);

@@ -35,10 +35,13 @@ const listener: Listener = {
     state = next;
     showState(next);
     panel.update(next);
+    view.showBeliefs(next.beliefs ?? []);
+    get("ghosts").hidden = !view.ghosts.any;
   },
   lines: (lines) => panel.setLines(lines),
   values: (at, values) => panel.values(at, values),
   picture: (picture) => panel.show_picture(picture),
+  cameraNote: (note) => panel.noteCamera(note),
   drawings(drawn) {
     view.showDrawings(drawn);
     panel.setGroups(view.drawings.names, (name) => view.drawings.isShown(name));
@@ -156,6 +159,10 @@ const actions: Record<string, () => void> = {
     view.setNames(on);
     toggle(get("names"), on);
   },
+  ghosts() {
+    view.setGhosts(!view.ghosts.on);
+    toggle(get("ghosts"), view.ghosts.on);
+  },
   contacts() {
     const on = get("contacts").getAttribute("aria-pressed") !== "true";
     source.setContacts(on);
@@ -170,13 +177,14 @@ const actions: Record<string, () => void> = {
 for (const [id, action] of Object.entries(actions)) get(id).onclick = action;
 for (const id of ["contacts", "push_mode"]) get(id).classList.add("live");
 
-const icons = { toggle_panel: "panel", follow: "follow", above: "above", names: "names", contacts: "contacts", push_mode: "push",
+const icons = { toggle_panel: "panel", follow: "follow", above: "above", names: "names", contacts: "contacts", ghosts: "ghost", push_mode: "push",
   reset: "reset", play: "play", step: "step" };
 for (const [id, icon] of Object.entries(icons)) setIcon(get(id), icon);
 toggle(get("names"), true);
+toggle(get("ghosts"), true);
 
 const keys: Record<string, string> = { " ": "play", ArrowRight: "step", Backspace: "reset", p: "toggle_panel", f: "follow", a: "above",
-  n: "names", c: "contacts", x: "push_mode" };
+  n: "names", c: "contacts", g: "ghosts", x: "push_mode" };
 window.addEventListener("keydown", (event) => {
   const target = event.target as HTMLElement;
   if (target.closest("input, select, textarea") || event.ctrlKey || event.metaKey || event.altKey) return;

@@ -2,7 +2,7 @@
 import { get, make, say, setIcon } from "./elements";
 import { Plot } from "./plot";
 import type { Entity, SceneDocument } from "./scene";
-import type { Line, Picture, Source, State } from "./source";
+import type { CameraNote, Line, Picture, Source, State } from "./source";
 
 const tabs = ["Scene", "Events", "Plots", "Camera"] as const;
 type Tab = (typeof tabs)[number];
@@ -24,6 +24,7 @@ export class Panel {
   private readonly plotList = make("div");
   private readonly picture = make("canvas");
   private readonly camera = make("select");
+  private readonly cameraHint = make("p", "", "hint");
   private readonly path = make("input");
   private readonly names = make("datalist");
   private readonly events = make("div");
@@ -153,6 +154,20 @@ export class Panel {
       image.data.set([pixels[k]!, pixels[k + 1]!, pixels[k + 2]!, 255], 4 * i);
     }
     this.picture.getContext("2d")!.putImageData(image, 0, 0);
+  }
+
+  noteCamera(note: CameraNote): void {
+    if (note.camera !== this.camera.value) return;
+    this.cameraHint.classList.toggle("bad", note.trouble !== "");
+    this.cameraHint.textContent = note.trouble || (note.own ? "As the robot gets it."
+      : "Drawn for who looks, of this moment: without exposure time, rolling shutter and delay.");
+  }
+
+  // Pictures of another one come, or none.
+  private look(): void {
+    this.picture.getContext("2d")!.clearRect(0, 0, this.picture.width, this.picture.height);
+    this.cameraHint.textContent = "";
+    this.source.look(this.camera.value || null);
   }
 
   private open(tab: Tab): void {
@@ -304,10 +319,9 @@ export class Panel {
   private makeCamera(): HTMLElement {
     const page = make("div");
     this.camera.setAttribute("aria-label", "Camera");
-    this.camera.onchange = () => this.source.look(this.camera.value || null);
+    this.camera.onchange = () => this.look();
     this.picture.id = "picture";
-    page.append(this.camera, this.picture,
-      make("p", "A camera draws if control software reads it, or the scene says always_on = true.", "hint"));
+    page.append(this.camera, this.picture, this.cameraHint);
     return page;
   }
 }

@@ -26,6 +26,7 @@ export interface State {
   factor: number; // the same, measured
   branch: number;
   entities: EntityState[]; // as those of the scene document
+  beliefs?: ([number, number, number] | null)[]; // [m, m, rad] where robots take themselves to be
   game: Game | null;
 }
 
@@ -41,6 +42,13 @@ export interface Picture {
   pixels: Uint8Array; // red, green, blue
 }
 
+// Of the camera that is looked through.
+export interface CameraNote {
+  camera: string;
+  own: boolean; // it draws for itself; else it is drawn for who looks
+  trouble: string; // why there is no picture; empty: all is well
+}
+
 export interface DrawnShape {
   kind: "circle" | "line" | "dots" | "sphere" | "polygon" | "text";
   points: number[][]; // [m]
@@ -48,6 +56,7 @@ export interface DrawnShape {
   color: number[];
   opacity: number;
   words: string;
+  triangles?: number[][]; // of a polygon: numbers of points
 }
 
 // Groups of one who draws for people.
@@ -64,6 +73,7 @@ export interface Listener {
   lines(lines: Line[]): void;
   values(time: number, values: Record<string, number | null>): void;
   picture(picture: Picture): void;
+  cameraNote(note: CameraNote): void;
   drawings(drawn: Drawn[]): void;
   connected(yes: boolean, why: string): void;
 }

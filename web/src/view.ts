@@ -7,6 +7,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Drawings } from "./drawings";
+import { Ghosts, type Belief } from "./ghosts";
 import { label } from "./label";
 import type { Part, SceneDocument } from "./scene";
 import type { Poses } from "./poses";
@@ -90,6 +91,7 @@ export class View {
   following = false;
   frames = 0; // drawn so far
   readonly drawings = new Drawings();
+  readonly ghosts = new Ghosts();
 
   private readonly renderer: WebGLRenderer;
   private readonly stage = new Scene();
@@ -116,7 +118,7 @@ export class View {
     this.renderer.shadowMap.type = PCFSoftShadowMap;
     this.stage.background = new Color(0xb2bcc6);
     this.stage.add(new HemisphereLight(0xdde6ee, 0x5c6657, 1.5), new AmbientLight(0xffffff, 0.25), this.sun, this.sun.target,
-      this.content, this.forces, this.arrow, this.drawings.world);
+      this.content, this.forces, this.arrow, this.drawings.world, this.ghosts.world);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.bias = -0.0006;
@@ -198,6 +200,7 @@ export class View {
     });
     this.placeForces(poses);
     this.placeDrawings();
+    this.placeGhosts();
     this.placeRing();
     if (this.following) this.follow();
     this.dirty = true;
@@ -211,6 +214,25 @@ export class View {
   switchGroup(name: string, on: boolean): void {
     this.drawings.switchGroup(name, on);
     this.placeDrawings();
+  }
+
+  showBeliefs(beliefs: Belief[]): void {
+    if (beliefs.length === 0 && !this.ghosts.any) return;
+    this.ghosts.believe(beliefs);
+    this.placeGhosts();
+  }
+
+  setGhosts(on: boolean): void {
+    this.ghosts.switch(on);
+    this.placeGhosts();
+  }
+
+  private placeGhosts(): void {
+    this.ghosts.place((entity) => {
+      const shown = this.shown.find((one) => one.entity === entity);
+      return shown?.group.visible ? shown.bodies : undefined;
+    });
+    this.dirty = true;
   }
 
   private placeDrawings(): void {
@@ -301,6 +323,7 @@ export class View {
       if (object instanceof Mesh) (object.geometry as BufferGeometry).dispose();
       if (object instanceof Sprite) object.material.map?.dispose();
     });
+    this.ghosts.forget();
     this.stage.remove(this.content);
     this.content = new Group();
     this.stage.add(this.content);

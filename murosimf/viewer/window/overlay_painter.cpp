@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/render/polygon_triangles.h"
 #include "murosimf/viewer/window/panels.h"
 
 namespace murosimf::viewer {
@@ -70,6 +71,19 @@ void paint(ImDrawList& list, const sensors::Perspective& view, const Area& area,
     paint_segment(list, view, area, mark.points.back(), mark.points.front(), mark, false);
 }
 
+/// `points`: those of the shape, in the window.
+void paint_area(ImDrawList& list, const render::SeenShape& shape, const std::vector<ImVec2>& points, ImU32 color) {
+  if (render::is_convex(shape.points)) {
+    return list.AddConvexPolyFilled(points.data(), static_cast<int>(points.size()), color);
+  }
+  const ImDrawListFlags flags = list.Flags;
+  list.Flags = flags & ~ImDrawListFlags_AntiAliasedFill;  // smooth borders would show as seams
+  for (const auto& [a, b, c] : render::polygon_triangles(shape.points)) {
+    list.AddTriangleFilled(points[a], points[b], points[c], color);
+  }
+  list.Flags = flags;
+}
+
 /// Letters with a dark shade behind, readable on grass and shirts.
 void paint_letters(ImDrawList& list, const ImVec2& middle, const std::string& letters, ImU32 color, float height = 0) {
   const float scale = height > 0 ? height / ImGui::GetFontSize() : 1;
@@ -115,7 +129,7 @@ void paint_drawings(const std::vector<render::SeenShape>& shapes, const Area& ar
       case render::SeenShape::Kind::line:
         clipped.list.AddPolyline(points.data(), count, color, 0, static_cast<float>(shape.size));
         break;
-      case render::SeenShape::Kind::area: clipped.list.AddConvexPolyFilled(points.data(), count, color); break;
+      case render::SeenShape::Kind::area: paint_area(clipped.list, shape, points, color); break;
       case render::SeenShape::Kind::words:
         paint_letters(clipped.list, points[0], shape.words, color, static_cast<float>(shape.size));
         break;

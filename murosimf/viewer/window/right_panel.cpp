@@ -170,6 +170,7 @@ void view_tab(Panels& panels) {
                                                        {Action::support_polygons, &overlay.support_polygons},
                                                        {Action::zero_moment_points, &overlay.zero_moment_points},
                                                        {Action::joint_loads, &overlay.joint_loads},
+                                                       {Action::beliefs, &overlay.beliefs},
                                                        {Action::standing_feet, &overlay.standing_feet},
                                                        {Action::levels, &overlay.levels},
                                                        {Action::names, &overlay.names},
