@@ -161,6 +161,10 @@ std::string camera_of(const std::string& topic) {
 
 }  // namespace
 
+FoxgloveLive::FoxgloveLive(session::Session& session, const OnlookerCameras& cameras,
+                           const connect::DrawingBoard* others)
+    : session_(session), onlooker_cameras_(cameras), others_(others) {}
+
 FoxgloveLive::~FoxgloveLive() = default;
 
 void FoxgloveLive::subscribe(std::uint16_t channel, bool on) {

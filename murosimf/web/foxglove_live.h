@@ -32,8 +32,8 @@ struct FoxgloveChannel {
 class FoxgloveLive final : private recording::MessageSink {
  public:
   /// `others`: null if no other program draws. All must outlive it.
-  FoxgloveLive(session::Session& session, const OnlookerCameras& cameras, const connect::DrawingBoard* others = nullptr)
-      : session_(session), onlooker_cameras_(cameras), others_(others) {}
+  FoxgloveLive(session::Session& session, const OnlookerCameras& cameras,
+               const connect::DrawingBoard* others = nullptr);
   ~FoxgloveLive() override;
 
   struct Packet {
