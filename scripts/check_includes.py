@@ -4,7 +4,8 @@
 Each folder of murosimf/ may include itself, the folders that stand after its USES in murosimf/CMakeLists.txt, and what
 those use, nothing else; a folder may use only what stands above it there. Programs, tests, examples and benchmarks may
 include everything. No two headers of the library have one name. Every header begins with `/// name.h - what it is for`
-and has `#pragma once`. Prints each violation as file:line: message and exits with 1 if there is one.
+and has `#pragma once`. Who names a property includes, directly or not, the header that has it: a precompiled header hides that
+some do not. Prints each violation as file:line: message and exits with 1 if there is one.
 
     scripts/check_includes.py [root of the source tree]
 """
@@ -16,6 +17,8 @@ from pathlib import Path
 folder_line = re.compile(r"^\s*murosimf_folder\(([\w/]+)((?:\s+[^\s()]+)*)\s*\)", re.MULTILINE)
 outside = ["apps", "python", "tests", "examples", "benchmarks"]
 
+property_line = re.compile(r"^inline constexpr Property<[^;{}]*>\s+(\w+)\s*\{", re.MULTILINE)
+property_use = re.compile(r"\bproperties::(\w+)")
 include_line = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -80,8 +83,40 @@ def check_header(file, lines):
         yield 1, "#pragma once is missing"
 
 
+class Includes:
+    """What files include of the project, directly or not."""
+
+    def __init__(self, root):
+        self.root, self.known = root, {}
+        self.headers_of = {}  # by property
+        for header in sources(root / "murosimf"):
+            if header.suffix == ".h":
+                for name in property_line.findall(header.read_text(encoding="utf-8")):
+                    self.headers_of.setdefault(name, set()).add(header.relative_to(root).as_posix())
+
+    def of(self, path):
+        if path not in self.known:
+            self.known[path] = found = {path}
+            file = self.root / path
+            lines = file.read_text(encoding="utf-8").splitlines() if file.is_file() else []
+            for _, included, quoted in includes(lines):
+                if quoted or included.startswith("murosimf/"):
+                    found |= self.of(included)
+        return self.known[path]
+
+    def missing(self, relative, lines):
+        """Yields (line number, message) of properties that the file names without the header that has them."""
+        reached = self.of(relative.as_posix())
+        for number, line in enumerate(lines, 1):
+            for name in property_use.findall(line.partition("//")[0]):
+                headers = self.headers_of.get(name, set())
+                if headers and not headers & reached:
+                    yield number, f"properties::{name} is named, {' or '.join(sorted(headers))} not included"
+
+
 def violations(root):
     """Yields (file, line number, message)."""
+    reached = Includes(root)
     library = root / "murosimf"
     allowed, mistakes = folders(root)
     yield from (("murosimf/CMakeLists.txt", 1, mistake) for mistake in mistakes)
@@ -99,6 +134,8 @@ def violations(root):
             message = check_include(root, file, folder, path, quoted, allowed)
             if message:
                 yield relative, number, message
+        if file.suffix == ".cpp":
+            yield from ((relative, number, message) for number, message in reached.missing(relative, lines))
         if file.suffix == ".h":
             yield from ((relative, number, message) for number, message in check_header(file, lines))
             other = headers.setdefault(file.name, relative) if folder else relative
