@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "murosimf/render/polygon_triangles.h"
 #include "murosimf/web/json_line.h"
 
 namespace murosimf::web {
@@ -25,11 +26,11 @@ double rounded(double x, double per_unit) { return std::round(per_unit * x) / pe
 std::int64_t DrawingTracks::look_of(const DrawnShape& shape) {
   constexpr double lengths = 1e4, shares = 1e3;  // steps to a unit
   const Color& color = shape.color;
-  std::string text =
-      json_line(json::array({drawn_kind_names[shape.kind], rounded(shape.size, lengths), rounded(color.red, shares),
-                             rounded(color.green, shares), rounded(color.blue, shares), rounded(shape.opacity, shares),
-                             shape.words, shape.points.size()}));
-  const auto [known, is_new] = looks_.try_emplace(std::move(text), static_cast<std::int64_t>(looks_.size()));
+  json look = json::array({drawn_kind_names[shape.kind], rounded(shape.size, lengths), rounded(color.red, shares),
+                           rounded(color.green, shares), rounded(color.blue, shares), rounded(shape.opacity, shares),
+                           shape.words, shape.points.size()});
+  if (shape.kind == DrawnShape::polygon) look.push_back(render::polygon_triangles(shape.points));
+  const auto [known, is_new] = looks_.try_emplace(json_line(look), static_cast<std::int64_t>(looks_.size()));
   if (is_new) looks_in_order_.push_back(known->first);
   return known->second;
 }

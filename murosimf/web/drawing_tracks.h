@@ -21,7 +21,8 @@ class DrawingTracks {
   void take(std::size_t frame, const std::vector<connect::Drawn>& all);
   [[nodiscard]] bool empty() const { return tracks_.empty(); }
 
-  /// `{looks: [[kind, size, red, green, blue, opacity, words, points]], tracks: [{entity, by, name, of_robot, frames, looks, points}]}`.
+  /// `{looks: [[kind, size, red, green, blue, opacity, words, points, triangles]],
+  /// tracks: [{entity, by, name, of_robot, frames, looks, points}]}`. Only polygons have `triangles`, numbers of points.
   /// Each version of a group has one number in `frames`, how many frames after the version before, and one element in the other two:
   /// `looks` has one number for each shape, null if they are those before, none if the group is gone; `points` are all coordinates [mm],
   /// as differences to the version before if that has as many.

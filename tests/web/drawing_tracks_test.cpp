@@ -135,6 +135,20 @@ TEST(DrawingTracks, WhatStaysIsNotWrittenAgain) {
   EXPECT_EQ(ball["points"], json::parse("[[1000, 2000, 3000], [2, 0, 0], [2, 0, 0]]"));
 }
 
+TEST(DrawingTracks, PolygonsHaveTheirTriangles) {
+  const DrawnShape shape{.kind = DrawnShape::polygon,
+                         .points = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}};
+  web::DrawingTracks tracks;
+  tracks.take(0, {{.entity = -1, .by = "roboviz", .groups = {{.name = "L", .shapes = {shape}}}}});
+  const json object = tracks.object();
+  double area = 0;  // [m^2]; of an L, a fan would have more
+  for (const json& triangle : object["looks"][0][8]) {
+    const auto corner = [&](int i) { return shape.points[triangle[static_cast<std::size_t>(i)].get<std::size_t>()]; };
+    area += norm(cross(corner(1) - corner(0), corner(2) - corner(0))) / 2;
+  }
+  EXPECT_NEAR(area, 3, 1e-12) << "sums of halves of whole numbers";
+}
+
 // A ball, a path to it and 12 particles of each of six robots, all of them anew in each of 25 frames per second: with the page and poses of
 // three on three, 1.8 MB, it has to stay well below 5 MB.
 TEST(DrawingTracks, AMinuteOfSixRobotsIsSmall) {

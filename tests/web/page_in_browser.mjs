@@ -304,12 +304,13 @@ async function testExport() {
   await page.close();
 }
 
-// As agents of the league send them for RoboViz: a circle of the set `name`, which is shown; a radius of 0: nothing is.
+// As agents of the league send them for RoboViz: a circle and a triangle of the set `name`, which is shown; a radius of 0: nothing is.
 function circlePacket(name, radius) {
-  const show = Buffer.from(`\0\0${name}\0`);
-  const numbers = [0.5, 0.25, radius, 2].map((one) => one.toFixed(4).slice(0, 6)).join("");
-  const circle = Buffer.concat([Buffer.from([1, 0]), Buffer.from(numbers), Buffer.from([255, 128, 0]), Buffer.from(`${name}\0`)]);
-  return radius > 0 ? Buffer.concat([circle, show]) : show;
+  const show = Buffer.from(`\0\0${name}\0`), color = Buffer.from([255, 128, 0]), set = Buffer.from(`${name}\0`);
+  const numbers = (...all) => Buffer.from(all.map((one) => one.toFixed(4).slice(0, 6)).join(""));
+  const circle = Buffer.concat([Buffer.from([1, 0]), numbers(0.5, 0.25, radius, 2), color, set]);
+  const triangle = Buffer.concat([Buffer.from([1, 4, 3]), color, Buffer.from([255]), numbers(0, 0, 0, 1, 0, 0, 0, 1, 0), set]);
+  return radius > 0 ? Buffer.concat([circle, triangle, show]) : show;
 }
 
 // Another program draws a circle, and takes it away; what time that was, a recording says in every form.
@@ -350,7 +351,10 @@ const seekTo = (page, to) => page.evaluate((value) => {
   time.dispatchEvent(new Event("change"));
 }, to);
 const radiiDrawn = (page) => page.evaluate(() => window.murosimf.view.drawings.world.children.flatMap((group) =>
-  group.children.map((ring) => (ring.geometry.parameters.innerRadius + ring.geometry.parameters.outerRadius) / 2)));
+  group.children.map((one) => one.geometry.parameters).filter((ring) => ring?.innerRadius)
+    .map((ring) => (ring.innerRadius + ring.outerRadius) / 2)));
+const trianglesDrawn = (page) => page.evaluate(() => window.murosimf.view.drawings.world.children.flatMap((group) =>
+  group.children.filter((one) => one.geometry.getAttribute("position").count === 3)).map((one) => one.geometry.getIndex().count / 3));
 
 // From when to when which circle is seen, by going through the time line backward.
 async function timesOfRadii(page) {
@@ -370,6 +374,7 @@ async function timesOfRadii(page) {
 async function switchGroup(page, time) {
   await seekTo(page, time);
   await page.waitForFunction(() => window.murosimf.view.drawings.world.children.length === 1);
+  assert.deepEqual(await trianglesDrawn(page), [1]);
   const box = page.locator("label:has-text('roboviz/blue.1.plan') input");
   await box.waitFor({ timeout: 20000 });
   await page.screenshot({ path: join(pictures, "drawn.png") });

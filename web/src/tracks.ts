@@ -1,7 +1,7 @@
 // Drawings of a recording in the page (docs/web.md): each group is a track of versions, of which only what has changed is written.
 import type { Drawn, DrawnShape } from "./source";
 
-type Look = [DrawnShape["kind"], number, number, number, number, number, string, number];
+type Look = [DrawnShape["kind"], number, number, number, number, number, string, number, number[][]?];
 
 interface TrackText {
   entity: number;
@@ -71,9 +71,9 @@ export class Tracks {
     let next = 0;
     const meters = () => (version.points[next++] ?? 0) / 1000;
     return version.looks.map((number) => {
-      const [kind, size, red, green, blue, opacity, words, count] = this.text.looks[number]!;
+      const [kind, size, red, green, blue, opacity, words, count, triangles] = this.text.looks[number]!;
       const points = Array.from({ length: count }, () => [meters(), meters(), meters()]);
-      return { kind, points, size, color: [red, green, blue], opacity, words };
+      return { kind, points, size, color: [red, green, blue], opacity, words, triangles: triangles ?? [] };
     });
   }
 }
