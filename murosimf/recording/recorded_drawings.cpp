@@ -62,7 +62,6 @@ void put_ball(ProtobufWriter& out, const DrawnShape& shape, const Vec3d& center,
   });
 }
 
-/// A fan around the first corner: right for all that are convex.
 void put_area(ProtobufWriter& out, const DrawnShape& shape) {
   std::vector<std::uint32_t> corners_of_triangles;
   for (const auto& triangle : render::polygon_triangles(shape.points)) {

@@ -1,9 +1,12 @@
 // What control software draws stands in recordings as Foxglove shows it, goes when its group goes, and is read back with all digits.
 #include "murosimf/recording/recorded_drawings.h"
 
+#include <cstring>
+#include <initializer_list>
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -142,6 +145,33 @@ TEST(RecordedDrawings, AreEntitiesOfFoxglove) {
   }
   const RecordedEntity base = recorded_entities(scene::Scene("nudge", {.cameras = false}).simulation().world()).front();
   EXPECT_EQ(frames, (std::vector<std::string>{"world", base.links.front().frame}));
+}
+
+/// The bytes of the fields of these numbers, each in the one before.
+std::string_view inside(std::string_view bytes, std::initializer_list<int> fields) {
+  for (const int field : fields) {
+    ProtobufReader in(bytes);
+    while (in.next() && in.field() != field) continue;
+    bytes = in.bytes();
+  }
+  return bytes;
+}
+
+TEST(RecordedDrawings, PolygonsAreFilledAsTheyAre) {
+  const std::vector<Vec3d> corners{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
+  FrameDrawings drawn{.topic = {false, "one"}, .base = "", .groups = {{.name = "L"}}};
+  drawn.groups[0].shapes.push_back({.kind = DrawnShape::polygon, .points = corners});
+  const std::string message = drawing_message(1s, drawn);
+  // SceneUpdate.entities, SceneEntity.triangles, TriangleListPrimitive.indices
+  const std::string_view bytes = inside(message, {2, 12, 5});
+  std::vector<std::uint32_t> indices(bytes.size() / sizeof(std::uint32_t));
+  std::memcpy(indices.data(), bytes.data(), bytes.size());
+  double area = 0;  // [m^2]; a fan would have more
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    const Vec3d& a = corners.at(indices[i]);
+    area += norm(cross(corners.at(indices[i + 1]) - a, corners.at(indices[i + 2]) - a)) / 2;
+  }
+  EXPECT_NEAR(area, 3, 1e-12) << "sums of halves of whole numbers";
 }
 
 TEST(RecordedDrawings, DamageIsSaid) {
