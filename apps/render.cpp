@@ -37,8 +37,7 @@ void define(const Command& command, RenderOptions& options) {
   command
       .add("--drawings", options.drawings,
            "What control software draws, in pictures from a view: groups as ROBOT/NAME, or all of them; of recordings "
-           "also "
-           "what other programs drew: roboviz/NAME")
+           "also what other programs drew: roboviz/NAME")
       .value_if_alone("all")
       .separated_by(',')
       .excludes(camera);
