@@ -1,5 +1,10 @@
 #include "murosimf/model/state_hash.h"
 
+#include <cstddef>
+#include <span>
+#include <typeinfo>
+#include <vector>
+
 #include "murosimf/model/entity.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/model/structural_objects.h"
@@ -9,9 +14,12 @@ namespace {
 
 /// With the rows of structural objects, if the column is that of a `property`.
 template <class T>
-bool append_if(Hasher& hasher, const Entity& entity, const ColumnBase& column, const Property<T>& property) {
-  if (column.info().name != property.name) return false;
-  for (const T& value : all_rows(entity.model(), entity.columns(), property)) append_hash(hasher, value);
+bool append_if(Hasher& hasher, const StructuralRows& structural, const ColumnBase& column,
+               const Property<T>& property) {
+  if (column.info().name != property.name || column.type() != typeid(T)) return false;
+  std::vector<T> rows = static_cast<const Column<T>&>(column).values;
+  structural.work_out(property, std::span(rows));
+  for (const T& value : rows) append_hash(hasher, value);
   return true;
 }
 
@@ -25,11 +33,11 @@ bool has_faded(const ColumnBase& column) {
   return true;
 }
 
-void append_rows(Hasher& hasher, const Entity& entity, const ColumnBase& column) {
-  if (append_if(hasher, entity, column, properties::position) ||
-      append_if(hasher, entity, column, properties::orientation) ||
-      append_if(hasher, entity, column, properties::linear_velocity) ||
-      append_if(hasher, entity, column, properties::angular_velocity)) {
+void append_rows(Hasher& hasher, const StructuralRows& structural, const ColumnBase& column) {
+  if (append_if(hasher, structural, column, properties::position) ||
+      append_if(hasher, structural, column, properties::orientation) ||
+      append_if(hasher, structural, column, properties::linear_velocity) ||
+      append_if(hasher, structural, column, properties::angular_velocity)) {
     return;
   }
   column.append_to(hasher);
@@ -40,10 +48,11 @@ void append_rows(Hasher& hasher, const Entity& entity, const ColumnBase& column)
 void append_state(Hasher& hasher, const Entity& entity) {
   hasher.add(std::string_view(entity.name()));
   hasher.add(std::uint64_t{(entity.frozen() ? 1u : 0u) + (entity.present() ? 0u : 2u)});
+  const StructuralRows structural(entity.model(), entity.columns());
   for (const auto& [name, column] : entity.columns()) {
     if (!is_state(column->info().scope) || has_faded(*column)) continue;
     hasher.add(std::string_view(name));
-    append_rows(hasher, entity, *column);
+    append_rows(hasher, structural, *column);
   }
 }
 

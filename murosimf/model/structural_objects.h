@@ -9,7 +9,9 @@
 /// Its own rows in the columns hold nothing. Asking only reads: any number of threads may, while nobody steps.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "murosimf/model/column_store.h"
@@ -28,14 +30,32 @@ template <class T>
   return std::nullopt;
 }
 
-/// All rows of a column, those of structural objects worked out.
-template <class T>
-[[nodiscard]] std::vector<T> all_rows(const Model& model, const ColumnStore& columns, const Property<T>& property) {
-  std::vector<T> rows = columns.find(property)->values;
-  for (int i = 0; i < model.size(); ++i) {
-    if (const auto value = structural_value(model, columns, property, i)) rows[static_cast<std::size_t>(i)] = *value;
+/// The same of one entity for who asks for many objects: its columns are looked up once, here. It must not outlive them.
+class StructuralRows {
+ public:
+  StructuralRows(const Model& model, const ColumnStore& columns);
+
+  [[nodiscard]] std::optional<Vec3d> value(const Property<Vec3d>& property, int object) const;
+  [[nodiscard]] std::optional<Mat3d> value(const Property<Mat3d>& property, int object) const;
+
+  /// Puts the values of all structural objects into their rows; `rows` has one of each object.
+  template <class T>
+  void work_out(const Property<T>& property, std::span<T> rows) const {
+    for (int i = 0; i < model_->size(); ++i) {
+      if (const auto known = value(property, i)) rows[static_cast<std::size_t>(i)] = *known;
+    }
   }
-  return rows;
-}
+
+  /// Null: there is no such column.
+  struct Columns {
+    const std::vector<Vec3d>*position = nullptr, *linear_velocity = nullptr, *angular_velocity = nullptr,
+          *linear_acceleration = nullptr, *angular_acceleration = nullptr;
+    const std::vector<Mat3d>* orientation = nullptr;
+  };
+
+ private:
+  const Model* model_;
+  Columns columns_;
+};
 
 }  // namespace murosimf

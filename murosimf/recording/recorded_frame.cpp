@@ -67,6 +67,18 @@ void RecordedColumns::follow(const Entity& entity) {
   level_ = entity.level;
 }
 
+void RecordedFrame::begin_anew(Duration at) {
+  RecordedFrame anew;
+  anew.time = at;
+  anew.present = std::move(present);
+  anew.poses = std::move(poses);
+  anew.joints = std::move(joints);
+  anew.contacts = std::move(contacts);
+  anew.present.clear();
+  anew.contacts.clear();  // all poses and joints are written anew
+  *this = std::move(anew);
+}
+
 void take_numbers(std::vector<RecordedEntity>& entities, RecordedFrame& frame) {
   frame.of_poses = true;
   std::size_t links = 0, joints = 0;
@@ -87,8 +99,8 @@ void take_numbers(std::vector<RecordedEntity>& entities, RecordedFrame& frame) {
     frame.present.push_back(placed && one.entity->present() ? 1 : 0);
     for (const RecordedEntity::Link& link : one.links) {
       const auto i = static_cast<std::size_t>(link.object);
-      if (placed) pose->position = columns.position->values[i];
-      if (placed) pose->orientation = columns.orientation->values[i];
+      pose->position = placed ? columns.position->values[i] : Vec3d{};
+      pose->orientation = placed ? columns.orientation->values[i] : Mat3d{};
       ++pose;
     }
     for (const RecordedEntity::Joint& joint : one.joints) {

@@ -113,6 +113,9 @@ struct RecordedFrame {
   std::vector<std::pair<Duration, std::string>> events, warnings, commands;  ///< new ones
   std::optional<std::uint64_t> hash;                                         ///< of the state
   std::vector<std::byte> state;  ///< all of it (Scene::save); empty: not kept
+
+  /// As a new one of that instant, but with the memory of numbers that it has.
+  void begin_anew(Duration at);
 };
 
 /// Adds poses and joints of now.

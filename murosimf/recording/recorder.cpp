@@ -129,7 +129,7 @@ void Recorder::look() {
 
 void Recorder::take_frame(bool is_last) {
   const Simulation& simulation = scene_.simulation();
-  RecordedFrame frame{.time = simulation.now()};
+  RecordedFrame frame = new_frame();
   take_numbers(entities_, frame);
   constexpr std::size_t usual_contacts = 64;
   frame.contacts.reserve(what_.contains("contacts") ? usual_contacts : 0);
@@ -141,6 +141,17 @@ void Recorder::take_frame(bool is_last) {
   if (watch_) watch(frame);
   last_frame_ = frame.time;
   add(std::move(frame));
+}
+
+/// Of now, in the memory of one that was written, if there is one.
+RecordedFrame Recorder::new_frame() {
+  RecordedFrame frame;
+  if (!spare_.empty()) {
+    frame = std::move(spare_.back());
+    spare_.pop_back();
+  }
+  frame.begin_anew(scene_.simulation().now());
+  return frame;
 }
 
 /// Hash and state, if they are due. A run that does not begin at the time 0 began with a state.
@@ -190,13 +201,22 @@ void Recorder::add(RecordedFrame&& frame) {
   if (batch_.back().time - batch_.front().time >= batch_span) hand_over();
 }
 
+/// The present one is held; frames that were written are kept for those to come.
+void Recorder::begin_batch() {
+  RecordingThread::Batch spent = thread_->spent();
+  for (RecordedFrame& frame : spent) {
+    if (frame.of_poses) spare_.push_back(std::move(frame));
+  }
+  spent.clear();
+  spent.reserve(batch_.size() + batch_.size() / 4);
+  held_.push_back(std::move(batch_));
+  batch_ = std::move(spent);
+}
+
 void Recorder::hand_over() {
   if (batch_.empty()) return;
-  const std::size_t usual = batch_.size();
   const Duration begin = batch_.front().time;
-  held_.push_back(std::move(batch_));
-  batch_ = {};
-  batch_.reserve(usual + usual / 4);
+  begin_batch();
   if (watch_ && !asked_ && begin > write_until_) return forget_old();
   begin_file();
   for (RecordingThread::Batch& batch : held_) thread_->push(std::move(batch));

@@ -88,6 +88,7 @@ class Recorder {
   void start();
   void look();
   void take_frame(bool is_last = false);
+  [[nodiscard]] RecordedFrame new_frame();
   void take_state(RecordedFrame& frame, bool is_last = false);
   [[nodiscard]] bool in_every_tick() const;
   [[nodiscard]] Duration next_look() const;
@@ -96,6 +97,7 @@ class Recorder {
   void take_lines(RecordedFrame& frame);
   void add(RecordedFrame&& frame);
   void hand_over();
+  void begin_batch();
   void watch(RecordedFrame& frame);
   void begin_file();
   void forget_old();
@@ -128,6 +130,7 @@ class Recorder {
   std::optional<Duration> last_frame_;
   std::size_t events_ = 0, warnings_ = 0, commands_ = 0;  // that are recorded
   RecordingThread::Batch batch_;
+  RecordingThread::Batch spare_;  // frames that were written
   Duration keep_, after_;
   std::optional<RunWatch> watch_;
   std::vector<RecordingThread::Batch> held_;                        // not in the file yet

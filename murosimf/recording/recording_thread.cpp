@@ -11,10 +11,19 @@ RecordingThread::RecordingThread(std::function<void(const Batch&)> write)
 RecordingThread::~RecordingThread() { finish(); }
 
 void RecordingThread::push(Batch&& batch) {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return waiting_.size() < most_waiting; });
-  waiting_.push_back(std::move(batch));
-  changed_.notify_all();
+  std::size_t waiting = 0;
+  {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return waiting_.size() < most_waiting; });
+    waiting_.push_back(std::move(batch));
+    waiting = waiting_.size();
+  }
+  if (waiting >= worth_waking) changed_.notify_all();  // who is woken finds the mutex free
+}
+
+RecordingThread::Batch RecordingThread::spent() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(spent_, {});
 }
 
 void RecordingThread::finish() {
@@ -34,14 +43,16 @@ std::string RecordingThread::trouble() const {
 void RecordingThread::run() {
   for (;;) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
+    if (waiting_.empty()) changed_.wait(lock, [this] { return ends_ || waiting_.size() >= worth_waking; });
     if (waiting_.empty()) return;
-    const Batch batch = std::move(waiting_.front());
+    Batch batch = std::move(waiting_.front());
     waiting_.pop_front();
-    changed_.notify_all();
     const bool good = trouble_.empty();
     lock.unlock();
+    changed_.notify_all();
     if (good) write(batch);
+    lock.lock();
+    spent_ = std::move(batch);
   }
 }
 

@@ -1,7 +1,8 @@
 /// recording_thread.h - writes what is recorded in a thread of its own.
 ///
 /// At most `most_waiting` batches wait for it. When there are as many, who brings one more waits until there is room: nothing is ever
-/// left out, and a simulation that runs as fast as it can is slowed down to what the disk takes.
+/// left out, and a simulation that runs as fast as it can is slowed down to what the disk takes. The thread is woken when two
+/// wait: waking it takes the simulation longer than to copy what a batch has.
 #pragma once
 
 #include <condition_variable>
@@ -27,12 +28,15 @@ class RecordingThread {
   RecordingThread& operator=(const RecordingThread&) = delete;
 
   void push(Batch&& batch);
+  /// One that was written, for who fills the next one in its memory, which caches still know; empty if there is none.
+  [[nodiscard]] Batch spent();
   /// Waits until all is written.
   void finish();
   /// What has gone wrong; empty: nothing.
   [[nodiscard]] std::string trouble() const;
 
   static constexpr std::size_t most_waiting = 3;
+  static constexpr std::size_t worth_waking = 2;
 
  private:
   void run();
@@ -42,6 +46,7 @@ class RecordingThread {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Batch> waiting_;
+  Batch spent_;
   bool ends_ = false;
   std::string trouble_;
   std::thread thread_;

@@ -20,15 +20,6 @@ void append_rows(const Entity& entity, const Property<T>& property, std::vector<
   }
 }
 
-/// Those of structural objects stand in no column.
-template <class T>
-void work_out_structural(const Entity& entity, const Property<T>& property, std::span<T> rows) {
-  for (int i = 0; i < entity.model().size(); ++i) {
-    const auto value = structural_value(entity.model(), entity.columns(), property, i);
-    if (value) rows[static_cast<std::size_t>(i)] = *value;
-  }
-}
-
 }  // namespace
 
 void take_poses(const World& world, PoseFrame& frame) {
@@ -46,8 +37,9 @@ void take_poses(const World& world, PoseFrame& frame) {
     append_rows(*entity, properties::position, frame.position);
     append_rows(*entity, properties::orientation, frame.orientation);
     append_rows(*entity, properties::joint_position, frame.joint_position);
-    work_out_structural(*entity, properties::position, std::span(frame.position).subspan(first));
-    work_out_structural(*entity, properties::orientation, std::span(frame.orientation).subspan(first));
+    const StructuralRows structural(entity->model(), entity->columns());  // they stand in no column
+    structural.work_out(properties::position, std::span(frame.position).subspan(first));
+    structural.work_out(properties::orientation, std::span(frame.orientation).subspan(first));
   }
   frame.first.push_back(frame.position.size());
 }
