@@ -1,5 +1,7 @@
 # Flags of every target of the project, and the stricter ones of kernels.
 
+include(CheckCXXCompilerFlag)
+
 add_library(murosimf_options INTERFACE)
 target_compile_options(murosimf_options INTERFACE
   -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:${MUROSIMF_UNITY}>>:-Wshadow> -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-qual -Wno-psabi
@@ -18,6 +20,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   if(MUROSIMF_PRECOMPILE)
     # and more of that kind where the headers of the library come out of a precompiled one, so are no system headers
     target_compile_options(murosimf_options INTERFACE -Wno-stringop-overflow -Wno-array-bounds)
+    # g++ 13 and newer take no precompiled header from another -O, because these two differ: set, they are as with -O2 and -O3
+    check_cxx_compiler_flag(-munroll-only-small-loops MUROSIMF_HAS_UNROLL_ONLY_SMALL_LOOPS)
+    if(MUROSIMF_HAS_UNROLL_ONLY_SMALL_LOOPS)
+      target_compile_options(murosimf_options INTERFACE -munroll-only-small-loops -mvzeroupper)
+    endif()
   endif()
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
