@@ -36,6 +36,8 @@ if(MUROSIMF_WARNINGS_AS_ERRORS)
 endif()
 # Eigen adds in an order that depends on the width of the registers: without it sums have the same bits on every processor
 target_compile_definitions(murosimf_options INTERFACE EIGEN_DONT_VECTORIZE)
+# as TinyXML-2 of Ubuntu 24.04 wants it of who uses it: a precompiled header is for one set of definitions
+target_compile_definitions(murosimf_options INTERFACE _FILE_OFFSET_BITS=64)
 if(MUROSIMF_NATIVE)
   target_compile_options(murosimf_options INTERFACE -march=native)
 endif()

@@ -234,6 +234,31 @@ TEST(RecordingThread, WritesAllInOrderHoweverSlowItIs) {
   EXPECT_LE(most, RecordingThread::most_waiting + 2) << "the queue is bounded";
 }
 
+TEST(RecordingThread, GivesBackWhatWasWritten) {
+  RecordingThread thread([](const RecordingThread::Batch&) {});
+  for (int i = 0; i < 4; ++i) thread.push(RecordingThread::Batch(3));
+  thread.finish();
+  EXPECT_EQ(thread.spent().size(), 3U);
+  EXPECT_TRUE(thread.spent().empty()) << "each once";
+}
+
+TEST(RecordedFrame, BegunAnewHasNothingOfBefore) {
+  RecordedFrame frame;
+  frame.of_poses = true;
+  frame.present = {1};
+  frame.poses.resize(5);
+  frame.contacts.resize(2);
+  frame.events.emplace_back(1s, "it fell");
+  frame.hash = 7;
+  frame.state.resize(9);
+  const Transformd* memory = frame.poses.data();
+  frame.begin_anew(3s);
+  EXPECT_EQ(frame.time, 3s);
+  EXPECT_FALSE(frame.of_poses || frame.hash);
+  EXPECT_TRUE(frame.present.empty() && frame.contacts.empty() && frame.events.empty() && frame.state.empty());
+  EXPECT_EQ(frame.poses.data(), memory);
+}
+
 TEST(RecordingThread, ThrowsAwayAllAfterTheFirstMistake) {
   int calls = 0;
   RecordingThread thread([&](const RecordingThread::Batch&) {
