@@ -13,6 +13,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(murosimf_options INTERFACE -fno-tree-slp-vectorize)
   # g++ 12 sees overlapping copies in the concatenation of std::string where there are none (GCC bug 105651)
   target_compile_options(murosimf_options INTERFACE -Wno-restrict)
+  # g++ 13 takes every reference that a call with temporary arguments returns for one of them (GCC bug 107532)
+  target_compile_options(murosimf_options INTERFACE -Wno-dangling-reference)
   if(MUROSIMF_UNITY)
     # collects garbage less often: 6 % less processor time for a fifth to a third more memory, at most 1 GB for one compiler
     target_compile_options(murosimf_options INTERFACE --param=ggc-min-expand=1000)
