@@ -16,7 +16,7 @@ void add_game(const Command& command, GameArguments& game) {
 }
 
 std::unique_ptr<league::League> game_of(scene::Scene& scene, const GameArguments& arguments) {
-  league::LeagueOptions options{.repeat = arguments.repeat};
+  league::LeagueOptions options{.repeat = arguments.repeat, .outside = scene.parts().outside};
   if (!arguments.game_controller.empty()) {
     options.game_controller =
         with_context("--game-controller", [&] { return league::UdpAddress::parse(arguments.game_controller); });

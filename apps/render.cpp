@@ -108,13 +108,13 @@ std::vector<std::string> overrides_of(const RenderOptions& options) {
   return options.light.empty() ? std::vector<std::string>{} : std::vector{"light.name=" + options.light};
 }
 
-std::unique_ptr<scene::Scene> build(const RenderOptions& options) {
+std::shared_ptr<scene::Scene> build(const RenderOptions& options) {
   scene::SceneOptions scene_options = options_of(options.scene);
   for (const std::string& change : overrides_of(options)) scene_options.overrides.push_back(change);
-  return std::make_unique<scene::Scene>(options.scene.file, scene_options);
+  return std::make_shared<scene::Scene>(options.scene.file, scene_options);
 }
 
-std::unique_ptr<scene::Scene> build(const recording::RecordedRun& run, const RenderOptions& options) {
+std::shared_ptr<scene::Scene> build(const recording::RecordedRun& run, const RenderOptions& options) {
   load_plugins(options.scene.plugins);
   recording::RepeatOptions repeat = options_of(repeat_arguments(options.scene));
   repeat.overrides = overrides_of(options);
@@ -141,7 +141,7 @@ int render(const RenderOptions& given) {
   if (options.camera.empty() && options.size.empty()) options.size = "1280x720";
   const Duration time = time_of("--time", options.time);
   const std::unique_ptr<const recording::RecordedRun> run = run_of(options.scene);
-  const std::unique_ptr<scene::Scene> built = run ? build(*run, options) : build(options);
+  const std::shared_ptr<scene::Scene> built = run ? build(*run, options) : build(options);
   scene::Scene& scene = *built;
   Simulation& simulation = scene.simulation();
   std::unique_ptr<PictureSource> source;

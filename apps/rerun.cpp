@@ -43,6 +43,7 @@ recording::RerunResult repeat(const recording::RecordedRun& run, const RerunArgu
   const bool records = !arguments.record.file.empty();
   std::unique_ptr<recording::Recorder> recorder;
   recording::RerunOptions options{.repeat = options_of(arguments.how), .reference = reference};
+  options.repeat.recorded = records;
   options.to_the_end = records;
   options.progress = [&](Duration now) {
     const double all = seconds(end - begin);

@@ -97,6 +97,7 @@ struct ControllerOptions {
   std::shared_ptr<connect::TcpServer> software;  ///< where that of the controller "tcp" comes in; null: nowhere
   std::filesystem::path folder;     ///< of the scene's file, where the files that it names are looked for too
   std::filesystem::path terminals;  ///< folder for links to serial lines; empty: there are none
+  connect::OutsideWorld outside;    ///< what is done with all that comes from outside
 };
 
 struct ControllerType {

@@ -82,12 +82,16 @@ void attach_software(Simulation& simulation, Entity& robot, double rate, const c
 }
 
 void attach_tcp(Simulation& simulation, Entity& robot, const ControllerOptions& options) {
-  if (!options.software) {
+  const connect::OutsideWorld& outside = options.outside;
+  if (!options.software && !outside.repeated) {
     throw SetupError("controller 'tcp': no software can come; say where: murosimf run --listen PORT");
   }
   connect::TcpOptions given;
   tcp_options().apply(options.own, given);
-  const connect::ArrivedSoftware arrived = options.software->wait_for(robot.name(), given, options.seed);
+  const connect::OutsidePen pen(outside.channel("tcp:" + robot.name()));
+  const connect::ArrivedSoftware arrived =
+      outside.repeated ? connect::repeat_software(outside.repeated, robot.name(), given, options.seed, pen)
+                       : options.software->wait_for(robot.name(), given, options.seed, pen);
   attach_software(simulation, robot, usual_rate(options.rate, arrived.rate), arrived.make,
                   {.software = arrived.name, .budget = from_seconds(options.call_budget)}, options);
 }
@@ -124,7 +128,8 @@ void attach_serial(Simulation& simulation, Entity& robot, const ControllerOption
           : connect::serial::read_layout(files::find_data_file(given.bus, "buses", ".csv", options.folder), model,
                                          protocol);
   const connect::SoftwareMaker make = [&](Setup& setup, connect::RobotPort& port, const connect::SayLine& say) {
-    return std::make_unique<connect::serial::SerialSoftware>(setup, port, say, layout, given, options.terminals);
+    return std::make_unique<connect::serial::SerialSoftware>(setup, port, say, layout, given, options.terminals,
+                                                             options.outside);
   };
   attach_software(simulation, robot, rate_of<connect::serial::SerialSoftware>(options), make,
                   {.software = "serial line"}, options);

@@ -2,11 +2,21 @@
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
+namespace {
 
-std::shared_ptr<TcpServer> listen_for_software(TcpServerOptions) {
+[[noreturn]] void refuse() {
   throw SetupError(
       "this program was built without Protobuf, so nobody can connect (Debian and Ubuntu: libprotobuf-dev, "
       "protobuf-compiler)");
+}
+
+}  // namespace
+
+std::shared_ptr<TcpServer> listen_for_software(TcpServerOptions) { refuse(); }
+
+ArrivedSoftware repeat_software(std::shared_ptr<const OutsideNotes>, const std::string&, const TcpOptions&,
+                                std::uint64_t, OutsidePen) {
+  refuse();
 }
 
 }  // namespace murosimf::connect

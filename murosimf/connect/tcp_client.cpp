@@ -11,7 +11,7 @@ namespace murosimf::connect {
 namespace {
 
 constexpr unsigned protocol_version = 1;
-constexpr std::size_t longest_name = 200;
+constexpr std::size_t longest_software = 200;
 
 }  // namespace
 
@@ -46,7 +46,7 @@ void read_hello(TcpClient& client, std::string_view bytes) {
   }
   client.robot = hello.robot();
   client.rate = hello.rate();
-  client.software = hello.software().empty() ? "software" : printable(hello.software(), longest_name);
+  client.software = hello.software().empty() ? "software" : printable(hello.software(), longest_software);
 }
 
 void refuse(wire::Connection& connection, const std::string& reason) noexcept {

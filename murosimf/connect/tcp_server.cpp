@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/connect/tcp_clients.h"
 #include "murosimf/connect/tcp_reception.h"
 #include "murosimf/connect/tcp_software.h"
 #include "murosimf/model/error.h"
@@ -17,15 +18,25 @@ class ReceivingServer final : public TcpServer {
 
   [[nodiscard]] wire::Address address() const override { return reception_->address(); }
   void expect(std::vector<std::string> robots) override { reception_->expect(std::move(robots)); }
-  [[nodiscard]] ArrivedSoftware wait_for(const std::string& robot, const TcpOptions& options,
-                                         std::uint64_t seed) override;
+  [[nodiscard]] ArrivedSoftware wait_for(const std::string& robot, const TcpOptions& options, std::uint64_t seed,
+                                         OutsidePen pen) override;
 
  private:
   std::shared_ptr<TcpReception> reception_;
 };
 
-ArrivedSoftware ReceivingServer::wait_for(const std::string& robot, const TcpOptions& options, std::uint64_t seed) {
-  std::optional<TcpClient> found = reception_->wait_for(robot, options.wait);
+ArrivedSoftware arrived(std::shared_ptr<TcpClients> clients, ArrivedClient first, const TcpOptions& options,
+                        std::uint64_t seed, OutsidePen pen) {
+  const auto client = std::make_shared<ArrivedClient>(std::move(first));  // makers can be copied, lines cannot
+  return {client->name, client->rate, [=](Setup& setup, RobotPort& port, const SayLine& say) {
+            return std::make_unique<TcpSoftware>(setup, port, say, clients, std::move(*client), options, seed, pen);
+          }};
+}
+
+ArrivedSoftware ReceivingServer::wait_for(const std::string& robot, const TcpOptions& options, std::uint64_t seed,
+                                          OutsidePen pen) {
+  const auto clients = std::make_shared<ReceivedClients>(reception_, robot);
+  std::optional<ArrivedClient> found = clients->wait(options.wait);
   if (!found && reception_->is_stopped()) {
     throw SetupError(fmt::format("stopped while waiting for the software of {}", robot));
   }
@@ -33,16 +44,26 @@ ArrivedSoftware ReceivingServer::wait_for(const std::string& robot, const TcpOpt
     throw SetupError(fmt::format("{}: no software has come for it to {} within {} s", robot,
                                  to_text(reception_->address()), options.wait));
   }
-  const auto client = std::make_shared<TcpClient>(std::move(*found));  // makers can be copied, connections cannot
-  return {client->name(), client->rate, [=, reception = reception_](Setup& setup, RobotPort& port, const SayLine& say) {
-            return std::make_unique<TcpSoftware>(setup, port, say, reception, std::move(*client), options, seed);
-          }};
+  return arrived(clients, std::move(*found), options, seed, pen);
 }
 
 }  // namespace
 
 std::shared_ptr<TcpServer> listen_for_software(TcpServerOptions options) {
   return std::make_shared<ReceivingServer>(std::move(options));
+}
+
+ArrivedSoftware repeat_software(std::shared_ptr<const OutsideNotes> notes, const std::string& robot,
+                                const TcpOptions& options, std::uint64_t seed, OutsidePen pen) {
+  const auto clients = std::make_shared<RepeatedClients>(std::move(notes), "tcp:" + robot);
+  try {
+    if (std::optional<ArrivedClient> first = clients->take()) {
+      return arrived(clients, std::move(*first), options, seed, pen);
+    }
+  } catch (const wire::WireError& error) {
+    throw SetupError(fmt::format("the software of {} {}", robot, error.what()));
+  }
+  throw SetupError(fmt::format("the recording does not say which software came for {}", robot));
 }
 
 }  // namespace murosimf::connect

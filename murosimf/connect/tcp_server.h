@@ -13,6 +13,7 @@
 
 #include "murosimf/connect/control_software.h"
 #include "murosimf/connect/murosimf_controller.h"
+#include "murosimf/connect/outside_notes.h"
 #include "murosimf/runtime/pacer.h"
 #include "murosimf/wire/socket.h"
 
@@ -46,12 +47,16 @@ class TcpServer {
   [[nodiscard]] virtual wire::Address address() const = 0;
   /// The robots that there are: clients for others are refused.
   virtual void expect(std::vector<std::string> robots) = 0;
-  /// Waits for a robot's software. Throws SetupError if none comes in time.
+  /// Waits for a robot's software. What it sends is written down with `pen`. Throws SetupError if none comes in time.
   [[nodiscard]] virtual ArrivedSoftware wait_for(const std::string& robot, const TcpOptions& options,
-                                                 std::uint64_t seed) = 0;
+                                                 std::uint64_t seed, OutsidePen pen) = 0;
 };
 
 /// Throws SetupError: the port is in use; this program was built without TCP.
 [[nodiscard]] std::shared_ptr<TcpServer> listen_for_software(TcpServerOptions options);
+
+/// A robot's software that was there before, and does it again. Throws SetupError: there was none; this program was built without TCP.
+[[nodiscard]] ArrivedSoftware repeat_software(std::shared_ptr<const OutsideNotes> notes, const std::string& robot,
+                                              const TcpOptions& options, std::uint64_t seed, OutsidePen pen);
 
 }  // namespace murosimf::connect

@@ -34,11 +34,12 @@ DrawnShape shape_of(const wire::Shape& shape) {
 
 }  // namespace
 
-TcpSession::TcpSession(TcpClient client, TcpRobot robot, RobotPort& port, SayLine say)
-    : client_(std::move(client)),
+TcpSession::TcpSession(std::unique_ptr<ClientLine> line, TcpRobot robot, RobotPort& port, SayLine say, OutsidePen& pen)
+    : line_(std::move(line)),
       robot_(std::move(robot)),
       port_(&port),
       say_(std::move(say)),
+      pen_(&pen),
       incoming_(std::make_unique<wire::FromClient>()),
       outgoing_(std::make_unique<wire::ToClient>()) {
   heard_at_ = std::chrono::steady_clock::now();
@@ -57,11 +58,11 @@ TcpSession::~TcpSession() = default;
 void TcpSession::send() {
   bytes_.clear();
   outgoing_->AppendToString(&bytes_);
-  client_.connection.send(bytes_);
+  line_->send(bytes_);
 }
 
 void TcpSession::set_up(wire::WallTime end) {
-  while (!ready_) take(client_.connection.receive_until(end));
+  while (!ready_) take(line_->receive_until(end));
 }
 
 void TcpSession::tell_start() {
@@ -136,13 +137,13 @@ void TcpSession::tell() {
 }
 
 void TcpSession::wait_for_answer(wire::WallTime end) {
-  client_.connection.flush_until(end);
-  while (owes_answer_) take(client_.connection.receive_until(end));
+  line_->flush_until(end);
+  while (owes_answer_) take(line_->receive_until(end));
 }
 
 void TcpSession::take_what_has_come(wire::WallTime now) {
-  while (const auto bytes = client_.connection.receive()) {
-    check_rate(now);
+  while (const auto bytes = line_->receive()) {
+    if (is_live()) check_rate(now);
     take(*bytes);
   }
 }
@@ -159,17 +160,25 @@ void TcpSession::check_rate(wire::WallTime now) {
 
 void TcpSession::take(std::string_view bytes) {
   parse(bytes, *incoming_);
+  pen_->write(take_message(), bytes);
+}
+
+/// All of it, or nothing.
+OutsideNote::Kind TcpSession::take_message() {
+  const bool at_start = robot_.lock_step && outgoing_->cycle().start();
   switch (incoming_->kind_case()) {
     case wire::FromClient::kAsk:
       if (ready_) throw wire::WireError("asks for a name after it was ready");
-      return answer(incoming_->ask());
+      answer(incoming_->ask());
+      return OutsideNote::asked;
     case wire::FromClient::kReady:
       if (ready_) throw wire::WireError("is ready twice");
       ready_ = true;
-      return;
+      return OutsideNote::asked;
     case wire::FromClient::kCommands:
       if (!ready_) throw wire::WireError("sends commands before it was ready");
-      return take_over(incoming_->commands());
+      take_over(incoming_->commands());
+      return at_start ? OutsideNote::began : OutsideNote::sent;
     default: throw wire::WireError("says Hello twice");
   }
 }
@@ -228,6 +237,7 @@ void TcpSession::describe_picture(const std::string& name, wire::Description& de
 }
 
 void TcpSession::take_over(const wire::Commands& answer) {
+  if (!is_live()) cycle_ = std::max(cycle_, answer.cycle());  // it may have begun in the middle
   if (answer.cycle() > cycle_ || (robot_.lock_step && answer.cycle() < cycle_)) {
     throw wire::WireError(fmt::format("answers cycle {} in cycle {}", answer.cycle(), cycle_));
   }
@@ -244,6 +254,9 @@ void TcpSession::take_over(const wire::Commands& answer) {
           fmt::format("sends {} numbers for '{}', which has {}", count, command_names_[i], commands_[i]->count));
     }
   }
+  if (answer.sends_size() > 0 && !has_messages_) {
+    throw wire::WireError("sends messages to its team, and has not asked for them");
+  }
   for (std::size_t i = 0; i < commands_.size(); ++i) {
     std::ranges::copy(answer.rows(static_cast<int>(i)).values(), commands_[i]->values);
   }
@@ -257,9 +270,6 @@ void TcpSession::take_over(const wire::Commands& answer) {
 
 /// What is too long or too much is counted.
 void TcpSession::send_to_team(const wire::Commands& answer) {
-  if (answer.sends_size() > 0 && !has_messages_) {
-    throw wire::WireError("sends messages to its team, and has not asked for them");
-  }
   for (const std::string& message : answer.sends()) (void)port_->radio().send(message);
 }
 
@@ -277,6 +287,14 @@ void TcpSession::say_goodbye() noexcept {
     outgoing_->mutable_goodbye();
     send();
   } catch (const std::exception&) {  // it has gone before
+  }
+}
+
+void TcpSession::say_refused(const std::string& reason) noexcept {
+  try {
+    outgoing_->mutable_refusal()->set_reason(reason);
+    send();
+  } catch (const std::exception&) {  // it has gone
   }
 }
 

@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/connect/outside_notes.h"
 #include "murosimf/connect/robot_port.h"
-#include "murosimf/connect/tcp_client.h"
+#include "murosimf/connect/tcp_clients.h"
 #include "murosimf/connect/tcp_server.h"
 
 namespace murosimf::wire {
@@ -32,8 +33,8 @@ struct TcpRobot {
 
 class TcpSession {
  public:
-  /// Welcomes the client.
-  TcpSession(TcpClient client, TcpRobot robot, RobotPort& port, SayLine say);
+  /// Welcomes the client. What it sends is written down with `pen`, which must outlive it, once it was found good.
+  TcpSession(std::unique_ptr<ClientLine> line, TcpRobot robot, RobotPort& port, SayLine say, OutsidePen& pen);
   ~TcpSession();
   TcpSession(const TcpSession&) = delete;
   TcpSession& operator=(const TcpSession&) = delete;
@@ -41,6 +42,10 @@ class TcpSession {
   /// Answers what it asks for, until it is ready.
   void set_up(wire::WallTime end);
   [[nodiscard]] bool is_ready() const { return ready_; }
+  /// false: of a recording.
+  [[nodiscard]] bool is_live() const { return line_->live(); }
+  /// Of a recording, after time has jumped: asks that it had made before.
+  void ask_again(std::string_view message) { take(message); }
 
   /// Tells it the cycle at `now`, or that the run begins.
   void tell_cycle(Duration now);
@@ -52,17 +57,18 @@ class TcpSession {
 
   /// Whether it can be told more: what it was told has left, and it still works on one cycle at most. What sockets buffer would make
   /// slow software fall ever further behind.
-  [[nodiscard]] bool keeps_up() { return ready_ && client_.connection.flush() && cycle_ - answered_ <= 1; }
+  [[nodiscard]] bool keeps_up() { return ready_ && line_->flush() && (!is_live() || cycle_ - answered_ <= 1); }
   /// Whether it is to get ready or to answer, and since when nothing of that kind has come.
   [[nodiscard]] bool is_waited_for() const { return !ready_ || owes_answer_; }
   [[nodiscard]] wire::WallTime waited_for_since() const { return heard_at_; }
 
   /// The last words, if they can be said without waiting.
   void say_goodbye() noexcept;
-  void say_refused(const std::string& reason) noexcept { refuse(client_.connection, reason); }
+  void say_refused(const std::string& reason) noexcept;
 
  private:
   void take(std::string_view bytes);
+  [[nodiscard]] OutsideNote::Kind take_message();
   void answer(const wire::Ask& ask);
   void describe_signal(const std::string& name, wire::Description& described);
   void describe_command(const std::string& name, wire::Description& described);
@@ -77,10 +83,11 @@ class TcpSession {
   void send();
   void tell();
 
-  TcpClient client_;
+  std::unique_ptr<ClientLine> line_;
   TcpRobot robot_;
   RobotPort* port_;
   SayLine say_;
+  OutsidePen* pen_;
   std::vector<const murosimf_signal*> signals_;
   std::vector<murosimf_command*> commands_;
   std::vector<std::string> command_names_;

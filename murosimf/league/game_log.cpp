@@ -71,6 +71,16 @@ GameLog GameLog::parse(std::string_view text, const std::string& name) {
   return log;
 }
 
+GameLog GameLog::of(const connect::OutsideNotes& notes) {
+  GameLog log;
+  for (const std::string& name : notes.names()) {
+    if (name != "game" && !name.starts_with("team:")) continue;
+    std::vector<Entry>& entries = log.channels_[name];
+    for (const connect::OutsideNote& note : *notes.find(name)) entries.push_back({note.time, note.bytes});
+  }
+  return log;
+}
+
 std::string GameLog::to_text() const {
   std::vector<std::pair<Duration, std::string>> lines;
   for (const auto& [channel, entries] : channels_) {
@@ -93,6 +103,12 @@ std::vector<std::string> RecordedDatagrams::take(Duration now) {
   last_ = now;
   std::vector<std::string> taken = source_->take(now);
   for (const std::string& bytes : taken) entries_->push_back({now, bytes});
+  return taken;
+}
+
+std::vector<std::string> NotedDatagrams::take(Duration now) {
+  std::vector<std::string> taken = source_->take(now);
+  for (const std::string& bytes : taken) notes_->push_back({now, connect::OutsideNote::sent, bytes});
   return taken;
 }
 

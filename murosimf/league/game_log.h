@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/connect/outside_notes.h"
 #include "murosimf/league/datagrams.h"
 
 namespace murosimf::league {
@@ -29,6 +30,9 @@ class GameLog {
   [[nodiscard]] static GameLog read(const std::filesystem::path& file);
   /// Of its text; `name` for messages.
   [[nodiscard]] static GameLog parse(std::string_view text, const std::string& name);
+
+  /// What a recording has of games and teams.
+  [[nodiscard]] static GameLog of(const connect::OutsideNotes& notes);
 
   /// By time; empty for one of which there is nothing. Channels stay where they are: each may be written by a thread of its own.
   [[nodiscard]] std::vector<Entry>& channel(const std::string& name) { return channels_[name]; }
@@ -51,6 +55,19 @@ class RecordedDatagrams final : public Datagrams {
   Datagrams* source_;
   std::vector<GameLog::Entry>* entries_;
   Duration last_{-1};  // of take()
+};
+
+/// Datagrams of another source, written down for a recording.
+class NotedDatagrams final : public Datagrams {
+ public:
+  /// All must outlive it.
+  NotedDatagrams(Datagrams& source, connect::OutsideNotes::Channel& notes) : source_(&source), notes_(&notes) {}
+  [[nodiscard]] std::vector<std::string> take(Duration now) override;
+  void give(std::string_view bytes) override { source_->give(bytes); }
+
+ private:
+  Datagrams* source_;
+  connect::OutsideNotes::Channel* notes_;
 };
 
 /// Datagrams of a log; what is given goes nowhere. Remembers nothing, so a run may go back and forth.

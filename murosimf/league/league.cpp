@@ -88,11 +88,16 @@ class League::BetweenSteps final : public GameTask::Scene {
   scene::Scene* scene_;
 };
 
-League::League(scene::Scene& scene, const LeagueOptions& options) : scene_(&scene) {
+League::League(scene::Scene& scene, const LeagueOptions& options) : scene_(&scene), outside_(options.outside) {
+  const connect::OutsideNotes* recorded = outside_.repeated.get();
+  if (recorded) repeated_ = GameLog::of(*recorded);
   if (!options.repeat.empty()) repeated_ = GameLog::read(options.repeat);
+  const auto repeats = [&](const std::string& channel) {
+    return repeated_ && (!repeated_->channel(channel).empty() || (recorded && recorded->find(channel)));
+  };
   if (options.referee) {
     referee_by(*options.referee);
-  } else if (options.game_controller || (repeated_ && !repeated_->channel("game").empty())) {
+  } else if (options.game_controller || repeats("game")) {
     Datagrams& datagrams = open("game", {.listen = options.game_controller.value_or(UdpAddress{}),
                                          .answer_port = static_cast<std::uint16_t>(scene.spec().league.answer_port)});
     referee_ = std::make_unique<GameController>(datagrams);
@@ -101,7 +106,7 @@ League::League(scene::Scene& scene, const LeagueOptions& options) : scene_(&scen
   for (const TeamLink& link : options.team_links) forward(link);
   if (repeated_ && options.team_links.empty()) {
     for (const scene_file::TeamSpec& team : scene.spec().teams) {
-      if (!repeated_->channel("team:" + team.name).empty()) forward({team.name, {}, {}});
+      if (repeats("team:" + team.name)) forward({team.name, {}, {}});
     }
   }
 }
@@ -121,6 +126,9 @@ Datagrams& League::open(const std::string& channel, const UdpPort::Options& opti
   }
   datagrams_.push_back(std::move(source));
   datagrams_.push_back(std::make_unique<RecordedDatagrams>(*datagrams_.back(), log_, channel));
+  if (connect::OutsideNotes::Channel* notes = outside_.channel(channel)) {
+    datagrams_.push_back(std::make_unique<NotedDatagrams>(*datagrams_.back(), *notes));
+  }
   return *datagrams_.back();
 }
 

@@ -9,6 +9,7 @@
 
 #include "murosimf/model/model.h"
 #include "murosimf/recording/foxglove_messages.h"
+#include "murosimf/recording/recorded_outside.h"
 #include "murosimf/recording/recording_schemas.h"
 
 namespace murosimf::recording {
@@ -185,6 +186,11 @@ void FrameWriter::write(const RecordedFrame& frame) {
   }
   for (const auto& [time, text] : frame.commands) {
     write_line(late_channel(commands_, "/commands", "foxglove.Log"), time, log_info, text);
+  }
+  for (const auto& [channel, note] : frame.outside) {
+    bytes_.clear();
+    put_outside(bytes_, channel, note);
+    file_.write(late_channel(outside_, "/outside", "murosimf.Outside"), frame.time, bytes_);
   }
   for (const SensorSample& sample : frame.samples) write_sample(sample);
   write_state(frame);

@@ -9,6 +9,7 @@
 /// | `/sensors/ROBOT/SENSOR` | its outputs, a type of its own |
 /// | `/events`, `/warnings` | foxglove.Log |
 /// | `/commands` | foxglove.Log: what was asked of the scene while it ran, as Scene::post takes it |
+/// | `/outside` | murosimf.Outside, if somebody else takes part |
 /// | `/state_hash` | murosimf.StateHash |
 /// | `/state` | murosimf.State: all of it, as Scene::save has it |
 ///
@@ -70,7 +71,7 @@ class FrameWriter {
   std::set<std::string> what_;
   std::map<std::string, std::uint16_t> schemas_;
   std::optional<std::uint16_t> transforms_, scene_, joints_, targets_, contacts_, forces_, events_, warnings_, hashes_,
-      commands_, states_;
+      commands_, states_, outside_;
   std::vector<std::uint16_t> samples_;  // by sensor
   std::optional<Duration> scene_written_, arrows_written_;
   std::vector<char> scene_present_;

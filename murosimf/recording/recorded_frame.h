@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/connect/outside_notes.h"
 #include "murosimf/imaging/image.h"
 #include "murosimf/model/drawing.h"
 #include "murosimf/model/world.h"
@@ -111,6 +112,7 @@ struct RecordedFrame {
   std::vector<CameraPicture> pictures;
   std::vector<FrameDrawings> drawings;
   std::vector<std::pair<Duration, std::string>> events, warnings, commands;  ///< new ones
+  std::vector<std::pair<std::string, connect::OutsideNote>> outside;         ///< by channel, new ones
   std::optional<std::uint64_t> hash;                                         ///< of the state
   std::vector<std::byte> state;  ///< all of it (Scene::save); empty: not kept
 

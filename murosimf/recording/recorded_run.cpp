@@ -1,10 +1,13 @@
 #include "murosimf/recording/recorded_run.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 
+#include "murosimf/league/league.h"
 #include "murosimf/model/error.h"
+#include "murosimf/recording/recorded_outside.h"
 
 namespace murosimf::recording {
 namespace {
@@ -18,14 +21,29 @@ RunDescription description_of(const McapReader& file) {
   });
 }
 
+/// A scene with those who take part in it.
+struct RepeatedScene {
+  RepeatedScene(const std::string& file, const scene::SceneOptions& options) : scene(file, options) {}
+  scene::Scene scene;
+  std::optional<league::League> league{};  // goes first
+};
+
+/// Whether somebody took part by a channel whose name begins so.
+bool takes_part(const RunDescription& run, std::string_view begin) {
+  return std::ranges::any_of(run.channels, [&](const std::string& name) { return name.starts_with(begin); });
+}
+
 }  // namespace
 
 RecordedRun::RecordedRun(const std::filesystem::path& file)
     : file_(file), description_(description_of(file_)), files_(file_), states_(file_) {
+  if (!description_.channels.empty()) {
+    outside_ = with_context(file.string(), [&] { return recorded_outside(file_); });
+  }
   end_ = Duration(static_cast<Duration::rep>(file_.contents().statistics.end_time));
 }
 
-std::unique_ptr<scene::Scene> RecordedRun::build(const RepeatOptions& options) const {
+std::shared_ptr<scene::Scene> RecordedRun::build(const RepeatOptions& options) const {
   const RunDescription& run = description_;
   return with_context(file_.file().string(), [&] {
     if (run.libraries && !options.libraries) {
@@ -47,9 +65,14 @@ std::unique_ptr<scene::Scene> RecordedRun::build(const RepeatOptions& options) c
                                       .stop = options.stop};
     scene_options.overrides.insert(scene_options.overrides.end(), options.overrides.begin(), options.overrides.end());
     const files::MovedFiles moved(files_.folder(), run.names);
-    auto scene = std::make_unique<scene::Scene>(run.scene, scene_options);
-    check_repeatable(*scene);
-    return scene;
+    if (outside_) scene_options.outside.repeated = outside_;
+    if (outside_ && options.recorded) scene_options.outside.notes = std::make_shared<connect::OutsideNotes>();
+    const auto repeated = std::make_shared<RepeatedScene>(run.scene, scene_options);
+    check_repeatable(repeated->scene);
+    if (takes_part(run, "game") || takes_part(run, "team:")) {
+      repeated->league.emplace(repeated->scene, league::LeagueOptions{.outside = scene_options.outside});
+    }
+    return std::shared_ptr<scene::Scene>(repeated, &repeated->scene);
   });
 }
 
@@ -71,6 +94,7 @@ std::unique_ptr<scene::Scene> RecordedRun::build_to_show(const RepeatOptions& op
 void RecordedRun::check_repeatable(const scene::Scene& scene) const {
   for (const scene_file::RobotSpec& robot : scene.spec().robots) {
     if (robot.controller != "tcp" && robot.controller != "serial") continue;
+    if (takes_part(description_, robot.controller + ":" + robot.name)) continue;
     throw SetupError(fmt::format("'{}' was moved by another program (controller '{}'), of which there is no record",
                                  robot.name, robot.controller));
   }

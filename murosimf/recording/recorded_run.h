@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/connect/outside_notes.h"
 #include "murosimf/recording/recorded_states.h"
 #include "murosimf/recording/run_description.h"
 #include "murosimf/recording/unpacked_files.h"
@@ -26,6 +27,7 @@ struct RepeatOptions {
   bool lanes = true;
   bool libraries = false;  ///< control software that the scene names may be loaded, if it was allowed to then
   std::optional<bool> cameras{};
+  bool recorded = false;                 ///< the repetition is recorded itself
   std::vector<std::string> overrides{};  ///< besides those of the run: of what is only looked at
   StopRequest stop{};
 };
@@ -41,7 +43,8 @@ class RecordedRun {
   [[nodiscard]] const RecordedStates& states() const { return states_; }
 
   /// Throws SetupError: a file is missing or has changed that was too large for the recording; the run needs what cannot be repeated.
-  [[nodiscard]] std::unique_ptr<scene::Scene> build(const RepeatOptions& options) const;
+  /// What came from outside comes again, from the recording.
+  [[nodiscard]] std::shared_ptr<scene::Scene> build(const RepeatOptions& options) const;
   /// For who shows what was recorded, and makes no steps: of every run, whatever took part in it. Only `threads` and `stop` count.
   [[nodiscard]] std::unique_ptr<scene::Scene> build_to_show(const RepeatOptions& options) const;
   /// With its files, unlike Simulation::initialize().
@@ -57,6 +60,7 @@ class RecordedRun {
   RunDescription description_;
   UnpackedFiles files_;
   RecordedStates states_;
+  std::shared_ptr<const connect::OutsideNotes> outside_;  // null: nobody else took part
   Duration end_{};
 };
 

@@ -39,7 +39,8 @@ Recorder::Recorder(scene::Scene& scene, const RecorderOptions& options)
       file_(options.file, {.library = options.program, .chunk_span = chunk_span}),
       others_(what_.contains("drawings") ? options.others : nullptr),
       keep_(options.keep),
-      after_(options.after) {
+      after_(options.after),
+      outside_(scene.parts().outside.notes.get()) {
   if (!options.record_on.empty()) {
     if (what_.contains("pictures")) throw SetupError("pictures of cameras are not kept until something happens");
     watch_.emplace(scene, options.record_on);
@@ -95,6 +96,10 @@ void Recorder::begin_file() {
   if (!run_) return;
   run_->start = held_.empty() ? scene_.simulation().now() : held_.front().front().time;
   if (files_read_) run_->names = files_read_->names();
+  if (outside_) {
+    run_->outside.clear();  // it is in the recording
+    run_->channels = outside_->names();
+  }
   attach_text("run.json", to_json(*run_));
 }
 
@@ -193,6 +198,7 @@ void Recorder::take_lines(RecordedFrame& frame) {
   for (; warnings_ < simulation.warnings().size(); ++warnings_) {
     frame.warnings.emplace_back(frame.time, simulation.warnings()[warnings_]);
   }
+  if (outside_) frame.outside = outside_->take();
 }
 
 void Recorder::add(RecordedFrame&& frame) {
@@ -237,6 +243,8 @@ void Recorder::watch(RecordedFrame& frame) {
     frame.events.emplace_back(frame.time, std::move(event));
     frame.commands.insert(frame.commands.begin(), commands_between_.begin(), commands_between_.end());
     commands_between_.clear();
+    frame.outside.insert(frame.outside.begin(), outside_between_.begin(), outside_between_.end());
+    outside_between_.clear();
     ++happened_;
   }
 }
@@ -249,13 +257,28 @@ void Recorder::forget_old() {
   const auto last = std::find_if(held_.rbegin(), held_.rend(), is_start);
   if (last == held_.rend()) return;
   const auto first_kept = std::prev(last.base());
+  RecordingThread::Batch rest;
   for (auto batch = held_.begin(); batch != first_kept; ++batch) {
     for (RecordedFrame& frame : *batch) {
       if (began_) commands_between_.insert(commands_between_.end(), frame.commands.begin(), frame.commands.end());
+      if (!frame.outside.empty()) keep_outside(frame, rest);
     }
   }
+  if (!rest.empty()) thread_->push(std::move(rest));
   keep_drawings(first_kept);
   held_.erase(held_.begin(), first_kept);
+}
+
+/// A file that has begun gets all of it at once, for who repeats the run; before, what lasts is kept for its first event.
+void Recorder::keep_outside(RecordedFrame& dropped, RecordingThread::Batch& rest) {
+  if (began_) {
+    rest.emplace_back().time = dropped.time;
+    rest.back().outside = std::move(dropped.outside);
+    return;
+  }
+  for (auto& note : dropped.outside) {
+    if (connect::lasts(note.second.kind)) outside_between_.push_back(std::move(note));
+  }
 }
 
 /// Of the frames before, the last drawings of each topic, which come only when they change, go to the first frame that stays.
@@ -290,7 +313,8 @@ void Recorder::write(const RecordingThread::Batch& batch) {
 void Recorder::finish(const scene::RunReport& report) {
   if (!frames_) start();  // of a run without steps
 
-  const bool changed = commands_ < scene_.simulation().commands().size();  // after the last step
+  // after the last step
+  const bool changed = commands_ < scene_.simulation().commands().size() || (outside_ && !outside_->empty());
   if (changed || last_frame_ != scene_.simulation().now()) take_frame(true);
   hand_over();
   begin_file();

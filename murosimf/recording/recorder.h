@@ -101,6 +101,7 @@ class Recorder {
   void watch(RecordedFrame& frame);
   void begin_file();
   void forget_old();
+  void keep_outside(RecordedFrame& dropped, RecordingThread::Batch& rest);
   void keep_drawings(std::vector<RecordingThread::Batch>::iterator first_kept);
   void write(const RecordingThread::Batch& batch);
 
@@ -135,6 +136,8 @@ class Recorder {
   std::optional<RunWatch> watch_;
   std::vector<RecordingThread::Batch> held_;                        // not in the file yet
   std::vector<std::pair<Duration, std::string>> commands_between_;  // of what will never be in it
+  connect::OutsideNotes* outside_;                                  // null: it is not written down
+  std::vector<std::pair<std::string, connect::OutsideNote>> outside_between_;
   Duration write_until_{-1};
   bool began_ = false, asked_ = false, newly_asked_ = false;
   std::size_t happened_ = 0;

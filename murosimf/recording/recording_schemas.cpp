@@ -142,6 +142,12 @@ std::vector<MessageSchema> all_schemas() {
       message_schema("murosimf.StateHash", R"(
         google.protobuf.Timestamp timestamp = 1;
         fixed64 hash = 2;)"),
+      message_schema("murosimf.Outside", R"(
+        google.protobuf.Timestamp timestamp = 1;
+        string channel = 2;
+        int64 time_ns = 3;
+        uint32 kind = 4;
+        bytes content = 5;)"),
       message_schema("murosimf.State", R"(
         google.protobuf.Timestamp timestamp = 1;
         fixed64 hash = 2;

@@ -17,7 +17,7 @@ class Repetition {
       : run_(run), reference_(options.reference ? *options.reference : run.states()), options_(options) {}
 
   RerunResult run() {
-    const std::unique_ptr<scene::Scene> scene = run_.build(options_.repeat);
+    const std::shared_ptr<scene::Scene> scene = run_.build(options_.repeat);
     scene_ = scene.get();
     if (options_.prepare) options_.prepare(*scene);
     run_.begin(*scene, run_.description().start);
@@ -74,7 +74,7 @@ class Repetition {
     if (!state.chunk || difference.what || !difference.unlike.empty()) return;
     difference.looked = state.time;
     try {
-      const std::unique_ptr<scene::Scene> recorded = run_.build(options_.repeat);
+      const std::shared_ptr<scene::Scene> recorded = run_.build(options_.repeat);
       run_.initialize(*recorded);
       reference_.load(*recorded, state);
       difference.what = state_difference(recorded->simulation().world(), scene_->simulation().world());

@@ -31,6 +31,7 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   options.software = parts.software;
   options.folder = spec.file.parent_path();
   options.terminals = parts.terminals;
+  options.outside = parts.outside;
   const scene_file::FieldSize& field = scene_file::field_size(spec.field.size);
   options.half_field = {0.5 * field.length, 0.5 * field.width, 0};
   options.start = {robot.position.x, robot.position.y, robot.heading};

@@ -86,6 +86,7 @@ void build(SceneParts& parts, const SceneOptions& options) {
   parts.only_shown = options.only_shown;
   parts.software = options.software;
   parts.terminals = options.terminals;
+  parts.outside = options.outside;
   if (options.cameras) parts.cameras = std::make_unique<CameraRenderer>(parts);
   parts.assets = options.assets ? options.assets : std::make_shared<Assets>();
   parts.lenient = options.lenient;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/connect/outside_notes.h"
 #include "murosimf/connect/tcp_server.h"
 #include "murosimf/runtime/simulation.h"
 
@@ -30,6 +31,7 @@ struct SceneOptions {
   bool paths = false;                  ///< remember where everybody has been, for write_picture
   std::shared_ptr<connect::TcpServer>
       software{};                    ///< where control software of the controller "tcp" comes in; null: nowhere
+  connect::OutsideWorld outside{};   ///< what is done with all that comes from outside
   std::shared_ptr<Assets> assets{};  ///< that it shares with other scenes; null: its own
   StopRequest stop{};                ///< ends runs of the simulation early (Simulation::stop_if)
 };

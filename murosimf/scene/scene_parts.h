@@ -84,6 +84,7 @@ struct SceneParts {
   std::shared_ptr<connect::CrashNote> crashes = std::make_shared<connect::CrashNote>();  ///< of control software
   std::shared_ptr<connect::TcpServer> software;  ///< that of the controller "tcp" comes in there; null: nowhere
   std::string terminals;                         ///< folder for links to serial lines; empty: there are none
+  connect::OutsideWorld outside;                 ///< what is done with all that comes from outside
   bool libraries = false;                        ///< those that files name are loaded
   bool only_shown = false;                       ///< SceneOptions::only_shown
   std::shared_ptr<Assets> assets;                ///< for robots that come later

@@ -48,7 +48,7 @@ Branch run_one(const recording::RecordedRun& run, const BranchOptions& options, 
                const std::vector<std::string>& patterns, Branches& all, std::mutex& mutex) {
   recording::RepeatOptions repeat = options.repeat;
   repeat.threads = 1;
-  const std::unique_ptr<scene::Scene> scene = run.build(repeat);
+  const std::shared_ptr<scene::Scene> scene = run.build(repeat);
   Simulation& simulation = scene->simulation();
   const Duration from = start_of(run, options);
   {

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -18,6 +19,7 @@
 #include "murosimf/scene_file/scene_spec.h"
 #include "tests/fixtures.h"
 #include "tests/league/until.h"
+#include "tests/recording/repeatable_run.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::league {
@@ -87,6 +89,48 @@ struct Game {
   scene::Scene scene;
   League game;
 };
+
+// What came is in a recording of the run, which needs no other file, and no socket.
+TEST(League, IsRepeatedFromARecording) {
+  const fs::path scene = written("game.toml", R"(
+    [field]
+    size = "kid_size_2008"
+    [ball]
+    [[teams]]
+    name = "blue"
+    number = 4
+    [[teams]]
+    name = "red"
+    number = 21
+    [[robots]]
+    name = "blue2"
+    model = "kid21"
+    team = "blue"
+    controller = "walk"
+    command = [0.1, 0.0, 0.1]
+    [[robots]]
+    name = "red1"
+    model = "kid21"
+    team = "red"
+    position = [1.5, 0.0]
+    level = "simplified_dynamics")");
+  fixtures::RepeatableRun run{.scene = scene.string(),
+                              .time = 7s,
+                              .how = {.cameras = false,
+                                      .outside = {.notes = std::make_shared<connect::OutsideNotes>()}}};
+  run.options.state_period = 2s;
+  std::optional<League> game;
+  run.when_built = [&](scene::Scene& scene) {
+    game.emplace(scene, LeagueOptions{.repeat = logs + "game.gamelog", .outside = scene.parts().outside});
+  };
+  run.play = [&](scene::Scene& scene, recording::Recorder&) {
+    scene.simulation().run(7s);
+    EXPECT_LT(scene.simulation().world().entity("blue2").find(properties::position)->values[0].y, -2)
+        << "it has a penalty, and stands at the side line";
+    game.reset();
+  };
+  fixtures::expect_repeatable(fixtures::record("game.mcap", run));
+}
 
 TEST(League, TellsRobotsWhatTheRefereeSays) {
   Game game(three_on_three());

@@ -5,7 +5,10 @@
 #include <functional>
 #include <string>
 
+#include <gtest/gtest.h>
+
 #include "murosimf/recording/recorder.h"
+#include "murosimf/recording/rerun.h"
 #include "murosimf/scene/scene_report.h"
 #include "tests/temp_folder.h"
 
@@ -17,6 +20,7 @@ struct RepeatableRun {
   recording::RecorderOptions options{};
   scene::SceneOptions how{.cameras = false};
   std::function<void(scene::Scene&)> when_built{}, when_initialized{};
+  std::function<void(scene::Scene&, recording::Recorder&)> play{};  ///< in the place of a run of that time
 };
 
 /// Its file.
@@ -40,10 +44,33 @@ inline std::filesystem::path record(const std::string& name, const RepeatableRun
   recording::Recorder recorder(scene, options);
   scene.simulation().initialize();
   if (run.when_initialized) run.when_initialized(scene);
-  scene.simulation().run(run.time);
+  if (run.play) {
+    run.play(scene, recorder);
+  } else {
+    scene.simulation().run(run.time);
+  }
   recorder.finish(make_report(scene));
   EXPECT_EQ(recorder.trouble(), "");
   return options.file;
+}
+
+/// What is recorded can be repeated from the file alone, with any number of threads, and goes on from any of its states as it did.
+inline void expect_repeatable(const std::filesystem::path& file) {
+  const recording::RecordedRun recorded(file);
+  for (const int threads : {1, 2}) {
+    const recording::RerunResult result = recording::rerun(recorded, {.repeat = {.threads = threads}});
+    EXPECT_FALSE(result.difference) << threads << " threads: " << to_text(result);
+    EXPECT_GE(result.compared, 2U);
+  }
+  const recording::RecordedState& last = recorded.states().all().back();
+  for (const recording::RecordedState& state : recorded.states().all()) {
+    if (!state.chunk || state.time == last.time) continue;
+    const auto scene = recorded.build({});
+    recorded.begin(*scene, state.time);
+    EXPECT_EQ(scene->simulation().now(), state.time);
+    scene->simulation().run(last.time - state.time);
+    EXPECT_EQ(scene->simulation().state_hash(), last.hash) << "from " << seconds(state.time) << " s";
+  }
 }
 
 }  // namespace murosimf::fixtures

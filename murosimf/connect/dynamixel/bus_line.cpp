@@ -1,6 +1,9 @@
 #include "murosimf/connect/dynamixel/bus_line.h"
 
 #include <algorithm>
+#include <vector>
+
+#include "murosimf/model/error.h"
 
 namespace murosimf::connect::dynamixel {
 
@@ -49,6 +52,23 @@ void BusLine::hang_up() {
   arrivals_.clear();
   departures_.clear();
   free_ = answered_ = 0;
+}
+
+void BusLine::Arrival::state(StateArchive& archive) {
+  archive(due, packet.protocol, packet.id, packet.instruction, packet.parameters);
+}
+
+void BusLine::Departure::state(StateArchive& archive) {
+  archive(begin, bytes, sent);
+  if (sent > bytes.size()) throw SetupError("an answer on its way is damaged");
+}
+
+void BusLine::state(StateArchive& archive) {
+  std::vector<Arrival> arrivals(arrivals_.begin(), arrivals_.end());
+  std::vector<Departure> departures(departures_.begin(), departures_.end());
+  archive(parser_, arrivals, departures, free_, answered_, instructions_);
+  arrivals_.assign(arrivals.begin(), arrivals.end());
+  departures_.assign(departures.begin(), departures.end());
 }
 
 }  // namespace murosimf::connect::dynamixel

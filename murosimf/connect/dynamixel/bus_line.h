@@ -25,6 +25,8 @@ class BusLine {
   void forget_partial() { parser_.forget(); }
   /// Drops everything on its way: the client has gone.
   void hang_up();
+  /// All that is on its way.
+  void state(StateArchive& archive);
 
   /// [s] When nobody is on the wire any more; past, if nobody is.
   [[nodiscard]] double free_at() const { return free_; }
@@ -36,11 +38,13 @@ class BusLine {
   struct Arrival {
     double due = 0;  // [s] when its last byte has come
     Packet packet;
+    void state(StateArchive& archive);
   };
   struct Departure {
     double begin = 0;  // [s] of its first byte
     Bytes bytes;
     std::size_t sent = 0;
+    void state(StateArchive& archive);
   };
   void execute(const Arrival& arrival);
 

@@ -1,6 +1,7 @@
 #include "murosimf/connect/dynamixel/packet_parser.h"
 
 #include "murosimf/connect/dynamixel/packet_checksum.h"
+#include "murosimf/model/error.h"
 
 namespace murosimf::connect::dynamixel {
 namespace {
@@ -71,6 +72,11 @@ PacketParser::Found PacketParser::look_v2(ByteView bytes, Packet& packet) {
   packet = {Protocol::v2, bytes[4], body.front(), {body.begin() + 1, body.end()}};
   size_of_last_ = size;
   return Found::packet;
+}
+
+void PacketParser::state(StateArchive& archive) {
+  archive(bytes_, place_, size_of_last_, damaged_);
+  if (place_ > bytes_.size()) throw SetupError("a packet on its way is damaged");
 }
 
 }  // namespace murosimf::connect::dynamixel

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "murosimf/connect/dynamixel/packet.h"
+#include "murosimf/model/state_archive.h"
 
 namespace murosimf::connect::dynamixel {
 
@@ -25,6 +26,7 @@ class PacketParser {
   [[nodiscard]] std::uint64_t damaged() const { return damaged_; }
   /// Bytes of the last packet on the line.
   [[nodiscard]] std::size_t size_of_last() const { return size_of_last_; }
+  void state(StateArchive& archive);
 
  private:
   enum class Found { packet, nothing, more_needed };

@@ -18,7 +18,7 @@ using dynamixel::Protocol;
 using dynamixel::ServoDevice;
 
 SerialSoftware::SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::vector<ServoPlace> layout,
-                               SerialOptions options, const std::filesystem::path& folder)
+                               SerialOptions options, const std::filesystem::path& folder, const OutsideWorld& outside)
     : say_(std::move(say)),
       options_(std::move(options)),
       period_(seconds(setup.period())),
@@ -33,7 +33,11 @@ SerialSoftware::SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::
       led_(port.command("joint.led")),
       voltage_(setup.observe(properties::supply_voltage)),
       temperature_(setup.observe(properties::servo_temperature)),
-      last_byte_(WallClock::now()) {
+      last_byte_(WallClock::now()),
+      notes_(outside.notes),
+      pen_(outside.channel("serial:" + setup.entity().name())),
+      repeated_(outside.repeated),
+      reader_(repeated_ ? repeated_->find("serial:" + setup.entity().name()) : nullptr) {
   for (const ServoPlace& place : layout) add_joint(setup.model(), place);
   for (const int joint : setup.model().joints()) {
     const Vec3d* range = setup.model().find(properties::joint_range, joint);
@@ -42,7 +46,7 @@ SerialSoftware::SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::
   if (std::ranges::any_of(joints_, &Joint::turns)) rate_ = port.command("joint.velocity_target");
   find_imu(setup, port);
   switch_on();
-  if (folder.empty()) return;
+  if (folder.empty() || repeated_) return;
   terminal_ = std::make_unique<PseudoTerminal>();
   link_place_ = folder / setup.entity().name();
   check_link_place(link_place_);
@@ -123,7 +127,7 @@ CallOutcome SerialSoftware::step(Duration now) noexcept {
   }
   const double time = seconds(now);
   sense(time);
-  if (terminal_) exchange_bytes(time);
+  if (terminal_ || repeated_) exchange_bytes(now);
   for (const Joint& joint : joints_) joint.servo->advance(period_);
   command();
   return {};
@@ -149,39 +153,73 @@ void SerialSoftware::sense(double now) {
                .accelerometer = {accelerometer_->values, 3}});
 }
 
-void SerialSoftware::exchange_bytes(double now) {
-  received_.clear();
-  to_send_.clear();
+SerialSoftware::Heard SerialSoftware::listen(double now) {
+  Heard heard;
   // A wire that is busy takes no more: the client waits, as before a real port.
   constexpr double longest_queue = 0.05;  // [s]
   if (line_->free_at() < now + longest_queue)
-    terminal_->receive(received_);  // also what a client has sent before it went
-  if (!received_.empty()) {
-    line_->push(received_, now);
+    terminal_->receive(heard.bytes);  // also what a client has sent before it went
+  if (!heard.bytes.empty()) {
     last_byte_ = WallClock::now();
   } else if (line_->has_partial()) {
     constexpr auto longest_silence = std::chrono::milliseconds(100);  // within a packet, as servos have it
-    if (WallClock::now() - last_byte_ > longest_silence) line_->forget_partial();
+    heard.fell_silent = WallClock::now() - last_byte_ > longest_silence;
   }
-  look_after_client();
-  line_->run(now, to_send_);
-  if (to_send_.empty() || !client_) return;
+  const bool client = terminal_->is_open();
+  if (client != client_) heard.client = client;
+  return heard;
+}
+
+SerialSoftware::Heard SerialSoftware::repeat(Duration now) {
+  Heard heard;
+  for (; const OutsideNote* note = reader_.next(now); reader_.pass()) {
+    if (note->kind == OutsideNote::came || note->kind == OutsideNote::left) {
+      heard.client = note->kind == OutsideNote::came;
+    } else if (note->time == now && note->kind == OutsideNote::sent) {
+      heard.bytes.insert(heard.bytes.end(), note->bytes.begin(), note->bytes.end());
+    } else if (note->time == now && note->kind == OutsideNote::fell_silent) {
+      heard.fell_silent = true;
+    }
+  }
+  if (heard.client == client_) heard.client.reset();  // as it was before time has jumped
+  return heard;
+}
+
+void SerialSoftware::write_down(const Heard& heard) {
+  if (!heard.bytes.empty()) pen_.write(OutsideNote::sent, std::string(heard.bytes.begin(), heard.bytes.end()));
+  if (heard.fell_silent) pen_.write(OutsideNote::fell_silent);
+  if (heard.client) pen_.write(*heard.client ? OutsideNote::came : OutsideNote::left);
+}
+
+void SerialSoftware::exchange_bytes(Duration now) {
+  const double time = seconds(now);
+  const Heard heard = repeated_ ? repeat(now) : listen(time);
+  pen_.at(now);
+  write_down(heard);
+  if (!heard.bytes.empty()) line_->push(heard.bytes, time);
+  if (heard.fell_silent) line_->forget_partial();
+  if (heard.client) look_after(*heard.client);
+  to_send_.clear();
+  line_->run(time, to_send_);
+  if (!to_send_.empty() && client_ && terminal_) send();
+}
+
+void SerialSoftware::send() {
   const std::size_t sent = terminal_->send(to_send_);
   if (sent == to_send_.size() || std::exchange(told_of_loss_, true)) return;
   say_("the client of the serial line does not read: bytes are lost");
 }
 
-void SerialSoftware::look_after_client() {
-  const bool client = terminal_->is_open();
-  if (client == client_) return;
+void SerialSoftware::look_after(bool client) {
   client_ = client;
+  const std::string place = terminal_ ? link_place_.string() : "the serial line";
   if (client) {
     told_of_loss_ = false;
-    say_(fmt::format("{} was opened", link_place_.string()));
+    say_(fmt::format("{} was opened", place));
   } else {
     line_->hang_up();
-    terminal_->discard();
-    say_(fmt::format("{} was closed; torque and goals stay as they are", link_place_.string()));
+    if (terminal_) terminal_->discard();
+    say_(fmt::format("{} was closed; torque and goals stay as they are", place));
   }
 }
 
@@ -210,7 +248,10 @@ void SerialSoftware::tune(const Joint& joint) {
 
 void SerialSoftware::state(StateArchive& archive) {
   for (const auto& device : bus_->devices()) device->state(archive);
-  if (archive.loads()) line_->hang_up();  // what was on its way belongs to another time
+  archive(*line_);
+  if (!archive.loads()) return;
+  if (!repeated_) line_->hang_up();  // what was on its way belongs to another time
+  reader_.rewind();
 }
 
 }  // namespace murosimf::connect::serial

@@ -16,6 +16,7 @@
 #include "murosimf/connect/dynamixel/bus_line.h"
 #include "murosimf/connect/dynamixel/imu_board.h"
 #include "murosimf/connect/dynamixel/servo_device.h"
+#include "murosimf/connect/outside_notes.h"
 #include "murosimf/connect/serial/bus_layout.h"
 #include "murosimf/connect/serial/pseudo_terminal.h"
 #include "murosimf/model/servo.h"
@@ -33,10 +34,10 @@ struct SerialOptions {
 
 class SerialSoftware final : public ControlSoftware {
  public:
-  /// `folder` is where the link to the terminal stands, named as the robot, from the first step on; empty: there is no
-  /// terminal. Throws SetupError.
+  /// `folder` is where the link to the terminal stands, named as the robot, from the first step on; empty, or if what comes is
+  /// repeated: there is no terminal. Throws SetupError.
   SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::vector<ServoPlace> layout, SerialOptions options,
-                 const std::filesystem::path& folder);
+                 const std::filesystem::path& folder, const OutsideWorld& outside = {});
 
   [[nodiscard]] CallOutcome start() override;
   [[nodiscard]] CallOutcome step(Duration now) noexcept override;
@@ -63,8 +64,18 @@ class SerialSoftware final : public ControlSoftware {
   void find_imu(const Setup& setup, RobotPort& port);
   void switch_on();
   void sense(double now);
-  void exchange_bytes(double now);
-  void look_after_client();
+  /// What has come in a step.
+  struct Heard {
+    dynamixel::Bytes bytes;
+    bool fell_silent = false;      // within a packet
+    std::optional<bool> client{};  // has come, or gone
+  };
+  [[nodiscard]] Heard listen(double now);
+  [[nodiscard]] Heard repeat(Duration now);
+  void write_down(const Heard& heard);
+  void exchange_bytes(Duration now);
+  void send();
+  void look_after(bool client);
   void command();
   void tune(const Joint& joint);
   [[nodiscard]] double angle_of(const Joint& joint, double q) const;
@@ -86,7 +97,11 @@ class SerialSoftware final : public ControlSoftware {
   std::optional<TerminalLink> link_;
   bool client_ = false, told_of_loss_ = false;
   WallClock::time_point last_byte_;
-  dynamixel::Bytes received_, to_send_;
+  dynamixel::Bytes to_send_;
+  std::shared_ptr<OutsideNotes> notes_;  // the pen's
+  OutsidePen pen_;
+  std::shared_ptr<const OutsideNotes> repeated_;  // null: it is live
+  OutsideReader reader_;
 };
 
 }  // namespace murosimf::connect::serial

@@ -14,6 +14,7 @@
 #include "murosimf/scene/scene.h"
 #include "tests/connect/serial/serial_port.h"
 #include "tests/fixtures.h"
+#include "tests/recording/repeatable_run.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf::connect::serial {
@@ -285,6 +286,35 @@ TEST(SerialSoftware, LeavesNoFileOpenAndNoLink) {
   }
   EXPECT_EQ(open_files(), before);
   EXPECT_FALSE(std::filesystem::is_symlink(fixtures::temp_folder() / "ports" / "walker"));
+}
+
+// What its client has sent is in a recording, and comes again, also from the middle of a packet on a slow bus.
+TEST(SerialSoftware, IsRepeatedFromARecording) {
+  const std::filesystem::path ports = fixtures::temp_folder() / "ports";
+  fixtures::RepeatableRun run{.scene = "walk",
+                              .how = {.overrides = {"walker.controller=serial", "walker.level=articulated_dynamics",
+                                                    "walker.options={baud_rate=57600, torque=true}"},
+                                      .terminals = ports.string(),
+                                      .cameras = false,
+                                      .outside = {.notes = std::make_shared<OutsideNotes>()}}};
+  run.options.state_period = 20ms;
+  run.play = [&](scene::Scene& scene, recording::Recorder&) {
+    scene.simulation().step();
+    for (const int pulses : {2300, 1800}) {
+      SerialPort port(ports / "walker");
+      for (int i = 0; i < 3; ++i) {
+        port.send(goal(head, pulses + 20 * i));
+        port.send(read_head);
+        scene.simulation().run(37ms);
+      }
+      port.send(Bytes{0xFF, 0xFF, 0xFD});  // and no more
+      scene.simulation().run(5ms);
+    }
+    scene.simulation().run(100ms);
+    EXPECT_GT(std::abs(scene.simulation().world().entity("walker").object("j_head").get(properties::joint_position)),
+              0.05);
+  };
+  fixtures::expect_repeatable(fixtures::record("serial.mcap", run));
 }
 
 TEST(SerialSoftware, ResetsAndStatesAreThoseOfTheServos) {

@@ -1,0 +1,96 @@
+/// tcp_clients.h - who is a robot's software over TCP: programs that connect, or what a recording has of them (outside_notes.h).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "murosimf/connect/outside_notes.h"
+#include "murosimf/connect/tcp_reception.h"
+#include "murosimf/wire/connection.h"
+
+namespace murosimf::connect {
+
+/// Messages to a client and from it. Throws WireError as wire::Connection does; of a recording, for what it left.
+class ClientLine {
+ public:
+  virtual ~ClientLine() = default;
+  /// false: of a recording; what it is sent goes nowhere, and nothing takes wall time.
+  [[nodiscard]] virtual bool live() const = 0;
+  virtual void send(std::string_view message) = 0;
+  virtual void flush_until(wire::WallTime end) = 0;
+  /// Without waiting.
+  [[nodiscard]] virtual std::optional<std::string_view> receive() = 0;
+  [[nodiscard]] virtual std::string_view receive_until(wire::WallTime end) = 0;
+  /// Whether all that it was sent has left. Of a recording: whether it was told a cycle then.
+  [[nodiscard]] virtual bool flush() = 0;
+};
+
+struct ArrivedClient {
+  std::string name;  ///< "walk.py at 127.0.0.1:40312"
+  double rate = 0;   ///< [Hz] wanted; 0: any
+  std::unique_ptr<ClientLine> line;
+};
+
+/// Of one robot.
+class TcpClients {
+ public:
+  virtual ~TcpClients() = default;
+  /// Of all calls that follow; nothing: its set-up.
+  virtual void at(Duration) {}
+  /// Another one that has come, without waiting.
+  [[nodiscard]] virtual std::optional<ArrivedClient> take() = 0;
+  /// Its client has gone. From now on another one may come, or (`for_good`) none.
+  virtual void leave(bool for_good) = 0;
+  /// Of a recording, after time has jumped: what lasts of all before `now`, and goes on there. Live: nothing.
+  [[nodiscard]] virtual std::vector<OutsideNote> jump_to(Duration) { return {}; }
+  /// The line of a client of whom jump_to() told.
+  [[nodiscard]] virtual std::unique_ptr<ClientLine> line() { return nullptr; }
+};
+
+/// Those of a reception.
+class ReceivedClients final : public TcpClients {
+ public:
+  ReceivedClients(std::shared_ptr<TcpReception> reception, std::string robot)
+      : reception_(std::move(reception)), robot_(std::move(robot)) {}
+  /// Waits; nothing: it was stopped, or none has come.
+  [[nodiscard]] std::optional<ArrivedClient> wait(double limit);
+  [[nodiscard]] std::optional<ArrivedClient> take() override;
+  void leave(bool for_good) override { reception_->leave(robot_, for_good); }
+
+ private:
+  std::shared_ptr<TcpReception> reception_;
+  std::string robot_;
+};
+
+/// Those that a recording has.
+class RepeatedClients final : public TcpClients {
+ public:
+  /// `channel` may be null: it has none.
+  RepeatedClients(std::shared_ptr<const OutsideNotes> notes, const std::string& channel)
+      : notes_(std::move(notes)), cursor_(std::make_shared<Cursor>(notes_->find(channel))) {}
+  void at(Duration now) override { cursor_->now = now; }
+  [[nodiscard]] std::optional<ArrivedClient> take() override;
+  void leave(bool) override {}
+  [[nodiscard]] std::vector<OutsideNote> jump_to(Duration now) override;
+  [[nodiscard]] std::unique_ptr<ClientLine> line() override;
+
+ private:
+  class Line;
+  struct Cursor {
+    explicit Cursor(const OutsideNotes::Channel* channel) : reader(channel) {}
+    OutsideReader reader;
+    Duration now = before_the_run;
+  };
+
+  std::shared_ptr<const OutsideNotes> notes_;
+  std::shared_ptr<Cursor> cursor_;
+};
+
+/// The bytes of a note OutsideNote::came, and back. Throws WireError if they are none.
+[[nodiscard]] std::string to_bytes(const ArrivedClient& client);
+[[nodiscard]] ArrivedClient arrived_client(std::string_view bytes);
+
+}  // namespace murosimf::connect
