@@ -3,7 +3,7 @@
 
 #include "apps/command_line.h"
 #include "apps/standard_output.h"
-#include "murosimf/recording/mcap_repair.h"
+#include "murosimf/recording/mcap/mcap_repair.h"
 
 namespace murosimf::app {
 namespace {

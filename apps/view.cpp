@@ -1,4 +1,6 @@
 // `murosimf view`: a scene in a window, to be watched, touched and understood.
+#include <cstdlib>
+
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
@@ -90,8 +92,17 @@ session::MakeCourse course_of(const SceneArguments& scene, ViewRecording* record
   };
 }
 
+/// Mesa tells of each driver that it tries in vain, in lines that look like ours, also where the next one draws. Who wants to read them
+/// sets these variables otherwise.
+void quiet_drivers() {
+  constexpr int unless_set = 0;
+  setenv("MESA_LOG", "null", unless_set);
+  setenv("EGL_LOG_LEVEL", "fatal", unless_set);
+}
+
 int view(const ViewOptions& options) {
   end_gently();
+  quiet_drivers();
   check_json_file(options.json);
   if (!options.screenshot.empty()) files::check_writable(options.screenshot);
   const viewer::WindowOptions window = window_options(options);

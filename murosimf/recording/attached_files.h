@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "murosimf/recording/mcap_reader.h"
-#include "murosimf/recording/mcap_writer.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_writer.h"
 
 namespace murosimf::recording {
 

@@ -15,7 +15,7 @@
 #include "murosimf/math/transform.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/foxglove_messages.h"
-#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/mcap/protobuf.h"
 #include "murosimf/recording/topics.h"
 
 namespace murosimf::recording {
@@ -47,13 +47,13 @@ struct MotionFrame {
 };
 
 /// One foxglove.FrameTransform.
-struct Link {
+struct ReadLink {
   std::string_view parent, child;
   Transformd pose;
 };
 
-Link read_link(ProtobufReader in) {
-  Link link;
+ReadLink read_link(ProtobufReader in) {
+  ReadLink link;
   while (in.next()) {
     if (in.field() == 2) link.parent = in.bytes();
     if (in.field() == 3) link.child = in.bytes();
@@ -84,7 +84,7 @@ std::map<std::string, std::size_t> links_by_owner(const McapReader& file) {
   visit_topics(file, {"/tf"}, [&](const std::string&, const Message& message, std::size_t) {
     for (ProtobufReader in(message.data); in.next();) {
       if (in.field() != 1) continue;
-      const Link link = read_link(in.message());
+      const ReadLink link = read_link(in.message());
       links[owner_of(link.child)].emplace(link.child);
     }
   });
@@ -127,7 +127,7 @@ class Motion {
     bool is_there = false;
     for (ProtobufReader in(data); in.next();) {
       if (in.field() != 1) continue;
-      const Link link = read_link(in.message());
+      const ReadLink link = read_link(in.message());
       if (!link.child.starts_with(prefix_)) continue;
       const std::size_t index = index_of(link);
       Joint& joint = joints_[index];
@@ -145,7 +145,7 @@ class Motion {
   }
 
   /// Of the joint of a link; the first frame has all of them, parents first.
-  std::size_t index_of(const Link& link) {
+  std::size_t index_of(const ReadLink& link) {
     const auto known = by_frame_.find(link.child);
     if (known != by_frame_.end()) return known->second;
     const auto parent = by_frame_.find(link.parent);

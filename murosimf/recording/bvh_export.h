@@ -12,7 +12,7 @@
 
 #include "murosimf/math/mat3.h"
 #include "murosimf/math/vec3.h"
-#include "murosimf/recording/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
 
 namespace murosimf::recording {
 

@@ -9,7 +9,7 @@
 #include "murosimf/math/transform.h"
 #include "murosimf/model/shape.h"
 #include "murosimf/model/time.h"
-#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/mcap/protobuf.h"
 
 namespace murosimf::recording {
 

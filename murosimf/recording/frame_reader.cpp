@@ -7,7 +7,7 @@
 
 #include "murosimf/model/error.h"
 #include "murosimf/recording/foxglove_messages.h"
-#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/mcap/protobuf.h"
 #include "murosimf/recording/topics.h"
 
 namespace murosimf::recording {

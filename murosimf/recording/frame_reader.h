@@ -16,7 +16,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "murosimf/recording/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
 #include "murosimf/recording/recorded_frame.h"
 
 namespace murosimf::recording {

@@ -25,8 +25,8 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/recording/message_schema.h"
-#include "murosimf/recording/message_sink.h"
+#include "murosimf/recording/mcap/message_schema.h"
+#include "murosimf/recording/mcap/message_sink.h"
 #include "murosimf/recording/recorded_frame.h"
 #include "murosimf/recording/scene_message.h"
 

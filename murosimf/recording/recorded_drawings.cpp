@@ -13,7 +13,7 @@
 #include "murosimf/model/error.h"
 #include "murosimf/recording/foxglove_messages.h"
 #include "murosimf/recording/frame_writer.h"
-#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/mcap/protobuf.h"
 #include "murosimf/recording/topics.h"
 #include "murosimf/render/polygon_triangles.h"
 
@@ -23,7 +23,7 @@ namespace {
 using nlohmann::json;
 
 constexpr Duration repeat_period = std::chrono::seconds(5);  // seeks in files find one soon
-constexpr std::size_t most_kept = 32;                        // chunks: more than a repetition
+constexpr std::size_t most_kept_chunks = 32;                 // chunks: more than a repetition
 constexpr std::string_view topics = "/drawings/", shape_key = "shape";
 constexpr std::string_view drawn_by = "drawn_by", others = "others";  // metadata of channels
 constexpr double thin = 2;                                            // [px] of lines without a width
@@ -287,7 +287,7 @@ const DrawingReader::Chunk& DrawingReader::read(std::size_t index) {
     if (topic != topics_.end()) chunk.sketches.push_back({time_of(message), topic->second, std::string(message.data)});
   });
   kept_.push_front(std::move(chunk));
-  if (kept_.size() > most_kept) kept_.pop_back();
+  if (kept_.size() > most_kept_chunks) kept_.pop_back();
   return kept_.front();
 }
 

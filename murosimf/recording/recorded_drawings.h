@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "murosimf/model/drawing.h"
-#include "murosimf/recording/mcap_reader.h"
-#include "murosimf/recording/message_sink.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
+#include "murosimf/recording/mcap/message_sink.h"
 #include "murosimf/recording/recorded_frame.h"
 
 namespace murosimf::recording {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "murosimf/recording/foxglove_messages.h"
-#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/mcap/protobuf.h"
 #include "murosimf/recording/topics.h"
 
 namespace murosimf::recording {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "murosimf/connect/outside_notes.h"
-#include "murosimf/recording/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
 
 namespace murosimf::recording {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "murosimf/model/world.h"
-#include "murosimf/recording/message_sink.h"
+#include "murosimf/recording/mcap/message_sink.h"
 #include "murosimf/recording/recorded_frame.h"
 #include "murosimf/sensors/camera_frame.h"
 

@@ -13,9 +13,9 @@
 
 #include "murosimf/logging/log_plot.h"
 #include "murosimf/model/error.h"
-#include "murosimf/recording/byte_string.h"
 #include "murosimf/recording/foxglove_messages.h"
-#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/mcap/byte_string.h"
+#include "murosimf/recording/mcap/protobuf.h"
 
 namespace murosimf::recording {
 namespace {

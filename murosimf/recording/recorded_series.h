@@ -11,7 +11,7 @@
 
 #include "murosimf/files/csv_file.h"
 #include "murosimf/logging/log_csv.h"
-#include "murosimf/recording/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
 
 namespace murosimf::recording {
 

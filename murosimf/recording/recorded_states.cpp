@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/mcap/protobuf.h"
 #include "murosimf/recording/topics.h"
 
 namespace murosimf::recording {

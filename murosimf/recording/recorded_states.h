@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "murosimf/recording/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
 #include "murosimf/runtime/command_queue.h"
 #include "murosimf/scene/scene.h"
 

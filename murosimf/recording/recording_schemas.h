@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "murosimf/recording/message_schema.h"
+#include "murosimf/recording/mcap/message_schema.h"
 
 namespace murosimf::recording {
 

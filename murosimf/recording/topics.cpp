@@ -1,6 +1,6 @@
 #include "murosimf/recording/topics.h"
 
-#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/mcap/protobuf.h"
 
 namespace murosimf::recording {
 

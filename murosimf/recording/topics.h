@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "murosimf/model/time.h"
-#include "murosimf/recording/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
 
 namespace murosimf::recording {
 

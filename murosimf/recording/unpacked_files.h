@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "murosimf/recording/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
 #include "murosimf/recording/scratch_folder.h"
 
 namespace murosimf::recording {

@@ -1,7 +1,7 @@
 // Runs with software over TCP are repeated from their recordings alone: in lock-step, free, with software that goes and comes again.
 #include <gtest/gtest.h>
 
-#include "murosimf/recording/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
 #include "murosimf/recording/recorded_outside.h"
 #include "tests/client/tcp_fixture.h"
 #include "tests/recording/repeatable_run.h"

@@ -1,6 +1,6 @@
 // Recordings, MCAP: by their summaries and looked through.
 #include "murosimf/recording/frame_reader.h"
-#include "murosimf/recording/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

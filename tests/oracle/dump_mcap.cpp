@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/recording/mcap_reader.h"
-#include "murosimf/recording/mcap_writer.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_writer.h"
 
 namespace {
 

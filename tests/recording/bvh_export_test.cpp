@@ -9,8 +9,8 @@
 
 #include "murosimf/model/error.h"
 #include "murosimf/recording/foxglove_messages.h"
-#include "murosimf/recording/mcap_writer.h"
-#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/mcap/mcap_writer.h"
+#include "murosimf/recording/mcap/protobuf.h"
 #include "tests/temp_folder.h"
 
 namespace murosimf {

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/recording/compression.h"
-#include "murosimf/recording/mcap_reader.h"
-#include "murosimf/recording/mcap_repair.h"
+#include "murosimf/recording/mcap/compression.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_repair.h"
 #include "tests/recording/small_recording.h"
 #include "tests/temp_folder.h"
 

@@ -1,9 +1,9 @@
-#include "murosimf/recording/message_schema.h"
+#include "murosimf/recording/mcap/message_schema.h"
 
 #include <gtest/gtest.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/mcap/protobuf.h"
 #include "murosimf/recording/recording_schemas.h"
 
 namespace murosimf {

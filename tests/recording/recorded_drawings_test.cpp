@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/mcap/protobuf.h"
 #include "murosimf/recording/recorder.h"
 #include "murosimf/scene/scene_report.h"
 #include "tests/temp_folder.h"

@@ -14,8 +14,8 @@
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/recording/foxglove_messages.h"
-#include "murosimf/recording/mcap_reader.h"
-#include "murosimf/recording/mcap_repair.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_repair.h"
 #include "murosimf/scene/scene_report.h"
 #include "tests/temp_folder.h"
 

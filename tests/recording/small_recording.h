@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "murosimf/recording/mcap_writer.h"
+#include "murosimf/recording/mcap/mcap_writer.h"
 
 namespace murosimf::fixtures {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "murosimf/model/time.h"
-#include "murosimf/recording/mcap_records.h"
+#include "murosimf/recording/mcap/mcap_records.h"
 
 namespace murosimf::recording {
 

@@ -1,4 +1,4 @@
-#include "murosimf/recording/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,9 +7,9 @@
 
 #include "murosimf/files/input_file.h"
 #include "murosimf/model/error.h"
-#include "murosimf/recording/byte_string.h"
-#include "murosimf/recording/compression.h"
-#include "murosimf/recording/crc32.h"
+#include "murosimf/recording/mcap/byte_string.h"
+#include "murosimf/recording/mcap/compression.h"
+#include "murosimf/recording/mcap/crc32.h"
 
 namespace murosimf::recording {
 namespace {

@@ -1,4 +1,4 @@
-#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/mcap/protobuf.h"
 
 #include "murosimf/model/error.h"
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/recording/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
 
 namespace murosimf::recording {
 

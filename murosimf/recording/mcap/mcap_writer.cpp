@@ -1,4 +1,4 @@
-#include "murosimf/recording/mcap_writer.h"
+#include "murosimf/recording/mcap/mcap_writer.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/recording/compression.h"
-#include "murosimf/recording/crc32.h"
+#include "murosimf/recording/mcap/compression.h"
+#include "murosimf/recording/mcap/crc32.h"
 
 namespace murosimf::recording {
 namespace {

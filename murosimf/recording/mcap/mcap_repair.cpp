@@ -1,4 +1,4 @@
-#include "murosimf/recording/mcap_repair.h"
+#include "murosimf/recording/mcap/mcap_repair.h"
 
 #include <unistd.h>
 
@@ -10,8 +10,8 @@
 #include "murosimf/files/leftovers.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
-#include "murosimf/recording/mcap_reader.h"
-#include "murosimf/recording/mcap_writer.h"
+#include "murosimf/recording/mcap/mcap_reader.h"
+#include "murosimf/recording/mcap/mcap_writer.h"
 
 namespace murosimf::recording {
 namespace {

@@ -1,7 +1,7 @@
-#include "murosimf/recording/mcap_records.h"
+#include "murosimf/recording/mcap/mcap_records.h"
 
-#include "murosimf/recording/byte_string.h"
-#include "murosimf/recording/crc32.h"
+#include "murosimf/recording/mcap/byte_string.h"
+#include "murosimf/recording/mcap/crc32.h"
 
 namespace murosimf::recording {
 namespace {

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "murosimf/model/time.h"
-#include "murosimf/recording/growing_file.h"
-#include "murosimf/recording/mcap_records.h"
-#include "murosimf/recording/message_sink.h"
+#include "murosimf/recording/mcap/growing_file.h"
+#include "murosimf/recording/mcap/mcap_records.h"
+#include "murosimf/recording/mcap/message_sink.h"
 
 namespace murosimf::recording {
 

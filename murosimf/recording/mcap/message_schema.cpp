@@ -1,4 +1,4 @@
-#include "murosimf/recording/message_schema.h"
+#include "murosimf/recording/mcap/message_schema.h"
 
 #include <algorithm>
 #include <cctype>
@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/recording/protobuf.h"
+#include "murosimf/recording/mcap/protobuf.h"
 
 namespace murosimf::recording {
 namespace {

@@ -1,4 +1,4 @@
-#include "murosimf/recording/crc32.h"
+#include "murosimf/recording/mcap/crc32.h"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "murosimf/recording/growing_file.h"
+#include "murosimf/recording/mcap/growing_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/recording/crc32.h"
+#include "murosimf/recording/mcap/crc32.h"
 
 namespace murosimf::recording {
 

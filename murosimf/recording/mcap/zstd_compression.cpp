@@ -3,7 +3,7 @@
 #include <zstd.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/recording/compression.h"
+#include "murosimf/recording/mcap/compression.h"
 
 namespace murosimf::recording {
 namespace {

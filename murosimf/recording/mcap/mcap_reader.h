@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "murosimf/files/file_pointer.h"
-#include "murosimf/recording/mcap_records.h"
+#include "murosimf/recording/mcap/mcap_records.h"
 
 namespace murosimf::recording {
 

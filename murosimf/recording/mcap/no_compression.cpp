@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/model/error.h"
-#include "murosimf/recording/compression.h"
+#include "murosimf/recording/mcap/compression.h"
 
 namespace murosimf::recording {
 
