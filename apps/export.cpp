@@ -4,6 +4,8 @@
 #include "apps/command_line.h"
 #include "apps/last_words.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/logging/log_csv.h"
+#include "murosimf/logging/log_npy.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/bvh_export.h"
 #include "murosimf/recording/recorded_series.h"
@@ -46,13 +48,9 @@ int export_recording(const ExportOptions& options) {
   if (!file.contents().damage.empty()) say_warning(fmt::format("{}: {}", options.file, file.contents().damage));
   if (!options.bvh.empty()) return export_motion(file, options);
   const std::vector<logging::LogSeries> series = recording::series_of(file, options.patterns);
-  if (!options.npy.empty()) {
-    files::write_file(options.npy, recording::to_npy(series));
-    return 0;
-  }
   std::vector<const logging::LogSeries*> all;
   for (const logging::LogSeries& one : series) all.push_back(&one);
-  files::write_file(options.csv, logging::to_csv(all));
+  files::write_file(out, options.npy.empty() ? logging::to_csv(all) : logging::to_npy(all));
   return 0;
 }
 

@@ -5,6 +5,7 @@
 
 #include "apps/command_line.h"
 #include "murosimf/files/csv_file.h"
+#include "murosimf/logging/log_npy.h"
 #include "murosimf/logging/log_plot.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/recorded_series.h"
@@ -27,6 +28,11 @@ void define(const Command& command, PlotOptions& options) {
 
 /// Of a recording: what the patterns mean.
 files::CsvTable table_in(const std::filesystem::path& file, const std::vector<std::string>& patterns) {
+  if (logging::is_named_npy(file)) {
+    throw SetupError(
+        fmt::format("'{}' is an array for NumPy, which is not drawn here; write a log as CSV, or draw the recording",
+                    file.string()));
+  }
   if (!recording::is_recording(file)) return files::read_csv(file);
   return recording::table_of(recording::series_of(recording::McapReader(file), patterns));
 }

@@ -47,7 +47,9 @@ void define_run(const Command& command, RunOptions& options) {
   const Option log =
       command.add("--log", options.log,
                   "Record numbers: of sensors, like 'blue1.imu.*', or properties, like 'ball.ball.position'");
-  const Option out = command.add("--out", options.out, "Write them to this file (CSV)").needs(log);
+  const Option out =
+      command.add("--out", options.out, "Write them to this file: CSV, or an array for NumPy if it ends with .npy")
+          .needs(log);
   log.one_at_a_time().needs(out);
   command.add("--log-rate", options.log_rate, "How often properties are recorded, in Hz").needs(log).shows_default();
   add_record(command, options.record);

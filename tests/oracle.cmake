@@ -27,6 +27,7 @@ add_oracle_test(recorded_pictures $<TARGET_FILE:murosimf_app>)
 add_oracle_test(recorded_drawings $<TARGET_FILE:murosimf_app>)
 set_tests_properties(oracle.recorded_drawings PROPERTIES PROCESSORS 2 TIMEOUT 300)  # in real time
 add_oracle_test(bvh_against_recording $<TARGET_FILE:murosimf_app>)
+add_oracle_test(logs_in_numpy $<TARGET_FILE:murosimf_app>)
 add_oracle_test(serial_with_vendor_sdk $<TARGET_FILE:murosimf_app>)
 if(TARGET PkgConfig::websockets)
   add_oracle_test(foxglove_live $<TARGET_FILE:murosimf_app>)

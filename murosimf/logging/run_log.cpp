@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/files/output_file.h"
+#include "murosimf/logging/log_npy.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::logging {
@@ -79,15 +80,17 @@ void RunLog::note_properties() {
   simulation_.at(next, [this] { note_properties(); });
 }
 
-std::string RunLog::csv() const {
+std::vector<const LogSeries*> RunLog::noted() const {
   std::vector<const LogSeries*> all;
   for (const SensorLog* log : sensor_logs_) {
     for (const LogSeries& series : log->series()) all.push_back(&series);
   }
   for (const PropertyLog& log : properties_) all.push_back(&log.series);
-  return to_csv(all);
+  return all;
 }
 
-void RunLog::write(const std::filesystem::path& file) const { files::write_file(file, csv()); }
+void RunLog::write(const std::filesystem::path& file) const {
+  files::write_file(file, is_named_npy(file) ? to_npy(noted()) : csv());
+}
 
 }  // namespace murosimf::logging

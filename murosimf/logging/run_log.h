@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "murosimf/logging/log_csv.h"
 #include "murosimf/logging/log_paths.h"
 #include "murosimf/logging/sensor_log.h"
 #include "murosimf/runtime/simulation.h"
@@ -31,8 +32,9 @@ class RunLog {
   RunLog& operator=(const RunLog&) = delete;
 
   /// What has been noted so far (log_csv.h).
-  [[nodiscard]] std::string csv() const;
-  /// The same to a file, which is whole or not there at all. Throws SetupError.
+  [[nodiscard]] std::string csv() const { return to_csv(noted()); }
+  /// The same to a file, which is whole or not there at all; as an array for NumPy (log_npy.h) if its name ends with .npy.
+  /// Throws SetupError.
   void write(const std::filesystem::path& file) const;
 
  private:
@@ -46,6 +48,7 @@ class RunLog {
   void attach_sensor_logs(const std::vector<LoggedNumber>& logged, double rate);
   void add_property(const LoggedNumber& number);
   void note_properties();
+  [[nodiscard]] std::vector<const LogSeries*> noted() const;
 
   Simulation& simulation_;
   double property_rate_;                       // [Hz]

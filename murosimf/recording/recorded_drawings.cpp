@@ -256,13 +256,11 @@ std::vector<DrawnGroup> read_drawing_message(std::string_view bytes, const Drawi
 
 DrawingReader::DrawingReader(const McapReader& file) : file_(file) {
   for (const Channel& channel : file.contents().channels) {
-    if (!channel.topic.starts_with(topics)) continue;
-    channels_[channel.id] = channel.topic;
-    topics_[channel.id] = topic_of(channel);
+    if (channel.topic.starts_with(topics)) topics_[channel.id] = topic_of(channel);
   }
   const auto& chunks = file.contents().chunks;
-  for (std::size_t i = 0; i < chunks.size() && !channels_.empty(); ++i) {
-    if (has_any(chunks[i], channels_)) chunks_.push_back(i);
+  for (std::size_t i = 0; i < chunks.size() && !topics_.empty(); ++i) {
+    if (has_any(chunks[i], topics_)) chunks_.push_back(i);
   }
   std::ranges::stable_sort(chunks_, {}, [&](std::size_t i) { return chunks[i].start_time; });
 }

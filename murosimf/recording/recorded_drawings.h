@@ -84,11 +84,10 @@ class DrawingReader {
   [[nodiscard]] std::map<DrawingTopic, std::string> messages_at(Duration time);
 
   const McapReader& file_;
-  std::map<std::uint16_t, std::string> channels_;  // topics as text
-  std::map<std::uint16_t, DrawingTopic> topics_;   // of the same
-  std::vector<std::size_t> chunks_;                // of the file, with drawings, by time
-  std::list<Chunk> kept_;                          // the last one that was asked for first
-  std::map<DrawingTopic, std::string> shown_;      // messages
+  std::map<std::uint16_t, DrawingTopic> topics_;  // by channel
+  std::vector<std::size_t> chunks_;               // of the file, with drawings, by time
+  std::list<Chunk> kept_;                         // the last one that was asked for first
+  std::map<DrawingTopic, std::string> shown_;     // messages
 };
 
 }  // namespace murosimf::recording

@@ -104,17 +104,17 @@ struct RecordedFrame {
   Duration time{};
   bool of_poses = false;  ///< false: nothing but samples and lines
   // by entity
-  std::vector<char> present;
-  std::vector<Transformd> poses;     ///< [m] of all links of all entities, to the world
-  std::vector<JointNumbers> joints;  ///< of all entities
-  std::vector<ContactMark> contacts;
-  std::vector<SensorSample> samples;
-  std::vector<CameraPicture> pictures;
-  std::vector<FrameDrawings> drawings;
-  std::vector<std::pair<Duration, std::string>> events, warnings, commands;  ///< new ones
-  std::vector<std::pair<std::string, connect::OutsideNote>> outside;         ///< by channel, new ones
-  std::optional<std::uint64_t> hash;                                         ///< of the state
-  std::vector<std::byte> state;  ///< all of it (Scene::save); empty: not kept
+  std::vector<char> present{};
+  std::vector<Transformd> poses{};     ///< [m] of all links of all entities, to the world
+  std::vector<JointNumbers> joints{};  ///< of all entities
+  std::vector<ContactMark> contacts{};
+  std::vector<SensorSample> samples{};
+  std::vector<CameraPicture> pictures{};
+  std::vector<FrameDrawings> drawings{};
+  std::vector<std::pair<Duration, std::string>> events{}, warnings{}, commands{};  ///< new ones
+  std::vector<std::pair<std::string, connect::OutsideNote>> outside{};             ///< by channel, new ones
+  std::optional<std::uint64_t> hash{};                                             ///< of the state
+  std::vector<std::byte> state{};  ///< all of it (Scene::save); empty: not kept
 
   /// As a new one of that instant, but with the memory of numbers that it has.
   void begin_anew(Duration at);

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <deque>
 #include <fstream>
-#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -246,33 +245,6 @@ files::CsvTable table_of(const std::vector<LogSeries>& series) {
     table.columns.push_back(std::move(column));
   }
   return table;
-}
-
-std::string to_npy(const std::vector<LogSeries>& series) {
-  std::vector<Duration> times;
-  for (const LogSeries& one : series) times.insert(times.end(), one.times.begin(), one.times.end());
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-
-  std::string header = "{'descr': [('time [s]', '<f8')";
-  for (const LogSeries& one : series) header += fmt::format(", ('{}', '<f8')", one.names.front());
-  header += fmt::format("], 'fortran_order': False, 'shape': ({},), }}", times.size());
-  header.append(64 - (10 + 2 + header.size() + 1) % 64, ' ');  // what follows begins at a multiple of 64 bytes
-  header += '\n';
-
-  std::string bytes("\x93NUMPY\x02\x00", 8);  // version 2: headers of more than 65 kB
-  ByteWriter out(bytes);
-  out.text(header);
-  std::vector<std::size_t> places(series.size());
-  for (const Duration time : times) {
-    out.number(std::bit_cast<std::uint64_t>(static_cast<double>(time.count()) / 1e9));
-    for (std::size_t s = 0; s < series.size(); ++s) {
-      const bool has = places[s] < series[s].times.size() && series[s].times[places[s]] == time;
-      const double value = has ? series[s].values[places[s]++] : std::numeric_limits<double>::quiet_NaN();
-      out.number(std::bit_cast<std::uint64_t>(value));
-    }
-  }
-  return bytes;
 }
 
 }  // namespace murosimf::recording

@@ -26,8 +26,4 @@ namespace murosimf::recording {
 /// As a table for plots.
 [[nodiscard]] files::CsvTable table_of(const std::vector<logging::LogSeries>& series);
 
-/// As a file of NumPy (version 2.0 of its format): an array of rows by time with named fields, `time [s]` and the series; NaN where a series has
-/// nothing. numpy.load(file)["blue1.j_l_shin.joint_position [rad]"]
-[[nodiscard]] std::string to_npy(const std::vector<logging::LogSeries>& series);
-
 }  // namespace murosimf::recording

@@ -12,11 +12,6 @@ std::map<std::uint16_t, std::string> channels_of(const McapReader& file, const s
   return found;
 }
 
-bool has_any(const ChunkIndex& chunk, const std::map<std::uint16_t, std::string>& channels) {
-  return chunk.message_indexes.empty() ||
-         std::ranges::any_of(channels, [&](const auto& one) { return chunk.message_indexes.contains(one.first); });
-}
-
 std::string text_of_log(std::string_view data) {
   std::string text;
   for (ProtobufReader in(data); in.next();) {

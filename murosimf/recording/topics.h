@@ -17,8 +17,12 @@ namespace murosimf::recording {
 /// The channels of these topics, by their numbers.
 [[nodiscard]] std::map<std::uint16_t, std::string> channels_of(const McapReader& file,
                                                                const std::set<std::string>& topics);
-/// Whether there may be messages of one of these channels in a chunk.
-[[nodiscard]] bool has_any(const ChunkIndex& chunk, const std::map<std::uint16_t, std::string>& channels);
+/// Whether there may be messages of one of these channels, by their numbers, in a chunk.
+template <class Of>
+[[nodiscard]] bool has_any(const ChunkIndex& chunk, const std::map<std::uint16_t, Of>& channels) {
+  return chunk.message_indexes.empty() ||
+         std::ranges::any_of(channels, [&](const auto& one) { return chunk.message_indexes.contains(one.first); });
+}
 
 /// Calls visit(topic, message, chunk) with all messages of some topics.
 template <class Visit>

@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "murosimf/model/error.h"
 #include "murosimf/recording/recorded_others.h"
 #include "murosimf/recording/recorded_picture.h"
 
@@ -93,74 +92,6 @@ struct FoxgloveLive::Visit {
   }
 };
 
-/// Made in threads of its own: calibrations and pictures take longer than the server may sleep. Its channels have numbers of their own.
-struct FoxgloveLive::Pictures {
-  struct Sink final : recording::MessageSink {
-    std::uint16_t add_schema(const std::string& name, const std::string&, std::string data) override {
-      schemas.emplace_back(name, std::move(data));
-      return static_cast<std::uint16_t>(schemas.size() - 1);
-    }
-    std::uint16_t add_channel(const std::string& topic, const std::string&, std::uint16_t schema,
-                              recording::TextMap) override {
-      channels.emplace_back(topic, schema);
-      return static_cast<std::uint16_t>(channels.size() - 1);
-    }
-    void write(std::uint16_t channel, Duration time, std::string_view data) override {
-      packets.push_back({.channel = channel, .time = time, .bytes = std::make_shared<const std::string>(data)});
-    }
-    std::vector<std::pair<std::string, std::string>> schemas;
-    std::vector<std::pair<std::string, std::uint16_t>> channels;  // topic, schema
-    std::vector<Packet> packets;
-  };
-
-  explicit Pictures(const Visit& visit) : infos(visit.infos), cameras(visit.cameras) {
-    work = std::async(std::launch::async, [this] { writer.emplace(sink, frames, cameras); });
-  }
-
-  /// Whether nothing is under way. What could not be done is the trouble.
-  [[nodiscard]] bool is_free() {
-    if (!work.valid()) return true;
-    if (work.wait_for(0s) != std::future_status::ready) return false;
-    try {
-      work.get();
-    } catch (const SetupError& error) {
-      trouble = error.what();
-    }
-    return true;
-  }
-
-  void encode(recording::RecordedFrame frame) {
-    work = std::async(std::launch::async, [this, frame = std::move(frame)] { writer->write(frame); });
-  }
-
-  std::shared_ptr<std::deque<sensors::CameraFrame>> infos;
-  std::vector<recording::RecordedCamera> cameras;
-  std::vector<recording::RecordedEntity> no_entities;
-  std::vector<recording::RecordedSensor> no_sensors;
-  Sink sink;
-  recording::FrameWriter frames{sink, no_entities, no_sensors, nullptr, {}};
-  std::optional<recording::PictureWriter> writer;
-  std::vector<std::uint16_t> channels;        // of the server, by the sink's
-  std::map<std::string, std::uint64_t> told;  // numbers (SeenPicture)
-  std::string trouble;
-  std::future<void> work;  // waits when it is destroyed
-};
-
-namespace {
-
-constexpr std::string_view of_cameras = "/cameras/";
-
-/// "blue1.camera" of "/cameras/blue1/camera/image"; empty: of no camera.
-std::string camera_of(const std::string& topic) {
-  const std::size_t end = topic.rfind('/');
-  if (!topic.starts_with(of_cameras) || end <= of_cameras.size()) return {};
-  std::string camera = topic.substr(of_cameras.size(), end - of_cameras.size());
-  std::ranges::replace(camera, '/', '.');
-  return camera;
-}
-
-}  // namespace
-
 FoxgloveLive::FoxgloveLive(session::Session& session, const OnlookerCameras& cameras,
                            const connect::DrawingBoard* others)
     : session_(session), onlooker_cameras_(cameras), others_(others) {}
@@ -175,7 +106,7 @@ void FoxgloveLive::subscribe(std::uint16_t channel, bool on) {
   const std::string camera = camera_of(channels_[channel - 1U].topic);
   if (camera.empty()) return;
   last_.erase(channel);  // who comes later sees what is there then
-  if (pictures_ && !wanted_cameras().contains(camera)) pictures_->told.erase(camera);
+  if (pictures_ && !wanted_cameras().contains(camera)) pictures_->forget(camera);
 }
 
 std::set<std::string> FoxgloveLive::wanted_cameras() const {
@@ -188,32 +119,19 @@ std::set<std::string> FoxgloveLive::wanted_cameras() const {
 std::string FoxgloveLive::trouble_of(std::uint16_t channel) const {
   const std::string camera = camera_of(channels_[channel - 1U].topic);
   const auto seen = camera.empty() ? std::nullopt : onlooker_cameras_.seen(camera);
-  if (!camera.empty() && pictures_ && !pictures_->trouble.empty()) return pictures_->trouble;
+  if (!camera.empty() && pictures_ && !pictures_->trouble().empty()) return pictures_->trouble();
   return seen ? seen->trouble : "";
 }
 
 void FoxgloveLive::take_pictures() {
-  if (!pictures_ || !pictures_->is_free() || !pictures_->writer) return;
-  for (std::size_t i = pictures_->channels.size(); i < pictures_->sink.channels.size(); ++i) {
-    const auto& [topic, schema] = pictures_->sink.channels[i];
-    const auto& [name, data] = pictures_->sink.schemas[schema];
-    pictures_->channels.push_back(add_channel(topic, "protobuf", add_schema(name, "protobuf", data), {}));
-  }
-  for (Packet& packet : std::exchange(pictures_->sink.packets, {})) {
-    packet.channel = pictures_->channels[packet.channel];
+  if (!pictures_ || !pictures_->is_free()) return;
+  const auto add = [&](const std::string& topic, const std::string& name, const std::string& schema) {
+    return add_channel(topic, "protobuf", add_schema(name, "protobuf", schema), {});
+  };
+  for (const Packet& packet : pictures_->take(add)) {
     if (subscribers_.contains(packet.channel)) put(packet);
   }
-  const std::set<std::string> wanted = wanted_cameras();
-  recording::RecordedFrame frame;
-  for (std::size_t i = 0; i < pictures_->cameras.size() && !wanted.empty(); ++i) {
-    const std::string camera = camera_of(pictures_->cameras[i].topic + "/image");
-    const auto seen = wanted.contains(camera) ? onlooker_cameras_.seen(camera) : std::nullopt;
-    if (!seen || !seen->frame || std::exchange(pictures_->told[camera], seen->number) == seen->number) continue;
-    frame.time = seen->frame->time;
-    frame.pictures.push_back(
-        {.camera = i, .taken = seen->frame->time, .color = seen->frame->color, .mosaic = seen->frame->mosaic});
-  }
-  if (!frame.pictures.empty() && pictures_->trouble.empty()) pictures_->encode(std::move(frame));
+  pictures_->make(onlooker_cameras_, wanted_cameras());
 }
 
 std::uint16_t FoxgloveLive::add_schema(const std::string& name, const std::string&, std::string data) {
@@ -265,7 +183,8 @@ void FoxgloveLive::take(Visit& visit) {
   const std::uint64_t jumps = session_.status().jumps;
   if (!writer_ || setups_ != visit.setups || jumps_ != jumps) {  // a writer counts on time that goes on
     renew_writers(visit);
-    if (!pictures_ || setups_ != visit.setups) pictures_ = std::make_unique<Pictures>(visit);
+    if (!pictures_ || setups_ != visit.setups)
+      pictures_ = std::make_unique<FoxglovePictures>(visit.infos, visit.cameras);
     setups_ = visit.setups;
     jumps_ = jumps;
   }

@@ -1,6 +1,6 @@
 /// foxglove_live.h - a running scene as messages for Foxglove and Lichtblick: those of recordings (recording/frame_writer.h), as they come.
 ///
-/// Pictures of cameras (recording/recorded_picture.h) come while somebody has subscribed to them, of any camera (onlooker_cameras.h).
+/// Pictures of cameras (foxglove_pictures.h) come while somebody has subscribed to them, of any camera (onlooker_cameras.h).
 ///
 /// In the server's thread; pictures are encoded in another. As long as somebody is connected, the simulation's thread is visited up to 30 times per wall second, and copies
 /// what recordings would have of that instant.
@@ -20,6 +20,7 @@
 #include "murosimf/recording/frame_writer.h"
 #include "murosimf/recording/recorded_drawings.h"
 #include "murosimf/session/session.h"
+#include "murosimf/web/foxglove_pictures.h"
 #include "murosimf/web/onlooker_cameras.h"
 
 namespace murosimf::web {
@@ -36,11 +37,7 @@ class FoxgloveLive final : private recording::MessageSink {
                const connect::DrawingBoard* others = nullptr);
   ~FoxgloveLive() override;
 
-  struct Packet {
-    std::uint16_t channel = 0;
-    Duration time{};
-    std::shared_ptr<const std::string> bytes;
-  };
+  using Packet = FoxglovePacket;
 
   void join() { ++clients_; }
   void leave() { --clients_; }
@@ -72,7 +69,6 @@ class FoxgloveLive final : private recording::MessageSink {
 
  private:
   struct Visit;
-  struct Pictures;
   [[nodiscard]] std::uint16_t add_schema(const std::string& name, const std::string& encoding,
                                          std::string data) override;
   [[nodiscard]] std::uint16_t add_channel(const std::string& topic, const std::string& encoding, std::uint16_t schema,
@@ -100,7 +96,7 @@ class FoxgloveLive final : private recording::MessageSink {
   std::chrono::steady_clock::time_point next_visit_{};
   std::unique_ptr<recording::FrameWriter> writer_;
   std::unique_ptr<recording::DrawingWriter> drawings_;
-  std::unique_ptr<Pictures> pictures_;
+  std::unique_ptr<FoxglovePictures> pictures_;
   std::map<std::uint16_t, int> subscribers_;  // by channel
   std::uint64_t setups_ = 0, jumps_ = 0;      // that the writer was made for
 };

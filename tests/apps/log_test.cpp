@@ -20,6 +20,17 @@ TEST(Log, IsATableOfNumbersOverTime) {
   EXPECT_NE(text.find("\n0.08,"), std::string::npos);
 }
 
+TEST(Log, IsAnArrayForNumPyIfItIsNamedSo) {
+  const fs::path file = scratch("run.npy");
+  const Result run = murosimf("run walk --duration 0.1 --log walker.pelvis.position --out " + file.string());
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  const std::string bytes = read_file(file);
+  EXPECT_EQ(bytes.substr(1, 5), "NUMPY");
+  EXPECT_NE(bytes.find("('walker.pelvis.position.z [m]', '<f8')], 'fortran_order': False, 'shape': (10,), }"),
+            std::string::npos);
+  expect_mistake("plot " + file.string(), {file.string(), "array for NumPy", "CSV"});
+}
+
 TEST(Log, OfAllJointsIsOnePicture) {
   const fs::path table = scratch("joints.csv"), picture = scratch("joints.png");
   const Result run = murosimf("run walk --duration 0.05 --log 'walker.*.joint_position' --out " + table.string());

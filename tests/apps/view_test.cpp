@@ -159,6 +159,15 @@ TEST_F(View, ARecordingIsPlayedAndSoughtIn) {
   expect_mistake("view " + file.string() + " --seed 3", {"is a recording", "--seed"});
 }
 
+// The first word comes before the first picture.
+TEST_F(View, AScriptMayBeginOnTheTimeLine) {
+  const fs::path file = scratch("walk.mcap");
+  ASSERT_EQ(murosimf("run walk --duration 2 --record " + file.string()).exit_code, 0);
+  const json sought = session(file.string(), "scrub 1.2\nsettle\n", "--paused");
+  ASSERT_TRUE(sought.is_object());
+  EXPECT_NEAR(sought["simulated_s"].get<double>(), 1.2, 0.02);
+}
+
 TEST_F(View, ScreenshotAfterAWhile) {
   const fs::path picture = scratch("picture.png");
   const Result result = murosimf("view walk --after 0.5 --size 640x480 --screenshot " + picture.string());

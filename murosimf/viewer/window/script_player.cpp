@@ -69,6 +69,7 @@ bool ScriptPlayer::begin(const ScriptStep& step, const Stage& stage) {
       return true;
     case Kind::scrub: {
       const Area& line = stage.panels.timeline;
+      if (line.width <= 0) return false;  // no picture of it yet
       const Pixel to{line.x + step.numbers[0] / stage.panels.timeline_end * line.width, line.y + line.height - 4};
       pull({to.x + 1, to.y}, to, nullptr, left_button);
       return true;

@@ -1,0 +1,81 @@
+/// foxglove_pictures.h - pictures of cameras as messages for Foxglove and Lichtblick: those of recordings (recording/recorded_picture.h).
+///
+/// Made in threads of its own: calibrations and pictures take longer than the server may sleep.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "murosimf/recording/frame_writer.h"
+#include "murosimf/recording/recorded_picture.h"
+#include "murosimf/sensors/camera_frame.h"
+#include "murosimf/web/onlooker_cameras.h"
+
+namespace murosimf::web {
+
+/// A message.
+struct FoxglovePacket {
+  std::uint16_t channel = 0;
+  Duration time{};
+  std::shared_ptr<const std::string> bytes{};
+};
+
+/// "blue1.camera" of "/cameras/blue1/camera/image"; empty: of no camera.
+[[nodiscard]] std::string camera_of(const std::string& topic);
+
+/// All by one thread.
+class FoxglovePictures {
+ public:
+  using Infos = std::shared_ptr<std::deque<sensors::CameraFrame>>;
+  /// `infos`: what `cameras` point to.
+  FoxglovePictures(Infos infos, std::vector<recording::RecordedCamera> cameras);
+
+  /// Whether nothing is under way.
+  [[nodiscard]] bool is_free();
+  /// Why there will be none any more, in one line; empty: all is well.
+  [[nodiscard]] const std::string& trouble() const { return trouble_; }
+  /// The number of a new channel, by topic, name of the schema and schema.
+  using AddChannel = std::function<std::uint16_t(const std::string&, const std::string&, const std::string&)>;
+  /// What was made since the last time, for channels that were added. While it is free.
+  [[nodiscard]] std::vector<FoxglovePacket> take(const AddChannel& add);
+  /// Begins to make messages of what is new of these cameras. While it is free.
+  void make(const OnlookerCameras& onlooker, const std::set<std::string>& wanted);
+  /// Nobody wants a camera any more: who comes later gets the picture that is there then.
+  void forget(const std::string& camera) { told_.erase(camera); }
+
+ private:
+  /// Its channels have numbers of their own.
+  struct Sink final : recording::MessageSink {
+    std::uint16_t add_schema(const std::string& name, const std::string& encoding, std::string data) override;
+    std::uint16_t add_channel(const std::string& topic, const std::string& encoding, std::uint16_t schema,
+                              recording::TextMap metadata) override;
+    void write(std::uint16_t channel, Duration time, std::string_view data) override;
+    std::vector<std::pair<std::string, std::string>> schemas;     // name, descriptors
+    std::vector<std::pair<std::string, std::uint16_t>> channels;  // topic, schema
+    std::vector<FoxglovePacket> packets;
+  };
+
+  Infos infos_;
+  std::vector<recording::RecordedCamera> cameras_;
+  std::vector<recording::RecordedEntity> no_entities_;
+  std::vector<recording::RecordedSensor> no_sensors_;
+  Sink sink_;
+  recording::FrameWriter frames_{sink_, no_entities_, no_sensors_, nullptr, {}};
+  std::optional<recording::PictureWriter> writer_;
+  std::vector<std::uint16_t> channels_;        // of the server, by the sink's
+  std::map<std::string, std::uint64_t> told_;  // numbers (SeenPicture)
+  std::string trouble_;
+  std::future<void> work_;  // waits when it is destroyed
+};
+
+}  // namespace murosimf::web
