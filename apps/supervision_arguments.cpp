@@ -7,6 +7,7 @@
 
 #include "apps/last_words.h"
 #include "murosimf/model/error.h"
+#include "murosimf/recording/state_file.h"
 
 namespace murosimf::app {
 namespace {
@@ -27,7 +28,11 @@ std::unique_ptr<supervise::Supervision> supervision_of(session::Session& session
                                                        std::function<std::string(scene::Scene&)> save) {
   if (arguments.where.empty()) return nullptr;
   supervise::SupervisionOptions options{.say = [](const std::string& line) { say_warning(line); },
-                                        .save = std::move(save)};
+                                        .save = std::move(save),
+                                        .load =
+                                            [](scene::Scene& scene, const std::string& bytes) {
+                                              recording::load_state_bytes(scene, bytes, "of_a_supervisor.state");
+                                            }};
   const char* token = std::getenv(token_variable);
   if (token) options.token = token;
   try {

@@ -111,6 +111,10 @@ void RecordedCourse::seek(Duration time, std::optional<int> branch, const std::f
   if (!given_up()) show(time);
 }
 
+void RecordedCourse::load(const std::function<void(scene::Scene&)>&) {
+  throw SetupError("a recording goes on from no other state");
+}
+
 void RecordedCourse::change(const std::string& text) {
   throw SetupError(fmt::format("{}: this is a recording; 'murosimf branch' goes on from it with changes", text));
 }

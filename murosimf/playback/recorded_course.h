@@ -39,6 +39,7 @@ class RecordedCourse final : public session::Course {
   [[nodiscard]] bool at_end() const override;
   void reset(std::optional<std::uint64_t> seed) override;
   void seek(Duration time, std::optional<int> branch, const std::function<bool()>& given_up) override;
+  void load(const std::function<void(scene::Scene&)>& load) override;
   void change(const std::string& text) override;
 
   [[nodiscard]] int branch() const override { return 0; }

@@ -57,6 +57,12 @@ void write_state(scene::Scene& scene, const std::filesystem::path& file, const S
   files::write_file(file, state_bytes(scene, options));
 }
 
+void load_state_bytes(scene::Scene& scene, const std::string& bytes, const std::string& name) {
+  const ScratchFolder folder;
+  files::write_file(folder.path() / name, bytes);
+  load_state(scene, folder.path() / name);
+}
+
 std::optional<bool> was_pushable(const std::filesystem::path& file) {
   if (!is_recording(file)) return std::nullopt;
   const McapReader reader(file);

@@ -27,6 +27,9 @@ void write_state(scene::Scene& scene, const std::filesystem::path& file, const S
 /// not fit, and changes nothing then.
 void load_state(scene::Scene& scene, const std::filesystem::path& file);
 
+/// The same of such a file's bytes, which messages call `name`.
+void load_state_bytes(scene::Scene& scene, const std::string& bytes, const std::string& name);
+
 /// SceneOptions::pushable of the run; nothing if the file does not say it.
 [[nodiscard]] std::optional<bool> was_pushable(const std::filesystem::path& file);
 

@@ -35,6 +35,8 @@ class Course {
   virtual void reset(std::optional<std::uint64_t> seed) = 0;
   /// To an instant that was there before, of the present branch if none is given. Ends on the way there when `given_up` says so.
   virtual void seek(Duration time, std::optional<int> branch, const std::function<bool()>& given_up) = 0;
+  /// `load` puts a state of somewhere else into the scene, or throws and changes nothing: a branch without a parent begins there.
+  virtual void load(const std::function<void(scene::Scene&)>& load) = 0;
   /// PATH = VALUE as of Scene::post.
   virtual void change(const std::string& text) = 0;
 

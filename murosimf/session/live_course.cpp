@@ -70,6 +70,14 @@ void LiveCourse::seek(Duration time, std::optional<int> branch, const std::funct
   noted_ = simulation_.commands().size();
 }
 
+void LiveCourse::load(const std::function<void(scene::Scene&)>& load) {
+  if (!options_.no_way_back.empty()) throw SetupError("no state of somewhere else: " + options_.no_way_back);
+  load(scene_);
+  simulation_.commands_were({});
+  timeline_.begin(simulation_.now(), scene_.save());
+  noted_ = simulation_.commands().size();
+}
+
 bool LiveCourse::has_grown() {
   const bool other = std::exchange(told_branch_, timeline_.present()) != timeline_.present();
   return std::exchange(new_state_, false) || other;

@@ -74,6 +74,10 @@ std::future<void> Session::seek(Duration time, std::optional<int> branch) {
   return inside_->ask([inside = inside_.get(), time, branch, number] { inside->seek(time, branch, number); });
 }
 
+std::future<void> Session::load(std::function<void(scene::Scene&)> load) {
+  return inside_->ask([inside = inside_.get(), load = std::move(load)] { inside->load(load); });
+}
+
 std::future<void> Session::visit(std::function<void(scene::Scene&)> call) {
   return inside_->ask([inside = inside_.get(), call = std::move(call)] { call(inside->scene); });
 }

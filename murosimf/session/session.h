@@ -95,6 +95,9 @@ class Session {
   /// on from an earlier instant is a new branch, without the commands that came later; the old one stays. While several wait, only the
   /// last one is done.
   std::future<void> seek(Duration time, std::optional<int> branch = {});
+  /// `load` puts a state of somewhere else into the scene, or throws SetupError and changes nothing; pauses there. What follows is a
+  /// branch without a parent.
+  std::future<void> load(std::function<void(scene::Scene&)> load);
   /// Has `call` made between two steps, soon: for who reads or saves what only the simulation's thread may touch. It must change nothing.
   std::future<void> visit(std::function<void(scene::Scene&)> call);
   /// SessionOptions::record.

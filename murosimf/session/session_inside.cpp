@@ -158,12 +158,20 @@ void Session::Inside::reset(std::optional<std::uint64_t> seed) {
 void Session::Inside::seek(Duration time, std::optional<int> branch, std::uint64_t number) {
   if (number != seeks.load()) return;
   course->seek(time, branch, [&] { return number != seeks.load() || simulation.stopped(); });
-  {
-    const std::lock_guard lock(mutex);
-    wishes.paused = true, wishes.steps = 0;
-    status.paused = true;
-  }
+  pause_here();
   has_jumped();
+}
+
+void Session::Inside::load(const std::function<void(scene::Scene&)>& load) {
+  course->load(load);
+  pause_here();
+  has_jumped();
+}
+
+void Session::Inside::pause_here() {
+  const std::lock_guard lock(mutex);
+  wishes.paused = true, wishes.steps = 0;
+  status.paused = true;
 }
 
 void Session::Inside::record(bool on) {

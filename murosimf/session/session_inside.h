@@ -44,8 +44,10 @@ struct Session::Inside {
   void publish(bool paused);
   void reset(std::optional<std::uint64_t> seed);
   void seek(Duration time, std::optional<int> branch, std::uint64_t number);
+  void load(const std::function<void(scene::Scene&)>& load);
   void record(bool on);
   void has_jumped();
+  void pause_here();
   void refuse_all();
 
   // ---- of any thread ----

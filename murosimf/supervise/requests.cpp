@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <span>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 #include <supervision.pb.h>
@@ -11,6 +13,7 @@
 #include "murosimf/model/object_access.h"
 #include "murosimf/scene_file/scene_spec.h"
 #include "murosimf/sensors/reading.h"
+#include "murosimf/supervise/supervision.h"
 #include "murosimf/wire/socket.h"
 
 namespace murosimf::supervise {
@@ -118,6 +121,7 @@ void Requests::answer(const FromSupervisor& request, wire::ToSupervisor& answer)
       session_->reset(request.reset().has_seed() ? std::optional(request.reset().seed()) : std::nullopt).get();
       break;
     case FromSupervisor::kSeek: seek(request); break;
+    case FromSupervisor::kLoad: load(request); break;
     case FromSupervisor::kRecord: session_->record(request.record().on()).get(); break;
     case FromSupervisor::kBranches: return tell_branches(answer);
     case FromSupervisor::kSave: return save(answer);
@@ -213,6 +217,24 @@ void Requests::tell_branches(wire::ToSupervisor& answer) {
     told.set_end(ns(branch.end));
     write(branch.commands, told);
   }
+}
+
+void Requests::load(const FromSupervisor& request) {
+  const wire::StatePart& part = request.load();
+  if (state_.size() + part.content().size() > longest_state) {
+    state_ = {};
+    throw SetupError(fmt::format("a state of more than {} bytes", longest_state));
+  }
+  state_ += part.content();
+  if (!part.last()) return;
+  found_.clear();  // entities may be at other levels
+  const std::string bytes = std::exchange(state_, {});
+  session_
+      ->load([&](scene::Scene& scene) {
+        if (load_) return load_(scene, bytes);
+        scene.load(std::as_bytes(std::span(bytes)));
+      })
+      .get();
 }
 
 void Requests::save(wire::ToSupervisor& answer) {

@@ -20,10 +20,11 @@ namespace murosimf::supervise {
 class Requests {
  public:
   using Save = std::function<std::string(scene::Scene&)>;
+  using Load = std::function<void(scene::Scene&, const std::string& bytes)>;
 
-  /// `save` as in SupervisionOptions. `given_up`: whether the answer is wanted no more.
-  Requests(session::Session& session, Save save, std::function<bool()> given_up)
-      : session_(&session), save_(std::move(save)), given_up_(std::move(given_up)) {}
+  /// `save` and `load` as in SupervisionOptions. `given_up`: whether the answer is wanted no more.
+  Requests(session::Session& session, Save save, Load load, std::function<bool()> given_up)
+      : session_(&session), save_(std::move(save)), load_(std::move(load)), given_up_(std::move(given_up)) {}
 
   /// Waits until it is done. Throws SetupError if it cannot be, WireError if it is no request.
   void answer(const wire::FromSupervisor& request, wire::ToSupervisor& answer);
@@ -43,10 +44,13 @@ class Requests {
   void tell_events(std::uint64_t first, wire::ToSupervisor& answer);
   void tell_branches(wire::ToSupervisor& answer);
   void save(wire::ToSupervisor& answer);
+  void load(const wire::FromSupervisor& request);
   void visit(const std::function<void(scene::Scene&)>& look);
 
   session::Session* session_;
   Save save_;
+  Load load_;
+  std::string state_;  // that comes in parts
   std::function<bool()> given_up_;
   std::map<Patterns, std::vector<logging::LoggedNumber>> found_;  // what patterns mean
 };

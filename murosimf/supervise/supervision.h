@@ -24,12 +24,15 @@ struct SupervisionOptions {
       say{};  ///< who was refused or dropped, one line each; called by other threads
   std::function<std::string(scene::Scene&)>
       save{};  ///< what supervisors get as a state; called between two steps; none: the bytes of Scene::save
+  std::function<void(scene::Scene&, const std::string& bytes)>
+      load{};  ///< puts a state into the scene, or throws SetupError and changes nothing; likewise; none: bytes of Scene::save
   double hello_limit = 5;  ///< [s] of wall time in which supervisors send the token
   double patience = 10;    ///< [s] of wall time in which they take an answer
 };
 
-inline constexpr std::size_t shortest_token = 8;    // characters
-inline constexpr std::size_t most_supervisors = 8;  // at a time
+inline constexpr std::size_t shortest_token = 8;                      // characters
+inline constexpr std::size_t most_supervisors = 8;                    // at a time
+inline constexpr std::size_t longest_state = std::size_t{256} << 20;  // [byte] that a supervisor may send
 
 class Supervision {
  public:

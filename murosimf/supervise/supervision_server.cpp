@@ -70,7 +70,7 @@ class Supervisor {
         patience_(options.patience),
         say_(options.say),
         wake_(::eventfd(0, EFD_CLOEXEC)),
-        requests_(session, options.save, [this] { return ends_.load() || has_gone(); }) {
+        requests_(session, options.save, options.load, [this] { return ends_.load() || has_gone(); }) {
     if (wake_ < 0) throw wire::WireError("comes when too many files are open");
     thread_ = std::thread([this] { serve(); });
   }

@@ -55,6 +55,10 @@ def run_until(end):
     return field_bytes(17, field_varint(1, end))
 
 
+def load(content, last):
+    return field_bytes(19, field_bytes(1, content) + field_varint(2, int(last)))
+
+
 def record(on):
     return field_bytes(18, field_varint(1, int(on)))
 

@@ -7,6 +7,7 @@ from . import supervision
 from .connection import Connection, SimulatorError
 from .wire import WireError
 
+STATE_PART = 60_000  # [byte] of a state in one message
 LONGEST_MESSAGE = 256 * 1024 * 1024  # [byte] of the simulator: states are long
 
 
@@ -112,6 +113,17 @@ class Supervisor:
         """The state, to a file of this computer, from which another run of the scene goes on: murosimf run SCENE --from FILE."""
         state = self.save()  # nothing is written if it fails
         pathlib.Path(file).write_bytes(state)
+
+    def load(self, state):
+        """Goes on from a state (bytes) that save() gave, of this scene, also of another run of it; pauses there."""
+        parts = [state[begin : begin + STATE_PART] for begin in range(0, len(state), STATE_PART)] or [b""]
+        for part in parts[:-1]:
+            self._status_after(supervision.load(part, last=False))
+        return self._status_after(supervision.load(parts[-1], last=True))
+
+    def load_from(self, file):
+        """The same of a file of this computer: of save_to(), or of murosimf run SCENE --supervise PORT --save-at TIME:FILE."""
+        return self.load(pathlib.Path(file).read_bytes())
 
     def finish(self):
         """Ends the run: the simulator writes its results."""

@@ -389,6 +389,15 @@ class Supervising(unittest.TestCase):
                                                                     timeout=TIME_LIMIT).stdout)[1]
                       for more in ([], ["--from", file])]
             self.assertEqual(*hashes)
+            run = SupervisedRun()
+            with run.supervisor() as supervisor:
+                supervisor.advance(0.3)
+                with self.assertRaisesRegex(RequestRefused, "of_a_supervisor.state"):
+                    supervisor.load(b"no state")
+                self.assertEqual(supervisor.load_from(file).time, 10**9)
+                supervisor.advance(1.0)
+                supervisor.finish()
+            self.assertEqual(re.search(r"state hash (\w+)", run.end()[1])[1], hashes[0])
 
     def test_who_does_not_know_the_token_is_refused(self):
         run = SupervisedRun()

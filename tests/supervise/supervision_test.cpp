@@ -276,6 +276,62 @@ TEST(Supervision, SavesAState) {
   EXPECT_EQ(other.simulation().state_hash(), hash_at(1s));
 }
 
+/// Sends a state in parts of so many bytes; the last answer.
+ToSupervisor load(Client& client, std::string_view state, std::size_t part = 1000) {
+  ToSupervisor answer;
+  do {
+    answer = client.ask([&](FromSupervisor& message) {
+      message.mutable_load()->set_content(std::string(state.substr(0, part)));
+      state.remove_prefix(std::min(part, state.size()));
+      message.mutable_load()->set_last(state.empty());
+    });
+  } while (!state.empty());
+  return answer;
+}
+
+// From the state of another run it goes on as that one, on a branch of its own, in which one can go back.
+TEST(Supervision, GoesOnFromAStateOfAnotherRun) {
+  scene::Scene other("walk", {.overrides = simplified, .pushable = true});
+  other.simulation().run(500ms);
+  (void)other.post("walker.level = full_dynamics");
+  other.simulation().run(500ms);
+  const std::vector<std::byte> bytes = other.save();
+  const std::string state(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  other.simulation().run(1s);
+
+  SupervisedRun run;
+  Client client(run, run.supervision->token());
+  client.advance(300ms);
+  const ToSupervisor answer = load(client, state);
+  ASSERT_TRUE(answer.has_status()) << answer.refused().reason();
+  EXPECT_EQ(Duration(answer.status().time()), 1s);
+  EXPECT_TRUE(answer.status().paused());
+  EXPECT_EQ(answer.status().branch(), 1);
+  client.advance(1s);
+  EXPECT_EQ(run.hash(), other.simulation().state_hash());
+  run.session.seek(1200ms).get();
+  client.advance(800ms);
+  EXPECT_EQ(run.hash(), other.simulation().state_hash());
+}
+
+TEST(Supervision, GoesOnFromNothingThatIsNoState) {
+  SupervisedRun run;
+  Client client(run, run.supervision->token());
+  client.advance(300ms);
+  const std::uint64_t hash = run.hash();
+  EXPECT_TRUE(load(client, "no state at all").has_refused());
+  const std::vector<std::byte> bytes = run.scene.save();  // paused
+  const std::string state(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  EXPECT_TRUE(load(client, state.substr(0, state.size() / 2)).has_refused()) << "half of one";
+  EXPECT_EQ(run.hash(), hash);
+  {
+    Client gone(run, run.supervision->token());
+    (void)gone.ask([&](FromSupervisor& message) { message.mutable_load()->set_content(state.substr(0, 1000)); });
+  }
+  EXPECT_TRUE(load(client, state).has_status()) << "what others have begun is not its own";
+  EXPECT_EQ(run.hash(), hash);
+}
+
 TEST(Supervision, HasNothingRecordedWhereNobodyCanAsk) {
   SupervisedRun run;
   Client client(run, run.supervision->token());
