@@ -1,8 +1,4 @@
 // `murosimf run`: builds a scene, runs it, reports.
-#include <algorithm>
-
-#include <fmt/format.h>
-
 #include "apps/command_line.h"
 #include "apps/interruption.h"
 #include "apps/last_words.h"
@@ -11,6 +7,7 @@
 #include "apps/run_advance.h"
 #include "apps/run_options.h"
 #include "apps/run_outputs.h"
+#include "apps/steering.h"
 #include "murosimf/league/league.h"
 #include "murosimf/recording/state_file.h"
 #include "murosimf/scene/scene.h"
@@ -19,26 +16,12 @@
 namespace murosimf::app {
 namespace {
 
-/// Serial lines need a place where programs find them, and a place needs lines.
-void check_serial(const scene_file::SceneSpec& spec, const std::string& folder) {
-  const auto found = std::ranges::find(spec.robots, "serial", &scene_file::RobotSpec::controller);
-  if (folder.empty() && found != spec.robots.end()) {
-    throw SetupError(
-        fmt::format("{}: {} has a serial line; say where programs find it: --serial DIR", found->where, found->name));
-  }
-  if (!folder.empty() && found == spec.robots.end()) {
-    throw SetupError("--serial: no robot has a serial line (controller = \"serial\")");
-  }
-}
-
 std::string why_stopped(const RunAdvance& advance) {
   if (advance.crashed()) return "a crash";
   return interrupted() ? signal_name() : "a supervisor";
 }
 
-int run(const RunOptions& options) {
-  end_gently();
-  check(options);
+int run_scene(const RunOptions& options, Steering& steering) {
   RunOutputs outputs(options);
   const scene::SceneOptions scene_options = scene_options_of(options);
   scene::Scene scene(options.scene.file, scene_options);
@@ -54,7 +37,8 @@ int run(const RunOptions& options) {
   outputs.begin();
 
   RunAdvance advance(scene, options, outputs, game.get(), roboviz.get(), end);
-  advance.run();
+  advance.run(steering);
+  if (steering.goes_on()) return 0;
   scene::RunReport report = make_report(scene, advance.wall(), advance.lateness());
   report.drawings = packets_of(roboviz.get());
   if (scene.simulation().now() < end) report.stopped = {why_stopped(advance), asked};
@@ -63,6 +47,19 @@ int run(const RunOptions& options) {
   if (!written.recording) return users_mistake;
   if (report.stopped) return exit_code();
   return written.states ? 0 : users_mistake;
+}
+
+/// One scene after the other, if supervisors want others.
+int run(const RunOptions& options) {
+  end_gently();
+  check(options);
+  Steering steering(options);
+  int code = run_scene(options, steering);
+  while (steering.goes_on()) {
+    const RunOptions next = steering.take_next();
+    code = run_scene(next, steering);
+  }
+  return code;
 }
 
 }  // namespace

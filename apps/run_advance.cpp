@@ -22,9 +22,9 @@ RunAdvance::RunAdvance(scene::Scene& scene, const RunOptions& options, RunOutput
       start_(scene.simulation().now()),
       end_(end) {}
 
-void RunAdvance::run() {
+void RunAdvance::run(Steering& steering) {
   try {
-    is_steered(options_) ? run_steered() : run_alone();
+    is_steered(options_) ? run_steered(steering) : run_alone();
   } catch (const connect::SoftwareCrash&) {
     crashed_ = true;  // reports of the run are written all the same
   }
@@ -58,15 +58,18 @@ void RunAdvance::advance_to(Duration time, Clock& clock) {
 }
 
 /// As browsers and supervisors want.
-void RunAdvance::run_steered() {
+void RunAdvance::run_steered(Steering& steering) {
   const auto tell = [&](const Overrun& overrun) { warn(overrun.simulated, scene::to_text(overrun.lateness)); };
   session::Session session(scene_, {.speed = speed_of(options_),
                                     .paused = options_.supervision.paused,
                                     .tell_of_overruns = tell,
                                     .record = outputs_.record_switch(),
                                     .no_way_back = no_way_back(options_)});
-  const auto supervision =
-      supervision_of(session, options_.supervision, [&](scene::Scene& scene) { return outputs_.state_of(scene); });
+  steering.begin(session, options_, outputs_);
+  struct AtEnd {  // also if software crashes
+    Steering& steering;
+    ~AtEnd() { steering.leave(); }
+  } at_end{steering};
   const auto view = web_view_of(scene_, session, options_.web, {game_ ? game_->game() : nullptr, others_});
   const auto start = WallClock::now();
   session.run(end_, [&](Duration now) { show(now); });

@@ -7,6 +7,7 @@
 #include "apps/progress.h"
 #include "apps/run_options.h"
 #include "apps/run_outputs.h"
+#include "apps/steering.h"
 #include "murosimf/connect/drawing_board.h"
 #include "murosimf/runtime/clock.h"
 
@@ -19,7 +20,7 @@ class RunAdvance {
              const connect::DrawingBoard* others, Duration end);
 
   /// Until the end, a signal, or a supervisor. Control software that crashes ends it, too.
-  void run();
+  void run(Steering& steering);
 
   [[nodiscard]] bool crashed() const { return crashed_; }
   /// [wall] without that for pictures.
@@ -32,7 +33,7 @@ class RunAdvance {
   void show(Duration now);
   void warn(Duration now, const std::string& text);
   void run_alone();
-  void run_steered();
+  void run_steered(Steering& steering);
   void advance_to(Duration time, Clock& clock);
 
   scene::Scene& scene_;

@@ -79,6 +79,17 @@ void check(const RunOptions& options) {
   }
 }
 
+void check_serial(const scene_file::SceneSpec& spec, const std::string& folder) {
+  const auto found = std::ranges::find(spec.robots, "serial", &scene_file::RobotSpec::controller);
+  if (folder.empty() && found != spec.robots.end()) {
+    throw SetupError(
+        fmt::format("{}: {} has a serial line; say where programs find it: --serial DIR", found->where, found->name));
+  }
+  if (!folder.empty() && found == spec.robots.end()) {
+    throw SetupError("--serial: no robot has a serial line (controller = \"serial\")");
+  }
+}
+
 bool is_steered(const RunOptions& options) { return !options.web.web.empty() || !options.supervision.where.empty(); }
 
 std::string no_way_back(const RunOptions& options) {

@@ -42,6 +42,8 @@ void define_run(const Command& command, RunOptions& options);
 /// What can be found out before anything is computed. Throws SetupError.
 void check(const RunOptions& options);
 
+/// Serial lines need a place where programs find them, and a place needs lines. Throws SetupError.
+void check_serial(const scene_file::SceneSpec& spec, const std::string& folder);
 /// Whether others steer the run: browsers, supervisors.
 [[nodiscard]] bool is_steered(const RunOptions& options);
 /// Why a steered run cannot go back in time; empty: it can.

@@ -1,7 +1,6 @@
 #include "apps/supervision_arguments.h"
 
 #include <cstdlib>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,14 +24,12 @@ Option add_supervision(const Command& command, SupervisionArguments& arguments) 
 }
 
 std::unique_ptr<supervise::Supervision> supervision_of(session::Session& session, const SupervisionArguments& arguments,
-                                                       std::function<std::string(scene::Scene&)> save) {
+                                                       supervise::SupervisionOptions options) {
   if (arguments.where.empty()) return nullptr;
-  supervise::SupervisionOptions options{.say = [](const std::string& line) { say_warning(line); },
-                                        .save = std::move(save),
-                                        .load =
-                                            [](scene::Scene& scene, const std::string& bytes) {
-                                              recording::load_state_bytes(scene, bytes, "of_a_supervisor.state");
-                                            }};
+  options.say = [](const std::string& line) { say_warning(line); };
+  options.load = [](scene::Scene& scene, const std::string& bytes) {
+    recording::load_state_bytes(scene, bytes, "of_a_supervisor.state");
+  };
   const char* token = std::getenv(token_variable);
   if (token) options.token = token;
   try {

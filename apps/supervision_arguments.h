@@ -1,7 +1,6 @@
 /// supervision_arguments.h - the options of a run that others steer (supervise/supervision.h).
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -18,10 +17,10 @@ struct SupervisionArguments {
 /// The option that says where.
 Option add_supervision(const Command& command, SupervisionArguments& arguments);
 
-/// Says where supervisors connect, and by which token. `save`: SupervisionOptions::save. Null if nobody steers. Throws SetupError, with
+/// Says where supervisors connect, and by which token. `options`: what else they may. Null if nobody steers. Throws SetupError, with
 /// the option.
 [[nodiscard]] std::unique_ptr<supervise::Supervision> supervision_of(session::Session& session,
                                                                      const SupervisionArguments& arguments,
-                                                                     std::function<std::string(scene::Scene&)> save);
+                                                                     supervise::SupervisionOptions options);
 
 }  // namespace murosimf::app

@@ -88,7 +88,14 @@ void Requests::write_status(wire::Status& told) const {
   if (status.recorded) told.set_recorded(*status.recorded);
 }
 
-void Requests::welcome(wire::ToSupervisor& answer) {
+/// Of the session of that number, or a later one.
+void Requests::welcome(wire::ToSupervisor& answer, int session) {
+  const SessionSlot::Lease lease(*slot_, session);
+  session_ = &lease.session();
+  tell_scene(answer);
+}
+
+void Requests::tell_scene(wire::ToSupervisor& answer) {
   wire::SupervisorWelcome& welcome = *answer.mutable_welcome();
   visit([&](scene::Scene& scene) {
     welcome.set_scene(scene.spec().name);
@@ -100,6 +107,29 @@ void Requests::welcome(wire::ToSupervisor& answer) {
 
 void Requests::answer(const FromSupervisor& request, wire::ToSupervisor& answer) {
   answer.Clear();
+  int present = 0;
+  {
+    const SessionSlot::Lease lease(*slot_);
+    present = slot_->number();
+    session_ = &lease.session();
+    if (!request.has_load_scene()) return answer_of_session(request, answer);
+    exchange(request);
+  }
+  welcome(answer, present + 1);
+}
+
+void Requests::exchange(const FromSupervisor& request) {
+  if (!options_->exchange) throw SetupError("this run keeps its scene");
+  const wire::SceneWish& asked = request.load_scene();
+  const SceneWish wish{.scene = asked.scene(),
+                       .overrides = {asked.overrides().begin(), asked.overrides().end()},
+                       .seed = asked.has_seed() ? std::optional(asked.seed()) : std::nullopt,
+                       .paused = asked.paused()};
+  visit([&](scene::Scene&) { options_->exchange(wish); });
+  session_->finish();
+}
+
+void Requests::answer_of_session(const FromSupervisor& request, wire::ToSupervisor& answer) {
   switch (request.kind_case()) {
     case FromSupervisor::kStatus: break;
     case FromSupervisor::kPause: session_->pause(); break;
@@ -168,6 +198,7 @@ void Requests::seek(const FromSupervisor& request) {
 
 /// All at the same instant.
 void Requests::read(const Patterns& patterns, wire::ToSupervisor& answer) {
+  if (std::exchange(found_in_, session_) != session_) found_.clear();
   wire::Numbers& numbers = *answer.mutable_numbers();
   visit([&](scene::Scene& scene) {
     if (found_.size() >= most_patterns) found_.clear();
@@ -231,7 +262,7 @@ void Requests::load(const FromSupervisor& request) {
   const std::string bytes = std::exchange(state_, {});
   session_
       ->load([&](scene::Scene& scene) {
-        if (load_) return load_(scene, bytes);
+        if (options_->load) return options_->load(scene, bytes);
         scene.load(std::as_bytes(std::span(bytes)));
       })
       .get();
@@ -241,7 +272,7 @@ void Requests::save(wire::ToSupervisor& answer) {
   wire::SavedState& state = *answer.mutable_state();
   visit([&](scene::Scene& scene) {
     state.set_time(ns(scene.simulation().now()));
-    if (save_) return state.set_content(save_(scene));
+    if (options_->save) return state.set_content(options_->save(scene));
     const std::vector<std::byte> bytes = scene.save();
     state.set_content(bytes.data(), bytes.size());
   });

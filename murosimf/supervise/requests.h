@@ -8,6 +8,8 @@
 
 #include "murosimf/logging/log_paths.h"
 #include "murosimf/session/session.h"
+#include "murosimf/supervise/session_slot.h"
+#include "murosimf/supervise/supervision.h"
 
 namespace murosimf::wire {
 class FromSupervisor;
@@ -19,22 +21,23 @@ namespace murosimf::supervise {
 
 class Requests {
  public:
-  using Save = std::function<std::string(scene::Scene&)>;
-  using Load = std::function<void(scene::Scene&, const std::string& bytes)>;
-
-  /// `save` and `load` as in SupervisionOptions. `given_up`: whether the answer is wanted no more.
-  Requests(session::Session& session, Save save, Load load, std::function<bool()> given_up)
-      : session_(&session), save_(std::move(save)), load_(std::move(load)), given_up_(std::move(given_up)) {}
+  /// Both must outlive it. `given_up`: whether the answer is wanted no more.
+  Requests(SessionSlot& slot, const SupervisionOptions& options, std::function<bool()> given_up)
+      : slot_(&slot), options_(&options), given_up_(std::move(given_up)) {}
 
   /// Waits until it is done. Throws SetupError if it cannot be, WireError if it is no request.
   void answer(const wire::FromSupervisor& request, wire::ToSupervisor& answer);
-  void write_status(wire::Status& status) const;
   /// Scene, seed, step and status.
-  void welcome(wire::ToSupervisor& answer);
+  void welcome(wire::ToSupervisor& answer) { welcome(answer, 0); }
 
  private:
   using Patterns = std::vector<std::string>;
 
+  void answer_of_session(const wire::FromSupervisor& request, wire::ToSupervisor& answer);
+  void welcome(wire::ToSupervisor& answer, int session);
+  void tell_scene(wire::ToSupervisor& answer);
+  void write_status(wire::Status& status) const;
+  void exchange(const wire::FromSupervisor& request);
   void advance(Duration duration);
   void settle();
   void change(const wire::FromSupervisor& request);
@@ -47,12 +50,13 @@ class Requests {
   void load(const wire::FromSupervisor& request);
   void visit(const std::function<void(scene::Scene&)>& look);
 
-  session::Session* session_;
-  Save save_;
-  Load load_;
-  std::string state_;  // that comes in parts
+  SessionSlot* slot_;
+  const SupervisionOptions* options_;
+  session::Session* session_ = nullptr;  // while something is answered
+  std::string state_;                    // that comes in parts
   std::function<bool()> given_up_;
   std::map<Patterns, std::vector<logging::LoggedNumber>> found_;  // what patterns mean
+  const session::Session* found_in_ = nullptr;                    // there
 };
 
 }  // namespace murosimf::supervise

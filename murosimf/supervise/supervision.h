@@ -8,14 +8,25 @@
 /// Each supervisor has a thread of its own: whatever it does, or does not, disturbs neither the run nor the others.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "murosimf/session/session.h"
 #include "murosimf/wire/socket.h"
 
 namespace murosimf::supervise {
+
+/// Another scene that a supervisor wants in the place of the present one.
+struct SceneWish {
+  std::string scene;                   ///< as on the command line
+  std::vector<std::string> overrides;  ///< PATH=VALUE
+  std::optional<std::uint64_t> seed;   ///< instead of the scene's
+  bool paused = false;                 ///< it begins so
+};
 
 struct SupervisionOptions {
   wire::Address address;
@@ -26,6 +37,9 @@ struct SupervisionOptions {
       save{};  ///< what supervisors get as a state; called between two steps; none: the bytes of Scene::save
   std::function<void(scene::Scene&, const std::string& bytes)>
       load{};  ///< puts a state into the scene, or throws SetupError and changes nothing; likewise; none: bytes of Scene::save
+  /// Sees whether the run can be that of another scene, and remembers it, or throws SetupError; likewise. Then the session is finished, and
+  /// whoever runs it begins the next one (Supervision::steer). None: the run keeps its scene.
+  std::function<void(const SceneWish&)> exchange{};
   double hello_limit = 5;  ///< [s] of wall time in which supervisors send the token
   double patience = 10;    ///< [s] of wall time in which they take an answer
 };
@@ -40,9 +54,13 @@ class Supervision {
   /// Where it listens.
   [[nodiscard]] virtual wire::Address address() const = 0;
   [[nodiscard]] virtual const std::string& token() const = 0;
+  /// The session has ended, and another one will come: supervisors stay, and wait. Returns when none of them uses it any more.
+  virtual void leave() = 0;
+  /// After leave(): this one is steered from now on.
+  virtual void steer(session::Session& session) = 0;
 };
 
-/// The session must outlive it. Throws SetupError: the port is in use, the token is too short; this program was built without TCP.
+/// The session must outlive it, or leave() be called before. Throws SetupError: the port is in use, the token is too short; this program was built without TCP.
 [[nodiscard]] std::unique_ptr<Supervision> supervise(session::Session& session, const SupervisionOptions& options);
 
 }  // namespace murosimf::supervise

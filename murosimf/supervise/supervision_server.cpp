@@ -17,6 +17,7 @@
 #include "murosimf/connect/tcp_client.h"
 #include "murosimf/model/error.h"
 #include "murosimf/supervise/requests.h"
+#include "murosimf/supervise/session_slot.h"
 #include "murosimf/supervise/supervision.h"
 #include "murosimf/wire/reception.h"
 
@@ -64,13 +65,13 @@ wire::WallTime after(double s) {
 /// One supervisor, in a thread of its own.
 class Supervisor {
  public:
-  Supervisor(wire::Caller caller, std::string name, session::Session& session, const SupervisionOptions& options)
+  Supervisor(wire::Caller caller, std::string name, SessionSlot& slot, const SupervisionOptions& options)
       : connection_(std::move(caller.connection)),
         name_(std::move(name)),
         patience_(options.patience),
         say_(options.say),
         wake_(::eventfd(0, EFD_CLOEXEC)),
-        requests_(session, options.save, options.load, [this] { return ends_.load() || has_gone(); }) {
+        requests_(slot, options, [this] { return ends_.load() || has_gone(); }) {
     if (wake_ < 0) throw wire::WireError("comes when too many files are open");
     thread_ = std::thread([this] { serve(); });
   }
@@ -176,19 +177,22 @@ class Server final : public Supervision {
 
   [[nodiscard]] wire::Address address() const override { return reception_->address(); }
   [[nodiscard]] const std::string& token() const override { return options_.token; }
+  void leave() override { slot_.remove(); }
+  void steer(session::Session& session) override { slot_.put(session); }
 
  private:
   void admit(wire::Caller& caller, std::string_view message);
   void turn_away(wire::Caller& caller, const std::string& reason);
 
-  session::Session* session_;
   SupervisionOptions options_;
+  SessionSlot slot_;
   std::list<Supervisor> supervisors_;  // of the reception's thread
   std::size_t told_ = 0;
   std::unique_ptr<wire::Reception> reception_;
 };
 
-Server::Server(session::Session& session, const SupervisionOptions& options) : session_(&session), options_(options) {
+Server::Server(session::Session& session, const SupervisionOptions& options) : options_(options) {
+  slot_.put(session);
   if (options_.token.empty()) options_.token = drawn_token();
   if (options_.token.size() < shortest_token) {
     throw SetupError(fmt::format("the token of supervisors has {} characters; at least {} are needed",
@@ -206,7 +210,10 @@ Server::Server(session::Session& session, const SupervisionOptions& options) : s
   }
 }
 
-Server::~Server() { reception_.reset(); }
+Server::~Server() {
+  slot_.close();
+  reception_.reset();
+}
 
 void Server::admit(wire::Caller& caller, std::string_view bytes) {
   wire::FromSupervisor message;
@@ -224,7 +231,7 @@ void Server::admit(wire::Caller& caller, std::string_view bytes) {
   }
   const std::string name =
       fmt::format("supervisor {} at {}", connect::printable(hello.name(), longest_name), caller.address);
-  supervisors_.emplace_back(std::move(caller), name, *session_, options_);
+  supervisors_.emplace_back(std::move(caller), name, slot_, options_);
 }
 
 void Server::turn_away(wire::Caller& caller, const std::string& reason) {

@@ -59,6 +59,12 @@ def load(content, last):
     return field_bytes(19, field_bytes(1, content) + field_varint(2, int(last)))
 
 
+def load_scene(scene, overrides, seed, paused):
+    content = field_bytes(1, scene.encode()) + b"".join(field_bytes(2, change.encode()) for change in overrides)
+    content += b"" if seed is None else field_varint(3, seed)
+    return field_bytes(20, content + field_varint(4, int(paused)))
+
+
 def record(on):
     return field_bytes(18, field_varint(1, int(on)))
 

@@ -35,7 +35,7 @@ class Supervisor:
         except BaseException:
             self.close()
             raise
-        self.scene, self.seed, self.tick = welcome.scene, welcome.seed, 1e-9 * welcome.tick  # [s] of a step
+        self._meet(welcome)
 
     def status(self):
         return self._plain(supervision.STATUS)
@@ -125,6 +125,11 @@ class Supervisor:
         """The same of a file of this computer: of save_to(), or of murosimf run SCENE --supervise PORT --save-at TIME:FILE."""
         return self.load(pathlib.Path(file).read_bytes())
 
+    def load_scene(self, scene, overrides=(), seed=None, paused=True):
+        """Another scene in the place of the present one, whose run ends without results: a file of the simulator's computer, or the name of
+        one that comes with the program; `overrides`: "PATH=VALUE" as of --set. Other supervisors stay, too."""
+        self._meet(self._ask(supervision.load_scene(str(scene), list(overrides), seed, paused), supervision.Welcome))
+
     def finish(self):
         """Ends the run: the simulator writes its results."""
         self._connection.send(supervision.plain(supervision.FINISH))
@@ -143,6 +148,9 @@ class Supervisor:
 
     def __exit__(self, *_):
         self.close()
+
+    def _meet(self, welcome):
+        self.scene, self.seed, self.tick = welcome.scene, welcome.seed, 1e-9 * welcome.tick  # [s] of a step
 
     def _plain(self, request):
         return self._status_after(supervision.plain(request))

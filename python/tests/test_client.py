@@ -94,6 +94,9 @@ class Encoding(unittest.TestCase):
         self.assertEqual(seen(supervision.reset(None)), "reset { }")
         self.assertEqual(seen(supervision.reset(9)), "reset { seed: 9 }")
         self.assertEqual(seen(supervision.seek(-1, None)), "seek { time: -1 }")
+        self.assertEqual(seen(supervision.load(b"ab", last=True)), 'load { content: "ab" last: true }')
+        self.assertEqual(seen(supervision.load_scene("walk", ["a=1"], 3, paused=True)),
+                         'load_scene { scene: "walk" overrides: "a=1" seed: 3 paused: true }')
         self.assertEqual(seen(supervision.record(True)), "record { on: true }")
         self.assertEqual(seen(supervision.record(False)), "record { }")
         self.assertEqual(seen(supervision.seek(5, 0)), "seek { time: 5 branch: 0 }")
@@ -398,6 +401,29 @@ class Supervising(unittest.TestCase):
                 supervisor.advance(1.0)
                 supervisor.finish()
             self.assertEqual(re.search(r"state hash (\w+)", run.end()[1])[1], hashes[0])
+
+    def test_other_scenes_take_the_place_of_the_run(self):
+        run = SupervisedRun()
+        with run.supervisor() as supervisor, run.supervisor() as other:
+            supervisor.advance(0.3)
+            with self.assertRaisesRegex(RequestRefused, "nosuch"):
+                supervisor.load_scene("nosuch")
+            with self.assertRaisesRegex(RequestRefused, "wolker"):
+                supervisor.load_scene("walk", ["wolker.level=full_dynamics"])
+            self.assertEqual(supervisor.advance(0.1).time, 4 * 10**8)
+            files = len(os.listdir(f"/proc/{run.process.pid}/fd"))
+            for _ in range(5):
+                for scene in ("nudge", "walk"):
+                    supervisor.load_scene(scene, seed=3)
+            self.assertLessEqual(len(os.listdir(f"/proc/{run.process.pid}/fd")), files + 2)
+            supervisor.load_scene("nudge", ["robot.level=simplified_dynamics"], seed=3)
+            self.assertEqual((supervisor.seed, other.status().time), (3, 0))
+            other.advance(1.0)
+            supervisor.finish()
+        out = run.end()[1]
+        same = subprocess.run([PROGRAM, "run", "nudge", "--set", "robot.level=simplified_dynamics", "--seed", "3", "--duration",
+                               "1"], stdout=subprocess.PIPE, text=True, check=True, timeout=TIME_LIMIT).stdout
+        self.assertEqual(re.search(r"state hash (\w+)", out)[1], re.search(r"state hash (\w+)", same)[1])
 
     def test_who_does_not_know_the_token_is_refused(self):
         run = SupervisedRun()

@@ -49,8 +49,11 @@ class SupervisedRun {
 
   void finish() {
     session.finish();
-    if (thread_.joinable()) thread_.join();
+    join();
     supervision.reset();
+  }
+  void join() {
+    if (thread_.joinable()) thread_.join();
   }
   [[nodiscard]] std::vector<std::string> lines(std::size_t count) const {
     const wire::WallTime end = soon();
@@ -330,6 +333,47 @@ TEST(Supervision, GoesOnFromNothingThatIsNoState) {
   }
   EXPECT_TRUE(load(client, state).has_status()) << "what others have begun is not its own";
   EXPECT_EQ(run.hash(), hash);
+}
+
+ToSupervisor ask_for_scene(Client& client, const std::string& scene) {
+  return client.ask([&](FromSupervisor& message) { message.mutable_load_scene()->set_scene(scene); });
+}
+
+// Supervisors stay when another session takes the place of theirs; one that is refused leaves everything as it is.
+TEST(Supervision, StaysWhileRunsFollowEachOther) {
+  std::string wanted;
+  SupervisedRun first({.exchange = [&](const SceneWish& wish) {
+    if (wish.scene != "nudge") throw SetupError("no such scene");
+    wanted = wish.scene;
+  }});
+  Client client(first, first.supervision->token()), other(first, first.supervision->token());
+  client.advance(300ms);
+  EXPECT_EQ(ask_for_scene(client, "nudje").refused().reason(), "no such scene");
+  EXPECT_EQ(Duration(client.advance(100ms).status().time()), 400ms);
+
+  ToSupervisor welcome;
+  std::thread asks([&] { welcome = ask_for_scene(client, "nudge"); });
+  first.join();
+  EXPECT_EQ(wanted, "nudge");
+  first.supervision->leave();
+  scene::Scene scene("nudge", {.pushable = true});
+  session::Session second(scene, {.paused = true});
+  first.supervision->steer(second);
+  std::thread runs([&] { second.run(10s); });
+  asks.join();
+  EXPECT_EQ(welcome.welcome().scene(), scene.spec().name);
+  EXPECT_EQ(welcome.welcome().status().time(), 0);
+  EXPECT_EQ(Duration(other.advance(200ms).status().time()), 200ms) << "the others stay, too";
+  EXPECT_FALSE(other.read("robot.torso.position").empty());
+  second.finish();
+  runs.join();
+  first.supervision->leave();
+}
+
+TEST(Supervision, KeepsItsSceneWhereNobodyExchangesIt) {
+  SupervisedRun run;
+  Client client(run, run.supervision->token());
+  EXPECT_EQ(ask_for_scene(client, "nudge").refused().reason(), "this run keeps its scene");
 }
 
 TEST(Supervision, HasNothingRecordedWhereNobodyCanAsk) {

@@ -1,0 +1,65 @@
+#include "apps/steering.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "murosimf/model/error.h"
+
+namespace murosimf::app {
+namespace {
+
+/// What belongs to one run, and would have to be given up; empty: nothing.
+std::string why_it_stays(const RunOptions& options) {
+  if (const std::string reason = no_way_back(options); !reason.empty()) return reason;
+  if (!options.listen.empty() || !options.serial.empty()) return "its robots have software (--listen, --serial)";
+  if (!options.save_at.empty() || !options.save_state.empty()) return "its states are saved (--save-at, --save-state)";
+  return options.picture.empty() ? "" : "a picture is made of it (--picture)";
+}
+
+}  // namespace
+
+void Steering::begin(session::Session& session, const RunOptions& options, RunOutputs& outputs) {
+  options_ = &options;
+  outputs_ = &outputs;
+  if (supervision_) return supervision_->steer(session);
+  supervision_ = supervision_of(session, options.supervision,
+                                {.save = [this](scene::Scene& scene) { return outputs_->state_of(scene); },
+                                 .exchange = [this](const supervise::SceneWish& wish) { exchange(wish); }});
+}
+
+void Steering::leave() {
+  if (goes_on()) return supervision_->leave();
+  supervision_.reset();
+}
+
+/// It is built as it will be, so that whatever is wrong with it is told, and the present run goes on.
+void Steering::exchange(const supervise::SceneWish& wish) {
+  if (const std::string reason = why_it_stays(*options_); !reason.empty()) {
+    throw SetupError(fmt::format("the run keeps its scene: {}", reason));
+  }
+  const RunOptions options = options_for(wish);
+  scene::Scene scene(options.scene.file, scene_options_of(options));
+  check_serial(scene.spec(), options.serial);
+  scene.simulation().initialize();
+  next_ = wish;
+}
+
+RunOptions Steering::options_for(const supervise::SceneWish& wish) const {
+  RunOptions options = first_;
+  options.scene.file = wish.scene;
+  options.scene.overrides = wish.overrides;
+  options.scene.seed.reset();
+  if (wish.seed) options.scene.seed = static_cast<std::int64_t>(*wish.seed);
+  options.scene.events.clear();
+  options.scene.pushes.clear();
+  options.scene.plugins.clear();  // they are loaded
+  options.duration.reset();
+  options.from.clear();
+  options.supervision.paused = wish.paused;
+  return options;
+}
+
+RunOptions Steering::take_next() { return options_for(*std::exchange(next_, std::nullopt)); }
+
+}  // namespace murosimf::app

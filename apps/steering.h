@@ -1,0 +1,37 @@
+/// steering.h - supervisors of a run, who may want another scene in its place: they stay, while runs follow each other.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "apps/run_options.h"
+#include "apps/run_outputs.h"
+#include "murosimf/supervise/supervision.h"
+
+namespace murosimf::app {
+
+class Steering {
+ public:
+  explicit Steering(const RunOptions& options) : first_(options) {}
+
+  /// They steer this one from now on, which has these options and outputs, until leave(). Throws SetupError.
+  void begin(session::Session& session, const RunOptions& options, RunOutputs& outputs);
+  void leave();
+
+  /// Whether another run follows.
+  [[nodiscard]] bool goes_on() const { return next_.has_value(); }
+  /// How it is run; not again.
+  [[nodiscard]] RunOptions take_next();
+
+ private:
+  void exchange(const supervise::SceneWish& wish);
+  [[nodiscard]] RunOptions options_for(const supervise::SceneWish& wish) const;
+
+  const RunOptions& first_;
+  const RunOptions* options_ = nullptr;
+  RunOutputs* outputs_ = nullptr;
+  std::optional<supervise::SceneWish> next_;
+  std::unique_ptr<supervise::Supervision> supervision_;
+};
+
+}  // namespace murosimf::app
