@@ -1,6 +1,8 @@
 // Runs with software over TCP are repeated from their recordings alone: in lock-step, free, with software that goes and comes again.
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "murosimf/recording/mcap/mcap_reader.h"
 #include "murosimf/recording/recorded_outside.h"
 #include "tests/client/tcp_fixture.h"
@@ -21,11 +23,14 @@ RepeatableRun run_of(const Listener& listener, Duration time, std::vector<std::s
   return run;
 }
 
-std::filesystem::path record_two(const std::string& name) {
+/// Of two robots that walk to the ball; `adjust` says what is otherwise.
+std::filesystem::path record_two(const std::string& name, const std::function<void(RepeatableRun&)>& adjust = {}) {
   const Listener listener;
   Software left([&] { walk_to_ball("left", listener.port()); });
   Software right([&] { walk_to_ball("right", listener.port()); });
-  return record(name, run_of(listener, 6s));
+  RepeatableRun run = run_of(listener, 6s);
+  if (adjust) adjust(run);
+  return record(name, run);
 }
 
 TEST(RecordedSoftware, LockStepIsRepeated) { expect_repeatable(record_two("lock_step.mcap")); }
@@ -66,16 +71,6 @@ TEST(RecordedSoftware, ThatGoesInTheMiddleIsRepeated) {
   expect_repeatable(record("gone.mcap", run));
 }
 
-/// Runs until something has happened, at most 20 s of wall time.
-template <class Happened>
-bool run_until(scene::Scene& scene, const Happened& happened) {
-  for (const wire::WallTime end = soon(); !happened() && std::chrono::steady_clock::now() < end;) {
-    scene.simulation().run(10ms);
-    std::this_thread::sleep_for(1ms);
-  }
-  return happened();
-}
-
 TEST(RecordedSoftware, FreeIsRepeatedWithAllWhoCome) {
   const Listener listener;
   Software left([&] { walk_to_ball("left", listener.port()); });
@@ -103,32 +98,27 @@ TEST(RecordedSoftware, FreeIsRepeatedWithAllWhoCome) {
 }
 
 TEST(RecordedSoftware, WhatIsAskedForIsRepeatedOverTheGap) {
-  const Listener listener;
-  Software left([&] { walk_to_ball("left", listener.port()); });
-  Software right([&] { walk_to_ball("right", listener.port()); });
-  RepeatableRun run = run_of(listener, 0s);
-  run.options.record_on = {"asked"};
-  run.options.keep = 200ms;
-  run.play = [](scene::Scene& scene, recording::Recorder& recorder) {
-    scene.simulation().run(2s);
-    for (int i = 0; i < 2; ++i) {
-      recorder.ask(true);
-      scene.simulation().run(500ms);
-      recorder.ask(false);
-      scene.simulation().run(1500ms);
-    }
-  };
-  expect_repeatable(record("asked.mcap", run));
+  expect_repeatable(record_two("asked.mcap", [](RepeatableRun& run) {
+    run.options.record_on = {"asked"};
+    run.options.keep = 200ms;
+    run.play = [](scene::Scene& scene, recording::Recorder& recorder) {
+      scene.simulation().run(2s);
+      for (int i = 0; i < 2; ++i) {
+        recorder.ask(true);
+        scene.simulation().run(500ms);
+        recorder.ask(false);
+        scene.simulation().run(1500ms);
+      }
+    };
+  }));
 }
 
 // Without its notes it is refused, as recordings of before are.
 TEST(RecordedSoftware, IsRefusedWhereNobodyHasWrittenItDown) {
-  const Listener listener;
-  Software left([&] { walk_to_ball("left", listener.port()); });
-  Software right([&] { walk_to_ball("right", listener.port()); });
-  RepeatableRun run = run_of(listener, 100ms);
-  run.how.outside = {};
-  const recording::RecordedRun recorded(record("without.mcap", run));
+  const recording::RecordedRun recorded(record_two("without.mcap", [](RepeatableRun& run) {
+    run.time = 100ms;
+    run.how.outside = {};
+  }));
   EXPECT_TRUE(says(error_of([&] { (void)recorded.build({}); }), {"without.mcap: ", "tcp"}));
 }
 

@@ -187,4 +187,15 @@ inline double forward(const scene::Scene& scene, const std::string& robot) {
   return scene.simulation().world().entity(robot).base().get(properties::walk_command).x;
 }
 
+/// Steps of the run at real time, until `done`.
+template <class Done>
+[[nodiscard]] bool run_until(scene::Scene& scene, const Done& done) {
+  const wire::WallTime end = soon();
+  while (!done() && std::chrono::steady_clock::now() < end) {
+    scene.simulation().run(50ms);
+    std::this_thread::sleep_for(2ms);
+  }
+  return done();
+}
+
 }  // namespace murosimf::connect::fixtures

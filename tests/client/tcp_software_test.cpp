@@ -80,17 +80,6 @@ TEST(TcpSoftware, HasWrongNumbersRefusedAndCounted) {
   EXPECT_EQ(software(scene, "right").ended, "");
 }
 
-/// Steps of the run at real time, until `done`.
-template <class Done>
-[[nodiscard]] bool run_until(scene::Scene& scene, const Done& done) {
-  const wire::WallTime end = soon();
-  while (!done() && std::chrono::steady_clock::now() < end) {
-    scene.simulation().run(50ms);
-    std::this_thread::sleep_for(2ms);
-  }
-  return done();
-}
-
 TEST(FreeTcpSoftware, HasTheLatestCommandsHold) {
   const Listener listener;
   Software left([&] { walk_to_ball("left", listener.port()); });
