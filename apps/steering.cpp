@@ -1,5 +1,7 @@
 #include "apps/steering.h"
 
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,6 +17,12 @@ std::string why_it_stays(const RunOptions& options) {
   if (!options.listen.empty() || !options.serial.empty()) return "its robots have software (--listen, --serial)";
   if (!options.save_at.empty() || !options.save_state.empty()) return "its states are saved (--save-at, --save-state)";
   return options.picture.empty() ? "" : "a picture is made of it (--picture)";
+}
+
+std::int64_t seed_of(std::uint64_t seed) {
+  constexpr auto most = std::numeric_limits<std::int64_t>::max();  // as of --seed
+  if (seed <= static_cast<std::uint64_t>(most)) return static_cast<std::int64_t>(seed);
+  throw SetupError(fmt::format("the seed {} must be from 0 to {}", seed, most));
 }
 
 }  // namespace
@@ -50,7 +58,7 @@ RunOptions Steering::options_for(const supervise::SceneWish& wish) const {
   options.scene.file = wish.scene;
   options.scene.overrides = wish.overrides;
   options.scene.seed.reset();
-  if (wish.seed) options.scene.seed = static_cast<std::int64_t>(*wish.seed);
+  if (wish.seed) options.scene.seed = seed_of(*wish.seed);
   options.scene.events.clear();
   options.scene.pushes.clear();
   options.scene.plugins.clear();  // they are loaded

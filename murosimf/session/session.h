@@ -49,7 +49,7 @@ struct SessionStatus {
   bool at_end = false;          ///< of a recording, behind which nothing comes: go_on() begins again
   std::optional<double> speed;  ///< wanted
   double factor = 0;            ///< simulated seconds per wall second, over about the last second; 0 while it is paused
-  std::uint64_t jumps = 0;      ///< how often time has jumped: resets, seeks
+  std::uint64_t jumps = 0;      ///< how often time has jumped: resets, seeks, loaded states
   int branch = 0;               ///< of the timeline
   std::size_t events = 0, warnings = 0;  ///< of the simulation, so far
   std::optional<bool> recorded;          ///< whether somebody asks for it; nothing: nobody can

@@ -28,7 +28,7 @@ struct TimelineOptions {
 /// What others see of a branch.
 struct BranchView {
   int number = 0;
-  std::optional<int> parent;      ///< of which it went on; none: it began with a reset
+  std::optional<int> parent;      ///< of which it went on; none: it began with a reset or a loaded state
   Duration begin{}, end{};        ///< begin: where it left its parent
   std::vector<Command> commands;  ///< of its own
   std::vector<Duration> states;   ///< that are kept

@@ -198,7 +198,8 @@ void Requests::seek(const FromSupervisor& request) {
 
 /// All at the same instant.
 void Requests::read(const Patterns& patterns, wire::ToSupervisor& answer) {
-  if (std::exchange(found_in_, session_) != session_) found_.clear();
+  const int session = slot_->number();
+  if (std::exchange(found_in_, session) != session) found_.clear();
   wire::Numbers& numbers = *answer.mutable_numbers();
   visit([&](scene::Scene& scene) {
     if (found_.size() >= most_patterns) found_.clear();

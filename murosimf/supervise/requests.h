@@ -56,7 +56,7 @@ class Requests {
   std::string state_;                    // that comes in parts
   std::function<bool()> given_up_;
   std::map<Patterns, std::vector<logging::LoggedNumber>> found_;  // what patterns mean
-  const session::Session* found_in_ = nullptr;                    // there
+  int found_in_ = 0;                                              // in the session of this number (SessionSlot)
 };
 
 }  // namespace murosimf::supervise

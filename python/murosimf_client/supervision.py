@@ -78,7 +78,7 @@ class Status:
     paused: bool = False
     speed: float = 0.0  # simulated seconds per wall second, wanted; 0: as fast as possible
     factor: float = 0.0  # the same, measured over the last second
-    jumps: int = 0  # how often time has jumped: resets, seeks
+    jumps: int = 0  # how often time has jumped: resets, seeks, loaded states
     branch: int = 0  # of the timeline
     first: int = 0  # where one can seek in the present branch, from
     last: int = 0  # to
@@ -141,7 +141,7 @@ class Events:
 @dataclass
 class Branch:
     number: int = 0
-    parent: int | None = None  # of which it went on; None: it began with a reset
+    parent: int | None = None  # of which it went on; None: it began with a reset or a loaded state
     begin: int = 0  # [ns]
     end: int = 0  # [ns]
     commands: list[Event] = field(default_factory=list)  # of its own

@@ -406,6 +406,7 @@ class Supervising(unittest.TestCase):
         run = SupervisedRun()
         with run.supervisor() as supervisor, run.supervisor() as other:
             supervisor.advance(0.3)
+            self.assertNotEqual(other.read("walker.torso.position").time, 0)
             with self.assertRaisesRegex(RequestRefused, "nosuch"):
                 supervisor.load_scene("nosuch")
             with self.assertRaisesRegex(RequestRefused, "wolker"):
@@ -416,6 +417,9 @@ class Supervising(unittest.TestCase):
                 for scene in ("nudge", "walk"):
                     supervisor.load_scene(scene, seed=3)
             self.assertLessEqual(len(os.listdir(f"/proc/{run.process.pid}/fd")), files + 2)
+            self.assertEqual(other.read("walker.torso.position").time, 0)  # of this walker, not of the first one
+            with self.assertRaisesRegex(RequestRefused, "seed"):
+                supervisor.load_scene("walk", seed=2**63)
             supervisor.load_scene("nudge", ["robot.level=simplified_dynamics"], seed=3)
             self.assertEqual((supervisor.seed, other.status().time), (3, 0))
             other.advance(1.0)

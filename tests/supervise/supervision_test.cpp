@@ -335,6 +335,24 @@ TEST(Supervision, GoesOnFromNothingThatIsNoState) {
   EXPECT_EQ(run.hash(), hash);
 }
 
+TEST(Supervision, TakesNoStateWithoutEnd) {
+  SupervisedRun run;
+  Client client(run, run.supervision->token());
+  const std::string part(64'000, 'x');
+  const auto send = [&] {
+    return client.ask([&](FromSupervisor& message) { message.mutable_load()->set_content(part); });
+  };
+  std::size_t sent = 0;
+  ToSupervisor answer = send();
+  while (answer.has_status() && sent < 2 * longest_state) {
+    sent += part.size();
+    answer = send();
+  }
+  EXPECT_TRUE(says(answer.refused().reason(), {"a state of more than 268435456 bytes"}));
+  EXPECT_GT(sent, longest_state - part.size());
+  EXPECT_TRUE(send().has_status()) << "it begins anew";
+}
+
 ToSupervisor ask_for_scene(Client& client, const std::string& scene) {
   return client.ask([&](FromSupervisor& message) { message.mutable_load_scene()->set_scene(scene); });
 }
