@@ -21,6 +21,8 @@ commands of the block that begin so.
     <!-- then: murosimf run mine.toml -->                        what proves that file right
     <!-- output of: murosimf list levels -->                      the block is what this prints
     <!-- output of (exit 2): murosimf run nosuch -->              the same of a command that fails
+    <!-- code of: murosimf/runtime/simulation.cpp -->             C++: the block stands in this source, apart from comments and spaces
+    <!-- code of no source: how users begin one -->               C++ that is nowhere, and why
     <!-- figures vary: they depend on the driver -->              numbers in the quotes of this block are not compared
 """
 import argparse
@@ -38,7 +40,7 @@ DATA = ["docs", "examples", "lenses", "models", "motions", "murosimf/connect", "
         "tests/data", "tests/fuzz/seeds"]
 COMMAND = re.compile(r"(murosimf\w*|example_\w+|build/release/\S+|scripts/\S+|"
                      r"cmake|ctest|python3|pip|pre-commit|export|xacro)(?= |$)")
-MARK = re.compile(r"\s*<!-- (not run|run with|each after|needs|before|append to|then|output of|figures vary)"
+MARK = re.compile(r"\s*<!-- (not run|run with|each after|needs|before|append to|then|output of|code of no source|code of|figures vary)"
                   r"(?: \((.*?)\))?: (.*) -->$")
 OPTIONS = re.compile(r"(--\S+ (?:'[^']*'|\S+) ?)+")
 # What a machine may lack: such a command counts as not run.
@@ -53,6 +55,9 @@ VARIES = [
     (re.compile(r"^([a-z]+_[a-z]+ \S+) \d+ \d+\.\d\d (?=\d)"), r"\1 # # "),  # rows of murosimf compare
 ]
 TIME_LIMIT = 300  # [s] of one command
+# A block in C or C++: a statement, or a line that opens a block of code; TOML, Python and shells have none of them.
+CODE = re.compile(r"^(?!\w[\w.-]* = )[^#\n]*(?:;|[)\w] \{|\{[^\"=]*\})(?:\s*(?://|/\*).*)?$", re.MULTILINE)
+COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 
 
 class Block:
@@ -126,8 +131,25 @@ def options_changed(command, options):
     return command
 
 
+def bare(code):
+    """C++ without comments and spaces."""
+    return re.sub(r"\s+", "", COMMENT.sub("", code))
+
+
+def misquoted_code(lines, source):
+    """The first line of a block up to which the source does not have it, or None. `...` leaves anything out."""
+    text, pattern = bare(source), ""
+    for line in lines:
+        pattern += ".*?".join(re.escape(bare(piece)) for piece in COMMENT.sub("", line).split("..."))
+        if not re.search(pattern, text, re.DOTALL):
+            return line
+    return None
+
+
 def calls_of(block):
     """Commands of a block, in the order of the page."""
+    if block.mark("code of") or block.mark("code of no source"):
+        return []
     quoting = next(((words, text) for kind, words, text in block.marks if kind == "output of"), None)
     if quoting:
         exit_code = int(quoting[0].split()[1]) if quoting[0] else 0
@@ -268,6 +290,7 @@ class Check:
                 with (self.scratch.folder / name).open("a") as file:
                     file.write("\n".join(["", *block.lines, ""]))
             self.unseen(page, block, "then")
+            self.code(page, block)
             for call in calls_of(block):
                 self.call(page, call)
         if self.options.update:
@@ -278,6 +301,17 @@ class Check:
             code, printed = self.scratch.run(command)
             if code:
                 self.complain(page, block.first, f"'{command}', {kind} this block, fails: {' '.join(printed[-3:])}")
+
+    def code(self, page, block):
+        """C++ of a page stands in a source, word for word."""
+        name = block.mark("code of")
+        if name:
+            file = ROOT / name
+            wrong = misquoted_code(block.lines, file.read_text()) if file.is_file() else block.lines[0]
+            if wrong is not None:
+                self.complain(page, block.first, f"{name} does not have, or not there: {wrong.strip()}")
+        elif page.path.suffix == ".md" and not block.marks and not calls_of(block) and CODE.search("\n".join(block.lines)):
+            self.complain(page, block.first, "C++ without a mark `code of: FILE` that says where it stands")
 
     def call(self, page, call):
         reason = self.why_not(call)

@@ -27,10 +27,12 @@ void attach_level(SceneParts& parts, Entity& entity, const catalog::LevelOptions
 /// The same with the options of a robot; warnings about what a user may have overlooked.
 void attach_level_of(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity);
 
-/// Counts its way and its falls.
 /// Steps of its own for an entity that has them; does nothing for others, and for all but the first.
 void attach_own_steps(SceneParts& parts, const Entity& entity);
+
+/// Counts its way and its falls.
 void attach_odometer(SceneParts& parts, Entity& entity);
+
 /// Nothing if the robot does not ask for them.
 void attach_accelerations(SceneParts& parts, const scene_file::RobotSpec& robot, Entity& entity);
 

@@ -1,6 +1,6 @@
 /// camera_frame.h - what a camera shows: its last picture, with the instant at which that was exposed.
 ///
-///     const sensors::Frame& frame = sensors::read_frame(setup, "camera");   // an algorithm, in its constructor
+///     const sensors::CameraFrame& frame = sensors::read_frame(setup, "camera");   // an algorithm, in its constructor
 ///     if (frame.number != last_) look_at(frame.color, frame.info->lens);    // in its step
 ///
 /// A camera draws only if somebody wants its frames: an algorithm that reads them, want_frames, or `always_on` in the

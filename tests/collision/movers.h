@@ -13,6 +13,7 @@
 #include "murosimf/collision/contact_properties.h"
 #include "murosimf/collision/impulse_response.h"
 #include "murosimf/collision/moving_entity.h"
+#include "murosimf/model/helpers.h"
 #include "murosimf/model/properties.h"
 #include "murosimf/multibody/kinematics.h"
 #include "tests/fixtures.h"

@@ -1,0 +1,44 @@
+# murosimf_discover_suites(<target> <prefix> <environment>): after the executable of tests is built, asks it for its suites and makes
+# one test <prefix>.<Suite> of each. How many tests a suite has stands in its test's XML file in test_results (scripts/test_summary).
+# As a script (cmake -D EXECUTABLE= -D PREFIX= -D ENVIRONMENT= -D RESULTS= -D OUTPUT= -P): writes the file that ctest includes.
+
+if(NOT CMAKE_SCRIPT_MODE_FILE)
+  set(murosimf_discovery_script ${CMAKE_CURRENT_LIST_FILE})
+  function(murosimf_discover_suites target prefix environment)
+    set(output ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)
+    add_custom_command(TARGET ${target} POST_BUILD BYPRODUCTS ${output} VERBATIM
+      COMMAND ${CMAKE_COMMAND} -D EXECUTABLE=$<TARGET_FILE:${target}> -D PREFIX=${prefix} -D ENVIRONMENT=${environment}
+        -D RESULTS=${PROJECT_BINARY_DIR}/test_results/${target} -D OUTPUT=${output} -P ${murosimf_discovery_script})
+    # the file is missing where only some of the executables are built
+    set(include_file ${CMAKE_CURRENT_BINARY_DIR}/${target}_include.cmake)
+    file(CONFIGURE OUTPUT ${include_file} CONTENT
+      "if(EXISTS \"${output}\")\n  include(\"${output}\")\nelse()\n  add_test(${prefix}_NOT_BUILT ${target}_NOT_BUILT)\nendif()\n")
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${include_file})
+  endfunction()
+  return()
+endif()
+
+execute_process(COMMAND ${EXECUTABLE} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE result TIMEOUT 60)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${EXECUTABLE} does not list its tests: ${result}")
+endif()
+string(REGEX REPLACE "#[^\n]*" "" listed "${listed}")  # values of parameters
+string(REPLACE "\n" ";" lines "${listed}")
+set(suites "")
+foreach(line IN LISTS lines)
+  if(line MATCHES "^([^ ]+)\\. *$")
+    set(suite ${CMAKE_MATCH_1})
+    list(APPEND suites ${suite})
+    set(count_${suite} 0)
+  elseif(line MATCHES "^  [^ ]")
+    math(EXPR count_${suite} "${count_${suite}} + 1")
+  endif()
+endforeach()
+set(text "")
+foreach(suite IN LISTS suites)
+  string(REPLACE "/" "." file ${suite})
+  string(APPEND text "add_test([=[${PREFIX}.${suite}]=] [=[${EXECUTABLE}]=] [=[--gtest_filter=${suite}.*]=]\
+ [=[--gtest_output=xml:${RESULTS}/${file}.xml]=])\n\
+set_tests_properties([=[${PREFIX}.${suite}]=] PROPERTIES ENVIRONMENT [=[${ENVIRONMENT}]=] COST ${count_${suite}})\n")
+endforeach()
+file(WRITE ${OUTPUT} "${text}")
