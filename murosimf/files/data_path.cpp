@@ -1,10 +1,12 @@
 #include "murosimf/files/data_path.h"
 
+#include <array>
 #include <cstdlib>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "murosimf/files/allowed_files.h"
 #include "murosimf/files/files_read.h"
 #include "murosimf/files/moved_files.h"
 #include "murosimf/model/error.h"
@@ -37,7 +39,7 @@ std::optional<fs::path> look_for(std::string_view name, std::string_view kind, s
   for (const fs::path& place : places) {
     for (const fs::path& candidate : {place, fs::path(place.string() + std::string(extension))}) {
       std::error_code error;
-      if (fs::is_regular_file(candidate, error)) return candidate;
+      if (may_be_read(candidate) && fs::is_regular_file(candidate, error)) return candidate;
     }
   }
   return std::nullopt;
@@ -58,12 +60,22 @@ std::optional<std::filesystem::path> look_for_data_file(std::string_view name, s
   if (const MovedFiles* moved = MovedFiles::now()) {
     const fs::path folder = beside.empty() ? beside : moved->to_there(fs::absolute(beside).lexically_normal());
     if (const std::string* found = moved->found(look_up_key(name, kind, extension, folder))) {
-      return found->empty() ? std::nullopt : std::optional(moved->to_here(*found));
+      const fs::path here = found->empty() ? fs::path{} : moved->to_here(*found);
+      return here.empty() || !may_be_read(here) ? std::nullopt : std::optional(here);
     }
   }
   const std::optional<fs::path> found = look_for(name, kind, extension, beside);
   note_name_found(look_up_key(name, kind, extension, beside), found.value_or(fs::path{}));
   return found;
+}
+
+std::vector<std::filesystem::path> program_folders() {
+  constexpr std::array kinds{"buses", "examples", "lenses", "models", "motions", "parts", "scenes", "servos"};
+  std::vector<fs::path> folders;
+  for (const fs::path& root : data_roots()) {
+    for (const char* kind : kinds) folders.push_back(root / kind);
+  }
+  return folders;
 }
 
 std::vector<std::string> data_file_names(std::string_view kind, std::string_view extension) {

@@ -12,7 +12,7 @@ namespace murosimf::files {
 /// The file that `name` means. Tried in this order: the name as it is; the name in `beside`; the name, alone and in the
 /// folder `kind` ("lenses", "models", "parts", "scenes", "servos"), in the folder that MUROSIMF_DATA names, in
 /// share/murosimf of the installation, and in the source tree. Every place is tried with `extension` appended too.
-/// Throws SetupError.
+/// What this thread may not read (allowed_files.h) is not found. Throws SetupError.
 [[nodiscard]] std::filesystem::path find_data_file(std::string_view name, std::string_view kind,
                                                    std::string_view extension,
                                                    const std::filesystem::path& beside = {});
@@ -21,6 +21,9 @@ namespace murosimf::files {
 [[nodiscard]] std::optional<std::filesystem::path> look_for_data_file(std::string_view name, std::string_view kind,
                                                                       std::string_view extension,
                                                                       const std::filesystem::path& beside = {});
+
+/// The folders with files that come with the program, also those that are not there.
+[[nodiscard]] std::vector<std::filesystem::path> program_folders();
 
 /// What can be named without a path: the files of a kind in the folders above, without extension, in alphabetical
 /// order.

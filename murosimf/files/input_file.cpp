@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/files/allowed_files.h"
 #include "murosimf/files/file_pointer.h"
 #include "murosimf/files/files_read.h"
 #include "murosimf/files/xml_element.h"
@@ -40,6 +41,7 @@ std::string bytes_of(std::FILE* stream, std::uintmax_t most) {
 }  // namespace
 
 std::uintmax_t check_input_file(const std::filesystem::path& file, std::uintmax_t most) {
+  if (!may_be_read(file)) refuse_input(file, "this file is in none of the folders that may be read here");
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) refuse_input(file, "there is no such file");

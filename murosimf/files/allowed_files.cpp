@@ -1,0 +1,79 @@
+#include "murosimf/files/allowed_files.h"
+
+#include <algorithm>
+#include <system_error>
+
+namespace murosimf::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+thread_local const AllowedFiles* limit_of_thread = nullptr;
+
+/// Without looking at the disk; empty if it has no name.
+fs::path named(const fs::path& path) {
+  std::error_code error;
+  return path.empty() ? fs::path{} : fs::absolute(path, error).lexically_normal();
+}
+
+/// Where links and `..` lead; empty if that cannot be told.
+fs::path real(const fs::path& path) {
+  std::error_code error;
+  const fs::path found = fs::weakly_canonical(path, error);
+  return error ? fs::path{} : found;
+}
+
+bool is_hidden(const fs::path& part) { return part.native().starts_with('.'); }
+
+/// Below the folder; `path` and `folder` are absolute and normal.
+bool is_inside(const fs::path& path, const fs::path& folder) {
+  const fs::path below = path.lexically_relative(folder);
+  return !below.empty() && below != "." && std::ranges::none_of(below, is_hidden);
+}
+
+bool is_in_any(const fs::path& path, const std::vector<fs::path>& folders, const std::vector<fs::path>& files) {
+  const auto holds = [&](const fs::path& folder) { return is_inside(path, folder); };
+  return std::ranges::find(files, path) != files.end() || std::ranges::any_of(folders, holds);
+}
+
+/// A folder's name may end with a slash, which would be a part of its own.
+fs::path without_slash(const fs::path& folder) { return folder.has_filename() ? folder : folder.parent_path(); }
+
+bool has_control_characters(const fs::path& path) {
+  return std::ranges::any_of(path.native(), [](unsigned char c) { return c < ' ' || c == 0x7f; });
+}
+
+}  // namespace
+
+AllowedFiles::AllowedFiles(const std::vector<fs::path>& folders, const std::vector<fs::path>& files) {
+  std::error_code error;
+  for (const fs::path& folder : folders) {
+    if (!fs::is_directory(folder, error)) continue;
+    const fs::path there = real(folder);
+    folders_.push_back(without_slash(there));
+    named_folders_.push_back(without_slash(named(folder)));
+    named_folders_.push_back(without_slash(there));
+  }
+  for (const fs::path& file : files) {
+    if (!fs::is_regular_file(file, error)) continue;
+    files_.push_back(real(file));
+    named_files_.push_back(named(file));
+    named_files_.push_back(files_.back());
+  }
+}
+
+bool AllowedFiles::allows(const fs::path& file) const {
+  if (file.empty() || has_control_characters(file)) return false;
+  if (!is_in_any(named(file), named_folders_, named_files_)) return false;  // not looked for
+  return is_in_any(real(file), folders_, files_);
+}
+
+OnlyAllowed::OnlyAllowed(const AllowedFiles* allowed) : before_(limit_of_thread) {
+  if (allowed) limit_of_thread = allowed;
+}
+
+OnlyAllowed::~OnlyAllowed() { limit_of_thread = before_; }
+
+bool may_be_read(const fs::path& file) { return !limit_of_thread || limit_of_thread->allows(file); }
+
+}  // namespace murosimf::files
