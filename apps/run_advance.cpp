@@ -65,7 +65,7 @@ void RunAdvance::run_steered(Steering& steering) {
                                     .tell_of_overruns = tell,
                                     .record = outputs_.record_switch(),
                                     .no_way_back = no_way_back(options_)});
-  steering.begin(session, options_, outputs_);
+  steering.begin(session, scene_, options_, outputs_);
   struct AtEnd {  // also if software crashes
     Steering& steering;
     ~AtEnd() { steering.leave(); }

@@ -71,6 +71,7 @@ void check(const RunOptions& options) {
   if (options.duration) (void)read_duration(*options.duration);
   check(options.record, !options.supervision.where.empty());
   check(options.web);
+  check(options.supervision);
   if (options.no_cameras && std::ranges::find(options.record.what, "pictures") != options.record.what.end()) {
     throw SetupError("--record-what pictures: --no-cameras lets nothing be drawn for cameras");
   }

@@ -27,6 +27,8 @@ class RunOutputs {
               const connect::DrawingBoard* others);
   /// When the scene is initialized: what is read from now on is none of its files.
   void scene_is_read() { files_.stop(); }
+  /// Those that were.
+  [[nodiscard]] const std::vector<std::filesystem::path>& files_read() const { return files_.list(); }
   /// When a state is loaded, if one is.
   void begin();
 

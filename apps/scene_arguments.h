@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct SceneArguments {
   std::optional<std::int64_t> seed;  ///< from 0
   std::vector<std::string> overrides, events, pushes, plugins;
   bool lenient = false, libraries = false;
+  std::shared_ptr<const files::AllowedFiles> only_from{};  ///< SceneOptions::only_from
 };
 
 inline constexpr const char* scene_meaning = "Scene file (TOML), or the name of one that comes with the program";

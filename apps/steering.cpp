@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "apps/last_words.h"
 #include "murosimf/model/error.h"
+#include "murosimf/scene/outside_scene.h"
 
 namespace murosimf::app {
 namespace {
@@ -27,10 +29,13 @@ std::int64_t seed_of(std::uint64_t seed) {
 
 }  // namespace
 
-void Steering::begin(session::Session& session, const RunOptions& options, RunOutputs& outputs) {
+void Steering::begin(session::Session& session, const scene::Scene& scene, const RunOptions& options,
+                     RunOutputs& outputs) {
   options_ = &options;
   outputs_ = &outputs;
   if (supervision_) return supervision_->steer(session);
+  const std::vector<std::string>& folders = options.supervision.folders;
+  allowed_ = scene::files_of_run(scene, {folders.begin(), folders.end()}, outputs.files_read());
   supervision_ = supervision_of(session, options.supervision,
                                 {.save = [this](scene::Scene& scene) { return outputs_->state_of(scene); },
                                  .exchange = [this](const supervise::SceneWish& wish) { exchange(wish); }});
@@ -47,9 +52,18 @@ void Steering::exchange(const supervise::SceneWish& wish) {
     throw SetupError(fmt::format("the run keeps its scene: {}", reason));
   }
   const RunOptions options = options_for(wish);
-  scene::Scene scene(options.scene.file, scene_options_of(options));
-  check_serial(scene.spec(), options.serial);
-  scene.simulation().initialize();
+  const scene::SceneOptions scene_options = scene_options_of(options);
+  const auto build = [&] {
+    scene::Scene scene(options.scene.file, scene_options);
+    check_serial(scene.spec(), options.serial);
+    scene.simulation().initialize();
+  };
+  try {
+    scene::for_outside(options.scene.file, scene_options, build);
+  } catch (const scene::OutsideError& error) {
+    say_warning(fmt::format("a supervisor's scene was refused: {}", error.whole()));
+    throw;
+  }
   next_ = wish;
 }
 
@@ -62,6 +76,7 @@ RunOptions Steering::options_for(const supervise::SceneWish& wish) const {
   options.scene.events.clear();
   options.scene.pushes.clear();
   options.scene.plugins.clear();  // they are loaded
+  options.scene.only_from = allowed_;
   options.duration.reset();
   options.from.clear();
   options.supervision.paused = wish.paused;

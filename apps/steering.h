@@ -6,6 +6,7 @@
 
 #include "apps/run_options.h"
 #include "apps/run_outputs.h"
+#include "murosimf/files/allowed_files.h"
 #include "murosimf/supervise/supervision.h"
 
 namespace murosimf::app {
@@ -15,7 +16,7 @@ class Steering {
   explicit Steering(const RunOptions& options) : first_(options) {}
 
   /// They steer this one from now on, which has these options and outputs, until leave(). Throws SetupError.
-  void begin(session::Session& session, const RunOptions& options, RunOutputs& outputs);
+  void begin(session::Session& session, const scene::Scene& scene, const RunOptions& options, RunOutputs& outputs);
   void leave();
 
   /// Whether another run follows.
@@ -28,6 +29,7 @@ class Steering {
   [[nodiscard]] RunOptions options_for(const supervise::SceneWish& wish) const;
 
   const RunOptions& first_;
+  std::shared_ptr<const files::AllowedFiles> allowed_;  ///< that scenes of supervisors may be made of
   const RunOptions* options_ = nullptr;
   RunOutputs* outputs_ = nullptr;
   std::optional<supervise::SceneWish> next_;

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "apps/command.h"
 #include "murosimf/supervise/supervision.h"
@@ -10,12 +11,16 @@
 namespace murosimf::app {
 
 struct SupervisionArguments {
-  std::string where;    ///< [HOST:]PORT; empty: nobody steers
-  bool paused = false;  ///< at the beginning
+  std::string where;                 ///< [HOST:]PORT; empty: nobody steers
+  bool paused = false;               ///< at the beginning
+  std::vector<std::string> folders;  ///< of scenes and models that supervisors may choose, too
 };
 
 /// The option that says where.
 Option add_supervision(const Command& command, SupervisionArguments& arguments);
+
+/// Throws SetupError: there is no such folder.
+void check(const SupervisionArguments& arguments);
 
 /// Says where supervisors connect, and by which token. `options`: what else they may. Null if nobody steers. Throws SetupError, with
 /// the option.

@@ -64,6 +64,15 @@ geometry::TriangleMesh visual_triangles(const VisualMesh& mesh) {
   return triangles;
 }
 
+std::vector<std::string> visual_files(const Model& model) {
+  std::vector<std::string> files;
+  for (int object = 0; object < model.size(); ++object) {
+    const Visuals* visuals = model.find(properties::visuals, object);
+    for (const VisualMesh& visual : visuals ? *visuals : Visuals{}) files.push_back(visual.file);
+  }
+  return files;
+}
+
 Appearance appearance_of(const Model& model, std::size_t most) {
   Appearance appearance;
   for (int object = 0; object < model.size(); ++object) {

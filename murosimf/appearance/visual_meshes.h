@@ -14,6 +14,9 @@ namespace murosimf::appearance {
 /// mesh file, line if there is one, what is wrong, what to do.
 [[nodiscard]] geometry::TriangleMesh visual_triangles(const VisualMesh& mesh);
 
+/// The files of all meshes for the eye of a model, one for each use.
+[[nodiscard]] std::vector<std::string> visual_files(const Model& model);
+
 /// Triangles of one color that move with an object.
 struct SeenMesh {
   int object = 0;               ///< of the model

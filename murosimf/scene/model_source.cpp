@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/appearance/visual_meshes.h"
+#include "murosimf/files/allowed_files.h"
 #include "murosimf/files/data_path.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
@@ -28,6 +30,15 @@ std::string owners_of(const std::vector<scene_file::PropertySetting>& settings) 
   return fmt::format("{}", fmt::join(settings[0].entities, ", "));
 }
 
+/// Meshes for the eye are read later, when somebody looks.
+void check_visuals(const Model& model) {
+  for (const std::string& file : appearance::visual_files(model)) {
+    if (files::may_be_read(file)) continue;
+    throw SetupError(
+        fmt::format("{}: this mesh of model '{}' is in none of the folders that may be read here", file, model.name()));
+  }
+}
+
 }  // namespace
 
 const RobotKind& ModelSource::robot(const std::string& name, const std::string& where) {
@@ -38,6 +49,7 @@ const RobotKind& ModelSource::robot(const std::string& name, const std::string& 
   auto kind = assets_.robot(file, lenient_);
   remarks_.warn(kind->warnings);
   check_materials(*kind->model);
+  check_visuals(*kind->model);
   known = std::move(kind);
   return *known;
 }

@@ -11,13 +11,18 @@
 #include "murosimf/scene/scene_presence.h"
 #include "murosimf/scene/scene_start.h"
 #include "murosimf/scene/scene_state.h"
+#include "murosimf/scene_file/outside_override.h"
 #include "murosimf/scene_file/scene_change.h"
 
 namespace murosimf::scene {
 namespace {
 
 scene_file::SceneSpec read(const std::filesystem::path& name, const SceneOptions& options) {
+  const files::OnlyAllowed only(options.only_from.get());
   const auto file = files::find_data_file(name.string(), "scenes", ".toml");
+  if (options.only_from) {
+    for (const std::string& text : options.overrides) scene_file::check_outside_override(text, file.parent_path());
+  }
   return scene_file::read_scene(file, options.overrides, options.events, options.pushes);
 }
 
@@ -32,6 +37,7 @@ Scene::Scene(const std::filesystem::path& name, const SceneOptions& options) : S
 
 Scene::Scene(scene_file::SceneSpec spec, const SceneOptions& options)
     : parts_(with_seed(std::move(spec), options), options.threads) {
+  const files::OnlyAllowed only(options.only_from.get());
   parts_.simulation->use_lanes(options.lanes);
   build(parts_, options);
 }

@@ -70,6 +70,7 @@ void finish(SceneParts& parts, Entity& entity) {
 }  // namespace
 
 Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
+  const files::OnlyAllowed only(parts.only_from.get());
   parts.simulation->initialize();
   check_team(parts.spec, robot);
   ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.remarks);
@@ -98,6 +99,7 @@ Entity& add(SceneParts& parts, scene_file::RobotSpec robot) {
 Entity& add(SceneParts& parts, scene_file::BodySpec body) {
   if (body.is_static)
     throw SetupError(fmt::format("'{}' is static: it is part of the field from the start", body.name));
+  const files::OnlyAllowed only(parts.only_from.get());
   parts.simulation->initialize();
   ModelSource models(parts.spec, *parts.assets, parts.lenient, parts.remarks);
   const EntitySpec kind = body_entity(models, body);

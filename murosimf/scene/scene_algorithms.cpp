@@ -48,11 +48,13 @@ catalog::ControllerOptions controller_options(const SceneParts& parts, const sce
   return options;
 }
 
-/// Reading a file runs no code that it names, unless somebody says so: on the command line, or a program.
+/// Reading a file runs no code that it names, unless somebody says so: on the command line, or a program. Who asks over a network
+/// writes no command line.
 void refuse_library_of_file(const SceneParts& parts, const scene_file::RobotSpec& robot) {
   const auto given = robot.given.find("library");
-  const bool by_file = given != robot.given.end() && !given->second.where.starts_with("--set");
-  if (parts.libraries || !by_file) return;
+  const bool by_command_line =
+      given != robot.given.end() && given->second.where.starts_with("--set") && !parts.only_from;
+  if (parts.libraries || given == robot.given.end() || by_command_line) return;
   throw SetupError(fmt::format(
       "{}: this file has control software loaded, '{}', which may do what it likes; if you trust it: --libraries",
       given->second.where, robot.library));

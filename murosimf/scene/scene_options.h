@@ -9,6 +9,7 @@
 
 #include "murosimf/connect/outside_notes.h"
 #include "murosimf/connect/tcp_server.h"
+#include "murosimf/files/allowed_files.h"
 #include "murosimf/runtime/simulation.h"
 
 namespace murosimf::scene {
@@ -33,7 +34,10 @@ struct SceneOptions {
       software{};                    ///< where control software of the controller "tcp" comes in; null: nowhere
   connect::OutsideWorld outside{};   ///< what is done with all that comes from outside
   std::shared_ptr<Assets> assets{};  ///< that it shares with other scenes; null: its own
-  StopRequest stop{};                ///< ends runs of the simulation early (Simulation::stop_if)
+  /// Who asks for it comes over a network (outside_scene.h): it is made of these files alone, overrides are those that may come from
+  /// there, and none of them has software loaded. Null: whoever asks may name any file.
+  std::shared_ptr<const files::AllowedFiles> only_from{};
+  StopRequest stop{};  ///< ends runs of the simulation early (Simulation::stop_if)
 };
 
 }  // namespace murosimf::scene

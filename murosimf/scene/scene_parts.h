@@ -10,6 +10,7 @@
 
 #include "murosimf/connect/crash_note.h"
 #include "murosimf/connect/tcp_server.h"
+#include "murosimf/files/allowed_files.h"
 #include "murosimf/runtime/path_recorder.h"
 #include "murosimf/runtime/simulation.h"
 #include "murosimf/scene/remarks.h"
@@ -90,6 +91,8 @@ struct SceneParts {
   std::shared_ptr<Assets> assets;                ///< for robots that come later
   bool lenient = false;                          ///< of their files: unknown elements are warnings
   StartOfScene at_start;
+  /// SceneOptions::only_from
+  std::shared_ptr<const files::AllowedFiles> only_from{};
   std::unique_ptr<CameraRenderer> cameras;  ///< null: nothing is drawn for them
   int changes_to_see = 0;  ///< so far, of what renderers have taken over: light, shapes, colors, who is there
 };

@@ -22,8 +22,8 @@ namespace murosimf::supervise {
 
 /// Another scene that a supervisor wants in the place of the present one.
 struct SceneWish {
-  std::string scene;                   ///< as on the command line
-  std::vector<std::string> overrides;  ///< PATH=VALUE
+  std::string scene;                   ///< a name or a file; not to be trusted (scene/outside_scene.h)
+  std::vector<std::string> overrides;  ///< PATH=VALUE, likewise
   std::optional<std::uint64_t> seed;   ///< instead of the scene's
   bool paused = false;                 ///< it begins so
 };

@@ -15,6 +15,7 @@
 #include <supervision.pb.h>
 
 #include "murosimf/connect/tcp_client.h"
+#include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 #include "murosimf/supervise/requests.h"
 #include "murosimf/supervise/session_slot.h"
@@ -164,7 +165,7 @@ void Supervisor::answer(std::string_view bytes) {
   try {
     requests_.answer(request, message);
   } catch (const SetupError& error) {
-    message.mutable_refused()->set_reason(error.what());
+    message.mutable_refused()->set_reason(files::one_line(error.what()));
   }
   send(connection_, message);
   connection_.flush_until(after(patience_));

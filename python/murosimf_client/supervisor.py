@@ -126,8 +126,9 @@ class Supervisor:
         return self.load(pathlib.Path(file).read_bytes())
 
     def load_scene(self, scene, overrides=(), seed=None, paused=True):
-        """Another scene in the place of the present one, whose run ends without results: a file of the simulator's computer, or
-        the name of one that comes with the program; `overrides`: "PATH=VALUE" as of --set. Other supervisors stay, too."""
+        """Another scene in the place of the present one, whose run ends without results: the name of one that comes with the
+        program, or a file in the folders that the run was started with; `overrides`: "PATH=VALUE" as of --set, those that
+        docs/supervise.md lists. Other supervisors stay, too."""
         self._meet(self._ask(supervision.load_scene(str(scene), list(overrides), seed, paused), supervision.Welcome))
 
     def finish(self):

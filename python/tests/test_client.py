@@ -411,6 +411,17 @@ class Supervising(unittest.TestCase):
                 supervisor.load_scene("nosuch")
             with self.assertRaisesRegex(RequestRefused, "wolker"):
                 supervisor.load_scene("walk", ["wolker.level=full_dynamics"])
+            with tempfile.TemporaryDirectory() as elsewhere:
+                robot = '[[robots]]\nname = "robot"\nmodel = "kid21"\n'
+                for name, text in (("scene.toml", robot), ("secret.toml", 'key = "CANARY"\n')):
+                    with open(os.path.join(elsewhere, name), "w", encoding="utf-8") as file:
+                        file.write(text)
+                    with self.assertRaisesRegex(RequestRefused, "no file") as refused:
+                        supervisor.load_scene(os.path.join(elsewhere, name))
+                    self.assertNotIn("CANARY", str(refused.exception))
+                for settings in (["walker.library=" + elsewhere], ["walker.controller=library"], ["walker.model=" + elsewhere]):
+                    with self.assertRaisesRegex(RequestRefused, "walker"):
+                        supervisor.load_scene("walk", settings)
             self.assertEqual(supervisor.advance(0.1).time, 4 * 10**8)
             files = len(os.listdir(f"/proc/{run.process.pid}/fd"))
             for _ in range(5):

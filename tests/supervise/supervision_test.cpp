@@ -388,6 +388,14 @@ TEST(Supervision, StaysWhileRunsFollowEachOther) {
   first.supervision->leave();
 }
 
+TEST(Supervision, RefusesInOneLine) {
+  SupervisedRun run;
+  Client client(run, run.supervision->token());
+  const auto answer =
+      client.ask([](FromSupervisor& m) { m.mutable_change()->add_changes("a = 1\nwalker.library = b"); });
+  EXPECT_TRUE(says(answer.refused().reason(), {"a = 1 walker.library = b"}));
+}
+
 TEST(Supervision, KeepsItsSceneWhereNobodyExchangesIt) {
   SupervisedRun run;
   Client client(run, run.supervision->token());
