@@ -26,11 +26,12 @@ std::string_view without_port(std::string_view host) {
   return host.substr(0, host.find(':'));
 }
 
-/// "http://localhost:8888" and what programs that are made as pages call themselves.
-bool is_own(std::string_view origin) {
+/// A page of this server, not of another one on this computer; and what programs that are made as pages call themselves.
+bool is_own(const Visitor& visitor) {
+  const std::string_view origin = visitor.origin;
   if (origin.empty() || origin == "file://") return true;
   for (const std::string_view scheme : {"http://", "https://"}) {
-    if (origin.starts_with(scheme)) return is_loopback(origin.substr(scheme.size()));
+    if (origin.starts_with(scheme)) return origin.substr(scheme.size()) == visitor.host;
   }
   return false;
 }
@@ -45,7 +46,7 @@ bool is_loopback(std::string_view host) {
 
 bool may_enter(const AccessRules& rules, const Visitor& visitor) {
   if (!rules.token.empty() && equal(rules.token, visitor.token)) return true;
-  return rules.loopback && is_loopback(visitor.host) && is_own(visitor.origin);
+  return rules.loopback && is_loopback(visitor.host) && is_own(visitor);
 }
 
 std::string new_token() {

@@ -50,6 +50,12 @@ void close_with(lws* wsi, lws_close_status status, std::string_view why) {
   lws_close_reason(wsi, status, bytes.data(), size);
 }
 
+constexpr unsigned most_connections = 256;  // those that have asked for nothing yet, too
+
+/// No page puts this one into a frame, where its visitors would click without knowing; and this one shows nothing of others.
+constexpr std::string_view page_policy =
+    "frame-ancestors 'none'; base-uri 'none'; form-action 'none'; object-src 'none'";
+
 constexpr std::string_view wrong_token = "This needs the whole address that was printed, with its token.\n";
 
 }  // namespace
@@ -118,6 +124,7 @@ Server::Inside::Inside(Options what) : options(std::move(what)) {
   info.user = this;
   info.gid = static_cast<decltype(info.gid)>(-1);
   info.uid = static_cast<decltype(info.uid)>(-1);
+  info.fd_limit_per_thread = most_connections;
   context = lws_create_context(&info);
   if (!context) throw SetupError(fmt::format("{}: the server cannot start", to_text(address)));
   timer.owner = this;
@@ -189,7 +196,7 @@ int Server::Inside::get(lws* wsi, Client& client, std::string_view path) {
   for (const auto& [name, answer] : options.pages) {
     if (name != path) continue;
     client.answer = &answer;
-    std::array<unsigned char, LWS_PRE + 1024> head{};
+    std::array<unsigned char, LWS_PRE + 2048> head{};
     unsigned char *begin = head.data() + LWS_PRE, *at = begin, *end = head.data() + head.size();
     const auto add = [&](const char* key, std::string_view value) {
       return lws_add_http_header_by_name(wsi, reinterpret_cast<const unsigned char*>(key),
@@ -198,8 +205,9 @@ int Server::Inside::get(lws* wsi, Client& client, std::string_view path) {
     };
     if (lws_add_http_common_headers(wsi, HTTP_STATUS_OK, answer.type.c_str(), answer.bytes.size(), &at, end) != 0 ||
         (answer.gzip && add("content-encoding:", "gzip")) || add("cache-control:", "no-store") ||
-        add("x-content-type-options:", "nosniff") || add("referrer-policy:", "no-referrer") ||
-        lws_finalize_write_http_header(wsi, begin, &at, end) != 0) {
+        add("content-security-policy:", page_policy) || add("x-frame-options:", "DENY") ||
+        add("cross-origin-resource-policy:", "same-origin") || add("x-content-type-options:", "nosniff") ||
+        add("referrer-policy:", "no-referrer") || lws_finalize_write_http_header(wsi, begin, &at, end) != 0) {
       return -1;
     }
     lws_callback_on_writable(wsi);

@@ -11,7 +11,15 @@ const AccessRules anywhere{.loopback = false, .token = "0123456789abcdef"};
 TEST(Entry, ProgramsAndOwnPagesOnThisComputer) {
   EXPECT_TRUE(may_enter(loopback, {.host = "127.0.0.1:8080", .origin = {}, .token = {}}));
   EXPECT_TRUE(may_enter(loopback, {.host = "localhost:8080", .origin = "http://localhost:8080", .token = {}}));
-  EXPECT_TRUE(may_enter(loopback, {.host = "[::1]:8080", .origin = "http://[::1]:8888", .token = {}}));
+  EXPECT_TRUE(may_enter(loopback, {.host = "[::1]:8080", .origin = "http://[::1]:8080", .token = {}}));
+}
+
+TEST(Entry, PagesOfOtherServersOnThisComputerNeedTheToken) {
+  for (const char* origin :
+       {"http://localhost:3000", "http://127.0.0.1:8081", "http://127.0.0.1", "https://localhost"}) {
+    EXPECT_FALSE(may_enter(loopback, {.host = "localhost:8080", .origin = origin, .token = {}})) << origin;
+    EXPECT_TRUE(may_enter(loopback, {.host = "localhost:8080", .origin = origin, .token = loopback.token})) << origin;
+  }
 }
 
 TEST(Entry, PagesFromElsewhereNeedTheToken) {

@@ -40,6 +40,8 @@ class Page(unittest.TestCase):
             page = gzip.decompress(body).decode() if headers["Content-Encoding"] == "gzip" else body.decode()
             self.assertIn("<canvas", page)
             self.assertNotRegex(page, r'(src|href)="https?:')
+            self.assertIn("frame-ancestors 'none'", headers["Content-Security-Policy"])
+            self.assertEqual(headers["X-Frame-Options"], "DENY")
 
     def test_other_paths_and_methods(self):
         with Run(PROGRAM, "walk") as run:
@@ -63,6 +65,9 @@ class Entry(unittest.TestCase):
                 Client(run.port, path="/?token=wrong", headers=["Origin: https://evil.example"])
             Client(run.port, path=f"/?token={run.token}", headers=["Origin: https://app.foxglove.dev"]).close()
             Client(run.port, headers=[f"Origin: http://127.0.0.1:{run.port}"]).close()
+            for other in (f"http://localhost:{run.port}", "http://127.0.0.1:3000"):
+                with self.assertRaises(Refused):
+                    Client(run.port, headers=[f"Origin: {other}"])
 
     def test_other_computers_need_the_token(self):
         with Run(PROGRAM, "walk", web="0.0.0.0:0") as run:
