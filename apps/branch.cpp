@@ -5,7 +5,9 @@
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/repeat_arguments.h"
+#include "apps/results.h"
 #include "apps/standard_output.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/series/branches.h"
@@ -47,7 +49,7 @@ std::optional<Duration> time_of(const char* option, const std::optional<double>&
 
 int branch(const BranchArguments& arguments) {
   check_json_file(arguments.json);
-  if (!arguments.csv.empty()) files::check_writable(arguments.csv);
+  if (!arguments.csv.empty()) files::claim_output("--csv", arguments.csv);
   load_plugins(arguments.how.plugins);
   const recording::RecordedRun run(arguments.file);
   check_plugins(run, arguments.how);
@@ -57,10 +59,11 @@ int branch(const BranchArguments& arguments) {
                                                        .changes = arguments.changes,
                                                        .results = arguments.results,
                                                        .repeat = options_of(arguments.how)});
-  write_result(arguments.json, to_text(result), to_json(result));
-  if (!arguments.csv.empty()) files::write_file(arguments.csv, to_csv(result));
+  Results results;
+  results.write([&] { write_result(arguments.json, to_text(result), to_json(result)); });
+  if (!arguments.csv.empty()) results.write([&] { files::write_file(arguments.csv, to_csv(result)); });
   if (result.stopped) say_error(fmt::format("stopped by {}; branches that had not ended are missing", signal_name()));
-  return result.stopped ? exit_code() : 0;
+  return results.exit_code(result.stopped ? exit_code() : 0);
 }
 
 }  // namespace

@@ -7,12 +7,14 @@
 
 #include "apps/command_line.h"
 #include "apps/last_words.h"
+#include "apps/results.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/appearance/robot_picture.h"
 #include "murosimf/check/model_report.h"
 #include "murosimf/check/robot_checks.h"
 #include "murosimf/files/data_path.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/role_inference.h"
@@ -71,7 +73,7 @@ int report_unreadable(const CheckOptions& options, const SetupError& error) {
 }
 
 /// A TOML file that is there already has somebody's work in it.
-void write_roles(const std::filesystem::path& file, const robot::RobotFile& robot) {
+void check_roles(const std::filesystem::path& file, const robot::RobotFile& robot) {
   std::error_code none;
   if (std::filesystem::exists(std::filesystem::path(robot.description.file).replace_extension(".toml"), none)) {
     throw SetupError(
@@ -80,27 +82,33 @@ void write_roles(const std::filesystem::path& file, const robot::RobotFile& robo
   if (std::filesystem::is_regular_file(file, none)) {
     throw SetupError(fmt::format("--roles '{}': it is there already; choose another name", file.string()));
   }
-  files::write_file(file, robot::roles_toml(robot.description, robot.table));
 }
 
 int show(const CheckOptions& options, const Reading& reading) {
   const auto& [robot, error] = reading;
   auto findings = check::examine(robot);
   if (error) findings.insert(findings.begin(), check::make_finding(check::Severity::error, *error));
-  if (!options.roles.empty()) write_roles(options.roles, robot);
+  if (!options.roles.empty()) check_roles(options.roles, robot);
   const auto is_error = [](const check::Finding& finding) { return finding.severity == check::Severity::error; };
   const bool wrong = std::ranges::any_of(findings, is_error);
   const check::ModelReport report = check::make_report(*robot.model, std::move(findings), robot.sensors);
-  write_result(options.json, check::to_text(report), check::to_json(report));
+  Results results;
+  if (!options.roles.empty()) {
+    results.write([&] { files::write_file(options.roles, robot::roles_toml(robot.description, robot.table)); });
+  }
+  results.write([&] { write_result(options.json, check::to_text(report), check::to_json(report)); });
   // the last, since not every machine can draw
-  if (!options.picture.empty()) files::write_file(options.picture, appearance::robot_picture_png(robot.description));
-  return wrong ? 1 : 0;
+  if (!options.picture.empty()) {
+    results.write([&] { files::write_file(options.picture, appearance::robot_picture_png(robot.description)); });
+  }
+  return results.exit_code(wrong ? 1 : 0);
 }
 
 int check(const CheckOptions& options) {
   load_plugins(options.plugins);
   check_json_file(options.json);
-  if (!options.picture.empty()) files::check_writable(options.picture);
+  if (!options.picture.empty()) claim_picture("--picture", options.picture);
+  if (!options.roles.empty()) files::claim_output("--roles", options.roles);
   const auto file = files::find_data_file(options.model, "models", ".xml");
   std::optional<Reading> reading;
   try {

@@ -7,6 +7,7 @@
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/progress.h"
+#include "apps/results.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/compare/compare_report.h"
@@ -64,10 +65,15 @@ int compare(const CompareArguments& arguments) {
   progress.reset();
   if (comparison.stopped) say_error(fmt::format("stopped by {}; what had not ended is missing", signal_name()));
   const compare::Recommendation recommendation = compare::recommend(comparison, thresholds);
-  write_result(arguments.json, compare::to_text(comparison, recommendation),
-               compare::to_json(comparison, recommendation, thresholds));
-  if (!arguments.plots.empty() && !comparison.stopped) compare::write_plots(comparison, arguments.plots);
-  return comparison.stopped ? exit_code() : 0;
+  Results results;
+  results.write([&] {
+    write_result(arguments.json, compare::to_text(comparison, recommendation),
+                 compare::to_json(comparison, recommendation, thresholds));
+  });
+  if (!arguments.plots.empty() && !comparison.stopped) {
+    results.write([&] { compare::write_plots(comparison, arguments.plots); });
+  }
+  return results.exit_code(comparison.stopped ? exit_code() : 0);
 }
 
 }  // namespace

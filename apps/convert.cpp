@@ -7,6 +7,7 @@
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "murosimf/files/data_path.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/robot/robot_conversion.h"
@@ -43,14 +44,12 @@ void check_output(const fs::path& in, const fs::path& out, bool force) {
     throw SetupError(
         fmt::format("--out '{}': the name must end in .xml; a .toml file will stand beside it", out.string()));
   }
+  files::note_input(in);
+  files::claim_output("--out", out);
   std::error_code error;
-  if (fs::equivalent(in, out, error)) {
-    throw SetupError(fmt::format("--out '{}' is the file that is read; choose another name", out.string()));
-  }
   if (fs::exists(out, error) && !fs::is_directory(out, error) && !force) {
     throw SetupError(fmt::format("'{}' is there already; --force replaces it", out.string()));
   }
-  files::check_writable(out);
 }
 
 std::string fits_text(const std::vector<robot::MeshFit>& fits) {

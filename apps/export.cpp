@@ -3,6 +3,7 @@
 
 #include "apps/command_line.h"
 #include "apps/last_words.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/logging/log_csv.h"
 #include "murosimf/logging/log_npy.h"
@@ -43,7 +44,7 @@ int export_recording(const ExportOptions& options) {
   if (out.empty()) {
     throw SetupError("say where it goes: --csv FILE.csv or --npy FILE.npy for numbers, or --bvh FILE.bvh for a motion");
   }
-  files::check_writable(out);
+  files::claim_output(options.csv.empty() ? options.npy.empty() ? "--bvh" : "--npy" : "--csv", out);
   const recording::McapReader file(options.file);
   if (!file.contents().damage.empty()) say_warning(fmt::format("{}: {}", options.file, file.contents().damage));
   if (!options.bvh.empty()) return export_motion(file, options);

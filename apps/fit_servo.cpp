@@ -10,9 +10,11 @@
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "apps/progress.h"
+#include "apps/results.h"
 #include "apps/servo_logs.h"
 #include "apps/standard_output.h"
 #include "murosimf/components/servo_table.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/formats/servo_log/fit_report.h"
 #include "murosimf/formats/servo_log/prior_file.h"
@@ -202,7 +204,7 @@ int fit_servo(const FitServoOptions& options) {
   identification::check_search();
   (void)identification::friction_model(options.model);
   check_json_file(options.json);
-  files::check_writable(options.out);
+  files::claim_output("--out", options.out);
   const Logs logs = formats::servo_log::read_servo_logs(options.logs);
   const Logs unseen = options.validate.empty() ? Logs{} : formats::servo_log::read_servo_logs(options.validate);
   const Task task = task_of(options, logs);
@@ -218,12 +220,15 @@ int fit_servo(const FitServoOptions& options) {
   if (!unseen.empty()) report.validated = ServoReplay(report.servo, unseen).errors();
   if (!interrupted()) report.cross_validated = foresee(task, folds, report.window_share, {.starts = options.starts});
   report.stopped = interrupted();
-  files::write_file(options.out, formats::servo_log::to_toml(report.servo));
-  write_result(options.json, formats::servo_log::to_text(report), formats::servo_log::to_json(report));
-  if (report.stopped) {
+  Results results;
+  results.write([&] { files::write_file(options.out, formats::servo_log::to_toml(report.servo)); });
+  const bool there = results.all();
+  results.write(
+      [&] { write_result(options.json, formats::servo_log::to_text(report), formats::servo_log::to_json(report)); });
+  if (report.stopped && there) {
     say_error(fmt::format("stopped by {}; '{}' is the best so far", signal_name(), options.out));
   }
-  return exit_code();
+  return results.exit_code(exit_code());
 }
 
 }  // namespace

@@ -74,6 +74,7 @@ void catch_signals() {
   handle(SIGINT);
   handle(SIGTERM);
   if (!is_ignored(SIGHUP)) handle(SIGHUP);
+  (void)std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes (ulimit -f) is an error of writing, as a full disk is
 }
 
 void end_gently() { gentle = true; }

@@ -6,6 +6,8 @@
 /// a tenth of a second (`timeout` sends two), ends the program at once. At once means: as if nobody caught it, except that
 /// half-written files are removed and programs that it has started are ended (files/leftovers.h).
 ///
+/// SIGXFSZ, which comes when a file reaches the limit of sizes (ulimit -f), is ignored: writing fails then as on a full disk.
+///
 /// The library knows nothing of signals; its loops have a `stop` that is asked (Simulation::stop_if).
 #pragma once
 

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
+#include "apps/results.h"
 #include "apps/standard_output.h"
 #include "murosimf/components/camera_info.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/imaging/lens_fit.h"
 #include "murosimf/math/scalar.h"
@@ -59,7 +61,7 @@ std::string text_of(const imaging::LensFit& fit) {
 }
 
 int lens(const LensOptions& options) {
-  if (!options.out.empty()) files::check_writable(options.out);
+  if (!options.out.empty()) files::claim_output("--out", options.out);
   const auto file = components::find_lens_file(options.file);
   components::CameraCalibration info = components::read_calibration(file);
   const imaging::Lens read(info.lens);
@@ -69,9 +71,10 @@ int lens(const LensOptions& options) {
     text += fmt::format("\nas {}\n", options.model) + text_of(imaging::Lens(fit.spec)) + text_of(fit);
     info.lens = fit.spec;
   }
-  if (!options.out.empty()) files::write_file(options.out, components::camera_info_yaml(info));
+  Results results;
+  if (!options.out.empty()) results.write([&] { files::write_file(options.out, components::camera_info_yaml(info)); });
   write_standard_output(text);
-  return 0;
+  return results.exit_code(0);
 }
 
 }  // namespace

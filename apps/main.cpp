@@ -8,6 +8,7 @@
 #include "apps/processor.h"
 #include "apps/scene_arguments.h"
 #include "murosimf/catalog/algorithm_catalog.h"
+#include "murosimf/files/file_roles.h"
 
 // All commands, in the order of --help: apps/NAME.cpp defines add_NAME.
 #define MUROSIMF_COMMANDS(COMMAND) \
@@ -60,6 +61,7 @@ int main(int argc, char** argv) {
   }
   say_last_words_of_everything();
   catch_signals();
+  const murosimf::files::FileRoles roles;
   try {
     CommandLine line;
     add_commands(line);

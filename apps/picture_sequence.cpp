@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/render/image_png.h"
@@ -32,7 +33,7 @@ PictureSequence::PictureSequence(std::filesystem::path folder, double every)
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) throw SetupError(fmt::format("cannot make the folder '{}': {}", folder_.string(), error.message()));
-  files::check_writable(file());
+  files::claim_output("--pictures", file());
 }
 
 void PictureSequence::show(scene::Scene& scene) {

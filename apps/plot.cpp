@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
+#include "apps/results.h"
 #include "murosimf/files/csv_file.h"
 #include "murosimf/logging/log_npy.h"
 #include "murosimf/logging/log_plot.h"
@@ -41,8 +42,7 @@ int plot(const PlotOptions& options) {
   namespace fs = std::filesystem;
   const fs::path file = options.file;
   const fs::path picture = options.out.empty() ? fs::path(file).replace_extension(".png") : fs::path(options.out);
-  if (picture == file)
-    throw SetupError(fmt::format("'{}' is the table itself; name a picture: --out FILE.png", options.file));
+  claim_picture("--out", picture.string());
   const files::CsvTable table = table_in(file, options.patterns);
   logging::write_plot(picture, with_context(options.file, [&] {
                         return logging::plot_of(table, file.filename().string(), options.patterns);

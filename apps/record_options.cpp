@@ -8,8 +8,11 @@
 #include <fmt/format.h>
 
 #include "apps/last_words.h"
+#include "apps/results.h"
 #include "apps/version.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
+#include "murosimf/files/output_place.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
@@ -144,9 +147,9 @@ void check(const RecordOptions& options, bool somebody_asks) {
   ticks_of(options.ticks);
   span_of("--record-states", options.states);
   span_of("--keep", options.keep);
-  files::check_writable(options.file);
-  if (std::filesystem::is_other(options.file)) return;
-  files::check_writable(layout_file(options.file));
+  files::claim_output("--record", options.file);
+  if (!files::OutputPlace(options.file).is_replaced()) return;
+  files::claim_output("--record (its layout for Foxglove)", layout_file(options.file));
 }
 
 std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
@@ -171,21 +174,30 @@ bool finish(recording::Recorder& recorder, const scene::RunReport& report, const
   const bool was_good = recorder.trouble().empty();
   recorder.finish(report);
   const std::string trouble = recorder.trouble();
+  const std::filesystem::path place = recorder.file().grows_at(), aside = recorder.file().set_aside();
+  if (!aside.empty()) {
+    say_note(
+        fmt::format("'{}': this is what an earlier run had recorded that did not come to its end", aside.string()));
+  }
   if (!trouble.empty()) {
     if (was_good) say_warning("the recording has no end: " + trouble);
+    if (!place.empty() && place.extension() == ".part") {
+      say_note(fmt::format("'{}' is as it was; what was recorded is in '{}'", options.file, place.string()));
+    }
     return false;
   }
   if (!options.on.empty() && recorder.happened() == 0) {
     say_note(fmt::format("nothing of this happened: {}; nothing of the run is in '{}'", fmt::join(options.on, ", "),
                          options.file));
   }
-  if (std::filesystem::is_other(options.file)) return true;
+  if (!files::OutputPlace(options.file).is_replaced()) return true;
   std::vector<std::string> robots;
   for (const scene::EntityReport& entity : report.entities) {
     if (!entity.level.empty()) robots.push_back(entity.name);
   }
-  files::write_file(layout_file(options.file), recording::foxglove_layout(robots));
-  return true;
+  Results results;
+  results.write([&] { files::write_file(layout_file(options.file), recording::foxglove_layout(robots)); });
+  return results.all();
 }
 
 }  // namespace murosimf::app

@@ -38,7 +38,7 @@ void add_record(const Command& command, RecordOptions& options);
 /// Whether it is for others to say when it is recorded.
 [[nodiscard]] bool is_asked_for(const RecordOptions& options);
 
-/// `somebody_asks`: whether others can. Throws SetupError if the file could not be written now.
+/// `somebody_asks`: whether others can. Throws SetupError as files::claim_output.
 void check(const RecordOptions& options, bool somebody_asks);
 
 /// Null if nothing is recorded. `files`: notes what the scene is read from, until the first step, with `run` so that it can be repeated;

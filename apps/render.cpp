@@ -10,8 +10,9 @@
 #include "apps/picture_source.h"
 #include "apps/render_options.h"
 #include "apps/repeat_arguments.h"
+#include "apps/results.h"
 #include "murosimf/appearance/video_file.h"
-#include "murosimf/files/output_file.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/recording/recorded_series.h"
 #include "murosimf/render/light.h"
 #include "murosimf/scene/scene.h"
@@ -82,9 +83,10 @@ void check(const RenderOptions& options) {
   if (options.duration && time_of("--duration", *options.duration) == Duration{}) refuse_no_time();
   if (!options.light.empty()) check_light(options.light);
   if (options.video.empty()) {
-    files::check_writable(options.out);
+    claim_picture("--out", options.out);
   } else {
     appearance::check_video(options.video);
+    files::claim_output("--video", options.video);
   }
 }
 

@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
+#include "apps/last_words.h"
 #include "apps/standard_output.h"
+#include "murosimf/files/file_roles.h"
+#include "murosimf/recording/mcap/growing_file.h"
 #include "murosimf/recording/mcap/mcap_repair.h"
 
 namespace murosimf::app {
@@ -20,10 +23,13 @@ void define(const Command& command, RepairOptions& options) {
 
 int repair(const RepairOptions& options) {
   const std::string out = options.out.empty() ? options.file : options.out;
+  if (!options.out.empty()) files::claim_output("--out", options.out);
   const recording::RepairReport report = recording::repair(options.file, out);
-  write_standard_output(fmt::format("{}\n'{}' is whole: {} messages up to {:.3f} s\n",
-                                    report.damage.empty() ? "nothing was wrong" : report.damage, out, report.messages,
-                                    report.last_time));
+  std::string text = fmt::format("{}\n", report.damage.empty() ? "nothing was wrong" : report.damage);
+  if (!report.other_run.empty()) text += report.other_run + "; the first one is written\n";
+  text += fmt::format("'{}' is whole: {} messages up to {:.3f} s\n", out, report.messages, report.last_time);
+  write_standard_output(text);
+  if (const std::string remark = recording::remark_on_part(options.file); !remark.empty()) say_note(remark);
   return 0;
 }
 

@@ -6,11 +6,13 @@
 #include "apps/last_words.h"
 #include "apps/option_values.h"
 #include "apps/repeat_arguments.h"
+#include "apps/results.h"
 #include "apps/standard_output.h"
 #include "apps/web_arguments.h"
 #include "murosimf/connect/drawing_board.h"
 #include "murosimf/model/time.h"
 #include "murosimf/playback/recorded_course.h"
+#include "murosimf/recording/mcap/growing_file.h"
 
 namespace murosimf::app {
 namespace {
@@ -73,18 +75,23 @@ int replay(const ReplayOptions& options) {
   if (!file.contents().damage.empty()) {
     say_warning(fmt::format("{}: {}; 'murosimf repair' mends it", options.file, file.contents().damage));
   }
+  if (!file.contents().other_run.empty()) say_warning(fmt::format("{}: {}", options.file, file.contents().other_run));
+  if (const std::string remark = recording::remark_on_part(options.file); !remark.empty()) say_note(remark);
+  Results results;
   if (!options.web.web.empty() || !options.web.html.empty()) {
     end_gently();
     const RepeatArguments arguments{.plugins = options.plugins};
     const auto run = recorded_run_of(options.file, arguments);
-    if (!options.web.html.empty()) write_html(run, options_of(arguments), options.web);
+    if (!options.web.html.empty()) results.write([&] { write_html(run, options_of(arguments), options.web); });
     if (!options.web.web.empty()) show_in_browsers(run, options_of(arguments), options);
   }
   const std::string text = recording::attached_text(file, "report.txt"),
                     json = recording::attached_text(file, "report.json");
   const std::string missing = "there is no report in it: its run did not come to its end\n";
-  write_result(options.json, summary(file) + "\n" + (text.empty() ? missing : text), json.empty() ? "null\n" : json);
-  return exit_code();
+  results.write([&] {
+    write_result(options.json, summary(file) + "\n" + (text.empty() ? missing : text), json.empty() ? "null\n" : json);
+  });
+  return results.exit_code(exit_code());
 }
 
 }  // namespace

@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 
 #include "apps/command_line.h"
+#include "apps/results.h"
 #include "apps/servo_logs.h"
 #include "apps/standard_output.h"
-#include "murosimf/files/output_file.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/formats/servo_log/fit_report.h"
 #include "murosimf/formats/servo_log/servo_log_reader.h"
 #include "murosimf/logging/plot.h"
@@ -41,7 +42,7 @@ void check_plots(const std::string& folder, const std::vector<ServoLog>& logs) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw SetupError(fmt::format("cannot make the folder '{}': {}", folder, error.message()));
-  for (const ServoLog& log : logs) files::check_writable(picture_of(folder, log));
+  for (const ServoLog& log : logs) files::claim_output("--plot", picture_of(folder, log));
 }
 
 void plot(const fs::path& file, const ServoLog& log, const std::vector<double>& simulated, double error) {
@@ -70,11 +71,17 @@ int replay_servo(const ReplayServoOptions& options) {
   if (!options.plot.empty()) check_plots(options.plot, logs);
   const ServoReplay replay(servo, logs);
   const formats::servo_log::ReplayReport report{servo.servo.type, replay.errors()};
-  for (std::size_t i = 0; i < logs.size() && !options.plot.empty(); ++i) {
-    plot(picture_of(options.plot, logs[i]), logs[i], replay.positions(i), report.logs[i].error);
+  Results results;
+  results.write(
+      [&] { write_result(options.json, formats::servo_log::to_text(report), formats::servo_log::to_json(report)); });
+  if (!options.plot.empty()) {
+    results.write([&] {
+      for (std::size_t i = 0; i < logs.size(); ++i) {
+        plot(picture_of(options.plot, logs[i]), logs[i], replay.positions(i), report.logs[i].error);
+      }
+    });
   }
-  write_result(options.json, formats::servo_log::to_text(report), formats::servo_log::to_json(report));
-  return 0;
+  return results.exit_code(0);
 }
 
 }  // namespace

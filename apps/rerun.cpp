@@ -36,8 +36,9 @@ void define(const Command& command, RerunArguments& arguments) {
   add_record(command, arguments.record);
 }
 
+/// `recorded` becomes false if the repetition is to be recorded and is not to its end, which is said.
 recording::RerunResult repeat(const recording::RecordedRun& run, const RerunArguments& arguments,
-                              const recording::RecordedStates* reference) {
+                              const recording::RecordedStates* reference, bool& recorded) {
   Progress progress;
   const Duration begin = run.description().start, end = run.end();
   const bool records = !arguments.record.file.empty();
@@ -52,9 +53,7 @@ recording::RerunResult repeat(const recording::RecordedRun& run, const RerunArgu
   };
   options.prepare = [&](scene::Scene& scene) { recorder = make_recorder(scene, arguments.record, run); };
   options.finish = [&](scene::Scene& scene) {
-    if (recorder && !finish(*recorder, make_report(scene), arguments.record)) {
-      throw SetupError("the repetition is not recorded to its end");
-    }
+    if (recorder && !finish(*recorder, make_report(scene), arguments.record)) recorded = false;
     recorder.reset();
   };
   return recording::rerun(run, options);
@@ -78,17 +77,18 @@ recording::McapReader other_run(const RerunArguments& arguments, const std::file
 }
 
 /// First by the seconds, then by the steps of the second that differs.
-recording::RerunResult compare_with_other(const recording::RecordedRun& run, const RerunArguments& arguments) {
+recording::RerunResult compare_with_other(const recording::RecordedRun& run, const RerunArguments& arguments,
+                                          bool& recorded) {
   const recording::ScratchFolder folder;
   const recording::McapReader seconds_file = other_run(arguments, folder.path() / "seconds.mcap", "");
   const recording::RecordedStates by_seconds(seconds_file);
-  recording::RerunResult result = repeat(run, arguments, &by_seconds);
+  recording::RerunResult result = repeat(run, arguments, &by_seconds, recorded);
   if (!result.difference || result.stopped) return result;
   const Duration from = result.difference->same.value_or(run.description().start);
   const std::string ticks = fmt::format("{:.9f}..{:.9f}", seconds(from), seconds(result.difference->differs));
   const recording::McapReader ticks_file = other_run(arguments, folder.path() / "ticks.mcap", ticks);
   const recording::RecordedStates by_ticks(ticks_file);
-  return repeat(run, arguments, &by_ticks);
+  return repeat(run, arguments, &by_ticks, recorded);
 }
 
 int rerun(const RerunArguments& arguments) {
@@ -101,9 +101,11 @@ int rerun(const RerunArguments& arguments) {
   }
   check_plugins(run, arguments.how);
   end_gently();
-  const recording::RerunResult result =
-      arguments.against.empty() ? repeat(run, arguments, nullptr) : compare_with_other(run, arguments);
+  bool recorded = true;
+  const recording::RerunResult result = arguments.against.empty() ? repeat(run, arguments, nullptr, recorded)
+                                                                  : compare_with_other(run, arguments, recorded);
   write_result(arguments.json, to_text(result), to_json(result));
+  if (!recorded) return users_mistake;
   if (result.difference) return difference_found;
   return result.stopped ? exit_code() : 0;
 }

@@ -44,7 +44,7 @@ int run_scene(const RunOptions& options, Steering& steering) {
   if (scene.simulation().now() < end) report.stopped = {why_stopped(advance), asked};
   const RunOutputs::Written written = outputs.write(report);
   if (advance.crashed()) return unexpected;
-  if (!written.recording) return users_mistake;
+  if (!written.recording || !written.files || advance.lacks_pictures()) return users_mistake;
   if (report.stopped) return exit_code();
   return written.states ? 0 : users_mistake;
 }

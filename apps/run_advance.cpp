@@ -7,6 +7,7 @@
 #include "apps/interruption.h"
 #include "apps/last_words.h"
 #include "murosimf/connect/crash_note.h"
+#include "murosimf/model/error.h"
 #include "murosimf/scene/scene_report.h"
 #include "murosimf/session/session.h"
 
@@ -35,12 +36,22 @@ void RunAdvance::run_alone() {
   Clock clock(speed_of(options_));
   clock.tell_of_overruns([&](const Overrun& overrun) { warn(overrun.simulated, scene::to_text(overrun.lateness)); });
   PictureSequence* pictures = outputs_.pictures();
-  while (pictures && pictures->next() <= end_) {
+  while (pictures && !lacks_pictures_ && pictures->next() <= end_) {
     advance_to(pictures->next(), clock);
     if (interrupted()) return;
-    pictures->take();
+    take(*pictures);
   }
   advance_to(end_, clock);
+}
+
+/// The run goes on without pictures if the disk is full.
+void RunAdvance::take(PictureSequence& pictures) {
+  try {
+    pictures.take();
+  } catch (const SetupError& error) {
+    warn(scene_.simulation().now(), fmt::format("no more pictures: {}", error.what()));
+    lacks_pictures_ = true;
+  }
 }
 
 void RunAdvance::advance_to(Duration time, Clock& clock) {

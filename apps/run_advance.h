@@ -23,6 +23,8 @@ class RunAdvance {
   void run(Steering& steering);
 
   [[nodiscard]] bool crashed() const { return crashed_; }
+  /// Since one could not be written.
+  [[nodiscard]] bool lacks_pictures() const { return lacks_pictures_; }
   /// [wall] without that for pictures.
   [[nodiscard]] Duration wall() const { return wall_; }
   [[nodiscard]] const Lateness& lateness() const { return lateness_; }
@@ -34,6 +36,7 @@ class RunAdvance {
   void warn(Duration now, const std::string& text);
   void run_alone();
   void run_steered(Steering& steering);
+  void take(PictureSequence& pictures);
   void advance_to(Duration time, Clock& clock);
 
   scene::Scene& scene_;
@@ -44,7 +47,7 @@ class RunAdvance {
   Duration start_, end_;
   WallClock::time_point wall_start_ = WallClock::now();
   Progress line_;
-  bool told_of_trouble_ = false, crashed_ = false;
+  bool told_of_trouble_ = false, crashed_ = false, lacks_pictures_ = false;
   Duration wall_{};
   Lateness lateness_;
 };

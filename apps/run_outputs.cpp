@@ -1,6 +1,8 @@
 #include "apps/run_outputs.h"
 
+#include "apps/results.h"
 #include "apps/standard_output.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/scene/scene_pictures.h"
 #include "murosimf/scene/scene_report.h"
@@ -9,9 +11,9 @@ namespace murosimf::app {
 
 RunOutputs::RunOutputs(const RunOptions& options) : options_(options), saver_(options.save_at, options.save_state) {
   check_json_file(options.json);
-  for (const std::string& file : {options.picture, options.out, options.game.log}) {
-    if (!file.empty()) files::check_writable(file);
-  }
+  if (!options.picture.empty()) claim_picture("--picture", options.picture);
+  if (!options.out.empty()) files::claim_output("--out", options.out);
+  if (!options.game.log.empty()) files::claim_output("--game-log", options.game.log);
   if (!options.pictures.empty()) pictures_.emplace(options.pictures, options.picture_every);
 }
 
@@ -42,12 +44,20 @@ std::function<void(bool)> RunOutputs::record_switch() const {
 }
 
 RunOutputs::Written RunOutputs::write(const scene::RunReport& report) {
-  if (log_) log_->write(options_.out);
-  if (html_) html_->finish();
-  if (game_ && !options_.game.log.empty()) files::write_file(options_.game.log, game_->log().to_text());
-  const Written written{!recorder_ || finish(*recorder_, report, options_.record), saver_.finish()};
-  if (!options_.picture.empty()) write_picture(*scene_, options_.picture);
-  write_result(options_.json, scene::to_text(report), options_.json.empty() ? "" : scene::to_json(report));
+  Written written;
+  Results results;
+  if (log_) results.write([&] { log_->write(options_.out); });
+  if (html_) results.write([&] { html_->finish(); });
+  if (game_ && !options_.game.log.empty()) {
+    results.write([&] { files::write_file(options_.game.log, game_->log().to_text()); });
+  }
+  if (recorder_) written.recording = finish(*recorder_, report, options_.record);
+  results.write([&] { written.states = saver_.finish(); });
+  if (!options_.picture.empty()) results.write([&] { write_picture(*scene_, options_.picture); });
+  results.write([&] {
+    write_result(options_.json, scene::to_text(report), options_.json.empty() ? "" : scene::to_json(report));
+  });
+  written.files = results.all();
   return written;
 }
 

@@ -45,8 +45,9 @@ class RunOutputs {
   struct Written {
     bool recording = true;  ///< all of it
     bool states = true;     ///< also those of times that the run should have come to
+    bool files = true;      ///< all others
   };
-  /// All of it.
+  /// All of it. What cannot be written is said; the rest is written all the same.
   [[nodiscard]] Written write(const scene::RunReport& report);
 
  private:

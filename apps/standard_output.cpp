@@ -2,11 +2,13 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <exception>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include "apps/interruption.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 
@@ -24,13 +26,19 @@ void add_json(const Command& command, std::string& json_file) {
 }
 
 void check_json_file(const std::string& json_file) {
-  if (!json_file.empty() && json_file != "-") files::check_writable(json_file);
+  if (!json_file.empty() && json_file != "-") files::claim_output("--json", json_file);
 }
 
 void write_result(const std::string& json_file, const std::string& text, const std::string& json) {
   if (json_file == "-") return write_standard_output(json);
-  if (!json_file.empty()) files::write_file(json_file, json);
+  std::exception_ptr trouble;  // the text is not lost with the file
+  try {
+    if (!json_file.empty()) files::write_file(json_file, json);
+  } catch (const SetupError&) {
+    trouble = std::current_exception();
+  }
   write_standard_output(text);
+  if (trouble) std::rethrow_exception(trouble);
 }
 
 }  // namespace murosimf::app

@@ -1,12 +1,14 @@
 #include "apps/state_saver.h"
 
 #include <charconv>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "apps/last_words.h"
 #include "apps/record_options.h"
-#include "murosimf/files/output_file.h"
+#include "apps/results.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
@@ -21,18 +23,20 @@ StateSaver::StateSaver(const std::vector<std::string>& at, const std::string& at
       throw SetupError(fmt::format("--save-at '{}': write TIME:FILE, like 2.5:walk.state", text));
     }
     wishes_.push_back({.time = from_seconds(s), .text = text, .file = text.substr(colon + 1)});
-    files::check_writable(wishes_.back().file);
+    files::claim_output("--save-at " + text.substr(0, colon), wishes_.back().file);
   }
-  if (!at_end.empty()) files::check_writable(at_end);
+  if (!at_end.empty()) files::claim_output("--save-state", at_end);
 }
 
 void StateSaver::begin(scene::Scene& scene, const files::FilesRead& files, const recording::RunDescription& run) {
   scene_ = &scene;
+  const recording::RecordedPaths paths(files.list(), files.names());
+  recording::RunDescription described = run;
+  described.names = files.names();
   options_ = {.program = this_program(),
-              .command_line = command_line(),
-              .run = run,
-              .files = recording::files_now(files.list())};
-  options_.run.names = files.names();
+              .command_line = paths.in_command_line(command_line()),
+              .run = paths.in_description(std::move(described)),
+              .files = recording::files_now(files.list(), paths)};
   for (Wish& wish : wishes_) {
     if (wish.time < scene.simulation().now()) continue;
     scene.simulation().at(wish.time, [this, &wish] {
@@ -45,18 +49,19 @@ void StateSaver::begin(scene::Scene& scene, const files::FilesRead& files, const
 void StateSaver::save(const std::string& file) { recording::write_state(*scene_, file, options_); }
 
 bool StateSaver::finish() {
+  Results results;
   bool all = true;
   for (Wish& wish : wishes_) {
     if (!wish.done && wish.time == scene_->simulation().now()) {
-      save(wish.file);
+      results.write([&] { save(wish.file); });
       wish.done = true;
     }
     if (wish.done) continue;
     say_warning(fmt::format("--save-at '{}': there is no such state", wish.text));
     all = false;
   }
-  if (!at_end_.empty()) save(at_end_);
-  return all;
+  if (!at_end_.empty()) results.write([&] { save(at_end_); });
+  return all && results.all();
 }
 
 }  // namespace murosimf::app

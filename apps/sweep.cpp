@@ -9,8 +9,10 @@
 #include "apps/last_words.h"
 #include "apps/progress.h"
 #include "apps/record_options.h"
+#include "apps/results.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/series/sweep.h"
@@ -78,9 +80,9 @@ series::SweepOptions options_of(const SweepArguments& arguments) {
 
 void check(const SweepArguments& arguments) {
   check_json_file(arguments.json);
-  for (const std::string& file : {arguments.csv, arguments.summary}) {
-    if (!file.empty()) files::check_writable(file);
-  }
+  if (!arguments.csv.empty()) files::claim_output("--csv", arguments.csv);
+  if (!arguments.summary.empty()) files::claim_output("--summary", arguments.summary);
+  if (!arguments.runs.empty()) files::claim_continued("--runs", arguments.runs);
   if (!arguments.duration) return;
   if (*arguments.duration >= 0 && *arguments.duration <= scene_file::longest_duration) return;
   throw SetupError(fmt::format("--duration {}: must be a number from 0", *arguments.duration));
@@ -98,11 +100,13 @@ int sweep(const SweepArguments& arguments) {
   const series::Sweep result = series::sweep(options);
   progress.reset();
   if (result.taken_over > 0) say_note(fmt::format("{} runs were in '{}' already", result.taken_over, arguments.runs));
-  write_result(arguments.json, to_text(result), to_json(result));
-  if (!arguments.csv.empty()) files::write_file(arguments.csv, to_csv(result));
-  if (!arguments.summary.empty()) files::write_file(arguments.summary, summary_csv(result));
+  Results results;
+  results.write([&] { write_result(arguments.json, to_text(result), to_json(result)); });
+  if (!arguments.csv.empty()) results.write([&] { files::write_file(arguments.csv, to_csv(result)); });
+  if (!arguments.summary.empty()) results.write([&] { files::write_file(arguments.summary, summary_csv(result)); });
+  if (!result.not_noted.empty()) results.write([&] { throw SetupError(result.not_noted); });
   if (result.stopped) say_error(fmt::format("stopped by {}; runs that had not ended are missing", signal_name()));
-  return result.stopped ? exit_code() : 0;
+  return results.exit_code(result.stopped ? exit_code() : 0);
 }
 
 }  // namespace

@@ -8,12 +8,12 @@
 #include "apps/last_words.h"
 #include "apps/option_values.h"
 #include "apps/repeat_arguments.h"
+#include "apps/results.h"
 #include "apps/roboviz_arguments.h"
 #include "apps/scene_arguments.h"
 #include "apps/standard_output.h"
 #include "apps/view_recording.h"
 #include "murosimf/connect/drawing_board.h"
-#include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/playback/recorded_course.h"
 #include "murosimf/recording/recorded_series.h"
@@ -104,7 +104,7 @@ int view(const ViewOptions& options) {
   end_gently();
   quiet_drivers();
   check_json_file(options.json);
-  if (!options.screenshot.empty()) files::check_writable(options.screenshot);
+  if (!options.screenshot.empty()) claim_picture("--screenshot", options.screenshot);
   const viewer::WindowOptions window = window_options(options);
   viewer::ViewerOptions viewer_options;
   viewer_options.session.speed = read_speed(options.speed);

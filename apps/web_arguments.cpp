@@ -1,7 +1,7 @@
 #include "apps/web_arguments.h"
 
 #include "apps/last_words.h"
-#include "murosimf/files/output_file.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
@@ -31,7 +31,7 @@ void add_web(const Command& command, WebArguments& arguments) {
 
 void check(const WebArguments& arguments) {
   if (!arguments.web.empty()) with_context("--web", [&] { (void)address_of(arguments.web); });
-  if (!arguments.html.empty()) files::check_writable(arguments.html);
+  if (!arguments.html.empty()) files::claim_output("--html", arguments.html);
 }
 
 std::unique_ptr<web::HtmlRecording> make_html_recording(scene::Scene& scene, const WebArguments& arguments,

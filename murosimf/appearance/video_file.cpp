@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <system_error>
+#include <charconv>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::appearance {
@@ -17,12 +17,26 @@ constexpr std::array kinds{".mp4", ".webm", ".gif", ".mkv", ".mov", ".avi"};
 constexpr const char* no_ffmpeg =
     "it is not installed (Debian and Ubuntu: ffmpeg); pictures need --out FILE.png instead of --video";
 
-void check_file(const std::filesystem::path& file) {
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
+  throw SetupError(fmt::format("cannot write '{}': {}", file.string(), reason));
+}
+
+const std::filesystem::path& checked(const std::filesystem::path& file) {
   if (std::ranges::find(kinds, file.extension().string()) == kinds.end()) {
     throw SetupError(fmt::format("'{}': its extension must say which kind of video it is: {}", file.string(),
                                  fmt::join(kinds, ", ")));
   }
-  files::check_writable(file);
+  return file;
+}
+
+/// The number behind the last "frame=" of ffmpeg's progress.
+std::int64_t last_frame(const std::string& progress) {
+  constexpr std::string_view word = "frame=";
+  const auto place = progress.rfind(word);
+  if (place == std::string::npos) return 0;
+  std::int64_t count = 0;
+  std::from_chars(progress.data() + place + word.size(), progress.data() + progress.size(), count);
+  return count;
 }
 
 /// Most players want even sizes and 4:2:0; a GIF has a palette for each picture.
@@ -49,31 +63,37 @@ std::vector<std::string> command(const std::filesystem::path& file, int width, i
 }  // namespace
 
 void check_video(const std::filesystem::path& file) {
-  check_file(file);
+  files::check_writable(checked(file));
   files::ChildPipe({"ffmpeg", "-version"}, no_ffmpeg).finish();
 }
 
 VideoFile::VideoFile(std::filesystem::path file, int width, int height, double frames_per_second)
-    : file_(std::move(file)), part_(file_) {
-  check_file(file_);
-  part_.replace_filename(fmt::format(".{}.{}.part{}", file_.stem().string(), ::getpid(), file_.extension().string()));
-  half_video_.emplace(part_);
-  ffmpeg_.emplace(command(part_, width, height, frames_per_second), no_ffmpeg);
+    : file_(std::move(file)), part_(checked(file_), files::PartFile::Extension::of_file) {
+  ffmpeg_.emplace(command(part_.path(), width, height, frames_per_second), no_ffmpeg);
 }
 
-VideoFile::~VideoFile() {
-  ffmpeg_.reset();
-  std::error_code ignored;
-  std::filesystem::remove(part_, ignored);
-}
+VideoFile::~VideoFile() = default;
 
-void VideoFile::add(const imaging::ColorImage& picture) { ffmpeg_->write(std::as_bytes(picture.pixels())); }
+void VideoFile::add(const imaging::ColorImage& picture) {
+  ffmpeg_->write(std::as_bytes(picture.pixels()));
+  ++pictures_;
+}
 
 void VideoFile::finish() {
-  ffmpeg_->finish();
-  std::error_code error;
-  std::filesystem::rename(part_, file_, error);
-  if (error) throw SetupError(fmt::format("cannot write '{}': {}", file_.string(), error.message()));
+  const std::string errors = ffmpeg_->finish();
+  if (!errors.empty()) refuse(file_, "ffmpeg says: " + errors);
+  check_whole();
+  part_.commit();
+}
+
+/// Reads it again, without decoding.
+void VideoFile::check_whole() const {
+  const auto read = files::run_process({"ffmpeg", "-v", "error", "-nostdin", "-i", "file:" + part_.path().string(),
+                                        "-map", "0:v", "-c", "copy", "-progress", "pipe:1", "-f", "null", "-"},
+                                       {});
+  const std::int64_t there = read ? last_frame(read->output) : 0;
+  if (read && read->exit_code == 0 && read->errors.empty() && there == pictures_) return;
+  refuse(file_, fmt::format("of {} pictures {} can be read again; is the disk full?", pictures_, there));
 }
 
 }  // namespace murosimf::appearance

@@ -1,11 +1,12 @@
 /// video_file.h - pictures, one after the other, as a video: an ffmpeg process writes it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
 #include "murosimf/files/child_process.h"
-#include "murosimf/files/leftovers.h"
+#include "murosimf/files/output_file.h"
 #include "murosimf/imaging/image.h"
 
 namespace murosimf::appearance {
@@ -24,13 +25,17 @@ class VideoFile {
 
   /// A picture of the size above. Throws SetupError with ffmpeg's words if it gives up.
   void add(const imaging::ColorImage& picture);
-  /// The video is whole now. Throws as add().
+  /// The video is whole, and takes the place of what had its name. Throws as add(), also if ffmpeg is content with a video that lacks
+  /// pictures or its index, as it is when the disk is full.
   void finish();
 
  private:
-  std::filesystem::path file_, part_;
-  std::optional<files::Leftover> half_video_;
-  std::optional<files::ChildPipe> ffmpeg_;
+  void check_whole() const;
+
+  std::filesystem::path file_;
+  files::PartFile part_;
+  std::int64_t pictures_ = 0;
+  std::optional<files::ChildPipe> ffmpeg_;  // goes first
 };
 
 }  // namespace murosimf::appearance

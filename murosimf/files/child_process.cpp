@@ -152,9 +152,10 @@ void ChildPipe::write(std::span<const std::byte> bytes) {
   }
 }
 
-void ChildPipe::finish() {
+std::string ChildPipe::finish() {
   close(socket_);
   if (wait() != 0) refuse();
+  return last_line(errors_.get());
 }
 
 }  // namespace murosimf::files

@@ -42,8 +42,9 @@ class ChildPipe {
 
   /// Waits until the program has taken all bytes. Throws SetupError with the last line of its errors if it has ended.
   void write(std::span<const std::byte> bytes);
-  /// No more bytes: waits for the program's end. Throws SetupError if it was not content.
-  void finish();
+  /// No more bytes: waits for the program's end. Throws SetupError if it was not content. The last line of its errors; empty: it said
+  /// none.
+  std::string finish();
 
  private:
   [[nodiscard]] int wait() noexcept;

@@ -16,23 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> data_roots() {
-  std::vector<fs::path> roots;
-  if (const char* variable = std::getenv("MUROSIMF_DATA")) roots.emplace_back(variable);
-  std::error_code error;
-  if (const fs::path program = fs::read_symlink("/proc/self/exe", error); !error) {
-    roots.push_back(program.parent_path().parent_path() / "share" / "murosimf");
-  }
-  roots.emplace_back(MUROSIMF_INSTALL_DATA_DIR);
-  roots.emplace_back(MUROSIMF_SOURCE_DIR);
-  return roots;
-}
-
 std::optional<fs::path> look_for(std::string_view name, std::string_view kind, std::string_view extension,
                                  const fs::path& beside) {
   std::vector<fs::path> places{fs::path(name)};
   if (!beside.empty()) places.push_back(beside / name);
-  for (const fs::path& root : data_roots()) {
+  for (const fs::path& root : data_folders()) {
     places.push_back(root / name);
     places.push_back(root / kind / name);
   }
@@ -46,6 +34,18 @@ std::optional<fs::path> look_for(std::string_view name, std::string_view kind, s
 }
 
 }  // namespace
+
+std::vector<fs::path> data_folders() {
+  std::vector<fs::path> roots;
+  if (const char* variable = std::getenv("MUROSIMF_DATA")) roots.emplace_back(variable);
+  std::error_code error;
+  if (const fs::path program = fs::read_symlink("/proc/self/exe", error); !error) {
+    roots.push_back(program.parent_path().parent_path() / "share" / "murosimf");
+  }
+  roots.emplace_back(MUROSIMF_INSTALL_DATA_DIR);
+  roots.emplace_back(MUROSIMF_SOURCE_DIR);
+  return roots;
+}
 
 std::filesystem::path find_data_file(std::string_view name, std::string_view kind, std::string_view extension,
                                      const std::filesystem::path& beside) {
@@ -80,7 +80,7 @@ std::vector<std::filesystem::path> program_folders() {
 
 std::vector<std::string> data_file_names(std::string_view kind, std::string_view extension) {
   std::set<std::string> names;
-  for (const fs::path& root : data_roots()) {
+  for (const fs::path& root : data_folders()) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(root / kind, error)) {
       if (entry.path().extension() == extension) names.insert(entry.path().stem().string());

@@ -9,6 +9,10 @@
 
 namespace murosimf::files {
 
+/// The folders of what comes with the program, in the order in which they are looked through: the one that MUROSIMF_DATA names,
+/// share/murosimf of the installation, the source tree.
+[[nodiscard]] std::vector<std::filesystem::path> data_folders();
+
 /// The file that `name` means. Tried in this order: the name as it is; the name in `beside`; the name, alone and in the
 /// folder `kind` ("lenses", "models", "parts", "scenes", "servos"), in the folder that MUROSIMF_DATA names, in
 /// share/murosimf of the installation, and in the source tree. Every place is tried with `extension` appended too.

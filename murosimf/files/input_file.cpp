@@ -11,6 +11,7 @@
 
 #include "murosimf/files/allowed_files.h"
 #include "murosimf/files/file_pointer.h"
+#include "murosimf/files/file_roles.h"
 #include "murosimf/files/files_read.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
@@ -56,6 +57,7 @@ std::uintmax_t check_input_file(const std::filesystem::path& file, std::uintmax_
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) refuse_input(file, fmt::format("the file cannot be read: {}", error.message()));
   if (size > most) refuse_large(file, most);
+  note_input(file);
   note_file_read(file);
   return size;
 }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/hash.h"
+
 namespace murosimf::files {
 namespace {
 
@@ -16,6 +18,14 @@ std::string look_up_key(std::string_view name, std::string_view kind, std::strin
                         const std::filesystem::path& beside) {
   const std::string folder = beside.empty() ? "" : std::filesystem::absolute(beside).lexically_normal().string();
   return fmt::format("{}\n{}\n{}\n{}", name, kind, extension, folder);
+}
+
+std::string hidden_key(const std::string& key) {
+  const std::size_t end = key.find('\n');
+  if (!key.starts_with('/') || end == std::string::npos) return key;
+  Hasher hasher;
+  hasher.add(std::string_view(key).substr(0, end));
+  return fmt::format("#{:016x}{}", hasher.value(), key.substr(end));
 }
 
 MovedFiles::MovedFiles(std::filesystem::path folder, const FoundNames& names)
@@ -38,7 +48,8 @@ std::filesystem::path MovedFiles::to_there(const std::filesystem::path& path) co
 }
 
 const std::string* MovedFiles::found(const std::string& key) const {
-  const auto name = names_.find(key);
+  auto name = names_.find(key);
+  if (name == names_.end()) name = names_.find(hidden_key(key));
   return name == names_.end() ? nullptr : &name->second;
 }
 

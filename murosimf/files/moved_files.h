@@ -18,6 +18,9 @@ using FoundNames = std::map<std::string, std::string>;
 [[nodiscard]] std::string look_up_key(std::string_view name, std::string_view kind, std::string_view extension,
                                       const std::filesystem::path& beside);
 
+/// The same for who must not learn an absolute name: of that only a hash is in it.
+[[nodiscard]] std::string hidden_key(const std::string& key);
+
 /// Concerns this thread while it lives; one at a time in a thread.
 class MovedFiles {
  public:
@@ -33,7 +36,7 @@ class MovedFiles {
   [[nodiscard]] std::filesystem::path to_here(const std::filesystem::path& path) const;
   /// Where what stands at `path` was.
   [[nodiscard]] std::filesystem::path to_there(const std::filesystem::path& path) const;
-  /// What was found under that key, as it was; null if nobody looked for it.
+  /// What was found under that key, or its hidden one, as it was; null if nobody looked for it.
   [[nodiscard]] const std::string* found(const std::string& key) const;
 
  private:

@@ -1,15 +1,20 @@
 #include "murosimf/files/output_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
-#include <optional>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include "murosimf/files/file_pointer.h"
-#include "murosimf/files/leftovers.h"
+#include "murosimf/files/file_lock.h"
+#include "murosimf/files/file_roles.h"
+#include "murosimf/files/output_place.h"
+#include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::files {
@@ -18,60 +23,120 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& reason) {
-  throw SetupError(fmt::format("cannot write '{}': {}", file.string(), reason));
+  throw SetupError(one_line(fmt::format("cannot write '{}': {}", file.string(), reason)));
 }
 
-/// A device or pipe cannot be replaced.
-bool is_special(const fs::path& file) {
-  std::error_code error;
-  return fs::is_other(file, error);
+[[noreturn]] void refuse(const fs::path& file, int error) { refuse(file, std::generic_category().message(error)); }
+
+fs::path part_of(const fs::path& place, PartFile::Extension extension) {
+  if (extension == PartFile::Extension::part) return place.string() + fmt::format(".{}.part", ::getpid());
+  return place.parent_path() /
+         fmt::format(".{}.{}.part{}", place.stem().string(), ::getpid(), place.extension().string());
 }
 
-fs::path part_of(const fs::path& file) { return file.string() + fmt::format(".{}.part", ::getpid()); }
-
-void check_place(const fs::path& file) {
+void check_place(const fs::path& file, const OutputPlace& place) {
   std::error_code error;
-  if (fs::is_directory(file, error)) refuse(file, "it is a folder");
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, error)) refuse(file, fmt::format("there is no folder '{}'", folder.string()));
+  if (place.descriptor() >= 0) {
+    const int flags = ::fcntl(place.descriptor(), F_GETFL);
+    if (flags < 0) refuse(file, errno);
+    if ((flags & O_ACCMODE) == O_RDONLY) refuse(file, EBADF);
+    return;
+  }
+  if (fs::is_directory(place.path(), error)) refuse(file, "it is a folder");
+  const fs::path folder = place.path().parent_path();
+  if (!fs::is_directory(folder.empty() ? fs::path(".") : folder, error)) {
+    refuse(file, fmt::format("there is no folder '{}'", folder.string()));
+  }
+  if (fs::exists(place.path(), error) && ::access(place.path().c_str(), W_OK) != 0) refuse(file, errno);
+  if (!place.is_replaced()) return;
+  if (const std::string holder = who_writes(place.path()); !holder.empty())
+    refuse(file, "it is being written by " + holder);
 }
 
 /// 0, or errno of what failed.
-int write_bytes(const fs::path& file, const std::string& bytes) {
-  FilePtr out(std::fopen(file.c_str(), "wb"));
-  if (!out) return errno;
-  if (std::fwrite(bytes.data(), 1, bytes.size(), out.get()) != bytes.size()) return errno;
-  return std::fclose(out.release()) == 0 ? 0 : errno;
+int write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return count < 0 ? errno : EIO;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return 0;
 }
+
+/// 0, or errno of what failed.
+int write_bytes(const fs::path& file, int flags, std::string_view bytes) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
+  if (descriptor < 0) return errno;
+  const int failure = write_all(descriptor, bytes);
+  const int closed = ::close(descriptor) == 0 ? 0 : errno;
+  return failure != 0 ? failure : closed;
+}
+
+/// 0, or errno of what failed.
+int sync_file(const fs::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return errno;
+  const int failure = ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
+  ::close(descriptor);
+  return failure;
+}
+
+constexpr int only_new = O_CREAT | O_EXCL;
 
 }  // namespace
 
 void check_writable(const fs::path& file) {
-  check_place(file);
-  if (is_special(file)) return;
-  const fs::path probe = part_of(file);
-  const Leftover half_file(probe);
-  const int failure = write_bytes(probe, {});
-  std::error_code error;
-  fs::remove(probe, error);
-  if (failure != 0) refuse(file, std::generic_category().message(failure));
+  const OutputPlace place(file);
+  check_place(file, place);
+  if (!place.is_replaced()) return;
+  const PartFile probe(file);
+  if (const int failure = write_bytes(probe.path(), only_new, {}); failure != 0) refuse(file, failure);
 }
 
 void write_file(const fs::path& file, const std::string& bytes) {
-  check_place(file);
-  const bool special = is_special(file);
-  const fs::path target = special ? file : part_of(file);
-  std::error_code error;
-  std::optional<Leftover> half_file;
-  if (!special) half_file.emplace(target);
-  int failure = write_bytes(target, bytes);
-  if (failure == 0 && !special) {
-    fs::rename(target, file, error);
-    failure = error.value();
+  const OutputPlace place(file);
+  check_place(file, place);
+  int failure = 0;
+  if (place.descriptor() >= 0) {
+    (void)std::fflush(nullptr);  // what was said before comes before
+    failure = write_all(place.descriptor(), bytes);
+  } else if (!place.is_replaced()) {
+    failure = write_bytes(place.path(), 0, bytes);
+  } else {
+    PartFile part(file);
+    failure = write_bytes(part.path(), only_new, bytes);
+    if (failure == 0) part.commit();
   }
-  if (failure == 0) return;
-  if (!special) fs::remove(target, error);
-  refuse(file, std::generic_category().message(failure));
+  if (failure != 0) refuse(file, failure);
+}
+
+PartFile::PartFile(const fs::path& file, Extension extension) : file_(file) {
+  const OutputPlace place(file);
+  check_place(file, place);
+  if (!place.is_replaced()) refuse(file, "this is no ordinary file but a device or a pipe; name a file");
+  place_ = place.path();
+  part_ = part_of(place_, extension);
+  half_.emplace(part_);
+  ::unlink(part_.c_str());  // of a process of the same number, long ago
+}
+
+PartFile::~PartFile() {
+  if (!part_.empty()) ::unlink(part_.c_str());
+}
+
+void PartFile::commit(Replaces replaces) {
+  if (replaces == Replaces::no_input) check_not_input(place_);
+  check_place(file_, OutputPlace(place_));
+  struct stat before {};
+  if (::stat(place_.c_str(), &before) == 0) {
+    // a loss of power must not leave less than there was
+    if (const int failure = sync_file(part_); failure != 0) refuse(file_, failure);
+    (void)::chmod(part_.c_str(), before.st_mode & 07777);
+  }
+  if (::rename(part_.c_str(), place_.c_str()) != 0) refuse(file_, errno);
+  part_.clear();
+  half_.reset();
 }
 
 }  // namespace murosimf::files

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/files/file_roles.h"
 #include "murosimf/files/xml_element.h"
 #include "murosimf/model/error.h"
 
@@ -23,6 +24,7 @@ std::string loader_message(const std::string& file) {
 }  // namespace
 
 SharedLibrary::SharedLibrary(const std::filesystem::path& file, Unloading unloading, const std::string& shown) {
+  note_input(file);
   const int keep = unloading == Unloading::never ? RTLD_NODELETE : 0;
   handle_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | keep);
   if (!handle_)

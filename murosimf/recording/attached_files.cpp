@@ -19,10 +19,12 @@ std::string size_and_hash(const std::string& bytes) {
   return fmt::format("{} bytes, hash {}", bytes.size(), content_hash(bytes));
 }
 
-AttachedFiles files_now(const std::vector<std::filesystem::path>& files) {
-  AttachedFiles now{.list = {.name = "files", .values = {}}, .contents = {}};
+AttachedFiles files_now(const std::vector<std::filesystem::path>& files, const RecordedPaths& paths) {
+  AttachedFiles now{.list = {.name = "files", .values = {}},
+                    .folders = {.name = "folders", .values = paths.folders()},
+                    .contents = {}};
   for (const std::filesystem::path& file : files) {
-    const std::string path = std::filesystem::absolute(file).lexically_normal().string();
+    const std::string path = paths.reduced(file);
     std::string bytes = files::read_input_file(file, std::numeric_limits<std::int64_t>::max());
     now.list.values[path] = size_and_hash(bytes);
     if (bytes.size() > most_attached_bytes) continue;
@@ -38,6 +40,7 @@ AttachedFiles files_now(const std::vector<std::filesystem::path>& files) {
 void attach_files(McapWriter& out, const AttachedFiles& files) {
   for (const Attachment& file : files.contents) out.attach(file);
   out.add(files.list);
+  if (!files.folders.values.empty()) out.add(files.folders);
 }
 
 void copy_files(McapWriter& out, const McapReader& from) {
@@ -45,7 +48,7 @@ void copy_files(McapWriter& out, const McapReader& from) {
     if (one.name.starts_with(files_prefix)) out.attach(from.attachment(one));
   }
   for (const MetadataIndex& one : from.contents().metadata) {
-    if (one.name == "files") out.add(from.metadata(one));
+    if (one.name == "files" || one.name == "folders") out.add(from.metadata(one));
   }
 }
 

@@ -1,7 +1,6 @@
 #include "murosimf/recording/recorder.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -29,8 +28,11 @@ Duration period_of(double rate, double fastest) {
 
 Recorder::Recorder(scene::Scene& scene, const RecorderOptions& options)
     : scene_(scene),
+      rate_(options.rate),
       period_(period_of(options.rate, scene.spec().rate)),
       what_(options.what),
+      program_(options.program),
+      command_line_(options.command_line),
       files_read_(options.files),
       files_of_(options.files_of),
       state_period_(options.state_period),
@@ -48,8 +50,6 @@ Recorder::Recorder(scene::Scene& scene, const RecorderOptions& options)
     state_period_ = std::min(state_period_, std::max(keep_ / 4, batch_span));
   }
   if (what_.contains("pictures")) want_pictures(scene.simulation().world());
-  describe(options);
-  file_.sync();
   thread_ = std::make_unique<RecordingThread>([this](const RecordingThread::Batch& batch) { write(batch); });
   // later than the simulation's schedule is made: a state that is loaded knows nothing of the recorder
   scene.simulation().after_start([this] { scene_.simulation().at(Duration{}, [this] { start(); }); });
@@ -57,9 +57,9 @@ Recorder::Recorder(scene::Scene& scene, const RecorderOptions& options)
 
 Recorder::~Recorder() = default;
 
-void Recorder::describe(const RecorderOptions& options) {
-  Metadata run = run_metadata(scene_, options.program, options.command_line);
-  run.values["record_rate_hz"] = fmt::format("{}", options.rate);
+void Recorder::describe() {
+  Metadata run = run_metadata(scene_, program_, paths_.in_command_line(command_line_));
+  run.values["record_rate_hz"] = fmt::format("{}", rate_);
   file_.add(run);
   std::vector<std::string> robots;
   for (const scene_file::RobotSpec& robot : scene_.spec().robots) robots.push_back(robot.name);
@@ -70,6 +70,18 @@ void Recorder::attach_text(const std::string& name, const std::string& text) {
   file_.attach(text_attachment(name, text, scene_.simulation().now()));
 }
 
+/// Whether nothing is wrong with the file.
+template <class Call>
+bool Recorder::on_file(const Call& call) {
+  if (!trouble().empty()) return false;
+  try {
+    call();
+  } catch (const SetupError& error) {
+    file_trouble_ = error.what();
+  }
+  return file_trouble_.empty();
+}
+
 void Recorder::start() {
   if (frames_) throw SetupError("a recording is of one run: this one began anew");
   const World& world = scene_.simulation().world();
@@ -78,8 +90,11 @@ void Recorder::start() {
   if (what_.contains("sensors")) sensors_ = recorded_sensors(world);
   if (what_.contains("pictures")) cameras_ = recorded_cameras(entities_);
   if (what_.contains("scene")) looks_ = std::make_unique<SceneLooks>(scene_, entities_);
-  if (files_read_) files_now_ = files_now(files_read_->list());
-  if (!watch_) begin_file();
+  if (files_read_) {
+    paths_ = RecordedPaths(files_read_->list(), files_read_->names());
+    files_now_ = files_now(files_read_->list(), paths_);
+  }
+  if (!watch_ && !on_file([this] { begin_file(); })) return;
   frames_ = std::make_unique<FrameWriter>(file_, entities_, sensors_, looks_.get(), what_);
   pictures_ = std::make_unique<PictureWriter>(file_, *frames_, cameras_);
   drawings_ = std::make_unique<DrawingWriter>(file_, *frames_);
@@ -91,11 +106,16 @@ void Recorder::start() {
 void Recorder::begin_file() {
   if (began_) return;
   began_ = true;
+  file_.begin();
+  describe();
   if (files_read_) attach_files(file_, files_now_);
   if (files_of_) copy_files(file_, *files_of_);
   if (!run_) return;
   run_->start = held_.empty() ? scene_.simulation().now() : held_.front().front().time;
-  if (files_read_) run_->names = files_read_->names();
+  if (files_read_) {
+    run_->names = files_read_->names();
+    run_ = paths_.in_description(*std::move(run_));
+  }
   if (outside_) {
     run_->outside.clear();  // it is in the recording
     run_->channels = outside_->names();
@@ -190,13 +210,13 @@ void Recorder::take_drawings(RecordedFrame& frame, bool is_last) {
 void Recorder::take_lines(RecordedFrame& frame) {
   const Simulation& simulation = scene_.simulation();
   for (; events_ < simulation.events().size(); ++events_) {
-    frame.events.emplace_back(simulation.events()[events_].time, simulation.events()[events_].text);
+    frame.events.emplace_back(simulation.events()[events_].time, paths_.in_text(simulation.events()[events_].text));
   }
   for (; commands_ < simulation.commands().size(); ++commands_) {
     frame.commands.emplace_back(simulation.commands()[commands_].time, simulation.commands()[commands_].text);
   }
   for (; warnings_ < simulation.warnings().size(); ++warnings_) {
-    frame.warnings.emplace_back(frame.time, simulation.warnings()[warnings_]);
+    frame.warnings.emplace_back(frame.time, paths_.in_text(simulation.warnings()[warnings_]));
   }
   if (outside_) frame.outside = outside_->take();
 }
@@ -224,77 +244,10 @@ void Recorder::hand_over() {
   const Duration begin = batch_.front().time;
   begin_batch();
   if (watch_ && !asked_ && begin > write_until_) return forget_old();
-  begin_file();
-  for (RecordingThread::Batch& batch : held_) thread_->push(std::move(batch));
+  if (on_file([this] { begin_file(); })) {
+    for (RecordingThread::Batch& batch : held_) thread_->push(std::move(batch));
+  }
   held_.clear();
-}
-
-void Recorder::ask(bool on) {
-  if (asked_ == on) return;
-  if (!on && !newly_asked_) write_until_ = std::max(write_until_, scene_.simulation().now());
-  asked_ = newly_asked_ = on;
-}
-
-void Recorder::watch(RecordedFrame& frame) {
-  std::vector<std::string> happened = watch_->look();
-  if (!happened.empty()) write_until_ = std::max(write_until_, frame.time + after_);
-  if (std::exchange(newly_asked_, false)) happened.emplace_back("the recording was asked for");
-  for (std::string& event : happened) {
-    frame.events.emplace_back(frame.time, std::move(event));
-    frame.commands.insert(frame.commands.begin(), commands_between_.begin(), commands_between_.end());
-    commands_between_.clear();
-    frame.outside.insert(frame.outside.begin(), outside_between_.begin(), outside_between_.end());
-    outside_between_.clear();
-    ++happened_;
-  }
-}
-
-/// Drops what is before the last state that is old enough; of a file that has begun commands stay, for who repeats the run.
-void Recorder::forget_old() {
-  const auto is_start = [&](const RecordingThread::Batch& batch) {
-    return !batch.front().state.empty() && batch.front().time <= scene_.simulation().now() - keep_;
-  };
-  const auto last = std::find_if(held_.rbegin(), held_.rend(), is_start);
-  if (last == held_.rend()) return;
-  const auto first_kept = std::prev(last.base());
-  RecordingThread::Batch rest;
-  for (auto batch = held_.begin(); batch != first_kept; ++batch) {
-    for (RecordedFrame& frame : *batch) {
-      if (began_) commands_between_.insert(commands_between_.end(), frame.commands.begin(), frame.commands.end());
-      if (!frame.outside.empty()) keep_outside(frame, rest);
-    }
-  }
-  if (!rest.empty()) thread_->push(std::move(rest));
-  keep_drawings(first_kept);
-  held_.erase(held_.begin(), first_kept);
-}
-
-/// A file that has begun gets all of it at once, for who repeats the run; before, what lasts is kept for its first event.
-void Recorder::keep_outside(RecordedFrame& dropped, RecordingThread::Batch& rest) {
-  if (began_) {
-    rest.emplace_back().time = dropped.time;
-    rest.back().outside = std::move(dropped.outside);
-    return;
-  }
-  for (auto& note : dropped.outside) {
-    if (connect::lasts(note.second.kind)) outside_between_.push_back(std::move(note));
-  }
-}
-
-/// Of the frames before, the last drawings of each topic, which come only when they change, go to the first frame that stays.
-void Recorder::keep_drawings(std::vector<RecordingThread::Batch>::iterator first_kept) {
-  std::vector<FrameDrawings>& kept = first_kept->front().drawings;
-  const auto has = [&](const DrawingTopic& topic) {
-    return std::ranges::find(kept, topic, &FrameDrawings::topic) != kept.end();
-  };
-  for (auto batch = first_kept; batch != held_.begin();) {
-    --batch;
-    for (RecordedFrame& frame : std::views::reverse(*batch)) {
-      for (FrameDrawings& drawn : frame.drawings) {
-        if (!has(drawn.topic)) kept.push_back(std::move(drawn));
-      }
-    }
-  }
 }
 
 /// In the thread.
@@ -311,29 +264,26 @@ void Recorder::write(const RecordingThread::Batch& batch) {
 }
 
 void Recorder::finish(const scene::RunReport& report) {
-  if (!frames_) start();  // of a run without steps
+  if (!frames_ && trouble().empty()) start();  // of a run without steps
+  if (!frames_) return;
 
   // after the last step
   const bool changed = commands_ < scene_.simulation().commands().size() || (outside_ && !outside_->empty());
   if (changed || last_frame_ != scene_.simulation().now()) take_frame(true);
   hand_over();
-  begin_file();
+  (void)on_file([this] { begin_file(); });
   thread_->finish();
-  if (!trouble().empty()) return;
-  try {
-    texts_.emplace_back("report.txt", scene::to_text(report));
-    texts_.emplace_back("report.json", scene::to_json(report));
+  (void)on_file([&] {
+    texts_.emplace_back("report.txt", paths_.in_text(scene::to_text(report)));
+    texts_.emplace_back("report.json", paths_.in_text(scene::to_json(report)));
     for (const auto& [name, text] : texts_) attach_text(name, text);
     file_.close();
-    file_.sync();
-  } catch (const SetupError& error) {
-    end_trouble_ = error.what();
-  }
+  });
 }
 
 std::string Recorder::trouble() const {
   const std::string trouble = thread_->trouble();
-  return trouble.empty() ? end_trouble_ : trouble;
+  return trouble.empty() ? file_trouble_ : trouble;
 }
 
 }  // namespace murosimf::recording

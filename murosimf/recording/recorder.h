@@ -64,7 +64,8 @@ struct RecorderOptions {
 /// It must live as long as the run lasts, and the scene longer.
 class Recorder {
  public:
-  /// Before the first step. Throws SetupError for a file that cannot be written and for an impossible rate.
+  /// Before the first step, with which the file begins: until then none changes, but it is taken (mcap/growing_file.h). Throws SetupError
+  /// for a file that cannot be written, or that another run writes, and for an impossible rate.
   Recorder(scene::Scene& scene, const RecorderOptions& options);
   /// Without finish() the file is one that was cut off.
   ~Recorder();
@@ -81,9 +82,13 @@ class Recorder {
   [[nodiscard]] std::string trouble() const;
   /// Of record_on, so far.
   [[nodiscard]] std::size_t happened() const { return happened_; }
+  /// Where what is recorded is, and what was found there.
+  [[nodiscard]] const GrowingFile& file() const { return file_.file(); }
 
  private:
-  void describe(const RecorderOptions& options);
+  void describe();
+  template <class Call>
+  bool on_file(const Call& call);
   void attach_text(const std::string& name, const std::string& text);
   void start();
   void look();
@@ -106,10 +111,13 @@ class Recorder {
   void write(const RecordingThread::Batch& batch);
 
   scene::Scene& scene_;
+  double rate_;  // [Hz]
   Duration period_;
   std::set<std::string> what_;
+  std::string program_, command_line_;
   const files::FilesRead* files_read_;
   const McapReader* files_of_;
+  RecordedPaths paths_;
   AttachedFiles files_now_;
   Duration state_period_;
   std::optional<TimeSpan> ticks_;
@@ -142,7 +150,7 @@ class Recorder {
   bool began_ = false, asked_ = false, newly_asked_ = false;
   std::size_t happened_ = 0;
   std::chrono::steady_clock::time_point synced_{};  // of the thread
-  std::string end_trouble_;
+  std::string file_trouble_;                        // besides that of the thread
   std::unique_ptr<RecordingThread> thread_;
 };
 

@@ -11,6 +11,7 @@
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/attached_files.h"
+#include "murosimf/recording/recorded_paths.h"
 #include "murosimf/recording/recorded_run.h"
 
 namespace murosimf::recording {
@@ -35,7 +36,7 @@ void UnpackedFiles::unpack(const McapReader& file) {
     written.insert(path);
   }
   for (const auto& [path, what] : list) {
-    if (!written.contains(path)) link(path, what);
+    if (!written.contains(path)) link(path, what, file);
   }
 }
 
@@ -56,19 +57,28 @@ void UnpackedFiles::write(const fs::path& path, const std::string& bytes) const 
   files::write_file(place_of(path), bytes);
 }
 
-void UnpackedFiles::link(const fs::path& path, const std::string& size_and_hash_then) const {
+/// The first place with a file of this hash.
+void UnpackedFiles::link(const fs::path& path, const std::string& size_and_hash_then, const McapReader& file) const {
+  constexpr auto most = static_cast<std::uintmax_t>(std::numeric_limits<std::int64_t>::max());
   const fs::path place = place_of(path);
   const std::string needed = "it needs a file that was too large to be attached: ";
-  const std::string bytes = with_context(needed.substr(0, needed.size() - 2), [&] {
-    return files::read_input_file(path, static_cast<std::uintmax_t>(std::numeric_limits<std::int64_t>::max()));
-  });
-  if (size_and_hash(bytes) != size_and_hash_then) {
-    throw SetupError(fmt::format("{}'{}' is another one now ({} then, {} now)", needed, path.string(),
-                                 size_and_hash_then, size_and_hash(bytes)));
-  }
+  std::string other;
   std::error_code error;
-  fs::create_symlink(path, place, error);
-  if (error) throw SetupError(fmt::format("cannot link '{}': {}", place.string(), error.message()));
+  for (const fs::path& candidate : places_of(path, file.file(), described(file, "folders"))) {
+    if (!fs::is_regular_file(candidate, error)) continue;
+    const std::string now = size_and_hash(files::read_input_file(candidate, most));
+    if (now == size_and_hash_then) {
+      fs::create_symlink(fs::absolute(candidate), place, error);
+      if (error) throw SetupError(fmt::format("cannot link '{}': {}", place.string(), error.message()));
+      return;
+    }
+    if (other.empty()) {
+      other = fmt::format("'{}' is another one now ({} then, {} now)", candidate.string(), size_and_hash_then, now);
+    }
+  }
+  if (!other.empty()) throw SetupError(needed + other);
+  throw SetupError(fmt::format("{}'{}' ({}); there is no such file here: run this where it is", needed,
+                               path.relative_path().string(), size_and_hash_then));
 }
 
 }  // namespace murosimf::recording

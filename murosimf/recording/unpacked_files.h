@@ -10,7 +10,8 @@ namespace murosimf::recording {
 
 class UnpackedFiles {
  public:
-  /// What was at /PATH is at folder()/PATH: from the recording, or, where that has only a hash, a link to the file on this machine.
+  /// What was at /PATH is at folder()/PATH: from the recording, or, where that has only a hash, a link to the file on this machine
+  /// (places_of() in recorded_paths.h).
   /// Throws SetupError that says which file is missing or has changed.
   explicit UnpackedFiles(const McapReader& file);
 
@@ -19,7 +20,7 @@ class UnpackedFiles {
  private:
   void unpack(const McapReader& file);
   void write(const std::filesystem::path& path, const std::string& bytes) const;
-  void link(const std::filesystem::path& path, const std::string& size_and_hash) const;
+  void link(const std::filesystem::path& path, const std::string& size_and_hash, const McapReader& file) const;
   [[nodiscard]] std::filesystem::path place_of(const std::filesystem::path& path) const;
 
   ScratchFolder folder_;

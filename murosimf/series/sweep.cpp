@@ -49,7 +49,7 @@ std::string describe(const SweepOptions& options, const Plan& plan, const files:
                             {"push", options.common.pushes},
                             {"lenient", options.common.lenient},
                             {"cameras", options.common.cameras},
-                            {"files", recording::files_now(read.list()).list.values}};
+                            {"files", recording::files_now(read.list(), {read.list(), {}}).list.values}};
   return what.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -87,6 +87,15 @@ std::vector<double> run_one(const SweepOptions& options, const Plan& plan, const
   return values;
 }
 
+/// The sweep goes on where the disk is full; `trouble` says why.
+void note(SweepFile& file, std::size_t run, const std::vector<double>& values, std::string& trouble) {
+  try {
+    file.add(run, values);
+  } catch (const SetupError& error) {
+    trouble = error.what();
+  }
+}
+
 }  // namespace
 
 Sweep sweep(const SweepOptions& given) {
@@ -118,7 +127,7 @@ Sweep sweep(const SweepOptions& given) {
     std::vector<double> values = run_one(options, plan, run.point, patterns);
     const std::lock_guard lock(mutex);
     if (values.empty()) return;  // stopped
-    if (file) file->add(to_do[i], values);
+    if (file && result.not_noted.empty()) note(*file, to_do[i], values, result.not_noted);
     run.values = std::move(values);
     ++done;
     if (options.progress) options.progress(done, result.runs.size());

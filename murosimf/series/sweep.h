@@ -41,6 +41,7 @@ struct Sweep {
   std::vector<SweepRun> runs;        ///< in the order of points_of()
   std::size_t taken_over = 0;        ///< runs that were in the file already
   bool stopped = false;              ///< by common.stop
+  std::string not_noted{};  ///< why runs are missing in `file`, which could not be written any more; empty: none are
 };
 
 /// Throws SetupError: a scene that cannot be built with one of the values, an unknown result, a file of another sweep.

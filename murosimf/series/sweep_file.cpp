@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/files/file_lock.h"
 #include "murosimf/files/input_file.h"
 #include "murosimf/model/error.h"
 
@@ -37,6 +38,7 @@ std::vector<double> parse_line(std::string_view line, std::size_t results, std::
 SweepFile::SweepFile(std::filesystem::path file, const std::string& what, std::size_t results)
     : file_(std::move(file)) {
   const std::string head = "MuRoSimF sweep 1\n" + what + "\n";
+  open();
   std::error_code error;
   const bool is_there = std::filesystem::exists(file_, error) && std::filesystem::file_size(file_, error) > 0;
   if (is_there) {
@@ -45,11 +47,19 @@ SweepFile::SweepFile(std::filesystem::path file, const std::string& what, std::s
     std::filesystem::resize_file(file_, good_bytes_, error);  // the last line may have been cut off
     if (error) throw SetupError(fmt::format("cannot write '{}': {}", file_.string(), error.message()));
   }
-  stream_.reset(std::fopen(file_.c_str(), "ab"));
-  if (!stream_) refuse_writing(file_);
   if (good_bytes_ > 0) return;
   if (std::fwrite(head.data(), 1, head.size(), stream_.get()) != head.size() || std::fflush(stream_.get()) != 0)
     refuse_writing(file_);
+}
+
+/// No other sweep may go on with it meanwhile.
+void SweepFile::open() {
+  stream_.reset(std::fopen(file_.c_str(), "ab"));
+  if (!stream_) refuse_writing(file_);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file_, error) || files::lock_file(::fileno(stream_.get()))) return;
+  throw SetupError(
+      fmt::format("cannot write '{}': it is being written by {}", file_.string(), files::who_writes(file_)));
 }
 
 void SweepFile::read(const std::string& text, const std::string& head, std::size_t results) {

@@ -17,7 +17,8 @@ namespace murosimf::series {
 
 class SweepFile {
  public:
-  /// Goes on with the file if it is there. `what`: one line. Throws SetupError: it is of another sweep, or cannot be written.
+  /// Goes on with the file if it is there. `what`: one line. Throws SetupError: it is of another sweep, or cannot be written,
+  /// as while another sweep writes it.
   SweepFile(std::filesystem::path file, const std::string& what, std::size_t results);
 
   /// By index, those that were in it.
@@ -26,6 +27,7 @@ class SweepFile {
   void add(std::size_t run, const std::vector<double>& values);
 
  private:
+  void open();
   void read(const std::string& text, const std::string& head, std::size_t results);
 
   std::filesystem::path file_;

@@ -83,7 +83,7 @@ TEST(PlotCommand, MistakesAreOneLine) {
   expect_mistake("plot /no/such/run.csv", {"/no/such/run.csv", "there is no such file"});
   expect_mistake("plot " + table + " heigt", {"run.csv", "did you mean 'height'"});
   expect_mistake("plot " + write("bad.csv", "t,a\n0,high\n").string(), {"bad.csv:2:3", "'high' is no number"});
-  expect_mistake("plot " + table + " --out " + table, {"the table itself"});
+  expect_mistake("plot " + table + " --out " + table, {"pictures are PNG files"});
   if (!has_gnuplot()) return;
   expect_mistake("plot " + table + " --out /no/such/folder/a.png", {"cannot write '/no/such/folder/a.png'"});
   expect_mistake("plot " + write("none.csv", "t,a\n").string(), {"nothing to draw"});

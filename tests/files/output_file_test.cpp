@@ -1,7 +1,9 @@
 // Results are whole or not there, and whoever cannot have them is told why.
 #include "murosimf/files/output_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -70,6 +72,71 @@ TEST_F(OutputFile, SaysWhyItCannotBeWritten) {
     EXPECT_EQ(refusal([] { write_file("/dev/full", "x"); }), "cannot write '/dev/full': No space left on device");
   }
   EXPECT_EQ(files(), 0);
+}
+
+TEST_F(OutputFile, GoesWhereALinkLeadsAndKeepsPermissions) {
+  fs::create_directory(folder_ / "far");
+  fs::create_symlink(fs::path("far") / "result.json", file());
+  write_file(file(), "first");
+  EXPECT_TRUE(fs::is_symlink(file()));
+  EXPECT_EQ(content(), "first");
+  fs::permissions(folder_ / "far" / "result.json", fs::perms::owner_read | fs::perms::owner_write);
+  write_file(file(), "second");
+  EXPECT_EQ(content(), "second");
+  EXPECT_EQ(fs::status(folder_ / "far" / "result.json").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(files(), 2);
+}
+
+// Standard output may be a file, which is written on, not replaced.
+TEST_F(OutputFile, WritesOnToDescriptors) {
+  const int descriptor = ::open(file().c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  ASSERT_EQ(::write(descriptor, "before,", 7), 7);
+  for (const std::string folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    fs::create_symlink(folder + std::to_string(descriptor), folder_ / "link");
+    check_writable(folder + std::to_string(descriptor));
+    write_file(folder + std::to_string(descriptor), "x");
+    write_file(folder_ / "link", "y");
+    fs::remove(folder_ / "link");
+  }
+  ::close(descriptor);
+  EXPECT_EQ(content(), "before,xyxy");
+  EXPECT_NE(refusal([&] { check_writable("/proc/self/fd/" + std::to_string(descriptor)); }), "");
+}
+
+TEST_F(OutputFile, WritesIntoPipes) {
+  ASSERT_EQ(::mkfifo(file().c_str(), 0666), 0);
+  const int reader = ::open(file().c_str(), O_RDONLY | O_NONBLOCK);
+  check_writable(file());
+  write_file(file(), "through");
+  std::string text(7, ' ');
+  EXPECT_EQ(::read(reader, text.data(), text.size()), 7);
+  EXPECT_EQ(text, "through");
+  ::close(reader);
+  EXPECT_THROW(PartFile{file()}, SetupError);
+}
+
+TEST_F(OutputFile, APartThatIsNotCommittedLeavesNothing) {
+  std::ofstream(file()) << "old";
+  {
+    const PartFile part(file(), PartFile::Extension::of_file);
+    EXPECT_EQ(part.path().extension(), ".json");
+    std::ofstream(part.path()) << "half";
+  }
+  EXPECT_EQ(content(), "old");
+  EXPECT_EQ(files(), 1);
+  PartFile part(file());
+  EXPECT_EQ(refusal([&] { part.commit(); }), "cannot write '" + file().string() + "': No such file or directory");
+  EXPECT_EQ(content(), "old");
+}
+
+TEST_F(OutputFile, WhatIsProtectedStays) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
+  std::ofstream(file()) << "old";
+  fs::permissions(file(), fs::perms::owner_read);
+  const std::string denied = "cannot write '" + file().string() + "': Permission denied";
+  EXPECT_EQ(refusal([&] { check_writable(file()); }), denied);
+  EXPECT_EQ(refusal([&] { write_file(file(), "new"); }), denied);
+  EXPECT_EQ(content(), "old");
 }
 
 TEST_F(OutputFile, SaysThatAFolderIsNotWritable) {

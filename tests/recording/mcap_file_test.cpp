@@ -10,6 +10,7 @@
 #include "murosimf/recording/mcap/compression.h"
 #include "murosimf/recording/mcap/mcap_reader.h"
 #include "murosimf/recording/mcap/mcap_repair.h"
+#include "tests/fixtures.h"
 #include "tests/recording/small_recording.h"
 #include "tests/temp_folder.h"
 
@@ -191,6 +192,33 @@ TEST(McapFile, RepairLeavesOutOneDamagedChunk) {
   EXPECT_NE(report.damage.find("byte " + std::to_string(third.offset)), std::string::npos) << report.damage;
   EXPECT_EQ(report.messages, 550U - 55U);
   EXPECT_EQ(messages_of(McapReader(mended), "/a").size(), 450U);
+}
+
+// Behind each other, over each other, and mixed by two writers without locks.
+TEST(McapFile, RepairSaysThatItHoldsTwoRuns) {
+  const std::string one = bytes_of(recording_file("one.mcap")), cut = bytes_of(recording_file("cut_off.mcap", false));
+  const auto third = McapReader(fixtures::temp_folder() / "one.mcap").contents().chunks[2].offset;
+  const auto mended = fixtures::temp_folder() / "first.mcap";
+  const std::map<std::string, std::string> files{{"behind.mcap", one + one},          // cat one two
+                                                 {"behind_cut_off.mcap", cut + one},  // after one that was killed
+                                                 {"over.mcap",
+                                                  one + cut.substr(one.size() / 2)},  // the first ends sooner
+                                                 {"over_later.mcap",
+                                                  cut.substr(0, third) + one.substr(third) + cut.substr(third)},
+                                                 {"mixed.mcap", cut.substr(0, third) + one.substr(8)}};
+  for (const auto& [name, bytes] : files) {
+    const auto file = write_bytes(name, bytes);
+    EXPECT_TRUE(fixtures::says(fixtures::error_of([&] { (void)repair(file, file); }),
+                               {name, "it holds two runs: at byte ", "--out", "nothing is changed"}))
+        << name;
+    EXPECT_EQ(bytes_of(file), bytes);
+    const RepairReport report = repair(file, mended);
+    EXPECT_NE(report.other_run, "") << name;
+    EXPECT_GE(report.messages, 110U) << name;
+    EXPECT_EQ(McapReader(mended).contents().damage, "") << name;
+  }
+  EXPECT_EQ(McapReader(write_bytes("one_run.mcap", one), McapReading::through_all).contents().other_run, "");
+  EXPECT_EQ(McapReader(write_bytes("one_run.mcap", cut)).contents().other_run, "");
 }
 
 TEST(McapFile, SaysThatTheDiskIsFull) {

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <fstream>
 #include <map>
 #include <random>
 
@@ -161,14 +162,18 @@ TEST(Recorder, LosesAtMostASecondWhenItIsKilled) {
   std::mt19937 random(3);
   for (int i = 0; i < 50; ++i) {
     const Duration time = std::chrono::milliseconds(1000 + random() % 3000);
-    const auto file = fixtures::temp_folder() / "killed.mcap";
+    const auto file = fixtures::temp_folder() / "killed.mcap", part = fixtures::temp_folder() / "killed.mcap.part";
+    if (i == 25) std::ofstream(file) << "an older one";  // which stays
     record_and_die(file, time);
-    EXPECT_NE(repair(file, file).damage, "");
-    const McapReader reader(file);
+    const auto place = i < 25 ? file : part;
+    EXPECT_NE(repair(place, place).damage, "");
+    EXPECT_EQ(std::filesystem::file_size(file) == 12, i >= 25);
+    const McapReader reader(place);
     EXPECT_EQ(reader.contents().damage, "");
     const Duration last(reader.contents().statistics.end_time);
     EXPECT_GE(last, time - 1s) << seconds(time);
     EXPECT_LE(last, time);
+    std::filesystem::remove(place);
   }
 }
 

@@ -31,6 +31,7 @@ inline void write_small_recording(const std::filesystem::path& file, bool closed
   if (closed) {
     out.close();
   } else {
+    out.begin();
     out.flush();
   }
 }

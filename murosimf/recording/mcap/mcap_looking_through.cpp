@@ -12,6 +12,58 @@ void McapReader::note_damage(const std::string& damage) {
   if (contents_.damage.empty()) contents_.damage = damage;
 }
 
+void McapReader::note_other_run(std::uint64_t offset, const std::string& how) {
+  if (contents_.other_run.empty()) contents_.other_run = fmt::format("it holds two runs: at byte {} {}", offset, how);
+}
+
+/// From there on; the size of the file if there is none.
+std::uint64_t McapReader::find_magic(std::uint64_t offset) const {
+  constexpr std::uint64_t block = 1 << 20;
+  for (; offset < size_; offset += block) {
+    const std::string bytes = bytes_at(offset, std::min(block + mcap_magic.size(), size_ - offset));
+    const auto place = bytes.find(mcap_magic);
+    if (place != std::string::npos) return offset + place;
+  }
+  return size_;
+}
+
+/// A file begins and ends with these bytes; what another run has written over it, or behind it, has them in the middle. In the
+/// records themselves, which are compressed or text, they are not met.
+void McapReader::look_for_other_run() {
+  const std::uint64_t middle = find_magic(mcap_magic.size());
+  if (middle + mcap_magic.size() >= size_) return;
+  note_other_run(middle, find_magic(middle + mcap_magic.size()) == middle + mcap_magic.size()
+                             ? "the first has its end, and another one begins"
+                             : "one of them ends, and the file goes on");
+}
+
+/// What a run writes once: of its attachments and metadata the one of this `name`.
+template <class Index>
+bool McapReader::is_again(const std::vector<Index>& known, const std::string& found, const char* name,
+                          std::uint64_t offset) {
+  if (found != name || std::ranges::find(known, found, &Index::name) == known.end()) return false;
+  note_other_run(offset, fmt::format("'{}' comes again, which says how a run was begun", found));
+  return true;
+}
+
+bool McapReader::is_other_channel(std::string_view content, std::uint64_t offset) {
+  const auto channel = parse_record<Channel>(content);
+  const auto known = std::ranges::find(contents_.channels, channel.id, &Channel::id);
+  if (known == contents_.channels.end() || known->topic == channel.topic) return false;
+  note_other_run(offset, fmt::format("the channel of '{}' becomes one of '{}'", known->topic, channel.topic));
+  return true;
+}
+
+/// In what this program records, time never goes back.
+bool McapReader::is_before_last(const Chunk& chunk, std::uint64_t offset) {
+  constexpr std::uint64_t second = 1'000'000'000;
+  const bool is_ours = contents_.header.library.starts_with("murosimf");
+  if (!is_ours || contents_.chunks.empty() || chunk.start_time + second > contents_.chunks.back().start_time)
+    return false;
+  note_other_run(offset, "time goes back");
+  return true;
+}
+
 void McapReader::look_through() {
   std::uint64_t offset = mcap_magic.size();
   while (offset < size_) {
@@ -30,12 +82,12 @@ void McapReader::look_through() {
   }
 }
 
-/// Whether more may follow.
+/// Whether more of this run may follow.
 bool McapReader::take_record(const Record& record, std::uint64_t offset) {
   Statistics& sums = contents_.statistics;
   switch (record.opcode) {
     case Opcode::data_end: return false;
-    case Opcode::chunk: take_chunk(offset, record.length); return true;
+    case Opcode::chunk: return take_chunk(offset, record.length);
     case Opcode::message: throw SetupError("a message stands outside of a chunk, where this program does not look");
     case Opcode::attachment: {
       AttachmentIndex index{.offset = offset,
@@ -46,6 +98,7 @@ bool McapReader::take_record(const Record& record, std::uint64_t offset) {
                             .name = {},
                             .media_type = {}};
       const Attachment found = attachment(index);
+      if (is_again(contents_.attachments, found.name, "run.json", offset)) return false;
       index.log_time = found.log_time;
       index.create_time = found.create_time;
       index.data_size = found.data.size();
@@ -58,21 +111,30 @@ bool McapReader::take_record(const Record& record, std::uint64_t offset) {
     case Opcode::metadata: {
       MetadataIndex index{.offset = offset, .length = record.length, .name = {}};
       index.name = metadata(index).name;
+      if (is_again(contents_.metadata, index.name, "murosimf", offset)) return false;
       contents_.metadata.push_back(std::move(index));
       ++sums.metadata_count;
       return true;
     }
     case Opcode::schema:
-    case Opcode::channel:
-      take_chunk_record(record.opcode, bytes_at(offset + record_head, record.length - record_head));
+    case Opcode::channel: {
+      const std::string content = bytes_at(offset + record_head, record.length - record_head);
+      if (record.opcode == Opcode::channel && is_other_channel(content, offset)) return false;
+      take_chunk_record(record.opcode, content);
       return true;
+    }
+    case Opcode::header:
+      if (offset > mcap_magic.size()) note_other_run(offset, "another one begins");
+      return offset == mcap_magic.size();
     default: return true;
   }
 }
 
-void McapReader::take_chunk(std::uint64_t offset, std::uint64_t length) {
+/// Whether it is of this run.
+bool McapReader::take_chunk(std::uint64_t offset, std::uint64_t length) {
   const std::string content = bytes_at(offset + record_head, length - record_head);
   const auto chunk = parse_record<Chunk>(content);
+  if (is_before_last(chunk, offset)) return false;
   ChunkIndex index{.start_time = chunk.start_time,
                    .end_time = chunk.end_time,
                    .offset = offset,
@@ -92,6 +154,7 @@ void McapReader::take_chunk(std::uint64_t offset, std::uint64_t length) {
   }
   contents_.chunks.push_back(std::move(index));
   ++contents_.statistics.chunk_count;
+  return true;
 }
 
 void McapReader::take_chunk_record(Opcode opcode, std::string_view content) {

@@ -60,8 +60,10 @@ McapReader::McapReader(const std::filesystem::path& file, McapReading reading) :
                  .attachments = {},
                  .metadata = {},
                  .statistics = {},
-                 .damage = {}};
+                 .damage = {},
+                 .other_run = {}};
     look_through();
+    look_for_other_run();
     if (!whole) note_damage("it has no summary at its end: it was cut off, or is still being written");
   });
 }

@@ -26,6 +26,8 @@ struct McapContents {
   std::vector<MetadataIndex> metadata;
   Statistics statistics;
   std::string damage;  ///< what is wrong with the file, in one line; empty: it is whole, as far as its summary says
+  /// That there is something of a second run, and where, in one line; empty: there is not, as far as was looked.
+  std::string other_run;
 };
 
 enum class McapReading : std::uint8_t {
@@ -66,9 +68,17 @@ class McapReader {
   void take_summary_record(Opcode opcode, std::string_view content);
   void look_through();
   [[nodiscard]] bool take_record(const Record& record, std::uint64_t offset);
-  void take_chunk(std::uint64_t offset, std::uint64_t length);
+  [[nodiscard]] bool take_chunk(std::uint64_t offset, std::uint64_t length);
   void take_chunk_record(Opcode opcode, std::string_view content);
   void note_damage(const std::string& damage);
+  void note_other_run(std::uint64_t offset, const std::string& how);
+  void look_for_other_run();
+  [[nodiscard]] std::uint64_t find_magic(std::uint64_t offset) const;
+  template <class Index>
+  [[nodiscard]] bool is_again(const std::vector<Index>& known, const std::string& found, const char* name,
+                              std::uint64_t offset);
+  [[nodiscard]] bool is_other_channel(std::string_view content, std::uint64_t offset);
+  [[nodiscard]] bool is_before_last(const Chunk& chunk, std::uint64_t offset);
 
   std::filesystem::path file_;
   mutable std::mutex reading_;  // several threads may read what they ask for

@@ -1,13 +1,10 @@
 #include "murosimf/recording/mcap/mcap_repair.h"
 
-#include <unistd.h>
-
 #include <map>
 #include <system_error>
 
 #include <fmt/format.h>
 
-#include "murosimf/files/leftovers.h"
 #include "murosimf/files/output_file.h"
 #include "murosimf/model/error.h"
 #include "murosimf/recording/mcap/mcap_reader.h"
@@ -42,28 +39,30 @@ void copy(const McapReader& in, McapWriter& out) {
   }
 }
 
+/// Throws SetupError: what is of the other one would be lost.
+void check_one_run(const McapReader& in) {
+  if (in.contents().other_run.empty()) return;
+  throw SetupError(fmt::format("{}: {}; have the first one written to a file of its own (--out), nothing is changed",
+                               in.file().string(), in.contents().other_run));
+}
+
 }  // namespace
 
 RepairReport repair(const std::filesystem::path& damaged, const std::filesystem::path& whole) {
   const McapReader in(damaged, McapReading::through_all);
-  files::check_writable(whole);
-  const std::filesystem::path part = whole.string() + fmt::format(".{}.part", ::getpid());
-  const files::Leftover half_file(part);
   std::error_code error;
-  try {
-    McapWriter out(part, {.library = in.contents().header.library});
-    copy(in, out);
-    out.close();
-    out.sync();
-    std::filesystem::rename(part, whole, error);
-    if (error) throw SetupError(fmt::format("cannot write '{}': {}", whole.string(), error.message()));
-    return {.damage = in.contents().damage,
-            .messages = out.statistics().message_count,
-            .last_time = seconds(Duration(out.statistics().end_time))};
-  } catch (...) {
-    std::filesystem::remove(part, error);
-    throw;
-  }
+  const bool in_place = std::filesystem::equivalent(damaged, whole, error);
+  if (in_place) check_one_run(in);
+  files::PartFile part(whole);
+  McapWriter out(part.path(), {.library = in.contents().header.library});
+  out.begin();
+  copy(in, out);
+  out.close();
+  part.commit(in_place ? files::PartFile::Replaces::input_too : files::PartFile::Replaces::no_input);
+  return {.damage = in.contents().damage,
+          .other_run = in.contents().other_run,
+          .messages = out.statistics().message_count,
+          .last_time = seconds(Duration(out.statistics().end_time))};
 }
 
 }  // namespace murosimf::recording

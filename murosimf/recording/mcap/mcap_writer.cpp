@@ -168,6 +168,7 @@ void McapWriter::close() {
   append_record(bytes, footer);
   bytes.append(mcap_magic);
   file_.append(bytes);
+  file_.finish();
 }
 
 }  // namespace murosimf::recording

@@ -6,7 +6,8 @@
 ///     file.write(channel, 20ms, bytes);
 ///     file.close();
 ///
-/// Schemas and channels stand outside of chunks, so that every whole chunk can be read whatever has become of the others.
+/// Schemas and channels stand outside of chunks, so that every whole chunk can be read whatever has become of the others. Where the
+/// file grows, and what becomes of one that was there, growing_file.h says.
 #pragma once
 
 #include <cstdint>
@@ -43,15 +44,18 @@ class McapWriter final : public MessageSink {
   void attach(const Attachment& attachment);
   void add(const Metadata& metadata);
 
+  /// From now on what is written gets into a file; until then, or close(), it is kept in memory, and no file changes.
+  void begin() { file_.begin(); }
   /// What has been written is in the file, as a chunk of its own.
   void flush();
   /// What is in the file is on the disk.
   void sync();
-  /// Writes the summary. Without it the file is one that was cut off.
+  /// Writes the summary, and gives the file its name. Without it the file is one that was cut off.
   void close();
 
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
   [[nodiscard]] std::uint64_t bytes() const { return file_.size(); }
+  [[nodiscard]] const GrowingFile& file() const { return file_; }
 
  private:
   template <class Record>

@@ -1,0 +1,37 @@
+/// results.h - what a command leaves behind: each result is written, whatever has become of the others.
+#pragma once
+
+#include <string>
+
+#include "apps/last_words.h"
+#include "murosimf/model/error.h"
+
+namespace murosimf::app {
+
+/// A PNG file that an option names: "--out", for files::claim_output. Throws SetupError, also if its name ends as that of another
+/// kind of picture: programs would take it for one.
+void claim_picture(const std::string& option, const std::string& file);
+
+class Results {
+ public:
+  /// Says why it could not be written, if it throws SetupError.
+  template <class Write>
+  void write(const Write& write) {
+    try {
+      write();
+    } catch (const SetupError& error) {
+      say_error(error.what());
+      all_ = false;
+    }
+  }
+
+  /// Whether nothing is missing.
+  [[nodiscard]] bool all() const { return all_; }
+  /// `code` if nothing is missing.
+  [[nodiscard]] int exit_code(int code) const { return all_ ? code : users_mistake; }
+
+ private:
+  bool all_ = true;
+};
+
+}  // namespace murosimf::app
