@@ -170,6 +170,10 @@ std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const Re
   return options.file.empty() ? nullptr : std::make_unique<recording::Recorder>(scene, all);
 }
 
+void say_trouble(const recording::Recorder& recorder) {
+  if (!recorder.trouble().empty()) say_warning("nothing is recorded any more: " + recorder.trouble());
+}
+
 bool finish(recording::Recorder& recorder, const scene::RunReport& report, const RecordOptions& options) {
   const bool was_good = recorder.trouble().empty();
   recorder.finish(report);

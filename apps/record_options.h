@@ -51,6 +51,9 @@ void check(const RecordOptions& options, bool somebody_asks);
 [[nodiscard]] std::unique_ptr<recording::Recorder> make_recorder(scene::Scene& scene, const RecordOptions& options,
                                                                  const recording::RecordedRun& run);
 
+/// Says why nothing is recorded any more, if that is so: for who has not told it meanwhile, before finish().
+void say_trouble(const recording::Recorder& recorder);
+
 /// Writes what is left, and a layout for Foxglove beside the recording. Says what went wrong, once; whether nothing did.
 [[nodiscard]] bool finish(recording::Recorder& recorder, const scene::RunReport& report, const RecordOptions& options);
 

@@ -53,6 +53,7 @@ recording::RerunResult repeat(const recording::RecordedRun& run, const RerunArgu
   };
   options.prepare = [&](scene::Scene& scene) { recorder = make_recorder(scene, arguments.record, run); };
   options.finish = [&](scene::Scene& scene) {
+    if (recorder) say_trouble(*recorder);
     if (recorder && !finish(*recorder, make_report(scene), arguments.record)) recorded = false;
     recorder.reset();
   };

@@ -28,6 +28,7 @@ std::unique_ptr<session::Course> ViewRecording::make_course(const scene::SceneOp
 
 bool ViewRecording::finish() {
   const auto wall = std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - begin_);
+  say_trouble(*recorder_);
   return app::finish(*recorder_, scene::make_report(*scene_, wall), options_);
 }
 

@@ -197,8 +197,11 @@ TextMap RecordedPaths::folders() const {
     const auto seen_from = [&, folder = fs::path(folder)](const fs::path& above) {
       return folder.lexically_relative(above).string() + "\n";
     };
-    if (!home().empty() && is_below(folder, home())) all[name] += "~/" + seen_from(home());
-    if (!error && here != "/" && is_below(folder, here)) all[name] += seen_from(here);
+    if (!home().empty() && is_below(folder, home())) {
+      all[name] += "~/" + seen_from(home());
+    } else if (!error && here != "/" && is_below(folder, here)) {
+      all[name] += seen_from(here);  // below a home folder it would name that
+    }
   }
   return all;
 }

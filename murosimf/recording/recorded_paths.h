@@ -33,7 +33,7 @@ class RecordedPaths {
   [[nodiscard]] std::string in_command_line(const std::string& line) const;
   /// With `names`, as files::FilesRead notes them: names of files that are in it lead to them as before.
   [[nodiscard]] RunDescription in_description(RunDescription run) const;
-  /// From "/user" to where it may be found again: "~/robots", or "robots" beside the working folder; a line for each.
+  /// From "/user" to where it may be found again: "~/robots" or, outside of the home folder, "robots" below the working folder.
   [[nodiscard]] TextMap folders() const;
 
  private:
