@@ -110,6 +110,7 @@ int check(const CheckOptions& options) {
   if (!options.picture.empty()) claim_picture("--picture", options.picture);
   if (!options.roles.empty()) files::claim_output("--roles", options.roles);
   const auto file = files::find_data_file(options.model, "models", ".xml");
+  files::note_input(file);  // refused before the readers, whose mistakes are findings
   std::optional<Reading> reading;
   try {
     reading = read(file, options.lenient);

@@ -87,12 +87,13 @@ void claim_continued(const std::string& option, const fs::path& file) { claim(op
 void note_input(const fs::path& file) {
   const std::lock_guard lock(mutex);
   if (!roles) return;
+  std::error_code error;
+  const fs::path absolute = fs::absolute(file, error);
+  if (!error && !absolute.string().starts_with("/proc/"))
+    roles->inputs.insert(absolute);  // also if nobody heeds what is thrown
   for (const auto& [name, output] : roles->outputs) {
     if (!output.continued && are_same(output.place, file)) throw SetupError(name + is_read);
   }
-  std::error_code error;
-  const fs::path absolute = fs::absolute(file, error);
-  if (!error && !absolute.string().starts_with("/proc/")) roles->inputs.insert(absolute);
 }
 
 void check_not_input(const fs::path& file) {

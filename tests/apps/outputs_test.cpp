@@ -3,6 +3,7 @@
 #include <sys/socket.h>
 
 #include <csignal>
+#include <functional>
 #include <map>
 #include <thread>
 
@@ -44,11 +45,11 @@ class Outputs : public InFolder {
     return command;
   }
   [[nodiscard]] std::string in_folder(const std::string& text) const { return in(text, folder()); }
-  /// By name.
-  [[nodiscard]] std::map<std::string, std::string> all() const {
-    std::map<std::string, std::string> contents;
+  /// By name: what shows that a file is another one.
+  [[nodiscard]] std::map<std::string, std::size_t> all() const {
+    std::map<std::string, std::size_t> contents;
     for (const std::string& name : files()) {
-      if (fs::is_regular_file(file(name))) contents[name] = read_file(file(name));
+      if (fs::is_regular_file(file(name))) contents[name] = std::hash<std::string>{}(read_file(file(name)));
     }
     return contents;
   }
