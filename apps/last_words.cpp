@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
@@ -12,6 +13,7 @@
 #include <system_error>
 
 #include "murosimf/connect/crash_note.h"
+#include "murosimf/connect/guard/guarded_call.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::app {
@@ -82,7 +84,7 @@ int exit_code_of_exception() noexcept {
     say_error(error.what());
     return users_mistake;
   } catch (const connect::SoftwareCrash&) {
-    // said when it happened (connect/guarded_call.h)
+    // said when it happened (connect/guard/guarded_call.h)
   } catch (const std::bad_alloc&) {
     say_error(no_memory);
   } catch (const std::length_error&) {
@@ -93,6 +95,12 @@ int exit_code_of_exception() noexcept {
     say_error("unexpected: no reason is known");
   }
   return unexpected;
+}
+
+int end_of_program(int code) noexcept {
+  if (!connect::software_has_crashed()) return code;
+  (void)std::fflush(nullptr);
+  _exit(unexpected);
 }
 
 }  // namespace murosimf::app

@@ -29,4 +29,8 @@ void say_last_words_of_everything();
 /// About the exception that is being handled: says one line, returns the exit code.
 int exit_code_of_exception() noexcept;
 
+/// What main() returns. After a crash of control software it does not return: nothing is cleaned up that may hang or crash, too, and the
+/// code is `unexpected`.
+[[nodiscard]] int end_of_program(int code) noexcept;
+
 }  // namespace murosimf::app

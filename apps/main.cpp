@@ -67,8 +67,8 @@ int main(int argc, char** argv) {
     add_commands(line);
     load_plugins(CommandLine::leading_plugins(argc, argv));
     add_plugin_commands(line, murosimf::catalog::registries().commands);
-    return line.run(argc, argv);
+    return end_of_program(line.run(argc, argv));
   } catch (...) {
-    return exit_code_of_exception();
+    return end_of_program(exit_code_of_exception());
   }
 }

@@ -1,6 +1,9 @@
 #include "murosimf/catalog/plugin.h"
 
+#include <exception>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -9,8 +12,11 @@
 #include <fmt/format.h>
 
 #include "murosimf/catalog/plugin_interface.h"
+#include "murosimf/connect/crash_note.h"
+#include "murosimf/connect/guard/guarded_call.h"
 #include "murosimf/files/shared_library.h"
 #include "murosimf/model/error.h"
+#include "murosimf/model/foreign_code.h"
 
 namespace murosimf::catalog {
 namespace {
@@ -36,17 +42,53 @@ void check_version(const files::SharedLibrary& library, const std::filesystem::p
        fmt::format("made for '{}', but this program is '{}'; build it anew", version ? version : "", plugin_version));
 }
 
-void load(const std::filesystem::path& file, const std::string& path) {
-  const files::SharedLibrary library(path, files::Unloading::never, file.string());
-  check_version(library, file);
+void enter_what_is_in(const files::SharedLibrary& library, const std::filesystem::path& file) {
   auto* enter = function_in<decltype(murosimf_register)>(library, "murosimf_register", file);
   try {
     enter(registries());
+  } catch (const SetupError&) {
+    throw;
   } catch (const std::exception& error) {
     fail(file, error.what());
   } catch (...) {
     fail(file, "its function murosimf_register throws something that is no std::exception");
   }
+}
+
+/// As control software is called (connect/guard/guarded_call.h).
+void guarded(const std::filesystem::path& file, const char* what, const std::function<void()>& call) {
+  constexpr Duration longest_loading = std::chrono::seconds(60);
+  std::exception_ptr refused;
+  const connect::GuardedCall guard{.who = fmt::format("plug-in '{}'", file.string()),
+                                   .what = what,
+                                   .limit = longest_loading,
+                                   .keeps_process = true};
+  const connect::CallOutcome outcome = guard([&] {
+    try {
+      call();
+    } catch (const SetupError&) {
+      refused = std::current_exception();
+    }
+  });
+  if (outcome.kind == connect::CallOutcome::crashed) throw connect::SoftwareCrash(outcome.text);
+  if (!outcome) throw SetupError(outcome.text);
+  if (refused) std::rethrow_exception(refused);
+}
+
+/// A step of one of its algorithms. After a crash the run ends before the next step of the simulation.
+void call_algorithm(const ForeignCode& code, const std::string& what, const std::function<void()>& call) {
+  constexpr Duration longest_step = std::chrono::seconds(10);
+  const connect::GuardedCall guard{.who = code.name, .what = what, .limit = longest_step};
+  if (const connect::CallOutcome outcome = guard(call); !outcome) connect::crashes_of_plugins().write(outcome.text);
+}
+
+void load(const std::filesystem::path& file, const std::string& path) {
+  const files::PrivateCopy copy(path, file.string());
+  std::optional<files::SharedLibrary> library;
+  guarded(file, "its loading", [&] { library.emplace(copy, files::Unloading::never, file.string()); });
+  ForeignCode::add({fmt::format("plug-in '{}'", file.string()), library->memory(), call_algorithm});
+  guarded(file, "its murosimf_plugin_version", [&] { check_version(*library, file); });
+  guarded(file, "its murosimf_register", [&] { enter_what_is_in(*library, file); });
 }
 
 }  // namespace

@@ -8,22 +8,10 @@
 #include <memory>
 #include <string>
 
+#include "murosimf/connect/guard/call_outcome.h"
 #include "murosimf/connect/robot_port.h"
 
 namespace murosimf::connect {
-
-/// How a call of control software has ended.
-struct CallOutcome {
-  enum Kind {
-    good,
-    threw,    ///< an exception
-    late,     ///< it did not come back and was broken off
-    crashed,  ///< a signal: what it has left of the process's memory is unknown
-  } kind = good;
-  std::string text{};  ///< "its step threw: no such state"
-
-  [[nodiscard]] explicit operator bool() const { return kind == good; }
-};
 
 class ControlSoftware {
  public:

@@ -1,12 +1,8 @@
 #include "murosimf/connect/controller_library.h"
 
-#include <sys/mman.h>
-#include <unistd.h>
-
-#include <atomic>
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
+#include <exception>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string_view>
@@ -15,7 +11,9 @@
 
 #include <fmt/format.h>
 
-#include "murosimf/files/input_file.h"
+#include "murosimf/connect/crash_note.h"
+#include "murosimf/connect/guard/foreign_call.h"
+#include "murosimf/connect/guard/watched_functions.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/time.h"
 
@@ -24,58 +22,38 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t most_library_bytes = 1'000'000'000;
 constexpr std::uint32_t oldest_abi = 1;  // later ones have only added functions at the end of murosimf_robot
 
 [[noreturn]] void fail(const fs::path& file, std::string_view message) {
   throw SetupError(fmt::format("{}: {}", file.string(), message));
 }
 
-/// A copy in memory, under a name of its own: the loader takes a file of the same name for the library that it has already.
-class CopyInMemory {
- public:
-  explicit CopyInMemory(const fs::path& file) : descriptor_(memfd_create("controller", MFD_CLOEXEC)) {
-    const std::string bytes = files::read_input_file(file, most_library_bytes);
-    std::size_t done = 0;
-    while (descriptor_ >= 0 && done < bytes.size()) {
-      const ssize_t written = ::write(descriptor_, bytes.data() + done, bytes.size() - done);
-      if (written < 0 && errno == EINTR) continue;
-      if (written <= 0) break;
-      done += static_cast<std::size_t>(written);
+constexpr Duration longest_loading = std::chrono::seconds(60);  // constructors may read files of their own
+
+/// Calls code of the library that belongs to no robot yet. Throws SetupError or SoftwareCrash.
+void guarded(const fs::path& file, const char* what, const std::shared_ptr<ForeignThreads>& threads,
+             const std::function<void()>& call) {
+  std::exception_ptr refused;
+  const GuardedCall guard{fmt::format("library '{}'", file.string()), what, longest_loading, nullptr, threads, true};
+  const CallOutcome outcome = guard([&] {
+    try {
+      call();
+    } catch (const SetupError&) {
+      refused = std::current_exception();
     }
-    if (done < bytes.size()) fail(file, fmt::format("cannot be copied to memory: {}", std::strerror(errno)));
-  }
-  ~CopyInMemory() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  CopyInMemory(const CopyInMemory&) = delete;
-  CopyInMemory& operator=(const CopyInMemory&) = delete;
-
-  /// Descriptors are used again, and the loader knows libraries by their names: so each name is another one, with the digits of a
-  /// number as "//" and "/.".
-  [[nodiscard]] fs::path path() const {
-    static std::atomic<std::uint32_t> count{0};
-    std::string name = "/proc/self/fd";
-    const std::uint32_t number = count++;
-    for (int bit = 0; bit < 32; ++bit) name += (number >> bit & 1) != 0 ? "/." : "//";
-    return fmt::format("{}/{}", name, descriptor_);
-  }
-
- private:
-  int descriptor_;
-};
-
-/// Under its own name if it is the `first` file of that name: then it finds what lies beside it.
-files::SharedLibrary open(const fs::path& file, bool first) {
-  if (first) return {fs::canonical(file), files::Unloading::when_unused, file.string()};
-  return {CopyInMemory(file).path(), files::Unloading::when_unused, file.string()};
+  });
+  if (outcome.kind == CallOutcome::crashed) throw SoftwareCrash(outcome.text);
+  if (!outcome) throw SetupError(outcome.text);
+  if (refused) std::rethrow_exception(refused);
 }
 
-const murosimf_controller* checked_functions(const files::SharedLibrary& library, const fs::path& file) {
+const murosimf_controller* checked_functions(const files::SharedLibrary& library, const fs::path& file,
+                                             const std::shared_ptr<ForeignThreads>& threads) {
   auto* entry = library.function<decltype(murosimf_controller_entry)>("murosimf_controller_entry");
   if (!entry)
     fail(file, "this is no control software: it has no function murosimf_controller_entry (murosimf_controller.h)");
-  const murosimf_controller* functions = entry();
+  const murosimf_controller* functions = nullptr;
+  guarded(file, "its murosimf_controller_entry", threads, [&] { functions = entry(); });
   if (!functions) fail(file, "its murosimf_controller_entry returns nothing");
   if (functions->abi < oldest_abi || functions->abi > MUROSIMF_CONTROLLER_ABI) {
     fail(file,
@@ -99,22 +77,34 @@ fs::file_time_type time_of(const fs::path& file) {
 
 }  // namespace
 
-ControllerLibrary::ControllerLibrary(const fs::path& file, fs::file_time_type written, bool first)
-    : file_(file), written_(written), library_(open(file, first)), functions_(checked_functions(library_, file)) {}
+ControllerLibrary::ControllerLibrary(const fs::path& file, fs::file_time_type written)
+    : file_(file), written_(written), threads_(std::make_shared<ForeignThreads>()) {
+  threads_->who = fmt::format("library '{}'", file.string());
+  note_suspect(threads_->who);
+  const files::PrivateCopy copy(file, file.string());
+  if (time_of(file) != written) fail(file, "was written to while it was read; try again");
+  guarded(file, "its loading", threads_, [&] { library_.emplace(copy, files::Unloading::when_unused, file.string()); });
+  watch_functions();  // before what the library does at the end of the program
+  functions_ = checked_functions(*library_, file, threads_);
+}
+
+ControllerLibrary::~ControllerLibrary() {
+  try {
+    guarded(file_, "its unloading", threads_, [&] { library_.reset(); });
+  } catch (const std::exception&) {  // said already
+  }
+}
 
 std::shared_ptr<const ControllerLibrary> ControllerLibrary::load(const fs::path& file) {
   static std::mutex loading;
-  static std::map<fs::path, fs::file_time_type> first;  // of each name
   static std::map<std::pair<fs::path, fs::file_time_type>, std::weak_ptr<const ControllerLibrary>> loaded;
   const std::lock_guard lock(loading);
   std::erase_if(loaded, [](const auto& one) { return one.second.expired(); });
   const fs::file_time_type written = time_of(file);
   if (!fs::is_regular_file(file)) fail(file, "is no file");
-  const fs::path path = fs::canonical(file);
-  auto& known = loaded[{path, written}];
+  auto& known = loaded[{fs::canonical(file), written}];
   if (auto library = known.lock()) return library;
-  auto library =
-      std::make_shared<const ControllerLibrary>(file, written, first.emplace(path, written).first->second == written);
+  auto library = std::make_shared<const ControllerLibrary>(file, written);
   known = library;
   return library;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "murosimf/connect/guard/guarded_call.h"
 #include "murosimf/connect/murosimf_controller.h"
 #include "murosimf/files/shared_library.h"
 
@@ -14,7 +15,8 @@ namespace murosimf::connect {
 class ControllerLibrary {
  public:
   /// The one of this file as it is now; the same for all who have it. Throws SetupError in one line that begins with the file: it is
-  /// missing, no library, no control software, made for another ABI, or lacks functions.
+  /// missing, not whole, no library, no control software, made for another ABI, or lacks functions. Throws SoftwareCrash: what it does when
+  /// it is loaded would have ended the program.
   [[nodiscard]] static std::shared_ptr<const ControllerLibrary> load(const std::filesystem::path& file);
 
   /// When its file was written, if that was after it had been loaded.
@@ -23,13 +25,20 @@ class ControllerLibrary {
   [[nodiscard]] const murosimf_controller& functions() const { return *functions_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
-  ControllerLibrary(const std::filesystem::path& file, std::filesystem::file_time_type written, bool first);
+  /// Of threads that it begins.
+  [[nodiscard]] const std::shared_ptr<ForeignThreads>& threads() const { return threads_; }
+
+  ControllerLibrary(const std::filesystem::path& file, std::filesystem::file_time_type written);
+  ~ControllerLibrary();
+  ControllerLibrary(const ControllerLibrary&) = delete;
+  ControllerLibrary& operator=(const ControllerLibrary&) = delete;
 
  private:
   std::filesystem::path file_;
   std::filesystem::file_time_type written_;  // when its file was
-  files::SharedLibrary library_;
-  const murosimf_controller* functions_;
+  std::shared_ptr<ForeignThreads> threads_;
+  std::optional<files::SharedLibrary> library_;
+  const murosimf_controller* functions_ = nullptr;
 };
 
 }  // namespace murosimf::connect

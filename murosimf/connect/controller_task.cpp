@@ -31,7 +31,9 @@ void ControllerTask::initialize() {
   now_ = {};
   port_.restart();
   port_.radio().refresh(now_);
-  if (const CallOutcome outcome = software_->start(); !outcome) throw SetupError(outcome.text);
+  const CallOutcome outcome = software_->start();
+  note(outcome.changes);
+  if (!outcome) refuse(outcome);
   take_over_commands();
   port_.settle();
 }
@@ -44,6 +46,7 @@ void ControllerTask::step(const Instant& instant) noexcept {
   const CallOutcome outcome = software_->step(instant.now);
   count(WallClock::now() - begin);
   count_messages();
+  if (!outcome.changes.empty()) note(outcome.changes);
   if (!outcome) return end(outcome);
   take_over_commands();
   if (const std::string news = software_->news(); !news.empty()) say(news);
@@ -63,6 +66,26 @@ void ControllerTask::end(const CallOutcome& outcome) {
   report_.ended = fmt::format("at {:.3f} s: {}", seconds(now_), outcome.text);
   if (outcome.kind == CallOutcome::crashed && options_.crashes) {
     options_.crashes->write(fmt::format("{}: at {:.3f} s: {}", robot_->name(), seconds(now_), outcome.text));
+  }
+}
+
+/// It cannot begin.
+void ControllerTask::refuse(const CallOutcome& outcome) {
+  if (outcome.kind != CallOutcome::crashed) throw SetupError(outcome.text);
+  end(outcome);
+  throw SoftwareCrash(outcome.text);
+}
+
+void ControllerTask::note(ProcessChanges changes) {
+  for (std::size_t i = 0; i < process_change_names.size(); ++i) {
+    if (!changes.has(static_cast<ProcessChange>(i))) continue;
+    const std::string what(process_change_names[i]);
+    const auto known = std::ranges::find(report_.changed, what, &SoftwareReport::Changed::what);
+    if (known == report_.changed.end()) {
+      report_.changed.push_back({what, 1, now_});
+    } else {
+      ++known->times;
+    }
   }
 }
 

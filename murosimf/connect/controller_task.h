@@ -23,7 +23,7 @@ struct ControllerTaskOptions {
 
 class ControllerTask final : public Algorithm {
  public:
-  /// Throws SetupError if `make` does.
+  /// Throws what `make` throws.
   ControllerTask(Setup& setup, const SoftwareMaker& make, ControllerTaskOptions options);
 
   [[nodiscard]] Phase phase() const noexcept override { return Phase::control; }
@@ -39,6 +39,8 @@ class ControllerTask final : public Algorithm {
   void say(const std::string& line);
   void count(Duration took) noexcept;
   void end(const CallOutcome& outcome);
+  [[noreturn]] void refuse(const CallOutcome& outcome);
+  void note(ProcessChanges changes);
   void take_over_commands();
   void count_messages();
   void count_link();

@@ -38,4 +38,10 @@ class CrashNote {
   std::atomic<bool> there_{false};
 };
 
+/// Of algorithms of plug-ins, which belong to the whole process: after one of them no simulation of it goes on.
+inline CrashNote& crashes_of_plugins() {
+  static CrashNote note;
+  return note;
+}
+
 }  // namespace murosimf::connect

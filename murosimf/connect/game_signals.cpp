@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 
+#include "murosimf/connect/signal_row.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
@@ -71,20 +72,22 @@ const murosimf_signal* GameSignals::find(std::string_view name) {
   const Entry* found = entry(name);
   if (!found) return nullptr;
   const auto known = std::ranges::find(shown_, name, &Shown::name);
-  if (known != shown_.end()) return &known->signal;
+  if (known != shown_.end()) return &known->row->shown_head<const murosimf_signal>();
   if (!view_) {
     if (!setup_) throw SetupError("the game was not asked for when the robot was set up, so it cannot be now");
     view_ = &setup_->input(game_view, {})[0];
   }
   const Numbers numbers = found->numbers(*view_);
-  shown_.push_back({found->name, {numbers.data(), numbers.size(), 0, 0}});
-  return &shown_.back().signal;
+  shown_.push_back({found->name, numbers, &show_numbers(*rows_, std::string(name), numbers, {})});
+  return &shown_.back().row->shown_head<const murosimf_signal>();
 }
 
 void GameSignals::refresh() noexcept {
   for (Shown& each : shown_) {
-    each.signal.time = view_->time;
-    each.signal.samples = view_->samples;
+    murosimf_signal now{};
+    now.time = view_->time;
+    now.samples = view_->samples;
+    show_numbers(*each.row, each.numbers, now);
   }
 }
 

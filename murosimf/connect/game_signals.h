@@ -2,11 +2,13 @@
 #pragma once
 
 #include <deque>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "murosimf/connect/game_view.h"
+#include "murosimf/connect/guard/guarded_row.h"
 #include "murosimf/connect/murosimf_controller.h"
 #include "murosimf/model/setup.h"
 
@@ -14,8 +16,8 @@ namespace murosimf::connect {
 
 class GameSignals {
  public:
-  /// `setup` must live until close().
-  explicit GameSignals(Setup& setup) : setup_(&setup) {}
+  /// `setup` must live until close(), and the rows, to which it adds, as long as this.
+  GameSignals(Setup& setup, GuardedRows& rows) : setup_(&setup), rows_(&rows) {}
 
   [[nodiscard]] static std::vector<std::string_view> names();
 
@@ -29,10 +31,12 @@ class GameSignals {
  private:
   struct Shown {
     std::string_view name;
-    murosimf_signal signal;
+    std::span<const double> numbers;
+    const GuardedRow* row;
   };
 
   Setup* setup_;
+  GuardedRows* rows_;
   const GameView* view_ = nullptr;  // null: nobody has asked
   std::deque<Shown> shown_;         // stay where they are
 };

@@ -1,6 +1,7 @@
 #include "murosimf/connect/library_robot.h"
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -152,10 +153,21 @@ int LibraryRobot::draw(const murosimf_robot* robot, const char* group, int of_ro
   return of(robot).port_->draw(std::move(drawn)) ? 1 : 0;
 }
 
+/// In a row that can only be read.
+const std::byte* LibraryRobot::shown(const std::string& bytes) {
+  if (!message_ || bytes.size() > room_) {
+    room_ = std::max({bytes.size(), 2 * room_, std::size_t{1500}});
+    message_ = &port_->rows().add("message", fmt::format("{} bytes", room_), 0, room_, GuardedRow::Use::read);
+  }
+  std::ranges::copy(std::as_bytes(std::span(bytes)), message_->body<std::byte>());
+  return message_->shown_body<const std::byte>();
+}
+
 int LibraryRobot::receive(const murosimf_robot* robot, murosimf_message* message) noexcept {
   const TeamMessage* received = of(robot).port_->radio().receive();
   if (!received) return 0;
-  *message = {received->bytes.data(), received->bytes.size(), received->sender.c_str(), received->sent.count()};
+  *message = {of(robot).shown(received->bytes), received->bytes.size(), received->sender.c_str(),
+              received->sent.count()};
   return 1;
 }
 

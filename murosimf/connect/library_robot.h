@@ -48,7 +48,11 @@ class LibraryRobot {
   template <class T>
   [[nodiscard]] const T* option(const char* name);
 
+  [[nodiscard]] const std::byte* shown(const std::string& bytes);
+
   RobotPort* port_;
+  const GuardedRow* message_ = nullptr;  // the last one; null: there was none
+  std::size_t room_ = 0;                 // [byte] for it
   SayLine say_;
   OptionValues options_;
   std::string name_, team_, model_;

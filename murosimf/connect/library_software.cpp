@@ -1,7 +1,6 @@
 #include "murosimf/connect/library_software.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <mutex>
 #include <string_view>
@@ -9,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/connect/crash_note.h"
+#include "murosimf/files/private_copy.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect {
@@ -20,6 +21,7 @@ struct LibraryTurn {};
 [[maybe_unused]] void state(StateArchive&, LibraryTurn&) {}
 
 constexpr auto reload_period = std::chrono::milliseconds(250);
+constexpr auto longest_writing = std::chrono::seconds(10);  // after which a file that does not change is taken as it is
 
 /// Instances whose code was left in the middle of a call are never destroyed, and their libraries never unloaded.
 void keep_for_ever(const std::shared_ptr<const ControllerLibrary>& library, void* instance) {
@@ -27,6 +29,15 @@ void keep_for_ever(const std::shared_ptr<const ControllerLibrary>& library, void
   static auto* kept = new std::vector<std::pair<std::shared_ptr<const ControllerLibrary>, void*>>;
   const std::lock_guard lock(keeping);
   kept->emplace_back(library, instance);
+}
+
+/// Half written, or by another program right now.
+bool is_unfinished(const std::filesystem::path& file) {
+  try {
+    return files::is_being_written(file) || !files::is_whole_library(files::read_library(file));
+  } catch (const SetupError&) {  // it is gone: a new one will come
+    return true;
+  }
 }
 
 }  // namespace
@@ -48,10 +59,17 @@ LibrarySoftware::LibrarySoftware(Setup& setup, RobotPort& port, SayLine say,
                                  std::shared_ptr<const ControllerLibrary> library, LibraryOptions options)
     : library_(std::move(library)),
       options_(std::move(options)),
+      rows_(&port.rows()),
       robot_(setup, port, std::move(say), options_.options, options_.seed),
-      step_{fmt::format("library '{}' of {}", options_.file.string(), setup.entity().name()), "its step",
-            longest_call(options_.budget)},
+      threads_(std::make_shared<ForeignThreads>()),
+      step_{fmt::format("library '{}' of {}", options_.file.string(), setup.entity().name()),
+            "its step",
+            longest_call(options_.budget),
+            rows_,
+            threads_,
+            false},
       looked_(WallClock::now()) {
+  threads_->who = step_.who;
   instance_ = create(*library_);
   try {
     robot_.check_options(step_.who);
@@ -63,29 +81,38 @@ LibrarySoftware::LibrarySoftware(Setup& setup, RobotPort& port, SayLine say,
 
 LibrarySoftware::~LibrarySoftware() { destroy(library_, instance_); }
 
-CallOutcome LibrarySoftware::guarded(const char* what, const std::function<void()>& call) const {
-  return GuardedCall{step_.who, what, step_.limit}(call);
+/// What it has changed of the process is told with the next step.
+CallOutcome LibrarySoftware::guarded(const char* what, const std::function<void()>& call) {
+  CallOutcome outcome = GuardedCall{step_.who, what, step_.limit, rows_, threads_, true}(call);
+  changes_.add(std::exchange(outcome.changes, {}));
+  return outcome;
+}
+
+/// The same where the software cannot do without. Throws SoftwareCrash if it would have ended the program, else SetupError.
+void LibrarySoftware::must(const CallOutcome& outcome) {
+  if (outcome) return;
+  if (outcome.kind != CallOutcome::crashed) throw SetupError(outcome.text);
+  give_up(outcome);
+  throw SoftwareCrash(outcome.text);
 }
 
 void* LibrarySoftware::create(const ControllerLibrary& library) {
-  std::array<char, 1000> error{};
+  constexpr std::size_t longest_error = 1000;
+  if (!error_) error_ = &rows_->add("error", "1000 bytes", 0, longest_error, GuardedRow::Use::write);
+  char* const error = error_->body<char>();
+  std::fill_n(error, longest_error, '\0');
   void* instance = nullptr;
   robot_.forget_names();
-  const CallOutcome outcome = guarded("its create", [&] {
-    instance = library.functions().create(&robot_.description(), error.data(), error.size());
-  });
-  if (!outcome) {
-    crashed_ = crashed_ || outcome.kind == CallOutcome::crashed;
-    throw SetupError(outcome.text);
-  }
+  must(guarded("its create",
+               [&] { instance = library.functions().create(&robot_.description(), error, longest_error); }));
   if (instance) return instance;
-  error.back() = 0;
-  const std::string reason = error.front() != 0 ? std::string(error.data()) : robot_.not_found();
+  error[longest_error - 1] = 0;
+  const std::string reason = *error != 0 ? std::string(error) : robot_.not_found();
   throw SetupError(
       fmt::format("{}: {}", step_.who, reason.empty() ? "it takes no such robot, and does not say why" : reason));
 }
 
-void LibrarySoftware::destroy(const std::shared_ptr<const ControllerLibrary>& library, void*& instance) const {
+void LibrarySoftware::destroy(const std::shared_ptr<const ControllerLibrary>& library, void*& instance) {
   if (!instance) return;
   const CallOutcome outcome = guarded("its destroy", [&] { library->functions().destroy(instance); });
   if (!outcome) keep_for_ever(library, instance);
@@ -94,6 +121,7 @@ void LibrarySoftware::destroy(const std::shared_ptr<const ControllerLibrary>& li
 
 void LibrarySoftware::give_up(const CallOutcome& outcome) noexcept {
   if (outcome) return;
+  if (outcome.kind == CallOutcome::crashed) crash_ = outcome.text;
   if (outcome.kind == CallOutcome::threw) return destroy(library_, instance_);
   crashed_ = crashed_ || outcome.kind == CallOutcome::crashed;
   keep_for_ever(library_, instance_);  // nobody knows what it would do now
@@ -112,37 +140,62 @@ CallOutcome LibrarySoftware::start() {
   if (!has_start) return {};
   CallOutcome outcome = guarded("its start", [&] { library_->functions().start(instance_); });
   give_up(outcome);
+  return with_threads(std::move(outcome));
+}
+
+/// A call that was good in itself, but one of its threads has crashed.
+CallOutcome LibrarySoftware::with_threads(CallOutcome outcome) noexcept {
+  outcome.changes.add(std::exchange(changes_, {}));
+  for (const ForeignThreads* threads : {threads_.get(), library_->threads().get()}) {
+    if (!outcome || !threads->ended) continue;
+    const ProcessChanges changes = outcome.changes;
+    outcome = outcome_of(*threads);
+    outcome.changes = changes;
+    give_up(outcome);
+  }
   return outcome;
 }
 
 CallOutcome LibrarySoftware::step(Duration now) noexcept {
   if (options_.reload) look_for_a_newer_one();
-  if (crashed_) return {CallOutcome::crashed, news_};
+  if (crashed_) return {CallOutcome::crashed, crash_};
   CallOutcome outcome = step_([this, now] { library_->functions().step(instance_, now.count()); });
   give_up(outcome);
-  return outcome;
+  return with_threads(std::move(outcome));
 }
 
 std::string LibrarySoftware::news() { return std::exchange(news_, {}); }
 
-std::vector<std::byte> LibrarySoftware::saved() const {
-  std::vector<std::byte> bytes;
-  if (!instance_ || !library_->functions().save) return bytes;
-  const CallOutcome outcome = guarded("its save", [&] {
-    bytes.resize(library_->functions().save(instance_, nullptr, 0));
-    bytes.resize(std::min(bytes.size(), library_->functions().save(instance_, bytes.data(), bytes.size())));
-  });
-  if (!outcome) throw SetupError(outcome.text);
-  return bytes;
+/// Asked for their number first, then with room for as many.
+std::vector<std::byte> LibrarySoftware::saved() {
+  if (!instance_ || crashed_ || !library_->functions().save) return {};
+  std::size_t size = 0;
+  must(guarded("its save", [&] { size = library_->functions().save(instance_, nullptr, 0); }));
+  GuardedRows memory;
+  const GuardedRow& row =
+      memory.add("bytes of its state", fmt::format("{} bytes", size), 0, size, GuardedRow::Use::write);
+  auto* const bytes = row.body<std::byte>();
+  must(guarded_with(memory, "its save",
+                    [&] { size = std::min(size, library_->functions().save(instance_, bytes, size)); }));
+  return {bytes, bytes + size};
 }
 
-bool LibrarySoftware::loaded(const ControllerLibrary& library, void* instance,
-                             const std::vector<std::byte>& bytes) const {
+bool LibrarySoftware::loaded(const ControllerLibrary& library, void* instance, const std::vector<std::byte>& bytes) {
   bool taken = false;
-  const CallOutcome outcome =
-      guarded("its load", [&] { taken = library.functions().load(instance, bytes.data(), bytes.size()) != 0; });
-  if (!outcome) throw SetupError(outcome.text);
+  GuardedRows memory;
+  const GuardedRow& row = memory.add("bytes of its state", "", 0, bytes.size(), GuardedRow::Use::read);
+  std::ranges::copy(bytes, row.body<std::byte>());
+  const auto* const shown = row.shown_body<const std::byte>();
+  must(guarded_with(memory, "its load", [&] { taken = library.functions().load(instance, shown, bytes.size()) != 0; }));
   return taken;
+}
+
+/// With rows of this call alone.
+CallOutcome LibrarySoftware::guarded_with(const GuardedRows& rows, const char* what,
+                                          const std::function<void()>& call) {
+  CallOutcome outcome = GuardedCall{step_.who, what, step_.limit, &rows, threads_, true}(call);
+  changes_.add(std::exchange(outcome.changes, {}));
+  return outcome;
 }
 
 void LibrarySoftware::state(StateArchive& archive) {
@@ -152,7 +205,8 @@ void LibrarySoftware::state(StateArchive& archive) {
   if (!loaded(*library_, instance_, bytes)) throw SetupError(fmt::format("{}: its load refuses the state", step_.who));
 }
 
-/// A file that is still being written is left alone until it has had the same time twice.
+/// A file that is still being written is left alone: until it has had the same time twice, is whole, and no program has it open for
+/// writing.
 void LibrarySoftware::look_for_a_newer_one() {
   const WallClock::time_point now = WallClock::now();
   if (now - looked_ < reload_period) return;
@@ -161,8 +215,10 @@ void LibrarySoftware::look_for_a_newer_one() {
   if (!written || *written == tried_) return;
   if (*written != seen_) {
     seen_ = *written;
+    since_ = now;
     return;
   }
+  if (now - since_ < longest_writing && is_unfinished(options_.file)) return;
   tried_ = *written;
   exchange();
 }
@@ -181,13 +237,14 @@ void LibrarySoftware::exchange() {
     news_ = goes_on ? "the library was loaded anew and goes on" : "the library was loaded anew and begins anew";
   } catch (const SetupError& error) {
     news_ = fmt::format("the library was not loaded anew: {}", error.what());
+  } catch (const SoftwareCrash&) {
+    return keep_for_ever(next, instance);
   }
   if (next) destroy(next, instance);  // the old one, or the new one that is not taken
 }
 
-void LibrarySoftware::begin(const ControllerLibrary& library, void* instance) const {
-  const CallOutcome outcome = guarded("its start", [&] { library.functions().start(instance); });
-  if (!outcome) throw SetupError(outcome.text);
+void LibrarySoftware::begin(const ControllerLibrary& library, void* instance) {
+  must(guarded("its start", [&] { library.functions().start(instance); }));
 }
 
 }  // namespace murosimf::connect

@@ -1,6 +1,6 @@
 /// library_software.h - control software in a shared library: one instance of it, for one robot.
 ///
-/// Every call is guarded (guarded_call.h): what the library does wrong ends the instance, and is told with the library's name.
+/// Every call is guarded (guard/guarded_call.h): what the library does wrong ends the instance, and is told with the library's name.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@
 
 #include "murosimf/connect/control_software.h"
 #include "murosimf/connect/controller_library.h"
-#include "murosimf/connect/guarded_call.h"
+#include "murosimf/connect/guard/guarded_call.h"
 #include "murosimf/connect/library_robot.h"
 #include "murosimf/model/option.h"
 
@@ -33,7 +33,7 @@ void one_after_the_other(const Setup& setup, Entity& common, const ControllerLib
 
 class LibrarySoftware final : public ControlSoftware {
  public:
-  /// Throws SetupError: the library refuses the robot, asks for what is not there, crashes, or does not know an option.
+  /// Throws SetupError: the library refuses the robot, asks for what is not there, throws, or does not know an option. Throws SoftwareCrash.
   LibrarySoftware(Setup& setup, RobotPort& port, SayLine say, std::shared_ptr<const ControllerLibrary> library,
                   LibraryOptions options);
   ~LibrarySoftware() override;
@@ -49,24 +49,31 @@ class LibrarySoftware final : public ControlSoftware {
   using WallClock = std::chrono::steady_clock;
 
   [[nodiscard]] void* create(const ControllerLibrary& library);
-  void destroy(const std::shared_ptr<const ControllerLibrary>& library, void*& instance) const;
+  void destroy(const std::shared_ptr<const ControllerLibrary>& library, void*& instance);
   void give_up(const CallOutcome& outcome) noexcept;
-  [[nodiscard]] CallOutcome guarded(const char* what, const std::function<void()>& call) const;
-  [[nodiscard]] std::vector<std::byte> saved() const;
-  [[nodiscard]] bool loaded(const ControllerLibrary& library, void* instance,
-                            const std::vector<std::byte>& bytes) const;
+  [[nodiscard]] CallOutcome guarded(const char* what, const std::function<void()>& call);
+  [[nodiscard]] CallOutcome guarded_with(const GuardedRows& rows, const char* what, const std::function<void()>& call);
+  [[nodiscard]] CallOutcome with_threads(CallOutcome outcome) noexcept;
+  void must(const CallOutcome& outcome);
+  [[nodiscard]] std::vector<std::byte> saved();
+  [[nodiscard]] bool loaded(const ControllerLibrary& library, void* instance, const std::vector<std::byte>& bytes);
   void look_for_a_newer_one();
   void exchange();
-  void begin(const ControllerLibrary& library, void* instance) const;
+  void begin(const ControllerLibrary& library, void* instance);
 
   std::shared_ptr<const ControllerLibrary> library_;
   LibraryOptions options_;
+  GuardedRows* rows_;                  // of the port
+  const GuardedRow* error_ = nullptr;  // that create may write to
   LibraryRobot robot_;
+  std::shared_ptr<ForeignThreads> threads_;  // that the instance begins
   GuardedCall step_;
   void* instance_ = nullptr;  // null: it has ended
   bool fresh_ = true;         // it has not begun yet
   bool crashed_ = false;
-  WallClock::time_point looked_;
+  std::string crash_;       // why
+  ProcessChanges changes_;  // that are not told yet
+  WallClock::time_point looked_, since_;
   std::filesystem::file_time_type seen_{}, tried_{};  // of a newer file
   std::string news_;
 };

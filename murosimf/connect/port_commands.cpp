@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "murosimf/connect/game_view.h"
+#include "murosimf/connect/signal_row.h"
 #include "murosimf/locomotion/gait_properties.h"
 #include "murosimf/locomotion/leg.h"
 #include "murosimf/model/error.h"
@@ -53,7 +54,7 @@ std::vector<int> joints_of_legs(const Model& model) {
 
 murosimf_command* PortCommands::find(std::string_view name) {
   const auto found = std::ranges::find(commands_, name, &Command::name);
-  return &(found == commands_.end() ? make(name) : *found).shown;
+  return &(found == commands_.end() ? make(name) : *found).row->shown_head<murosimf_command>();
 }
 
 const std::vector<std::string>* PortCommands::labels(std::string_view name) const {
@@ -80,11 +81,15 @@ PortCommands::Command& PortCommands::make(std::string_view name) {
   Command command{.name = std::string(name)};
   connect(command);
   command.first.resize(command.places.size());
-  command.staged = command.first;
-  command.accepted = command.staged;
-  commands_.push_back(std::move(command));
-  commands_.back().shown = {commands_.back().staged.data(), commands_.back().staged.size()};
-  return commands_.back();
+  command.accepted = command.first;
+  const std::size_t count = command.first.size();
+  command.row = &rows_->add(command.name, numbers_text(count), sizeof(murosimf_command), count * sizeof(double),
+                            GuardedRow::Use::write);
+  command.staged = {command.row->body<double>(), count};
+  std::ranges::copy(command.first, command.staged.begin());
+  command.row->head<murosimf_command>() = {command.staged.data(), count};
+  command.row->close_head();
+  return commands_.emplace_back(std::move(command));
 }
 
 void PortCommands::connect(Command& command) {

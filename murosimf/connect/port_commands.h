@@ -6,11 +6,13 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "murosimf/connect/delayed_rows.h"
+#include "murosimf/connect/guard/guarded_row.h"
 #include "murosimf/connect/murosimf_controller.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/model/state_archive.h"
@@ -19,8 +21,8 @@ namespace murosimf::connect {
 
 class PortCommands {
  public:
-  /// `setup` must live until close().
-  explicit PortCommands(Setup& setup) : setup_(&setup), model_(&setup.model()) {}
+  /// `setup` must live until close(), and the rows, to which it adds, as long as this.
+  PortCommands(Setup& setup, GuardedRows& rows) : setup_(&setup), model_(&setup.model()), rows_(&rows) {}
 
   /// As RobotPort::command, labels, close, walks, restart, accept and refusal.
   [[nodiscard]] murosimf_command* find(std::string_view name);
@@ -47,12 +49,12 @@ class PortCommands {
     std::string name;
     std::vector<std::string> labels;
     std::vector<double> first;            // values that hold at the start
-    std::vector<double> staged;           // the software's
+    std::span<double> staged{};           // the software's
     std::vector<double> accepted;         // the robot's
     std::vector<double> lowest, highest;  // allowed
     std::vector<double*> places;          // in columns
     std::function<void(Setup&)> declare;  // that it is written
-    murosimf_command shown{};
+    const GuardedRow* row = nullptr;      // where they stand
   };
   struct Refused {
     const Command* command = nullptr;  // null: nothing was
@@ -72,6 +74,7 @@ class PortCommands {
 
   Setup* setup_;
   const Model* model_;
+  GuardedRows* rows_;
   std::deque<Command> commands_;  // stay where they are
   Refused refused_;
   std::optional<DelayedRows> link_;

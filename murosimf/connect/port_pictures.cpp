@@ -1,6 +1,7 @@
 #include "murosimf/connect/port_pictures.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,10 +28,16 @@ std::string format_of(std::string_view layer, const sensors::CameraInfo& camera)
   return camera.mosaic.empty() ? "rgb8" : fmt::format("bayer_{}8", camera.mosaic);
 }
 
-template <class Pixel>
-void show(const imaging::Image<Pixel>& image, murosimf_picture& picture) noexcept {
-  picture.bytes = image.pixels().data();
-  picture.size = image.pixels().size_bytes();
+std::size_t bytes_of_pixel(std::string_view layer, const sensors::CameraInfo& camera) {
+  if (layer == depth) return sizeof(float);
+  if (layer == labels) return sizeof(std::uint16_t);
+  return camera.mosaic.empty() ? 3 : 1;
+}
+
+std::span<const std::byte> bytes_of(const sensors::CameraFrame& frame, std::string_view layer) {
+  if (layer == depth) return std::as_bytes(frame.depth.pixels());
+  if (layer == labels) return std::as_bytes(frame.labels.pixels());
+  return frame.info->mosaic.empty() ? std::as_bytes(frame.color.pixels()) : std::as_bytes(frame.mosaic.pixels());
 }
 
 }  // namespace
@@ -38,7 +45,7 @@ void show(const imaging::Image<Pixel>& image, murosimf_picture& picture) noexcep
 const murosimf_picture* PortPictures::find(std::string_view name) {
   const auto known = [&] { return std::ranges::find(shown_, name, &Shown::name); };
   if (known() == shown_.end()) make(name);
-  return &known()->picture;
+  return &known()->row->shown_head<const murosimf_picture>();
 }
 
 void PortPictures::make(std::string_view name) {
@@ -59,10 +66,15 @@ void PortPictures::make(std::string_view name) {
   const std::size_t dot = name.rfind('.');
   const sensors::CameraFrame& frame = sensors::read_frame(*setup_, name.substr(0, dot));
   const std::string_view layer = name.substr(dot + 1);
-  shown_.push_back({std::string(name), format_of(layer, *frame.info), std::string(layer), &frame, {}});
-  murosimf_picture& picture = shown_.back().picture;
-  picture.width = static_cast<std::uint32_t>(frame.info->lens.spec().width);
-  picture.height = static_cast<std::uint32_t>(frame.info->lens.spec().height);
+  const auto width = static_cast<std::uint32_t>(frame.info->lens.spec().width),
+             height = static_cast<std::uint32_t>(frame.info->lens.spec().height);
+  const std::size_t bytes = bytes_of_pixel(layer, *frame.info) * width * height;
+  const GuardedRow& row = rows_->add(std::string(name), fmt::format("{} bytes", bytes), sizeof(murosimf_picture), bytes,
+                                     GuardedRow::Use::read);
+  shown_.push_back({std::string(name), format_of(layer, *frame.info), std::string(layer), &frame, &row});
+  auto& picture = row.head<murosimf_picture>();
+  picture.width = width;
+  picture.height = height;
   picture.format = shown_.back().format.c_str();
   picture.period = seconds(frame.info->period);
 }
@@ -71,19 +83,26 @@ void PortPictures::refresh() noexcept {
   for (Shown& shown : shown_) refresh(shown);
 }
 
-/// Pictures take turns in a camera's memory.
+void PortPictures::forget() noexcept {
+  for (const Shown& shown : shown_) shown.row->head<murosimf_picture>().bytes = nullptr;
+}
+
+/// Pictures take turns in a camera's memory; a new one is copied once.
 void PortPictures::refresh(Shown& shown) noexcept {
   const sensors::CameraFrame& frame = *shown.frame;
-  murosimf_picture& picture = shown.picture;
+  auto& picture = shown.row->head<murosimf_picture>();
+  const bool as_it_was =
+      picture.number == frame.number && picture.time == frame.time.count() && picture.bytes != nullptr;
   picture.time = frame.time.count();
   picture.number = frame.number;
+  if (as_it_was && frame.number != 0) return;
   picture.bytes = nullptr;
   picture.size = 0;
   if (frame.number == 0) return;
-  if (shown.layer == depth) return show(frame.depth, picture);
-  if (shown.layer == labels) return show(frame.labels, picture);
-  if (frame.info->mosaic.empty()) return show(frame.color, picture);
-  show(frame.mosaic, picture);
+  const std::span<const std::byte> bytes = bytes_of(frame, shown.layer);
+  std::ranges::copy(bytes, shown.row->body<std::byte>());
+  picture.bytes = shown.row->shown_body<const std::byte>();
+  picture.size = bytes.size();
 }
 
 }  // namespace murosimf::connect

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "murosimf/connect/guard/guarded_row.h"
 #include "murosimf/connect/murosimf_controller.h"
 #include "murosimf/model/setup.h"
 #include "murosimf/sensors/camera_frame.h"
@@ -21,25 +22,28 @@ namespace murosimf::connect {
 
 class PortPictures {
  public:
-  /// `setup` must live until close().
-  explicit PortPictures(Setup& setup) : setup_(&setup) {}
+  /// `setup` must live until close(), and the rows, to which it adds, as long as this.
+  PortPictures(Setup& setup, GuardedRows& rows) : setup_(&setup), rows_(&rows) {}
 
   /// While the robot is set up: the camera draws from then on. One that was asked for can be asked for again later. Throws SetupError:
   /// there is no such camera or layer (with the nearest), or it is too late.
   [[nodiscard]] const murosimf_picture* find(std::string_view name);
   void close() { setup_ = nullptr; }
   void refresh() noexcept;
+  /// A state was loaded: pictures of the same number may be others.
+  void forget() noexcept;
 
  private:
   struct Shown {
     std::string name, format, layer;
     const sensors::CameraFrame* frame;
-    murosimf_picture picture;
+    const GuardedRow* row;  // what software sees
   };
   void make(std::string_view name);
   static void refresh(Shown& shown) noexcept;
 
   Setup* setup_;
+  GuardedRows* rows_;
   std::deque<Shown> shown_;  // stay where they are
 };
 

@@ -4,13 +4,19 @@
 #include <cmath>
 #include <utility>
 
+#include "murosimf/connect/signal_row.h"
 #include "murosimf/model/error.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf::connect {
 
 RobotPort::RobotPort(Setup& setup, const ControlLinkOptions& link, std::uint64_t seed)
-    : model_(&setup.model()), commands_(setup), radio_(setup), game_(setup), pictures_(setup), pad_(setup) {
+    : model_(&setup.model()),
+      commands_(setup, rows_),
+      radio_(setup),
+      game_(setup, rows_),
+      pictures_(setup, rows_),
+      pad_(setup) {
   if (link.does_something() && link.signals) link_.emplace(link.one_way(), seed, setup.entity().name() + "/signals");
   if (link.does_something() && link.commands) commands_.use_link(link.one_way(), seed);
   for (const sensors::Reading* reading : sensors::readings_of(setup.entity())) add_sensor(setup, *reading);
@@ -26,12 +32,8 @@ void RobotPort::add_sensor(Setup& setup, const sensors::Reading& found) {
     const std::span<const double> values = reading.output(output.name);
     signals_.push_back({.name = reading.info->name + "." + output.name, .labels = output.labels, .reading = &reading});
     if (output.labels.empty() && values.size() == 1) signals_.back().labels = {output.name};
-    Signal& signal = signals_.back();
-    signal.shown = {values.data(), values.size(), 0, 0};
-    if (!link_) continue;
-    signal.measured = values;
-    signal.values.resize(values.size());
-    signal.shown.values = signal.values.data();
+    signals_.back().measured = values;
+    if (link_) signals_.back().values.resize(values.size());
   }
 }
 
@@ -44,7 +46,6 @@ void RobotPort::add_joints(std::string name, std::span<const double> column, boo
     signal.steps.push_back(in_steps && servo ? servo->encoder_step : 0);
   }
   signal.values.resize(signal.labels.size());
-  signal.shown = {signal.values.data(), signal.values.size(), 0, 0};
 }
 
 std::vector<std::string_view> RobotPort::signal_names() const {
@@ -58,8 +59,11 @@ const murosimf_signal* RobotPort::signal(std::string_view name) {
   if (const murosimf_signal* of_game = game_.find(name)) return of_game;
   const auto found = std::ranges::find(signals_, name, &Signal::name);
   if (found == signals_.end()) throw SetupError(unknown_name("signal", name, signal_names()));
-  if (!std::exchange(found->wanted, true) && link_) link_->drop();
-  return &found->shown;
+  if (!found->row) {
+    found->row = &show_numbers(rows_, found->name, found->numbers(), found->now);
+    if (link_) link_->drop();
+  }
+  return &found->row->shown_head<const murosimf_signal>();
 }
 
 const std::vector<std::string>* RobotPort::labels(std::string_view name) const {
@@ -78,7 +82,7 @@ void RobotPort::refresh(Duration now) noexcept {
     return receive_over_link(now);
   }
   for (Signal& signal : signals_) {
-    if (signal.wanted) refresh(signal, now);
+    if (signal.row) refresh(signal, now);
   }
 }
 
@@ -86,7 +90,7 @@ void RobotPort::refresh(Duration now) noexcept {
 void RobotPort::send_over_link(Duration now) {
   sent_.clear();
   for (Signal& signal : signals_) {
-    if (!signal.wanted) continue;
+    if (!signal.row) continue;
     const bool of_sensor = signal.reading != nullptr;
     sent_.push_back(static_cast<double>(of_sensor ? signal.reading->time.count() : now.count()));
     sent_.push_back(static_cast<double>(of_sensor ? signal.reading->samples : ++signal.measurements));
@@ -104,10 +108,11 @@ void RobotPort::receive_over_link(Duration now) noexcept {
   if (!arrived) return;
   auto number = arrived->begin();
   for (Signal& signal : signals_) {
-    if (!signal.wanted) continue;
-    signal.shown.time = static_cast<std::int64_t>(*number++);
-    signal.shown.samples = static_cast<std::uint64_t>(*number++);
+    if (!signal.row) continue;
+    signal.now.time = static_cast<std::int64_t>(*number++);
+    signal.now.samples = static_cast<std::uint64_t>(*number++);
     for (double& value : signal.values) value = *number++;
+    show(signal);
   }
 }
 
@@ -115,12 +120,14 @@ void RobotPort::restart() noexcept {
   commands_.restart();
   pad_.clear();
   now_ = {};
-  if (!link_) return;
-  link_->restart();
+  if (link_) link_->restart();
   for (Signal& signal : signals_) {
-    signal.measurements = signal.shown.samples = 0;
-    signal.shown.time = 0;
-    std::ranges::fill(signal.values, 0.0);
+    if (link_) {
+      signal.measurements = signal.now.samples = 0;
+      signal.now.time = 0;
+      std::ranges::fill(signal.values, 0.0);
+    }
+    if (signal.row) show(signal);
   }
 }
 
@@ -137,21 +144,29 @@ double RobotPort::joint_value(const Signal& signal, std::size_t i) const noexcep
 
 void RobotPort::refresh(Signal& signal, Duration now) noexcept {
   if (signal.reading) {
-    signal.shown.time = signal.reading->time.count();
-    signal.shown.samples = signal.reading->samples;
-    return;
+    signal.now.time = signal.reading->time.count();
+    signal.now.samples = signal.reading->samples;
+    return show(signal);
   }
   for (std::size_t i = 0; i < signal.values.size(); ++i) signal.values[i] = joint_value(signal, i);
-  signal.shown.time = now.count();
-  ++signal.shown.samples;
+  signal.now.time = now.count();
+  ++signal.now.samples;
+  show(signal);
 }
+
+void RobotPort::show(const Signal& signal) noexcept { show_numbers(*signal.row, signal.numbers(), signal.now); }
 
 void RobotPort::state(StateArchive& archive) {
   commands_.state(archive);
-  for (Signal& signal : signals_) archive(signal.shown.samples);
+  if (archive.loads()) pictures_.forget();
+  for (Signal& signal : signals_) archive(signal.now.samples);
   if (!link_) return;
   archive(*link_);
-  for (Signal& signal : signals_) archive(signal.shown.time, signal.measurements, signal.values);
+  for (Signal& signal : signals_) archive(signal.now.time, signal.measurements, signal.values);
+  if (!archive.loads()) return;
+  for (const Signal& signal : signals_) {
+    if (signal.row) show(signal);
+  }
 }
 
 }  // namespace murosimf::connect

@@ -30,6 +30,7 @@
 
 #include "murosimf/connect/control_link_options.h"
 #include "murosimf/connect/game_signals.h"
+#include "murosimf/connect/guard/guarded_row.h"
 #include "murosimf/connect/murosimf_controller.h"
 #include "murosimf/connect/port_commands.h"
 #include "murosimf/connect/port_pictures.h"
@@ -80,6 +81,9 @@ class RobotPort {
   /// Whether the walk engine must be attached, after the algorithm that has this port.
   [[nodiscard]] bool walks() const { return commands_.walks(); }
 
+  /// All that software has pointers to.
+  [[nodiscard]] GuardedRows& rows() { return rows_; }
+
   /// All commands as nobody had set them.
   void restart() noexcept;
   /// Before the software's step that begins at `now`: signals show what holds then.
@@ -110,18 +114,21 @@ class RobotPort {
     std::vector<double> values;                 // of joints, and of all that has come over a link
     std::span<const double> measured{};         // of a sensor, before the link
     std::uint64_t measurements = 0;             // of joints, before the link
-    murosimf_signal shown{};
-    bool wanted = false;
+    murosimf_signal now{};                      // but where its values stand
+    const GuardedRow* row = nullptr;            // what software sees of it; null: it has not asked
+    [[nodiscard]] std::span<const double> numbers() const { return values.empty() ? measured : values; }
   };
   void add_sensor(Setup& setup, const sensors::Reading& reading);
   void add_joints(std::string name, std::span<const double> column, bool in_steps);
   void refresh(Signal& signal, Duration now) noexcept;
+  void show(const Signal& signal) noexcept;
   void send_over_link(Duration now);
   void receive_over_link(Duration now) noexcept;
   [[nodiscard]] double joint_value(const Signal& signal, std::size_t i) const noexcept;
   [[nodiscard]] std::vector<std::string_view> signal_names() const;
 
   const Model* model_;
+  GuardedRows rows_;
   std::deque<Signal> signals_;       // stay where they are
   std::optional<DelayedRows> link_;  // of signals; nothing: they are there at once
   std::vector<double> sent_;         // memory of the link

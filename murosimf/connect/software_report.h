@@ -21,6 +21,13 @@ struct SoftwareReport {
     std::string text;
   };
 
+  /// What it has changed of the process or the thread (process_change.h), and what was put back.
+  struct Changed {
+    std::string what;         ///< "the rounding mode"
+    std::uint64_t times = 0;  ///< calls
+    Duration first{};         ///< simulated
+  };
+
   struct LinkReport {
     LinkCounts signals, commands;
   };
@@ -37,6 +44,7 @@ struct SoftwareReport {
   std::optional<MessageCounts> messages;  ///< to and from its team; nothing: it has not asked for them
   std::string first_refused_message;      ///< with its time
   std::optional<LinkReport> link;         ///< what has gone over it; nothing: there is none
+  std::vector<Changed> changed;           ///< each of them once
   std::string ended;                      ///< why it does not run any more; empty: it does
   std::vector<Message> said;              ///< at most most_messages
   std::uint64_t not_kept = 0;             ///< messages after these

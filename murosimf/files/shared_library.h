@@ -1,9 +1,14 @@
-/// shared_library.h - a shared library that is loaded while the program runs, and its functions by name.
+/// shared_library.h - a shared library that is loaded while the program runs, and its functions by name. What is loaded is a copy of its
+/// file (private_copy.h): whatever becomes of the file afterwards, the library stays as it is.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
+
+#include "murosimf/files/private_copy.h"
 
 namespace murosimf::files {
 
@@ -14,11 +19,14 @@ enum class Unloading {
 
 class SharedLibrary {
  public:
-  /// Throws SetupError in one line that begins with `shown`: it is no file, no library, or lacks symbols.
-  SharedLibrary(const std::filesystem::path& file, Unloading unloading, const std::string& shown);
+  /// Throws SetupError in one line that begins with `shown`: it is no library, or lacks symbols. The copy is not needed afterwards.
+  SharedLibrary(const PrivateCopy& copy, Unloading unloading, const std::string& shown);
   ~SharedLibrary();
   SharedLibrary(const SharedLibrary&) = delete;
   SharedLibrary& operator=(const SharedLibrary&) = delete;
+
+  /// Where it lies: code, constants, tables of virtual functions.
+  [[nodiscard]] std::span<const std::byte> memory() const;
 
   /// Null if it has none of that name. The caller knows the type.
   template <class Function>

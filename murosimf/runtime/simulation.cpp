@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/floating_point.h"
 #include "murosimf/model/access_guard.h"
+#include "murosimf/model/foreign_code.h"
 #include "murosimf/model/properties.h"
 
 namespace murosimf {
@@ -97,6 +99,7 @@ void Simulation::make_timed_calls() {
 }
 
 void Simulation::make(const TimedCall& timed) {
+  const KeptFloatingPoint modes;  // the call is the user's
   try {
     timed.call();
   } catch (const SetupError& error) {
@@ -127,6 +130,7 @@ void Simulation::run(Duration duration) {
 }
 
 void Simulation::step() {
+  const StandardFloatingPoint modes;
   initialize();
   make_timed_calls();
   queue_.carry_out(now_);
@@ -246,7 +250,7 @@ void Simulation::plan_jobs() {
   helpers_.use(find_homes());
   std::vector<LaneJobs::Member> members;
   for (const auto& task : tasks_) {
-    const bool alone = !use_lanes_ || task->step_ratio;
+    const bool alone = !use_lanes_ || task->step_ratio || ForeignCode::of(*task->algorithm);
     members.push_back({alone ? nullptr : task->algorithm.get(), task->period, helpers_.homes().of(*task->entity)});
   }
   lane_jobs_ = {std::move(members), pool_.threads()};
@@ -261,7 +265,9 @@ void Simulation::execute(Task& task) noexcept {
   const AccessGuard guard(task.access);
 #endif
   Task* const alone = &task;
-  take_time({&alone, 1}, [&] { task.algorithm->step({now_, period, alone_in_wave_ ? &helpers_ : nullptr}); });
+  const auto step = [&] { task.algorithm->step({now_, period, alone_in_wave_ ? &helpers_ : nullptr}); };
+  const ForeignCode* const code = ForeignCode::of(*task.algorithm);
+  take_time({&alone, 1}, [&] { code ? code->caller(*code, full_name(task), step) : step(); });
 }
 
 void Simulation::execute(const Job& job) noexcept {
@@ -282,6 +288,7 @@ void Simulation::execute(const Job& job) noexcept {
 /// Executes a step of these tasks, and shares its time out among them.
 template <class Step>
 void Simulation::take_time(std::span<Task* const> tasks, const Step& step) noexcept {
+  const KeptFloatingPoint modes;  // the algorithm may be somebody else's
   const std::int64_t call = tasks.front()->calls;
   for (Task* task : tasks) ++task->calls;
   if (call >= all_timed && call % timed_every != 0) return step();

@@ -1,5 +1,6 @@
 // How a simulation gets to the time 0: the first time, and again. Columns and algorithms go back to what they were before the first
 // start, and then do what they did there.
+#include "murosimf/math/floating_point.h"
 #include "murosimf/model/error.h"
 #include "murosimf/runtime/simulation.h"
 
@@ -7,6 +8,7 @@ namespace murosimf {
 
 void Simulation::initialize() {
   if (initialized_) return;
+  const StandardFloatingPoint modes;
   check_and_plan();
   world_->freeze_columns();
   keep_start();
@@ -14,11 +16,17 @@ void Simulation::initialize() {
 }
 
 void Simulation::start() {
+  const StandardFloatingPoint modes;
   for (const auto& call : before_start_) call();
-  for (const auto& task : tasks_) murosimf::with_context(full_name(*task), [&] { task->algorithm->initialize(); });
+  modes.again();
+  for (const auto& task : tasks_) {
+    const KeptFloatingPoint of_others;
+    murosimf::with_context(full_name(*task), [&] { task->algorithm->initialize(); });
+  }
   initialized_ = true;
   take_over_idle();
   for (const auto& call : after_start_) call();
+  modes.again();
   restart_checks();
   poses_.publish(*world_, now_, ticks_);
 }

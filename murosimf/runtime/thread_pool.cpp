@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/math/floating_point.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf {
@@ -87,6 +88,7 @@ void ThreadPool::help() {
 }
 
 void ThreadPool::work(Share& own) {
+  const StandardFloatingPoint modes;  // the thread has those of the one that began it
   while (!stop_.load(std::memory_order_relaxed)) {
     const std::uint32_t waves = waves_.load(std::memory_order_acquire);
     for (int spin = 1; spin < spins; ++spin) {

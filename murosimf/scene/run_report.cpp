@@ -74,6 +74,10 @@ json control_object(const ControlReport& report) {
   const connect::SoftwareReport& software = report.software;
   json said = json::array();
   for (const auto& message : software.said) said.push_back({{"time_s", seconds(message.time)}, {"text", message.text}});
+  json changed = json::array();
+  for (const auto& each : software.changed) {
+    changed.push_back({{"what", each.what}, {"times", each.times}, {"first_s", seconds(each.first)}});
+  }
   return {{"robot", report.robot},
           {"software", software.software},
           {"rate_hz", software.rate_hz},
@@ -87,6 +91,7 @@ json control_object(const ControlReport& report) {
           {"first_refusal", software.first_refusal},
           {"messages", messages_object(software)},
           {"link", link_object(software)},
+          {"changed", std::move(changed)},
           {"ended", software.ended},
           {"said", std::move(said)},
           {"not_kept", software.not_kept}};

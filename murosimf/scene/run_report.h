@@ -73,7 +73,7 @@ struct RunReport {
 /// entities [{name, model, level, contact, controller, team, position, distance_m, falls, frozen, present}],
 /// sensors {entity: {sensor: {type, time_s, samples, outputs: {name: {unit, labels, values}}}}} with null for what is no
 /// finite number, control [{robot, software, rate_hz, calls, us_per_call, worst_us, worst_at_s, budget_us (null: any), over_budget,
-/// refused, first_refusal, messages (null: none; or {sent, refused, lost, arrived, not_read, first_refused}),
+/// refused, first_refusal, changed (list of {what, times, first_s}), messages (null: none; or {sent, refused, lost, arrived, not_read, first_refused}),
 /// link (null: none; or signals and commands: {sent, lost, overtaken, longest_ms}), ended, said [{time_s, text}], not_kept}], drawings (null, or {packets,
 /// ignored}), algorithms [{name, rate_hz, calls, us_per_call}], events [{time_s, text}], notes [], warnings [].
 [[nodiscard]] std::string to_json(const RunReport& report);

@@ -80,6 +80,7 @@ void build(SceneParts& parts, const SceneOptions& options) {
   simulation.world().gravity = parts.spec.gravity;
   simulation.stop_if([crashes = parts.crashes, stop = options.stop] {
     crashes->check();
+    connect::crashes_of_plugins().check();
     return stop && stop();
   });
   parts.libraries = options.libraries;

@@ -38,6 +38,11 @@ void add_control_warnings(const Scene& scene, std::vector<std::string>& lines) {
     if (!software->ended.empty()) {
       lines.push_back(fmt::format("{}: its control software has ended {}", entity->name(), software->ended));
     }
+    for (const auto& changed : software->changed) {
+      lines.push_back(
+          fmt::format("{}: its control software has changed {}, in {} calls, the first at {:.3f} s; put back",
+                      entity->name(), changed.what, changed.times, seconds(changed.first)));
+    }
     if (software->refused > 0) {
       lines.push_back(fmt::format("{}: {} numbers of its control software were refused, the first {}", entity->name(),
                                   software->refused, software->first_refusal));

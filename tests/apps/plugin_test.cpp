@@ -147,6 +147,36 @@ TEST(Plugin, MistakesAreOneLine) {
   refused(bad_plugin("taken_name"), {"there is a controller 'walk' already"});
 }
 
+// As control software (control_library_test.cpp).
+TEST(Plugin, ThatCrashesOrEndsTheProgramIsNamed) {
+  expect_mistake("run walk --duration 1 --plugin " + bad_plugin("crashes_when_loaded"),
+                 {"plug-in '", "crashes_when_loaded.so': its loading crashed (SIGSEGV); the run ends here"}, 3);
+  expect_mistake("run walk --duration 1 --plugin " + bad_plugin("exits"),
+                 {"exits.so': its murosimf_register called exit(0); the run ends here"}, 3);
+}
+
+TEST(Plugin, WhoseAlgorithmCrashesEndsTheRunWithItsReport) {
+  const Result result =
+      murosimf("run walk --duration 5 --set walker.controller=bad --plugin " + bad_plugin("crashes_in_a_step"));
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.errors.find("crashes_in_a_step.so': bad of walker crashed (SIGSEGV); the run ends here"),
+            std::string::npos)
+      << result.errors;
+  EXPECT_NE(result.output.find("stopped by a crash at 1.0"), std::string::npos) << result.output;
+}
+
+TEST(Plugin, DoesNotChangeHowOthersRound) {
+  const auto hash = [](const std::string& plugin, int threads) {
+    const Result result =
+        murosimf("run three_on_three --duration 2 --threads " + std::to_string(threads) +
+                 " --set blue1.controller=bad --set 'red*.level=simplified_dynamics' --plugin " + bad_plugin(plugin));
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return state_hash_in(result.output);
+  };
+  const std::string as_it_should_be = hash("none", 1);
+  for (const int threads : {1, 2, 3}) EXPECT_EQ(hash("rounds", threads), as_it_should_be) << threads;
+}
+
 TEST(Plugin, IsForTheCommandLineAlone) {
   const fs::path scene = write("scene.toml", "plugins = [\"own.so\"]\n");
   expect_mistake("run " + scene.string(), {"scene.toml:1:1", "unknown key 'plugins'"});

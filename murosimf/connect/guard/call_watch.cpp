@@ -1,4 +1,4 @@
-#include "murosimf/connect/call_watch.h"
+#include "murosimf/connect/guard/call_watch.h"
 
 #include <sys/syscall.h>
 #include <unistd.h>

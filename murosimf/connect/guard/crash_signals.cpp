@@ -1,0 +1,110 @@
+#include "murosimf/connect/guard/crash_signals.h"
+
+#include <ucontext.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstring>
+#include <exception>
+
+#include "murosimf/connect/guard/call_watch.h"
+#include "murosimf/connect/guard/foreign_call.h"
+#include "murosimf/model/foreign_code.h"
+
+namespace murosimf::connect {
+namespace {
+
+constexpr std::array crash_signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+
+/// Handlers that were there before.
+std::array<struct sigaction, crash_signals.size()> previous;
+std::terminate_handler previous_terminate = nullptr;
+
+/// The row that the faulty access has missed.
+GuardedRows::Found row_of(int signal, const siginfo_t& info, const GuardedRows* rows) {
+  if (!rows || (signal != SIGSEGV && signal != SIGBUS) || info.si_code <= 0) return {};
+  return rows->at(info.si_addr);
+}
+
+/// The instruction that has failed.
+const void* place_of(const void* context) noexcept {
+#if defined(__x86_64__)
+  return reinterpret_cast<const void*>(static_cast<const ucontext_t*>(context)->uc_mcontext.gregs[REG_RIP]);
+#elif defined(__aarch64__)
+  return reinterpret_cast<const void*>(static_cast<const ucontext_t*>(context)->uc_mcontext.pc);
+#else
+  (void)context;
+  return nullptr;
+#endif
+}
+
+void on_crash(int signal, siginfo_t* info, void* context) {
+  if (is_own_process()) {
+    CallEnd why{.kind = CallEnd::signal, .number = signal};
+    if (ForeignCall* running = ForeignCall::of_thread()) {
+      why.row = row_of(signal, *info, running->call.rows);
+      running->end(why);
+    }
+    if (ForeignThreads* owner = owner_of_thread()) end_thread(*owner, why);
+  }
+  if (const ForeignCode* code = ForeignCode::at(place_of(context))) {
+    announce(code->name, "it", {.kind = CallEnd::signal, .number = signal});
+  } else {
+    announce_suspects(signal);
+  }
+  const auto* place = std::ranges::find(crash_signals, signal);
+  sigaction(signal, &previous[static_cast<std::size_t>(place - crash_signals.begin())], nullptr);
+  (void)raise(signal);
+}
+
+void on_break_off(int) {
+  ForeignCall* running = ForeignCall::of_thread();
+  if (!running || wall_nanoseconds() - running->began < running->call.limit.count()) return;  // it came back meanwhile
+  running->end({.kind = CallEnd::late});
+}
+
+/// What the exception that was not caught says.
+void note_exception(CallEnd& why) noexcept {
+  if (!std::current_exception()) return;
+  try {
+    throw;
+  } catch (const std::exception& error) {
+    std::strncpy(why.exception.data(), error.what(), why.exception.size() - 1);
+  } catch (...) {
+    std::strncpy(why.exception.data(), "something that is no std::exception", why.exception.size() - 1);
+  }
+  std::ranges::replace_if(
+      why.exception, [](char c) { return (c > 0 && c < ' ') || c == 0x7f; }, ' ');
+}
+
+[[noreturn]] void on_terminate() noexcept {
+  ForeignCall* const running = is_own_process() ? ForeignCall::of_thread() : nullptr;
+  ForeignThreads* const owner = is_own_process() ? owner_of_thread() : nullptr;
+  if (running || owner) {
+    CallEnd why{.kind = CallEnd::terminate};
+    note_exception(why);
+    if (running) running->end(why);
+    end_thread(*owner, why);
+  }
+  if (previous_terminate) previous_terminate();
+  std::abort();
+}
+
+}  // namespace
+
+void handle_crash_signals() {
+  struct sigaction action {};
+  action.sa_flags = SA_NODEFER | SA_ONSTACK | SA_SIGINFO;  // the jump does not give a mask back
+  sigemptyset(&action.sa_mask);
+  action.sa_sigaction = on_crash;
+  for (std::size_t i = 0; i < crash_signals.size(); ++i) sigaction(crash_signals[i], &action, &previous[i]);
+  struct sigaction late {};
+  late.sa_flags = SA_NODEFER | SA_ONSTACK | SA_RESTART;
+  sigemptyset(&late.sa_mask);
+  late.sa_handler = on_break_off;
+  sigaction(break_off_signal(), &late, nullptr);
+  previous_terminate = std::set_terminate(on_terminate);
+}
+
+}  // namespace murosimf::connect

@@ -1,0 +1,121 @@
+#include "murosimf/connect/guard/guarded_row.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <new>
+#include <utility>
+
+namespace murosimf::connect {
+namespace {
+
+constexpr std::size_t alignment = 64;  // [byte] vector registers, a cache line
+constexpr std::byte canary{0xc5};
+
+std::size_t page() {
+  static const auto size = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  return size;
+}
+
+std::size_t rounded_up(std::size_t bytes, std::size_t to) { return (bytes + to - 1) / to * to; }
+
+/// Without access, with a page before and behind.
+std::byte* reserve(std::size_t bytes) {
+  void* const memory =
+      ::mmap(nullptr, bytes + 2 * page(), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (memory == MAP_FAILED) throw std::bad_alloc();
+  return static_cast<std::byte*>(memory) + page();
+}
+
+void release(std::byte* memory, std::size_t bytes) {
+  if (memory) ::munmap(memory - page(), bytes + 2 * page());
+}
+
+/// At most `alignment` bytes.
+bool only_canaries(const std::byte* first, const std::byte* last) {
+  static constexpr auto canaries = [] {
+    std::array<std::byte, alignment> all{};
+    all.fill(canary);
+    return all;
+  }();
+  return std::memcmp(first, canaries.data(), static_cast<std::size_t>(last - first)) == 0;
+}
+
+}  // namespace
+
+GuardedRow::GuardedRow(std::string name, std::string size, std::size_t head, std::size_t bytes, Use use)
+    : name_(std::move(name)), size_(std::move(size)), bytes_(bytes), use_(use) {
+  first_page_ = rounded_up(std::max<std::size_t>(head, 1), page());
+  end_ = first_page_ + rounded_up(std::max<std::size_t>(bytes, 1), page());
+  body_ = (end_ - bytes) / alignment * alignment;
+  try {
+    map();
+  } catch (...) {
+    release(shown_, end_);
+    release(use == Use::read ? own_ : nullptr, end_);
+    throw;
+  }
+  if (use == Use::read) return;
+  std::fill(own_ + first_page_, own_ + body_, canary);
+  std::fill(own_ + body_ + bytes_, own_ + end_, canary);
+}
+
+void GuardedRow::map() {
+  shown_ = reserve(end_);
+  if (use_ == Use::write) {
+    own_ = shown_;
+    if (::mprotect(own_, end_, PROT_READ | PROT_WRITE) != 0) throw std::bad_alloc();
+    return;
+  }
+  own_ = reserve(end_);
+  const int file = ::memfd_create("murosimf_row", MFD_CLOEXEC);
+  if (file < 0) throw std::bad_alloc();
+  const bool mapped = ::ftruncate(file, static_cast<off_t>(end_)) == 0 &&
+                      ::mmap(own_, end_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED, file, 0) != MAP_FAILED &&
+                      ::mmap(shown_, end_, PROT_READ, MAP_SHARED | MAP_FIXED, file, 0) != MAP_FAILED;
+  ::close(file);
+  if (!mapped) throw std::bad_alloc();
+}
+
+GuardedRow::~GuardedRow() {
+  if (own_ != shown_) release(own_, end_);
+  release(shown_, end_);
+}
+
+void GuardedRow::close_head() const { (void)::mprotect(shown_, first_page_, PROT_READ); }
+
+/// Farther from the body than an alignment nothing is looked at: what goes there has gone through what is.
+GuardedRow::Side GuardedRow::damage() const noexcept {
+  if (use_ == Use::read) return Side::none;
+  const std::byte* const body = own_ + body_;
+  if (!only_canaries(body + bytes_, own_ + end_)) return Side::behind;
+  if (!only_canaries(body - std::min(alignment, body_ - first_page_), body)) return Side::before;
+  return Side::none;
+}
+
+GuardedRow::Side GuardedRow::side_of(const void* address) const noexcept {
+  const auto* const place = static_cast<const std::byte*>(address);
+  if (place < shown_ - page() || place >= shown_ + end_ + page()) return Side::none;
+  if (place >= shown_ + end_) return Side::behind;
+  if (place < shown_ || (use_ == Use::write && place < shown_ + first_page_)) return Side::before;
+  return Side::inside;
+}
+
+GuardedRows::Found GuardedRows::damaged() const noexcept {
+  for (const GuardedRow& row : rows_) {
+    if (const GuardedRow::Side side = row.damage(); side != GuardedRow::Side::none) return {&row, side};
+  }
+  return {};
+}
+
+GuardedRows::Found GuardedRows::at(const void* address) const noexcept {
+  for (const GuardedRow& row : rows_) {
+    if (const GuardedRow::Side side = row.side_of(address); side != GuardedRow::Side::none) return {&row, side};
+  }
+  return {};
+}
+
+}  // namespace murosimf::connect
