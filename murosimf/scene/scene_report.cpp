@@ -39,9 +39,8 @@ void add_control_warnings(const Scene& scene, std::vector<std::string>& lines) {
       lines.push_back(fmt::format("{}: its control software has ended {}", entity->name(), software->ended));
     }
     for (const auto& changed : software->changed) {
-      lines.push_back(
-          fmt::format("{}: its control software has changed {}, in {} calls, the first at {:.3f} s; put back",
-                      entity->name(), changed.what, changed.times, seconds(changed.first)));
+      lines.push_back(fmt::format("{}: its control software has changed {}, {} times, first at {:.3f} s; put back",
+                                  entity->name(), changed.what, changed.times, seconds(changed.first)));
     }
     if (software->refused > 0) {
       lines.push_back(fmt::format("{}: {} numbers of its control software were refused, the first {}", entity->name(),

@@ -114,7 +114,7 @@ TEST(ControlLibrary, ThatChangesTheProcessIsWarnedOfOnce) {
       murosimf("run walk --duration 2 --json " + json.string() + walker_that("chdir") + " --set walker.options.many=5");
   EXPECT_EQ(result.exit_code, 0);
   const std::string warning =
-      "walker: its control software has changed the working directory, in 5 calls, the first at 1.500 s; put back";
+      "walker: its control software has changed the working directory, 5 times, first at 1.500 s; put back";
   EXPECT_NE(result.output.find(warning), std::string::npos) << result.output;
   const nlohmann::json changed = nlohmann::json::parse(read_file(json))["control"][0]["changed"];
   EXPECT_EQ(changed, nlohmann::json::parse(R"([{"what": "the working directory", "times": 5, "first_s": 1.5}])"));

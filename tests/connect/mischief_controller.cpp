@@ -2,6 +2,7 @@
 //
 // What it does when it is loaded or unloaded is chosen by definitions of the build: MISCHIEF_LOADING, MISCHIEF_ENTRY, MISCHIEF_UNLOADING.
 #include <err.h>
+#include <fcntl.h>
 #include <pthread.h>
 #include <sys/stat.h>
 #include <sys/time.h>
@@ -125,7 +126,11 @@ void change(const std::string& what) {
   if (what == "setenv") ::setenv("LC_NUMERIC", "de_DE.UTF-8", 1);
   if (what == "close") ::close(STDOUT_FILENO);
   if (what == "fclose") (void)std::fclose(stdout);
-  if (what == "dup2") ::dup2(STDERR_FILENO, STDOUT_FILENO);
+  if (what == "dup2") {
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::close(nowhere);
+  }
   if (what == "set_terminate") std::set_terminate(std::abort);
 }
 

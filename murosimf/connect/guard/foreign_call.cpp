@@ -22,6 +22,7 @@ thread_local ForeignThreads* owner = nullptr;
 std::atomic<bool> crashed{false};
 std::mutex changing_the_process;
 std::atomic<pid_t> own_process{0};
+std::atomic<bool> software_child{false};
 
 void write_text(const char* text) noexcept {
   const auto written = ::write(STDERR_FILENO, text, std::strlen(text));
@@ -33,6 +34,7 @@ std::array<char, 500> suspects{};  // "library 'a.so', library 'b.so'"; those th
 /// In a child process that somebody has forked: it is in no call. If it is one of the software's, exit is its own.
 void in_child() noexcept {
   own_process = ::getpid();
+  software_child = software_child || active || owner;
   active = nullptr;
   owner = nullptr;
 }
@@ -112,6 +114,8 @@ void announce_suspects(int signal) noexcept {
 }
 
 bool software_has_crashed() noexcept { return crashed; }
+
+bool is_child_of_software() noexcept { return software_child; }
 
 /// Children by vfork have the same memory.
 bool is_own_process() noexcept { return ::getpid() == own_process; }

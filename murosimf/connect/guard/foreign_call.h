@@ -54,6 +54,9 @@ void note_suspect(const std::string& name);
 /// Says that the program has crashed outside of all guarded calls, if there are suspects: they may have damaged its memory before.
 void announce_suspects(int signal) noexcept;
 
+/// Whether this process was forked by control software: what the simulator does at the end of the program is not its business.
+[[nodiscard]] bool is_child_of_software() noexcept;
+
 /// Whether this process is the one whose threads make the calls, and not a child of one.
 [[nodiscard]] bool is_own_process() noexcept;
 

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
 #include <cstring>
 #include <new>
 #include <utility>
@@ -34,14 +34,16 @@ void release(std::byte* memory, std::size_t bytes) {
   if (memory) ::munmap(memory - page(), bytes + 2 * page());
 }
 
-/// At most `alignment` bytes.
+/// By words of eight bytes; memcmp takes five times as long for so few.
 bool only_canaries(const std::byte* first, const std::byte* last) {
-  static constexpr auto canaries = [] {
-    std::array<std::byte, alignment> all{};
-    all.fill(canary);
-    return all;
-  }();
-  return std::memcmp(first, canaries.data(), static_cast<std::size_t>(last - first)) == 0;
+  std::uint64_t found = 0, expected = 0;
+  std::memset(&expected, static_cast<int>(canary), sizeof expected);
+  std::uint64_t differences = 0;
+  for (; last - first >= static_cast<std::ptrdiff_t>(sizeof found); first += sizeof found) {
+    std::memcpy(&found, first, sizeof found);
+    differences |= found ^ expected;
+  }
+  return differences == 0 && std::all_of(first, last, [](std::byte each) { return each == canary; });
 }
 
 }  // namespace

@@ -26,8 +26,10 @@ int signal_of(std::size_t i, std::span<const int> signals) {
   return i < signals.size() ? signals[i] : break_off_signal();
 }
 
+/// Flags of no handler mean nothing: who puts it back (system) may put it back with others.
 bool same(const struct sigaction& one, const struct sigaction& other) {
-  return one.sa_handler == other.sa_handler && one.sa_flags == other.sa_flags;
+  const bool is_none = one.sa_handler == SIG_DFL || one.sa_handler == SIG_IGN;
+  return one.sa_handler == other.sa_handler && (is_none || one.sa_flags == other.sa_flags);
 }
 
 bool runs(const itimerval& timer) { return timer.it_value.tv_sec != 0 || timer.it_value.tv_usec != 0; }

@@ -92,8 +92,15 @@ using murosimf::connect::next;
     __builtin_unreachable();                          \
   }
 // NOLINTBEGIN(bugprone-reserved-identifier): they are those of the C library
-MUROSIMF_ENDS(exit)
 MUROSIMF_ENDS(quick_exit)
+
+extern "C" void exit(int code) noexcept {
+  if (murosimf::connect::is_child_of_software()) ::_exit(code);
+  end_software(CallEnd::exit, "exit", code);
+  static auto* const real = next<void(int)>("exit");
+  real(code);
+  __builtin_unreachable();
+}
 
 extern "C" void _exit(int code) {
   end_software(CallEnd::exit, "_exit", code);
