@@ -61,10 +61,12 @@ const OptionTable<connect::serial::SerialOptions>& serial_options() {
   static const OptionTable<Options> table{
       {"protocol", &Options::protocol, "", "of servos of the MX series and the IMU: 1 or 2", 1, 2},
       {"bus", &Options::bus, "", "table of joints and ids (CSV); not given: ids from 1 on, in the order of the joints"},
-      {"baud_rate", &Options::baud_rate, "bit/s", "of simulated time; 0: bytes take no time", 0, fastest_line},
+      {"baud_rate", &Options::baud_rate, "bit/s", "of all at the start; 0: 1e6, and bytes take no time", 0,
+       fastest_line},
       {"torque", &Options::torque, "", "is on at the start"},
       {"imu", &Options::imu, "", "sensor that is on the bus; not given: 'imu', if there is one"},
       {"imu_id", &Options::imu_id, "", "its id", 0, connect::serial::first_no_id - 1},
+      {"imu_ping", &Options::imu_ping, "", "it answers pings to everybody"},
   };
   return table;
 }

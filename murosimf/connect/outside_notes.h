@@ -20,7 +20,7 @@ namespace murosimf::connect {
 struct OutsideNote {
   enum Kind : std::uint8_t {
     came = 1,         ///< software or a program: its name (for TCP with the rate that it wants)
-    asked = 2,        ///< TCP: a message of its set-up
+    asked = 2,        ///< TCP: a message of its set-up; serial line: the rate [bit/s] that its program has chosen
     began = 3,        ///< TCP, lock-step: its answer to the start
     sent = 4,         ///< a message, bytes, a datagram
     told = 5,         ///< TCP, free: it was told a cycle

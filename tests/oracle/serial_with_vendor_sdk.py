@@ -162,7 +162,7 @@ def check_protocol_1(robot):
 
 def check_protocol_2(robot):
     found, result = robot.packets.broadcastPing(robot.port)
-    expect("broadcast ping", (sorted(found), result), (SERVOS + [IMU], sdk.COMM_SUCCESS))
+    expect("broadcast ping", (sorted(found), result), (SERVOS, sdk.COMM_SUCCESS))
     write = robot.packets.write4ByteTxRx
     expect("limit", write(robot.port, 3, 116, 5000), (sdk.COMM_SUCCESS, sdk.ERRNUM_DATA_LIMIT))
     expect("range", robot.packets.write1ByteTxRx(robot.port, 3, 64, 9), (sdk.COMM_SUCCESS, sdk.ERRNUM_DATA_RANGE))
@@ -182,11 +182,58 @@ def check_protocol_2(robot):
             break
     if not abs(felt - 981) < 40:
         mistakes.append(f"the IMU feels {felt}, not 981 cm/s^2")
+    expect("clear", robot.packets.clearMultiTurn(robot.port, 1), (sdk.COMM_SUCCESS, 0))
+    check_fast_reads(robot)
+    check_indirect_addresses(robot)
     expect("reboot", robot.packets.reboot(robot.port, 1), (sdk.COMM_SUCCESS, 0))
+    expect("while it starts", robot.packets.ping(robot.port, 1)[1], sdk.COMM_RX_TIMEOUT)
+    time.sleep(1)
     expect("torque after it", robot.read(1, 64, 1), 0)
     expect("factory reset", robot.packets.factoryReset(robot.port, 3, 0x01), (sdk.COMM_SUCCESS, 0))
+    time.sleep(1)
+    expect("who was reset, at 1 Mbit/s", robot.packets.ping(robot.port, 3)[1], sdk.COMM_RX_TIMEOUT)
+    assert robot.port.setBaudRate(57600)
     expect("who was reset", robot.packets.ping(robot.port, 3), (30, sdk.COMM_SUCCESS, 0))
-    expect("clear", robot.packets.clearMultiTurn(robot.port, 1), (sdk.COMM_SUCCESS, 0))
+    expect("who was not", robot.packets.ping(robot.port, 4)[1], sdk.COMM_RX_TIMEOUT)
+    assert robot.port.setBaudRate(1000000)
+
+
+def check_fast_reads(robot):
+    fast = sdk.GroupSyncRead(robot.port, robot.packets, 116, 4)
+    plain = sdk.GroupSyncRead(robot.port, robot.packets, 116, 4)
+    for servo in SERVOS:
+        assert fast.addParam(servo) and plain.addParam(servo)
+    expect("fast sync read", fast.fastSyncRead(), sdk.COMM_SUCCESS)
+    expect("sync read", plain.txRxPacket(), sdk.COMM_SUCCESS)
+    expect("what they read", [fast.getData(servo, 116, 4) for servo in SERVOS], [plain.getData(servo, 116, 4) for servo in SERVOS])
+    bulk = sdk.GroupBulkRead(robot.port, robot.packets)
+    assert bulk.addParam(2, 116, 4) and bulk.addParam(1, 0, 2)
+    expect("fast bulk read", bulk.fastBulkRead(), sdk.COMM_SUCCESS)
+    expect("what it reads", (bulk.getData(2, 116, 4), bulk.getData(1, 0, 2)), (plain.getData(2, 116, 4), 30))
+
+
+def check_indirect_addresses(robot):
+    for i, address in enumerate((132, 133, 134, 135, 65)):
+        expect("indirect address", robot.packets.write2ByteTxRx(robot.port, 5, 168 + 2 * i, address), (sdk.COMM_SUCCESS, 0))
+    present = robot.read(5, 132, 4)
+    through = robot.read(5, 224, 4)
+    if not abs(present - through) <= 30:  # it may move
+        mistakes.append(f"through indirect addresses the position is {through}, not {present}")
+    expect("indirect data", robot.packets.write1ByteTxRx(robot.port, 5, 228, 1), (sdk.COMM_SUCCESS, 0))
+    expect("LED", robot.read(5, 65, 1), 1)
+
+
+def check_easy_sdk(robot):
+    """The vendor's easy SDK makes motors of all that it finds."""
+    try:
+        from dynamixel_easy_sdk import Connector
+    except ImportError:
+        return
+    robot.port.closePort()
+    connector = Connector(str(robot.link), 1000000)
+    expect("motors of the easy SDK", [motor.id for motor in connector.createAllMotors()], SERVOS)
+    connector._port_handler.closePort()
+    robot.open()
 
 
 def check_reopening(robot):
@@ -231,6 +278,8 @@ def main():
             with Robot(program, folder, bus) as robot:
                 check_bus(robot)
                 check_reopening(robot)
+                if bus is V2:
+                    check_easy_sdk(robot)
                 own(robot)
         (Path(folder) / "x.csv").write_text(
             "joint,id,servo\n" + "".join(f"{joint},{i + 1},xm430_w350\n" for i, joint in enumerate(joints_of(program))))

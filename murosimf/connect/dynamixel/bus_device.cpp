@@ -24,6 +24,41 @@ bool BusDevice::obeys(std::uint8_t id) const {
   return id == this->id() || id == broadcast_id || (secondary < no_id && id == secondary);
 }
 
+bool BusDevice::hears(double rate) const {
+  if (asleep_ > 0) return false;
+  return rate <= 0 || !registers_.has(Item::baud_rate) ||
+         same_rate(registers_.table().baud_rate(registers_.get(Item::baud_rate)), rate);
+}
+
+bool BusDevice::listen_at(double rate) {
+  if (!registers_.has(Item::baud_rate)) return true;
+  const std::optional<std::int32_t> value = registers_.table().baud_value(rate);
+  if (value) registers_.set(Item::baud_rate, *value);
+  return value.has_value();
+}
+
+/// As Dynamixel servos count: 0 pings, 1 reads too, 2 everything.
+std::int32_t BusDevice::answer_level() const {
+  return registers_.get(Item::status_return_level) + (registers_.table().feetech ? 1 : 0);
+}
+
+/// Where the byte at an address really stands.
+std::size_t BusDevice::resolved(std::size_t address) const {
+  for (const IndirectBlock& block : registers_.table().indirect) {
+    if (!block.has_data(address)) continue;
+    const std::size_t place = block.addresses + 2 * (address - block.data);
+    return registers_.byte(place) | registers_.byte(place + 1) << 8;
+  }
+  return address;
+}
+
+Refusal BusDevice::read_bytes(std::size_t address, std::size_t size, Bytes& data) const {
+  const Refusal refusal = registers_.read(address, size, data);
+  if (refusal != Refusal::none || registers_.table().indirect.empty()) return refusal;
+  for (std::size_t i = 0; i < size; ++i) data[data.size() - size + i] = registers_.byte(resolved(address + i));
+  return Refusal::none;
+}
+
 Packet BusDevice::status(Refusal refusal, ByteView data) const {
   return status_packet(protocol(), id(), error_byte(protocol(), refusal) | alarm(), data);
 }
@@ -37,23 +72,29 @@ std::optional<Packet> BusDevice::ping() const {
 }
 
 std::optional<Packet> BusDevice::read(std::size_t address, std::size_t size) const {
-  if (registers_.get(Item::status_return_level) < 1) return std::nullopt;
+  if (answer_level() < 1) return std::nullopt;
   Bytes data;
-  const Refusal refusal = registers_.read(address, size, data);
+  const Refusal refusal = read_bytes(address, size, data);
   return status(refusal, data);
 }
 
 std::optional<Packet> BusDevice::read(const Packet& packet) const {
   const std::size_t size = width(packet.protocol);
   if (packet.parameters.size() == 2 * size) return read(number_at(packet, 0), number_at(packet, size));
-  return registers_.get(Item::status_return_level) < 1 ? std::nullopt : std::optional(status(Refusal::length));
+  return answer_level() < 1 ? std::nullopt : std::optional(status(Refusal::length));
 }
 
 Refusal BusDevice::write(std::size_t address, ByteView data) {
   std::vector<Registers::Change> changes;
-  if (const Refusal refusal = registers_.plan(address, data, eeprom_locked(), changes); refusal != Refusal::none) {
-    return refusal;
-  }
+  std::size_t done = 0;
+  do {  // stretches of bytes that stand side by side where they really are
+    const std::size_t begin = resolved(address + done);
+    std::size_t size = data.empty() ? 0 : 1;
+    while (done + size < data.size() && resolved(address + done + size) == begin + size) ++size;
+    const Refusal refusal = registers_.plan(begin, data.subspan(done, size), eeprom_locked(), changes);
+    if (refusal != Refusal::none) return refusal;
+    done += size;
+  } while (done < data.size());
   for (const Registers::Change& change : changes) {
     if (const Refusal refusal = check(*change.field, change.value); refusal != Refusal::none) return refusal;
   }
@@ -98,6 +139,7 @@ void BusDevice::restart() {
   registers_.set(Item::registered, 0);
   registers_.set(Item::hardware_error, 0);
   standing_by_.clear();
+  asleep_ = start_time;
   restarted();
 }
 
@@ -128,14 +170,14 @@ std::optional<Packet> BusDevice::execute(const Packet& packet) {
   if (instruction == Instruction::read) return own ? read(packet) : std::nullopt;
   const std::uint8_t answering = id();  // from the id that was asked, though the instruction may change it
   const Refusal refusal = do_as(packet);
-  if (!own || registers_.get(Item::status_return_level) < 2) return std::nullopt;
+  if (!own || answer_level() < 2) return std::nullopt;
   Packet answer = status(refusal);
   answer.id = answering;
   return answer;
 }
 
 void BusDevice::state(StateArchive& archive) {
-  archive(registers_);
+  archive(registers_, asleep_);
   Bytes standing_by = standing_by_.empty() ? Bytes{} : standing_by_.front().parameters;
   archive(standing_by);
   if (!archive.loads()) return;

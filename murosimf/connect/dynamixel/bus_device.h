@@ -20,6 +20,16 @@ class BusDevice {
   [[nodiscard]] std::uint8_t id() const { return static_cast<std::uint8_t>(registers_.get(Item::id)); }
   /// Whether it does what is sent to this id: its own, its secondary one, or everybody's. Only its own is answered.
   [[nodiscard]] bool obeys(std::uint8_t id) const;
+  /// Whether it understands what comes at a rate [bit/s]; 0: any. Not while it starts.
+  [[nodiscard]] bool hears(double rate) const;
+  /// An instruction has come, for it or for others.
+  virtual void heard() {}
+  /// Whether it answers a ping to everybody.
+  [[nodiscard]] virtual bool answers_everybody() const { return true; }
+  /// dt [s] go by.
+  void pass(double dt) { asleep_ -= dt < asleep_ ? dt : asleep_; }
+  /// Listens at this rate [bit/s]. False: it knows none that is near enough.
+  bool listen_at(double rate);
   /// [s] from an instruction to its answer.
   [[nodiscard]] double return_delay() const { return 2e-6 * registers_.get(Item::return_delay); }
   [[nodiscard]] const Registers& registers() const { return registers_; }
@@ -31,6 +41,8 @@ class BusDevice {
   Refusal write(std::size_t address, ByteView data);
 
   virtual void state(StateArchive& archive);
+
+  static constexpr double start_time = 0.2;  ///< [s] without an answer after a reboot or a factory reset [assumption]
 
  protected:
   /// The EEPROM takes nothing now.
@@ -50,6 +62,9 @@ class BusDevice {
 
  private:
   [[nodiscard]] Packet status(Refusal refusal, ByteView data = {}) const;
+  [[nodiscard]] std::int32_t answer_level() const;
+  [[nodiscard]] std::size_t resolved(std::size_t address) const;
+  [[nodiscard]] Refusal read_bytes(std::size_t address, std::size_t size, Bytes& data) const;
   [[nodiscard]] Refusal do_as(const Packet& packet);
   [[nodiscard]] Refusal write(const Packet& packet);
   [[nodiscard]] Refusal act();
@@ -59,6 +74,7 @@ class BusDevice {
 
   Registers registers_;
   std::vector<Packet> standing_by_;  // the registered write; at most one
+  double asleep_ = 0;                // [s] until it has started
 };
 
 }  // namespace murosimf::connect::dynamixel

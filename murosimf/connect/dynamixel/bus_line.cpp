@@ -7,6 +7,12 @@
 
 namespace murosimf::connect::dynamixel {
 
+void BusLine::set_rate(double rate) {
+  if (rate != rate_) parser_.forget();  // what has begun at another one is no packet
+  rate_ = rate;
+  if (byte_time_ > 0 && rate > 0) byte_time_ = 10 / rate;
+}
+
 void BusLine::push(ByteView bytes, double now) {
   parser_.push(bytes);
   while (auto packet = parser_.next()) {
@@ -21,7 +27,7 @@ void BusLine::push(ByteView bytes, double now) {
 void BusLine::execute(const Arrival& arrival) {
   ++instructions_;
   double begin = std::max(arrival.due, answered_);
-  for (BusAnswer& answer : bus_->execute(arrival.packet)) {
+  for (BusAnswer& answer : bus_->execute(arrival.packet, rate_)) {
     const double delay = byte_time_ > 0 ? answer.delay : 0;
     departures_.push_back({begin + delay, std::move(answer.bytes)});
     begin += delay + static_cast<double>(departures_.back().bytes.size()) * byte_time_;
@@ -66,7 +72,7 @@ void BusLine::Departure::state(StateArchive& archive) {
 void BusLine::state(StateArchive& archive) {
   std::vector<Arrival> arrivals(arrivals_.begin(), arrivals_.end());
   std::vector<Departure> departures(departures_.begin(), departures_.end());
-  archive(parser_, arrivals, departures, free_, answered_, instructions_);
+  archive(parser_, arrivals, departures, free_, answered_, instructions_, rate_, byte_time_);
   arrivals_.assign(arrivals.begin(), arrivals.end());
   departures_.assign(departures.begin(), departures.end());
 }

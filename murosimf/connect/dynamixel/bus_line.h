@@ -17,6 +17,9 @@ class BusLine {
   /// `baud_rate` [bit/s]; 0: bytes take no time.
   explicit BusLine(Bus& bus, double baud_rate = 0) : bus_(&bus), byte_time_(baud_rate > 0 ? 10 / baud_rate : 0) {}
 
+  /// The client's port is at this rate [bit/s]: devices that listen at another hear nothing, and if bytes take time here, it is
+  /// that of this rate. 0: everybody hears.
+  void set_rate(double rate);
   /// What the client has sent, seen at the time `now` [s].
   void push(ByteView bytes, double now);
   /// Does what is due, and appends the bytes that have left by now.
@@ -28,6 +31,8 @@ class BusLine {
   /// All that is on its way.
   void state(StateArchive& archive);
 
+  /// [bit/s]
+  [[nodiscard]] double rate() const { return rate_; }
   /// [s] When nobody is on the wire any more; past, if nobody is.
   [[nodiscard]] double free_at() const { return free_; }
   [[nodiscard]] bool has_partial() const { return parser_.pending() > 0; }
@@ -50,6 +55,7 @@ class BusLine {
 
   Bus* bus_;
   double byte_time_;  // [s]
+  double rate_ = 0;   // [bit/s] of the client
   PacketParser parser_;
   std::deque<Arrival> arrivals_;
   std::deque<Departure> departures_;

@@ -5,7 +5,7 @@
 ///     38  simulated time of the sample [ms], likewise
 ///     40, 42, 44  gyroscope x, y, z [0.001 rad/s]
 ///     46, 48, 50  accelerometer x, y, z [0.01 m/s^2]: +9.81 m/s^2 up at rest
-/// Model number at 0, firmware, id, and return delay time where servos of its protocol have them; status return level at 16.
+/// Model number at 0, firmware, id, baud rate and return delay time where servos of its protocol have them; status return level at 16.
 #pragma once
 
 #include "murosimf/connect/dynamixel/bus_device.h"
@@ -23,8 +23,13 @@ struct ImuSample {
 
 class ImuBoard final : public BusDevice {
  public:
-  ImuBoard(Protocol protocol, std::uint8_t id);
+  /// `everybody`: it answers a ping to everybody, which programs that know the vendor's products only do not expect.
+  ImuBoard(Protocol protocol, std::uint8_t id, bool everybody = false);
+  [[nodiscard]] bool answers_everybody() const override { return everybody_; }
   void sense(const ImuSample& sample);
+
+ private:
+  bool everybody_;
 };
 
 }  // namespace murosimf::connect::dynamixel

@@ -23,12 +23,14 @@ enum class Instruction : std::uint8_t {
   reg_write = 0x04,  ///< written at the next action
   action = 0x05,
   factory_reset = 0x06,
-  reboot = 0x08,      ///< 2.0 only
-  clear = 0x10,       ///< 2.0 only
-  sync_read = 0x82,   ///< 2.0 only
-  sync_write = 0x83,  ///< never answered, as bulk_write
+  reboot = 0x08,          ///< 2.0 only
+  clear = 0x10,           ///< 2.0 only
+  sync_read = 0x82,       ///< 2.0, and servos of Feetech
+  sync_write = 0x83,      ///< never answered, as bulk_write
+  fast_sync_read = 0x8A,  ///< 2.0 only: all answer in one packet, as to fast_bulk_read
   bulk_read = 0x92,
-  bulk_write = 0x93,  ///< 2.0 only
+  bulk_write = 0x93,      ///< 2.0 only
+  fast_bulk_read = 0x9A,  ///< 2.0 only
 };
 
 /// Bits of the error byte of protocol 1.0.

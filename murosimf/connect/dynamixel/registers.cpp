@@ -1,6 +1,7 @@
 #include "murosimf/connect/dynamixel/registers.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace murosimf::connect::dynamixel {
 namespace {
@@ -33,12 +34,18 @@ Registers::Registers(const ControlTable& table) : table_(&table), bytes_(table.s
 std::int32_t Registers::value(const Field& field, ByteView bytes) {
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < field.size; ++i) bits |= std::uint32_t{bytes[i]} << 8 * i;
+  if (field.sign_bit > 0) {
+    const std::uint32_t sign = 1U << field.sign_bit;
+    const auto size = static_cast<std::int32_t>(bits & (sign - 1));
+    return (bits & ~(2 * sign - 1)) != 0 ? INT32_MAX : (bits & sign) != 0 ? -size : size;
+  }
   if (!is_signed(field) || field.size == 4) return static_cast<std::int32_t>(bits);
   return field.size == 2 ? static_cast<std::int16_t>(bits) : static_cast<std::int8_t>(bits);
 }
 
 void Registers::store(const Field& field, std::int32_t value) {
-  const auto bits = static_cast<std::uint32_t>(value);
+  auto bits = static_cast<std::uint32_t>(value);
+  if (field.sign_bit > 0 && value < 0) bits = (0U - bits) | 1U << field.sign_bit;
   for (std::size_t i = 0; i < field.size; ++i) {
     bytes_[field.address + i] = static_cast<std::uint8_t>(bits >> 8 * i & 0xFF);
   }

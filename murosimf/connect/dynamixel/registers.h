@@ -30,6 +30,8 @@ class Registers {
   void restore();
   void restore_ram();
 
+  /// One byte; 0 if it is of no field or beyond the end.
+  [[nodiscard]] std::uint8_t byte(std::size_t address) const { return address < bytes_.size() ? bytes_[address] : 0; }
   /// Bytes of no field are 0.
   [[nodiscard]] Refusal read(std::size_t address, std::size_t size, Bytes& data) const;
 

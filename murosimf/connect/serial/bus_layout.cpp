@@ -35,7 +35,7 @@ void choose_table(ServoPlace& place, const Model& model, Protocol protocol) {
 class LayoutReader {
  public:
   LayoutReader(const std::filesystem::path& file, const Model& model, Protocol protocol)
-      : cells_(file), model_(&model), protocol_(protocol) {}
+      : cells_(file), folder_(file.parent_path()), model_(&model), protocol_(protocol) {}
 
   std::vector<ServoPlace> read() {
     if (!cells_.next(row_)) cells_.fail(1, "the file is empty");
@@ -124,17 +124,17 @@ class LayoutReader {
   }
 
   void take_table(ServoPlace& place, const CsvCell& cell) const {
-    const ControlTable* table = dynamixel::find_servo_table(cell.text);
+    const ControlTable* table = dynamixel::find_servo_table(cell.text, folder_);
     if (!table) {
-      std::vector<std::string_view> names;
-      for (const ControlTable& known : dynamixel::servo_tables()) names.emplace_back(known.name);
-      cells_.fail(cell.column, unknown_name("servo", cell.text, names));
+      const std::vector<std::string> known = dynamixel::servo_table_names();
+      cells_.fail(cell.column, unknown_name("servo", cell.text, {known.begin(), known.end()}));
     }
     place.own_type = place.own_type && place.table == table;
     place.table = table;
   }
 
   CsvCells cells_;
+  std::filesystem::path folder_;  // for tables of the user's own
   const Model* model_;
   Protocol protocol_;
   std::vector<CsvCell> row_;

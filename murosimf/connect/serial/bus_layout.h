@@ -7,7 +7,7 @@
 ///     j_neck,19,mx28_2,1,0
 ///     j_head,20,mx28_2,-1,15
 ///
-/// `joint` and `id` are needed. `servo`: a control table; that of the joint's servo if it is not given. `direction`: -1 if the servo
+/// `joint` and `id` are needed. `servo`: a control table, or a file with one ("mine.toml"); that of the joint's servo if it is not given. `direction`: -1 if the servo
 /// turns the other way round. `zero`: the joint's angle at the servo's position 2048.
 #pragma once
 

@@ -13,6 +13,9 @@
 
 #include <fmt/format.h>
 
+#include "murosimf/connect/serial/line_rate.h"
+#include "murosimf/connect/serial/terminal_drain.h"
+#include "murosimf/connect/serial/writer_hold.h"
 #include "murosimf/model/error.h"
 
 namespace murosimf::connect::serial {
@@ -25,13 +28,13 @@ namespace fs = std::filesystem;
 }
 
 /// Without this the terminal would echo what the robot says, and change line ends, until the first program says otherwise.
-bool make_raw(const char* name) {
+bool make_raw(const char* name, double rate) {
   const int file = open(name, O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (file < 0) return false;
   termios settings{};
   bool done = tcgetattr(file, &settings) == 0;
   cfmakeraw(&settings);
-  done = done && tcsetattr(file, TCSANOW, &settings) == 0;
+  done = done && tcsetattr(file, TCSANOW, &settings) == 0 && set_line_rate(file, rate);
   close(file);
   return done;
 }
@@ -44,37 +47,35 @@ bool is_old_link(const fs::path& path) {
 
 }  // namespace
 
-PseudoTerminal::PseudoTerminal() : file_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
+PseudoTerminal::PseudoTerminal(double rate)
+    : file_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)), rate_(rate) {
   if (file_ < 0) fail("no pseudo terminal for a serial line");
   std::array<char, 128> name{};
   if (grantpt(file_) != 0 || unlockpt(file_) != 0 || ptsname_r(file_, name.data(), name.size()) != 0 ||
-      !make_raw(name.data())) {
+      !make_raw(name.data(), rate)) {
     const int error = errno;
     close(file_);
     errno = error;
     fail("a pseudo terminal for a serial line cannot be opened");
   }
   name_ = name.data();
+  drain_ = std::make_unique<TerminalDrain>(file_);
+  hold_ = WriterHold::shared();
+  hold_->add(name_, *drain_);
 }
 
-PseudoTerminal::~PseudoTerminal() { close(file_); }
+PseudoTerminal::~PseudoTerminal() {
+  hold_->remove(*drain_);
+  drain_.reset();
+  close(file_);
+}
 
 bool PseudoTerminal::is_open() const noexcept {
   pollfd state{.fd = file_, .events = 0, .revents = 0};
   return poll(&state, 1, 0) >= 0 && (state.revents & (POLLHUP | POLLERR)) == 0;
 }
 
-void PseudoTerminal::receive(std::vector<std::uint8_t>& bytes) noexcept {
-  constexpr std::size_t most = 1 << 16;  // of one call, so that a flood keeps nobody here
-  std::array<std::uint8_t, 4096> some{};
-  for (std::size_t all = 0; all < most;) {
-    const ssize_t count = read(file_, some.data(), some.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return;
-    bytes.insert(bytes.end(), some.data(), some.data() + count);
-    all += static_cast<std::size_t>(count);
-  }
-}
+void PseudoTerminal::receive(std::vector<std::uint8_t>& bytes) noexcept { drain_->take(bytes, rate_); }
 
 std::size_t PseudoTerminal::send(std::span<const std::uint8_t> bytes) noexcept {
   std::size_t sent = 0;
@@ -94,6 +95,7 @@ void PseudoTerminal::discard() noexcept {
   tcflush(file_, TCIOFLUSH);
   tcflush(file, TCIOFLUSH);
   close(file);
+  drain_->discard();
 }
 
 void check_link_place(const fs::path& path) {

@@ -4,16 +4,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace murosimf::connect::serial {
 
+class TerminalDrain;
+class WriterHold;
+
 class PseudoTerminal {
  public:
-  /// Bytes go through as they are. Throws SetupError if the system has none left.
-  PseudoTerminal();
+  /// Bytes go through as they are. The rate [bit/s] is that of programs which choose none. Throws SetupError if the system has
+  /// none left.
+  explicit PseudoTerminal(double rate = 1e6);
   ~PseudoTerminal();
   PseudoTerminal(const PseudoTerminal&) = delete;
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
@@ -22,8 +27,10 @@ class PseudoTerminal {
   [[nodiscard]] const std::string& name() const { return name_; }
   /// Whether a program has it open now.
   [[nodiscard]] bool is_open() const noexcept;
-  /// Appends what programs have sent. Never waits.
+  /// Appends what programs have sent, up to where they have chosen another rate. Never waits.
   void receive(std::vector<std::uint8_t>& bytes) noexcept;
+  /// [bit/s] of what was received last.
+  [[nodiscard]] double rate() const noexcept { return rate_; }
   /// How many bytes there was room for; the others are lost. Never waits.
   std::size_t send(std::span<const std::uint8_t> bytes) noexcept;
   /// Forgets what was sent and nobody has read.
@@ -32,6 +39,9 @@ class PseudoTerminal {
  private:
   int file_;
   std::string name_;
+  double rate_;
+  std::shared_ptr<WriterHold> hold_;
+  std::unique_ptr<TerminalDrain> drain_;
 };
 
 /// Makes the folder of a link if it is not there. Throws SetupError if that cannot be, or if anything else than a link to a terminal,

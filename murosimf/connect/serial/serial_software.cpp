@@ -1,6 +1,7 @@
 #include "murosimf/connect/serial/serial_software.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -47,7 +48,7 @@ SerialSoftware::SerialSoftware(Setup& setup, RobotPort& port, SayLine say, std::
   find_imu(setup, port);
   switch_on();
   if (folder.empty() || repeated_) return;
-  terminal_ = std::make_unique<PseudoTerminal>();
+  terminal_ = std::make_unique<PseudoTerminal>(options_.first_rate());
   link_place_ = folder / setup.entity().name();
   check_link_place(link_place_);
 }
@@ -63,6 +64,7 @@ void SerialSoftware::add_joint(const Model& model, const ServoPlace& place) {
   }
   if (const Servo* servo = model.find(properties::servo, joint.object)) {
     joint.options.stall_torque = servo->stall_torque;
+    joint.options.no_load_speed = servo->no_load_speed;
     if (servo->stall_torque > 0 && servo->position_gain > 0) {
       joint.options.full_error = servo->stall_torque / servo->position_gain;
     }
@@ -93,19 +95,27 @@ double SerialSoftware::angle_of(const Joint& joint, double q) const {
 /// As when a robot gets its power.
 void SerialSoftware::switch_on() {
   bus_ = std::make_unique<dynamixel::Bus>();
+  const double rate = options_.first_rate();
+  const auto listen_at_rate = [rate](dynamixel::BusDevice& device) {
+    if (device.listen_at(rate)) return;
+    throw SetupError(fmt::format("baud_rate: '{}' knows no rate near {} bit/s", device.registers().table().name, rate));
+  };
   for (Joint& joint : joints_) {
     auto servo = std::make_unique<ServoDevice>(*joint.place.table, joint.place.id, joint.options);
     joint.servo = servo.get();
+    listen_at_rate(*servo);
     bus_->add(std::move(servo));
   }
   imu_ = nullptr;
   if (gyroscope_) {
     const Protocol protocol = options_.protocol < 2 ? Protocol::v1 : Protocol::v2;
-    auto board = std::make_unique<ImuBoard>(protocol, static_cast<std::uint8_t>(options_.imu_id));
+    auto board = std::make_unique<ImuBoard>(protocol, static_cast<std::uint8_t>(options_.imu_id), options_.imu_ping);
     imu_ = board.get();
+    listen_at_rate(*board);
     bus_->add(std::move(board));
   }
   line_.emplace(*bus_, options_.baud_rate);
+  line_->set_rate(rate);
 }
 
 CallOutcome SerialSoftware::start() {
@@ -129,6 +139,7 @@ CallOutcome SerialSoftware::step(Duration now) noexcept {
   sense(time);
   if (terminal_ || repeated_) exchange_bytes(now);
   for (const Joint& joint : joints_) joint.servo->advance(period_);
+  if (imu_) imu_->pass(period_);
   command();
   return {};
 }
@@ -143,7 +154,8 @@ void SerialSoftware::sense(double now) {
                         .velocity = joint.place.direction * velocity_->values[i],
                         .torque = joint.place.direction * torque_->values[i],
                         .voltage = voltage,
-                        .temperature = temperature_[object]},
+                        .temperature = temperature_[object],
+                        .driven = std::isfinite(voltage_[object])},
                        now);
   }
   if (!imu_) return;
@@ -161,6 +173,7 @@ SerialSoftware::Heard SerialSoftware::listen(double now) {
     terminal_->receive(heard.bytes);  // also what a client has sent before it went
   if (!heard.bytes.empty()) {
     last_byte_ = WallClock::now();
+    if (terminal_->rate() > 0 && terminal_->rate() != line_->rate()) heard.rate = terminal_->rate();
   } else if (line_->has_partial()) {
     constexpr auto longest_silence = std::chrono::milliseconds(100);  // within a packet, as servos have it
     heard.fell_silent = WallClock::now() - last_byte_ > longest_silence;
@@ -170,11 +183,24 @@ SerialSoftware::Heard SerialSoftware::listen(double now) {
   return heard;
 }
 
+namespace {
+
+/// [bit/s]
+double rate_of(const OutsideNote& note) {
+  double rate = 0;
+  std::from_chars(note.bytes.data(), note.bytes.data() + note.bytes.size(), rate);
+  return std::isfinite(rate) && rate > 0 ? rate : SerialOptions::usual_rate;
+}
+
+}  // namespace
+
 SerialSoftware::Heard SerialSoftware::repeat(Duration now) {
   Heard heard;
   for (; const OutsideNote* note = reader_.next(now); reader_.pass()) {
     if (note->kind == OutsideNote::came || note->kind == OutsideNote::left) {
       heard.client = note->kind == OutsideNote::came;
+    } else if (note->kind == OutsideNote::asked) {
+      heard.rate = rate_of(*note);
     } else if (note->time == now && note->kind == OutsideNote::sent) {
       heard.bytes.insert(heard.bytes.end(), note->bytes.begin(), note->bytes.end());
     } else if (note->time == now && note->kind == OutsideNote::fell_silent) {
@@ -186,6 +212,7 @@ SerialSoftware::Heard SerialSoftware::repeat(Duration now) {
 }
 
 void SerialSoftware::write_down(const Heard& heard) {
+  if (heard.rate) pen_.write(OutsideNote::asked, fmt::format("{:.0f}", *heard.rate));
   if (!heard.bytes.empty()) pen_.write(OutsideNote::sent, std::string(heard.bytes.begin(), heard.bytes.end()));
   if (heard.fell_silent) pen_.write(OutsideNote::fell_silent);
   if (heard.client) pen_.write(*heard.client ? OutsideNote::came : OutsideNote::left);
@@ -196,6 +223,7 @@ void SerialSoftware::exchange_bytes(Duration now) {
   const Heard heard = repeated_ ? repeat(now) : listen(time);
   pen_.at(now);
   write_down(heard);
+  if (heard.rate) line_->set_rate(*heard.rate);
   if (!heard.bytes.empty()) line_->push(heard.bytes, time);
   if (heard.fell_silent) line_->forget_partial();
   if (heard.client) look_after(*heard.client);

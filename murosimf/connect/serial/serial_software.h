@@ -24,12 +24,16 @@
 namespace murosimf::connect::serial {
 
 struct SerialOptions {
-  int protocol = 2;      ///< of servos of the MX series, and of the IMU
-  std::string bus;       ///< file for read_layout; empty: usual_layout
-  double baud_rate = 0;  ///< [bit/s] of simulated time; 0: bytes take no time
-  bool torque = false;   ///< servos have their torque on at the start
-  std::string imu;       ///< sensor that is on the bus; empty: 'imu' if there is one
-  int imu_id = 200;      ///< its id, as that of boards of real robots
+  int protocol = 2;       ///< of servos of the MX series, and of the IMU
+  std::string bus;        ///< file for read_layout; empty: usual_layout
+  double baud_rate = 0;   ///< [bit/s] that all listen at in the beginning; 0: usual_rate, and bytes take no time
+  bool torque = false;    ///< servos have their torque on at the start
+  std::string imu;        ///< sensor that is on the bus; empty: 'imu' if there is one
+  int imu_id = 200;       ///< its id, as that of boards of real robots
+  bool imu_ping = false;  ///< it answers pings to everybody
+
+  static constexpr double usual_rate = 1e6;  ///< [bit/s] of many robots; servos leave the factory at another
+  [[nodiscard]] double first_rate() const { return baud_rate > 0 ? baud_rate : usual_rate; }
 };
 
 class SerialSoftware final : public ControlSoftware {
@@ -66,7 +70,8 @@ class SerialSoftware final : public ControlSoftware {
   void sense(double now);
   /// What has come in a step.
   struct Heard {
-    dynamixel::Bytes bytes;
+    std::optional<double> rate{};  // [bit/s] that the client has chosen
+    dynamixel::Bytes bytes{};      // at that rate
     bool fell_silent = false;      // within a packet
     std::optional<bool> client{};  // has come, or gone
   };

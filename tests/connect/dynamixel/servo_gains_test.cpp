@@ -19,12 +19,12 @@ struct Bench {
 };
 
 TEST(ServoGains, AreTheFactorysAtFirst) {
-  for (const ControlTable& table : servo_tables()) {
-    const Bench bench(table.name);
-    EXPECT_EQ(bench.servo.gain_share(), 1) << table.name;
-    EXPECT_EQ(bench.servo.damping_time(), 0) << table.name;
-    EXPECT_EQ(bench.servo.torque_share(), 1) << table.name;
-    EXPECT_FALSE(bench.servo.led()) << table.name;
+  for (const std::string& name : servo_table_names()) {
+    const Bench bench(name);
+    EXPECT_EQ(bench.servo.gain_share(), 1) << name;
+    EXPECT_EQ(bench.servo.damping_time(), 0) << name;
+    EXPECT_EQ(bench.servo.torque_share(), 1) << name;
+    EXPECT_FALSE(bench.servo.led()) << name;
   }
 }
 
@@ -56,6 +56,8 @@ TEST(ServoGains, AGoalCurrentLimitsInItsModeOnly) {
   EXPECT_EQ(bench.servo.torque_share(), 1);
   EXPECT_EQ(bench.write(64, 0, 1), Refusal::none);
   EXPECT_EQ(bench.write(11, 5, 1), Refusal::none);
+  EXPECT_EQ(bench.servo.torque_share(), 1) << "a change of the mode sets it to Current Limit";
+  EXPECT_EQ(bench.write(102, 100, 2), Refusal::none);
   EXPECT_NEAR(bench.servo.torque_share(), 100 * 0.00269 / 2.3, 1e-12);
   Bench without("mx28_2");
   EXPECT_EQ(without.write(64, 0, 1), Refusal::none);

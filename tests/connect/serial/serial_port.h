@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "murosimf/connect/dynamixel/packet_parser.h"
+#include "murosimf/connect/serial/line_rate.h"
 
 namespace murosimf::connect::serial {
 
@@ -33,6 +34,10 @@ class SerialPort {
     EXPECT_EQ(write(file_, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
   }
   void send(const dynamixel::Packet& packet) const { send(dynamixel::to_bytes(packet)); }
+  /// What was written and is not sent yet is dropped.
+  void flush_output() const { EXPECT_EQ(tcflush(file_, TCOFLUSH), 0); }
+  /// [bit/s]
+  [[nodiscard]] bool set_rate(double rate) const { return set_line_rate(file_, rate); }
   [[nodiscard]] dynamixel::Bytes received() const {
     std::array<std::uint8_t, 8192> bytes{};
     const ssize_t count = read(file_, bytes.data(), bytes.size());

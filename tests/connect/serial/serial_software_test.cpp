@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -276,6 +277,50 @@ TEST(SerialSoftware, BytesTakeSimulatedTime) {
   EXPECT_EQ(by_then + port.received().size(), 21U * 15);
 }
 
+TEST(SerialSoftware, ServosHearAtTheirRateOnly) {
+  SerialScene test;
+  SerialPort port(test.port());
+  const auto heard = [&](double rate) {
+    EXPECT_TRUE(port.set_rate(rate));
+    port.send(read_head);
+    test.run(3ms);
+    return number(port.answer()) != -1;
+  };
+  EXPECT_TRUE(heard(1e6));
+  EXPECT_FALSE(heard(57600));
+  EXPECT_FALSE(heard(2e6));
+  EXPECT_TRUE(heard(1e6));
+  port.send(write_packet(head, 8, {4}));  // 2 Mbit/s
+  test.run(3ms);
+  EXPECT_TRUE(port.answer());
+  EXPECT_FALSE(heard(1e6));
+  EXPECT_TRUE(heard(2e6));
+  SerialScene slow({"walker.options.baud_rate=57600"});
+  SerialPort unset(slow.port());  // a client that chooses none
+  unset.send(read_head);
+  slow.run(10ms);
+  EXPECT_NE(number(unset.answer()), -1);
+}
+
+TEST(SerialSoftware, PushesWithACurrentWhereServosMakeTorque) {
+  for (const bool torque : {false, true}) {
+    const std::string level = torque ? "articulated_dynamics" : "simplified_dynamics";
+    const std::filesystem::path bus = fixtures::temp_folder() / "current.csv";
+    std::ofstream(bus) << "joint,id,servo\nj_head,3,xm430_w350\n";
+    SerialScene test({"walker.level=" + level, "walker.options.bus=" + bus.string()});
+    SerialPort port(test.port());
+    port.send(write_packet(head, 11, {0}));
+    port.send(torque_on(head));
+    port.send(write_packet(head, 102, {100, 0}));
+    test.run(100ms);
+    if (torque) {
+      EXPECT_GT(test.head_angle(), 0.01);
+    } else {
+      EXPECT_EQ(test.head_angle(), 0);
+    }
+  }
+}
+
 TEST(SerialSoftware, LeavesNoFileOpenAndNoLink) {
   const std::size_t before = open_files();
   for (int i = 0; i < 3; ++i) {
@@ -302,6 +347,10 @@ TEST(SerialSoftware, IsRepeatedFromARecording) {
     scene.simulation().step();
     for (const int pulses : {2300, 1800}) {
       SerialPort port(ports / "walker");
+      EXPECT_TRUE(port.set_rate(9600));  // at which nobody hears
+      port.send(goal(head, 3000));
+      scene.simulation().run(7ms);
+      EXPECT_TRUE(port.set_rate(57600));
       for (int i = 0; i < 3; ++i) {
         port.send(goal(head, pulses + 20 * i));
         port.send(read_head);
