@@ -44,7 +44,7 @@ void ServoDevice::show_load(double torque, double velocity) {
   const double no_load_speed = options_.no_load_speed > 0 ? options_.no_load_speed : units().no_load_speed;
   const bool known = std::isfinite(torque);
   const double share = known ? torque / stall_torque : 0;
-  load_ = std::abs(share);
+  load_ = driven_ && options_.stall_torque > 0 ? std::abs(share) : 0;  // of one that is simulated
   memory().set(Item::present_load, rounded(std::clamp(1000 * share, -1000.0, 1000.0)));
   const double duty = known && this->torque() ? share + (no_load_speed > 0 ? velocity / no_load_speed : 0) : 0;
   memory().set(Item::present_pwm, rounded(units().full_torque * std::clamp(duty, -1.0, 1.0)));

