@@ -119,6 +119,7 @@ struct IndirectBlock {
 
 struct ControlTable {
   std::string name;  ///< "mx28"
+  std::string base;  ///< of the table upon which it was read; empty: none
   Protocol protocol = Protocol::v2;
   std::vector<Field> fields;  ///< by address, none over another
   ServoUnits units;

@@ -269,13 +269,12 @@ ControlTable read_upon(const std::filesystem::path& file, int depth) {
   given.read("base", base);
   if (!base.empty()) {
     if (depth == 0) throw SetupError(given.where("base") + ": too many bases upon each other");
-    const std::string name = base + ".toml";
-    auto path = files::look_for_data_file("servos/tables/" + name, "", "");  // not hidden by a file of another kind
-    if (!path) path = files::look_for_data_file(name, "", "", file.parent_path());
+    const auto path = find_base_file(base, file.parent_path());
     if (!path) throw SetupError(given.where("base") + ": " + unknown_name("table", base, {}));
     table = read_upon(*path, depth - 1);
   }
   table.name = file.stem().string();
+  table.base = base;
   std::uint64_t protocol = table.protocol == Protocol::v1 ? 1 : 2;
   given.read("protocol", protocol);
   if (protocol != 1 && protocol != 2) throw SetupError(given.where("protocol") + ": the protocol is 1 or 2");
@@ -308,6 +307,12 @@ ControlTable read_upon(const std::filesystem::path& file, int depth) {
 }
 
 }  // namespace
+
+std::optional<std::filesystem::path> find_base_file(const std::string& base, const std::filesystem::path& beside) {
+  const std::string name = base + ".toml";
+  auto path = files::look_for_data_file("servos/tables/" + name, "", "");  // not hidden by a file of another kind
+  return path ? path : files::look_for_data_file(name, "", "", beside);
+}
 
 ControlTable read_control_table(const std::filesystem::path& file) { return read_upon(file, most_bases); }
 

@@ -18,6 +18,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "murosimf/connect/dynamixel/control_table.h"
 
@@ -25,5 +27,8 @@ namespace murosimf::connect::dynamixel {
 
 /// Throws SetupError with file:line:column.
 [[nodiscard]] ControlTable read_control_table(const std::filesystem::path& file);
+/// Of the base that a file in the folder `beside` names: one that comes with the program, else there.
+[[nodiscard]] std::optional<std::filesystem::path> find_base_file(const std::string& base,
+                                                                  const std::filesystem::path& beside);
 
 }  // namespace murosimf::connect::dynamixel

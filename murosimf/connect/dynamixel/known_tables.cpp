@@ -1,4 +1,4 @@
-// Control tables that were read, once each.
+// Finds control tables by their names.
 #include <list>
 #include <map>
 #include <mutex>
@@ -6,6 +6,7 @@
 
 #include "murosimf/connect/dynamixel/control_table_file.h"
 #include "murosimf/files/data_path.h"
+#include "murosimf/files/files_read.h"
 
 namespace murosimf::connect::dynamixel {
 namespace {
@@ -21,29 +22,51 @@ std::optional<fs::path> file_of(std::string_view name, const fs::path& beside) {
   return files::look_for_data_file(std::string(folder) + "/" + std::string(name) + std::string(extension), "", "");
 }
 
-}  // namespace
+/// Tables that were read, once each. Who has one keeps it, though its file may change.
+class KnownTables {
+ public:
+  const ControlTable* get(const fs::path& file) {
+    std::error_code error;
+    const fs::file_time_type changed = fs::last_write_time(file, error);
+    Known& entry = known_[fs::weakly_canonical(file, error)];
+    if (!entry.table || entry.changed != changed || !look_up_again(file, entry)) {
+      tables_.push_back(read_control_table(file));
+      entry = {changed, &tables_.back(), base_of(file, tables_.back())};
+    }
+    return entry.table;
+  }
 
-const ControlTable* find_servo_table(std::string_view name, const fs::path& beside) {
+ private:
   struct Known {
     fs::file_time_type changed;
     const ControlTable* table = nullptr;
+    const ControlTable* base = nullptr;
   };
+
+  const ControlTable* base_of(const fs::path& file, const ControlTable& table) {
+    if (table.base.empty()) return nullptr;
+    const auto base = find_base_file(table.base, file.parent_path());
+    return base ? get(*base) : nullptr;
+  }
+  /// A recording has to know all files, whether they were read before or not. False: the base has changed.
+  bool look_up_again(const fs::path& file, const Known& entry) {
+    files::note_file_read(file);
+    return base_of(file, *entry.table) == entry.base;
+  }
+
+  std::list<ControlTable> tables_;
+  std::map<fs::path, Known> known_;
+};
+
+}  // namespace
+
+const ControlTable* find_servo_table(std::string_view name, const fs::path& beside) {
   static std::mutex mutex;
-  static std::list<ControlTable> tables;  // whoever has one keeps it, though its file may change
-  static std::map<fs::path, Known> known;
+  static KnownTables tables;
   const std::optional<fs::path> file = file_of(name, beside);
   if (!file) return nullptr;
-  std::error_code error;
-  const fs::path path = fs::weakly_canonical(*file, error);
-  const fs::file_time_type changed = fs::last_write_time(*file, error);
   const std::scoped_lock lock(mutex);
-  Known& entry = known[path];
-  if (!entry.table || entry.changed != changed) {
-    ControlTable table = read_control_table(*file);
-    tables.push_back(std::move(table));
-    entry = {changed, &tables.back()};
-  }
-  return entry.table;
+  return tables.get(*file);
 }
 
 std::vector<std::string> servo_table_names() { return files::data_file_names(folder, extension); }

@@ -60,8 +60,11 @@ TEST(BusLayout, HasAllJointsInTheirOrder) {
   EXPECT_EQ(old[0].table->name, "mx64");
   EXPECT_TRUE(old[0].own_type);
   EXPECT_EQ(modern[0].table->name, "mx64_2");
-  EXPECT_EQ(modern[1].table->name, "mx28_2");
-  EXPECT_FALSE(modern[1].own_type);
+  EXPECT_EQ(old[1].table->name, "xl330") << "it knows protocol 2.0 only";
+  EXPECT_EQ(modern[1].table->name, "xl330");
+  EXPECT_TRUE(modern[1].own_type);
+  EXPECT_EQ(modern[2].table->name, "mx28_2");
+  EXPECT_FALSE(modern[2].own_type);
 }
 
 TEST(BusLayout, IsReadFromATable) {

