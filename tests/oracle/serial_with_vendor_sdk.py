@@ -205,7 +205,8 @@ def check_fast_reads(robot):
         assert fast.addParam(servo) and plain.addParam(servo)
     expect("fast sync read", fast.fastSyncRead(), sdk.COMM_SUCCESS)
     expect("sync read", plain.txRxPacket(), sdk.COMM_SUCCESS)
-    expect("what they read", [fast.getData(servo, 116, 4) for servo in SERVOS], [plain.getData(servo, 116, 4) for servo in SERVOS])
+    for servo in SERVOS:
+        expect(f"what they read of {servo}", fast.getData(servo, 116, 4), plain.getData(servo, 116, 4))
     bulk = sdk.GroupBulkRead(robot.port, robot.packets)
     assert bulk.addParam(2, 116, 4) and bulk.addParam(1, 0, 2)
     expect("fast bulk read", bulk.fastBulkRead(), sdk.COMM_SUCCESS)

@@ -4,9 +4,9 @@
 Usage: flushed_writes.py <murosimf>
 Exit: 0 all is as on a real port, 1 something is lost, 77 there are no pseudo terminals (test is skipped).
 
-A real port at 1 Mbit/s has sent a packet of N bytes after N * 10 us, and what is flushed then is nothing. Here the kernel is given
-PAUSE besides, which a busy machine needs. Both protocols, in real time and as fast as possible; a round in which something is lost is
-tried again. How much is lost of what is flushed at once depends on the machine and is printed only.
+A real port at 1 Mbit/s has sent a packet of N bytes after N * 10 us, and what is flushed then is nothing. Here the kernel is
+given PAUSE besides, which a busy machine needs. Both protocols, in real time and as fast as possible; a round in which
+something is lost is tried again. How much is lost of what is flushed at once depends on the machine and is printed only.
 """
 import os
 import select
