@@ -72,23 +72,21 @@ void TerminalDrain::discard() noexcept {
   waiting_ = 0;
 }
 
-bool TerminalDrain::has_moved(std::uint64_t before) const noexcept {
+std::uint64_t TerminalDrain::arrived() const noexcept {
   int ready = 0;
-  return moved() != before || (ioctl(terminal_, FIONREAD, &ready) == 0 && ready > 0);
+  if (ioctl(terminal_, FIONREAD, &ready) != 0 || ready < 0) ready = 0;
+  return moved_.load(std::memory_order_relaxed) + static_cast<std::uint64_t>(ready);
 }
 
+/// What has come may stay where it is for a moment: there is room for 4 kB, and no flush reaches it there.
 void TerminalDrain::keep_reading() noexcept {
-  constexpr int pause = 2;  // [ms] where there is nothing to wait for: no program has it open, or all room is used
+  constexpr int pause = 1;  // [ms]
   std::array<pollfd, 2> files{pollfd{stop_, POLLIN, 0}, pollfd{terminal_, POLLIN, 0}};
-  bool wait = true;
-  for (;;) {
+  for (bool wait = true;; wait = !wait) {
     const int ready = poll(files.data(), wait ? 2 : 1, wait ? -1 : pause);
     if (ready < 0 && errno != EINTR) return;
     if ((files[0].revents & POLLIN) != 0) return;
-    const std::uint64_t before = moved();
-    drain();
-    wait = ready <= 0 || moved() != before;
-    files[1].revents = 0;
+    if (!wait) drain();
   }
 }
 

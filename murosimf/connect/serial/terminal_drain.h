@@ -30,15 +30,11 @@ class TerminalDrain {
   void take(std::vector<std::uint8_t>& bytes, double& rate) noexcept;
   /// Forgets what has come.
   void discard() noexcept;
-  /// Reads what is there now.
-  void drain() noexcept;
-
-  /// Bytes are on their way to take(), or have been since this was `before`.
-  [[nodiscard]] bool has_moved(std::uint64_t before) const noexcept;
-  /// Counts bytes that were read.
-  [[nodiscard]] std::uint64_t moved() const noexcept { return moved_.load(std::memory_order_relaxed); }
+  /// How many bytes have come through the kernel so far, read or ready to be read.
+  [[nodiscard]] std::uint64_t arrived() const noexcept;
 
  private:
+  void drain() noexcept;
   struct Piece {
     std::vector<std::uint8_t> bytes;
     double rate = 0;  // [bit/s]

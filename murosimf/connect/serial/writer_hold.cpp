@@ -89,7 +89,7 @@ void WriterHold::add(const std::string& terminal, TerminalDrain& drain) {
   for (const auto& processor : processors_) {
     const std::scoped_lock lock(processor->mutex);
     const int watch = inotify_add_watch(processor->events, terminal.c_str(), IN_MODIFY);
-    if (watch >= 0) processor->drains[watch] = {&drain, drain.moved()};
+    if (watch >= 0) processor->drains[watch] = {&drain, drain.arrived(), false};
   }
 }
 
@@ -127,10 +127,12 @@ void WriterHold::hold(Processor& processor) {
     const auto found = processor.drains.find(event.wd);
     if (found == processor.drains.end()) continue;
     Watched& watched = found->second;
-    while (!watched.drain->has_moved(watched.moved) && std::chrono::steady_clock::now() < end) {
+    const TerminalDrain& drain = *watched.drain;
+    const std::uint64_t before = watched.late ? drain.arrived() : watched.arrived;
+    while (drain.arrived() <= before && std::chrono::steady_clock::now() < end) {
     }
-    watched.drain->drain();
-    watched.moved = watched.drain->moved();
+    watched.arrived = drain.arrived();
+    watched.late = watched.arrived <= before;
   }
 }
 

@@ -42,7 +42,8 @@ class WriterHold {
 
   struct Watched {
     TerminalDrain* drain = nullptr;
-    std::uint64_t moved = 0;  // of it, when it was last looked at
+    std::uint64_t arrived = 0;  // of it, after the last hold
+    bool late = false;          // that one has ended before its bytes came
   };
   struct Processor {
     int number = 0;
