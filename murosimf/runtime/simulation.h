@@ -71,6 +71,11 @@ struct Event {
 };
 
 class Simulation {
+  struct TimedCall {
+    Duration time{};
+    std::function<void()> call;
+  };
+
  public:
   template <class A>
   using Maker = std::function<std::unique_ptr<A>(Setup&)>;
@@ -176,6 +181,17 @@ class Simulation {
   [[nodiscard]] const std::vector<Command>& commands() const { return queue_.history(); }
   /// After load(): which commands had led to that state.
   void commands_were(std::vector<Command> commands) { queue_.set_history(std::move(commands)); }
+  /// Of who carries out a command himself, between two steps.
+  void note_command(std::string text) { queue_.note(now_, std::move(text)); }
+
+  /// What is to be done, and was asked for: no part of a state. Who undoes by load() what he has done since then puts it back, too.
+  class Agenda {
+    friend class Simulation;
+    std::size_t commands_ = 0;
+    std::vector<TimedCall> calls_;
+  };
+  [[nodiscard]] Agenda agenda() const;
+  void agenda_was(Agenda agenda);
 
   /// For who pauses between two steps: carries out now what others have posted, instead of at the beginning of the next step, at the same
   /// simulated time; as there, after the calls of that time. Poses are published again then.
@@ -221,6 +237,7 @@ class Simulation {
   /// What happened on the way, in the order of time: exchanges, and whatever record() was called with.
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
   void record(std::string text) { events_.push_back({now_, std::move(text)}); }
+  void warn(std::string text) { warnings_.push_back(std::move(text)); }
   /// What went wrong on the way, one line each: frozen entities, calls that were refused.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -240,10 +257,6 @@ class Simulation {
     std::int64_t timed_calls = 0;  ///< that `time` stands for
     Duration time{};
     std::vector<std::byte> first_memory;  ///< the algorithm's own state before it has first been initialized
-  };
-  struct TimedCall {
-    Duration time{};
-    std::function<void()> call;
   };
 
   [[nodiscard]] std::unique_ptr<Task> new_task(std::string name, const Entity& entity, const Rate& rate) const;

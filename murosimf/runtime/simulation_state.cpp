@@ -4,11 +4,12 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "murosimf/math/hash.h"
 #include "murosimf/model/error.h"
+#include "murosimf/runtime/bytes_hash.h"
 #include "murosimf/runtime/simulation.h"
 
 namespace murosimf {
@@ -16,17 +17,6 @@ namespace {
 
 constexpr std::string_view first_line = "MuRoSimF state 2\n";  // the number is that of the format
 constexpr std::size_t begin_of_sections = first_line.size() + sizeof(std::uint64_t);
-
-std::uint64_t hash_of(std::span<const std::byte> bytes) {
-  Hasher hasher;
-  for (; bytes.size() >= sizeof(std::uint64_t); bytes = bytes.subspan(sizeof(std::uint64_t))) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data(), sizeof(word));
-    hasher.add(word);
-  }
-  for (const std::byte byte : bytes) hasher.add(static_cast<std::uint64_t>(byte));
-  return hasher.value();
-}
 
 struct Section {
   std::string name;
@@ -148,6 +138,18 @@ void Simulation::load(std::span<const std::byte> bytes) {
     load_sections(before);
     throw;
   }
+}
+
+auto Simulation::agenda() const -> Agenda {
+  Agenda agenda;
+  agenda.commands_ = queue_.history().size();
+  agenda.calls_ = timed_calls_;
+  return agenda;
+}
+
+void Simulation::agenda_was(Agenda agenda) {
+  queue_.forget_from(agenda.commands_);
+  timed_calls_ = std::move(agenda.calls_);
 }
 
 void Simulation::load_sections(std::span<const std::byte> bytes) {

@@ -6,6 +6,7 @@
 
 #include "murosimf/files/data_path.h"
 #include "murosimf/scene/scene_addition.h"
+#include "murosimf/scene/scene_batch.h"
 #include "murosimf/scene/scene_builder.h"
 #include "murosimf/scene/scene_exchange.h"
 #include "murosimf/scene/scene_presence.h"
@@ -65,6 +66,8 @@ std::future<void> Scene::post(std::string change) {
   return parts_.simulation->post(
       change, [this, event] { apply_change(parts_, event()); }, [this, event] { check_change(parts_, event()); });
 }
+
+void Scene::change(const std::vector<std::string>& changes) { change_all(parts_, changes); }
 
 void Scene::reset(std::optional<std::uint64_t> seed) { scene::reset(parts_, seed); }
 

@@ -60,6 +60,10 @@ class Scene {
   /// stands in simulation().commands(), by which events_of_commands() repeats the run.
   std::future<void> post(std::string change);
 
+  /// The same at once, between two steps, by the thread that runs it: all of them one after the other, or, if one is wrong or cannot
+  /// be, none. Throws SetupError then, and everything is as it was.
+  void change(const std::vector<std::string>& changes);
+
   /// Back to the beginning without building anything: the same run, readings included, as of a new scene with these options and,
   /// if given, this seed. Throws SetupError if the scene cannot start.
   void reset(std::optional<std::uint64_t> seed = {});

@@ -1,10 +1,58 @@
+// Bytes of a state: a line that says so, how many bytes follow, their checksum, and these: what the scene has exchanged, and the state of
+// its simulation.
 #include "murosimf/scene/scene_state.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "murosimf/runtime/bytes_hash.h"
 #include "murosimf/scene/scene_exchange.h"
 #include "murosimf/scene/section_changes.h"
 
 namespace murosimf::scene {
 namespace {
+
+constexpr std::string_view first_line = "MuRoSimF scene state 3\n";  // the number is that of the form
+constexpr std::string_view older_line = "MuRoSimF state ";           // of its simulation, behind what had no line
+
+/// What stands behind the line.
+struct Seal {
+  std::uint64_t size = 0, checksum = 0;
+};
+constexpr std::size_t begin_of_content = first_line.size() + sizeof(Seal);
+
+std::span<const std::byte> bytes_of(std::string_view text) { return std::as_bytes(std::span(text)); }
+
+bool begins_with(std::span<const std::byte> bytes, std::string_view text) {
+  return bytes.size() >= text.size() && std::ranges::equal(bytes.first(text.size()), bytes_of(text));
+}
+
+/// Throws SetupError if that is not the state as it was saved.
+std::span<const std::byte> content_of(std::span<const std::byte> bytes) {
+  if (!begins_with(bytes, first_line)) {
+    constexpr std::size_t sign = first_line.find('3');
+    const bool older =
+        begins_with(bytes, first_line.substr(0, sign)) || !std::ranges::search(bytes, bytes_of(older_line)).empty();
+    throw SetupError(older ? "this state is of another form than this version of the program has; have it saved again"
+                           : "these bytes are no state of a scene");
+  }
+  Seal seal;
+  if (bytes.size() >= begin_of_content) std::memcpy(&seal, bytes.data() + first_line.size(), sizeof(seal));
+  if (bytes.size() < begin_of_content || bytes.size() - begin_of_content < seal.size) {
+    throw SetupError(fmt::format("the state is cut off: {} bytes of it are there", bytes.size()));
+  }
+  const std::span<const std::byte> content = bytes.subspan(begin_of_content);
+  if (content.size() != seal.size || hash_of(content) != seal.checksum) {
+    throw SetupError(
+        fmt::format("the state is damaged: its {} bytes do not have the checksum that they were saved with",
+                    bytes.size()));
+  }
+  return content;
+}
 
 void load(SceneParts& parts, std::span<const std::byte> bytes) {
   StateArchive archive(bytes);
@@ -24,7 +72,7 @@ void load(SceneParts& parts, std::span<const std::byte> bytes) {
 }  // namespace
 
 std::vector<std::byte> save_state(SceneParts& parts) {
-  std::vector<std::byte> bytes;
+  std::vector<std::byte> bytes(begin_of_content);
   StateArchive archive(bytes);
   archive(parts.spec.seed);
   std::vector<Algorithms> algorithms = algorithms_in_force(parts);
@@ -33,15 +81,20 @@ std::vector<std::byte> save_state(SceneParts& parts) {
   archive(sections);
   const std::vector<std::byte> simulation = parts.simulation->save();
   bytes.insert(bytes.end(), simulation.begin(), simulation.end());
+  const std::span content = std::span<const std::byte>(bytes).subspan(begin_of_content);
+  const Seal seal{content.size(), hash_of(content)};
+  std::ranges::copy(bytes_of(first_line), bytes.begin());
+  std::memcpy(bytes.data() + first_line.size(), &seal, sizeof(seal));
   return bytes;
 }
 
 void load_state(SceneParts& parts, std::span<const std::byte> bytes) {
+  const std::span<const std::byte> content = content_of(bytes);
   const std::vector<std::byte> before = save_state(parts);
   try {
-    load(parts, bytes);
+    load(parts, content);
   } catch (const SetupError&) {
-    load(parts, before);
+    load(parts, content_of(before));
     throw;
   }
 }

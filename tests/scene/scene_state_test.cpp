@@ -1,6 +1,7 @@
 // A state that is loaded goes on as the one that was saved: the same bits in all columns, readings and pictures.
 #include "murosimf/scene/scene_state.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "murosimf/model/properties.h"
@@ -151,14 +152,22 @@ TEST(SceneStates, RefusesWhatIsNoneOfItsOwn) {
     EXPECT_TRUE(says(said, words)) << said;
     EXPECT_TRUE(scene.save() == saved) << said;
   };
-  refused({}, {"ends too early"});
-  refused(std::vector<std::byte>(300, std::byte{0x7f}), {"state of the scene's moving entities"});
+  refused({}, {"these bytes are no state of a scene"});
+  refused(std::vector<std::byte>(300, std::byte{0x7f}), {"these bytes are no state of a scene"});
   auto bytes = saved;
   bytes.pop_back();
+  refused(bytes, {"the state is cut off", fmt::format("{} bytes", bytes.size())});
+  bytes = saved;
+  bytes.push_back({});
   refused(bytes, {"damaged"});
   bytes = saved;
   bytes[bytes.size() / 2] ^= std::byte{1};
   refused(bytes, {"damaged"});
+  const std::string older = "1234567 MuRoSimF state 2 and more", newer = "MuRoSimF scene state 4 and more";
+  for (const std::string& text : {older, newer}) {
+    const auto other = std::as_bytes(std::span(text));
+    refused({other.begin(), other.end()}, {"of another form than this version of the program has"});
+  }
   const auto refused_of = [&](const std::string& text, std::initializer_list<std::string_view> words) {
     Scene other(fixtures::write_scene(text));
     refused(other.save(), words);
@@ -168,6 +177,25 @@ TEST(SceneStates, RefusesWhatIsNoneOfItsOwn) {
              {"calls at given times"});
   refused_of(game("simplified_dynamics", "rate = 500\n[defaults.sensors.eye]\ntype = 'sonar'\nrange = 2\n"),
              {"sensor.eye", "built otherwise"});
+}
+
+// A checksum stands over all of it.
+TEST(SceneStates, RefusesAnyFlippedBitAndAnyEnd) {
+  Scene scene("walk", {.overrides = {"walker.level=simplified_dynamics"}, .cameras = false});
+  scene.simulation().run(50ms);
+  const auto saved = scene.save();
+  const auto is_refused = [&](const std::vector<std::byte>& bytes) {
+    return error_of([&] { scene.load(bytes); }) != "no error";
+  };
+  const std::size_t every = std::max<std::size_t>(1, saved.size() / 400);
+  for (std::size_t i = 0; i < saved.size(); i += i < 200 ? 1 : every) {
+    auto bytes = saved;
+    bytes[i] ^= std::byte{static_cast<unsigned char>(1U << i % 8)};
+    EXPECT_TRUE(is_refused(bytes)) << "bit " << i % 8 << " of byte " << i << " of " << saved.size();
+    EXPECT_TRUE(is_refused({saved.begin(), saved.begin() + static_cast<std::ptrdiff_t>(i)})) << i << " bytes";
+  }
+  EXPECT_TRUE(scene.save() == saved);
+  EXPECT_FALSE(is_refused(saved));
 }
 
 }  // namespace
